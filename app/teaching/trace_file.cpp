@@ -71,7 +71,8 @@ std::span<const TraceFormat> traceFormats()
 {
     using Files = TraceFormat::Files;
     static const std::array all{
-        TraceFormat{"pdf", "pdf", tr("PDF document, a page for each step"), Files::One, true, pdf},
+        TraceFormat{"pdf", "pdf", tr("PDF document, one page for each step"), Files::One, true,
+                    pdf},
         TraceFormat{"svg", "svg", tr("SVG drawings, one for each step"), Files::OneAStep, true,
                     svg},
         TraceFormat{"png", "png", tr("PNG pictures, one for each step"), Files::OneAStep, true,

@@ -64,7 +64,7 @@ QString endText(const Narration& narration)
     if (narration.visible)
         return tr("Visible: %1 to %2").arg(pair(narration.visible->a), pair(narration.visible->b));
     return narration.outcome == clipping::Outcome::DidNotEnd
-               ? tr("It did not end by itself: nothing is visible.")
+               ? tr("The algorithm did not end and was stopped: nothing is visible.")
                : tr("Nothing is visible.");
 }
 

@@ -54,9 +54,9 @@ QString outcodes(const SentenceContext& context)
 QString anyOutside(const SentenceContext& context, bool outside)
 {
     const unsigned either = codeOf(context, 1) | codeOf(context, 2);
-    return (outside ? tr("Not both ends are inside, for %1 | %2 = %3 is not 0000: the line cannot "
-                         "be accepted yet.")
-                    : tr("Both ends are inside, for %1 | %2 = %3: the line can be accepted."))
+    return (outside ? tr("At least one end is outside, because %1 | %2 = %3 is not 0000: the line "
+                         "cannot be accepted yet.")
+                    : tr("Both ends are inside, because %1 | %2 = %3: the line can be accepted."))
         .arg(codeText(context, 1), codeText(context, 2), outcodeText(either));
 }
 
@@ -65,10 +65,10 @@ QString bothBeyond(const SentenceContext& context)
 {
     const unsigned common = codeOf(context, 1) & codeOf(context, 2);
     if (!context.holds())
-        return tr("No edge has both ends beyond it, for %1 & %2 = %3: the line cannot be rejected "
-                  "yet.")
+        return tr("No edge has both ends beyond it, because %1 & %2 = %3: the line cannot be "
+                  "rejected yet.")
             .arg(codeText(context, 1), codeText(context, 2), outcodeText(common));
-    return tr("Both ends lie %4, for %1 & %2 = %3 is not 0000.")
+    return tr("Both ends lie %4, because %1 & %2 = %3 is not 0000.")
         .arg(codeText(context, 1), codeText(context, 2), outcodeText(common),
              words::beyond(words::edgeOf(common), context.tracedLine.y));
 }
@@ -76,7 +76,7 @@ QString bothBeyond(const SentenceContext& context)
 QString rejected(const SentenceContext& context)
 {
     const unsigned common = codeOf(context, 1) & codeOf(context, 2);
-    return tr("Every point between two ends that lie %1 lies there too: nothing of the line is "
+    return tr("Both ends lie %1, and so does every point between them: nothing of the line is "
               "visible.")
         .arg(words::beyond(words::edgeOf(common), context.tracedLine.y));
 }
@@ -85,9 +85,9 @@ QString rejected(const SentenceContext& context)
 QString chosen(const SentenceContext& context)
 {
     return codeOf(context, 1) != 0
-               ? tr("End 1 is outside, with %1: it is the one to be cut.")
+               ? tr("End 1 is outside, with the outcode %1, so End 1 is cut.")
                      .arg(codeAndRegion(context, 1))
-               : tr("End 1 is inside, End 2 is outside, with %1: it is the one to be cut.")
+               : tr("End 1 is inside and End 2 is outside, with the outcode %1, so End 2 is cut.")
                      .arg(codeAndRegion(context, 2));
 }
 
@@ -97,9 +97,9 @@ QString cutThere(const SentenceContext& context)
     const int number = endOutside(context);
     const QString code = codeText(context, number), end = words::end(number);
     if (!context.holds())
-        return tr("The bit of %1 is not set in %2: %3 is not cut there now.")
+        return tr("The bit of %1 is not set in %2: %3 is not cut at that edge.")
             .arg(context.edgeText(), code, end);
-    return tr("The bit of %1 is set in %2: %3 lies %4 and is cut there.")
+    return tr("The bit of %1 is set in %2: %3 lies %4 and is cut at that edge.")
         .arg(context.edgeText(), code, end, words::beyond(context.edge(), context.tracedLine.y));
 }
 
@@ -111,10 +111,10 @@ QString meets(const SentenceContext& context)
     const double level = clipping::levelOf(context.edge(), window);
     const double there = context.value(along == 0 ? "y" : "x").value_or(0);
     if (!std::isfinite(there))
-        return tr("The numbers are too large: their product overflows, %1 becomes %2, and what "
-                  "comes of it means nothing any more.")
+        return tr("The numbers are too large: their product overflows, %1 becomes %2, and "
+                  "everything computed from it is meaningless.")
             .arg(along == 0 ? QStringLiteral("y") : QStringLiteral("x"), words::number(there));
-    return tr("From End 1 to %1 it is %2 in %3. There the line is at %4.")
+    return tr("From End 1 to %1, %3 changes by %2. There the line is at %4.")
         .arg(context.edgeText(), words::number(level - context.step.segment.a[along]),
              words::axisName(context.edge()),
              words::point(along == 0 ? Point{level, there} : Point{there, level}));
@@ -144,13 +144,12 @@ QString newCode(const SentenceContext& context)
 {
     const int number = endOutside(context);
     if (context.edge() != clipping::Edge::None)
-        return tr("The way that %1 has moved, compared with the ways to the other edges, gives the "
-                  "outcode %2.")
+        return tr("The distance that %1 has moved, compared with its distances to the other edges, "
+                  "gives the outcode %2.")
             .arg(words::end(number), codeAndRegion(context, number));
     const unsigned done = known(context, number == 1 ? "done[1]" : "done[2]");
     return tr("An edge that has cut %1 does not cut it again. The bits of these edges, %2, are "
-              "left "
-              "out, so the outcode is %3.")
+              "cleared, so the outcode is %3.")
         .arg(words::end(number), outcodeText(done), codeAndRegion(context, number));
 }
 
@@ -181,9 +180,9 @@ QString sentence(const SentenceContext& context)
     if (what == What::Reject)
         return rejected(context) + words::lost(context);
     if (what == What::GiveUp)
-        return tr(
-            "After 64 cuts no end is in sight: rounding clears one bit and sets another, round and "
-            "round. The published form never ends here; it is stopped, and nothing is drawn.");
+        return tr("After 64 cuts the loop still goes on: each cut clears one bit, and rounding "
+                  "sets another. The published form never ends on this line. It is stopped, and "
+                  "nothing is drawn.");
     if (what == What::Cut)
         return moved(context);
     if (what == What::Test)
@@ -195,7 +194,7 @@ QString sentence(const SentenceContext& context)
     if (name == "codeOut")
         return chosen(context);
     if (name == "i")
-        return tr("%1 is cut from where it was given, %2.")
+        return tr("The cut starts from the original position of %1, %2.")
             .arg(words::end(endOutside(context)),
                  words::point(endOutside(context) == 1 ? context.tracedLine.line.a
                                                        : context.tracedLine.line.b));

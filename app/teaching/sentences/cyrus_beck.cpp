@@ -29,28 +29,29 @@ QString asked(const SentenceContext& context)
     const QString edge = context.edgeText();
     switch (lineOf(context)) {
     case 5:
-        return (context.holds() ? tr("D = %2: the line runs along %1 and never crosses it.")
-                                : tr("D = %2 is not 0: the line, taken as endless, crosses %1 somewhere."))
+        return (context.holds() ? tr("D = %2: the line is parallel to %1 and never crosses it.")
+                                : tr("D = %2 is not 0: the infinite line through both ends crosses "
+                                     "the line of %1."))
             .arg(edge, knownNumber(context, "D"));
     case 6:
         return (context.holds()
-                    ? tr("The line runs along %1, beyond it (N = %2 is less than 0).")
-                    : tr("End 1 is not beyond %1 (N = %2, not less than 0), and neither is the "
-                         "rest of the line: this edge cuts nothing."))
+                    ? tr("The line is parallel to %1 and lies beyond it (N = %2 is less than 0).")
+                    : tr("End 1 is not beyond %1 (N = %2 is not less than 0), so no point of the "
+                         "line is: this edge cuts nothing off."))
             .arg(edge, knownNumber(context, "N"));
     case 9:
         return (context.holds() ? tr("D = %1 is greater than 0: at %2 the line enters.")
                                 : tr("D = %1 is less than 0: at %2 the line leaves."))
             .arg(knownNumber(context, "D"), edge);
     case 10:
-        return (context.holds()
-                    ? tr("Of all entries so far, the one at %1 is the last (%2).")
-                    : tr("What is left begins no earlier than that (%2): %1 cuts nothing off."))
+        return (context.holds() ? tr("Of all entries so far, the one at %1 is the last (%2).")
+                                : tr("The entry at %1 is not after the start of the remaining part "
+                                     "(%2): this edge cuts nothing off."))
             .arg(edge, knownCompared(context, "t", "tE"));
     default:
-        return (context.holds()
-                    ? tr("Of all exits so far, the one at %1 is the first (%2).")
-                    : tr("What is left ends no later than that (%2): %1 cuts nothing off."))
+        return (context.holds() ? tr("Of all exits so far, the one at %1 is the first (%2).")
+                                : tr("The exit at %1 is not before the end of the remaining part "
+                                     "(%2): this edge cuts nothing off."))
             .arg(edge, knownCompared(context, "t", "tL"));
     }
 }
@@ -61,7 +62,7 @@ QString concluded(const SentenceContext& context)
     if (context.holds())
         return tr("The line leaves before it enters (tE > tL: %1).")
             .arg(knownCompared(context, "tE", "tL"));
-    return tr("The last entry comes no later than the first exit (tE = %1, tL = %2): what lies "
+    return tr("The last entry comes no later than the first exit (tE = %1, tL = %2): the part "
               "between them is visible.")
         .arg(knownNumber(context, "tE"), knownNumber(context, "tL"));
 }
@@ -75,20 +76,21 @@ QString given(const SentenceContext& context)
         return text.arg(edge, knownNumber(context, "nx"), knownNumber(context, "ny"));
     };
     if (name == "ny")
-        return normal(tr("The inner normal of %1 is (%2, %3), which is as long as that edge."));
+        return normal(tr("The inner normal of %1 is (%2, %3). It is as long as that edge."));
     if (name == "D")
-        return normal(tr("The inner normal of %1 is (%2, %3). Along it the line gains D = %4 on "
-                         "its way from End 1 to End 2."))
+        return normal(tr("The inner normal of %1 is (%2, %3). Along it, the line advances by D = "
+                         "%4 from End 1 to End 2."))
             .arg(knownNumber(context, "D"));
     if (name == "N")
-        return tr("Along the same normal End 1 lies N = %1 inside %2 (less than 0: beyond it).")
+        return tr("Along the same normal, End 1 lies N = %1 inside %2 (N < 0: beyond it).")
             .arg(knownNumber(context, "N"), edge);
     if (name == "t")
         return tr("The line crosses %1 at t = −N/D = %2 (0 is End 1, 1 is End 2).")
             .arg(edge, knownNumber(context, "t"));
     if (name == "tE")
-        return tr("What is left begins at %1, with tE = %2.").arg(edge, knownNumber(context, "tE"));
-    return tr("What is left ends at %1, with tL = %2.").arg(edge, knownNumber(context, "tL"));
+        return tr("The remaining part begins at %1, at tE = %2.")
+            .arg(edge, knownNumber(context, "tE"));
+    return tr("The remaining part ends at %1, at tL = %2.").arg(edge, knownNumber(context, "tL"));
 }
 
 QString accepted(const SentenceContext& context)
@@ -97,9 +99,8 @@ QString accepted(const SentenceContext& context)
     const auto& window = context.tracedLine.window;
     const bool flat = window.min.x == window.max.x || window.min.y == window.max.y;
     if (flat && (words::isOutside(a, window) || words::isOutside(b, window)))
-        return tr(
-            "The window has no area, so two of its normals are (0, 0) and cut nothing. What is "
-            "left is taken for visible, and that is wrong: it reaches beyond the window.");
+        return tr("The window has no area, so two of its normals are (0, 0) and cut nothing. The "
+                  "remaining part is accepted, and that is wrong: it reaches beyond the window.");
     return words::acceptedIfInside(context);
 }
 

@@ -75,11 +75,10 @@ QString whetherPassed(const SentenceContext& context, int number)
     const double rise = context.known("rise").value_or(0);
     const double gap = clipping::levelOf(context.edge(), context.tracedLine.window)
                        - context.known("yi").value_or(0);
-    return (context.holds()
-                ? tr("On its way %1 has passed %2: it has moved by %3 in y, and %2 was %4 away "
-                     "(%5). It lies %6.")
-                : tr("On its way %1 has not passed %2: it has moved by %3 in y, and %2 was %4 "
-                     "away (%5). It does not lie %6."))
+    return (context.holds() ? tr("%1 has moved by %3 in y, and %2 was %4 away (%5): %1 has passed "
+                                 "that edge and lies %6.")
+                            : tr("%1 has moved by %3 in y, and %2 was %4 away (%5): %1 has not "
+                                 "passed that edge and does not lie %6."))
         .arg(end(number), context.edgeText(), words::number(rise), words::number(gap),
              compared(rise, gap), beyond(context.edge(), context.tracedLine.y));
 }
@@ -119,8 +118,8 @@ QString outcodes(const SentenceContext& context)
 
 QString productsTooLarge(const QString& products, const QString& corner)
 {
-    return tr("The products are too large for a number (%1): what they say of %2 means nothing, "
-              "but it is believed.")
+    return tr("The products overflow (%1): what they say about %2 is meaningless, but the "
+              "algorithm relies on it.")
         .arg(products, corner);
 }
 
@@ -133,7 +132,8 @@ QString value(const SentenceContext& context, std::string_view name)
 QString held(const SentenceContext& context)
 {
     return context.before && context.before->segment != context.step.segment
-               ? tr("Rounding had put an end just outside: it is moved back to the window.")
+               ? tr(
+                   "Rounding had put an end just outside the window: it is moved back to the edge.")
                : tr("Rounding has put no end outside the window, so both stay where they are.");
 }
 
@@ -141,20 +141,18 @@ QString acceptedIfInside(const SentenceContext& context)
 {
     for (const int end : {1, 2})
         if (const Point p = endOf(end, context); std::isnan(p.x) || std::isnan(p.y))
-            return tr("What is left is taken for visible, but %1 is no point any more: %2.")
+            return tr("The remaining part is accepted, but %1 is no longer a point: %2.")
                 .arg(words::end(end), point(p));
     for (const int end : {1, 2})
         if (const double far = outside(endOf(end, context), context.tracedLine.window); far > 0)
-            return (std::isfinite(far)
-                        ? tr("What is left is taken for visible, but rounding has left %1 outside "
-                             "the window, by %2.")
-                        : tr(
-                            "What is left is taken for visible, but numbers too large have left %1 "
-                            "outside the window, by %2."))
+            return (std::isfinite(far) ? tr("The remaining part is accepted, but rounding has left "
+                                            "%1 outside the window by %2.")
+                                       : tr("The remaining part is accepted, but an overflow has "
+                                            "left %1 outside the window by %2."))
                 .arg(words::end(end), words::number(far));
     if (!exactPiece(context.tracedLine))
         return accepted(context) + QStringLiteral(" ")
-               + tr("That is wrong: the line misses the window, by less than rounding can tell.");
+               + tr("That is wrong: the line misses the window by less than a rounding error.");
     return accepted(context);
 }
 

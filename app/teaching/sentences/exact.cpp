@@ -45,7 +45,8 @@ QString bothBeyond(const SentenceContext& context)
     const auto axis = context.step.line == 1 ? 0 : 1;
     const auto beyond = [&](Edge edge) { return words::beyond(edge, context.tracedLine.y); };
     if (context.holds())
-        return tr("Both ends lie %1, and so does all between them.").arg(beyond(context.edge()));
+        return tr("Both ends lie %1, and so does every point between them.")
+            .arg(beyond(context.edge()));
     return tr("The ends lie neither both %1 nor both %2: the line may meet the window.")
         .arg(beyond(clipping::lowerEdge(axis)), beyond(clipping::upperEdge(axis)));
 }
@@ -57,7 +58,7 @@ QString direction(const SentenceContext& context)
     const auto grows = [&](const char* name) {
         return context.value(name) == 1.0 ? tr("grows") : tr("does not grow");
     };
-    return tr("From End 1 to End 2 x %1 (%2) and y %3 (%4).")
+    return tr("From End 1 to End 2, x %1 (%2) and y %3 (%4).")
         .arg(grows("right"), words::compared(a.x, b.x), grows("up"), words::compared(a.y, b.y));
 }
 
@@ -67,7 +68,8 @@ QString nearAndFar(const SentenceContext& context)
     const TracedLine& tracedLine = context.tracedLine;
     const Side in = entryOf(tracedLine), out = exitOf(tracedLine);
     const bool isX = context.step.name == "xfar";
-    return tr("So %1 is near: the line can enter by it. And %2 is far: the line can leave by it.")
+    return tr("So %1 is the near edge, where the line can enter, and %2 is the far edge, where it "
+              "can leave.")
         .arg(edgeWords(isX ? in.x : in.y, tracedLine.y),
              edgeWords(isX ? out.x : out.y, tracedLine.y));
 }
@@ -92,16 +94,15 @@ QString corner(const SentenceContext& context)
     const QString entry = edgeWords(first ? in.x : in.y, tracedLine.y);
     const QString exit = edgeWords(first ? out.y : out.x, tracedLine.y);
     if (context.holds())
-        return tr("The line has passed %1 before it reaches %2: it goes round the corner between "
-                  "them, outside. That is certain, whatever the rounding.")
+        return tr("The line passes %1 before it reaches %2, so it passes the corner between them "
+                  "on the outside. Rounding cannot change this decision.")
             .arg(exit, entry);
     if (first ? in.beyondX && out.beyondY : in.beyondY && out.beyondX)
-        return tr("The line reaches %2 no later than %1: the corner between them does not keep it "
-                  "out. That is certain, whatever the rounding.")
+        return tr("The line reaches %2 no later than %1, so it does not pass the corner between "
+                  "them on the outside. Rounding cannot change this decision.")
             .arg(exit, entry);
-    return tr("The line need not enter at %2 and leave at %1, so the corner between them cannot "
-              "keep "
-              "it out.")
+    return tr("The line does not have to enter at %2 and leave at %1, so it cannot pass the corner "
+              "between them on the outside.")
         .arg(exit, entry);
 }
 
@@ -122,17 +123,15 @@ QString cutWhere(const SentenceContext& context)
     if (!side.beyondY)
         return tr("%1 is beyond %2 and no other edge: it is cut there.").arg(end, x);
     if (entering)
-        return (context.holds()
-                    ? tr("Of the two edges that the line enters by, it passes %1 no earlier than "
-                         "%2: End 1 is cut at %1.")
-                    : tr("Of the two edges that the line enters by, it passes %2 later than %1: "
-                         "End 1 is not cut at %1."))
+        return (context.holds() ? tr("Of the two edges where the line can enter, it passes %1 no "
+                                     "earlier than %2: End 1 is cut at %1.")
+                                : tr("Of the two edges where the line can enter, it passes %2 "
+                                     "later than %1: End 1 is not cut at %1."))
             .arg(x, y);
-    return (context.holds()
-                ? tr("Of the two edges that the line leaves by, it passes %1 no later than %2: "
-                     "End 2 is cut at %1.")
-                : tr("Of the two edges that the line leaves by, it passes %2 before %1: End 2 is "
-                     "not cut at %1."))
+    return (context.holds() ? tr("Of the two edges where the line can leave, it passes %1 no later "
+                                 "than %2: End 2 is cut at %1.")
+                            : tr("Of the two edges where the line can leave, it passes %2 before "
+                                 "%1: End 2 is not cut at %1."))
         .arg(x, y);
 }
 

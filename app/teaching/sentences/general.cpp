@@ -108,8 +108,9 @@ const clipping::Segment& leftBefore(const SentenceContext& context)
 QString whatIsLeft(const SentenceContext& context)
 {
     const auto& now = context.step.segment;
-    return (now == leftBefore(context) ? tr("What is left stays as it is, from %1 to %2.")
-                                       : tr("What is left now runs from %1 to %2."))
+    return (now == leftBefore(context)
+                ? tr("The remaining part does not change: it runs from %1 to %2.")
+                : tr("The remaining part now runs from %1 to %2."))
         .arg(words::point(now.a), words::point(now.b));
 }
 
@@ -121,10 +122,10 @@ QString cut(const SentenceContext& context)
     if (before.a != now.a && before.b != now.b)
         return tr("Both ends are cut: End 1 moves to %1, End 2 to %2.").arg(a, b);
     if (before == now)
-        return edge.isEmpty() ? tr("The line is cut where an end lies already: nothing moves.")
-                              : tr("The line is cut at %1, where an end lies already: nothing "
-                                   "moves.")
-                                    .arg(edge);
+        return edge.isEmpty()
+                   ? tr("The line is cut where an end already lies: nothing moves.")
+                   : tr("The line is cut at %1, where an end already lies: nothing moves.")
+                         .arg(edge);
     const QString end = words::end(before.a != now.a ? 1 : 2), to = before.a != now.a ? a : b;
     return edge.isEmpty() ? tr("%1 is cut: it moves to %2.").arg(end, to)
                           : tr("%1 is cut at %2: it moves to %3.").arg(end, edge, to);

@@ -30,14 +30,13 @@ QString direction(const SentenceContext& context)
                    ? tr("The line is not horizontal (%1).").arg(words::compared(a.y, b.y))
                    : tr("The line is horizontal (y1 = y2 = %1).").arg(words::number(a.y));
     return context.holds()
-               ? tr("The two ends are one and the same point, %1.").arg(words::point(a))
-               : tr("The two ends are not the same point (%1).").arg(words::compared(a.y, b.y));
+               ? tr("Both ends are the same point, %1.").arg(words::point(a))
+               : tr("The two ends are different points (%1).").arg(words::compared(a.y, b.y));
 }
 
 QString point(const SentenceContext& context)
 {
-    return (context.holds() ? tr("The point, %1, counts as outside.")
-                            : tr("The point, %1, is inside."))
+    return (context.holds() ? tr("The point %1 counts as outside.") : tr("The point %1 is inside."))
         .arg(words::point(context.tracedLine.line.a));
 }
 
@@ -52,11 +51,11 @@ QString between(const SentenceContext& context, glm::length_t axis)
     const QString numbers =
         ground.arg(words::number(a[axis]), words::number(min[axis]), words::number(max[axis]));
     if (!context.holds())
-        return tr("The line runs between the two edges (%1).").arg(numbers);
+        return tr("The line lies between the two edges that are parallel to it (%1).").arg(numbers);
     const bool onEdge = a[axis] == min[axis] || a[axis] == max[axis];
-    return onEdge ? tr("The line runs along an edge (%1); as published, that counts as outside.")
+    return onEdge ? tr("The line lies on an edge (%1). The published form counts that as outside.")
                         .arg(numbers)
-                  : tr("The line runs outside, beside the window (%1).").arg(numbers);
+                  : tr("The line lies outside, beside the window (%1).").arg(numbers);
 }
 
 QString tooShort(const SentenceContext& context, glm::length_t axis)
@@ -66,11 +65,11 @@ QString tooShort(const SentenceContext& context, glm::length_t axis)
     const QString name =
         axis == 0 ? QStringLiteral("|x1 \u2212 x2|") : QStringLiteral("|y1 \u2212 y2|");
     if (std::isnan(length))
-        return tr("Now %1 is no number, which no comparison calls less than 1: the line is drawn.")
+        return tr("Now %1 is NaN. Every comparison with NaN is false, so the line is drawn.")
             .arg(name);
     return context.holds()
-               ? tr("Now %1 = %2, less than 1. The authors take that for a line that has shrunk to "
-                    "a point, because it misses the window.")
+               ? tr("Now %1 = %2, less than 1. The published form concludes that the line has "
+                    "shrunk to a point and misses the window.")
                      .arg(name, words::number(length))
                : tr("Now %1 = %2, not less than 1: the line has not shrunk to a point, so it meets "
                     "the window.")
@@ -91,7 +90,7 @@ QString push(const SentenceContext& context, int number)
 QString other(const SentenceContext& context)
 {
     const QString where = words::beyond(context.edge(), context.tracedLine.y);
-    return context.holds() ? tr("The other end lies %1, too.").arg(where)
+    return context.holds() ? tr("The other end lies %1 too.").arg(where)
                            : tr("The other end does not lie %1, so %2 does not rule the line out.")
                                  .arg(where, context.edgeText());
 }
@@ -153,26 +152,26 @@ QString given(const SentenceContext& context, int number)
     const auto& [a, b] = context.tracedLine.line;
     const Point& end = number == 1 ? a : b;
     if (name == "m")
-        return tr("The slope of the line: m = %1.").arg(words::value(context, "m"));
+        return tr("The slope of the line is m = %1.").arg(words::value(context, "m"));
     if (name == "c")
-        return tr("Where the line meets the y axis: c = %1. From here on the line is y = mx + c.")
+        return tr("The line meets the y axis at c = %1. From now on the line is y = mx + c.")
             .arg(words::value(context, "c"));
     if (name == "dy")
-        return tr("The slope stays a fraction: dy = %2 over dx = %1, so that nothing is rounded "
-                  "yet.")
+        return tr("The slope stays a fraction, dy = %2 over dx = %1, so that no quotient is "
+                  "rounded yet.")
             .arg(words::value(context, "dx"), words::value(context, "dy"));
     if (name == "left")
         return words::held(context);
     if (name == "rise" || name == "run")
         return words::way(context, words::end(number), end, context.value(name).value_or(0));
-    return tr("%1 was given at %2, the other end at %3.")
+    return tr("%1 is originally at %2, the other end at %3.")
         .arg(words::end(number), words::point(end), words::point(number == 1 ? b : a));
 }
 
 QString rejected(const SentenceContext& context)
 {
     return words::isPublished(context)
-               ? tr("The line is rejected: nothing of it is taken for visible.")
+               ? tr("The line is rejected: the published form draws nothing of it.")
                      + words::lost(context)
                : words::bothBeyond(context);
 }

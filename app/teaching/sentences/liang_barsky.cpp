@@ -28,13 +28,13 @@ QString direction(const SentenceContext& context)
     const QString edge = context.edgeText(), p = knownNumber(context, "p");
     if (context.step.line == 12)
         return (context.holds()
-                    ? tr("The line runs along %1, on the outer side of it (q = %2 is less than 0).")
-                    : tr("End 1 lies on the inner side of %1 (q = %2, not less than 0), and so "
-                         "does all of the line: this edge cuts nothing."))
+                    ? tr("The line is parallel to %1 and lies beyond it (q = %2 is less than 0).")
+                    : tr("End 1 is not beyond %1 (q = %2 is not less than 0), so no point of the "
+                         "line is: this edge cuts nothing off."))
             .arg(edge, knownNumber(context, "q"));
     if (context.step.line == 7)
         return (context.holds() ? tr("p = %1 is greater than 0: at %2 the line leaves.")
-                                : tr("p = %1: the line runs along %2 and never crosses it."))
+                                : tr("p = %1: the line is parallel to %2 and never crosses it."))
             .arg(p, edge);
     return (context.holds() ? tr("p = %1 is less than 0: at %2 the line enters.")
                             : tr("p = %1 is not less than 0: at %2 the line does not enter."))
@@ -50,25 +50,27 @@ QString crossing(const SentenceContext& context)
     switch (context.step.line) {
     case 4:
         return context.holds()
-                   ? tr("It would enter at %1 only after it has left at another edge (%2).")
+                   ? tr("The entry at %1 comes after the end of the remaining part (%2).")
                          .arg(edge, toStop)
-                   : tr("It enters before it leaves (%1), so something may be visible.")
+                   : tr("The entry is not after the end of the remaining part (%1), so something "
+                        "may be visible.")
                          .arg(toStop);
     case 9:
         return context.holds()
-                   ? tr("It has left at %1 before it enters at another edge (%2).")
+                   ? tr("The exit at %1 comes before the start of the remaining part (%2).")
                          .arg(edge, toStart)
-                   : tr("It leaves after it has entered (%1), so something may be visible.")
+                   : tr("The exit is not before the start of the remaining part (%1), so something "
+                        "may be visible.")
                          .arg(toStart);
     case 5:
         return (context.holds() ? tr("Of all entries so far, the one at %1 is the last (%2).")
-                                : tr("The part that is left begins later than that (%2): %1 cuts "
-                                     "nothing off."))
+                                : tr("The entry at %1 is not after the start of the remaining part "
+                                     "(%2): this edge cuts nothing off."))
             .arg(edge, toStart);
     default:
         return (context.holds() ? tr("Of all exits so far, the one at %1 is the first (%2).")
-                                : tr("The part that is left ends before that (%2): %1 cuts nothing "
-                                     "off."))
+                                : tr("The exit at %1 is not before the end of the remaining part "
+                                     "(%2): this edge cuts nothing off."))
             .arg(edge, toStop);
     }
 }
@@ -79,10 +81,10 @@ QString atEdge(const SentenceContext& context)
     const double p = context.known("p").value_or(0), q = context.known("q").value_or(0);
     const QString way = p < 0   ? tr("At %1, p = %2 < 0: the line enters.")
                         : p > 0 ? tr("At %1, p = %2 > 0: the line leaves.")
-                                : tr("At %1, p = %2: the line runs along it.");
+                                : tr("At %1, p = %2: the line is parallel to it.");
     return way.arg(context.edgeText(), words::number(p)) + u' '
-           + (q < 0 ? tr("q = %1 < 0: End 1 is outside that edge.")
-                    : tr("q = %1: End 1 is inside that edge."))
+           + (q < 0 ? tr("q = %1 < 0: End 1 is beyond that edge.")
+                    : tr("q = %1: End 1 is not beyond that edge."))
                  .arg(words::number(q));
 }
 
@@ -94,9 +96,11 @@ QString given(const SentenceContext& context)
     if (name == "q")
         return atEdge(context);
     if (name == "u0")
-        return tr("What is left begins at %1, with u0 = %2.").arg(edge, knownNumber(context, "u0"));
+        return tr("The remaining part begins at %1, at u0 = %2.")
+            .arg(edge, knownNumber(context, "u0"));
     if (name == "u1")
-        return tr("What is left ends at %1, with u1 = %2.").arg(edge, knownNumber(context, "u1"));
+        return tr("The remaining part ends at %1, at u1 = %2.")
+            .arg(edge, knownNumber(context, "u1"));
     return (context.step.line == 3
                 ? tr("The line enters across %1 at r = q/p = %2 (0 is End 1, 1 is End 2).")
                 : tr("The line leaves across %1 at r = q/p = %2 (0 is End 1, 1 is End 2)."))

@@ -66,12 +66,13 @@ QString stillBeyond(const SentenceContext& context)
     const auto &a = context.step.segment.a, &b = context.step.segment.b;
     const auto& window = context.tracedLine.window;
     if (context.holds())
-        return tr("Both ends have arrived %1 (%2 and %3): the line is taken to pass the window by.")
+        return tr("Both ends now lie %1 (%2 and %3): the algorithm concludes that the line misses "
+                  "the window.")
             .arg(words::beyond(context.edge(), context.tracedLine.y),
                  words::compared(a, context.edge(), window),
                  words::compared(b, context.edge(), window));
     return tr("The ends are now at x = %1 and x = %2, neither both left nor both right of the "
-              "window: the line has met it.")
+              "window: the algorithm concludes that the line meets it.")
         .arg(words::number(a.x), words::number(b.x));
 }
 
@@ -84,10 +85,9 @@ bool isLastTest(const clipping::Step& step, const SentenceContext& context)
 QString rejected(const SentenceContext& context)
 {
     if (context.before && isLastTest(*context.before, context))
-        return tr(
-            "Had the line met the window, its ends would have arrived there. Nothing of it is "
-            "visible.");
-    return tr("Every point between two ends that lie %1 lies there too: nothing of the line is "
+        return tr("If the line met the window, its ends would lie in the window now. So nothing of "
+                  "it is visible.");
+    return tr("Both ends lie %1, and so does every point between them: nothing of the line is "
               "visible.")
         .arg(words::beyond(context.edge(), context.tracedLine.y));
 }
@@ -97,8 +97,8 @@ QString accepted(const SentenceContext& context)
     const auto& [a, b] = context.step.segment;
     const auto& window = context.tracedLine.window;
     if (words::isOutside(a, window) || words::isOutside(b, window))
-        return tr("%1 lies outside the window, at %2. The last test sees only ends that are out on "
-                  "the same side, so the line is drawn all the same: this is wrong.")
+        return tr("%1 lies outside the window, at %2. The last test finds only ends that are both "
+                  "left or both right of the window, so the line is drawn: this is wrong.")
             .arg(words::end(words::isOutside(a, window) ? 1 : 2),
                  words::point(words::isOutside(a, window) ? a : b));
     return words::acceptedIfInside(context);
@@ -116,10 +116,10 @@ QString sentence(const SentenceContext& context)
     if (what == clipping::What::Cut)
         return words::moved(context, number);
     if (name == "dy")
-        return tr("From End 1 to End 2 it goes %1 in x and %2 in y.")
+        return tr("From End 1 to End 2, x changes by %1 and y by %2.")
             .arg(words::value(context, "dx"), words::value(context, "dy"));
     if (name == "moved")
-        return tr("%1 is where it was given, at %2: it has not been moved yet.")
+        return tr("%1 starts at its original place, %2: it has not been moved yet.")
             .arg(words::end(number),
                  words::point(number == 1 ? context.step.segment.a : context.step.segment.b));
     if (name == "left")

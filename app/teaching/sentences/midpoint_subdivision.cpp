@@ -49,12 +49,11 @@ QString beyondBoth(const SentenceContext& context, const char* one, const char* 
 QString bothBeyond(const SentenceContext& context)
 {
     const QString one = codeText(context, "code1"), two = codeText(context, "code2");
-    return context.holds()
-               ? tr("Both ends lie %3, for %1 & %2 is not 0000.")
-                     .arg(one, two, beyondBoth(context, "code1", "code2"))
-               : tr("No edge has both ends beyond it, for %1 & %2 = 0000: the line may meet the "
-                    "window.")
-                     .arg(one, two);
+    return context.holds() ? tr("Both ends lie %3, because %1 & %2 is not 0000.")
+                                 .arg(one, two, beyondBoth(context, "code1", "code2"))
+                           : tr("No edge has both ends beyond it, because %1 & %2 = 0000: the line "
+                                "may meet the window.")
+                                 .arg(one, two);
 }
 
 /// Whether an end is outside, so that a search for it is needed.
@@ -62,10 +61,10 @@ QString sought(const SentenceContext& context, int number)
 {
     const QString code = codeText(context, number == 1 ? "code1" : "code2");
     if (context.holds())
-        return tr("%1 is outside (%2): the visible point nearest to it is sought, by halving.")
+        return tr("%1 is outside (%2): halving searches for the visible point nearest to it.")
             .arg(words::end(number), code);
     return number == 1 && context.known("contact") == 1.0
-               ? tr("The line meets the window in one point, which is found.")
+               ? tr("The line meets the window in one point, which has been found.")
                : tr("%1 is inside (%2) and stays.").arg(words::end(number), code);
 }
 
@@ -75,8 +74,8 @@ QString nearAndFar(const SentenceContext& context, bool share)
     const QString near = codeText(context, "near"), far = codeText(context, "far");
     return share ? tr("The near point (%1) and the far point (%2) both lie %3.")
                        .arg(near, far, beyondBoth(context, "near", "far"))
-                 : tr("The near point (%1) and the far point (%2) share no edge: the end that is "
-                      "sought lies between them.")
+                 : tr("The near point (%1) and the far point (%2) have no bit in common: the end "
+                      "that is sought lies between them.")
                        .arg(near, far);
 }
 
@@ -85,23 +84,23 @@ QString halved(const SentenceContext& context)
 {
     const QString code = codeAndRegion(context, "M");
     return (context.holds()
-                ? tr("The middle, with %1, and the far point lie beyond the same edge: the half "
-                     "between them holds nothing and is dropped.")
-                : tr("The middle, with %1, shares no edge with the far point: the end that is "
-                     "sought lies between them, and the near half is settled."))
+                ? tr("The midpoint, with the outcode %1, and the far point lie beyond the same "
+                     "edge: the half between them is invisible and is dropped.")
+                : tr("The midpoint, with the outcode %1, has no bit in common with the far point: "
+                     "the end that is sought lies between them, in the far half."))
         .arg(code);
 }
 
 QString rejected(const SentenceContext& context)
 {
     if (context.step.line == 3)
-        return tr("Every point between two ends that lie %1 lies there too: nothing of the line is "
+        return tr("Both ends lie %1, and so does every point between them: nothing of the line is "
                   "visible.")
             .arg(beyondBoth(context, "code1", "code2"));
     if (words::isPublished(context) && context.step.line == 20)
         return tr("There is nothing left to halve, and the near point is still outside: nothing is "
                   "visible.");
-    return tr("Between two points that lie %1 nothing is visible.")
+    return tr("Both points lie %1, and so does every point between them: nothing is visible.")
         .arg(beyondBoth(context, "near", "far"));
 }
 
@@ -113,7 +112,7 @@ QString found(const SentenceContext& context)
     const int number = published ? (line == 7 ? 2 : 1) : (line == 12 || line == 23 ? 2 : 1);
     if (!published && (line == 14 || line == 23))
         return tr("%1 is at the same point.").arg(words::end(number));
-    return tr("There is nothing left to halve: %1 is found at %2, at %3.")
+    return tr("There is nothing left to halve: %1 is found at %2, on %3.")
         .arg(words::end(number), words::point(words::endOf(number, context)), context.edgeText());
 }
 
@@ -130,10 +129,11 @@ QString publishedTest(const SentenceContext& context)
         return nearAndFar(context, context.holds());
     case 18:
         return context.holds()
-                   ? tr("The middle is one of the two points: there is nothing left to halve.")
-                   : tr("The middle lies between the two points: it halves what is between them.");
+                   ? tr("The midpoint is one of the two points: there is nothing left to halve.")
+                   : tr("The midpoint lies between the two points and halves the line between "
+                        "them.");
     case 19:
-        return context.holds() ? tr("The near point is still outside, with %1.")
+        return context.holds() ? tr("The near point is still outside, with the outcode %1.")
                                      .arg(codeAndRegion(context, "near"))
                                : tr("The near point is inside: it is the end that was sought.");
     default:
@@ -147,23 +147,22 @@ QString correctedTest(const SentenceContext& context)
     case 2:
         return bothBeyond(context);
     case 6:
-        return context.holds() ? tr("Not both ends are inside: the line has to be halved.")
-                               : tr("Both ends are inside: there is nothing to be sought.");
+        return context.holds() ? tr("At least one end is outside: the line has to be halved.")
+                               : tr("Both ends are inside: there is nothing to search for.");
     case 9:
         return sought(context, 2);
     case 13:
-        return context.holds()
-                   ? tr("The near point is outside, too, but beyond another edge (%1, not %2): the "
-                        "window lies between the two, and the line meets it in one point.")
-                         .arg(codeText(context, "near"), codeText(context, "far"))
-                   : tr("The near point is inside: it is the end that was sought.");
+        return context.holds() ? tr("The near point (%1) and the far point (%2) are both outside, "
+                                    "but beyond different edges: the window lies between them, and "
+                                    "the line meets it in one point.")
+                                     .arg(codeText(context, "near"), codeText(context, "far"))
+                               : tr("The near point is inside: it is the end that was sought.");
     case 15:
         return sought(context, 1);
     case 18:
         return context.holds()
-                   ? tr("The two ends are no more than one step apart: they are one "
-                        "point.")
-                   : tr("The two ends are not neighbours: more than a point is visible.");
+                   ? tr("The two ends are at most 2⁻⁵³ of the line apart: they count as one point.")
+                   : tr("The two ends are different points: more than one point is visible.");
     case 22:
         return context.holds() ? tr("The line meets the window in one point.")
                                : tr("The line meets the window in more than one point.");
@@ -187,28 +186,30 @@ QString given(const SentenceContext& context)
     if (line == 1)
         return outcodes(context);
     if (name == "ym")
-        return tr("The middle of the near and the far point is %1.")
+        return tr("The midpoint between the near and the far point is %1.")
             .arg(words::point({context.known("xm").value_or(0), context.known("ym").value_or(0)}));
     if (name == "M")
-        return tr("The outcode of the middle is %1.").arg(codeAndRegion(context, "M"));
+        return tr("The outcode of the midpoint is %1.").arg(codeAndRegion(context, "M"));
     if (name == "contact")
-        return line == 5 ? tr("Nothing says yet that the line meets the window in one point only.")
+        return line == 5 ? tr("So far, the line is not known to meet the window in only one point.")
                : context.known("contact") == 1.0
-                   ? tr("The near point is outside, too: the line meets the window in one point.")
+                   ? tr(
+                       "The near point is outside as well: the line meets the window in one point.")
                    : tr("The near point is inside: it is the end that was sought.");
     if (name == "toRight" || name == "toTop")
-        return name == "toRight" ? tr("From End 1 it is %1 in x to End 2, %2 to xmin, %3 to xmax.")
-                                       .arg(numberOf(context, "dx"), numberOf(context, "toLeft"),
-                                            numberOf(context, "toRight"))
-                                 : tr("From End 1 it is %1 in y to End 2, %2 to ymin, %3 to ymax.")
-                                       .arg(numberOf(context, "dy"), numberOf(context, "toBottom"),
-                                            numberOf(context, "toTop"));
+        return name == "toRight"
+                   ? tr("Measured from End 1 in x, End 2 is at %1, xmin at %2 and xmax at %3.")
+                         .arg(numberOf(context, "dx"), numberOf(context, "toLeft"),
+                              numberOf(context, "toRight"))
+                   : tr("Measured from End 1 in y, End 2 is at %1, ymin at %2 and ymax at %3.")
+                         .arg(numberOf(context, "dy"), numberOf(context, "toBottom"),
+                              numberOf(context, "toTop"));
     if (name == "halvings")
-        return context.value("t") ? tr("The middle lies at t = %1 of the way from End 1 to End 2.")
+        return context.value("t") ? tr("The midpoint lies at t = %1 (0 is End 1, 1 is End 2).")
                                         .arg(numberOf(context, "t"))
                                   : tr("Nothing has been halved yet.");
     if (name == "s")
-        return tr("The end lies at t = %1, on the edges that %2 names.")
+        return tr("The end lies at t = %1, on each edge whose bit is set in %2.")
             .arg(numberOf(context, "t"), codeText(context, "s"));
     if (name == "x" || name == "y")
         return context.value("x") && context.value("y")
@@ -221,10 +222,10 @@ QString given(const SentenceContext& context)
     if (context.value("near") && context.value("far"))
         return tr("The near point has the outcode %1, the far point %2.")
             .arg(codeAndRegion(context, "near"), codeAndRegion(context, "far"));
-    return name == "far"
-               ? tr("The middle is now the far point, with %1.").arg(codeAndRegion(context, "far"))
-               : tr("The middle is now the near point, with %1.")
-                     .arg(codeAndRegion(context, "near"));
+    return name == "far" ? tr("The midpoint, with the outcode %1, becomes the far point.")
+                               .arg(codeAndRegion(context, "far"))
+                         : tr("The midpoint, with the outcode %1, becomes the near point.")
+                               .arg(codeAndRegion(context, "near"));
 }
 
 QString sentence(const SentenceContext& context)
@@ -235,8 +236,8 @@ QString sentence(const SentenceContext& context)
     case What::Reject:
         return rejected(context) + words::lost(context);
     case What::GiveUp:
-        return tr("Halving does not come to an end with these numbers: it is stopped, and nothing "
-                  "is visible.");
+        return tr(
+            "The halving never ends with these numbers: it is stopped, and nothing is visible.");
     case What::Cut:
         return found(context);
     case What::Test:

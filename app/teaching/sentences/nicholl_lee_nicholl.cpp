@@ -52,8 +52,8 @@ QString whereEndOneIs(const SentenceContext& context)
     const QString beyond = words::whetherBeyond(context, 1);
     if (!context.holds())
         return context.step.line == insideLine
-                   ? tr("%1: End 1 is inside the window, so something is visible for certain, and "
-                        "only End 2 is in question.")
+                   ? tr("%1: End 1 is inside the window, so something is certainly visible. Only "
+                        "End 2 remains to be tested.")
                          .arg(beyond)
                    : tr("%1.").arg(beyond);
     switch (context.step.line) {
@@ -88,7 +88,7 @@ QString whereEndTwoIs(const SentenceContext& context)
         return tr("%1, and so does End 1.").arg(beyond);
     case 21:
     case 34:
-        return tr("%1: it must be asked whether the line misses the window there.").arg(beyond);
+        return tr("%1: the line may miss the window there, which is tested next.").arg(beyond);
     case 35:
         return tr("%1: the plane will be mirrored, so that one procedure serves both sides.")
             .arg(beyond);
@@ -143,15 +143,15 @@ QString passesCorner(const SentenceContext& context, const CornerTest& test)
         return words::productsTooLarge(relation, corner.name);
     if (test.asks == CornerTest::Enters)
         return tr("Slopes are compared as products, without a division (%1): the line passes %2 on "
-                  "the side of %3. Only there can it enter.")
+                  "the side of %3. It can enter only there.")
             .arg(relation, corner.name, through);
     if (test.asks == CornerTest::Leaves)
-        return tr("At %1 the products say (%2): the line leaves through %3.")
+        return tr("By the products for %1 (%2), the line leaves through %3.")
             .arg(corner.name, relation, through);
     if (context.holds())
-        return tr("The line passes outside %1 (%2): it misses the window.")
+        return tr("The line passes %1 on the outside (%2): it misses the window.")
             .arg(corner.name, relation);
-    return tr("The line passes inside %1 (%2): it meets the window, and enters through %3.")
+    return tr("The line passes %1 on the inside (%2): it meets the window and enters through %3.")
         .arg(corner.name, relation, corner.edge);
 }
 
@@ -163,8 +163,8 @@ QString product(const SentenceContext& context)
         return tr("One more product, for the next corner: %1 = %2.")
             .arg(latin(last.name), words::number(last.value));
     const auto& first = context.step.values.front();
-    return tr("Two products hold what a corner says of the line's slope: %1 = %2, %3 = %4. No "
-              "division is needed to compare slopes.")
+    return tr("Two products compare the line's slope with that of a corner, without a division: %1 "
+              "= %2, %3 = %4.")
         .arg(latin(first.name), words::number(first.value), latin(last.name),
              words::number(last.value));
 }
@@ -172,8 +172,7 @@ QString product(const SentenceContext& context)
 QString cut(const SentenceContext& context)
 {
     const int end = std::ranges::count(cutsOfEndOne, context.step.line) != 0 ? 1 : 2;
-    return tr("%1 moves along the line to %2, to %3. It is certain by now that this end is "
-              "visible.")
+    return tr("%1 moves along the line to %2, to %3. This end is now known to be visible.")
         .arg(words::end(end), context.edgeText(), words::point(words::endOf(end, context)));
 }
 
@@ -181,9 +180,8 @@ QString extent(const SentenceContext& context)
 {
     const Point d = context.tracedLine.line.b - context.tracedLine.line.a;
     const bool changed = context.value("dx") != d.x || context.value("dy") != d.y;
-    return (changed ? tr("How far it is from End 1 to End 2 in the plane as it is now: dx = %1, "
-                         "dy = %2.")
-                    : tr("How far it is from End 1 to End 2: dx = %1, dy = %2."))
+    return (changed ? tr("From End 1 to End 2, in the plane of this procedure: dx = %1, dy = %2.")
+                    : tr("From End 1 to End 2: dx = %1, dy = %2."))
         .arg(words::value(context, "dx"), words::value(context, "dy"));
 }
 
@@ -193,7 +191,7 @@ QString turned(const SentenceContext& context)
     const auto end = [&](const char* x, const char* y) {
         return words::point({context.value(x).value_or(0), context.value(y).value_or(0)});
     };
-    return tr("In the plane of this procedure End 1 is at %1 and End 2 at %2. The picture is not "
+    return tr("In the plane of this procedure, End 1 is at %1 and End 2 at %2. The picture is not "
               "turned.")
         .arg(end("x1", "y1"), end("x2", "y2"));
 }
@@ -205,7 +203,7 @@ QString let(const SentenceContext& context)
         return words::isBeyond(context, 1, context.edge())
                        && words::isBeyond(context, 2, context.edge())
                    ? words::bothBeyond(context)
-                   : tr("The line misses the window, and nothing had to be divided to know that.");
+                   : tr("The line misses the window. No division was needed to decide this.");
     if (name == "dy")
         return extent(context);
     if (name == "ymin")
@@ -221,8 +219,8 @@ QString sentence(const SentenceContext& context)
     switch (step.what) {
     case clipping::What::Test:
         if (step.line == displayLine)
-            return context.holds() ? tr("Nothing has been found to be visible.")
-                                   : tr("Nothing has ruled the line out.");
+            return context.holds() ? tr("A test has found that nothing of the line is visible.")
+                                   : tr("No test has ruled the line out.");
         if (const CornerTest* test = cornerTestOf(context))
             return passesCorner(context, *test);
         return std::ranges::count(linesOfEndOne, step.line) != 0 ? whereEndOneIs(context)

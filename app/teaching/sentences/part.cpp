@@ -32,12 +32,12 @@ QString touches(const SentenceContext& context, const PartNames& names)
 {
     const QString numbers = knownCompared(context, names.start, names.stop);
     if (context.holds())
-        return tr("What is left begins where it ends (%1): the line only touches the window.")
+        return tr("The remaining part begins where it ends (%1): the line only touches the window.")
             .arg(numbers);
     return context.known(names.start) == context.known(names.stop)
-               ? tr("What is left begins where it ends (%1), at End 2, which has not moved.")
+               ? tr("The remaining part begins where it ends (%1), at End 2, which has not moved.")
                      .arg(numbers)
-               : tr("What is left ends after it has begun (%1): it is more than one point.")
+               : tr("The remaining part begins before it ends (%1): it is more than one point.")
                      .arg(numbers);
 }
 
@@ -66,18 +66,18 @@ QString wholeLine(const SentenceContext& context, const PartNames& names)
 {
     QStringList said;
     if (context.value(names.stop))
-        said << tr("The whole line is left, from %1 = 0 (End 1) to %2 = 1 (End 2).")
+        said << tr("The whole line remains, from %1 = 0 (End 1) to %2 = 1 (End 2).")
                     .arg(QLatin1StringView(names.start), QLatin1StringView(names.stop));
     const auto way = [&](const char* name) {
         return context.value(name) ? knownNumber(context, name) : QString();
     };
     const QString dx = way("dx"), dy = way("dy");
     if (!dx.isEmpty() && !dy.isEmpty())
-        said << tr("From End 1 to End 2 it goes %1 in x and %2 in y.").arg(dx, dy);
+        said << tr("From End 1 to End 2, x changes by %1 and y by %2.").arg(dx, dy);
     else if (!dx.isEmpty())
-        said << tr("From End 1 to End 2 it goes %1 in x.").arg(dx);
+        said << tr("From End 1 to End 2, x changes by %1.").arg(dx);
     else if (!dy.isEmpty())
-        said << tr("From End 1 to End 2 it goes %1 in y.").arg(dy);
+        said << tr("From End 1 to End 2, y changes by %1.").arg(dy);
     return said.join(u' ');
 }
 

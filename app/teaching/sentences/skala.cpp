@@ -70,9 +70,10 @@ QString cornerSide(const SentenceContext& context)
     if (!std::isfinite(one) || !std::isfinite(other))
         return words::productsTooLarge(all, corner);
     if (one == other)
-        return (isSet ? tr("The line goes right through %1 (%2): counted as %3 of it.")
-                      : tr("Asked strictly: the line goes right through %1 (%2), so that corner "
-                           "does not count as %3 of it."))
+        return (isSet ? tr("The line passes exactly through %1 (%2): that corner counts as %3 of "
+                           "the line.")
+                      : tr("The line passes exactly through %1 (%2): in the strict test that "
+                           "corner does not count as %3 of the line."))
             .arg(corner, all, sideOfLine(context, true));
     return tr("Seen along the line from End 1 to End 2, %1 lies on the %2 (%3).")
         .arg(corner, sideOfLine(context, one > other), all);
@@ -84,7 +85,7 @@ QString pattern(const SentenceContext& context)
     const unsigned c = known(context, "c");
     const QString text = outcodeText(c);
     if (!words::isPublished(context) && context.step.line == 21)
-        return tr("The line runs along a window without area: its direction tells the row of the "
+        return tr("The line runs along a window without area: its direction selects the row of the "
                   "table, c = %1.")
             .arg(text);
     QStringList crossed;
@@ -95,7 +96,7 @@ QString pattern(const SentenceContext& context)
                   "different sides of the line.")
             .arg(text);
     return tr("The four answers make c = %1, row %2 of the table: the side changes along %3 and "
-              "%4. There, and only there, the line crosses the window.")
+              "%4. The infinite line crosses exactly these two edges.")
         .arg(text, QString::number(c), crossed[0], crossed[1]);
 }
 
@@ -104,9 +105,9 @@ QString named(const SentenceContext& context)
 {
     const unsigned i = known(context, "i"), j = known(context, "j");
     if (!words::isPublished(context))
-        return tr("The table tells that the line enters at %1 and leaves at %2.")
+        return tr("By the table, the line enters at %1 and leaves at %2.")
             .arg(edgeOfTable(context, i), edgeOfTable(context, j));
-    return tr("The table names both: edge %1 is %2, edge %3 is %4.")
+    return tr("The table names the two edges: edge %1 is %2, edge %3 is %4.")
         .arg(QString::number(i), edgeOfTable(context, i), QString::number(j),
              edgeOfTable(context, j));
 }
@@ -129,8 +130,8 @@ QString masked(const SentenceContext& context, int end)
 QString isOutside(const SentenceContext& context, int end)
 {
     const QString code = codeText(context, end == 1 ? "code1" : "code2");
-    return (context.holds() ? tr("%1 is outside, with %2, and has to move.")
-                            : tr("%1 is inside, with %2, and stays."))
+    return (context.holds() ? tr("%1 is outside, with the outcode %2, and has to move.")
+                            : tr("%1 is inside, with the outcode %2, and stays."))
         .arg(words::end(end), code);
 }
 
@@ -152,9 +153,9 @@ QString testOfCorrected(const SentenceContext& context)
 {
     switch (context.step.line) {
     case 14:
-        return context.holds() ? tr("All four bits are set, which they also are where the line "
-                                    "goes through a corner: each corner is asked again, strictly.")
-                               : tr("Not all four bits are set: no corner is asked again.");
+        return context.holds() ? tr("All four bits are set. The line may pass through a corner, so "
+                                    "each corner is tested again, strictly.")
+                               : tr("Not all four bits are set: no corner is tested again.");
     case 20:
         return context.holds() ? tr("All four corners lie on the line: the window has no area.")
                                : tr("Not all four corners lie on the line.");
@@ -167,12 +168,12 @@ QString test(const SentenceContext& context)
 {
     const bool published = words::isPublished(context);
     if (context.step.line == 2)
-        return context.holds() ? tr("Neither end has a bit: both are inside.")
-                               : tr("At least one end has a bit, so it is outside.");
+        return context.holds() ? tr("Neither outcode has a bit set: both ends are inside.")
+                               : tr("At least one outcode has a bit set: that end is outside.");
     if (context.step.line == 4)
         return context.holds()
-                   ? tr("Both ends have a bit in common: they lie beyond one edge.")
-                   : tr("The ends have no bit in common: the line may meet the window.");
+                   ? tr("The outcodes have a bit in common: both ends lie beyond one edge.")
+                   : tr("The outcodes have no bit in common: the line may meet the window.");
     if (context.step.line == (published ? 11 : 22))
         return context.holds()
                    ? tr("With c = %1 all corners count as lying on one side of the line.")
@@ -185,12 +186,12 @@ QString test(const SentenceContext& context)
 QString line(const SentenceContext& context)
 {
     return words::isPublished(context)
-               ? tr("The line through both ends as one vector, their cross product: "
-                    "px = %1, py = %2, pw = %3. It tells on which side of the line a point lies.")
+               ? tr("The cross product of both ends is the line as a vector: px = %1, py = %2, pw "
+                    "= %3. It tells on which side of the line a point lies.")
                      .arg(knownNumber(context, "px"), knownNumber(context, "py"),
                           knownNumber(context, "pw"))
-               : tr("The line is measured from End 1, so that it has no third number that could "
-                    "lose its digits: dx = %1, dy = %2.")
+               : tr("The line is measured from End 1, so it needs no third number, which could "
+                    "lose digits: dx = %1, dy = %2.")
                      .arg(knownNumber(context, "dx"), knownNumber(context, "dy"));
 }
 
@@ -198,8 +199,8 @@ QString line(const SentenceContext& context)
 QString products(const SentenceContext& context)
 {
     const bool first = context.step.name == "f[1]";
-    return tr("Each edge has a product, and a corner compares those of its two edges: that of %1 "
-              "is %2, that of %3 is %4.")
+    return tr("Each edge has a product, and the test of a corner compares the products of its two "
+              "edges. The product of %1 is %2, that of %3 is %4.")
         .arg(edgeOfTable(context, first ? 0 : 2), knownNumber(context, first ? "f[0]" : "f[2]"),
              edgeOfTable(context, first ? 1 : 3), knownNumber(context, first ? "f[1]" : "f[3]"));
 }
@@ -212,15 +213,15 @@ QString meeting(const SentenceContext& context)
         return tr("The next point to compute is where the line meets %1, edge %2 of the table.")
             .arg(context.edgeText(), knownNumber(context, "n"));
     if (name == "x")
-        return tr("The cross product of both is the point where the line meets %1, times w. Its x "
-                  "is %2.")
+        return tr("The cross product of both vectors is the point where the line meets %1, times "
+                  "w. Its x is %2.")
             .arg(context.edgeText(), knownNumber(context, "x"));
     if (name == "y")
         return tr("The y of the cross product is %1.").arg(knownNumber(context, "y"));
     if (name == "w")
-        return tr("The third number is w = %1. Dividing x and y by it gives the point.")
+        return tr("Its third component is w = %1. Dividing x and y by w gives the point.")
             .arg(knownNumber(context, "w"));
-    return tr("A vector, like that of the line, stands for %1: (%2, %3, %4).")
+    return tr("The line of %1 is a vector too: (%2, %3, %4).")
         .arg(context.edgeText(), knownNumber(context, "ex[n]"), knownNumber(context, "ey[n]"),
              knownNumber(context, "ew[n]"));
 }
@@ -235,8 +236,8 @@ QString cut(const SentenceContext& context)
     const Point way = step.segment.b - step.segment.a;
     const Point given = context.tracedLine.line.b - context.tracedLine.line.a;
     if (published && step.line == 18 && glm::dot(way, given) < 0)
-        return tr("%1 goes to %2, to %3. The published table does not tell the edge where the line "
-                  "enters from the edge where it leaves: the two ends are exchanged now.")
+        return tr("%1 moves to %2, to %3. The published table does not distinguish the edge where "
+                  "the line enters from the edge where it leaves, so the two ends are now swapped.")
             .arg(words::end(end), context.edgeText(), at);
     return tr("%1 is outside, so it becomes the point where the line crosses %2: %3.")
         .arg(words::end(end), context.edgeText(), at);
@@ -257,7 +258,7 @@ QString given(const SentenceContext& context)
     if (name == "pw" || name == "dy")
         return line(context);
     if (name == "F")
-        return tr("At %1 F is %2.")
+        return tr("At %1, F = %2.")
             .arg(cornerText(context, known(context, "k")), knownNumber(context, "F"));
     if (name.starts_with("c["))
         return cornerSide(context);

@@ -27,9 +27,9 @@ QString order(const SentenceContext& context)
 {
     const auto& [a, b] = context.tracedLine.line;
     return (context.holds() ? tr("End 2 lies further left than End 1 (%1). The walk goes to the "
-                                 "right, so it begins at End 2: a is 2, and b is 1.")
-                            : tr("End 1 does not lie right of End 2 (%1): the walk begins at End "
-                                 "1, so a is 1, and b is 2."))
+                                 "right, so it begins at End 2: a = 2 and b = 1.")
+                            : tr("End 1 does not lie right of End 2 (%1), so the walk begins at "
+                                 "End 1: a = 1 and b = 2."))
         .arg(words::compared(a.x, b.x));
 }
 
@@ -65,10 +65,9 @@ QString place(const SentenceContext& context)
 QString errorTerm(const SentenceContext& context)
 {
     if (std::isnan(context.known("e").value_or(0)))
-        return tr("The products are too large for a number: the error term e is not a number "
-                  "(NaN).");
-    return tr("The error term e = %1 tells on which side of the corner ahead the line passes, "
-              "without a division.")
+        return tr("The products overflow: the error term e is not a number (NaN).");
+    return tr("The error term e = %1 tells, without a division, on which side of the corner ahead "
+              "the line passes.")
         .arg(words::value(context, "e"));
 }
 
@@ -101,22 +100,22 @@ QString leaving(const SentenceContext& context)
     const QString relation = words::compared(e, 0);
     const QString edge = edgeWords(crossed(context), context.tracedLine.y);
     if (std::isnan(e))
-        return tr("The products are too large for a number: e is not a number (NaN), and the walk "
-                  "goes on over the line of %1 all the same.")
+        return tr("The products overflow: e is not a number (NaN). The walk nevertheless crosses "
+                  "the line of %1.")
             .arg(edge);
     if (e == 0)
-        return tr("The line goes right through the corner ahead (e = 0): the walk goes on over the "
+        return tr("The line passes exactly through the corner ahead (e = 0): the walk crosses the "
                   "line of %1.")
             .arg(edge);
     if (!context.holds())
-        return tr("By the sign of e (%1) the line passes left of the corner ahead: the walk goes "
-                  "on over the line of %2.")
+        return tr("By the sign of e (%1), the line passes left of the corner ahead: the walk "
+                  "crosses the line of %2.")
             .arg(relation, edge);
     return (isUp(context) == (context.tracedLine.y == YAxis::Up)
-                ? tr("By the sign of e (%1) the line passes below the corner ahead: the walk goes "
-                     "on to the right, over the line of %2.")
-                : tr("By the sign of e (%1) the line passes above the corner ahead: the walk goes "
-                     "on to the right, over the line of %2."))
+                ? tr("By the sign of e (%1), the line passes below the corner ahead: the walk goes "
+                     "right, across the line of %2.")
+                : tr("By the sign of e (%1), the line passes above the corner ahead: the walk goes "
+                     "right, across the line of %2."))
         .arg(relation, edge);
 }
 
@@ -129,13 +128,13 @@ QString inCell(const SentenceContext& context, const char* cells, Fate fate)
         return (fate == Fate::Misses
                     ? tr("The walk is not in cell %1, from where it would miss the window.")
                 : fate == Fate::Enters
-                    ? tr("Nor is it in cell %1, from where it would come into the window.")
-                    : tr("Nor is it in cell %1, from where it would leave the window."))
+                    ? tr("The walk is not in cell %1, from where it would enter the window.")
+                    : tr("The walk is not in cell %1, from where it would leave the window."))
             .arg(tr(cells));
     return (fate == Fate::Misses
                 ? tr("The walk is in cell %1, %2: going on from there, it misses the window.")
             : fate == Fate::Enters
-                ? tr("The walk is in cell %1, %2: from there it comes into the window.")
+                ? tr("The walk is in cell %1, %2: from there it enters the window.")
                 : tr("The walk is in cell %1, %2: from there it leaves the window."))
         .arg(cellOf(context))
         .arg(place(context));
@@ -145,8 +144,8 @@ QString insideTest(const SentenceContext& context)
 {
     if (context.step.line == 17)
         return context.holds()
-                   ? tr("The walk begins in the middle cell, and the other end is there, too.")
-                   : tr("Not both ends are inside the window: the walk finds the part that is.");
+                   ? tr("The walk begins in the middle cell, and the other end is there too.")
+                   : tr("At least one end is outside the window: the walk finds the visible part.");
     return context.holds() ? tr("%1 is inside: the walk is over.").arg(words::end(last(context)))
                            : tr("%1 is not inside: the walk goes on, out of the window again.")
                                  .arg(words::end(last(context)));
@@ -191,8 +190,8 @@ QString correctedTest(const SentenceContext& context)
     switch (context.step.line) {
     case 19:
         return context.holds()
-                   ? tr("The line runs along an axis: no division is needed to clip it.")
-                   : tr("The line runs along no axis.");
+                   ? tr("The line is horizontal or vertical: no division is needed to clip it.")
+                   : tr("The line is neither horizontal nor vertical.");
     case 27:
         return leaving(context);
     case 28:
@@ -231,7 +230,7 @@ QString cut(const SentenceContext& context)
     const bool leaves = cellOf(context) == 4;
     const int end = leaves ? last(context) : first(context);
     return (leaves ? tr("Here the walk leaves the window: %1 moves to %2, to %3.")
-                   : tr("Here the walk comes into the window: %1 moves to %2, to %3."))
+                   : tr("Here the walk enters the window: %1 moves to %2, to %3."))
         .arg(words::end(end), context.edgeText(), words::point(words::endOf(end, context)));
 }
 
@@ -268,17 +267,17 @@ QString given(const SentenceContext& context)
                                                   words::value(context, "c"), place(context))
                                        : nextCell(context);
     if (name == "dy")
-        return tr("How far it is from %1 to %2: dx = %3, dy = %4.")
+        return tr("From %1 to %2: dx = %3, dy = %4.")
             .arg(words::end(first(context)), words::end(last(context)), words::value(context, "dx"),
                  words::value(context, "dy"));
     if (name == "left")
-        return tr("Both ends are held inside the window: what is left goes from %1 to %2.")
+        return tr("Both ends are held inside the window: the remaining part runs from %1 to %2.")
             .arg(words::point(context.step.segment.a), words::point(context.step.segment.b));
     if (name == "up")
         return rising(context);
     if (name == "yOut")
-        return tr("On such a way the line can come into the window over %1 or the left one, and "
-                  "leave it over %2 or the right one.")
+        return tr("Such a line can enter the window at %1 or the left edge, and leave it at %2 or "
+                  "the right edge.")
             .arg(edgeWords(in, context.tracedLine.y), edgeWords(out, context.tracedLine.y));
     if (name == "Y")
         return tr("The corner ahead is at %1.")

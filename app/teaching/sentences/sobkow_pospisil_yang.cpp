@@ -25,8 +25,8 @@ QString script(const SentenceContext& context)
                .arg(code)
            + u' '
            + (context.value("code") == 0.0
-                  ? tr("This one is empty: both ends are inside.")
-                  : tr("This one does and asks no more than this pair needs."));
+                  ? tr("The script of this pair is empty: both ends are inside.")
+                  : tr("The script of this pair has only the cuts and tests that the pair needs."));
 }
 
 /// A test of the script. If the rounded end is on the edge, the distance that it moved decides.
@@ -36,7 +36,8 @@ QString question(const SentenceContext& context)
     const bool mayReject = context.step.line <= (words::isPublished(context) ? 17 : 31);
     QString found = words::whetherBeyond(context, end);
     if (context.holds() && !words::isBeyond(context, end, context.edge()))
-        found = tr("%1 comes to lie on %2 by rounding, but the way it has gone leads beyond it")
+        found = tr("%1 lies on %2 after rounding, but the distance that it has moved leads beyond "
+                   "that edge")
                     .arg(words::end(end), context.edgeText());
     if (mayReject)
         return context.holds() ? tr("%1, so the line misses the window.").arg(found)
@@ -79,8 +80,8 @@ QString held(const SentenceContext& context)
     const auto& values = context.before->values;
     const auto before = std::ranges::find(values, name, &clipping::NamedValue::name);
     const bool stays = before != values.end() && before->value == context.value(name);
-    return (stays ? tr("Rounding does not take %1 %2: %3 stays.")
-                  : tr("Rounding would take %1 %2: %3 is held at the edge."))
+    return (stays ? tr("Rounding does not put %1 %2: %3 stays.")
+                  : tr("Rounding would put %1 %2: %3 is held at the edge."))
         .arg(words::end(endNamed(context)), words::beyond(side, context.tracedLine.y),
              name == "x" ? QStringLiteral("x") : QStringLiteral("y"));
 }
@@ -93,7 +94,7 @@ QString given(const SentenceContext& context)
     if (name == "code")
         return script(context);
     if (name == "dy")
-        return tr("From End 1 to End 2 it goes %1 in x and %2 in y.")
+        return tr("From End 1 to End 2, x changes by %1 and y by %2.")
             .arg(words::value(context, "dx"), words::value(context, "dy"));
     return context.step.line % 4 == 0 ? arrival(context) : held(context);
 }

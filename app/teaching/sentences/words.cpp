@@ -45,7 +45,7 @@ QString point(const Point& p) { return pairText(number(p.x), number(p.y)); }
 QString number(double value)
 {
     if (std::isnan(value))
-        return tr("no number");
+        return tr("NaN");
     if (std::isinf(value))
         return value > 0 ? tr("infinity") : tr("minus infinity");
     return shortText(value);
@@ -100,24 +100,23 @@ QString way(const SentenceContext& context, const QString& from, const Point& st
     const QString x = axisName(context.edge()),
                   y = along == 0 ? QStringLiteral("y") : QStringLiteral("x");
     if (!std::isfinite(gone))
-        return slope ? tr("The slope overflows (%1): what is multiplied with it means nothing any "
-                          "more.")
+        return slope ? tr("The slope overflows (%1): every product with it is meaningless.")
                            .arg(number(*slope))
-                     : tr("The numbers are too large: their product overflows (%1), and what comes "
-                          "of it means nothing any more.")
+                     : tr("The numbers are too large: their product overflows (%1), and everything "
+                          "computed from it is meaningless.")
                            .arg(number(gone));
     const QString text =
-        tr("From %1 to %2 it is %3 in %4.").arg(from, context.edgeText(), number(away), x);
+        tr("From %1 to %2, %4 changes by %3.").arg(from, context.edgeText(), number(away), x);
     return text + u' '
-           + (slope ? tr("For each unit of %1 the line goes %2 in %3, so it goes %4 in %3.")
+           + (slope ? tr("For each unit of %1, %3 changes by %2; in all, %3 changes by %4.")
                           .arg(x, number(*slope), y, number(gone))
-                    : tr("On that way the line goes %1 in %2.").arg(number(gone), y));
+                    : tr("Meanwhile %2 changes by %1.").arg(number(gone), y));
 }
 
 QString moved(const SentenceContext& context, int number)
 {
     const auto& p = number == 1 ? context.step.segment.a : context.step.segment.b;
-    return tr("%1 moves along the line to %2, to %3. What lay beyond is gone.")
+    return tr("%1 moves along the line to %2, to %3. The part beyond that edge is cut off.")
         .arg(end(number), context.edgeText(), point(p));
 }
 
@@ -130,7 +129,7 @@ QString accepted(const SentenceContext& context)
     if (a == b)
         return tr("The line meets the window in a single point, %1: that point is visible.")
             .arg(point(a));
-    return tr("What is left, from %1 to %2, lies inside the window: it is visible.")
+    return tr("The remaining part, from %1 to %2, lies inside the window: it is visible.")
         .arg(point(a), point(b));
 }
 

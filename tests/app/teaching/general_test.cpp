@@ -68,8 +68,9 @@ private slots:
                  "19: End 2 is cut at the top edge: it moves to (−9.0625, 75).",
                  "20: Is (x[1] < xmin and x[2] < xmin) or (x[1] > xmax and x[2] > xmax)? (−100 < "
                  "−100 and −9.0625 < −100) or (−100 > 100 and −9.0625 > 100): no.",
-                 "22: What is left stays as it is, from (−100, 11.7391) to (−9.0625, 75).",
-                 "23: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the "
+                 "22: The remaining part does not change: it runs from (−100, 11.7391) to "
+                 "(−9.0625, 75).",
+                 "23: The remaining part, from (−100, 11.7391) to (−9.0625, 75), lies inside the "
                  "window: it is visible."});
     }
     void callsAndParameters()

@@ -290,10 +290,10 @@ private slots:
              "window (−75 to 75): y does not rule it out.",
              "7: End 1 lies left of the window (−160 < −100), so it has to move along the line to "
              "the left edge.",
-             "8: From End 1 to the left edge it is 60 in x. For each unit of x the line goes "
-             "0.695652 in y, so it goes 41.7391 in y.",
-             "9: End 1 moves along the line to the left edge, to (−100, 11.7391). What lay beyond "
-             "is gone.",
+             "8: From End 1 to the left edge, x changes by 60. For each unit of x, y changes by "
+             "0.695652; in all, y changes by 41.7391.",
+             "9: End 1 moves along the line to the left edge, to (−100, 11.7391). The part beyond "
+             "that edge is cut off.",
              "13: End 1 does not lie below the window (11.7391 > −75), so the bottom edge does not "
              "cut it.",
              "16: End 1 does not lie above the window (11.7391 < 75), so the top edge does not cut "
@@ -306,14 +306,14 @@ private slots:
              "it.",
              "16: End 2 lies above the window (130 > 75), so it has to move along the line to the "
              "top edge.",
-             "17: From End 1 to the top edge it is 105 in y. For each unit of y the line goes "
-             "1.4375 in x, so it goes 150.938 in x.",
-             "18: End 2 moves along the line to the top edge, to (−9.0625, 75). What lay beyond is "
-             "gone.",
+             "17: From End 1 to the top edge, y changes by 105. For each unit of y, x changes by "
+             "1.4375; in all, x changes by 150.938.",
+             "18: End 2 moves along the line to the top edge, to (−9.0625, 75). The part beyond "
+             "that edge is cut off.",
              "19: The ends are now at x = −100 and x = −9.0625, neither both left nor both right "
-             "of the window: the line has met it.",
-             "21: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the window: it "
-             "is visible."});
+             "of the window: the algorithm concludes that the line meets it.",
+             "21: The remaining part, from (−100, 11.7391) to (−9.0625, 75), lies inside the "
+             "window: it is visible."});
     }
     void cohenSutherland()
     {
@@ -321,35 +321,35 @@ private slots:
             sentences("cs:published", across),
             {"1: The outcodes say where the ends lie: End 1 has 0001 (left), End 2 has 1000 "
              "(above).",
-             "3: Not both ends are inside, for 0001 | 1000 = 1001 is not 0000: the line "
+             "3: At least one end is outside, because 0001 | 1000 = 1001 is not 0000: the line "
              "cannot be accepted yet.",
-             "5: No edge has both ends beyond it, for 0001 & 1000 = 0000: the line cannot be "
+             "5: No edge has both ends beyond it, because 0001 & 1000 = 0000: the line cannot be "
              "rejected yet.",
-             "8: End 1 is outside, with 0001 (left): it is the one to be cut.",
-             "9: The bit of the top edge is not set in 0001: End 1 is not cut there now.",
-             "11: The bit of the bottom edge is not set in 0001: End 1 is not cut there now.",
-             "13: The bit of the right edge is not set in 0001: End 1 is not cut there now.",
-             "16: From End 1 to the left edge it is 60 in x. There the line is at (−100, "
+             "8: End 1 is outside, with the outcode 0001 (left), so End 1 is cut.",
+             "9: The bit of the top edge is not set in 0001: End 1 is not cut at that edge.",
+             "11: The bit of the bottom edge is not set in 0001: End 1 is not cut at that edge.",
+             "13: The bit of the right edge is not set in 0001: End 1 is not cut at that edge.",
+             "16: From End 1 to the left edge, x changes by 60. There the line is at (−100, "
              "11.7391).",
              "17: The outcode is that of End 1, so End 1 is cut.",
-             "18: End 1 moves along the line to the left edge, to (−100, 11.7391). What lay "
-             "beyond is gone. Its outcode is now 0000 (inside).",
-             "3: Not both ends are inside, for 0000 | 1000 = 1000 is not 0000: the line "
+             "18: End 1 moves along the line to the left edge, to (−100, 11.7391). The part beyond "
+             "that edge is cut off. Its outcode is now 0000 (inside).",
+             "3: At least one end is outside, because 0000 | 1000 = 1000 is not 0000: the line "
              "cannot be accepted yet.",
-             "5: No edge has both ends beyond it, for 0000 & 1000 = 0000: the line cannot be "
+             "5: No edge has both ends beyond it, because 0000 & 1000 = 0000: the line cannot be "
              "rejected yet.",
-             "8: End 1 is inside, End 2 is outside, with 1000 (above): it is the one to be "
+             "8: End 1 is inside and End 2 is outside, with the outcode 1000 (above), so End 2 is "
              "cut.",
-             "9: The bit of the top edge is set in 1000: End 2 lies above the window and is "
-             "cut there.",
-             "10: From End 1 to the top edge it is 63.2609 in y. There the line is at "
-             "(−9.0625, 75).",
+             "9: The bit of the top edge is set in 1000: End 2 lies above the window and is cut at "
+             "that edge.",
+             "10: From End 1 to the top edge, y changes by 63.2609. There the line is at (−9.0625, "
+             "75).",
              "17: The outcode is not that of End 1, so End 2 is cut.",
-             "20: End 2 moves along the line to the top edge, to (−9.0625, 75). What lay "
-             "beyond is gone. Its outcode is now 0000 (inside).",
-             "3: Both ends are inside, for 0000 | 0000 = 0000: the line can be accepted.",
-             "4: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the window: "
-             "it is visible."});
+             "20: End 2 moves along the line to the top edge, to (−9.0625, 75). The part beyond "
+             "that edge is cut off. Its outcode is now 0000 (inside).",
+             "3: Both ends are inside, because 0000 | 0000 = 0000: the line can be accepted.",
+             "4: The remaining part, from (−100, 11.7391) to (−9.0625, 75), lies inside the "
+             "window: it is visible."});
     }
     void cohenSutherlandCorrected()
     {
@@ -357,43 +357,41 @@ private slots:
             sentences("cs", across),
             {"1: The outcodes say where the ends lie: End 1 has 0001 (left), End 2 has 1000 "
              "(above).",
-             "4: Not both ends are inside, for 0001 | 1000 = 1001 is not 0000: the line "
+             "4: At least one end is outside, because 0001 | 1000 = 1001 is not 0000: the line "
              "cannot be accepted yet.",
-             "5: No edge has both ends beyond it, for 0001 & 1000 = 0000: the line cannot be "
+             "5: No edge has both ends beyond it, because 0001 & 1000 = 0000: the line cannot be "
              "rejected yet.",
-             "7: End 1 is outside, with 0001 (left): it is the one to be cut.",
-             "8: End 1 is cut from where it was given, (−160, −30).",
-             "11: The bit of the top edge is not set in 0001: End 1 is not cut there now.",
-             "15: The bit of the bottom edge is not set in 0001: End 1 is not cut there now.",
-             "19: The bit of the right edge is not set in 0001: End 1 is not cut there now.",
-             "24: From End 1 to the left edge it is 60 in x. On that way the line goes "
-             "41.7391 in y.",
-             "25: End 1 moves along the line to the left edge, to (−100, 11.7391). What lay "
-             "beyond is gone.",
-             "26: The way that End 1 has moved, compared with the ways to the other edges, "
-             "gives the outcode 0000 (inside).",
-             "27: An edge that has cut End 1 does not cut it again. The bits of these edges, "
-             "0001, are left out, so the outcode is 0000 (inside).",
-             "4: Not both ends are inside, for 0000 | 1000 = 1000 is not 0000: the line "
+             "7: End 1 is outside, with the outcode 0001 (left), so End 1 is cut.",
+             "The cut starts from the original position of 8: End 1, (−160, −30).",
+             "11: The bit of the top edge is not set in 0001: End 1 is not cut at that edge.",
+             "15: The bit of the bottom edge is not set in 0001: End 1 is not cut at that edge.",
+             "19: The bit of the right edge is not set in 0001: End 1 is not cut at that edge.",
+             "24: From End 1 to the left edge, x changes by 60. Meanwhile y changes by 41.7391.",
+             "25: End 1 moves along the line to the left edge, to (−100, 11.7391). The part beyond "
+             "that edge is cut off.",
+             "26: The distance that End 1 has moved, compared with its distances to the other "
+             "edges, gives the outcode 0000 (inside).",
+             "27: An edge that has cut End 1 does not cut it again. The bits of these edges, 0001, "
+             "are cleared, so the outcode is 0000 (inside).",
+             "4: At least one end is outside, because 0000 | 1000 = 1000 is not 0000: the line "
              "cannot be accepted yet.",
-             "5: No edge has both ends beyond it, for 0000 & 1000 = 0000: the line cannot be "
+             "5: No edge has both ends beyond it, because 0000 & 1000 = 0000: the line cannot be "
              "rejected yet.",
-             "7: End 1 is inside, End 2 is outside, with 1000 (above): it is the one to be "
+             "7: End 1 is inside and End 2 is outside, with the outcode 1000 (above), so End 2 is "
              "cut.",
-             "10: End 2 is cut from where it was given, (70, 130).",
-             "11: The bit of the top edge is set in 1000: End 2 lies above the window and is "
-             "cut there.",
-             "12: From End 2 to the top edge it is −55 in y. On that way the line goes "
-             "−79.0625 in x.",
-             "13: End 2 moves along the line to the top edge, to (−9.0625, 75). What lay "
-             "beyond is gone.",
-             "14: The way that End 2 has moved, compared with the ways to the other edges, "
-             "gives the outcode 0000 (inside).",
-             "27: An edge that has cut End 2 does not cut it again. The bits of these edges, "
-             "1000, are left out, so the outcode is 0000 (inside).",
-             "4: Both ends are inside, for 0000 | 0000 = 0000: the line can be accepted.",
+             "The cut starts from the original position of 10: End 2, (70, 130).",
+             "11: The bit of the top edge is set in 1000: End 2 lies above the window and is cut "
+             "at that edge.",
+             "12: From End 2 to the top edge, y changes by −55. Meanwhile x changes by −79.0625.",
+             "13: End 2 moves along the line to the top edge, to (−9.0625, 75). The part beyond "
+             "that edge is cut off.",
+             "14: The distance that End 2 has moved, compared with its distances to the other "
+             "edges, gives the outcode 0000 (inside).",
+             "27: An edge that has cut End 2 does not cut it again. The bits of these edges, 1000, "
+             "are cleared, so the outcode is 0000 (inside).",
+             "4: Both ends are inside, because 0000 | 0000 = 0000: the line can be accepted.",
              "28: Rounding has put no end outside the window, so both stay where they are.",
-             "29: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the "
+             "29: The remaining part, from (−100, 11.7391) to (−9.0625, 75), lies inside the "
              "window: it is visible."});
     }
     void cohenSutherlandSaysThatItNeverEnds()
@@ -407,66 +405,68 @@ private slots:
         const QString exit("%1: At the %2 edge, p = %3 > 0: the line leaves. %4");
         compareLists(
             sentences("lb:published", across),
-            {"13: The whole line is left, from u0 = 0 (End 1) to u1 = 1 (End 2). From End 1 to End "
-             "2 "
-             "it goes 230 in x.",
-             entry.arg("14", "left", "−230", "q = −60 < 0: End 1 is outside that edge."),
+            {"13: The whole line remains, from u0 = 0 (End 1) to u1 = 1 (End 2). From End 1 to End "
+             "2, x changes by 230.",
+             entry.arg("14", "left", "−230", "q = −60 < 0: End 1 is beyond that edge."),
              "2: p = −230 is less than 0: at the left edge the line enters.",
              "3: The line enters across the left edge at r = q/p = 0.26087 (0 is End 1, 1 is End "
              "2).",
-             "4: It enters before it leaves (0.26087 < 1), so something may be visible.",
+             "4: The entry is not after the end of the remaining part (0.26087 < 1), so something "
+             "may be visible.",
              "5: Of all entries so far, the one at the left edge is the last (0.26087 > 0).",
-             "6: What is left begins at the left edge, with u0 = 0.26087.",
-             exit.arg("15", "right", "230", "q = 260: End 1 is inside that edge."),
+             "6: The remaining part begins at the left edge, at u0 = 0.26087.",
+             exit.arg("15", "right", "230", "q = 260: End 1 is not beyond that edge."),
              "2: p = 230 is not less than 0: at the right edge the line does not enter.",
              "7: p = 230 is greater than 0: at the right edge the line leaves.",
              "8: The line leaves across the right edge at r = q/p = 1.13043 (0 is End 1, 1 is End "
              "2).",
-             "9: It leaves after it has entered (1.13043 > 0.26087), so something may be visible.",
-             "10: The part that is left ends before that (1.13043 > 1): the right edge cuts "
-             "nothing off.",
-             "16: From End 1 to End 2 it goes 160 in y.",
-             entry.arg("17", "bottom", "−160", "q = 45: End 1 is inside that edge."),
+             "9: The exit is not before the start of the remaining part (1.13043 > 0.26087), so "
+             "something may be visible.",
+             "10: The exit at the right edge is not before the end of the remaining part (1.13043 "
+             "> 1): this edge cuts nothing off.",
+             "16: From End 1 to End 2, y changes by 160.",
+             entry.arg("17", "bottom", "−160", "q = 45: End 1 is not beyond that edge."),
              "2: p = −160 is less than 0: at the bottom edge the line enters.",
              "3: The line enters across the bottom edge at r = q/p = −0.28125 (0 is End 1, 1 is "
              "End 2).",
-             "4: It enters before it leaves (−0.28125 < 1), so something may be visible.",
-             "5: The part that is left begins later than that (−0.28125 < 0.26087): the bottom "
-             "edge cuts nothing off.",
-             exit.arg("18", "top", "160", "q = 105: End 1 is inside that edge."),
+             "4: The entry is not after the end of the remaining part (−0.28125 < 1), so something "
+             "may be visible.",
+             "5: The entry at the bottom edge is not after the start of the remaining part "
+             "(−0.28125 < 0.26087): this edge cuts nothing off.",
+             exit.arg("18", "top", "160", "q = 105: End 1 is not beyond that edge."),
              "2: p = 160 is not less than 0: at the top edge the line does not enter.",
              "7: p = 160 is greater than 0: at the top edge the line leaves.",
              "8: The line leaves across the top edge at r = q/p = 0.65625 (0 is End 1, 1 is End "
              "2).",
-             "9: It leaves after it has entered (0.65625 > 0.26087), so something may be visible.",
+             "9: The exit is not before the start of the remaining part (0.65625 > 0.26087), so "
+             "something may be visible.",
              "10: Of all exits so far, the one at the top edge is the first (0.65625 < 1).",
-             "11: What is left ends at the top edge, with u1 = 0.65625.",
+             "11: The remaining part ends at the top edge, at u1 = 0.65625.",
              "19: u1 = 0.65625 is less than 1: End 2 lies outside and has to move.",
-             "20: End 2 moves along the line to the top edge, to (−9.0625, 75). What lay beyond is "
-             "gone.",
+             "20: End 2 moves along the line to the top edge, to (−9.0625, 75). The part beyond "
+             "that edge is cut off.",
              "21: u0 = 0.26087 is greater than 0: End 1 lies outside and has to move.",
-             "22: End 1 moves along the line to the left edge, to (−100, 11.7391). What lay beyond "
-             "is gone.",
-             "23: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the window: it "
-             "is visible."});
+             "22: End 1 moves along the line to the left edge, to (−100, 11.7391). The part beyond "
+             "that edge is cut off.",
+             "23: The remaining part, from (−100, 11.7391) to (−9.0625, 75), lies inside the "
+             "window: it is visible."});
     }
     /// The corrected form, of a line that touches a corner and of one that is inside.
     void liangBarskyCorrected()
     {
         const auto touching = sentences("lb", {{-200, 25}, {0, 125}});
-        compareLists(
-            touching.last(7),
-            {"20: u1 = 0.5 is less than 1: End 2 lies outside and has to move.",
-             "21: End 2 moves along the line to the top edge, to (−100, 75). What lay "
-             "beyond is gone.",
-             "24: u0 = 0.5 is greater than 0: End 1 lies outside and has to move.",
-             "25: End 1 moves along the line to the left edge, to (−100, 75). What lay "
-             "beyond is gone.",
-             "26: What is left begins where it ends (0.5 = 0.5): the line only touches the "
-             "window.",
-             "27: End 1 becomes the same point as End 2, (−100, 75).",
-             "30: The line meets the window in a single point, (−100, 75): that point is "
-             "visible."});
+        compareLists(touching.last(7),
+                     {"20: u1 = 0.5 is less than 1: End 2 lies outside and has to move.",
+                      "21: End 2 moves along the line to the top edge, to (−100, 75). The part "
+                      "beyond that edge is cut off.",
+                      "24: u0 = 0.5 is greater than 0: End 1 lies outside and has to move.",
+                      "25: End 1 moves along the line to the left edge, to (−100, 75). The part "
+                      "beyond that edge is cut off.",
+                      "26: The remaining part begins where it ends (0.5 = 0.5): the line only "
+                      "touches the window.",
+                      "27: End 1 becomes the same point as End 2, (−100, 75).",
+                      "30: The line meets the window in a single point, (−100, 75): that point is "
+                      "visible."});
         const auto inside = sentences("lb", {{0, 0}, {50, 50}});
         compareLists(inside.last(5),
                      {"20: u1 = 1: End 2 is inside and stays.",
@@ -475,10 +475,9 @@ private slots:
                       "29: End 1 lies in the window, at (0, 0): it stays where it is.",
                       "30: Both ends lie inside the window, so all of the line is visible."});
         const auto missing = sentences("lb:published", {{-200, 50}, {0, 150}});
-        compareLists(missing.last(2),
-                     {"9: It has left at the top edge before it enters at another edge (0.25 < "
-                      "0.5).",
-                      "9: Nothing of the line is visible."});
+        compareLists(missing.last(2), {"9: The exit at the top edge comes before the start of the "
+                                       "remaining part (0.25 < 0.5).",
+                                       "9: Nothing of the line is visible."});
     }
     /// The published normals are as long as the edges, 200 and 150.
     void cyrusBeck()
@@ -492,11 +491,11 @@ private slots:
                 QString("4: The inner normal of the %1 edge is (%2). Along it the line gains D = "
                         "%3 on its way from End 1 to End 2.")
                     .arg(name, normal, d),
-                QString("5: Along the same normal End 1 lies N = %2 inside the %1 edge (less than "
-                        "0: beyond it).")
+                QString("5: Along the same normal, End 1 lies N = %2 inside the %1 edge (N < 0: "
+                        "beyond it).")
                     .arg(name, n),
-                QString("6: D = %2 is not 0: the line, taken as endless, crosses the %1 edge "
-                        "somewhere.")
+                QString("6: D = %2 is not 0: the infinite line through both ends crosses the line "
+                        "of the %1 edge.")
                     .arg(name, d),
                 QString("9: The line crosses the %1 edge at t = −N/D = %2 (0 is End 1, 1 is End "
                         "2).")
@@ -504,39 +503,38 @@ private slots:
         };
         compareLists(
             sentences("cb:published", across),
-            QStringList{
-                "1: The whole line is left, from tE = 0 (End 1) to tL = 1 (End 2). From End "
-                "1 to End 2 it goes 230 in x and 160 in y."}
+            QStringList{"1: The whole line remains, from tE = 0 (End 1) to tL = 1 (End 2). From "
+                        "End 1 to End 2, x changes by 230 and y by 160."}
                 + edge("bottom", "0, 200", "32000", "9000", "−0.28125")
                 + QStringList{"10: D = 32000 is greater than 0: at the bottom edge the line "
                               "enters.",
-                              "11: What is left begins no earlier than that (−0.28125 < 0): the "
-                              "bottom edge cuts nothing off."}
+                              "11: The entry at the bottom edge is not after the start of the "
+                              "remaining part (−0.28125 < 0): this edge cuts nothing off."}
                 + edge("right", "−150, 0", "−34500", "39000", "1.13043")
                 + QStringList{"10: D = −34500 is less than 0: at the right edge the line leaves.",
-                              "13: What is left ends no later than that (1.13043 > 1): the right "
-                              "edge cuts nothing off."}
+                              "13: The exit at the right edge is not before the end of the "
+                              "remaining part (1.13043 > 1): this edge cuts nothing off."}
                 + edge("top", "0, −200", "−32000", "21000", "0.65625")
                 + QStringList{"10: D = −32000 is less than 0: at the top edge the line leaves.",
                               "13: Of all exits so far, the one at the top edge is the first "
                               "(0.65625 < 1).",
-                              "14: What is left ends at the top edge, with tL = 0.65625."}
+                              "14: The remaining part ends at the top edge, at tL = 0.65625."}
                 + edge("left", "150, 0", "34500", "−9000", "0.26087")
                 + QStringList{
                     "10: D = 34500 is greater than 0: at the left edge the line enters.",
                     "11: Of all entries so far, the one at the left edge is the last (0.26087 > "
                     "0).",
-                    "12: What is left begins at the left edge, with tE = 0.26087.",
+                    "12: The remaining part begins at the left edge, at tE = 0.26087.",
                     "15: The last entry comes no later than the first exit (tE = 0.26087, tL = "
-                    "0.65625): what lies between them is visible.",
+                    "0.65625): the part between them is visible.",
                     "16: tL = 0.65625 is less than 1: End 2 lies outside and has to move.",
-                    "17: End 2 moves along the line to the top edge, to (−9.0625, 75). What lay "
-                    "beyond is gone.",
+                    "17: End 2 moves along the line to the top edge, to (−9.0625, 75). The part "
+                    "beyond that edge is cut off.",
                     "18: tE = 0.26087 is greater than 0: End 1 lies outside and has to move.",
-                    "19: End 1 moves along the line to the left edge, to (−100, 11.7391). What lay "
-                    "beyond is gone.",
-                    "20: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the "
-                    "window: it is visible."});
+                    "19: End 1 moves along the line to the left edge, to (−100, 11.7391). The part "
+                    "beyond that edge is cut off.",
+                    "20: The remaining part, from (−100, 11.7391) to (−9.0625, 75), lies inside "
+                    "the window: it is visible."});
     }
     void cyrusBeckSaysThatTheWindowHasNoArea()
     {
@@ -551,19 +549,19 @@ private slots:
              "line may meet the window.",
              "3: The ends lie neither both below the window nor both above the window: the line "
              "may meet the window.",
-             "6: From End 1 to End 2 x grows (−160 < 70) and y grows (−30 < 130).",
-             "7: So the left edge is near: the line can enter by it. And the right edge is far: "
-             "the line can leave by it.",
-             "8: So the bottom edge is near: the line can enter by it. And the top edge is far: "
-             "the line can leave by it.",
+             "6: From End 1 to End 2, x grows (−160 < 70) and y grows (−30 < 130).",
+             "7: So the left edge is the near edge, where the line can enter, and the right edge "
+             "is the far edge, where it can leave.",
+             "8: So the bottom edge is the near edge, where the line can enter, and the top edge "
+             "is the far edge, where it can leave.",
              "9: End 1 is beyond the left edge (−160 < −100).",
              "10: End 1 is not beyond the bottom edge (−30 > −75).",
              "11: End 2 is not beyond the right edge (70 < 100).",
              "12: End 2 is beyond the top edge (130 > 75).",
-             "13: The line reaches the left edge no later than the top edge: the corner between "
-             "them does not keep it out. That is certain, whatever the rounding.",
-             "15: The line need not enter at the bottom edge and leave at the right edge, so "
-             "the corner between them cannot keep it out.",
+             "13: The line reaches the left edge no later than the top edge, so it does not pass "
+             "the corner between them on the outside. Rounding cannot change this decision.",
+             "15: The line does not have to enter at the bottom edge and leave at the right edge, "
+             "so it cannot pass the corner between them on the outside.",
              "17: End 1 is beyond the left edge and no other edge: it is cut there.",
              "18: End 1 moves along the line to the left edge, to (−100, 11.7391): the true point, "
              "rounded once.",
@@ -571,8 +569,8 @@ private slots:
              "23: End 2 is beyond the top edge: it is cut there.",
              "24: End 2 moves along the line to the top edge, to (−9.0625, 75): the true point, "
              "rounded once.",
-             "25: What is left, from (−100, 11.7391) to (−9.0625, 75), lies inside the window: it "
-             "is visible."});
+             "25: The remaining part, from (−100, 11.7391) to (−9.0625, 75), lies inside the "
+             "window: it is visible."});
     }
     void midpointSubdivision()
     {
@@ -581,29 +579,30 @@ private slots:
             said.first(14),
             {"1: The outcodes say where the ends lie: End 1 has 0001 (left), End 2 has 1000 "
              "(above).",
-             "2: No edge has both ends beyond it, for 0001 & 1000 = 0000: the line may meet the "
-             "window.",
-             "5: End 2 is outside (1000): the visible point nearest to it is sought, by halving.",
+             "2: No edge has both ends beyond it, because 0001 & 1000 = 0000: the line may meet "
+             "the window.",
+             "5: End 2 is outside (1000): halving searches for the visible point nearest to it.",
              "6: The near point has the outcode 0001 (left), the far point 1000 (above).",
-             "14: The near point (0001) and the far point (1000) share no edge: the end that is "
-             "sought lies between them.",
-             "17: The middle of the near and the far point is (−45, 50).",
-             "18: The middle lies between the two points: it halves what is between them.",
-             "22: The outcode of the middle is 0000 (inside).",
-             "23: The middle, with 0000 (inside), shares no edge with the far point: the end that "
-             "is sought lies between them, and the near half is settled.",
-             "26: The middle is now the near point, with 0000 (inside).",
-             "14: The near point (0000) and the far point (1000) share no edge: the end that is "
-             "sought lies between them.",
-             "17: The middle of the near and the far point is (12.5, 90).",
-             "18: The middle lies between the two points: it halves what is between them.",
-             "22: The outcode of the middle is 1000 (above)."});
-        QVERIFY(said.contains("23: The middle, with 1000 (above), and the far point lie beyond the "
-                              "same edge: the half between them holds nothing and is dropped."));
+             "14: The near point (0001) and the far point (1000) have no bit in common: the end "
+             "that is sought lies between them.",
+             "17: The midpoint between the near and the far point is (−45, 50).",
+             "18: The midpoint lies between the two points and halves the line between them.",
+             "22: The outcode of the midpoint is 0000 (inside).",
+             "23: The midpoint, with the outcode 0000 (inside), has no bit in common with the far "
+             "point: the end that is sought lies between them, in the far half.",
+             "26: The midpoint, with the outcode 0000 (inside), becomes the near point.",
+             "14: The near point (0000) and the far point (1000) have no bit in common: the end "
+             "that is sought lies between them.",
+             "17: The midpoint between the near and the far point is (12.5, 90).",
+             "18: The midpoint lies between the two points and halves the line between them.",
+             "22: The outcode of the midpoint is 1000 (above)."});
+        QVERIFY(said.contains(
+            "23: The midpoint, with the outcode 1000 (above), and the far point lie beyond the "
+            "same edge: the half between them is invisible and is dropped."));
         QVERIFY(said.contains("7: There is nothing left to halve: End 2 is found at (−9.0625, 75), "
-                              "at the top edge."));
-        QVERIFY(said.contains("8: End 1 is outside (0001): the visible point nearest to it is "
-                              "sought, by halving."));
+                              "on the top edge."));
+        QVERIFY(said.contains(
+            "8: End 1 is outside (0001): halving searches for the visible point nearest to it."));
         const auto lost = sentences("ms:published", {{-1, -4}, {6, 45}}, {{0, 0}, {3, 3}});
         QVERIFY2(lost.last().contains("That is wrong: the line touches the window at (0, 3)."),
                  lost.last().toUtf8());
