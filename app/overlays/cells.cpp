@@ -65,16 +65,16 @@ QString caption(const Seeing& seeing, std::span<const unsigned> cells)
     if (!seeing.line)
         return tr("The walk goes from cell to cell, to the right. %1").arg(pointAtALine());
     if (cells.empty())
-        return tr("Both ends are beyond one edge: there is no walk, nothing is visible.");
+        return tr("Both ends are beyond one edge: there is no walk, and nothing is visible.");
     QStringList names;
     for (const unsigned cell : cells)
         names << QString::number(cell);
     const QString narration =
-        tr("From the left end through cell %1.").arg(names.join(QStringLiteral(" \u2192 ")));
+        tr("The walk from the left end: cell %1.").arg(names.join(QStringLiteral(" \u2192 ")));
     return narration + QStringLiteral(" ")
            + (seeing.trace.outcome == clipping::Outcome::Visible
-                  ? tr("What lies in cell 4 is visible.")
-                  : tr("It does not come to cell 4: nothing is visible."));
+                  ? tr("The part in cell 4 is visible.")
+                  : tr("The walk does not reach cell 4: nothing is visible."));
 }
 
 } // namespace

@@ -54,7 +54,7 @@ QString caption(const Seeing& seeing, std::span<const EndMove> moves)
     if (seeing.trace.outcome == clipping::Outcome::DidNotEnd)
         return tr("%1 does not end on this line and is stopped: nothing is visible.").arg(name);
     if (moves.empty() && visible && seeing.trace.visible != *seeing.line)
-        return tr("%1 cuts the line: what is left is visible.").arg(name);
+        return tr("%1 cuts the line: the remaining part is visible.").arg(name);
     if (moves.empty())
         return (visible ? tr("%1 cuts nothing: the whole line is visible.")
                         : tr("%1 rejects the line without a cut: nothing is visible."))
@@ -63,7 +63,7 @@ QString caption(const Seeing& seeing, std::span<const EndMove> moves)
     for (const EndMove& move : moves)
         if (const QString edge = edgeWords(move.edge, seeing.y); !edges.contains(edge))
             edges << edge;
-    return (visible ? tr("%1 cuts the line at %2: what is left is visible.")
+    return (visible ? tr("%1 cuts the line at %2: the remaining part is visible.")
                     : tr("%1 cuts the line at %2 and then rejects it: nothing is visible."))
         .arg(name, listed(edges));
 }

@@ -38,13 +38,14 @@ void search(bool forB, const clipping::Segment& line, const clipping::Window& wi
 QString caption(const Seeing& seeing)
 {
     if (!seeing.line)
-        return tr("Outcodes tell which half cannot hold the end that is looked for. %1")
+        return tr("Outcodes tell which half cannot contain the end that is sought. %1")
             .arg(pointAtALine());
     const auto [a, b] = codesOf(seeing);
     if ((a & b) != 0 || (a | b) == 0)
         return codeWords(seeing);
     return seeing.trace.outcome == clipping::Outcome::Visible
-               ? tr("The first midpoints are numbered: each halves what may hold the end.")
+               ? tr("The first midpoints are numbered: each halves the part that may contain the "
+                    "end.")
                : tr("Halving finds two points beyond one edge: nothing is visible.");
 }
 

@@ -40,6 +40,6 @@ QString parameterText(double t) { return QLocale().toString(t, 'g', 4).replace(u
 
 QString endName(bool ofB) { return ofB ? tr("End 2") : tr("End 1"); }
 
-QString pointAtALine() { return tr("Point at a line, select one, or draw one to see its way."); }
+QString pointAtALine() { return tr("Point at a line, select one or draw one."); }
 
 } // namespace app

@@ -21,7 +21,7 @@ QString caption(const Seeing& seeing, std::span<const EndMove> moves)
             + tr("%1 is cut at %2 first.")
                   .arg(endName(moves.front().ofB), edgeWords(moves.front().edge, seeing.y));
     if (seeing.trace.outcome == clipping::Outcome::DidNotEnd)
-        text += QStringLiteral(" ") + tr("Its codes go round and round: it is stopped.");
+        text += QStringLiteral(" ") + tr("Its outcodes repeat forever: the algorithm is stopped.");
     return text;
 }
 

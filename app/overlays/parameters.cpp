@@ -84,21 +84,26 @@ Edge shutOut(const Seeing& seeing)
 QString caption(const Seeing& seeing, const Bounds& bounds)
 {
     if (!seeing.line)
-        return tr("Four half-planes, kept on the side without hatching. %1").arg(pointAtALine());
+        return tr("The window is the intersection of four half-planes; the outer side of each edge "
+                  "is hatched. %1")
+            .arg(pointAtALine());
     const auto words = [&](Edge edge) { return edgeWords(edge, seeing.y); };
     if (const Edge edge = shutOut(seeing); edge != Edge::None)
-        return tr("The line runs along %1, outside it: nothing is visible.").arg(words(edge));
+        return tr("The line is parallel to %1 and lies beyond it: nothing is visible.")
+            .arg(words(edge));
     const QString start = bounds.enter == Edge::None
-                              ? tr("It starts inside all four half-planes")
-                              : tr("It enters the last half-plane at t = %1, %2")
+                              ? tr("The line starts inside all four half-planes")
+                              : tr("The line enters the last half-plane at t = %1, at %2,")
                                     .arg(parameterText(bounds.from), words(bounds.enter));
     const QString stop = bounds.leave == Edge::None
-                             ? tr("leaves none before its end")
-                             : tr("leaves the first one at t = %1, %2")
+                             ? tr("leaves none of them before its end")
+                             : tr("leaves the first one at t = %1, at %2")
                                    .arg(parameterText(bounds.to), words(bounds.leave));
+    const bool whole = bounds.enter == Edge::None && bounds.leave == Edge::None;
     const QString end = bounds.from > bounds.to
-                            ? tr("It leaves before it has entered: nothing is visible.")
-                            : tr("What is between is visible.");
+                            ? tr("The line leaves before it has entered: nothing is visible.")
+                        : whole ? tr("The whole line is visible.")
+                                : tr("The part in between is visible.");
     return tr("%1 and %2. %3").arg(start, stop, end);
 }
 

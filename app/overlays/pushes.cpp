@@ -51,8 +51,8 @@ OverlayTable table(const Seeing& seeing, std::span<const EndMove> moves)
 QString caption(const Seeing& seeing, std::span<const EndMove> moves)
 {
     if (!seeing.line)
-        return tr("Which tests fire for an end: left or right first, then top or bottom, asked "
-                  "of where it was pushed to. %1")
+        return tr("The tests that fire for an end: first left or right; then top or bottom, at the "
+                  "place to which the end was pushed. %1")
             .arg(pointAtALine());
     QStringList ways;
     for (const EndMove& move : moves)
@@ -60,7 +60,7 @@ QString caption(const Seeing& seeing, std::span<const EndMove> moves)
     const QString pushed =
         ways.isEmpty() ? tr("No end is pushed.") : tr("Pushed: %1.").arg(ways.join(tr(", ")));
     if (seeing.trace.outcome == clipping::Outcome::Visible)
-        return pushed + QStringLiteral(" ") + tr("What is left is visible.");
+        return pushed + QStringLiteral(" ") + tr("The remaining part is visible.");
     const Edge last = seeing.trace.steps.empty() ? Edge::None : seeing.trace.steps.back().edge;
     const QString why =
         last == Edge::None

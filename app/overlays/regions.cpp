@@ -120,14 +120,14 @@ QString codeWords(const Seeing& seeing)
 {
     const auto [a, b] = codesOf(seeing);
     if ((a | b) == 0)
-        return tr("Both codes are 0000: the whole line is inside.");
+        return tr("Both outcodes are 0000: the whole line is inside.");
     if ((a & b) == 0)
-        return tr("The codes share no bit and are not both 0000: they do not decide.");
+        return tr("The outcodes have no bit in common and are not both 0000: they do not decide.");
     QStringList names;
     for (const Edge edge : windowEdges)
         if (a & b & bitOf(edge))
             names << edgeWords(edge, seeing.y);
-    return tr("The codes share a bit: both ends are beyond %1, nothing is visible.")
+    return tr("The outcodes have a bit in common: both ends are beyond %1, so nothing is visible.")
         .arg(names.join(tr(" and ")));
 }
 

@@ -158,8 +158,8 @@ QString caption(const Seeing& seeing, const Point& eye, const std::optional<Sect
         return tr("These are the sectors of a line whose End 1 is here, %1. %2")
             .arg(place, pointAtALine());
     if (!sector)
-        return tr("End 1 lies %1, and End 2 where no line from there has met the window: "
-                  "nothing is visible.")
+        return tr("End 1 lies %1, and no line from there to End 2 meets the window: nothing is "
+                  "visible.")
             .arg(place);
     if (*sector == Sector{})
         return tr("End 1 lies %1, and so does End 2: nothing is cut.").arg(place);

@@ -79,17 +79,17 @@ std::optional<OverlayLine> infiniteLine(const Seeing& seeing)
 QString caption(const Seeing& seeing, std::optional<unsigned> pattern)
 {
     if (!seeing.line)
-        return tr("First the outcodes are asked; then on which side of the line each corner of "
-                  "the window lies. %1")
+        return tr("The outcodes are tested first, then the side of the line on which each corner "
+                  "of the window lies. %1")
             .arg(pointAtALine());
     if (!pattern)
-        return tr("%1 No corner had to be asked.").arg(codeWords(seeing));
+        return tr("%1 No corner had to be tested.").arg(codeWords(seeing));
     const QString signs = tr("The corners' signs make c = %1 (%2), row %1 of the table: ")
                               .arg(*pattern)
                               .arg(bitsOf(*pattern));
     return signs
            + (crossedBy(*pattern, seeing.y) == crossedBy(0, seeing.y)
-                  ? tr("all corners lie on one side, nothing is visible.")
+                  ? tr("all corners lie on one side of the line, so nothing is visible.")
                   : tr("the line crosses %1.").arg(crossedBy(*pattern, seeing.y)));
 }
 

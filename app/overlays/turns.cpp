@@ -70,14 +70,14 @@ bool passesOutside(const clipping::Segment& s, const Point& corner, const clippi
 QString caption(const Seeing& seeing, std::span<const EndMove> moves, std::size_t questions)
 {
     if (!seeing.line)
-        return tr("Only the corners that can decide are asked on which side of the line they lie. "
-                  "%1")
+        return tr("Only the corners that can decide are tested: on which side of the line do they "
+                  "lie? %1")
             .arg(pointAtALine());
     const auto [a, b] = codesOf(seeing);
     if ((a & b) != 0 || (a | b) == 0)
-        return (a & b) != 0 ? tr("Both ends are beyond one edge: nothing is visible, and no "
-                                 "corner is asked.")
-                            : tr("Both ends are inside: nothing is cut, and no corner is asked.");
+        return (a & b) != 0 ? tr(
+                   "Both ends are beyond one edge: nothing is visible, and no corner is tested.")
+                            : tr("Both ends are inside: nothing is cut, and no corner is tested.");
     if (seeing.trace.outcome != clipping::Outcome::Visible)
         return tr("The line passes a corner on the outside: nothing is visible.");
     QStringList ways;
@@ -85,7 +85,7 @@ QString caption(const Seeing& seeing, std::span<const EndMove> moves, std::size_
         ways << (move.ofB ? tr("leaves through %1") : tr("enters through %1"))
                     .arg(edgeWords(move.edge, seeing.y));
     const QString asked =
-        questions == 0 ? tr("No corner has to be asked") : tr("The corners decide");
+        questions == 0 ? tr("No corner has to be tested") : tr("The corners decide");
     return tr("%1: the line %2.").arg(asked, ways.join(tr(" and ")));
 }
 

@@ -114,7 +114,7 @@ private slots:
                  "Cohen-Sutherland does not end on this line and is stopped: nothing is visible.");
         QCOMPARE(of({clipping::findAlgorithm("CS")}, w, {{-6, -1}, {6, 2.5}}).caption,
                  "Cohen-Sutherland cuts the line at the top edge, the left edge and the right "
-                 "edge: what is left is visible.");
+                 "edge: the remaining part is visible.");
     }
 };
 
