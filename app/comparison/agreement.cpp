@@ -111,7 +111,7 @@ std::vector<Dissent> dissents(const SceneLines& lines, const Window& window, con
 QString sentence(std::span<const Dissent> dissents)
 {
     if (dissents.empty())
-        return QCoreApplication::translate("agreement", "All algorithms, corrected, agree here");
+        return QCoreApplication::translate("agreement", "All corrected algorithms agree here");
     QStringList sentences;
     for (const Dissent& dissent : dissents)
         sentences << sentence(dissent);

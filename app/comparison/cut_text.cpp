@@ -31,7 +31,7 @@ QString cutText(const CutCounts& counts)
                               const char* further) {
         add(count, !parts.isEmpty() ? further : count == 1 ? one : many);
     };
-    addFirst(counts.whole, "%1 object whole", "%1 objects whole", "%1 whole");
+    addFirst(counts.whole, "%1 object kept whole", "%1 objects kept whole", "%1 kept whole");
     addFirst(counts.cut, "%1 object cut", "%1 objects cut", "%1 cut");
     addFirst(counts.gone, "%1 object left out", "%1 objects left out", "%1 left out");
     QString text = parts.isEmpty() ? tr("there was nothing to cut.") : parts.join(tr(", ")) + u'.';
@@ -44,8 +44,8 @@ QString cutText(const CutCounts& counts)
 QString leftAloneText(const CutCounts& counts)
 {
     QString text;
-    addCount(text, counts.leftLocked, "Left alone on locked layers: %1.");
-    addCount(text, counts.leftHidden, "Left alone because hidden: %1.");
+    addCount(text, counts.leftLocked, "Unchanged on locked layers: %1.");
+    addCount(text, counts.leftHidden, "Unchanged because hidden: %1.");
     return text;
 }
 

@@ -74,11 +74,12 @@ QString sentence(const Variant& a, const Variant& b, const DifferenceCounts& cou
 {
     using Text = DifferenceText;
     if (a == b)
-        return Text::tr("A and B are the same: choose two that are not");
+        return Text::tr("A and B are the same: choose two different ones");
     if (lines == 0)
         return Text::tr("There are no lines to compare");
     if (counts.all() == 0)
-        return Text::tr("They agree on all %1 lines here").arg(countText(lines));
+        return lines == 1 ? Text::tr("They agree on the only line here")
+                          : Text::tr("They agree on all %1 lines here").arg(countText(lines));
     // The judged variant comes first: never `exact`.
     if (a == exactVariant())
         return sentence(b, a, {counts.onlyB, counts.onlyA, counts.endsApart}, lines);
@@ -92,8 +93,8 @@ QString sentence(const Variant& a, const Variant& b, const DifferenceCounts& cou
         Text::tr("loses %1 lines that %2 keeps"));
     add(counts.onlyA, Text::tr("keeps 1 line that %1 drops"),
         Text::tr("keeps %1 lines that %2 drops"));
-    add(counts.endsApart, Text::tr("ends 1 line elsewhere than %1"),
-        Text::tr("ends %1 lines elsewhere than %2"));
+    add(counts.endsApart, Text::tr("places the ends of 1 line differently from %1"),
+        Text::tr("places the ends of %1 lines differently from %2"));
     const QString last = faults.takeLast();
     const QString all = faults.isEmpty() ? last
                                          : Text::tr("%1 and %2", "what it does, and what else")

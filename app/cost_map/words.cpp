@@ -42,9 +42,9 @@ QString namesOf(const CostPlan& plan, std::uint32_t cheapest)
 QString titleOf(const CostPlan& plan)
 {
     const QString moving = endName(other(plan.end)), measure = plan.measure->name;
-    return plan.shown ? CostMaps::tr("%1: %2 by where %3 lies")
+    return plan.shown ? CostMaps::tr("%1: %2 for each position of %3")
                             .arg(nameOf(*plan.shown), measure.toLower(), moving)
-                      : CostMaps::tr("Which is cheapest: %1 by where %2 lies")
+                      : CostMaps::tr("Cheapest algorithm for each position of %2, by %1")
                             .arg(measure.toLower(), moving);
 }
 
@@ -71,9 +71,10 @@ QString placesOf(const CostPlan& plan)
 QString noteOf(const CostMeasure& measure)
 {
     if (measure.isTime())
-        return CostMaps::tr("Processor time of the median of 5 rounds, 64 times the same line "
-                            "each: noisy, and less than among other lines, as the processor "
-                            "foresees its branches. Within 10 % is a tie.");
+        return CostMaps::tr(
+            "The median processor time of 5 rounds, each of which clips the same line 64 times. It "
+            "is noisy, and shorter than among other lines, because the processor predicts the "
+            "branches. Differences within 10 % count as ties.");
     if (&measure == &costMeasures().front())
         return CostMaps::tr("Operations: comparisons, additions and subtractions, "
                             "multiplications, divisions.");

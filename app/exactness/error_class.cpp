@@ -33,6 +33,8 @@ QString number(double ulps)
 QString rightText(const Variant& variant, const ErrorCounts& counts)
 {
     const std::size_t wrong = counts.classes.back(), all = counts.all();
+    if (wrong == 0 && all == 1)
+        return Exactness::tr("%1 is right about the only visible line").arg(nameOf(variant));
     if (wrong == 0)
         return Exactness::tr("%1 is right about all %2 visible lines")
             .arg(nameOf(variant), countText(all));
@@ -48,8 +50,8 @@ QStringList wrongTexts(const ErrorCounts& counts)
             texts << text.arg(countText(count));
     };
     add(counts.lost, Exactness::tr("%1 lost"));
-    add(counts.invented, Exactness::tr("%1 shown that are not visible"));
-    add(counts.notFinite, Exactness::tr("%1 with an end that is no number"));
+    add(counts.invented, Exactness::tr("%1 shown but not visible"));
+    add(counts.notFinite, Exactness::tr("%1 with an end that is not a number"));
     add(counts.outside, Exactness::tr("%1 with an end outside the window"));
     return texts;
 }
@@ -122,13 +124,14 @@ QString sentence(const Variant& variant, const ErrorCounts& counts, Yardstick ya
     QString text = rightText(variant, counts);
     if (const QStringList wrong = wrongTexts(counts); !wrong.isEmpty())
         text += QStringLiteral(": ") + wrong.join(Exactness::tr(", "));
-    text += Exactness::tr(". The worst end is %1 of %2 off")
+    text += Exactness::tr(". The worst end is off by %1 of %2")
                 .arg(errorText(counts.worst), yardstick == Yardstick::Largest
                                                   ? Exactness::tr("the largest coordinate")
                                                   : Exactness::tr("its own coordinate"));
-    text += counts.orderMatters == 0 ? Exactness::tr("; no line depends on which end comes first.")
-                                     : Exactness::tr("; %1 depend on which end comes first.")
-                                           .arg(countText(counts.orderMatters));
+    text += counts.orderMatters == 0
+                ? Exactness::tr("; no result depends on the order of the ends.")
+                : Exactness::tr("; results that depend on the order of the ends: %1.")
+                      .arg(countText(counts.orderMatters));
     return text;
 }
 
@@ -141,11 +144,12 @@ QString verdictText(const LineExactness& line)
                                  : Exactness::tr("lost: %1").arg(errorText(line.lost)));
         break;
     case Fault::Invented:
-        texts << (line.lost == 0 ? Exactness::tr("invented: a point")
-                                 : Exactness::tr("invented: %1").arg(errorText(line.lost)));
+        texts << (line.lost == 0
+                      ? Exactness::tr("shown but not visible: a point")
+                      : Exactness::tr("shown but not visible: %1").arg(errorText(line.lost)));
         break;
     case Fault::NotFinite:
-        texts << Exactness::tr("an end is no number");
+        texts << Exactness::tr("an end is not a number");
         break;
     case Fault::None:
         break;

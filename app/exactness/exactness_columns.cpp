@@ -53,17 +53,19 @@ std::span<const ExactnessColumn> exactnessColumns()
             Rows::tr("Line"), Rows::tr("The line's number"),
             [](const LineExactness& line) { return countText(line.source + std::size_t(1)); },
             [](const LineExactness& line) { return double(line.source); }, true},
-        ExactnessColumn{Rows::tr("Verdict"),
-                        Rows::tr("What is wrong with the line, and whether it depends on which end "
-                                 "comes first"),
-                        verdictText, verdictKey, false},
+        ExactnessColumn{
+            Rows::tr("Verdict"),
+            Rows::tr(
+                "What is wrong with the result, and whether it depends on the order of the ends"),
+            verdictText, verdictKey, false},
         ExactnessColumn{Rows::tr("Error"),
                         Rows::tr("How far the worse end is from the true one, in units in the last "
                                  "place of the largest coordinate of line and window (ulps)"),
                         errorCell<Yardstick::Largest>, errorKey<Yardstick::Largest>, true},
-        ExactnessColumn{Rows::tr("Of its own"),
-                        Rows::tr("The same in units in the last place of the coordinate itself"),
-                        errorCell<Yardstick::Own>, errorKey<Yardstick::Own>, true}};
+        ExactnessColumn{
+            Rows::tr("Own ulps"),
+            Rows::tr("The same distance in units in the last place of the end's own coordinate"),
+            errorCell<Yardstick::Own>, errorKey<Yardstick::Own>, true}};
     return columns;
 }
 

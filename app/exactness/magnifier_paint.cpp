@@ -121,8 +121,8 @@ public:
         QString text = Magnifier::tr("%1 = %2").arg(errorText(ulps), size);
         if (!latticeSeen)
             text += view_.lattice == Lattice::Double
-                        ? Magnifier::tr("; doubles are too close here to be drawn one by one")
-                        : Magnifier::tr("; floats are too close here, or too far, to be drawn");
+                        ? Magnifier::tr("; doubles are too dense here to be drawn one by one")
+                        : Magnifier::tr("; floats are too dense or too sparse here to be drawn");
         painter_.setPen(look_.chart.text);
         painter_.drawText(left + QPointF(0, 20), text);
     }
@@ -278,15 +278,16 @@ QString magnifiedText(const Magnified& seen, const QString& name)
         return Magnifier::tr("%1; %2", "coordinates").arg(inFull(p.x), inFull(p.y));
     };
     if (!seen.exactness)
-        return Magnifier::tr("%1 ends at %2, where truly nothing is visible.")
+        return Magnifier::tr("%1 ends at %2, but nothing of the line is visible.")
             .arg(name, point(seen.centre));
     if (!seen.returned)
-        return Magnifier::tr("%1 shows nothing; the true end is nearest to %2.")
+        return Magnifier::tr("%1 shows nothing; the double nearest to the true end is %2.")
             .arg(name, point(seen.centre));
     const glm::dvec2 off = glm::abs(*seen.exactness);
-    return Magnifier::tr("%1 ends at %2: off by %3 of x and %4 of y; the nearest doubles are %5.")
-        .arg(name, point(seen.centre), errorText(off.x / seen.ulp.x), errorText(off.y / seen.ulp.y),
-             point(seen.centre + seen.nearest));
+    return Magnifier::
+        tr("%1 ends at %2, off by %3 in x and %4 in y. The doubles nearest to the true end are %5.")
+            .arg(name, point(seen.centre), errorText(off.x / seen.ulp.x),
+                 errorText(off.y / seen.ulp.y), point(seen.centre + seen.nearest));
 }
 
 } // namespace app

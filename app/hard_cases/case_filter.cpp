@@ -15,7 +15,7 @@ QString tr(const char* text) { return QCoreApplication::translate("hard_cases", 
 
 constexpr std::array kinds{std::pair{Ruling::DidNotEnd, "An algorithm never ends"},
                            std::pair{Ruling::Lost, "Something visible is lost"},
-                           std::pair{Ruling::Shown, "Something is seen where nothing is"},
+                           std::pair{Ruling::Shown, "Something is shown that is not visible"},
                            std::pair{Ruling::Outside, "An end is outside the window"},
                            std::pair{Ruling::Moved, "An end is at the wrong place"},
                            std::pair{Ruling::NotANumber, "An end is not a number"}};

@@ -37,9 +37,9 @@ Result<Document> documentOf(const HardCase& hard)
     const auto& [a, b] = hard.line;
     for (const double number : {a.x, a.y, b.x, b.y, min.x, min.y, max.x, max.y})
         if (!std::isfinite(number))
-            return R::failure(tr("A drawing has no place for what is not a number."));
+            return R::failure(tr("A drawing cannot hold infinities or NaNs."));
     if (!(min.x <= max.x && min.y <= max.y))
-        return R::failure(tr("A drawing has no window that is inside out."));
+        return R::failure(tr("A drawing cannot hold an inverted window."));
     const Point low = glm::min(glm::min(a, b), min), high = glm::max(glm::max(a, b), max);
     const double extent = std::max(high.x - low.x, high.y - low.y);
     if (extent > mostExtent)

@@ -131,11 +131,11 @@ QString words(const CaseAnswer& answer)
     case Ruling::Right:
         return tr("right");
     case Ruling::Allowed:
-        return tr("within the %1 ulps that it promises").arg(answer.variant.algorithm->ulps);
+        return tr("within the guaranteed %1 ulps").arg(answer.variant.algorithm->ulps);
     case Ruling::Lost:
         return tr("lost");
     case Ruling::Shown:
-        return tr("seen where nothing is");
+        return tr("shown but not visible");
     case Ruling::Outside:
         return tr("outside the window by %1").arg(roughText(answer.beyond));
     case Ruling::Moved:
@@ -145,7 +145,7 @@ QString words(const CaseAnswer& answer)
     case Ruling::DidNotEnd:
         break;
     }
-    return tr("never ends, was stopped");
+    return tr("never ends (was stopped)");
 }
 
 QString pieceText(const std::optional<Segment>& piece)

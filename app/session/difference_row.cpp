@@ -139,8 +139,8 @@ QString whatText(const Session& session, const Difference& difference)
         return {};
     const Comparison& comparison = *session.differences.asked();
     if (difference.kind == Kind::EndsApart)
-        return Rows::tr("ends apart");
-    return Rows::tr("only %1 sees it")
+        return Rows::tr("different ends");
+    return Rows::tr("only %1 keeps it")
         .arg(nameOf(variantOf(comparison, difference.kind == Kind::OnlyA ? Side::A : Side::B)));
 }
 
@@ -186,8 +186,7 @@ QString pieceHeading(const Comparison&)
 template <Side side>
 QString pieceMeaning(const Comparison& comparison)
 {
-    return Rows::tr("From where to where %1 leaves the line")
-        .arg(nameOf(variantOf(comparison, side)));
+    return Rows::tr("The part of the line that %1 keeps").arg(nameOf(variantOf(comparison, side)));
 }
 
 } // namespace
@@ -198,21 +197,22 @@ std::span<const DifferenceColumn> differenceColumns()
         DifferenceColumn{[](const Comparison&) { return Rows::tr("Line"); },
                          [](const Comparison&) { return Rows::tr("The line's number"); }, lineText,
                          byLine, true},
-        DifferenceColumn{[](const Comparison&) { return Rows::tr("What differs"); },
-                         [](const Comparison&) {
-                             return Rows::tr("Which of the two sees the line, or that both do and "
-                                             "end it elsewhere");
-                         },
-                         whatText, byKind, false},
-        DifferenceColumn{[](const Comparison&) { return Rows::tr("How much"); },
-                         [](const Comparison&) {
-                             return Rows::tr(
-                                 "How long the piece is that only one of the two sees, or how far "
-                                 "the ends are apart; where that is too short to read, in units in "
-                                 "the last place of the largest "
-                                 "coordinate of line and window (ulps)");
-                         },
-                         differenceText, byAmount, true},
+        DifferenceColumn{
+            [](const Comparison&) { return Rows::tr("What differs"); },
+            [](const Comparison&) {
+                return Rows::tr(
+                    "Which of the two keeps the line, or whether both keep it with different ends");
+            },
+            whatText, byKind, false},
+        DifferenceColumn{
+            [](const Comparison&) { return Rows::tr("How much"); },
+            [](const Comparison&) {
+                return Rows::tr(
+                    "The length of the part that only one of the two keeps, or the distance "
+                    "between the ends. A distance too short to read is in ulps: units in the last "
+                    "place of the largest coordinate of line and window");
+            },
+            differenceText, byAmount, true},
         DifferenceColumn{pieceHeading<Side::A>, pieceMeaning<Side::A>, shortPieceText<Side::A>,
                          byPiece<Side::A>, false},
         DifferenceColumn{pieceHeading<Side::B>, pieceMeaning<Side::B>, shortPieceText<Side::B>,
@@ -220,7 +220,7 @@ std::span<const DifferenceColumn> differenceColumns()
         // Objects and layers are in the order of their lines.
         DifferenceColumn{
             [](const Comparison&) { return Rows::tr("Layer and shape"); },
-            [](const Comparison&) { return Rows::tr("Where in the drawing the line is"); },
+            [](const Comparison&) { return Rows::tr("The line's place in the drawing"); },
             placeText, byLine, false}};
     return columns;
 }

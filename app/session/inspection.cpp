@@ -141,7 +141,7 @@ QString endText(const Inspection& line, const Measure& measure)
 {
     switch (line.trace.outcome) {
     case clipping::Outcome::DidNotEnd:
-        return tr("It did not end and was stopped: nothing visible");
+        return tr("The algorithm did not end and was stopped: nothing is visible");
     case clipping::Outcome::Invisible:
         return tr("Nothing is visible");
     case clipping::Outcome::Visible:
@@ -220,15 +220,15 @@ QString verdictText(const Inspection& line)
 QString costText(const clipping::OperationCounts& cost)
 {
     QStringList parts;
-    const auto add = [&](std::uint64_t count, const char* what) {
+    const auto add = [&](std::uint64_t count, const char* one, const char* many) {
         if (count > 0)
-            parts << tr(what).arg(countText(count));
+            parts << (count == 1 ? tr(one) : tr(many).arg(countText(count)));
     };
-    add(cost.comparisons, "%1 compare");
-    add(cost.additions, "%1 add");
-    add(cost.multiplications, "%1 multiply");
-    add(cost.divisions, "%1 divide");
-    add(cost.negations, "%1 negate");
+    add(cost.comparisons, "1 comparison", "%1 comparisons");
+    add(cost.additions, "1 addition", "%1 additions");
+    add(cost.multiplications, "1 multiplication", "%1 multiplications");
+    add(cost.divisions, "1 division", "%1 divisions");
+    add(cost.negations, "1 negation", "%1 negations");
     return parts.isEmpty() ? tr("nothing") : parts.join(QStringLiteral(", "));
 }
 

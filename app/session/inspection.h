@@ -41,7 +41,7 @@ Variant explaining(const Session& session, std::size_t segment);
 
 /// "LB as published: visible, 71.7 %", "KWC as published: nothing visible".
 QString verdictText(const Inspection& inspection);
-/// "14 compare, 4 add, 1 multiply, 1 divide"; counts of 0 are left out; "nothing" if all are 0.
+/// "14 comparisons, 4 additions, 1 multiplication"; counts of 0 are left out; "nothing" if all are 0.
 QString costText(const clipping::OperationCounts& cost);
 /// A text for each step of the trace except its tests, and one for the end: the action, its values
 /// and the remaining part. Coordinates and lengths are in `unit`, as everywhere in the window. For

@@ -41,7 +41,7 @@ bool addLayer(Session& session, const QString& name)
     const Containers& containers = session.now().containers();
     if (!hasRoomForALayer(containers)) {
         emit session.refused(tr("No layer was added. This drawing has %1 layers, and a file cannot "
-                                "keep more apart. Delete a layer first.")
+                                "hold more. Delete a layer first.")
                                  .arg(countText(Containers::mostLayers)));
         return false;
     }

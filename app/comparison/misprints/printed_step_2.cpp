@@ -87,27 +87,27 @@ std::size_t clipAll(std::span<const Segment> in, const Window& window, std::span
 
 Misprint printedStep2()
 {
-    return {QStringLiteral("md-step-2"), MisprintTexts::tr("MD with Step 2 as printed"),
-            unbroken(MisprintTexts::tr(
-                "The text of the paper cuts at the window's edges ymin and ymax with "
-                "(ymin − x1) and (ymax − x1). It should read (ymin − y1) and (ymax − y1), "
-                "as in the pseudo-code: x = x1 + (x2 − x1)/(y2 − y1) · (ymin − y1). "
-                "Lines that leave through these edges are cut at the wrong place, "
-                "or seen where they are not.")),
-            clipping::findAlgorithm("matthes-drakopoulos"), clipAll<Reading::Beside>};
+    return {
+        QStringLiteral("md-step-2"), MisprintTexts::tr("MD with Step 2 as printed"),
+        unbroken(MisprintTexts::tr(
+            "The text of the paper cuts at the window's edges ymin and ymax with (ymin − x1) and "
+            "(ymax − x1). It should read (ymin − y1) and (ymax − y1), as in the pseudo-code: x = "
+            "x1 + (x2 − x1)/(y2 − y1) · (ymin − y1). A line that crosses one of these edges is cut "
+            "at the wrong place, or kept although it misses the window.")),
+        clipping::findAlgorithm("matthes-drakopoulos"), clipAll<Reading::Beside>};
 }
 
 Misprint printedStep2InPlace()
 {
-    return {QStringLiteral("md-step-2-in-place"),
-            MisprintTexts::tr("MD with Step 2 as printed, step by step"),
-            unbroken(MisprintTexts::tr(
-                "Taken word by word, Step 2 also assigns to x1 and y1 and then goes on "
-                "to compute with them: x1 = xmin makes xmin − x1 zero, so y1 stays where "
-                "it was, and a line may end in 0/0. The pseudo-code keeps the "
-                "cut ends in variables of their own, x[i] and y[i], and has (ymin − y1) "
-                "where the text has (ymin − x1).")),
-            clipping::findAlgorithm("matthes-drakopoulos"), clipAll<Reading::InPlace>};
+    return {
+        QStringLiteral("md-step-2-in-place"),
+        MisprintTexts::tr("MD with Step 2 as printed, read literally"),
+        unbroken(MisprintTexts::tr(
+            "Read literally, Step 2 also assigns new values to x1 and y1 before it computes with "
+            "them: after x1 = xmin, the difference xmin − x1 is zero, so y1 does not change, and a "
+            "later formula may divide 0 by 0. The pseudo-code keeps the cut ends in separate "
+            "variables, x[i] and y[i], and has (ymin − y1) where the text has (ymin − x1).")),
+        clipping::findAlgorithm("matthes-drakopoulos"), clipAll<Reading::InPlace>};
 }
 
 } // namespace app

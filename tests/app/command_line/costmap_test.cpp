@@ -37,7 +37,7 @@ private slots:
         const QString png = folder_.filePath("map.png"), csv = folder_.filePath("map.csv");
         QCOMPARE(clearcut({"costmap", "--cheapest", "--theme", "dark", "-o", png}).code, 0);
         QVERIFY(QImage(png).width() > 1000);
-        QVERIFY(QImage(png).text("Title").startsWith("Which is cheapest"));
+        QVERIFY(QImage(png).text("Title").startsWith("Cheapest algorithm"));
         QCOMPARE(clearcut({"costmap", "--cheapest", "--form", "published", "--measure", "divisions",
                            "--to", "0,0", "--size", "8x6", "-o", csv})
                      .code,

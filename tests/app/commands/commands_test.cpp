@@ -77,11 +77,11 @@ private slots:
         QCOMPARE(crop.counts().cut, 1u);
         QCOMPARE(crop.counts().leftLocked, 1u);
         QCOMPARE(crop.counts().leftHidden, 3u);
-        QCOMPARE(app::cutText(crop.counts()), "1 object cut. Left alone on locked layers: 1. Left "
-                                              "alone because hidden: 3.");
-        QCOMPARE(app::cutText({.whole = 3}), "3 objects whole.");
+        QCOMPARE(app::cutText(crop.counts()),
+                 "1 object cut. Unchanged on locked layers: 1. Unchanged because hidden: 3.");
+        QCOMPARE(app::cutText({.whole = 3}), "3 objects kept whole.");
         QCOMPARE(app::cutText({.whole = 1200, .cut = 1, .gone = 2}),
-                 "1,200 objects whole, 1 cut, 2 left out.");
+                 "1,200 objects kept whole, 1 cut, 2 left out.");
         crop.redo();
         const auto after = sheetOf(document).shapes;
         QCOMPARE(after.size(), before.shapes.size());

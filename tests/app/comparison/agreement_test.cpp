@@ -22,7 +22,7 @@ private slots:
             s = {{x(random), y(random)}, {x(random), y(random)}};
         const auto found = app::dissents(sceneLinesOf(segments, 3'000), {{-100, -75}, {100, 75}},
                                          {findAlgorithm("md")});
-        QCOMPARE(app::sentence(found), "All algorithms, corrected, agree here");
+        QCOMPARE(app::sentence(found), "All corrected algorithms agree here");
     }
     /// Published KWC takes a line with |dx| < 1 for a vertical one at x1 (algorithms.md).
     void publishedFaultsAreCounted()

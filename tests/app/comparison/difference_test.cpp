@@ -176,20 +176,23 @@ private slots:
         QVERIFY(app::differences({}, paper, published("kwc"), corrected("md"), 0).empty());
         QCOMPARE(app::sentence(corrected("md"), corrected("lb"), {}, 9969),
                  "They agree on all 9,969 lines here");
+        QCOMPARE(app::sentence(corrected("md"), corrected("lb"), {}, 1),
+                 "They agree on the only line here");
         QCOMPARE(app::sentence(corrected("md"), corrected("lb"), {}, 0),
                  "There are no lines to compare");
         QCOMPARE(app::sentence(corrected("md"), corrected("md"), {}, 9),
-                 "A and B are the same: choose two that are not");
+                 "A and B are the same: choose two different ones");
     }
 
     void everySentence()
     {
         const Variant md = corrected("md"), lb = corrected("lb");
         QCOMPARE(app::sentence(md, lb, {1, 1, 1}, 9),
-                 "MD loses 1 line that LB keeps, keeps 1 line that LB drops "
-                 "and ends 1 line elsewhere than LB");
+                 "MD loses 1 line that LB keeps, keeps 1 line that LB drops and places the ends of "
+                 "1 line differently from LB");
         QCOMPARE(app::sentence(md, lb, {1000, 0, 2}, 9),
-                 "MD keeps 1,000 lines that LB drops and ends 2 lines elsewhere than LB");
+                 "MD keeps 1,000 lines that LB drops and places the ends of 2 lines differently "
+                 "from LB");
     }
 
     /// The counterexamples X1 to X4 of the paper's text, worked by hand.

@@ -48,7 +48,7 @@ private slots:
         QVERIFY(!list.empty());
         const auto columns = app::differenceColumns();
         for (const app::Difference& difference : list) {
-            QCOMPARE(columns[1].text(session, difference), "ends apart");
+            QCOMPARE(columns[1].text(session, difference), "different ends");
             QVERIFY(columns[2].text(session, difference).contains(" ulp"));
             QCOMPARE(columns[3].text(session, difference), columns[4].text(session, difference));
             const QStringList full = app::piecesInFull(session, difference).split('\n');

@@ -207,7 +207,8 @@ private slots:
     }
     void costInWords()
     {
-        QCOMPARE(app::costText({4, 1, 1, 14, 0}), "14 compare, 4 add, 1 multiply, 1 divide");
+        QCOMPARE(app::costText({4, 1, 1, 14, 0}),
+                 "14 comparisons, 4 additions, 1 multiplication, 1 division");
         QCOMPARE(app::costText({}), "nothing");
     }
 };

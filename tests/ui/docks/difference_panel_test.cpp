@@ -112,7 +112,7 @@ private slots:
         QCOMPARE(stage.table->model()->rowCount(), 3);
         QCOMPARE(stage.cell(0, 0), "3"); // lines are counted from 1
         QCOMPARE(stage.cell(1, 0), "6");
-        QCOMPARE(stage.cell(0, 1), "only exact sees it");
+        QCOMPARE(stage.cell(0, 1), "only exact keeps it");
         QCOMPARE(stage.cell(0, 3), "–");
         QVERIFY2(stage.cell(0, 2).startsWith("50.00"), qPrintable(stage.cell(0, 2)));
         QCOMPARE(stage.cell(0, 4), "26.00; 40.00 → 26.50; 90.00");

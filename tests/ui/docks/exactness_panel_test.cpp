@@ -198,7 +198,7 @@ private slots:
         ::load(stage.session.document, sheet);
         stage.show();
         stage.choose("sb:published");
-        QVERIFY2(stage.panel.summary().contains("1 with an end that is no number"),
+        QVERIFY2(stage.panel.summary().contains("1 with an end that is not a number"),
                  qPrintable(stage.panel.summary()));
         QCOMPARE(stage.cell(0, 1).left(18), "an end is no numbe");
         stage.panel.magnify(0, 1);

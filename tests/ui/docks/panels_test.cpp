@@ -231,7 +231,7 @@ private slots:
         t.show();
         AlgorithmPanel& panel = t.window->algorithmPanel();
         panel.compare();
-        QCOMPARE(panel.verdict(), "All algorithms, corrected, agree here");
+        QCOMPARE(panel.verdict(), "All corrected algorithms agree here");
         QVERIFY(panel.dissents().empty());
     }
     void aLineBeingDrawnKeepsTheVerdict()

@@ -254,7 +254,7 @@ private slots:
         t.action("crop")->trigger();
         QCOMPARE(t.window->session().scene.lines().size(), std::size_t(2));
         QCOMPARE(t.window->session().history.count(), before);
-        QCOMPARE(t.window->message(), "Nothing was cropped. Left alone on locked layers: 1.");
+        QCOMPARE(t.window->message(), "Nothing was cropped. Unchanged on locked layers: 1.");
     }
     void forgottenStepsAreReportedOnce()
     {
