@@ -64,7 +64,8 @@ QString briefListText(const QStringList& names)
 
 QString timeText(double nanoseconds)
 {
-    return Experiments::tr("%1 ns a line").arg(numberText(nanoseconds, nanoseconds < 100 ? 2 : 0));
+    return Experiments::tr("%1 ns per line")
+        .arg(numberText(nanoseconds, nanoseconds < 100 ? 2 : 0));
 }
 
 } // namespace app

@@ -19,7 +19,7 @@ ChartRow rowOf(const PaperColumn& column, const Summary& runs, double lowest)
     row.numbers = {numberText(average, 3), numberText(average / lowest, 2)};
     row.detail = QStringList{fullName({column.algorithm, clipping::Form::Corrected}),
                              Charts::tr("average %1 s").arg(numberText(average, 3)),
-                             Charts::tr("the middle of its runs with 95 % confidence %1 to %2 s")
+                             Charts::tr("median of its runs, with 95 % confidence: %1 to %2 s")
                                  .arg(numberText(runs.confidence.low, 3),
                                       numberText(runs.confidence.high, 3))}
                      .join(u'\n');

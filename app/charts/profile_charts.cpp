@@ -32,10 +32,10 @@ ChartRow rowOf(const VariantOperations& operations, std::uint64_t lines)
     Bar bar;
     for (const Kind& kind : kinds) {
         bar.parts.push_back(double(scene.*kind.count) / double(lines));
-        detail << Charts::tr("%1 %2 a line")
+        detail << Charts::tr("%1 %2 per line")
                       .arg(numberText(bar.parts.back(), 2), Charts::tr(kind.name));
     }
-    detail << Charts::tr("not counted: %1 negations a line")
+    detail << Charts::tr("not counted: %1 negations per line")
                   .arg(numberText(double(scene.negations) / double(lines), 2));
     row.numbers = {numberText(bar.length(), 1)};
     row.detail = detail.join(u'\n');
@@ -78,12 +78,12 @@ std::vector<Variant> variantsOf(const ClassProfile& profile)
 
 QStringList notesOf(const ClassProfile& profile)
 {
-    QStringList notes(Charts::tr(
-        "Weighted: what a line of the scene would cost if each cost what its class does."));
+    QStringList notes(Charts::tr("Weighted: the mean cost of a line of the scene, if each line "
+                                 "cost as much as its class does alone."));
     for (const ClassTimes& one : profile.classes)
         if (!one.of.standIn.isEmpty())
-            notes << Charts::tr("Lines of class “%1” are too rare in the scene: those of the scene "
-                                "“%2” stand in for them.")
+            notes << Charts::tr("Lines of class “%1” are too rare in the scene: lines of the scene "
+                                "“%2” were measured instead.")
                          .arg(words(one.of.lineClass), one.of.standIn);
     if (const QString batches = batchText(variantsOf(profile)); !batches.isEmpty())
         notes << batches;
@@ -94,14 +94,15 @@ QStringList notesOf(const ClassProfile& profile)
 
 Chart chartOf(const OperationProfile& profile)
 {
-    Chart chart{.key = QStringLiteral("%1-operations").arg(profile.options.scene.key),
-                .title = Charts::tr("Operations a line"),
-                .subtitle = sceneText(profile.options),
-                .panels = {{{}, Charts::tr("operations a line")}},
-                .columns = {Charts::tr("all")},
-                .rows = {},
-                .notes = {Charts::tr("Additions with subtractions; negations and operations on "
-                                     "bits are not counted.")}};
+    Chart chart{
+        .key = QStringLiteral("%1-operations").arg(profile.options.scene.key),
+        .title = Charts::tr("Operations per line"),
+        .subtitle = sceneText(profile.options),
+        .panels = {{{}, Charts::tr("operations per line")}},
+        .columns = {Charts::tr("all")},
+        .rows = {},
+        .notes = {Charts::tr(
+            "Additions include subtractions. Negations and operations on bits are not counted.")}};
     for (std::size_t k = 0; k < kinds.size(); ++k)
         chart.legend.push_back({LegendBar{k}, Charts::tr(kinds[k].name)});
     for (const VariantOperations& operations : profile.rows)
@@ -112,18 +113,20 @@ Chart chartOf(const OperationProfile& profile)
 
 Chart chartOf(const ClassProfile& profile)
 {
-    Chart chart{.key = QStringLiteral("%1-classes").arg(profile.options.scene.key),
-                .title = Charts::tr("Nanoseconds a line, by class of line"),
-                .subtitle = Charts::tr("Scene “%1”: how many of its lines are of a class, and what "
-                                       "they cost by themselves")
-                                .arg(profile.options.scene.name),
-                .panels = {},
-                .columns = {Charts::tr("weighted")},
-                .rows = {},
-                .notes = notesOf(profile)};
+    Chart chart{
+        .key = QStringLiteral("%1-classes").arg(profile.options.scene.key),
+        .title = Charts::tr("Nanoseconds per line, by class of line"),
+        .subtitle =
+            Charts::tr(
+                "Scene “%1”: the share of each class of line, and its cost when clipped alone")
+                .arg(profile.options.scene.name),
+        .panels = {},
+        .columns = {Charts::tr("weighted")},
+        .rows = {},
+        .notes = notesOf(profile)};
     for (const ClassTimes& one : profile.classes)
         chart.panels.push_back({words(one.of.lineClass) + u'\n' + percentText(one.of.share),
-                                Charts::tr("nanoseconds a line")});
+                                Charts::tr("nanoseconds per line")});
     const Measure clip = measures().front();
     std::vector<ClassRow> rows;
     for (const Variant& variant : variantsOf(profile)) {

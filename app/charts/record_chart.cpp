@@ -49,9 +49,9 @@ std::size_t unitOf(const Record& record, std::span<const std::size_t> order,
 QString detailOf(const Variant& variant, const Summary& times)
 {
     QStringList lines{fullName(variant),
-                      Charts::tr("median %1 a line").arg(nanosecondsText(times.median))};
+                      Charts::tr("median %1 per line").arg(nanosecondsText(times.median))};
     if (std::isfinite(times.confidence.low) && std::isfinite(times.confidence.high))
-        lines << Charts::tr("with 95 % confidence %1 to %2")
+        lines << Charts::tr("with 95 % confidence: %1 to %2")
                      .arg(nanosecondsText(times.confidence.low),
                           nanosecondsText(times.confidence.high));
     lines << Charts::tr("spread %1, mean %2")
@@ -96,7 +96,7 @@ void compare(ChartRow& row, const PaperTable& paper)
     row.other = column->printedAverage / lowestOf(paper);
     row.numbers << ratioText(*row.other);
     row.detail += u'\n'
-                  + Charts::tr("in the paper %1 s, %2 times its lowest")
+                  + Charts::tr("in the paper: %1 s, %2 times the paper's lowest")
                         .arg(numberText(column->printedAverage, 3), ratioText(*row.other));
 }
 
@@ -139,8 +139,9 @@ Chart chartOf(const Record& record, const Measure& measure, const std::optional<
     const std::size_t one = unitOf(record, order, paper);
     const Ranking ranking = rankingOf(record, measure);
     Chart chart{.key = QStringLiteral("%1-%2").arg(record.options.scene.key, measure.key),
-                .title = (one == order.front() ? Charts::tr("%1, lowest median = 1")
-                                               : Charts::tr("%1, lowest median of the paper's = 1"))
+                .title = (one == order.front()
+                              ? Charts::tr("%1, lowest median = 1")
+                              : Charts::tr("%1, lowest median of the paper's algorithms = 1"))
                              .arg(measure.name),
                 .subtitle = sceneText(record.options),
                 .legend = legendOf(record),
@@ -159,7 +160,7 @@ Chart chartOf(const Record& record, const Measure& measure, const std::optional<
         chart.key = QStringLiteral("%1-%2").arg(paper->key, measure.key);
         chart.columns << Charts::tr("paper");
         chart.legend.push_back(
-            {LegendMark{}, Charts::tr("hollow: the paper, %1, total time of %2 lines")
+            {LegendMark{}, Charts::tr("hollow: the paper's %1, total time of %2 lines")
                                .arg(numberOf(*paper), countText(paper->lines))});
         if (const QString other = otherWorkText(*paper, record.options, measure); !other.isEmpty())
             chart.notes << other;
@@ -179,8 +180,8 @@ Chart boxPlotOf(const Record& record, const Measure& measure)
                 .legend = {{LegendBox{}, Charts::tr("quartiles and median of %1 runs; circles: "
                                                     "outliers")
                                              .arg(countText(record.options.runs))}},
-                .panels = {{{}, Charts::tr("nanoseconds a line"), false},
-                           {{}, Charts::tr("% off its own median"), false}},
+                .panels = {{{}, Charts::tr("nanoseconds per line"), false},
+                           {{}, Charts::tr("deviation from its median in %"), false}},
                 .oneScale = false,
                 .columns = {Charts::tr("median")},
                 .rows = {},

@@ -125,8 +125,8 @@ Table accuracyTable(std::span<const Accuracy> accuracies, const ExperimentOption
         .key = QStringLiteral("accuracy"),
         .facts = factsOf(options),
         .notes = {Experiments::tr(
-            "Lost: lines that are visible and that it drops; shown: lines that are not and that it "
-            "keeps; outside: lines that it gives an end outside the window. Ulps: how far ends are "
+            "Lost: visible lines that the algorithm drops. Shown: invisible lines that it keeps. "
+            "Outside: lines with an end that it leaves outside the window. Ulps: how far ends are "
             "off, in units in the last place of the largest coordinate of line and window.")}};
     for (const Accuracy& row : accuracies)
         table.rows.push_back(rowOf(row));

@@ -43,14 +43,14 @@ std::vector<Analysis> analyses()
     };
     return {
         {"classes", Experiments::tr("Times by class"),
-         Experiments::tr("What a line costs that is inside, rejected at once, cut or missed."),
+         Experiments::tr(
+             "The cost of lines that are inside, rejected at once, cut, or miss the window."),
          classes},
         {"operations", Experiments::tr("Operations"),
-         Experiments::tr("Comparisons, additions, multiplications and divisions a line."),
+         Experiments::tr("Comparisons, additions, multiplications and divisions per line."),
          operations},
         {"accuracy", Experiments::tr("Accuracy"),
-         Experiments::tr("Lost lines, ends outside the window, and how far ends are off."),
-         accuracy},
+         Experiments::tr("Lost lines, ends outside the window, and errors of the ends."), accuracy},
     };
 }
 

@@ -64,8 +64,8 @@ std::optional<QString> missing(const Choice& choice)
     if (choice.subject.papers.empty() && choice.algorithms.empty())
         return Experiments::tr("Choose at least one algorithm.");
     if (choice.forms.empty() || chosenVariants(choice).empty())
-        return Experiments::tr("None of these algorithms has a published form. Choose “Corrected”, "
-                               "or others.");
+        return Experiments::tr("None of these algorithms has a published form. Choose “Corrected” "
+                               "or other algorithms.");
     const std::uint64_t runs = choice.runs.value_or(1), lines = choice.lines.value_or(1);
     if (runs < 1 || runs > mostRuns || lines < 1 || lines > mostLines)
         return Experiments::tr("Choose 1 to %1 lines and 1 to %2 runs.")
@@ -80,14 +80,14 @@ std::vector<Subject> subjects()
     const auto papers = paperTables();
     std::vector<Subject> all{
         {"all", Experiments::tr("Tables 1 and 2 of the paper"),
-         Experiments::tr("Random lines, both ends anywhere in the space: one "
-                         "million, then ten, by the paper's seven algorithms."),
+         Experiments::tr("The paper's seven algorithms clip one million, then ten million random "
+                         "lines with both ends anywhere in the space."),
          papers}};
     for (const PaperTable& paper : papers)
         all.push_back({paper.key,
                        Experiments::tr("%1 of the paper").arg(numberOf(paper)),
-                       Experiments::tr("%1 random lines, both ends anywhere in the space, by the "
-                                       "paper's seven algorithms.")
+                       Experiments::tr("The paper's seven algorithms clip %1 random lines with "
+                                       "both ends anywhere in the space.")
                            .arg(countText(paper.lines)),
                        {paper}});
     for (const TestScene& scene : testScenes())
@@ -107,10 +107,11 @@ std::optional<Subject> drawingSubject(const QString& name, const SceneLines& lin
     const Page& page = document.page();
     const ComparedWindow at = comparedWindow(document.windows(), page);
     const QString meaning =
-        at.isPage ? Experiments::tr("Its %1 lines, clipped at its page, for there is no clip "
-                                    "window; if more are asked for, the same again.")
-                  : Experiments::tr("Its %1 lines, clipped at its window; if more are asked for, "
-                                    "the same again.");
+        at.isPage
+            ? Experiments::tr("Its lines: %1. They are clipped at its page, because it has no clip "
+                              "window. For a larger number of lines they are repeated.")
+            : Experiments::tr("Its lines: %1. They are clipped at its window. For a larger number "
+                              "of lines they are repeated.");
     return Subject{"drawing",
                    Experiments::tr("Lines of %1").arg(name),
                    meaning.arg(countText(lines.size())),
@@ -130,7 +131,8 @@ QString leftOutText(const Choice& choice)
             names << shortNameOf({algorithm, clipping::Form::Corrected});
     if (!choice.subject.papers.empty() || names.isEmpty())
         return {};
-    return Experiments::tr("Without a published form, so left out: %1.").arg(briefListText(names));
+    return Experiments::tr("Left out, because they have no published form: %1.")
+        .arg(briefListText(names));
 }
 
 Result<Plan> planOf(const Choice& choice)

@@ -44,15 +44,16 @@ QString mixText(const ClassProfile& profile)
 QStringList notesOf(const ClassProfile& profile)
 {
     QStringList notes{
-        Experiments::tr("Lines of one class at a time, median nanoseconds a line. The scene is %1.")
+        Experiments::tr(
+            "Lines of one class at a time, median nanoseconds per line. The scene is %1.")
             .arg(mixText(profile)),
-        Experiments::tr("Weighted: what a line of the scene would cost if each cost what its class "
-                        "does. In a mixed scene it costs more, since the processor cannot guess "
-                        "what comes next.")};
+        Experiments::tr("Weighted: the mean cost of a line of the scene, if each line cost as much "
+                        "as its class does alone. In a mixed scene a line costs more, because the "
+                        "processor cannot predict which class comes next.")};
     for (const ClassTimes& one : profile.classes)
         if (!one.of.standIn.isEmpty())
-            notes << Experiments::tr("Lines of class “%1” are too rare in the scene: those of the "
-                                     "scene “%2” stand in for them.")
+            notes << Experiments::tr("Lines of class “%1” are too rare in the scene: lines of the "
+                                     "scene “%2” were measured instead.")
                          .arg(words(one.of.lineClass), one.of.standIn);
     for (const ClassTimes& one : profile.classes)
         if (const QString batches = batchText(variantsOf(one.record)); !batches.isEmpty()) {
@@ -114,7 +115,7 @@ Table classTable(const ClassProfile& profile)
 {
     Table table{.names = {"algorithm", "form", "inside_ns", "rejected_ns", "cut_ns", "missed_ns",
                           "weighted_ns"},
-                .title = Experiments::tr("Clipping by class of line: nanoseconds a line"),
+                .title = Experiments::tr("Clipping by class of line: nanoseconds per line"),
                 .key = QStringLiteral("classes"),
                 .notes = notesOf(profile)};
     const auto measured = std::ranges::find_if(

@@ -206,10 +206,11 @@ std::vector<Measure> measures()
          Experiments::tr("The time of the algorithm itself."),
          [](const Timing& timing) { return timing.clip; }, false},
         {"draw", Experiments::tr("Drawing only"),
-         Experiments::tr("The time of drawing what the algorithm left."),
+         Experiments::tr("The time of drawing the visible parts."),
          [](const Timing& timing) { return timing.draw; }, true},
         {"total", Experiments::tr("Total"),
-         Experiments::tr("Making the lines, clipping and drawing together, as the paper timed it."),
+         Experiments::tr(
+             "Generating, clipping and drawing the lines together, as the paper timed them."),
          [](const Timing& timing) {
              std::vector<double> times = timing.generate;
              for (std::size_t i = 0; i < times.size(); ++i)

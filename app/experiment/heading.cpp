@@ -19,49 +19,50 @@ std::map<QString, Heading> timeHeadings()
     return {
         {"algorithm", {Headings::tr("Algorithm"), {}}},
         {"form",
-         {Headings::tr("Form"),
-          Headings::tr("Published: as its authors printed it. Corrected: without their faults.")}},
+         {Headings::tr("Form"), Headings::tr("Published: as its authors printed it. Corrected: "
+                                             "without the faults of the published form.")}},
         {"rank",
          {Headings::tr("Rank"),
-          Headings::tr("Empty if it does not differ significantly from every other algorithm.")}},
+          Headings::tr(
+              "Empty if the algorithm does not differ significantly from every other algorithm.")}},
         {"letters",
          {Headings::tr("Letters"),
-          Headings::tr("Algorithms that share no letter differ significantly, and by 1 % or "
-                       "more.")}},
+          Headings::tr("Algorithms that share no letter differ significantly, by 1 % or more.")}},
         {"ratio_fastest",
          {Headings::tr("Ratio"),
-          Headings::tr("To the lowest median: the median of the ratios run by run.")}},
+          Headings::tr("Ratio to the lowest median: the median of the ratios run by run.")}},
         {"p_fastest",
          {Headings::tr("p"),
           Headings::tr(
-              "Of the exact signed-rank test against the lowest median, paired by run, "
-              "with Holm's correction. The same runs decide which algorithm has the lowest median: "
-              "with eleven equal algorithms, some p is below 0.05 in about one of ten "
-              "experiments.")}},
+              "p of the exact signed-rank test against the lowest median, paired by run, with "
+              "Holm's correction. The same runs decide which algorithm has the lowest median: with "
+              "eleven equal algorithms, some p is below 0.05 in about one of ten experiments.")}},
         {"median_ns",
          {Headings::tr("Median\nns"),
-          Headings::tr("Nanoseconds a line: half of the runs took less.")}},
+          Headings::tr("Nanoseconds per line: half of the runs took less.")}},
         {"spread_ns",
-         {Headings::tr("Spread\nns"),
-          Headings::tr("Between the quartiles: the middle half of the runs.")}},
+         {Headings::tr("Spread\nns"), Headings::tr("The distance between the quartiles: the middle "
+                                                   "half of the runs lies between them.")}},
         {"mean_ns",
-         {Headings::tr("Mean\nns"), Headings::tr("What the paper used; one slow run moves it.")}},
+         {Headings::tr("Mean\nns"),
+          Headings::tr("The paper reports means. One slow run changes a mean.")}},
         {"low_ns",
          {Headings::tr("Low\nns"),
-          Headings::tr("The middle lies above this with 95 % confidence.")}},
+          Headings::tr("The lower end of the median's 95 % confidence interval.")}},
         {"high_ns",
          {Headings::tr("High\nns"),
-          Headings::tr("The middle lies below this with 95 % confidence.")}},
+          Headings::tr("The upper end of the median's 95 % confidence interval.")}},
         {"visible",
-         {Headings::tr("Visible\nlines"), Headings::tr("Lines of which a part is left.")}},
+         {Headings::tr("Visible\nlines"),
+          Headings::tr("Lines of which the algorithm keeps a part.")}},
         {"lost",
-         {Headings::tr("Lost\nlines"), Headings::tr("Lines that are visible and that it drops.")}},
+         {Headings::tr("Lost\nlines"), Headings::tr("Visible lines that the algorithm drops.")}},
         {"shown",
          {Headings::tr("Shown\nwrongly"),
-          Headings::tr("Lines that are not visible and that it keeps.")}},
+          Headings::tr("Invisible lines that the algorithm keeps.")}},
         {"checksum",
-         {Headings::tr("Checksum"),
-          Headings::tr("Of all visible parts: who finds the same has the same.")}},
+         {Headings::tr("Checksum"), Headings::tr("Of all visible parts. Algorithms with the same "
+                                                 "visible parts have the same checksum.")}},
     };
 }
 
@@ -69,16 +70,17 @@ std::map<QString, Heading> timeHeadings()
 std::map<QString, Heading> againstHeadings()
 {
     const QString faster =
-        Headings::tr("The time between the other and Prop., in per cent of "
-                     "Prop.'s, as the paper says it. Negative: Prop. is slower.");
-    const QString saves = Headings::tr("The time between the other and Prop., in per cent of the "
-                                       "other's. Negative: Prop. is slower.");
+        Headings::tr("The difference of the times of this algorithm and Prop. in per cent of "
+                     "Prop.'s time, as in the paper. Negative: Prop. is slower.");
+    const QString saves =
+        Headings::tr("The difference of the times of this algorithm and Prop. in per cent of this "
+                     "algorithm's time. Negative: Prop. is slower.");
     return {
         {"paper_s",
          {Headings::tr("Paper,\ntotal s"),
-          Headings::tr("The paper's average, in seconds: always of making, clipping and drawing "
-                       "all lines of its table.")}},
-        {"ours_s", {Headings::tr("Ours\ns"), Headings::tr("Our average, in seconds.")}},
+          Headings::tr("The paper's average time in seconds. It always includes generating, "
+                       "clipping and drawing all lines of its table.")}},
+        {"ours_s", {Headings::tr("Ours\ns"), Headings::tr("Our average time in seconds.")}},
         {"paper_rank", {Headings::tr("Paper's\nrank"), Headings::tr("From the paper's own runs.")}},
         {"our_rank", {Headings::tr("Our\nrank"), {}}},
         {"paper_letters",
@@ -98,7 +100,8 @@ std::map<QString, Heading> againstHeadings()
 /// Columns of the explanation of times.
 std::map<QString, Heading> explanationHeadings()
 {
-    const QString ns = Headings::tr("Nanoseconds a line of this class alone.");
+    const QString ns =
+        Headings::tr("Nanoseconds per line, measured with lines of this class only.");
     return {
         {"inside_ns", {Headings::tr("Inside\nns"), ns}},
         {"rejected_ns", {Headings::tr("Rejected\nns"), ns}},
@@ -106,19 +109,21 @@ std::map<QString, Heading> explanationHeadings()
         {"missed_ns", {Headings::tr("Missed\nns"), ns}},
         {"weighted_ns",
          {Headings::tr("Weighted\nns"),
-          Headings::tr("What a line of the scene would cost if each cost what its class does.")}},
+          Headings::tr("The mean cost of a line of the scene, if each line cost as much as its "
+                       "class does alone.")}},
         {"class", {Headings::tr("Class of line"), {}}},
         {"lines_of_class", {Headings::tr("Lines"), {}}},
-        {"comparisons", {Headings::tr("Compar-\nisons"), Headings::tr("A line, on average.")}},
+        {"comparisons", {Headings::tr("Compar-\nisons"), Headings::tr("Per line, on average.")}},
         {"additions",
-         {Headings::tr("Addi-\ntions"), Headings::tr("A line, on average, with subtractions.")}},
+         {Headings::tr("Addi-\ntions"),
+          Headings::tr("Per line, on average, including subtractions.")}},
         {"multiplications",
-         {Headings::tr("Multipli-\ncations"), Headings::tr("A line, on average.")}},
-        {"divisions", {Headings::tr("Divi-\nsions"), Headings::tr("A line, on average.")}},
-        {"all", {Headings::tr("All"), Headings::tr("Operations a line.")}},
+         {Headings::tr("Multipli-\ncations"), Headings::tr("Per line, on average.")}},
+        {"divisions", {Headings::tr("Divi-\nsions"), Headings::tr("Per line, on average.")}},
+        {"all", {Headings::tr("All"), Headings::tr("Operations per line.")}},
         {"outside",
          {Headings::tr("Ends\noutside"),
-          Headings::tr("Lines that it gives an end outside the window.")}},
+          Headings::tr("Lines with an end that the algorithm leaves outside the window.")}},
         {"mean_ulps",
          {Headings::tr("Mean\nulps"),
           Headings::tr(
@@ -133,31 +138,33 @@ std::map<QString, Heading> explanationHeadings()
 std::map<QString, Heading> verdictHeadings()
 {
     return {
-        {"category", {Headings::tr("Asked about"), {}}},
+        {"category", {Headings::tr("Test"), {}}},
         {"lines", {Headings::tr("Lines"), {}}},
-        {"meaning", {Headings::tr("What that is"), {}}},
-        {"judged", {Headings::tr("Tested"), Headings::tr("Lines whose answer was judged.")}},
+        {"meaning", {Headings::tr("What it tests"), {}}},
+        {"judged", {Headings::tr("Tested"), Headings::tr("Lines whose result was judged.")}},
         {"wrong", {Headings::tr("Wrong"), {}}},
         {"rounded_outside",
          {Headings::tr("Rounded\noutside"),
-          Headings::tr("Right, but for an end that rounding left some ulps outside the window.")}},
+          Headings::tr("Right, except that rounding left an end some ulps outside the window.")}},
         {"points",
          {Headings::tr("Points\nof 10"),
-          Headings::tr("One for each whole tenth that is right, of the visible or of the invisible "
-                       "lines, whichever is less; 10 only if every line is right.")}},
+          Headings::tr(
+              "One point for each full tenth of right lines, counted for visible and for invisible "
+              "lines: the smaller count is given. 10 points only if every line is right.")}},
         {"degree", {Headings::tr("Result"), {}}},
         {"fault", {Headings::tr("What is wrong"), {}}},
         {"line", {Headings::tr("Line, End 1 → End 2"), {}}},
         {"window", {Headings::tr("Window, min … max"), {}}},
-        {"expected", {Headings::tr("Visible is"), Headings::tr("What exact arithmetic says.")}},
-        {"got", {Headings::tr("It returned"), {}}},
+        {"expected",
+         {Headings::tr("Right result"), Headings::tr("The visible part by exact arithmetic.")}},
+        {"got", {Headings::tr("Its result"), {}}},
         {"error",
          {Headings::tr("Off by"),
           Headings::tr("In ulps: units in the last place of the largest coordinate of line and "
-                       "window. Beyond a million of them in units of the coordinates.")}},
+                       "window. Errors above a million ulps are in units of the coordinates.")}},
         {"ratio",
-         {Headings::tr("Yours\ntakes ×"),
-          Headings::tr("How many times as long as this one your algorithm takes.")}},
+         {Headings::tr("Your time\n÷ its time"),
+          Headings::tr("The time of your algorithm divided by the time of this one.")}},
     };
 }
 

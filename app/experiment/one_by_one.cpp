@@ -94,8 +94,8 @@ QString batchText(std::span<const Variant> variants)
     if (std::ranges::none_of(variants, isExact))
         return {};
     const QString batches = Experiments::tr(
-        "Exact (EX) is timed in batches: it clips many lines at once with the processor's vectors, "
-        "the other algorithms one line after another.");
+        "Exact (EX) is timed in batches: it clips many lines at once with the processor's vector "
+        "instructions. The other algorithms clip one line after another.");
     return std::ranges::none_of(variants, isOneByOne)
                ? batches
                : batches
@@ -108,9 +108,9 @@ QString batchText(const Record& record)
     const auto batch = medianOf(record, isExact), each = medianOf(record, isOneByOne);
     if (!batch || !each)
         return {};
-    return Experiments::tr("Exact (EX) is timed in batches, many lines at once with the "
-                           "processor's vectors, where it takes %1 to clip; called line by line, "
-                           "as the others work, it takes %2.")
+    return Experiments::tr("Exact (EX) is timed in batches: it clips many lines at once with the "
+                           "processor's vector instructions and takes %1. Called line by line, "
+                           "like the other algorithms, it takes %2.")
         .arg(timeText(*batch), timeText(*each));
 }
 

@@ -98,13 +98,14 @@ std::optional<OperationProfile> operationProfile(const ExperimentOptions& option
 
 Table operationTable(const OperationProfile& profile)
 {
-    Table table{.names = {"algorithm", "form", "class", "lines_of_class", "comparisons",
-                          "additions", "multiplications", "divisions", "all"},
-                .title = Experiments::tr("Operations a line, by class of line"),
-                .key = QStringLiteral("operations"),
-                .facts = factsOf(profile.options),
-                .notes = {Experiments::tr("Additions with subtractions; negations and operations "
-                                          "on bits are not counted.")}};
+    Table table{
+        .names = {"algorithm", "form", "class", "lines_of_class", "comparisons", "additions",
+                  "multiplications", "divisions", "all"},
+        .title = Experiments::tr("Operations per line, by class of line"),
+        .key = QStringLiteral("operations"),
+        .facts = factsOf(profile.options),
+        .notes = {Experiments::tr(
+            "Additions include subtractions. Negations and operations on bits are not counted.")}};
     for (const VariantOperations& row : profile.rows) {
         for (std::size_t c = 0; c < profile.mix.size(); ++c)
             if (profile.mix[c] > 0)

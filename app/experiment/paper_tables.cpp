@@ -102,8 +102,8 @@ QStringList lossesOf(const PaperTable& paper, const Record& record)
     QStringList sentences;
     for (std::size_t i = 0; i < record.timings.size(); ++i)
         if (const Findings& found = record.timings[i].found; found.lost + found.shown > 0)
-            sentences << Experiments::tr("%1 loses %2 of the %3 lines that are visible, and shows "
-                                         "%4 that are not.")
+            sentences << Experiments::tr(
+                             "%1 loses %2 of the %3 visible lines and shows invisible lines: %4.")
                              .arg(paper.columns[i].name, countText(found.lost),
                                   countText(found.visible + found.lost - found.shown),
                                   countText(found.shown));
@@ -134,9 +134,9 @@ QString otherWorkText(const PaperTable& paper, const ExperimentOptions& options,
     if (measure.key == u"total" && options.lines == paper.lines
         && otherLinesText(options).isEmpty())
         return {};
-    return Experiments::tr("Not the same work: the paper's times are the total, of making, "
-                           "clipping and drawing %1 random lines; ours are “%2” of %3. Compare "
-                           "ranks and ratios, not seconds.")
+    return Experiments::tr(
+               "The work differs: the paper timed generating, clipping and drawing %1 random lines "
+               "together; our times are “%2” of %3. Compare ranks and ratios, not seconds.")
         .arg(countText(paper.lines), measure.name, linesText(options));
 }
 
@@ -202,11 +202,11 @@ Table againstPaper(const PaperTable& paper, const Record& record, const Measure&
     if (const QString other = otherWorkText(paper, record.options, measure); !other.isEmpty())
         table.notes << other;
     table.notes << Experiments::tr(
-        "Faster: the time between the other and Prop. in per cent of Prop.'s, as the paper has it. "
-        "Saves: the same in per cent of the other's time. From averages, those of the paper as "
-        "they are printed. Negative: Prop. is slower.")
-                << Experiments::tr("The paper timed the making of the lines, clipping and drawing "
-                                   "together: Total is what compares with it.")
+        "Faster: the difference of the times of the other algorithm and Prop. in per cent of "
+        "Prop.'s time, as in the paper. Saves: the same difference in per cent of the other's "
+        "time. Both are computed from averages, the paper's as printed. Negative: Prop. is slower.")
+                << Experiments::tr("The paper timed generating, clipping and drawing together: "
+                                   "compare its times with Total.")
                 << rankingNotes(ourRanking) << paperPairingText();
     return table;
 }
@@ -215,9 +215,9 @@ Ranking rankingOf(const PaperTable& paper) { return rankingOf(secondsOf(paper));
 
 QString paperPairingText()
 {
-    return Experiments::tr("The tests pair the paper's own runs row by row, as if those of one row "
-                           "were made in the same round: that is an assumption, the paper does not "
-                           "say it.");
+    return Experiments::tr(
+        "The tests pair the paper's own runs row by row, as if the runs of one row were made in "
+        "the same round. That is an assumption: the paper does not say so.");
 }
 
 } // namespace app

@@ -14,8 +14,7 @@ struct Experiments {
 
 QString lettersMeaning()
 {
-    return Experiments::tr("Algorithms that share no letter differ significantly, and by 1 % or "
-                           "more.");
+    return Experiments::tr("Algorithms that share no letter differ significantly, by 1 % or more.");
 }
 
 } // namespace
@@ -57,12 +56,13 @@ QString pToFastestText(const Ranking& ranking, std::size_t thing)
 
 QString tooFewRunsText(const Ranking& ranking)
 {
-    return ranking.told ? QString()
-                        : Experiments::tr("Too few runs: %3 algorithms need %2 runs, this "
-                                          "experiment has %1.")
-                              .arg(ranking.rounds)
-                              .arg(leastRounds(ranking.order.size()))
-                              .arg(ranking.order.size());
+    return ranking.told
+               ? QString()
+               : Experiments::tr(
+                     "Too few runs: %3 algorithms need %2 runs, but this experiment has %1.")
+                     .arg(ranking.rounds)
+                     .arg(leastRounds(ranking.order.size()))
+                     .arg(ranking.order.size());
 }
 
 QStringList rankingNotes(const Ranking& ranking)
@@ -72,28 +72,27 @@ QStringList rankingNotes(const Ranking& ranking)
     if (!ranking.told)
         return {tooFewRunsText(ranking)};
     return {lettersMeaning()
-            + Experiments::tr(" Tested: all pairs, by the exact two-sided Wilcoxon signed-rank "
-                              "test, paired by run, with Holm's correction, at a level of 5 %. The "
-                              "lowest median is also tested on its own against each other "
-                              "algorithm: if it differs from all of them it is the fastest, even "
-                              "where it shares a letter and has no rank.")};
+            + Experiments::tr(
+                " All pairs are tested by the exact two-sided Wilcoxon signed-rank test, paired by "
+                "run, with Holm's correction, at a level of 5 %. The algorithm with the lowest "
+                "median is also tested separately against each other algorithm: if it differs from "
+                "all of them, it is the fastest, even if it shares a letter and has no rank.")};
 }
 
 QStringList ratioNotes(const Ranking& ranking)
 {
     if (ranking.order.size() < 2)
         return {};
-    const QString ratio =
-        Experiments::tr("Ratio: to the lowest median, the median of the ratios run by run.");
+    const QString ratio = Experiments::tr(
+        "Ratio: the ratio to the lowest median, as the median of the ratios run by run.");
     return {ranking.told
                 ? ratio
-                      + Experiments::tr(" p: of the same test against the lowest median alone, "
-                                        "with Holm's correction. The same runs decide which "
-                                        "algorithm has the lowest median: with eleven equal "
-                                        "algorithms, some p is below 0.05 in about one of ten "
-                                        "experiments. Ranks and letters do not depend on this p. A "
-                                        "significant difference of less than 1 % counts as "
-                                        "practically equal.")
+                      + Experiments::tr(
+                          " p: the p-value of the same test against the lowest median alone, with "
+                          "Holm's correction. The same runs decide which algorithm has the lowest "
+                          "median: with eleven equal algorithms, some p is below 0.05 in about one "
+                          "of ten experiments. Ranks and letters do not depend on this p. A "
+                          "significant difference of less than 1 % counts as practically equal.")
                 : ratio};
 }
 

@@ -59,10 +59,10 @@ QString classReason(const ClassProfile& profile)
     };
     const QString unclear = unclearText(all, ranking);
     return (unclear.isEmpty()
-                ? Experiments::tr("Most lines, %1 %, are of the class “%2”. For those the fastest "
-                                  "is %3; the highest median is that of %4.")
-                : Experiments::tr("Most lines, %1 %, are of the class “%2”. For those the lowest "
-                                  "median is that of %3, the highest that of %4."))
+                ? Experiments::tr("Most lines, %1 %, are of the class “%2”. For this class, the "
+                                  "fastest algorithm is %3; the highest median is that of %4.")
+                : Experiments::tr("Most lines, %1 %, are of the class “%2”. For this class, the "
+                                  "lowest median is that of %3, the highest that of %4."))
                .arg(shareText(most->of.share), words(most->of.lineClass), of(ranking.order.front()),
                     of(ranking.order.back()))
            + unclear;
@@ -79,8 +79,8 @@ QString operationReason(const OperationProfile& profile)
         return nameAmong(all, std::size_t(row - profile.rows.begin()));
     };
     return Experiments::tr(
-               "%1 needs the fewest operations, %2 a line; %3 the most, %4. "
-               "A branch that the processor predicts wrongly costs as much as many of them.")
+               "%1 needs the fewest operations, %2 per line; %3 needs the most, %4. A branch that "
+               "the processor mispredicts costs as much as many operations.")
         .arg(of(fewest), numberText(perLine(*fewest), 1), of(most), numberText(perLine(*most), 1));
 }
 
@@ -88,13 +88,16 @@ QString operationReason(const OperationProfile& profile)
 QString faultText(const Accuracy& row)
 {
     QStringList faults;
-    if (row.lost > 0)
-        faults << Experiments::tr("drops %1 visible lines").arg(countText(row.lost));
-    if (row.shown > 0)
-        faults << Experiments::tr("shows %1 that are not visible").arg(countText(row.shown));
-    if (row.outside > 0)
-        faults << Experiments::tr("leaves %1 with an end outside the window")
-                      .arg(countText(row.outside));
+    const auto add = [&](std::uint64_t count, const QString& one, const QString& many) {
+        if (count > 0)
+            faults << (count == 1 ? one : many.arg(countText(count)));
+    };
+    add(row.lost, Experiments::tr("drops 1 visible line"),
+        Experiments::tr("drops %1 visible lines"));
+    add(row.shown, Experiments::tr("shows 1 line that is not visible"),
+        Experiments::tr("shows %1 lines that are not visible"));
+    add(row.outside, Experiments::tr("leaves an end of 1 line outside the window"),
+        Experiments::tr("leaves ends of %1 lines outside the window"));
     return faults.isEmpty()
                ? QString()
                : Experiments::tr("%1 %2.").arg(shortNameOf(row.variant), listText(faults));
@@ -106,7 +109,7 @@ QString accuracyReason(const std::vector<Accuracy>& accuracies)
     for (const Accuracy& row : accuracies)
         if (const QString text = faultText(row); !text.isEmpty())
             sentences << text;
-    return sentences.isEmpty() ? Experiments::tr("All of them find the same lines as exact "
+    return sentences.isEmpty() ? Experiments::tr("All algorithms find the same lines as exact "
                                                  "arithmetic, and no end is outside the window.")
                                : sentences.join(u' ');
 }

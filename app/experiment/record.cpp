@@ -133,7 +133,7 @@ Table timesTable(const Record& record, const Measure& measure)
     Table table{.names = {"algorithm", "form", "rank", "letters", "median_ns", "ratio_fastest",
                           "p_fastest", "spread_ns", "mean_ns", "low_ns", "high_ns", "visible",
                           "lost", "shown", "checksum"},
-                .title = Experiments::tr("%1: nanoseconds a line").arg(measure.name),
+                .title = Experiments::tr("%1: nanoseconds per line").arg(measure.name),
                 .key = measure.key,
                 .facts = factsOf(record),
                 .notes = {measure.meaning},
@@ -143,12 +143,11 @@ Table timesTable(const Record& record, const Measure& measure)
     for (std::size_t i = 0; i < times.size(); ++i)
         table.rows.push_back(rowOf(record.timings[i], times[i], ranking, i));
     table.notes << Experiments::tr(
-        "From low to high: where the middle lies with 95 % confidence. Lost: lines that are "
-        "visible and that it drops; shown: lines that are not and that it keeps.");
+        "Low to high: the 95 % confidence interval of the median. Lost: visible lines that the "
+        "algorithm drops. Shown: invisible lines that it keeps.");
     if (record.options.precision == Precision::Single)
-        table.notes << Experiments::tr("In single precision ends are some ulps apart, so that "
-                                       "algorithms that agree may still have different "
-                                       "checksums.");
+        table.notes << Experiments::tr("In single precision the ends differ by some ulps, so "
+                                       "algorithms that agree may still have different checksums.");
     if (const QString batches = batchText(variantsOf(record)); !batches.isEmpty())
         table.notes << batches;
     table.notes << rankingNotes(ranking) << ratioNotes(ranking);

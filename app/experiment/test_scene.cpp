@@ -217,18 +217,20 @@ std::vector<TestScene> testScenes()
     return {
         {"paper", Scenes::tr("The paper's"),
          Scenes::tr("Both ends anywhere in the space, as in the paper."), beginPaper},
-        {"inside", Scenes::tr("Inside"), Scenes::tr("Both ends in the window."),
+        {"inside", Scenes::tr("Inside"), Scenes::tr("Both ends inside the window."),
          begin<inside, liesInside>},
         {"rejected", Scenes::tr("Rejected"), Scenes::tr("Both ends beyond one side of the window."),
          begin<rejected, isRejected>},
         {"crossing", Scenes::tr("Crossing"),
-         Scenes::tr("Both ends outside, and a part between them visible."),
+         Scenes::tr("Both ends outside, with a visible part between them."),
          begin<crossing, isCrossing, across>},
         {"near-miss", Scenes::tr("Near miss"),
-         Scenes::tr("Past a corner of the window, a billionth to a tenth of its size away."),
+         Scenes::tr("Lines that pass a corner of the window at a distance of a billionth to a "
+                    "tenth of the window's size."),
          begin<nearMiss, isMissing, roundCorner>},
         {"long", Scenes::tr("Long"),
-         Scenes::tr("Through or past the window, a thousand times as long as the space is wide."),
+         Scenes::tr(
+             "Lines through or past the window, a thousand times as long as the space is wide."),
          begin<longLine, isAnything>},
     };
 }
@@ -245,7 +247,7 @@ TestScene drawingScene(const QString& name, const SceneLines& lines)
 {
     assert(lines.size() > 0);
     const auto begin = [lines](const Field&, std::uint64_t) { return Repeated(lines); };
-    return {"drawing", name, Scenes::tr("The lines of a drawing, in its order."), begin,
+    return {"drawing", name, Scenes::tr("The lines of a drawing, in the drawing's order."), begin,
             lines.size()};
 }
 

@@ -132,7 +132,8 @@ QString leaderSentence(const Told& told)
                    .arg(measure.name, name, time, slowestText(told))
                + nextText(told);
     if (ranking.groups.size() == 1)
-        return Experiments::tr("%1: no significant difference of 1 % or more; all of them take %2.")
+        return Experiments::tr(
+                   "%1: no significant difference of 1 % or more; all algorithms take %2.")
             .arg(measure.name, rangeText(times, ranking.order));
     return (losesLines(record, lowest)
                 ? Experiments::tr("%1: %2 has the lowest median, %3, but it loses lines%4.")
@@ -160,27 +161,27 @@ QString proposedText(const Told& told)
 QString rankingSentence(const Trial& trial, const Told& told)
 {
     if (!told.ranking.told)
-        return Experiments::tr("So nothing can be said of the paper's ranking.");
+        return Experiments::tr("So the paper's ranking can be neither confirmed nor refuted.");
     const auto check = rankingCheck(*trial.paper, trial.record, told.measure);
     const QString own = proposedText(told);
     const QString pairs = countText(check.same + check.reversed + check.undecided),
                   undecided = countText(check.undecided);
     if (check.same + check.reversed == 0)
-        return Experiments::tr("Nothing can be said of the paper's ranking: none of the %1 pairs "
-                               "differs significantly by 1 % or more.")
+        return Experiments::tr("The paper's ranking can be neither confirmed nor refuted: none of "
+                               "the %1 pairs differs significantly by 1 % or more.")
             .arg(pairs);
     if (check.reversed > 0)
-        return Experiments::tr("The paper's ranking does not hold: %1, and %2 of %3 pairs come out "
-                               "the other way round (%4 as in the paper, %5 do not differ "
-                               "significantly by 1 % or more).")
+        return Experiments::tr(
+                   "The paper's ranking does not hold: %1, and %2 of %3 pairs have the opposite "
+                   "order (%4 have the same order, %5 do not differ significantly by 1 % or more).")
             .arg(own, countText(check.reversed), pairs, countText(check.same), undecided);
     if (check.holds())
-        return Experiments::tr("The paper's ranking holds: %1, and all %2 pairs come out as in the "
-                               "paper.")
+        return Experiments::tr("The paper's ranking holds: %1, and all %2 pairs have the same "
+                               "order as in the paper.")
             .arg(own, pairs);
-    return Experiments::tr("Nothing contradicts the paper's ranking: %1, %2 of %3 pairs come out "
-                           "as in the paper, and %4 do not differ significantly by 1 % or "
-                           "more.")
+    return Experiments::tr(
+               "Nothing contradicts the paper's ranking: %1, %2 of %3 pairs have the same order as "
+               "in the paper, and %4 do not differ significantly by 1 % or more.")
         .arg(own, countText(check.same), pairs, undecided);
 }
 
@@ -192,15 +193,15 @@ QStringList paperSentences(const Trial& trial)
     const auto leaders = rankingOf(*trial.paper).leaders();
     const auto& fastest = trial.paper->columns[leaders.front()];
     sentences << (leaders.size() == 1
-                      ? Experiments::tr("By the same tests, the fastest of the paper's own runs is "
-                                        "%1, if they are paired row by row, which is an "
-                                        "assumption.")
+                      ? Experiments::tr("By the same tests, %1 is the fastest in the paper's own "
+                                        "runs, assuming that they are paired row by row.")
                             .arg(shortNameOf({fastest.algorithm, clipping::Form::Corrected}))
-                      : Experiments::tr("By the same tests, the paper's own runs do not tell which "
-                                        "algorithm is its fastest, if they are paired row by row, "
-                                        "which is an assumption."));
+                      : Experiments::tr(
+                          "By the same tests, the paper's own runs do not tell which algorithm is "
+                          "the fastest, assuming that they are paired row by row."));
     if (!otherLinesText(options).isEmpty())
-        sentences << Experiments::tr("The paper clipped other lines: %1 random ones; these are %2.")
+        sentences << Experiments::tr(
+                         "The paper clipped other lines: %1 random lines. These are %2.")
                          .arg(countText(trial.paper->lines), otherLinesText(options));
     else if (options.lines != trial.paper->lines)
         sentences << Experiments::tr("The paper clipped %1 lines, not %2.")
@@ -216,17 +217,21 @@ QStringList lossSentences(const Record& record)
         const QString name = shortNameOf(record.timings[i].variant);
         const QString visible = countText(found.visible + found.lost - found.shown);
         if (found.lost > 0)
-            sentences << Experiments::tr("%1 loses %2 of the %3 lines that are visible.")
+            sentences << Experiments::tr("%1 loses %2 of the %3 visible lines.")
                              .arg(name, countText(found.lost), visible);
         if (found.shown > 0)
-            sentences << Experiments::tr("%1 shows %2 lines that are not visible.")
-                             .arg(name, countText(found.shown));
+            sentences << (found.shown == 1
+                              ? Experiments::tr("%1 shows 1 line that is not visible.").arg(name)
+                              : Experiments::tr("%1 shows %2 lines that are not visible.")
+                                    .arg(name, countText(found.shown)));
     }
     const std::size_t visible = record.timings.front().found.visible;
     if (sentences.isEmpty())
-        sentences << (visible == 0 ? Experiments::tr("All of them find that no line is visible.")
-                                   : Experiments::tr("All of them find the same %1 visible lines.")
-                                         .arg(countText(visible)));
+        sentences << (visible == 0 ? Experiments::tr("All algorithms find that no line is visible.")
+                      : visible == 1
+                          ? Experiments::tr("All algorithms find the same visible line.")
+                          : Experiments::tr("All algorithms find the same %1 visible lines.")
+                                .arg(countText(visible)));
     return sentences;
 }
 

@@ -130,9 +130,9 @@ bool addTimes(Verdict& verdict, const Case& which, const Follower& follower)
     }
     const auto lines = linesFor(verdict.nanoseconds);
     if (double(lines) < fewestLines) {
-        verdict.noTimes = PlugIn::tr("It was not timed: it takes about %1 µs a line, too long for "
-                                     "a race.")
-                              .arg(verdict.nanoseconds / 1000, 0, 'f', 0);
+        verdict.noTimes =
+            PlugIn::tr("It was not timed: it takes about %1 µs per line, too long for a race.")
+                .arg(verdict.nanoseconds / 1000, 0, 'f', 0);
         return true;
     }
     ChildProcess child(programOf(which), raceArguments(which, lines));

@@ -140,7 +140,7 @@ double ratioOf(const Times& times, std::size_t to)
 Table raceTable(const Times& times, Reader reader)
 {
     Table table = tableOf(times, QStringLiteral("race"),
-                          PlugIn::tr("Race on the paper's scene: nanoseconds a line"),
+                          PlugIn::tr("Race on the paper's scene: nanoseconds per line"),
                           {"algorithm", "rank", "median_ns", "low_ns", "high_ns", "ratio",
                            "visible", "lost", "shown", "letters"});
     table.late = QStringList{"letters"};
@@ -164,7 +164,7 @@ Table raceTable(const Times& times, Reader reader)
 Table classTable(const Times& times, Reader reader)
 {
     Table table = tableOf(
-        times, QStringLiteral("classes"), PlugIn::tr("By class of line: nanoseconds a line"),
+        times, QStringLiteral("classes"), PlugIn::tr("By class of line: nanoseconds per line"),
         {"algorithm", "inside_ns", "rejected_ns", "cut_ns", "missed_ns", "weighted_ns"});
     for (const std::size_t i : sortedByMedian(summariesOf(times))) {
         const Contender& one = times.contenders[i];

@@ -24,7 +24,7 @@ QString groupsText(std::span<const RaceRow> rows)
         runs.emplace_back(row.times().begin(), row.times().end());
     const Ranking ranking = rankingOf(runs);
     if (!ranking.told)
-        return Races::tr("Too few rounds: %3 algorithms need %2 rounds, this race has %1.")
+        return Races::tr("Too few rounds: %3 algorithms need %2 rounds, but this race has %1.")
             .arg(ranking.rounds)
             .arg(leastRounds(rows.size()))
             .arg(rows.size());

@@ -56,7 +56,7 @@ QString figure(const Chart& chart, int number)
     return QStringLiteral("<figure>\n%1%2<details><summary>%3</summary><p>%4</p></details>\n"
                           "</figure>\n")
         .arg(drawing(chart, Ground::Light, id + u'l'), drawing(chart, Ground::Dark, id + u'd'),
-             escaped(Reports::tr("The same in words")),
+             escaped(Reports::tr("The chart in words")),
              escaped(textOf(chart)).replace(u'\n', QStringLiteral("<br/>\n")));
 }
 

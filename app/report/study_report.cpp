@@ -47,10 +47,10 @@ QString introduction(const Study& study)
             if (timing.variant.algorithm != &exactOneByOne())
                 names << introducedName(*timing.variant.algorithm);
     names.removeDuplicates();
-    return Reports::tr(
-               "A line clipper keeps the part of each line that lies inside a window. These "
-               "clip the same lines here, and less time is better: %1.")
-        .arg(names.join(QStringLiteral(", ")));
+    return Reports::
+        tr("A line-clipping algorithm keeps the part of each line that lies inside a window. This "
+           "report compares the following algorithms on the same lines; less time is better: %1.")
+            .arg(names.join(QStringLiteral(", ")));
 }
 
 /// "Table 1, as published", "Scene “Near miss”".
@@ -96,12 +96,10 @@ ReportSection paperSection(const std::vector<PaperTable>& papers)
 {
     ReportSection section{
         .title = Reports::tr("The paper's own numbers"),
-        .sentences = {
-            Reports::tr(
-                "D. Matthes, V. Drakopoulos: Another Simple but Faster Method for 2D Line "
-                "Clipping, "
-                "2019. Their runs as printed; letters and medians are ours, from their runs."),
-            paperPairingText()}};
+        .sentences = {Reports::tr("D. Matthes, V. Drakopoulos: Another Simple but Faster Method "
+                                  "for 2D Line Clipping, 2019. The runs are as printed; we "
+                                  "computed letters and medians from them."),
+                      paperPairingText()}};
     for (const PaperTable& paper : papers) {
         section.charts.push_back(chartOf(paper));
         section.tables.push_back(paperLayout(paper));
@@ -111,7 +109,7 @@ ReportSection paperSection(const std::vector<PaperTable>& papers)
 
 ReportSection explanationSection(const Explanation& explanation, const Table& circumstances)
 {
-    return {.title = Reports::tr("Why it is so"),
+    return {.title = Reports::tr("Reasons"),
             .sentences = reasons(explanation),
             .charts = chartsOf(explanation),
             .tables = withoutFacts(tablesOf(explanation), circumstances)};
@@ -128,29 +126,30 @@ QStringList batchSentences(const Study& study)
 
 ReportSection methodSection(const Study& study, const Table& circumstances)
 {
-    return {.title = Reports::tr("How it was measured"),
-            .sentences =
-                QStringList{
-                    Reports::tr("Every algorithm clips the same lines. They take turns block by "
-                                "block, and who begins changes from block to block and from run to "
-                                "run, so that a slow moment of the machine strikes all of them."),
-                    Reports::tr("Ranks are by median. Two algorithms differ if the exact two-sided "
-                                "Wilcoxon signed-rank test, paired by run, says so at a level of "
-                                "5 %, and by 1 % or more in the median of the ratios run by run; a "
-                                "smaller difference is called practically equal."),
-                    Reports::tr("The lowest median is tested against each other algorithm, and "
-                                "letters come from tests of all pairs, each time with Holm's "
-                                "correction for the number of tests. An algorithm that does not "
-                                "differ from another has no rank. Overlapping confidence intervals "
-                                "say nothing of that."),
-                    Reports::tr("Nanoseconds depend on the machine. Compare ratios.")}
-                + batchSentences(study),
-            .tables = {circumstances}};
+    return {
+        .title = Reports::tr("How it was measured"),
+        .sentences =
+            QStringList{
+                Reports::tr("Every algorithm clips the same lines. The algorithms take turns block "
+                            "by block, and their order changes from block to block and from run to "
+                            "run. So a moment when the machine is slow affects all algorithms."),
+                Reports::tr("Ranks are by median. Two algorithms differ if the exact two-sided "
+                            "Wilcoxon signed-rank test, paired by run, finds a difference at a "
+                            "level of 5 %, and if the median of the ratios run by run differs by 1 "
+                            "% or more. A smaller difference counts as practically equal."),
+                Reports::tr(
+                    "The lowest median is tested against each other algorithm. Letters come from "
+                    "tests of all pairs. Both use Holm's correction for the number of tests. An "
+                    "algorithm that does not differ from another has no rank. Overlapping "
+                    "confidence intervals do not show whether algorithms differ."),
+                Reports::tr("Nanoseconds depend on the machine. Compare ratios.")}
+            + batchSentences(study),
+        .tables = {circumstances}};
 }
 
 ReportSection repeatSection(const Study& study)
 {
-    return {.title = Reports::tr("Measure it again"),
+    return {.title = Reports::tr("Repeat the measurement"),
             .sentences = {Reports::tr("The same seed gives the same lines on every machine.")},
             .code = commandToRepeat(study)};
 }
@@ -160,7 +159,8 @@ ReportSection repeatSection(const Study& study)
 Report reportOf(const Study& study)
 {
     const Table circumstances = circumstancesTable(study);
-    Report report{.title = Reports::tr("Line clipping: what each algorithm takes"), .sections = {}};
+    Report report{.title = Reports::tr("Line clipping: the time of each algorithm"),
+                  .sections = {}};
     report.summary << introduction(study);
     if (study.explanation)
         report.sections.push_back(explanationSection(*study.explanation, circumstances));

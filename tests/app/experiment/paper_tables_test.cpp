@@ -159,7 +159,8 @@ private slots:
             QCOMPARE(row[4] + row[10], "");
         }
         const QString notes = table.notes.join(' ');
-        QVERIFY(notes.contains("Too few runs: 7 algorithms need 10 runs, this experiment has 4."));
+        QVERIFY(
+            notes.contains("Too few runs: 7 algorithms need 10 runs, but this experiment has 4."));
         QVERIFY(notes.contains("that is an assumption"));
         QVERIFY(app::paperLayout(paper).notes.join(' ').contains("that is an assumption"));
     }

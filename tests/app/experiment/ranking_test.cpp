@@ -128,10 +128,11 @@ private slots:
                              + app::pToFastestText(ranking, i),
                          "");
             }
-            QCOMPARE(app::rankingNotes(ranking),
-                     QStringList(QString("Too few runs: 11 algorithms need 12 runs, this "
-                                         "experiment has %1.")
-                                     .arg(rounds)));
+            QCOMPARE(
+                app::rankingNotes(ranking),
+                QStringList(
+                    QString("Too few runs: 11 algorithms need 12 runs, but this experiment has %1.")
+                        .arg(rounds)));
         }
         const Ranking ranking = app::rankingOf(inRounds(times, 12, 0, 1));
         QVERIFY(ranking.told);

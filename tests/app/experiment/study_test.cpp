@@ -447,8 +447,9 @@ private slots:
         for (app::Timing& timing : trial.record.timings)
             timing.clip.resize(9);
         const auto told = app::verdict(trial, clipOnly())[0];
-        QVERIFY2(told.contains("Too few runs: 7 algorithms need 10 runs, this experiment has 9."),
-                 qPrintable(told));
+        QVERIFY2(
+            told.contains("Too few runs: 7 algorithms need 10 runs, but this experiment has 9."),
+            qPrintable(told));
         QVERIFY2(!told.contains("is the fastest") && told.contains("nothing can be said"),
                  qPrintable(told));
         QCOMPARE(app::rankingCheck(paper, trial.record, clipOnly()[0]).undecided, 21u);
@@ -493,7 +494,7 @@ private slots:
         QVERIFY2(told[0].startsWith("Most lines, 100 %, are of the class “rejected at once”."),
                  qPrintable(told[0]));
         QVERIFY2(told[1].contains("fewest operations"), qPrintable(told[1]));
-        QVERIFY2(told[2].startsWith("All of them find the same lines"), qPrintable(told[2]));
+        QVERIFY2(told[2].startsWith("All algorithms find the same lines"), qPrintable(told[2]));
     }
 
     void whoLosesLinesIsNamed()

@@ -263,7 +263,7 @@ private slots:
         for (app::RaceRow& one : rows)
             one.milliseconds.resize(6);
         QCOMPARE(app::groupsText(rows),
-                 "Too few rounds: 3 algorithms need 7 rounds, this race has 6.");
+                 "Too few rounds: 3 algorithms need 7 rounds, but this race has 6.");
     }
     void keepsOnePieceForEachLine()
     {
