@@ -60,7 +60,7 @@ Result<Imported> readFile(const QString& path, const Format* format)
     format = format ? format : formatToRead(path);
     if (!format || !format->read)
         return failure(
-            QCoreApplication::translate("formats", "this type of file is not read here."));
+            QCoreApplication::translate("formats", "Clearcut does not read this type of file."));
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return failure(file.errorString() + u'.');
@@ -69,7 +69,7 @@ Result<Imported> readFile(const QString& path, const Format* format)
         return result ? std::move(result) : failure(result.error);
     } catch (const std::bad_alloc&) {
         return failure(QCoreApplication::translate(
-            "formats", "there is not enough memory for it. Close other programs, or split it."));
+            "formats", "there is not enough memory. Close other programs, or split the file."));
     }
 }
 
@@ -82,7 +82,7 @@ std::optional<QString> writeFile(const Document& document, const QString& path,
     format = format ? format : formatOfFile(path);
     if (!format || !format->write)
         return failure(
-            QCoreApplication::translate("formats", "this type of file is not written here."));
+            QCoreApplication::translate("formats", "Clearcut does not write this type of file."));
     const auto error = replaceFile(path, [&](QIODevice& out) {
         auto wrong = format->write(document, out, options);
         if (!wrong && options.stop.stop_requested())

@@ -84,9 +84,8 @@ std::optional<QString> tooLarge(const Point& pixels, double dpi)
         return std::nullopt;
     const double fits = dpi * std::min(mostPixelsOfSide / side, std::sqrt(mostPixels / area));
     const auto number = [](double x) { return QString::number(x, 'f', 0); };
-    return tr("the picture would have %1 × %2 pixels, and %3 a side and %4 in all are the most. "
-              "Ask "
-              "for %5 dpi or less.")
+    return tr("the picture would have %1 × %2 pixels, but at most %3 pixels a side and %4 in all "
+              "are possible. Choose %5 dpi or less.")
         .arg(number(pixels.x), number(pixels.y), number(mostPixelsOfSide), number(mostPixels),
              fits >= 1 ? number(std::floor(fits)) : QString::number(fits, 'g', 2));
 }
@@ -100,7 +99,7 @@ std::optional<QString> write(const Document& document, QIODevice& out, const Wri
         return sentence;
     QImage image(int(pixels.x), int(pixels.y), QImage::Format_RGB32);
     if (image.isNull())
-        return tr("there is not enough memory for the picture. Ask for fewer dpi.");
+        return tr("there is not enough memory for the picture. Choose fewer dpi.");
     image.fill(Qt::white); // white paper
     const int dotsPerMetre = int(std::lround(options.dpi / millimetresPerInch * 1000));
     image.setDotsPerMeterX(dotsPerMetre);
@@ -117,7 +116,7 @@ std::optional<QString> write(const Document& document, QIODevice& out, const Wri
     QByteArray bytes;
     QBuffer buffer(&bytes);
     if (!QImageWriter(&buffer, "png").write(image))
-        return tr("there is not enough memory for the picture. Ask for fewer dpi.");
+        return tr("there is not enough memory for the picture. Choose fewer dpi.");
     const std::string_view view(bytes.data(), std::size_t(bytes.size()));
     return writeAll(out, view) ? std::nullopt : std::optional(out.errorString() + u'.');
 }

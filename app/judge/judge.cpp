@@ -75,7 +75,7 @@ void addEnd(Verdict& verdict, ChildProcess::News news, const ChildProcess& child
     verdict.raceEnd = stuck             ? PlugIn::tr("it did not go on")
                       : child.crashed() ? signalText(child.exitCode())
                                         : PlugIn::tr("exit code %1").arg(child.exitCode());
-    verdict.noTimes = PlugIn::tr("It was not timed: it did not come to the end of the race.");
+    verdict.noTimes = PlugIn::tr("It was not timed: it did not reach the end of the race.");
 }
 
 /// Sleeping is not a fault, but these lines remain untested.

@@ -75,9 +75,10 @@ NoLibrary textFile(const QFileInfo& file)
     for (const Source& source : sources())
         if (source.endings.contains(file.suffix()))
             return sourceCode(source, file);
-    return {PlugIn::tr("%1 is a text, not a shared library: give the .so file that your compiler "
-                       "wrote.")
-                .arg(file.filePath())};
+    return {
+        PlugIn::tr(
+            "%1 is a text file, not a shared library: give the .so file that your compiler wrote.")
+            .arg(file.filePath())};
 }
 
 /// Rejects object files and programs with a fixed address, which cannot be loaded.

@@ -17,11 +17,12 @@ struct PlugIn {
 const std::map<int, QString>& reasons()
 {
     static const std::map<int, QString> all{
-        {SIGSEGV, PlugIn::tr("it used memory that is not its own, or called itself without end")},
-        {SIGBUS, PlugIn::tr("it used memory that is not there")},
-        {SIGFPE, PlugIn::tr("it divided a whole number by zero")},
-        {SIGABRT, PlugIn::tr("it gave up: abort, a failed assert or an exception")},
-        {SIGILL, PlugIn::tr("it came to an instruction that this processor does not have")},
+        {SIGSEGV,
+         PlugIn::tr("it accessed memory that it does not own, or called itself without end")},
+        {SIGBUS, PlugIn::tr("it accessed memory that does not exist")},
+        {SIGFPE, PlugIn::tr("it divided an integer by zero")},
+        {SIGABRT, PlugIn::tr("it aborted: by abort, a failed assertion or an exception")},
+        {SIGILL, PlugIn::tr("it executed an instruction that this processor does not have")},
         {SIGXCPU, PlugIn::tr("it used up its time")},
         {SIGXFSZ, PlugIn::tr("it wrote a file of more than 1 MiB")},
         {SIGTRAP, PlugIn::tr("it stopped at a breakpoint or a sanitizer's trap")},

@@ -47,7 +47,7 @@ QString unusableText(const Verdict& v)
             .arg(v.path, v.more)
             .arg(CLEARCUT_ABI_VERSION);
     case Unusable::Broken:
-        return PlugIn::tr("%1 broke while it was loaded: %2.").arg(v.path, v.more);
+        return PlugIn::tr("%1 failed while it was loaded: %2.").arg(v.path, v.more);
     }
     return {};
 }
@@ -119,7 +119,7 @@ QString tooSlowText(const Verdict& v)
 QString asleepText(const Verdict& v)
 {
     return PlugIn::tr("Not finished: %1 is right on the %2 lines that were tested, but it slept in "
-                      "the race, whose %3 lines were not tested.")
+                      "the race, so the race's %3 lines were not tested.")
         .arg(v.name, countText(v.judged()), countText(v.lines() - v.judged()));
 }
 
@@ -127,8 +127,8 @@ QString roundingText(const Verdict& v)
 {
     const QString ulps = QString::number(v.mostOff, 'g', 3);
     return v.outside() == 0
-               ? PlugIn::tr("No end lies outside the window, not by one bit, and none is off by "
-                            "more than %1 ulps of the largest coordinate.")
+               ? PlugIn::tr("No end lies outside the window, not even by rounding, and none is off "
+                            "by more than %1 ulps of the largest coordinate.")
                      .arg(ulps)
                : PlugIn::tr("Rounding left %1 pieces with an end outside the window, by at most %2 "
                             "ulps of the largest coordinate; Clearcut's own algorithms never do "
@@ -144,7 +144,7 @@ QString speedText(const Times& times)
         slower += ranking.pairs[i][0].outcome == Outcome::Different && ratioOf(times, i) < 1;
     const std::size_t others = times.contenders.size() - 1;
     return PlugIn::tr("It takes %1 on the paper's scene: significantly less than %2 of the %3 "
-                      "others, and %4 times as long as exact, called line by line like it.")
+                      "others, and %4 times as long as exact, which is also called line by line.")
         .arg(timeText(summaryOf(times.contenders.front().times).median))
         .arg(slower)
         .arg(others)
@@ -198,16 +198,16 @@ QStringList remarks(const Verdict& v)
     if (v.wrong() > 0 && v.judged() < v.lines())
         all << PlugIn::tr("%1 lines were not tested.").arg(countText(v.lines() - v.judged()));
     if (!v.notReloaded.isEmpty())
-        all << PlugIn::tr("After that it could not be loaded again: %1.").arg(v.notReloaded);
+        all << PlugIn::tr("After the error it could not be loaded again: %1.").arg(v.notReloaded);
     if (isWrongOnlyInRace(v))
         all << PlugIn::tr(
-            "When asked it is right on every line: what it does in the race differs.");
+            "It is right on every line outside the race, but its results in the race differ.");
     if (v.passed())
         all << roundingText(v);
     if (v.times)
-        all << (v.categories.back().wrong > 0
-                    ? PlugIn::tr("Its time does not count, as it was wrong in the race.")
-                    : speedText(*v.times));
+        all << (v.categories.back().wrong > 0 ? PlugIn::tr(
+                    "Its time does not count, because its results in the race were wrong.")
+                                              : speedText(*v.times));
     else if (!v.noTimes.isEmpty())
         all << v.noTimes;
     if (!v.printed.isEmpty())

@@ -102,7 +102,7 @@ Table categoryTable(const Verdict& v, Reader reader)
     const bool person = reader == Reader::Person;
     Table table{
         .names = {"category", "lines", "judged", "wrong", "rounded_outside", "points", "degree"},
-        .title = PlugIn::tr("What was asked"),
+        .title = PlugIn::tr("Tests"),
         .key = QStringLiteral("categories")};
     if (person)
         table.names << QStringLiteral("meaning");
@@ -127,12 +127,12 @@ Table findingTable(const Verdict& v, Reader reader)
         return person ? words(piece) : numbers(piece);
     };
     Table table{.names = {"category", "fault", "line", "window", "expected", "got"},
-                .title = PlugIn::tr("Lines that are wrong, the first of each category"),
+                .title = PlugIn::tr("Wrong results, the first of each category"),
                 .key = QStringLiteral("findings")};
     if (reader == Reader::Terminal)
-        table.notes << PlugIn::tr("An ulp is one unit in the last place of the largest coordinate "
-                                  "of line and window; beyond a million of them the error is in "
-                                  "units of the coordinates.");
+        table.notes << PlugIn::tr(
+            "An ulp is one unit in the last place of the largest coordinate of line and window. "
+            "Errors above a million ulps are in units of the coordinates.");
     table.names << (file ? QStringList{"ulps", "distance"} : QStringList{"error"});
     for (const Finding& one : v.findings) {
         const auto& [line, window] = one.question;

@@ -126,13 +126,12 @@ private:
     void addRow(const Record& record)
     {
         if (record.fields.size() > mostFields_)
-            throw Refused{record.line, tr("has %1; there are at most %2.")
+            throw Refused{record.line, tr("has %1; at most %2 are possible.")
                                            .arg(columnsText(record.fields.size()))
                                            .arg(mostFields_)};
         if (lines_.size() == mostRows)
-            throw Refused{record.line, tr("is one too many: %1 lines are read at most. Split the "
-                                          "file.")
-                                           .arg(mostRows)};
+            throw Refused{record.line,
+                          tr("exceeds the limit of %1 lines. Split the file.").arg(mostRows)};
         const Point a{number(record, X1), number(record, Y1)};
         const Point b{number(record, X2), number(record, Y2)};
         const StyleIndex style = styleOf(record);

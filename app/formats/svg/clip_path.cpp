@@ -97,7 +97,8 @@ std::vector<Drawn> TreeDrawer::clipped(Drawn drawn, const ConvexRegion& region)
     }
     clipWork_ += left->work;
     if (clipWork_ > mostClipWork)
-        throw Refused{Text::tr("is where clip paths become too much work; remove some of them.")};
+        throw Refused{
+            Text::tr("exceeds the limit of work for clip paths; remove some clip paths.")};
     return std::move(left->objects);
 }
 

@@ -69,11 +69,11 @@ inline constexpr LossKind metadata{
     QT_TRANSLATE_NOOP("svg", "titles, descriptions and metadata of more than 16 MB")};
 inline constexpr LossKind layers{QT_TRANSLATE_NOOP("svg", "stack of too many layers"),
                                  QT_TRANSLATE_NOOP("svg", "stacks of too many layers"), false,
-                                 QT_TRANSLATE_NOOP("svg", "the upper ones became one"),
-                                 QT_TRANSLATE_NOOP("svg", "the upper ones became one")};
+                                 QT_TRANSLATE_NOOP("svg", "the upper layers became one"),
+                                 QT_TRANSLATE_NOOP("svg", "the upper layers became one")};
 
-inline constexpr LossKind windows{QT_TRANSLATE_NOOP("svg", "clip window above the first 1,000"),
-                                  QT_TRANSLATE_NOOP("svg", "clip windows above the first 1,000")};
+inline constexpr LossKind windows{QT_TRANSLATE_NOOP("svg", "clip window beyond the first 1,000"),
+                                  QT_TRANSLATE_NOOP("svg", "clip windows beyond the first 1,000")};
 
 inline constexpr LossKind invertedWindow{
     QT_TRANSLATE_NOOP("svg", "inverted clip window"),
@@ -83,10 +83,12 @@ inline constexpr LossKind invertedWindow{
 inline constexpr LossKind unreadableWindow{
     QT_TRANSLATE_NOOP("svg", "clip window with a missing or invalid number"),
     QT_TRANSLATE_NOOP("svg", "clip windows with a missing or invalid number"), false,
-    QT_TRANSLATE_NOOP("svg", "needed are xmin, ymin, xmax and ymax, or corners, all finite; an "
-                             "angle ends with rad"),
-    QT_TRANSLATE_NOOP("svg", "needed are xmin, ymin, xmax and ymax, or corners, all finite; an "
-                             "angle ends with rad")};
+    QT_TRANSLATE_NOOP(
+        "svg",
+        "xmin, ymin, xmax and ymax, or corners, are needed, all finite; an angle ends with rad"),
+    QT_TRANSLATE_NOOP(
+        "svg",
+        "xmin, ymin, xmax and ymax, or corners, are needed, all finite; an angle ends with rad")};
 // %1 stands for the texts found in the file.
 inline constexpr LossKind unknownOperation{
     QT_TRANSLATE_NOOP("svg", "clip window with the unknown operation %1"),
@@ -105,12 +107,12 @@ inline constexpr LossKind containers{
     QT_TRANSLATE_NOOP("svg", "groups beyond the limit were dissolved"), true};
 inline constexpr LossKind doubleId{QT_TRANSLATE_NOOP("svg", "id was there twice"),
                                    QT_TRANSLATE_NOOP("svg", "ids were there twice"), true};
-inline constexpr LossKind cutClipPath{QT_TRANSLATE_NOOP("svg", "clip path was cut for real"),
-                                      QT_TRANSLATE_NOOP("svg", "clip paths were cut for real"),
-                                      true};
+inline constexpr LossKind cutClipPath{
+    QT_TRANSLATE_NOOP("svg", "clip path was replaced by a real cut"),
+    QT_TRANSLATE_NOOP("svg", "clip paths were replaced by real cuts"), true};
 inline constexpr LossKind groupOpacity{
-    QT_TRANSLATE_NOOP("svg", "group opacity was given to each shape"),
-    QT_TRANSLATE_NOOP("svg", "group opacities were given to each shape"), true};
+    QT_TRANSLATE_NOOP("svg", "group opacity was moved to each shape"),
+    QT_TRANSLATE_NOOP("svg", "group opacities were moved to each shape"), true};
 
 } // namespace losses
 } // namespace app::svg

@@ -51,7 +51,7 @@ Refused whyNot(const QXmlStreamReader& xml, std::size_t elements)
     const qint64 line = xml.lineNumber();
     if (xml.error() == QXmlStreamReader::PrematureEndOfDocumentError)
         return elements == 0 ? Refused{Text::tr("it is empty."), Refused::wholeFile}
-                             : Refused{Text::tr("is not complete; the file ends too early."), line};
+                             : Refused{Text::tr("is incomplete: the file ends too early."), line};
     QString reason = quotable(xml.errorString());
     while (reason.endsWith(u'.'))
         reason.chop(1);

@@ -99,7 +99,7 @@ void TreeDrawer::draw(Node node, const Place& around)
             Text::tr("nests elements deeper than %1; ungroup some of them.").arg(deepestNesting)};
     if (around.repeated && ++repeated_ > mostRepeated)
         throw Refused{
-            Text::tr("is where elements repeated by <use> become more than %1.").arg(mostRepeated)};
+            Text::tr("exceeds the limit of %1 elements repeated by <use>.").arg(mostRepeated)};
     const auto name = tree_.name(node);
     if (const Row* row = find(name)) {
         (this->*row->draw)(node, around);
@@ -273,7 +273,7 @@ void TreeDrawer::countParts(const Drawn& drawn)
     for (const Subpath& path : drawn.paths)
         parts_ += 1 + chordCount(path, tolerance_);
     if (parts_ > mostParts)
-        throw Refused{Text::tr("is where the drawing has more than %1 points.").arg(mostParts)};
+        throw Refused{Text::tr("exceeds the limit of %1 points in a drawing.").arg(mostParts)};
 }
 
 } // namespace app::svg

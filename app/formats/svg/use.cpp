@@ -19,7 +19,7 @@ void TreeDrawer::drawUse(Node node, const Place& around)
     }
     const bool ownAncestor = target <= node && node < tree_.end(target);
     if (ownAncestor || std::ranges::find(used_, target) != used_.end())
-        throw Refused{Text::tr("has a <use> that repeats itself for ever.")};
+        throw Refused{Text::tr("has a <use> that contains itself.")};
     const Point shift{place.lengths.x(tree_.attribute(node, "x")).value_or(0),
                       place.lengths.y(tree_.attribute(node, "y")).value_or(0)};
     place.matrix = place.matrix * translation(shift);

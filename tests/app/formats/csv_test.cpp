@@ -154,9 +154,9 @@ private slots:
         row("infinite", "1,2,3,-inf", "line 1 has “-inf” where a number is needed.");
         row("letters", "1,2,3,1e308x", "line 1 has “1e308x” where a number is needed.");
         row("empty", "x1,y1,x2,y2\n1,2,,4\n", "line 2 has “” where a number is needed.");
-        row("long", "1,2,3,4,a,#000000,1,0,extra", "line 1 has 9 columns; there are at most 8.");
+        row("long", "1,2,3,4,a,#000000,1,0,extra", "line 1 has 9 columns; at most 8 are possible.");
         row("longer than header", "x1,y1,x2,y2\n1,2,3,4,5",
-            "line 2 has 5 columns; there are at most 4.");
+            "line 2 has 5 columns; at most 4 are possible.");
         row("no header", "from,to\n",
             "line 1 is neither four numbers nor a header with x1, y1, x2 and y2.");
         row("semicolons", "1;2;3;4\n",

@@ -176,8 +176,8 @@ private slots:
         const auto error = app::writeFile({}, path("large.png"), options);
         QVERIFY(error);
         QVERIFY2(
-            error->endsWith("the picture would have 58465 × 41339 pixels, and 32767 a side and "
-                            "150000000 in all are the most. Ask for 1245 dpi or less."),
+            error->endsWith("the picture would have 58465 × 41339 pixels, but at most 32767 pixels "
+                            "a side and 150000000 in all are possible. Choose 1245 dpi or less."),
             qPrintable(*error));
         QVERIFY(!QFile::exists(path("large.png")));
     }

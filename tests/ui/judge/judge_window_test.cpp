@@ -120,7 +120,7 @@ private slots:
     {
         Stage stage;
         stage.judge(pathOf("lost_corner"));
-        QVERIFY(stage.sentence().contains("loses lines that are visible"));
+        QVERIFY(stage.sentence().contains("loses visible lines"));
         auto* findings = stage.table("findings");
         QVERIFY(findings);
         const auto& verdict = *stage.window->verdict();

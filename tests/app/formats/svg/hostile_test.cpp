@@ -61,9 +61,9 @@ private slots:
             "it is not an SVG drawing; its first element is <html>.");
         row("compressed", QByteArray("\x1f\x8b\x08\0", 4), "it is compressed (.svgz).");
         row("truncated", "<svg xmlns='http://www.w3.org/2000/svg'>\n<g>\n<path d='M0 0",
-            "line 3 is not complete; the file ends too early.");
+            "line 3 is incomplete: the file ends too early.");
         row("truncated after an element", "<svg xmlns='http://www.w3.org/2000/svg'>\n<g/>\n",
-            "line 3 is not complete; the file ends too early.");
+            "line 3 is incomplete: the file ends too early.");
         row("tags cross", drawing("\n<g>\n</a>"), "line 3 is not correct XML (");
         row("two roots", "<svg/><svg/>", "line 1 is not correct XML (");
         row("bad encoding", drawing("<g id='\xff\xfe'/>"), "it is not an SVG drawing (");
@@ -87,13 +87,13 @@ private slots:
             drawing("<g transform='scale(1e100)'><path d='M1 1L2 2' stroke-width='1e290'/></g>"),
             "line 1 has a stroke that is too large to be drawn.");
         row("uses itself", drawing("\n<use id='a' xlink:href='#a'/>"),
-            "line 2 has a <use> that repeats itself for ever.");
+            "line 2 has a <use> that contains itself.");
         row("uses its parent", drawing("<g id='a'>\n<use xlink:href='#a'/></g>"),
-            "line 2 has a <use> that repeats itself for ever.");
+            "line 2 has a <use> that contains itself.");
         row("uses each other",
             drawing("<defs><g id='a'><use xlink:href='#b'/></g>\n<g id='b'><use "
                     "xlink:href='#a'/></g></defs><use href='#a'/>"),
-            "line 2 has a <use> that repeats itself for ever.");
+            "line 2 has a <use> that contains itself.");
         row("deep",
             "<svg>" + QByteArray("<g>").repeated(1'000'000) + QByteArray("</g>").repeated(1'000'000)
                 + "</svg>",
@@ -238,7 +238,7 @@ private slots:
         QCOMPARE(document.objects().size(), std::size_t(100'000));
         QCOMPARE(document.containers().childrenOf(0).size(), std::size_t(1000));
         QCOMPARE(lossLines(result.value->report).join(' '),
-                 "Lost: 1 stack of too many layers; the upper ones became one");
+                 "Lost: 1 stack of too many layers; the upper layers became one");
         comesBack(document);
     }
 

@@ -283,7 +283,7 @@ private slots:
                  "0,0 9,0");
         QCOMPARE(reportOf("<clipPath id='c'>" + box
                           + "</clipPath><g clip-path='url(#c)'/><g clip-path='url(#c)'/>"),
-                 "2 clip paths were cut for real");
+                 "2 clip paths were replaced by real cuts");
         const QByteArray lost = "1 clip path that is not convex";
         for (const QByteArray clip :
              {"<path d='M0 0H9L4 4 9 9H0z'/>", "<path d='M0 0L9 9 9 0 0 9z'/>", "<text>x</text>",

@@ -160,7 +160,7 @@ private slots:
         QCOMPARE(read(window.repeated(1000)).list.size(), std::size_t(1000));
         QCOMPARE(reportOn(window.repeated(1000)), "");
         QCOMPARE(read(window.repeated(100'000)).list.size(), std::size_t(1000));
-        QCOMPARE(reportOn(window.repeated(1001)), "1 clip window above the first 1,000");
+        QCOMPARE(reportOn(window.repeated(1001)), "1 clip window beyond the first 1,000");
     }
 };
 
