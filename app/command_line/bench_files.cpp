@@ -35,11 +35,11 @@ std::vector<Option> fileOptions()
     return {
         {{"report"},
          "FILE.html|FILE.pdf",
-         Commands::tr("Write all of it for people, too: what came out, charts, tables, times by "
-                      "class, operations, accuracy, how it was measured.")},
+         Commands::tr("Also write a report: results, charts, tables, times by class, operations, "
+                      "accuracy, and how it was measured.")},
         {{"charts"},
          "FILE.svg|FILE.pdf|FILE.png",
-         Commands::tr("Write its charts, too: FILE-table1-clip-published.svg and so on.")},
+         Commands::tr("Also write the charts: FILE-table1-clip-published.svg and so on.")},
     };
 }
 

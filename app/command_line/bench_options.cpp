@@ -59,7 +59,7 @@ void sayWindow(const Imported& imported, const clipping::Window& window)
         !comparedWindow(imported.document.windows(), imported.document.page()).isPage;
     const QString source = saved            ? Commands::tr("saved in the drawing")
                            : imported.paged ? Commands::tr("the page")
-                                            : Commands::tr("all that is drawn");
+                                            : Commands::tr("the bounds of all objects");
     say(Commands::tr("Window (%1): %2.").arg(source, placeText(window, imported)));
 }
 
@@ -97,8 +97,8 @@ void takeField(const ParsedArguments& arguments, ExperimentOptions& options)
     if (const auto window = plainRectangle(arguments, QStringLiteral("window")))
         options.field.window = *window;
     if (options.scene.lines == 0 && !hasRoom(options.field))
-        throw WrongUsage{Commands::tr("The window must have an area, and the space must be larger "
-                                      "on all four sides: see --space and --window.")};
+        throw WrongUsage{Commands::tr("The window must have an area, and the space must extend "
+                                      "beyond it on all four sides: see --space and --window.")};
 }
 
 QStringList drawTargetWords()
@@ -116,7 +116,7 @@ DrawTargetMaker parsedDrawTarget(const ParsedArguments& arguments, bool draws)
     const DrawTargetKind kind = drawTargetKinds()[choice - 1];
     if (DrawTargetMaker maker = kind.maker())
         return maker;
-    throw Failure{Commands::tr("%1 cannot draw here: it needs a display. Leave --draw-with away.")
+    throw Failure{Commands::tr("%1 cannot draw here: it needs a display. Leave out --draw-with.")
                       .arg(kind.name)};
 }
 
@@ -138,14 +138,18 @@ void takeThreads(const ParsedArguments& arguments, ExperimentOptions& options)
 std::vector<Option> experimentOptions()
 {
     return {
-        {{"n", "lines"}, "N", Commands::tr("Lines in a run (1000000; a drawing's own).")},
+        {{"n", "lines"},
+         "N",
+         Commands::tr("Number of lines in a run (1000000; for a drawing: its own).")},
         {{"r", "runs"},
          "N",
-         Commands::tr("Runs (10, or as many as it takes to tell which "
-                      "algorithms differ: 12 for 11 of them).")},
-        {{"warmup"}, "N", Commands::tr("Runs before, which do not count (1).")},
-        {{"quick"}, {}, Commands::tr("100000 lines.")},
-        {{"s", "seed"}, "N", Commands::tr("Which random lines (1).")},
+         Commands::tr("Number of runs (10, or as many as are needed to tell which algorithms "
+                      "differ: 12 for 11 algorithms).")},
+        {{"warmup"},
+         "N",
+         Commands::tr("Number of runs before the measured ones, which do not count (1).")},
+        {{"quick"}, {}, Commands::tr("Take only 100000 lines.")},
+        {{"s", "seed"}, "N", Commands::tr("Seed of the random lines (1).")},
         {{"scene"},
          "SCENE",
          Commands::tr("%1, or file:PATH for the lines of a drawing (paper).")
@@ -153,31 +157,30 @@ std::vector<Option> experimentOptions()
         {{"order"},
          "as-they-come|shuffled|sorted",
          Commands::tr(
-             "as-they-come: in the scene's or the drawing's order; shuffled: the same lines "
-             "in random order, so that neighbours no longer resemble each other; sorted: "
-             "those inside, rejected, cut and missed together, which the processor "
-             "predicts best (as-they-come).")},
-        {{"space"}, "XMIN,YMIN,XMAX,YMAX", Commands::tr("Where the lines are (the paper's).")},
+             "as-they-come: in the scene's or the drawing's order; shuffled: the same lines in "
+             "random order, so that neighbours no longer resemble each other; sorted: by class "
+             "(inside, rejected, cut, missed), which the processor predicts best (as-they-come).")},
+        {{"space"}, "XMIN,YMIN,XMAX,YMAX", Commands::tr("The space of the lines (the paper's).")},
         {{"w", "window"}, "XMIN,YMIN,XMAX,YMAX", Commands::tr("The clip window (the paper's).")},
         {{"a", "algorithms"},
          "LIST",
          Commands::tr("Keys or abbreviations with commas between them (all).")},
         {{"form"},
          "both|corrected|published",
-         Commands::tr("Algorithms without their published faults, or with them (both).")},
+         Commands::tr("Which forms of the algorithms take part (both).")},
         {{"precision"},
          precisions.join(u'|'),
-         Commands::tr("Which numbers are clipped; single: corrected forms only (double).")},
+         Commands::tr("Precision of the numbers; single: corrected forms only (double).")},
         {{"threads"},
          "N",
-         Commands::tr("Threads for each algorithm, timed by the clock on the wall (1).")},
+         Commands::tr("Threads for each algorithm; several are timed by wall clock (1).")},
         {{"draw-with"},
          drawTargetWords().join(u'|'),
-         Commands::tr("What draws; auto: OpenGL off the screen where there is a display (auto).")},
+         Commands::tr("What draws; auto: off-screen OpenGL if there is a display (auto).")},
         {{"measure"},
          "LIST",
-         Commands::tr("What to tell, with commas between: %1 (clip; with --paper all times; with "
-                      "--report or --charts everything).")
+         Commands::tr("What to measure, with commas between: %1 (clip; with --paper: all times; "
+                      "with --report or --charts: everything).")
              .arg(allMeasures())},
     };
 }
@@ -214,9 +217,9 @@ Precision parsedPrecision(const ParsedArguments& arguments)
         return Precision::Double;
     for (const char* option : {"paper", "form"})
         if (arguments.has(QLatin1StringView(option)))
-            throw WrongUsage{Commands::tr("--precision single has the corrected forms alone: leave "
-                                          "--%1 away.")
-                                 .arg(QLatin1StringView(option))};
+            throw WrongUsage{
+                Commands::tr("--precision single has only the corrected forms: leave out --%1.")
+                    .arg(QLatin1StringView(option))};
     return Precision::Single;
 }
 
@@ -262,7 +265,7 @@ Wanted parsedWanted(const ParsedArguments& arguments, const QString& otherwise)
             throw WrongUsage{Commands::tr("--measure %1: give %2.").arg(*text, allMeasures())};
     }
     if (!wanted.analyses.empty() && parsedPrecision(arguments) == Precision::Single)
-        throw WrongUsage{Commands::tr("--precision single has times alone: leave “%1” away.")
+        throw WrongUsage{Commands::tr("--precision single has only times: leave out “%1”.")
                              .arg(wanted.analyses[0].key)};
     return wanted;
 }

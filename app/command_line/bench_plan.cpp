@@ -12,7 +12,7 @@ namespace {
 std::vector<PaperTable> parsedPapers(const ParsedArguments& arguments)
 {
     if (arguments.has(QStringLiteral("algorithms")))
-        throw WrongUsage{Commands::tr("--paper has algorithms of its own: leave -a away.")};
+        throw WrongUsage{Commands::tr("--paper chooses the algorithms itself: leave out -a.")};
     auto tables = paperTables();
     QStringList words;
     for (const PaperTable& table : tables)
@@ -59,8 +59,10 @@ std::vector<Option> paperOptions()
         {{"paper"},
          "table1|table2|all",
          Commands::tr("Tables 1 and 2 in the paper's layout: its seven algorithms as published, "
-                      "1000000 and 10000000 lines, 10 runs; clip, draw and total apart.")},
-        {{"against-paper"}, {}, Commands::tr("With --paper: the paper's own numbers beside ours.")},
+                      "1000000 and 10000000 lines, 10 runs; clip, draw and total separately.")},
+        {{"against-paper"},
+         {},
+         Commands::tr("With --paper: show the paper's own numbers beside ours.")},
     };
 }
 

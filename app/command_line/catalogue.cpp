@@ -60,11 +60,12 @@ QString overview()
                         "       clearcut COMMAND [OPTIONS]      works without a display\n"
                         "       clearcut COMMAND --help         says what a command can do\n"
                         "       clearcut --version\n\nOptions of the editor:\n")
-           + aligned({{"--renderer auto|opengl|raster", Commands::tr("What draws the canvas.")},
-                      {"--theme system|light|dark", Commands::tr("How the window looks.")},
-                      {"--size WIDTHxHEIGHT", Commands::tr("How large the window is.")},
-                      {"--panes 1|2|4|all", Commands::tr("How many algorithms side by side.")},
-                      {"--screenshot FILE.png", Commands::tr("Take a picture of it and end.")}})
+           + aligned(
+               {{"--renderer auto|opengl|raster", Commands::tr("What draws the canvas.")},
+                {"--theme system|light|dark", Commands::tr("The theme of the window.")},
+                {"--size WIDTHxHEIGHT", Commands::tr("The size of the window.")},
+                {"--panes 1|2|4|all", Commands::tr("How many algorithms are shown side by side.")},
+                {"--screenshot FILE.png", Commands::tr("Save a picture of the window and end.")}})
            + Commands::tr("\nCommands:\n") + aligned(rows) + u'\n'
            + wrapped(Commands::tr("Exit codes: 0 done, 1 failed, 2 wrong usage, 3 something "
                                   "differs, 130 interrupted."),

@@ -19,14 +19,14 @@ const clipping::Uses<clipping::Segment, clipping::Window>& usesOf(const ParsedAr
 {
     const auto named = arguments.algorithms(QStringLiteral("algorithm"));
     if (named.size() > 1)
-        throw WrongUsage{Commands::tr("A drawing is cut with one algorithm; name one with -a.")};
+        throw WrongUsage{Commands::tr("A drawing is cut with one algorithm. Name it with -a.")};
     const auto& algorithm = named.empty() ? usualAlgorithm() : *named.front();
     const bool published =
         arguments.choice(QStringLiteral("form"), {"corrected", "published"}) == 1;
     const auto* uses = clipping::usesOf(algorithm, published ? clipping::Form::Published
                                                              : clipping::Form::Corrected);
     if (!uses)
-        throw WrongUsage{Commands::tr("“%1” has no published form; name another algorithm with -a.")
+        throw WrongUsage{Commands::tr("“%1” has no published form. Name another algorithm with -a.")
                              .arg(QLatin1StringView(algorithm.name))};
     return *uses;
 }
@@ -70,7 +70,7 @@ void report(const Imported& imported, const Document& before, const CutCounts& c
 {
     const std::size_t hidden = hiddenObjects(before).size(); // the cut applied to all of them
     sayLosses(imported);
-    QString text = Commands::tr("Shapes: %1 kept whole, %2 cut, %3 gone")
+    QString text = Commands::tr("Shapes: %1 kept whole, %2 cut, %3 removed")
                        .arg(counts.whole)
                        .arg(counts.cut)
                        .arg(counts.gone);
@@ -81,7 +81,7 @@ void report(const Imported& imported, const Document& before, const CutCounts& c
     say(text + u'.');
     if (hidden > 0)
         say(Commands::tr("Hidden shapes are cut like the others: %1 left and still hidden, %2 "
-                         "gone; --drop-hidden leaves out all of them.")
+                         "removed. --drop-hidden leaves out all of them.")
                 .arg(counts.hidden)
                 .arg(hidden - counts.hidden));
 }
@@ -183,11 +183,10 @@ Command clipCommand()
     const std::vector<Option> further{
         {{"k", "keep"},
          "inside|outside",
-         Commands::tr(
-             "Which part to keep (inside, or what the drawing says of its clip windows).")},
+         Commands::tr("Which part to keep (inside, or as the drawing says).")},
         {{"a", "algorithm"},
          "ALGORITHM",
-         Commands::tr("Key or abbreviation of what clips (%1).")
+         Commands::tr("Key or abbreviation of the algorithm (%1).")
              .arg(QLatin1StringView(usualAlgorithm().key))},
         {{"form"},
          "corrected|published",
@@ -195,21 +194,18 @@ Command clipCommand()
         toleranceOption(),
         {{"drop-hidden"},
          {},
-         Commands::tr("Leave out hidden shapes and layers. Otherwise they are cut like the others "
-                      "and stay hidden, where the type of the output can hide them (svg). Locked "
-                      "layers are cut in any case.")},
+         Commands::tr("Leave out hidden shapes and layers. Otherwise they are cut like the others, "
+                      "and stay hidden if the type of the output can hide them (svg). Locked "
+                      "layers are always cut.")},
     };
     for (const auto& more : {further, writingOptions(), readingOptions()})
         options.insert(options.end(), more.begin(), more.end());
     options.push_back(
-        {{"q", "quiet"},
-         {},
-         Commands::tr("Do not say what was cut at which window, nor what was lost.")});
-    options.push_back(
-        {{"stats"}, {}, Commands::tr("Say how many lines there were, and the times.")});
+        {{"q", "quiet"}, {}, Commands::tr("Do not report windows, counts and losses.")});
+    options.push_back({{"stats"}, {}, Commands::tr("Report the number of lines and the times.")});
     return {"clip",
             "INPUT -o OUTPUT [OPTIONS]",
-            Commands::tr("Cuts a drawing at a window, or at all that it has: lines and curves "
+            Commands::tr("Cuts a drawing at a window, or at all its clip windows: lines and curves "
                          "really end there."),
             std::move(options),
             {"clearcut clip plan.svg --page --margin 10mm -o plan-cut.svg",

@@ -22,13 +22,13 @@ constexpr std::array words{"only_a", "only_b", "ends"}; // in the order of Diffe
 Comparison comparisonOf(const ParsedArguments& arguments)
 {
     if (!arguments.has(QStringLiteral("algorithm")))
-        throw WrongUsage{Commands::tr("Name what to compare with -a.")};
+        throw WrongUsage{Commands::tr("Name the algorithm to compare with -a.")};
     Comparison comparison{*arguments.variant(QStringLiteral("algorithm")),
                           arguments.variant(QStringLiteral("with")).value_or(exactVariant())};
     if (const auto ulps = arguments.count(QStringLiteral("ulps"), 0, mostUlps))
         comparison.ulps = double(*ulps);
     if (comparison.a == comparison.b)
-        throw WrongUsage{Commands::tr("-a and -b are the same: choose two that are not.")};
+        throw WrongUsage{Commands::tr("-a and -b are the same: choose two different ones.")};
     return comparison;
 }
 
@@ -125,26 +125,24 @@ Command compareCommand()
     std::vector<Option> options{
         {{"a", "algorithm"},
          "A",
-         Commands::tr("Key or abbreviation of what to compare; KEY:published is the form that its "
+         Commands::tr("Key or abbreviation of the algorithm; KEY:published is the form that its "
                       "authors printed, md-step-2 the paper's misprint.")},
-        {{"b", "with"}, "B", Commands::tr("What to compare it with (exact).")},
+        {{"b", "with"}, "B", Commands::tr("The algorithm to compare with (exact).")},
         {{"ulps"},
          "N",
-         Commands::tr("How many ulps of the largest coordinate of line and window ends may be "
-                      "apart, 0 to %1 (what the contracts of both allow).")
+         Commands::tr("How far apart ends may be, in ulps (units in the last place) of the largest "
+                      "coordinate of line and window, 0 to %1 (what the contracts of both allow).")
              .arg(mostUlps)},
     };
     const std::vector<Option> last{
-        {{"summary"}, {}, Commands::tr("Do not list the lines that differ, only sum them up.")},
-        {{"q", "quiet"},
-         {},
-         Commands::tr("Do not say at which window, nor how many lines differ.")}};
+        {{"summary"}, {}, Commands::tr("Print only a summary of the lines that differ.")},
+        {{"q", "quiet"}, {}, Commands::tr("Do not report the window and the number of lines.")}};
     for (const auto& more : {windowOptions(), tableOptions(), readingOptions(), last})
         options.insert(options.end(), more.begin(), more.end());
     return {"compare",
             "INPUT -a A [-b B] [OPTIONS]",
-            Commands::tr("Lists the lines of which two algorithms leave different things; the exit "
-                         "code is 3 if there are any."),
+            Commands::tr("Lists the lines that two algorithms clip differently. The exit code is 3 "
+                         "if there are any."),
             std::move(options),
             {"clearcut compare plan.svg -a kwc:published",
              "clearcut compare map.svg -w 0,0,210mm,297mm -a md -b lb --ulps 0 --format csv"},

@@ -31,10 +31,10 @@ Command convertCommand()
     for (Option& more : readingOptions())
         options.push_back(std::move(more));
     options.push_back(toleranceOption());
-    options.push_back({{"q", "quiet"}, {}, Commands::tr("Do not say what was lost.")});
+    options.push_back({{"q", "quiet"}, {}, Commands::tr("Do not report losses.")});
     return {"convert",
             "INPUT -o OUTPUT [OPTIONS]",
-            Commands::tr("Writes a drawing as another type of file, uncut."),
+            Commands::tr("Writes a drawing as another type of file, without cutting it."),
             std::move(options),
             {"clearcut convert drawing.svg -o drawing.pdf"},
             1,

@@ -77,8 +77,7 @@ void setAlgorithms(CostPlan& plan, const ParsedArguments& arguments)
     const bool cheapest = arguments.has(QStringLiteral("cheapest"));
     const auto key = arguments.text(QStringLiteral("algorithm"));
     if (cheapest == key.has_value())
-        throw WrongUsage{Commands::tr("Give either -a ALGORITHM, whose cost is shown, or "
-                                      "--cheapest.")};
+        throw WrongUsage{Commands::tr("Give either -a ALGORITHM or --cheapest.")};
     const bool published =
         arguments.choice(QStringLiteral("form"), {"corrected", "published"}) == 1;
     plan.variants = costVariants(published ? clipping::Form::Published : clipping::Form::Corrected);
@@ -87,14 +86,14 @@ void setAlgorithms(CostPlan& plan, const ParsedArguments& arguments)
         return;
     plan.shown = findVariant(*key);
     if (!plan.shown)
-        throw WrongUsage{Commands::tr("There is no algorithm “%1”. Give a key or abbreviation of "
-                                      "“clearcut algorithms”, with :published where there is such "
-                                      "a form.")
-                             .arg(*key)};
+        throw WrongUsage{
+            Commands::tr("There is no algorithm “%1”. Give a key or abbreviation of “clearcut "
+                         "algorithms”, with :published if there is such a form.")
+                .arg(*key)};
     if (!canMeasure(*plan.shown, *plan.measure))
-        throw WrongUsage{Commands::tr("The arithmetic of “%1” is not counted; ask for --measure "
-                                      "time.")
-                             .arg(*key)};
+        throw WrongUsage{
+            Commands::tr("The operations of “%1” are not counted. Choose --measure time.")
+                .arg(*key)};
 }
 
 const CostMeasure& measureOf(const ParsedArguments& arguments)
@@ -161,16 +160,18 @@ Command costmapCommand()
     std::vector<Option> options{
         {{"a", "algorithm"},
          "ALGORITHM",
-         Commands::tr("Key or abbreviation of what is shown; KEY:published is the form that its "
+         Commands::tr("Key or abbreviation of the algorithm; KEY:published is the form that its "
                       "authors printed.")},
-        {{"cheapest"}, {}, Commands::tr("Show which algorithm is cheapest instead; ties as ties.")},
+        {{"cheapest"}, {}, Commands::tr("Show the cheapest algorithm instead, with ties.")},
         {{"form"},
          "corrected|published",
          Commands::tr("With --cheapest: which forms take part (corrected).")},
         {{"from"},
          "X,Y",
-         Commands::tr("End 1 of every line; End 2 sweeps the area (left of the window).")},
-        {{"to"}, "X,Y", Commands::tr("End 2 of every line instead; End 1 sweeps the area.")},
+         Commands::tr("Fix End 1 of every line here; End 2 sweeps the area (left of the window).")},
+        {{"to"},
+         "X,Y",
+         Commands::tr("Fix End 2 of every line here instead; End 1 sweeps the area.")},
         {{"w", "window"},
          "XMIN,YMIN,XMAX,YMAX",
          Commands::tr("The clip window (-100,-75,100,75, as in the paper).")},
@@ -179,20 +180,20 @@ Command costmapCommand()
          Commands::tr("Which part of the plane (three windows wide and high).")},
         {{"size"},
          "COLUMNSxROWS",
-         Commands::tr("How many cells, up to %1 a side (240x180).").arg(mostSide)},
+         Commands::tr("Number of cells, up to %1 a side (240x180).").arg(mostSide)},
         {{"measure"},
          measures.join(u'|'),
          Commands::tr("What is counted for each line, or its time, which is noisy (operations).")},
         {{"o", "output"},
          "FILE",
-         Commands::tr("A picture with legend and caption (.png) or a row a cell (.csv); - is "
-                      "standard output, as CSV.")},
-        {{"theme"}, "light|dark", Commands::tr("The ground of the picture (light).")},
+         Commands::tr("A picture with legend and caption (.png), or a table with a row for each "
+                      "cell (.csv); - is standard output, as CSV.")},
+        {{"theme"}, "light|dark", Commands::tr("The background of the picture (light).")},
     };
     return {"costmap",
             "-a ALGORITHM | --cheapest -o FILE [OPTIONS]",
-            Commands::tr("Shows as a map what a line costs that has one end at a fixed point, for "
-                         "every place of its other end."),
+            Commands::tr(
+                "Maps the cost of a line with one fixed end, for every position of its other end."),
             std::move(options),
             {"clearcut costmap -a md --from -150,20 -o md.png",
              "clearcut costmap --cheapest --measure divisions --size 480x360 -o cheapest.png",

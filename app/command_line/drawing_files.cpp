@@ -47,7 +47,7 @@ const Format& formatOf(const ParsedArguments& arguments, const QString& option, 
         return *format;
     const QString stream = option == QStringLiteral("to") ? Commands::tr("-o - (standard output)")
                                                           : Commands::tr("- (standard input)");
-    throw WrongUsage{Commands::tr("%1: say what type it is, with --%2 and one of %3.")
+    throw WrongUsage{Commands::tr("%1: give its type with --%2 and one of %3.")
                          .arg(path == standardStream ? stream : path, option, typesWith(can))};
 }
 
@@ -62,7 +62,7 @@ std::vector<Option> readingOptions()
 {
     return {{{"from"},
              "TYPE",
-             Commands::tr("Type of the input (%1), if its name does not tell.")
+             Commands::tr("Type of the input (%1), if its name does not show it.")
                  .arg(typesWith(&Format::read))}};
 }
 
@@ -72,13 +72,14 @@ std::vector<Option> writingOptions()
         {{"o", "output"}, "FILE", Commands::tr("Where to write; - is standard output.")},
         {{"to"},
          "TYPE",
-         Commands::tr("Type of the output (%1), if its name does not tell.")
+         Commands::tr("Type of the output (%1), if its name does not show it.")
              .arg(typesWith(&Format::write))},
-        {{"in-place"}, {}, Commands::tr("Write over the input.")},
+        {{"in-place"}, {}, Commands::tr("Overwrite the input.")},
         {{"precision"},
          "N",
-         Commands::tr("Decimals of written coordinates, 0 to %1, moved into the window where "
-                      "rounding left it (as many as it takes to read the same number back).")
+         Commands::tr(
+             "Decimals of written coordinates, 0 to %1. Coordinates that rounding puts outside the "
+             "window are moved into it (as many as are needed to read the same number back).")
              .arg(mostDecimals)},
         {{"dpi"}, "N", Commands::tr("Pixels per inch of a picture (96).")},
     };
@@ -86,9 +87,10 @@ std::vector<Option> writingOptions()
 
 Option toleranceOption()
 {
-    return {{"tolerance"},
-            "LENGTH",
-            Commands::tr("How far the lines that stand for a curve may be from it (0.05mm).")};
+    return {
+        {"tolerance"},
+        "LENGTH",
+        Commands::tr("Largest distance between a curve and the lines that replace it (0.05mm).")};
 }
 
 double toleranceOf(const ParsedArguments& arguments, const Page& page)
@@ -160,11 +162,10 @@ Output outputOf(const ParsedArguments& arguments, const QString& input)
     Output output{
         arguments.text(QStringLiteral("output")).value_or(inPlace ? input : QString()), {}, {}};
     if (output.path.isEmpty())
-        throw WrongUsage{Commands::tr("Say where to write: -o FILE, or -o - for standard output.")};
+        throw WrongUsage{Commands::tr("Name the output: -o FILE, or -o - for standard output.")};
     if (!inPlace && sameFile(output.path, input))
         throw WrongUsage{
-            Commands::tr("%1 is the input as well. Give another name, or --in-place to "
-                         "write over it.")
+            Commands::tr("%1 is also the input. Give another name, or --in-place to overwrite it.")
                 .arg(output.path)};
     output.format = &formatOf(arguments, QStringLiteral("to"), output.path, &Format::write,
                               formatOfFile(output.path));
@@ -202,8 +203,8 @@ void refuseLossInPlace(const ParsedArguments& arguments, const Imported& importe
 {
     if (imported.lossy() && arguments.has(QStringLiteral("in-place"))
         && sameFile(output.path, input))
-        throw Failure{Commands::tr("Cannot write over %1: it holds what would be lost (%2). Give "
-                                   "another name with -o.")
+        throw Failure{Commands::tr("Cannot overwrite %1: it has content that would be lost (%2). "
+                                   "Give another name with -o.")
                           .arg(input, losses(imported).join(QStringLiteral(", ")))};
 }
 

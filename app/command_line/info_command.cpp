@@ -191,19 +191,17 @@ void inform(const ParsedArguments& arguments)
 
 Command infoCommand()
 {
-    return {
-        "info",
-        "INPUT [OPTIONS]",
-        Commands::tr("Says what a drawing holds: lines and their length, shapes, paths and curves, "
-                     "bounds (in millimetres, too), clip windows, page, unit, layers and groups, "
-                     "and what of "
-                     "the file is not kept."),
-        readingOptions(),
-        {"clearcut info drawing.svg"},
-        1,
-        inform,
-        false,
-        readingLimits()};
+    return {"info",
+            "INPUT [OPTIONS]",
+            Commands::tr("Lists the content of a drawing: lines and their length, shapes, paths "
+                         "and curves, bounds (also in millimetres), clip windows, page, unit, "
+                         "layers and groups, and what of the file is not kept."),
+            readingOptions(),
+            {"clearcut info drawing.svg"},
+            1,
+            inform,
+            false,
+            readingLimits()};
 }
 
 } // namespace app

@@ -21,7 +21,8 @@ void writeExample(const QString& folder)
     for (const QString& path : result.value->written)
         say(Commands::tr("%1 was written.").arg(path));
     for (const QString& path : result.value->kept)
-        say(Commands::tr("%1 was kept: it differs from the file that would replace it.").arg(path));
+        say(Commands::tr("%1 was kept, because it differs from the file that would replace it.")
+                .arg(path));
 }
 
 plug_in::Case caseOf(const ParsedArguments& arguments)
@@ -71,25 +72,27 @@ Command judgeCommand()
     std::vector<Option> options{
         {{"strict"},
          {},
-         Commands::tr("Hold it to the contract of Clearcut's own algorithms: no end outside the "
-                      "window, not by one bit.")},
-        {{"seed"}, "N", Commands::tr("Which random lines (1).")},
-        {{"no-race"}, {}, Commands::tr("Do not time it.")},
+         Commands::tr("Apply the contract of Clearcut's own algorithms: no end outside the window, "
+                      "not even by rounding.")},
+        {{"seed"}, "N", Commands::tr("Seed of the random lines (1).")},
+        {{"no-race"}, {}, Commands::tr("Do not time the algorithm.")},
         {{"seconds"},
          "N",
-         Commands::tr("How much processor time its answers may take (30 s), three times as much by "
-                      "the clock; then the verdict tells what was tested so far.")},
+         Commands::tr(
+             "Limit of the processor time for the tests (30 s); the limit by wall clock is three "
+             "times as long. At the limit, the verdict covers the tests so far.")},
         {{"save-example"},
          {},
-         Commands::tr("Write the header, a skeleton to fill in and examples to compile into the "
-                      "folder LIBRARY, instead of judging; what you have changed there is kept.")}};
+         Commands::tr(
+             "Instead of judging, write the header, a skeleton to fill in and examples to compile "
+             "into the folder LIBRARY. Files that you have changed there are kept.")}};
     const auto more = tableOptions();
     options.insert(options.end(), more.begin(), more.end());
     return {"judge",
             "LIBRARY [OPTIONS]",
             Commands::tr("Judges your own algorithm, a shared library with one function, and times "
-                         "it beside every other; the exit code is 3 if it is wrong. A library is a "
-                         "program: it runs with your rights, in a process of its own."),
+                         "it beside every other algorithm. The exit code is 3 if it is wrong. A "
+                         "library is a program: it runs with your rights, in a separate process."),
             std::move(options),
             {"clearcut judge --save-example .", "clearcut judge ./example.so",
              "clearcut judge ./mine.so --strict --no-race --format json"},

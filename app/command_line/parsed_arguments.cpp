@@ -18,7 +18,7 @@ namespace {
 std::vector<Option> optionsOf(const Command& command)
 {
     auto options = command.options;
-    options.push_back({{"h", "help"}, {}, Commands::tr("Say all this.")});
+    options.push_back({{"h", "help"}, {}, Commands::tr("Show this help.")});
     return options;
 }
 
@@ -84,11 +84,11 @@ ParsedArguments::ParsedArguments(const Command& command, const QStringList& argu
     if (helpWanted())
         return;
     if (operands().size() < command.operands)
-        throw WrongUsage{Commands::tr("Something is missing: %1 %2.")
+        throw WrongUsage{Commands::tr("An argument is missing: %1 %2.")
                              .arg(QLatin1StringView(command.key), command.usage)};
     if (operands().size() > command.operands)
         throw WrongUsage{
-            Commands::tr("“%1” is one argument too many.").arg(operands()[command.operands])};
+            Commands::tr("The argument “%1” is one too many.").arg(operands()[command.operands])};
 }
 
 std::optional<QString> ParsedArguments::text(const QString& option) const
@@ -198,9 +198,10 @@ std::optional<Variant> ParsedArguments::variant(const QString& option) const
     QStringList more;
     for (const Misprint& misprint : misprints())
         more << misprint.key;
-    throw WrongUsage{Commands::tr("There is no “%1”. Give a key or abbreviation of “clearcut "
-                                  "algorithms”, with :published where there is such a form, or %2.")
-                         .arg(*key, more.join(Commands::tr(", ")))};
+    throw WrongUsage{
+        Commands::tr("There is no algorithm “%1”. Give a key or abbreviation of “clearcut "
+                     "algorithms”, with :published if there is such a form, or %2.")
+            .arg(*key, more.join(Commands::tr(", ")))};
 }
 
 std::optional<std::array<double, 4>> ParsedArguments::numbers(const QString& option,

@@ -28,8 +28,8 @@ std::vector<Option> tableOptions()
     return {
         {{"f", "format"},
          keys().join(u'|'),
-         Commands::tr("How to print tables (text, or what the ending of FILE says).")},
-        {{"o", "output"}, "FILE", Commands::tr("Where to write them (standard output).")},
+         Commands::tr("Format of tables (text, or by the ending of FILE).")},
+        {{"o", "output"}, "FILE", Commands::tr("Where to write tables (standard output).")},
     };
 }
 

@@ -74,7 +74,7 @@ const TraceFormat& formatOf(const ParsedArguments& arguments, const QString& out
     if (const TraceFormat* format = findTraceFormat(ending))
         return *format;
     if (!output.isEmpty() && output != QStringLiteral("-"))
-        throw WrongUsage{Commands::tr("%1: say with --format what to write: %2.")
+        throw WrongUsage{Commands::tr("%1: give the format with --format: %2.")
                              .arg(output, formatKeys().join(QStringLiteral(", ")))};
     return *findTraceFormat(u"text");
 }
@@ -95,9 +95,13 @@ void refuseOverwriting(const ParsedArguments& arguments, const QStringList& path
     if (paths.size() < 2 || existing.isEmpty() || arguments.has(QStringLiteral("overwrite")))
         return;
     throw Failure{existing.size() == 1
-                      ? Commands::tr("%1 exists already. Give another name, or --overwrite.")
+                      ? Commands::tr("%1 already exists. Give another name, or --overwrite.")
                             .arg(existing.front())
-                      : Commands::tr("%1 and %2 more files exist already. Give another name, or "
+                  : existing.size() == 2
+                      ? Commands::tr("%1 and 1 more file already exist. Give another name, or "
+                                     "--overwrite.")
+                            .arg(existing.front())
+                      : Commands::tr("%1 and %2 more files already exist. Give another name, or "
                                      "--overwrite.")
                             .arg(existing.front())
                             .arg(existing.size() - 1)};
@@ -142,49 +146,48 @@ void trace(const ParsedArguments& arguments)
 
 Command traceCommand()
 {
-    return {
-        "trace",
-        "--line X1,Y1,X2,Y2 [OPTIONS]",
-        Commands::tr("Shows step by step how an algorithm clips one line: as text, as data, as "
-                     "slides or as an animated picture."),
-        {{{"a", "algorithm"},
-          "A",
-          Commands::tr("Key or abbreviation of what clips; KEY:published is the form that its "
-                       "authors printed (%1).")
-              .arg(latin(usualAlgorithm().key))},
-         {{"line"}, "X1,Y1,X2,Y2", Commands::tr("The line, from End 1 to End 2.")},
-         {{"w", "window"},
-          "XMIN,YMIN,XMAX,YMAX",
-          Commands::tr("The window (-100,-75,100,75, the paper's).")},
-         {{"f", "format"},
-          formatKeys().join(u'|'),
-          Commands::tr("What to write (what the name of -o ends with, or else text).")},
-         {{"o", "output"},
-          "FILE|FOLDER/",
-          Commands::tr("Where to write. Of svg and png there is a file for each step: FILE-01.svg "
-                       "and so on.")},
-         {{"step"}, "N", Commands::tr("Only this step.")},
-         {{"y", "y-axis"},
-          "up|down",
-          Commands::tr("Where y grows to in pictures and sentences (up).")},
-         {{"theme"}, "light|dark", Commands::tr("How pictures look (light).")},
-         {{"picture-only"},
-          {},
-          Commands::tr("Pictures without sentence, pseudo-code and variables.")},
-         {{"width"},
-          "PIXELS",
-          Commands::tr("Of png and gif, %1 to %2; they are 16:9 (1280).")
-              .arg(leastWidth)
-              .arg(mostWidth)},
-         {{"overwrite"}, {}, Commands::tr("Replace numbered files that exist.")},
-         {{"q", "quiet"}, {}, Commands::tr("Do not say what was written.")}},
-        {"clearcut trace -a md --line -160,-30,70,130",
-         "clearcut trace -a cs:published --line 1,1,-1,-1 -w 0.1,0.1,3,3 -f json",
-         "clearcut trace -a lb --line -160,-30,70,130 -o slides.pdf",
-         "clearcut trace -a nln --line -160,-30,70,130 -f svg -o frames/ --theme dark"},
-        0,
-        trace,
-        true};
+    return {"trace",
+            "--line X1,Y1,X2,Y2 [OPTIONS]",
+            Commands::tr("Shows step by step how an algorithm clips one line: as text, as data, as "
+                         "slides or as an animated picture."),
+            {{{"a", "algorithm"},
+              "A",
+              Commands::tr("Key or abbreviation of the algorithm; KEY:published is the form that "
+                           "its authors printed (%1).")
+                  .arg(latin(usualAlgorithm().key))},
+             {{"line"}, "X1,Y1,X2,Y2", Commands::tr("The line, from End 1 to End 2.")},
+             {{"w", "window"},
+              "XMIN,YMIN,XMAX,YMAX",
+              Commands::tr("The window (-100,-75,100,75, the paper's).")},
+             {{"f", "format"},
+              formatKeys().join(u'|'),
+              Commands::tr("Format of the output (by the ending of -o, otherwise text).")},
+             {{"o", "output"},
+              "FILE|FOLDER/",
+              Commands::tr("Where to write. For svg and png there is a file for each step: "
+                           "FILE-01.svg and so on.")},
+             {{"step"}, "N", Commands::tr("Write only this step.")},
+             {{"y", "y-axis"},
+              "up|down",
+              Commands::tr("Direction in which y grows, in pictures and sentences (up).")},
+             {{"theme"}, "light|dark", Commands::tr("Theme of the pictures (light).")},
+             {{"picture-only"},
+              {},
+              Commands::tr("Pictures without sentence, pseudo-code and variables.")},
+             {{"width"},
+              "PIXELS",
+              Commands::tr("Width of png and gif in pixels, %1 to %2; they are 16:9 (1280).")
+                  .arg(leastWidth)
+                  .arg(mostWidth)},
+             {{"overwrite"}, {}, Commands::tr("Replace numbered files that exist.")},
+             {{"q", "quiet"}, {}, Commands::tr("Do not report the files written.")}},
+            {"clearcut trace -a md --line -160,-30,70,130",
+             "clearcut trace -a cs:published --line 1,1,-1,-1 -w 0.1,0.1,3,3 -f json",
+             "clearcut trace -a lb --line -160,-30,70,130 -o slides.pdf",
+             "clearcut trace -a nln --line -160,-30,70,130 -f svg -o frames/ --theme dark"},
+            0,
+            trace,
+            true};
 }
 
 } // namespace app

@@ -33,8 +33,8 @@ void refuseMixture(const ParsedArguments& arguments, const std::array<Length, 4>
     if (std::ranges::any_of(lengths, isBare) && !std::ranges::all_of(lengths, isBare))
         throw WrongUsage{
             Commands::tr(
-                "--window %1: give all four with a unit, counted from the paper's top left "
-                "corner, or all four without, in the drawing's own coordinates.")
+                "--window %1: give all four numbers with a unit, counted from the paper's top left "
+                "corner, or all four without a unit, in the drawing's own coordinates.")
                 .arg(*arguments.text(QStringLiteral("window")))};
 }
 
@@ -67,13 +67,13 @@ std::vector<Option> windowOptions()
     return {
         {{"w", "window"},
          "XMIN,YMIN,XMAX,YMAX",
-         Commands::tr(
-             "The clip window. Bare numbers are the drawing's own coordinates; lengths "
-             "with a unit, such as 10mm, count from the paper's top left corner. The two "
-             "cannot be mixed (without: the clip windows that the drawing has, or else its "
-             "page).")},
-        {{"page"}, {}, Commands::tr("The clip window is the drawing's page: the whole sheet.")},
-        {{"margin"}, "LENGTH", Commands::tr("With --page: that much smaller on each side.")},
+         Commands::tr("The clip window. Bare numbers are the drawing's own coordinates; lengths "
+                      "with a unit, such as 10mm, count from the paper's top left corner. The two "
+                      "cannot be mixed (the drawing's clip windows, otherwise its page).")},
+        {{"page"}, {}, Commands::tr("Use the drawing's page as the clip window.")},
+        {{"margin"},
+         "LENGTH",
+         Commands::tr("With --page: make the window this much smaller on each side.")},
     };
 }
 
@@ -143,8 +143,8 @@ QString sourceText(const ParsedArguments& arguments, const Imported& imported)
     if (!regionOf(imported.document.windows()).everything())
         return Commands::tr("saved in the drawing");
     if (!imported.paged && imported.document.objects().empty())
-        return Commands::tr("the usual page, for nothing is drawn");
-    return imported.drawn || !imported.paged ? Commands::tr("all that is drawn")
+        return Commands::tr("the default page, because the drawing is empty");
+    return imported.drawn || !imported.paged ? Commands::tr("the bounds of all objects")
                                              : Commands::tr("the page");
 }
 
@@ -155,7 +155,7 @@ QString windowText(const ParsedArguments& arguments, const Imported& imported,
 {
     const QString source = sourceText(arguments, imported);
     const QString keeps = region.keep == Keep::Outside
-                              ? QStringLiteral("; ") + Commands::tr("keeps what is outside")
+                              ? QStringLiteral("; ") + Commands::tr("keeps the outside")
                               : QString();
     if (const auto window = region.single())
         return Commands::tr("Window (%1): %2%3.").arg(source, placeText(*window, imported), keeps);

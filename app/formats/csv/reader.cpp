@@ -199,7 +199,8 @@ private:
         imported_.paged = false;
         if (const int beyond = lines_.beyond(); beyond > 0)
             imported_.report.push_back(
-                {tr("layers beyond the first %1, on lines").arg(Containers::mostLayers), beyond});
+                {tr("layer names of lines, beyond the first %1 layers").arg(Containers::mostLayers),
+                 beyond});
         imported_.document = lines_.take();
         imported_.rows = lines_.order();
     }

@@ -105,8 +105,8 @@ inline constexpr LossKind unknownVisible{
 inline constexpr LossKind containers{
     QT_TRANSLATE_NOOP("svg", "group beyond the limit was dissolved"),
     QT_TRANSLATE_NOOP("svg", "groups beyond the limit were dissolved"), true};
-inline constexpr LossKind doubleId{QT_TRANSLATE_NOOP("svg", "id was there twice"),
-                                   QT_TRANSLATE_NOOP("svg", "ids were there twice"), true};
+inline constexpr LossKind doubleId{QT_TRANSLATE_NOOP("svg", "repeated id was removed"),
+                                   QT_TRANSLATE_NOOP("svg", "repeated ids were removed"), true};
 inline constexpr LossKind cutClipPath{
     QT_TRANSLATE_NOOP("svg", "clip path was replaced by a real cut"),
     QT_TRANSLATE_NOOP("svg", "clip paths were replaced by real cuts"), true};

@@ -120,7 +120,8 @@ private slots:
         QCOMPARE(run.code, 0);
         QCOMPARE(run.out,
                  csvHeader + "-1,0,3,0,Drawing,#000000,1,0\n0,-2,0,4,Drawing,#000000,1,1\n");
-        QVERIFY2(run.err.startsWith("Shapes: 0 kept whole, 2 cut, 0 gone.\n"), run.err.constData());
+        QVERIFY2(run.err.startsWith("Shapes: 0 kept whole, 2 cut, 0 removed.\n"),
+                 run.err.constData());
     }
 
     // A page of 100 mm by 50 mm with the user origin in its middle, a unit being half a millimetre:
@@ -194,7 +195,7 @@ private slots:
                                 << "the page, margin 1mm): 2,2,78,38" + own + ", 1mm,1mm,39mm,19mm"
                                        + paper;
         QTest::newRow("millimetres") << whole << QStringList() << "the page): 0,0,40,20" + own;
-        const QByteArray outside = "; keeps what is outside";
+        const QByteArray outside = "; keeps the outside";
         QTest::newRow("outside") << whole << QStringList{"-k", "outside"}
                                  << "the page): 0,0,40,20" + own + outside;
         QTest::newRow("outside, saved")
@@ -203,8 +204,8 @@ private slots:
                      "ymax='18'/></metadata>"
             << QStringList() << "saved in the drawing): 5,6,7,18" + own + outside;
         QTest::newRow("no size") << QByteArray(">") << QStringList()
-                                 << QByteArray("all that is drawn): -10.5,0,190.5,9.5") + own
-                                        + ", -2.778mm,0mm,50.403mm,2.514mm" + paper;
+                                 << QByteArray("the bounds of all objects): -10.5,0,190.5,9.5")
+                                        + own + ", -2.778mm,0mm,50.403mm,2.514mm" + paper;
     }
     void aCutSaysAtWhichWindow()
     {
@@ -235,7 +236,8 @@ private slots:
     {
         const auto run =
             clearcut({"clip", "-", "--from", "csv", "--to", "svg", "-o", "-"}, "x1,y1,x2,y2\n");
-        QVERIFY2(run.err.contains("Window (the usual page, for nothing is drawn): 0,0,297,210 in "),
+        QVERIFY2(run.err.contains(
+                     "Window (the default page, because the drawing is empty): 0,0,297,210 in "),
                  run.err.constData());
     }
 
@@ -347,10 +349,11 @@ private slots:
             return clearcut(QStringList{"clip", path("hidden.svg"), "-w", "0,0,10,10"} + more);
         };
         const auto run = cut({"-o", path("cut.svg")});
-        QVERIFY2(run.err.contains("Shapes: 0 kept whole, 5 cut, 0 gone.\nHidden shapes are cut "
-                                  "like the others: 3 left and still hidden, 0 gone; "
-                                  "--drop-hidden leaves out all of them."),
-                 run.err.constData());
+        QVERIFY2(
+            run.err.contains(
+                "Shapes: 0 kept whole, 5 cut, 0 removed.\nHidden shapes are cut like the others: 3 "
+                "left and still hidden, 0 removed. --drop-hidden leaves out all of them."),
+            run.err.constData());
         const app::Sheet before = sheetOf(drawing), sheet = sheetOf(contentOf(path("cut.svg")));
         QCOMPARE(sheet.layers, before.layers);
         QCOMPARE(sheet.shapes.size(), before.shapes.size());
@@ -361,8 +364,8 @@ private slots:
         }
 
         const auto dropped = cut({"-o", path("dropped.svg"), "--drop-hidden"});
-        QVERIFY2(dropped.err.contains("Shapes: 0 kept whole, 2 cut, 0 gone.\nHidden shapes: 3 left "
-                                      "out."),
+        QVERIFY2(dropped.err.contains(
+                     "Shapes: 0 kept whole, 2 cut, 0 removed.\nHidden shapes: 3 left out."),
                  dropped.err.constData());
         const app::Sheet shown = sheetOf(contentOf(path("dropped.svg")));
         QCOMPARE(shown.layers.size(), 2u);
@@ -677,11 +680,10 @@ private slots:
         const auto run = clearcut({"clip", path("text.svg"), "-o", path("x.svg"), "--stats"});
         QCOMPARE(run.code, 0);
         QVERIFY2(run.err.contains("2 × text"), run.err.constData());
-        QVERIFY2(run.err.contains("Shapes: 0 kept whole, 1 cut, 0 gone; closed paths opened: 1; "
+        QVERIFY2(run.err.contains("Shapes: 0 kept whole, 1 cut, 0 removed; closed paths opened: 1; "
                                   "fills lost, only the outline is cut: 1.\nWindow (the page): "
-                                  "0,0,10,10 in the drawing's "
-                                  "coordinates, 0mm,0mm,2.646mm,2.646mm from the paper's top left "
-                                  "corner.\nLines: 4 before, "),
+                                  "0,0,10,10 in the drawing's coordinates, 0mm,0mm,2.646mm,2.646mm "
+                                  "from the paper's top left corner.\nLines: 4 before, "),
                  run.err.constData());
         QCOMPARE(run.out, "");
         QCOMPARE(clearcut({"clip", path("text.svg"), "-o", path("x.svg"), "-q"}).err, "");

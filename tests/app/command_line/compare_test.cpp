@@ -58,8 +58,9 @@ private slots:
                       "xmax='5' ymax='5'/>"),
                  "Window (saved in the drawing): 1,1,3,4 in the drawing's coordinates.");
         const auto table = clearcut({"compare", file(), "-a", "md"});
-        QVERIFY2(table.err.startsWith("Window (all that is drawn): -0.5,-50.5,300.5,350.5 in "),
-                 table.err.constData());
+        QVERIFY2(
+            table.err.startsWith("Window (the bounds of all objects): -0.5,-50.5,300.5,350.5 in "),
+            table.err.constData());
     }
 
     void endsThatAreApartByUlps()

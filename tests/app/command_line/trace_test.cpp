@@ -104,7 +104,7 @@ private slots:
         QCOMPARE(done.err, "");
         QVERIFY(contentOf(first).contains("<svg"));
         const auto many = clearcut(arguments);
-        QVERIFY2(many.err.contains("talk-01.svg and ") && many.err.contains(" more files exist"),
+        QVERIFY2(many.err.contains("talk-01.svg and ") && many.err.contains(" more files already exist"),
                  many.err);
     }
 
@@ -121,7 +121,7 @@ private slots:
         row("three", {"--line", "0,0,1"}, "give four numbers");
         row("window", {"--line", "0,0,1,1", "-w", "0,0,1,nan"}, "--window 0,0,1,nan: give four");
         row("min > max", {"--line", "0,0,1,1", "-w", "5,0,1,1"}, "minimum lies beyond its maximum");
-        row("nobody", {"--line", "0,0,1,1", "-a", "nobody"}, "There is no “nobody”");
+        row("nobody", {"--line", "0,0,1,1", "-a", "nobody"}, "There is no algorithm “nobody”");
         row("no form", {"--line", "0,0,1,1", "-a", "exact:published"}, "exact:published");
         row("misprint", {"--line", "0,0,1,1", "-a", "md-step-2"}, "steps are not recorded");
         row("step 0", {"--line", "0,0,1,1", "--step", "0"}, "a whole number from 1 to");

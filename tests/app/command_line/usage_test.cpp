@@ -143,9 +143,9 @@ private slots:
             QTest::newRow(qPrintable(arguments.join(u' '))) << arguments << sentence;
         };
         const QStringList clip{"clip", "A", "-o", "x.svg"};
-        row({"clip"}, "Something is missing: clip INPUT -o OUTPUT");
-        row({"clip", "A"}, "Say where to write");
-        row(clip + QStringList{"B"}, "“B” is one argument too many");
+        row({"clip"}, "An argument is missing: clip INPUT -o OUTPUT");
+        row({"clip", "A"}, "Name the output: -o FILE");
+        row(clip + QStringList{"B"}, "The argument “B” is one too many");
         row(clip + QStringList{"--nonsense"},
             "There is no option “--nonsense”. The nearest is “--");
         row(clip + QStringList{"-w"}, "Missing value after “-w”");
@@ -180,16 +180,16 @@ private slots:
         row(clip + QStringList{"--from", "docx"}, "--from docx: give svg, csv, pdf, png");
         row(clip + QStringList{"--from", "png"}, "with --from and one of svg, csv");
         row({"clip", "A", "-o", "x.docx"},
-            "x.docx: say what type it is, with --to and one of svg, csv, pdf, png");
+            "x.docx: give its type with --to and one of svg, csv, pdf, png");
         row({"clip", "-", "-o", "x.svg"},
-            "clip: - (standard input): say what type it is, with --from and one of svg, csv.");
+            "clip: - (standard input): give its type with --from and one of svg, csv.");
         for (const char* command : {"clip", "convert"})
             row({command, "A", "-o", "-"}, command
-                                               + QByteArray(": -o - (standard output): say what "
-                                                            "type it is, with --to and one of svg, "
-                                                            "csv, pdf, png."));
-        row({"info"}, "Something is missing: info INPUT");
-        row({"algorithms", "x"}, "“x” is one argument too many");
+                                               + QByteArray(": -o - (standard output): give its "
+                                                            "type with --to and one of svg, csv, "
+                                                            "pdf, png."));
+        row({"info"}, "An argument is missing: info INPUT");
+        row({"algorithms", "x"}, "The argument “x” is one too many");
         row({"algorithms", "--format", "xml"}, "--format xml: give text or csv or json");
         row({"bench", "--lines", "0"}, "--lines 0: give a whole number from 1 to");
         row({"bench", "--lines", "1.5"}, "--lines 1.5: give a whole number from 1 to");
@@ -206,11 +206,11 @@ private slots:
         row({"bench", "--measure", "clip,sleep"}, "--measure clip,sleep: give clip, draw, total");
         row({"bench", "--form", "published", "-a", "exact"}, "None of these algorithms");
         row({"bench", "--paper", "table3"}, "--paper table3: give table1 or table2 or all");
-        row({"bench", "--paper", "all", "-a", "cs"}, "--paper has algorithms of its own");
+        row({"bench", "--paper", "all", "-a", "cs"}, "--paper chooses the algorithms itself");
         row({"bench", "--precision", "half"}, "--precision half: give double or single");
-        row({"bench", "--precision", "single", "--form", "both"}, "leave --form away");
-        row({"bench", "--precision", "single", "--paper", "all"}, "leave --paper away");
-        row({"bench", "--precision", "single", "--measure", "accuracy"}, "leave “accuracy” away");
+        row({"bench", "--precision", "single", "--form", "both"}, "leave out --form");
+        row({"bench", "--precision", "single", "--paper", "all"}, "leave out --paper");
+        row({"bench", "--precision", "single", "--measure", "accuracy"}, "leave out “accuracy”");
         row({"bench", "--draw-with", "ink"}, "--draw-with ink: give auto or opengl or raster");
         row({"bench", "--report", "r.odt"}, "--report r.odt: give a name that ends with .html or");
         row({"bench", "--charts", "c"}, "--charts c: give a name that ends with .svg or .pdf or");

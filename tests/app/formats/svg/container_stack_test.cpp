@@ -188,8 +188,8 @@ private slots:
     void anIdIsThereOnce()
     {
         const QByteArray p = "<path id='a' d='M0 0h1'/>";
-        QCOMPARE(reportOf(p + p), "1 id was there twice");
-        QCOMPARE(reportOf(p + p + p), "2 ids were there twice");
+        QCOMPARE(reportOf(p + p), "1 repeated id was removed");
+        QCOMPARE(reportOf(p + p + p), "2 repeated ids were removed");
         const auto document = read(group("id='a'", p) + "<path id='b' d='M0 0h1'/>");
         QCOMPARE(outlineOf(document, 0), "Drawing([1] 1)");
         QCOMPARE(document.containers()[document.containers().inOrder()[1]].svgId, "a");
