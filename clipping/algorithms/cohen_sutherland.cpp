@@ -25,8 +25,8 @@ struct CohenSutherland {
         .abbreviation = "CS",
         .name = "Cohen-Sutherland",
         .year = 1967,
-        .idea = "Number the nine regions around the window, and cut an outer end at one edge after "
-                "another until its number tells.",
+        .idea = "Give each of the nine regions a code, and cut an outer end at one edge after "
+                "another until the codes of both ends decide.",
         .ulps = 24, // README.md, "How far off"
     };
     static constexpr int mostCuts = 64; // the cap of the published form

@@ -26,9 +26,8 @@ struct CyrusBeck {
         .abbreviation = "CB",
         .name = "Cyrus-Beck",
         .year = 1978,
-        .idea =
-            "Ask the inner normal of every edge whether the segment enters or leaves there; the "
-            "last entry and the first exit bound what is visible.",
+        .idea = "The inner normal of every edge tells whether the segment enters or leaves there; "
+                "the visible part lies between the last entry and the first exit.",
         .ulps = 24, // README.md, "How far off"
     };
     static constexpr const auto* polygon = &cyrusBeckPolygon;

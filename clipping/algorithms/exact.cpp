@@ -72,8 +72,8 @@ struct Exact {
         .abbreviation = "EX",
         .name = "Exact",
         .year = 2026,
-        .idea =
-            "Let a proved bound say when floating point is right, and ask whole numbers elsewhere.",
+        .idea = "Decide in floating point where a proved error bound allows it, and in exact "
+                "integers elsewhere.",
         .ulps = 0.5,
     };
 

@@ -24,8 +24,8 @@ struct KodituwakkuWijeweeraChamikara {
         .abbreviation = "KWC",
         .name = "Kodituwakku-Wijeweera-Chamikara",
         .year = 2013,
-        .idea =
-            "Push both ends onto the window with y = mx + c, and drop what has shrunk to nothing.",
+        .idea = "Move both ends to the window's edges with y = mx + c, and reject a segment that "
+                "has shrunk to a point.",
         .ulps = 24, // README.md, "How far off"
     };
 

@@ -24,9 +24,8 @@ struct LiangBarsky {
         .abbreviation = "LB",
         .name = "Liang-Barsky",
         .year = 1984,
-        .idea =
-            "Walk along the segment from 0 to 1, and let each edge raise the start or lower the "
-            "stop.",
+        .idea = "Start with the parameter interval from 0 to 1; each edge raises its start or "
+                "lowers its end.",
         .ulps = 24, // README.md, "How far off"
     };
     static constexpr auto line = &liangBarskyLine;

@@ -23,8 +23,8 @@ struct MatthesDrakopoulos {
         .abbreviation = "MD",
         .name = "Matthes-Drakopoulos",
         .year = 2019,
-        .idea =
-            "Push both ends to the edges they are beyond; what is still outside was never inside.",
+        .idea = "Move both ends to the edges that they lie beyond; if both are then still beyond "
+                "one edge, the segment misses the window.",
         .ulps = 24, // README.md, "How far off"
     };
     static constexpr auto box = &matthesDrakopoulosBox;

@@ -39,8 +39,8 @@ struct MidpointSubdivision {
         .abbreviation = "MS",
         .name = "Midpoint subdivision",
         .year = 1968,
-        .idea = "Halve the segment, drop the half that cannot hold the end that is looked for, and "
-                "halve the other, until there is nothing left to halve.",
+        .idea = "Halve the segment repeatedly, each time dropping the half that cannot contain the "
+                "end that is sought, until nothing is left to halve.",
         .ulps = 24,
     };
     /// The cap of the published form; from 2^1024 to 2^-1074 it needs 2098 halvings.

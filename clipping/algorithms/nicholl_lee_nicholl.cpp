@@ -22,9 +22,8 @@ struct NichollLeeNicholl {
         .abbreviation = "NLN",
         .name = "Nicholl-Lee-Nicholl",
         .year = 1987,
-        .idea =
-            "Find the first end's region, and compare slopes with the window's corners, so that "
-            "only the intersections that are returned are ever computed.",
+        .idea = "Find the region of the first end, and compare the slope with those to the "
+                "window's corners, so that only the intersections that are returned are computed.",
         .ulps = 24, // README.md, "How far off"
     };
 

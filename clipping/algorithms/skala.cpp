@@ -28,9 +28,8 @@ struct Skala {
         .abbreviation = "Skala",
         .name = "Skala",
         .year = 2005,
-        .idea =
-            "Ask on which side of the line each corner of the window lies; the pattern names the "
-            "two edges that the line crosses.",
+        .idea = "Determine on which side of the line each corner of the window lies; the pattern "
+                "gives the two edges that the line crosses.",
         .ulps = 24, // README.md, "How far off"
     };
     static constexpr const auto* polygon = &skalaPolygon;

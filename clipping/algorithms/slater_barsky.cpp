@@ -40,8 +40,8 @@ struct SlaterBarsky {
         .abbreviation = "SB",
         .name = "Slater-Barsky",
         .year = 1994,
-        .idea = "Walk along the segment from one of nine cells to the next, and let an error term "
-                "tell by which side it leaves.",
+        .idea = "Walk along the segment from one of nine cells to the next; an error term tells "
+                "through which side it leaves a cell.",
         .ulps = 40,
     };
 

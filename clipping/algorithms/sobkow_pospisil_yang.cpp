@@ -31,8 +31,8 @@ struct SobkowPospisilYang {
         .abbreviation = "SPY",
         .name = "Sobkow-Pospisil-Yang",
         .year = 1987,
-        .idea = "Let the regions of both ends pick one of 81 short scripts, which cuts and asks no "
-                "more than that case needs.",
+        .idea = "The regions of both ends select one of 81 short scripts, which has only the cuts "
+                "and tests that the case needs.",
         .ulps = 24, // README.md, "How far off"
     };
 
