@@ -457,6 +457,15 @@ private slots:
         fresh.show();
         QCOMPARE(switched, pictureIn(*fresh.window));
     }
+    void tooltipsOfTheOptionBarShowTheShortcuts()
+    {
+        TestWindow t;
+        QCOMPARE(t.action("undo")->toolTip(), "Undo (Ctrl+Z)");
+        QCOMPARE(t.action("export")->toolTip(), "Export cut drawing (Ctrl+E)");
+        app::Session& session = t.window->session();
+        session.history.push(addLayer(session.document, "Ink"));
+        QCOMPARE(t.action("undo")->toolTip(), "Undo Add layer (Ctrl+Z)");
+    }
     void startShowsASampleAndThenTheAlgorithmPanel()
     {
         TestWindow t;
