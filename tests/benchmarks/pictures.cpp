@@ -3,6 +3,7 @@
 // differs between two runs, the times of frames, is covered: pictures FILE FOLDER
 #include "app/settings/settings_format.h"
 #include "ui/files/files.h"
+#include "ui/menus/actions.h"
 #include "ui/window/main_window.h"
 
 #include <QDir>
@@ -42,6 +43,7 @@ bool save(const QString& drawing, ui::Theme theme, std::size_t panes, const QStr
 {
     ui::applyTheme(*qApp, theme);
     ui::MainWindow window(ui::Backend::Raster);
+    ui::addMenus(window);
     window.resize(1280, 800);
     app::Panes many = window.canvas().panes();
     many.show(panes);

@@ -3,6 +3,7 @@
 // writes, draw a clip window, nudge it, switch algorithms, undo, export; then compare the
 // export with the picture that librsvg makes of the original, clipped at the same window.
 #include "ui/files/files.h"
+#include "ui/menus/actions.h"
 #include "ui/window/main_window.h"
 
 #include <QApplication>
@@ -93,6 +94,7 @@ private slots:
         QTemporaryDir folder;
         const QString cutFile = folder.filePath("out.svg");
         ui::MainWindow window(ui::Backend::Raster);
+        ui::addMenus(window);
         window.setQuestions(std::make_unique<Answers>(window, cutFile));
         window.resize(1280, 800);
         window.show();

@@ -95,19 +95,19 @@ private slots:
         usual.window.reset();
         for (const QString& key : keys())
             QSettings().setValue(key, value);
-        MainWindow window(Backend::Raster);
-        QVERIFY2(fits(window),
-                 qPrintable(QStringLiteral("%1x%2").arg(window.width()).arg(window.height())));
-        window.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&window));
-        QVERIFY(fits(window));
+        const auto window = windowWithMenus();
+        QVERIFY2(fits(*window),
+                 qPrintable(QStringLiteral("%1x%2").arg(window->width()).arg(window->height())));
+        window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window.get()));
+        QVERIFY(fits(*window));
         QVERIFY(savedTheme() == Theme::System || savedTheme() == Theme::Light
                 || savedTheme() == Theme::Dark);
         for (const char* key : {"reproduce-paper", "hard-cases", "judge", "about-algorithm"})
-            window.findChild<QAction*>(key)->trigger();
-        QVERIFY(window.files().recent().empty());
+            window->findChild<QAction*>(key)->trigger();
+        QVERIFY(window->files().recent().empty());
         int dialogs = 0;
-        for (const QDialog* dialog : window.findChildren<QDialog*>())
+        for (const QDialog* dialog : window->findChildren<QDialog*>())
             if (dialog->isVisible()) {
                 ++dialogs;
                 QVERIFY2(fits(*dialog), qPrintable(dialog->objectName()));
@@ -129,8 +129,8 @@ private slots:
             char& byte = damaged[qsizetype(random() % std::size_t(damaged.size()))];
             byte = char(byte ^ 1 << random() % 8);
             QSettings().setValue("layout", damaged);
-            const MainWindow window(Backend::Raster);
-            QVERIFY(fits(window));
+            const auto window = windowWithMenus();
+            QVERIFY(fits(*window));
         }
     }
 
@@ -139,12 +139,12 @@ private slots:
         TestWindow test;
         test.window->resize(30'000, 20'000);
         test.window->close();
-        test.window = std::make_unique<MainWindow>(Backend::Raster);
+        test.window = windowWithMenus();
         QVERIFY(fits(*test.window));
         test.window->resize(1100, 700);
         QSettings().setValue("geometry", "5,6 1030x650");
-        MainWindow again(Backend::Raster);
-        QCOMPARE(again.size().height(), 650);
+        const auto again = windowWithMenus();
+        QCOMPARE(again->size().height(), 650);
     }
 };
 

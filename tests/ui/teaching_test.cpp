@@ -84,15 +84,15 @@ private slots:
         stage.press(Qt::Key_F11);
         stage.window->close();
         const QFont type = QApplication::font();
-        ui::MainWindow next(ui::Backend::Raster);
-        next.resize(1280, 800);
-        next.show();
+        const auto next = ui::windowWithMenus();
+        next->resize(1280, 800);
+        next->show();
         QStringList names;
-        for (const auto* dock : next.findChildren<QDockWidget*>())
+        for (const auto* dock : next->findChildren<QDockWidget*>())
             if (!dock->isHidden())
                 names << dock->objectName();
         QVERIFY(names.contains("algorithm"));
-        QVERIFY(!next.isPresenting());
+        QVERIFY(!next->isPresenting());
         stage.window.reset();
         QVERIFY(QApplication::font().pointSizeF() < type.pointSizeF()); // it goes with its window
     }

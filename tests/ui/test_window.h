@@ -3,6 +3,7 @@
 
 #include "ui/files/files.h"
 #include "ui/look/look.h"
+#include "ui/menus/actions.h"
 #include "ui/window/main_window.h"
 
 #include <QAction>
@@ -55,6 +56,14 @@ public:
     bool overwriteChanged(const QString&) override { return false; }
 };
 
+/// A window as the editor makes it.
+inline std::unique_ptr<MainWindow> windowWithMenus()
+{
+    auto window = std::make_unique<MainWindow>(Backend::Raster);
+    addMenus(*window);
+    return window;
+}
+
 class TestWindow {
 public:
     TestWindow()
@@ -64,7 +73,7 @@ public:
         QCoreApplication::setOrganizationName("Clearcut");
         QCoreApplication::setApplicationName("Clearcut");
         applyTheme(*qApp, Theme::Light);
-        window = std::make_unique<MainWindow>(Backend::Raster);
+        window = windowWithMenus();
         auto prepared = std::make_unique<PreparedAnswers>(*window);
         answers = prepared.get();
         window->setQuestions(std::move(prepared));

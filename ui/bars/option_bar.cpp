@@ -56,8 +56,7 @@ void showKeyInTip(QAction& action)
 
 } // namespace
 
-OptionBar::OptionBar(app::Session& session, Canvas& canvas, QAction* undo, QAction* redo,
-                     QAction* exportCut)
+OptionBar::OptionBar(app::Session& session, Canvas& canvas)
     : QToolBar(tr("Tool options")), session_(session), strokeColour_(new QToolButton),
       width_(new LengthField(tr("Stroke width"), LengthField::Range::NotNegative,
                              LengthField::Suffix::Unit)),
@@ -71,10 +70,6 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas, QAction* undo, QActi
     setIconSize({18, 18});
     setFixedHeight(space::optionsHeight);
     setContentsMargins(6, 0, 8, 0);
-    for (QAction* action : {undo, redo, exportCut})
-        showKeyInTip(*action);
-    addAction(undo);
-    addAction(redo);
     addSeparator();
     addStroke();
     connect(width_, &LengthField::entered, &canvas, [&canvas] { canvas.setFocus(); });
@@ -87,7 +82,7 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas, QAction* undo, QActi
     auto* room = new QWidget;
     room->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     addWidget(room);
-    addExport(exportCut);
+    addExport();
     connect(&session, &app::Session::displayChanged, this, &OptionBar::followDisplay);
     connect(&session, &app::Session::selectionChanged, this, &OptionBar::followStyle);
     connect(&session, &app::Session::loaded, this, &OptionBar::followStyle, Qt::QueuedConnection);
@@ -193,9 +188,16 @@ void OptionBar::addPanes(Canvas& canvas)
     follow();
 }
 
-void OptionBar::addExport(QAction* exportCut)
+void OptionBar::addCommands(QAction& undo, QAction& redo, QAction& exportCut)
 {
-    export_->setDefaultAction(exportCut);
+    for (QAction* action : {&undo, &redo, &exportCut})
+        showKeyInTip(*action);
+    insertActions(actions().front(), {&undo, &redo});
+    export_->setDefaultAction(&exportCut);
+}
+
+void OptionBar::addExport()
+{
     export_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     export_->setFixedHeight(space::fieldHeight + 2);
     export_->setProperty("framed", true);

@@ -21,8 +21,10 @@ class OptionBar : public QToolBar {
     Q_OBJECT
 
 public:
-    OptionBar(app::Session& session, Canvas& canvas, QAction* undo, QAction* redo,
-              QAction* exportCut);
+    OptionBar(app::Session& session, Canvas& canvas);
+
+    /// Adds the buttons of these commands: undo and redo at the left, export at the right.
+    void addCommands(QAction& undo, QAction& redo, QAction& exportCut);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -33,7 +35,7 @@ private:
     void addSnapping(Canvas& canvas);
     void addClipping();
     void addPanes(Canvas& canvas);
-    void addExport(QAction* exportCut);
+    void addExport();
     void arrange(int step);
     QLabel* addCaption(const QString& text);
     void paintIcons();

@@ -10,6 +10,7 @@
 #include "ui/files/files.h"
 #include "ui/look/saved_theme.h"
 #include "ui/look/window_place.h"
+#include "ui/menus/actions.h"
 #include "ui/window/main_window.h"
 
 #include <QApplication>
@@ -184,6 +185,7 @@ void openMicroscope(MainWindow& window, const Options& options)
 int show(QApplication& application, const Options& options, const QElapsedTimer& clock)
 {
     MainWindow window(options.backend);
+    addMenus(window);
     if (!options.screenshot.isEmpty())
         window.resize(options.size.value_or(usualPicture)); // independent of the screen
     else if (options.size) {

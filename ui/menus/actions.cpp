@@ -4,6 +4,7 @@
 #include "app/base/latin.h"
 #include "ui/look/look_icon.h"
 #include "ui/menus/other_windows.h"
+#include "ui/menus/requests.h"
 #include "ui/window/main_window.h"
 
 #include <QAction>
@@ -106,6 +107,8 @@ void addMenus(MainWindow& window)
             addRow(window, *others, row, submenu ? *submenu : *menu, groups);
         }
     }
+    connectRequests(window);
+    window.refreshActions();
 }
 
 QList<QKeySequence> keys(QKeySequence::StandardKey standard, const QList<QKeySequence>& further)

@@ -52,7 +52,8 @@ struct MenuInfo {
 /// Every menu, in the order of the menu bar.
 std::span<const MenuInfo> menus();
 
-/// Adds every menu to the window. The actions are updated whenever the session changes.
+/// Adds every menu to a new window, the buttons of its bar, and the windows that it opens. Every
+/// window needs this once. The actions are updated whenever the session changes.
 void addMenus(MainWindow& window);
 
 /// A standard key, with fallbacks for desktops that do not define it, and further keys.

@@ -11,11 +11,11 @@
 #include "ui/files/files.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/saved_theme.h"
-#include "ui/menus/actions.h"
 #include "ui/tools/tool.h"
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/tool_list.h"
 #include "ui/widgets/window_note.h"
+#include "ui/window/commands.h"
 #include "ui/window/keyboard.h"
 
 #include <QActionGroup>
@@ -51,7 +51,6 @@ MainWindow::MainWindow(Backend backend, QWidget* parent)
     addCentre();
     addTools();
     addPanels();
-    addMenus(*this);
     addBars();
     connectFields();
     addMicroscope();
@@ -161,11 +160,8 @@ void MainWindow::addTools()
 
 void MainWindow::addBars()
 {
-    const auto find = [this](const char* name) {
-        return findChild<QAction*>(QLatin1StringView(name));
-    };
-    auto* options = new OptionBar(session_, *canvas_, find("undo"), find("redo"), find("export"));
-    addToolBar(Qt::TopToolBarArea, options);
+    optionBar_ = new OptionBar(session_, *canvas_);
+    addToolBar(Qt::TopToolBarArea, optionBar_);
     auto* bar = new QToolBar(tr("Tools"));
     bar->setObjectName(QStringLiteral("tools"));
     bar->setIconSize({20, 20});
@@ -249,7 +245,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event)
     const auto key = keyAtItsPlace(*event);
     const bool onCanvas = canvas_->isAncestorOf(QApplication::focusWidget());
     const QKeySequence pressed(event->keyCombination());
-    for (QAction* action : findChildren<QAction*>()) {
+    for (QAction* action : commands(*menuBar())) {
         const bool reached =
             action->shortcutContext() != Qt::WidgetWithChildrenShortcut || onCanvas;
         if (reached && !action->isEnabled() && !action->statusTip().isEmpty()

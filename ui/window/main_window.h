@@ -25,12 +25,13 @@ class Dock;
 class ExactnessPanel;
 class Files;
 class MicroscopePage;
+class OptionBar;
 class StartPanel;
 class StatusBar;
 class WindowNote;
 
-/// The editor's window around one session: menus, bars, canvas and panels. It only assembles them;
-/// the commands are implemented in their rows (menus/) and in Files.
+/// The editor's window around one session: bars, canvas and panels. It only assembles them. The room
+/// menus/ adds its commands (`addMenus`) and opens the other windows that it asks for.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
@@ -50,6 +51,7 @@ public:
     DifferencePanel& differencePanel() { return *differencePanel_; }
     CostMapPanel& costMapPanel() { return *costMapPanel_; }
     ExactnessPanel& exactnessPanel() { return *exactnessPanel_; }
+    OptionBar& optionBar() { return *optionBar_; }
     StatusBar& status() { return *status_; }
     app::DrawnLine& drawnLine() { return drawnLine_; }
     /// The microscope's page; null until the microscope is first opened.
@@ -83,6 +85,9 @@ public:
 
 signals:
     void actionsOutdated(); ///< which actions are enabled or checked may have changed
+    void explanationWanted(const clipping::Algorithm& algorithm); ///< asks for its page
+    void experimentWanted();                                      ///< the paper's
+    void stepsExportWanted();                                     ///< of the microscope
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -152,6 +157,7 @@ private:
     std::vector<HiddenDock> hiddenDocks_;
     QList<QToolBar*> barsBefore_; ///< tool bars to show again
     MessageStrip* strip_;
+    OptionBar* optionBar_ = nullptr;
     StatusBar* status_ = nullptr;
     AlgorithmPanel* algorithmPanel_ = nullptr;
     DifferencePanel* differencePanel_ = nullptr;

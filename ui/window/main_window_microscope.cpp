@@ -2,7 +2,6 @@
 #include "ui/bars/status_bar.h"
 #include "ui/docks/difference_panel.h"
 #include "ui/docks/line_panel.h"
-#include "ui/explanation/explanation_window.h"
 #include "ui/microscope/microscope_page.h"
 #include "ui/widgets/window_note.h"
 #include "ui/window/main_window.h"
@@ -82,11 +81,8 @@ void MainWindow::makeMicroscopePage()
     connect(microscopePage_, &MicroscopePage::pointerMoved, status_, &StatusBar::showPoint);
     connect(microscopePage_, &MicroscopePage::hinted, status_, &StatusBar::showHint);
     connect(microscopePage_, &MicroscopePage::aboutWanted, this,
-            [this](const clipping::Algorithm* algorithm) { showExplanation(*algorithm, *this); });
-    connect(microscopePage_, &MicroscopePage::exportWanted, this, [this] {
-        if (auto* steps = findChild<QAction*>(QStringLiteral("export-steps")))
-            steps->trigger();
-    });
+            [this](const clipping::Algorithm* algorithm) { emit explanationWanted(*algorithm); });
+    connect(microscopePage_, &MicroscopePage::exportWanted, this, &MainWindow::stepsExportWanted);
 }
 
 /// The microscope has its own bar and keeps the tool bar visible; presenting keeps the option bar

@@ -6,8 +6,6 @@
 #include "ui/docks/line_panel.h"
 #include "ui/docks/start_panel.h"
 #include "ui/docks/window_panel.h"
-#include "ui/experiment/experiment_window.h"
-#include "ui/explanation/explanation_window.h"
 #include "ui/files/files.h"
 #include "ui/look/window_place.h"
 #include "ui/window/main_window.h"
@@ -55,8 +53,7 @@ void MainWindow::addPanels()
                 docks_[3]->setRemark(remark);
                 docks_[3]->setName(title);
             });
-    connect(algorithmPanel_, &AlgorithmPanel::aboutWanted, this,
-            [this](const auto& algorithm) { showExplanation(algorithm, *this); });
+    connect(algorithmPanel_, &AlgorithmPanel::aboutWanted, this, &MainWindow::explanationWanted);
     connect(window, &WindowPanel::entered, canvas_, [this] { canvas_->setFocus(); });
     connect(window, &WindowPanel::resized, this, &MainWindow::fitStack, Qt::QueuedConnection);
     connectStart(*start);
@@ -91,7 +88,7 @@ void MainWindow::connectStart(StartPanel& start)
         showLessons();
         session_.course.begin(0);
     });
-    connect(&start, &StartPanel::paperWanted, this, [this] { showExperiment(*this); });
+    connect(&start, &StartPanel::paperWanted, this, &MainWindow::experimentWanted);
     connect(&start, &StartPanel::sampleWanted, files_.get(), &Files::openSample);
     const auto follow = [this, &start] { start.showRecent(files_->recent()); };
     connect(files_.get(), &Files::recentChanged, &start, follow);

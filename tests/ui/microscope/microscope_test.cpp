@@ -394,13 +394,13 @@ private slots:
         QTest::keyClick(t.drawingArea(), Qt::Key_F2);
         t.window->session().history.setClean();
         t.window->close(); // with the microscope open
-        MainWindow again(Backend::Raster);
-        again.resize(1280, 800);
-        again.show();
-        QCOMPARE(again.dockWidgetArea(again.findChild<QDockWidget*>("layers")),
+        const auto again = windowWithMenus();
+        again->resize(1280, 800);
+        again->show();
+        QCOMPARE(again->dockWidgetArea(again->findChild<QDockWidget*>("layers")),
                  Qt::LeftDockWidgetArea);
-        QVERIFY(!again.findChild<QDockWidget*>("layers")->isHidden());
-        QVERIFY(again.findChild<QDockWidget*>("line")->isHidden());
+        QVERIFY(!again->findChild<QDockWidget*>("layers")->isHidden());
+        QVERIFY(again->findChild<QDockWidget*>("line")->isHidden());
     }
     void theLinePanelAndADoubleClickOpenTheMicroscope()
     {

@@ -47,6 +47,10 @@ private slots:
         QVERIFY(test.window->canvas().tool() == "line");
         press(pressed(Qt::Key_QuoteDbl, 12, "\""));
         QCOMPARE(test.window->session().display().variant.algorithm, &clipping::algorithms()[2]);
+        test.action("remove-window")->trigger();
+        QCOMPARE(test.window->session().history.index(), 1);
+        press(pressed(0x3B6, 52, "ζ", Qt::ControlModifier)); // Ctrl+Z
+        QCOMPARE(test.window->session().history.index(), 0);
     }
 };
 

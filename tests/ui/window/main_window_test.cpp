@@ -260,7 +260,7 @@ private slots:
     {
         TestWindow t;
         QSettings().setValue("undoMegabytes", 2);
-        t.window = std::make_unique<MainWindow>(Backend::Raster);
+        t.window = windowWithMenus();
         app::Session& session = t.window->session();
         QCOMPARE(session.history.limit(), std::size_t(2'000'000));
         app::Sheet sheet;
@@ -311,10 +311,10 @@ private slots:
         choose("&250 MB");
         QCOMPARE(chosen(), QStringList("&250 MB"));
         QCOMPARE(t.window->session().history.limit(), std::size_t(250'000'000));
-        t.window = std::make_unique<MainWindow>(Backend::Raster); // remembered
+        t.window = windowWithMenus(); // remembered
         QCOMPARE(chosen(), QStringList("&250 MB"));
         QSettings().setValue("undoMegabytes", 123);
-        t.window = std::make_unique<MainWindow>(Backend::Raster); // none of the choices
+        t.window = windowWithMenus(); // none of the choices
         QCOMPARE(chosen(), QStringList());
         QCOMPARE(t.window->session().history.limit(), std::size_t(123'000'000));
     }
@@ -451,8 +451,7 @@ private slots:
         TestWindow fresh;
         fresh.show();
         fresh.window->setTheme(Theme::Dark);
-        fresh.window =
-            std::make_unique<MainWindow>(Backend::Raster); // that never was in the light theme
+        fresh.window = windowWithMenus(); // that never was in the light theme
         fresh.window->resize(t.window->size());
         fresh.show();
         QCOMPARE(switched, pictureIn(*fresh.window));
@@ -601,11 +600,11 @@ private slots:
         QTRY_VERIFY(layers->isVisible());
         t.window->addDockWidget(Qt::LeftDockWidgetArea, layers);
         QVERIFY(t.window->close());
-        MainWindow again(Backend::Raster);
-        auto* kept = again.findChild<QDockWidget*>("layers");
-        QCOMPARE(again.dockWidgetArea(kept), Qt::LeftDockWidgetArea);
-        again.resetLayout();
-        QCOMPARE(again.dockWidgetArea(kept), Qt::RightDockWidgetArea);
+        const auto again = windowWithMenus();
+        auto* kept = again->findChild<QDockWidget*>("layers");
+        QCOMPARE(again->dockWidgetArea(kept), Qt::LeftDockWidgetArea);
+        again->resetLayout();
+        QCOMPARE(again->dockWidgetArea(kept), Qt::RightDockWidgetArea);
     }
     void panesAreChosenAndRemembered()
     {
@@ -632,9 +631,9 @@ private slots:
                 button->click();
         QCOMPARE(t.window->canvas().panes().size(), std::size_t(2));
         const auto before = t.window->canvas().panes();
-        MainWindow again(Backend::Raster);
-        QVERIFY(std::ranges::equal(again.canvas().panes().choices(), before.choices()));
-        QCOMPARE(again.session().display().variant.algorithm, before.chosen().algorithm);
+        const auto again = windowWithMenus();
+        QVERIFY(std::ranges::equal(again->canvas().panes().choices(), before.choices()));
+        QCOMPARE(again->session().display().variant.algorithm, before.chosen().algorithm);
         t.action("panes-all")->trigger();
         QCOMPARE(segments->chosen(), 3);
         t.action("panes-1")->trigger();
