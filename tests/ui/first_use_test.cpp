@@ -5,6 +5,7 @@
 #include "ui/tools/tool.h"
 #include "ui/widgets/tool_list.h"
 
+#include <QDockWidget>
 #include <QLineEdit>
 
 #include "tests/app/document/sheet_edits.h"
@@ -204,6 +205,21 @@ private slots:
         QVERIFY(tried >= 3); // dashes, snapping, the unit
         QTest::keyClick(t.window->focusWidget(), Qt::Key_L);
         QCOMPARE(t.window->canvas().tool(), std::string_view("line"));
+    }
+    void listsOfTheComparisonPanelsGiveTheKeyboardBack()
+    {
+        TestWindow t;
+        t.window->files().open(t.twoLines());
+        t.show();
+        int tried = 0;
+        for (const char* key : {"difference", "cost-map", "exactness"}) {
+            t.window->togglePanel(key);
+            for (QComboBox* list :
+                 t.window->findChild<QDockWidget*>(key)->findChildren<QComboBox*>())
+                if (list->isVisible() && ++tried)
+                    openAndClose(t, *list, Qt::Key_Return);
+        }
+        QCOMPARE(tried, 5); // A and B, algorithm and measure, algorithm
     }
     void escapeReturnsTheFocusToTheCanvas()
     {

@@ -72,7 +72,12 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas)
     setContentsMargins(6, 0, 8, 0);
     addSeparator();
     addStroke();
-    connect(width_, &LengthField::entered, &canvas, [&canvas] { canvas.setFocus(); });
+    const auto focusCanvas = [&canvas] { canvas.setFocus(); };
+    connect(width_, &LengthField::entered, &canvas, focusCanvas);
+    for (const ToolList* list : {dashes_, snapping_})
+        connect(list, &ToolList::done, &canvas, focusCanvas);
+    connect(width_, &LengthField::refused, this, &OptionBar::refused);
+    connect(width_, &LengthField::taken, this, &OptionBar::taken);
     addSeparator();
     addSnapping(canvas);
     addSeparator();

@@ -26,6 +26,10 @@ public:
     /// Adds the buttons of these commands: undo and redo at the left, export at the right.
     void addCommands(QAction& undo, QAction& redo, QAction& exportCut);
 
+signals:
+    void refused(const QString& sentence); ///< the typed stroke width is no length
+    void taken();                          ///< the stroke width is valid again
+
 protected:
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;

@@ -86,6 +86,8 @@ void CostMapPanel::addChoosers()
     connect(algorithm_, &QComboBox::currentIndexChanged, this, &CostMapPanel::choose);
     connect(measure_, &QComboBox::currentIndexChanged, this, &CostMapPanel::choose);
     connect(end_, &Segments::picked, this, &CostMapPanel::choose);
+    for (const ToolList* list : {static_cast<ToolList*>(algorithm_), measure_})
+        connect(list, &ToolList::done, this, &CostMapPanel::entered);
 }
 
 void CostMapPanel::addMap()

@@ -34,6 +34,7 @@ public:
 
 signals:
     void told(const QString& sentence); ///< whether the file was written
+    void entered(); ///< a choice was made in a list: the focus returns to the canvas
 
 protected:
     void showEvent(QShowEvent* event) override;

@@ -86,6 +86,8 @@ void DifferencePanel::addChoosers()
     static_cast<QVBoxLayout*>(layout())->addLayout(grid);
     connect(a_, &VariantBox::currentIndexChanged, this, &DifferencePanel::change);
     connect(b_, &VariantBox::currentIndexChanged, this, &DifferencePanel::change);
+    for (const VariantBox* list : {a_, b_})
+        connect(list, &VariantBox::done, this, &DifferencePanel::entered);
     connect(ulps_, &QSpinBox::valueChanged, this, &DifferencePanel::ask);
     connect(exchange, &QToolButton::clicked, this, &DifferencePanel::swap);
 }

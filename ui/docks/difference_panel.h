@@ -33,6 +33,7 @@ signals:
     /// Enter was pressed: asks for the line in the microscope.
     void lineWanted(std::size_t line);
     void placeWanted(const clipping::Window& place); ///< asks to bring it into view
+    void entered(); ///< a choice was made in a list: the focus returns to the canvas
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -61,7 +62,7 @@ private:
     DenseTable* table_;
     /// The comparison whose texts the columns were fitted to.
     std::optional<app::Comparison> fittedTo_;
-    QTimer soon_;                             ///< follow(), after the next frame
+    QTimer soon_; ///< follow(), after the next frame
     bool following_ = false;
 };
 

@@ -77,6 +77,7 @@ void ExactnessPanel::addChoosers()
         "One ulp is one unit in the last place of a number: of the largest coordinate of the line "
         "and the clip window, as in the library's contract, or of the wrong coordinate itself."));
     connect(algorithm_, &VariantBox::currentIndexChanged, this, &ExactnessPanel::ask);
+    connect(algorithm_, &VariantBox::done, this, &ExactnessPanel::entered);
     connect(yardstick_, &Segments::picked, this, &ExactnessPanel::ask);
 }
 

@@ -35,6 +35,7 @@ public:
 
 signals:
     void placeWanted(const clipping::Window& place); ///< asks to bring it into view
+    void entered(); ///< a choice was made in a list: the focus returns to the canvas
 
 protected:
     void showEvent(QShowEvent* event) override;

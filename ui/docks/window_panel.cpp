@@ -79,7 +79,10 @@ QWidget* WindowPanel::makeFields()
         connect(fields_[i], &LengthField::edited, this,
                 [this, i](double length, app::Merging merging) { edit(i, length, merging); });
         connect(fields_[i], &LengthField::entered, this, &WindowPanel::entered);
+        connect(fields_[i], &LengthField::refused, this, &WindowPanel::refused);
+        connect(fields_[i], &LengthField::taken, this, &WindowPanel::taken);
     }
+    connect(unit_, &UnitBox::done, this, &WindowPanel::entered);
     chain_->setIcon(icon("chain"));
     chain_->setCheckable(true);
     chain_->setAutoRaise(true);

@@ -3,7 +3,6 @@
 
 #include "app/session/session.h"
 
-#include <QComboBox>
 #include <QStackedLayout>
 #include <QToolButton>
 
@@ -13,6 +12,7 @@ namespace ui {
 
 class ElidedLabel;
 class LengthField;
+class UnitBox;
 
 /// The clip window in numbers, also during a gesture. Each edit is one undo step.
 class WindowPanel : public QWidget {
@@ -22,8 +22,10 @@ public:
     explicit WindowPanel(app::Session& session, QWidget* parent = nullptr);
 
 signals:
-    void entered(); ///< a number was entered: the focus returns to the canvas
-    void resized(); ///< the height that it needs has changed
+    void entered(); ///< a number or a unit was entered: the focus returns to the canvas
+    void refused(const QString& sentence); ///< the typed text is no length
+    void taken();                          ///< a field's value is valid again
+    void resized();                        ///< the height that it needs has changed
 
 private:
     QWidget* makeFields();
@@ -36,7 +38,7 @@ private:
     ElidedLabel* which_; ///< which clip window of how many; hidden if there is only one
     std::array<LengthField*, 4> fields_; ///< X Y W H
     QToolButton* chain_;                 ///< checked: W and H keep their ratio
-    QComboBox* unit_;
+    UnitBox* unit_;
     QStackedLayout* pages_; ///< the fields, or the offer
 };
 

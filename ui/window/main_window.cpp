@@ -12,8 +12,6 @@
 #include "ui/look/look_icon.h"
 #include "ui/look/saved_theme.h"
 #include "ui/tools/tool.h"
-#include "ui/widgets/length_field.h"
-#include "ui/widgets/tool_list.h"
 #include "ui/widgets/window_note.h"
 #include "ui/window/commands.h"
 #include "ui/window/keyboard.h"
@@ -52,11 +50,8 @@ MainWindow::MainWindow(Backend backend, QWidget* parent)
     addTools();
     addPanels();
     addBars();
-    connectFields();
     addMicroscope();
     connectFiles();
-    for (const ToolList* list : findChildren<ToolList*>())
-        connect(list, &ToolList::done, canvas_, [this] { canvas_->setFocus(); });
     for (const auto signal : {&app::Session::displayChanged, &app::Session::selectionChanged,
                               &app::Session::fileChanged})
         connect(&session_, signal, this, &MainWindow::refreshActions);
@@ -162,6 +157,8 @@ void MainWindow::addBars()
 {
     optionBar_ = new OptionBar(session_, *canvas_);
     addToolBar(Qt::TopToolBarArea, optionBar_);
+    connect(optionBar_, &OptionBar::refused, strip_, &MessageStrip::refuse);
+    connect(optionBar_, &OptionBar::taken, strip_, &MessageStrip::withdrawRefusal);
     auto* bar = new QToolBar(tr("Tools"));
     bar->setObjectName(QStringLiteral("tools"));
     bar->setIconSize({20, 20});
@@ -175,14 +172,6 @@ void MainWindow::addBars()
             button->setFixedSize(space::toolButton, space::toolButton);
     }
     addToolBar(Qt::LeftToolBarArea, bar);
-}
-
-void MainWindow::connectFields()
-{
-    for (const LengthField* field : findChildren<LengthField*>()) {
-        connect(field, &LengthField::refused, strip_, &MessageStrip::refuse);
-        connect(field, &LengthField::taken, strip_, &MessageStrip::withdrawRefusal);
-    }
 }
 
 void MainWindow::connectFiles()

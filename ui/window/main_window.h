@@ -30,8 +30,8 @@ class StartPanel;
 class StatusBar;
 class WindowNote;
 
-/// The editor's window around one session: bars, canvas and panels. It only assembles them. The room
-/// menus/ adds its commands (`addMenus`) and opens the other windows that it asks for.
+/// The editor's window around one session: bars, canvas and panels. It only assembles them. The
+/// room menus/ adds its commands (`addMenus`) and opens the other windows that it asks for.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
@@ -118,7 +118,6 @@ private:
     void follow(Dock& wide);
     void makeRoomForLine();
     void addBars();
-    void connectFields();
     void connectFiles();
     void showTitle();
     void rememberPanes();

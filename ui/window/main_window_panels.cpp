@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/settings/seal.h"
 #include "ui/docks/algorithm_panel.h"
+#include "ui/docks/cost_map_panel.h"
+#include "ui/docks/difference_panel.h"
 #include "ui/docks/dock.h"
+#include "ui/docks/exactness_panel.h"
 #include "ui/docks/layers_panel.h"
 #include "ui/docks/line_panel.h"
 #include "ui/docks/start_panel.h"
@@ -54,7 +57,13 @@ void MainWindow::addPanels()
                 docks_[3]->setName(title);
             });
     connect(algorithmPanel_, &AlgorithmPanel::aboutWanted, this, &MainWindow::explanationWanted);
-    connect(window, &WindowPanel::entered, canvas_, [this] { canvas_->setFocus(); });
+    const auto focusCanvas = [this] { canvas_->setFocus(); };
+    connect(window, &WindowPanel::entered, canvas_, focusCanvas);
+    connect(differencePanel_, &DifferencePanel::entered, canvas_, focusCanvas);
+    connect(costMapPanel_, &CostMapPanel::entered, canvas_, focusCanvas);
+    connect(exactnessPanel_, &ExactnessPanel::entered, canvas_, focusCanvas);
+    connect(window, &WindowPanel::refused, strip_, &MessageStrip::refuse);
+    connect(window, &WindowPanel::taken, strip_, &MessageStrip::withdrawRefusal);
     connect(window, &WindowPanel::resized, this, &MainWindow::fitStack, Qt::QueuedConnection);
     connectStart(*start);
     connect(line, &LinePanel::titled, this, &MainWindow::makeRoomForLine); // its size is known now
