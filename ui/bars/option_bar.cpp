@@ -193,11 +193,16 @@ void OptionBar::addPanes(Canvas& canvas)
     follow();
 }
 
-void OptionBar::addCommands(QAction& undo, QAction& redo, QAction& exportCut)
+void OptionBar::addSteps(QAction& undo, QAction& redo)
 {
-    for (QAction* action : {&undo, &redo, &exportCut})
-        showKeyInTip(*action);
+    showKeyInTip(undo);
+    showKeyInTip(redo);
     insertActions(actions().front(), {&undo, &redo});
+}
+
+void OptionBar::setExport(QAction& exportCut)
+{
+    showKeyInTip(exportCut);
     export_->setDefaultAction(&exportCut);
 }
 

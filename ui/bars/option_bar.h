@@ -23,8 +23,10 @@ class OptionBar : public QToolBar {
 public:
     OptionBar(app::Session& session, Canvas& canvas);
 
-    /// Adds the buttons of these commands: undo and redo at the left, export at the right.
-    void addCommands(QAction& undo, QAction& redo, QAction& exportCut);
+    /// Adds the buttons of these commands at the left.
+    void addSteps(QAction& undo, QAction& redo);
+    /// Gives this command the button at the right.
+    void setExport(QAction& exportCut);
 
 signals:
     void refused(const QString& sentence); ///< the typed stroke width is no length

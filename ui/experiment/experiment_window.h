@@ -73,8 +73,4 @@ private:
     Measuring measuring_;
 };
 
-// Until ui/window only asks for it: defined in ui/menus/other_windows.cpp.
-class MainWindow;
-void showExperiment(MainWindow& window);
-
 } // namespace ui

@@ -64,8 +64,4 @@ private:
     QToolButton *back_ = nullptr, *forward_ = nullptr;
 };
 
-// Until ui/window only asks for it: defined in ui/menus/other_windows.cpp.
-class MainWindow;
-void showExplanation(const clipping::Algorithm& algorithm, MainWindow& window);
-
 } // namespace ui

@@ -4,7 +4,6 @@
 #include "app/base/latin.h"
 #include "ui/look/look_icon.h"
 #include "ui/menus/other_windows.h"
-#include "ui/menus/requests.h"
 #include "ui/window/main_window.h"
 
 #include <QAction>
@@ -64,6 +63,8 @@ QAction* makeAction(MainWindow& window, OtherWindows& others, const ActionInfo& 
             action->setChecked(row.checked(window));
     };
     QObject::connect(&window, &MainWindow::actionsOutdated, action, refresh);
+    if (row.made)
+        row.made(window, *action);
     return action;
 }
 
@@ -107,7 +108,6 @@ void addMenus(MainWindow& window)
             addRow(window, *others, row, submenu ? *submenu : *menu, groups);
         }
     }
-    connectRequests(window);
     window.refreshActions();
 }
 

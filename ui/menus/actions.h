@@ -40,6 +40,8 @@ struct ActionInfo {
     QString submenu = {}; ///< the title of the submenu that holds the command; empty: none
     /// Fills the submenu that this row is, from another catalogue (algorithms, panels …).
     void (*fill)(MainWindow& window, QMenu& menu) = nullptr;
+    /// Puts the new action in a bar, too.
+    void (*made)(MainWindow& window, QAction& action) = nullptr;
 };
 
 /// One menu: its commands, below entries that are not rows (tools, Undo).

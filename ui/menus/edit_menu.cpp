@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/bars/option_bar.h"
 #include "ui/editing/editing.h"
 #include "ui/look/look_icon.h"
 #include "ui/menus/actions.h"
@@ -68,6 +69,7 @@ void addSteps(MainWindow& window, QMenu& menu)
     redo->setShortcuts(keys(QKeySequence::Redo, {QKeySequence("Ctrl+Y")}));
     menu.addActions({undo, redo});
     menu.addSeparator();
+    window.optionBar().addSteps(*undo, *redo);
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/bars/option_bar.h"
 #include "ui/files/files.h"
 #include "ui/look/look_icon.h"
 #include "ui/menus/actions.h"
@@ -86,6 +87,7 @@ MenuInfo fileMenu()
                     .run = [](MainWindow& w) { w.files().exportCut(); },
                     .enabled =
                         [](const MainWindow& w) { return w.session().scene.lines().size() > 0; },
+                    .made = [](MainWindow& w, QAction& action) { w.optionBar().setExport(action); },
                 },
                 {},
                 {

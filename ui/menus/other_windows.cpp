@@ -22,7 +22,12 @@ void bringToFront(QDialog& dialog)
 
 } // namespace
 
-OtherWindows::OtherWindows(MainWindow& window) : QObject(&window), window_(window) {}
+OtherWindows::OtherWindows(MainWindow& window) : QObject(&window), window_(window)
+{
+    connect(&window, &MainWindow::experimentWanted, this, &OtherWindows::showExperiment);
+    connect(&window, &MainWindow::explanationWanted, this, &OtherWindows::explain);
+    connect(&window, &MainWindow::stepsExportWanted, this, &OtherWindows::exportSteps);
+}
 
 void OtherWindows::showExperiment()
 {
@@ -79,14 +84,6 @@ void OtherWindows::exportSteps()
         connect(stepExports_, &StepExports::told, &window_, &MainWindow::tell);
     }
     stepExports_->ask();
-}
-
-// Until ui/window only asks for them.
-void showExperiment(MainWindow& window) { window.findChild<OtherWindows*>()->showExperiment(); }
-
-void showExplanation(const clipping::Algorithm& algorithm, MainWindow& window)
-{
-    window.findChild<OtherWindows*>()->explain(algorithm);
 }
 
 } // namespace ui

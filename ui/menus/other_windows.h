@@ -14,8 +14,8 @@ class JudgeWindow;
 class MainWindow;
 class StepExports;
 
-/// The windows beside the main window. Each is made when it is first shown, and is kept as long as
-/// the main window.
+/// The windows beside the main window, which asks for some of them by its signals. Each is made
+/// when it is first shown, and is kept as long as the main window.
 class OtherWindows : public QObject {
     Q_OBJECT
 

@@ -26,7 +26,7 @@ bool shows(const MainWindow& window)
 } // namespace
 
 /// What the parts of the window ask for, and rooms above it carry out.
-class RequestsTest : public QObject {
+class OtherWindowsTest : public QObject {
     Q_OBJECT
 
 private slots:
@@ -77,5 +77,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(RequestsTest)
-#include "requests_test.moc"
+QTEST_MAIN(OtherWindowsTest)
+#include "other_windows_test.moc"
