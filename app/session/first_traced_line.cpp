@@ -95,7 +95,7 @@ TracedLine firstTracedLine(const Session& session)
             .line = across(window),
             .window = window,
             .y = YAxis::Down,
-            .origin = tr("A line of its own")};
+            .origin = tr("Example line")};
 }
 
 } // namespace app
