@@ -54,7 +54,7 @@ private slots:
         QVERIFY(image.text("Title").contains("lowest median = 1"));
         QCOMPARE(image.pixelColor(0, 0), look_.paper);
     }
-    void othersSeeTheSameSvg()
+    void librsvgPaintsTheSameSvg()
     {
         const QImage ours(written("chart.png")),
             theirs =
@@ -76,7 +76,7 @@ private slots:
         QCOMPARE(texts["title"], sampleChart().title);
         QVERIFY(texts["desc"].contains("Cohen-Sutherland"));
     }
-    void othersReadThePdf()
+    void popplerReadsThePdf()
     {
         const QString path = written("chart.pdf");
         const Ended text = runProgram("pdftotext", {"-layout", path, "-"});

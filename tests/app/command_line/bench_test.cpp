@@ -132,7 +132,7 @@ private slots:
                  "published");
     }
 
-    void whatCannotBeWrittenIsSaidBeforeTheWork()
+    void unwritableOutputIsReportedBeforeTheWork()
     {
         const auto missing = clearcut({"bench", "-n", "4000000000", "--report", path("no/r.html")});
         QCOMPARE(missing.code, 1);

@@ -419,7 +419,7 @@ private slots:
                  kept);
     }
 
-    void whatCannotHideSaysThatHiddenShapesAreLeftOut()
+    void formatsThatCannotHideReportHiddenShapes()
     {
         const QByteArray drawing = "<svg xmlns='http://www.w3.org/2000/svg' width='10' height='10'>"
                                    "<path d='M1 5H9' stroke='red'/><path d='M1 6H9' stroke='red' "

@@ -35,7 +35,7 @@ private slots:
         QCOMPARE(run.out.count("only_b"), 1);
     }
 
-    void isZeroWhereTheyAgree()
+    void agreementExitsWith0()
     {
         const auto run = clearcut({"compare", file(), "-a", "md", "-b", "lb", "-w", "0,0,300,300"});
         QCOMPARE(run.code, 0);
@@ -91,7 +91,7 @@ private slots:
         QCOMPARE(quiet.err, "");
     }
 
-    void theSumIsDataToo()
+    void summaryIsDataToo()
     {
         const auto run = clearcut({"compare", file(), "-w", "0,0,300,300", "-a", "kwc:published",
                                    "--summary", "-f", "csv"});

@@ -48,7 +48,7 @@ private slots:
         QCOMPARE(table.count('\n'), 49);
     }
 
-    void whatMakesNoSense_data()
+    void wrongUsageIsRefused_data()
     {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QString>("says");
@@ -68,7 +68,7 @@ private slots:
         row("size", {"-a", "md", "--size", "0x5", "-o", "-"}, "whole numbers");
         row("measure", {"-a", "md", "--measure", "luck", "-o", "-"}, "operations or comparisons");
     }
-    void whatMakesNoSense()
+    void wrongUsageIsRefused()
     {
         QFETCH(QStringList, arguments);
         QFETCH(QString, says);
@@ -77,7 +77,7 @@ private slots:
         QVERIFY2(run.err.contains(says.toUtf8()), run.err.constData());
     }
 
-    void whereItCannotBeWritten()
+    void unwritableOutputIsReported()
     {
         const auto run = clearcut({"costmap", "-a", "md", "-o", "/nowhere/map.csv"});
         QCOMPARE(run.code, 1);

@@ -16,7 +16,7 @@ class JudgeCommandTest : public QObject {
     }
 
 private slots:
-    void whatPassesIsZero()
+    void passingLibraryExitsWith0()
     {
         const auto run = clearcut({"judge", sample("example")});
         QCOMPARE(run.err, "");
@@ -25,7 +25,7 @@ private slots:
         QVERIFY(run.out.contains("Race on the paper's scene"));
     }
 
-    void whatIsWrongIsThree()
+    void wrongLibraryExitsWith3()
     {
         const auto run = clearcut({"judge", sample("lost_corner"), "--no-race"});
         QCOMPARE(run.code, 3);
@@ -53,7 +53,7 @@ private slots:
                  3);
     }
 
-    void whatCannotBeLoadedIsOne()
+    void unloadableLibraryExitsWith1()
     {
         for (const char* name : {"not_a_plug_in", "of_tomorrow", "nobody", "crash_while_loading"}) {
             const auto run = clearcut({"judge", sample(name)});
@@ -79,7 +79,7 @@ private slots:
         QVERIFY(tables[2]["rows"][0]["got"].toString().contains("SIGSEGV"));
     }
 
-    void whatIsWrongInTheRaceIsThree()
+    void errorInTheRaceExitsWith3()
     {
         const auto run = clearcut({"judge", sample("race_cheat")});
         QCOMPARE(run.code, 3);
@@ -87,7 +87,7 @@ private slots:
                  run.out.constData());
     }
 
-    void sourceCodeIsOneAndSaysHow()
+    void sourceCodeExitsWith1AndTheCompilerCommand()
     {
         const auto run = clearcut({"judge", SOURCE_DIR "/resources/plug_in/example.c"});
         QCOMPARE(run.code, 1);

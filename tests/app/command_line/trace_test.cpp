@@ -155,7 +155,7 @@ private slots:
         QVERIFY2(huge.code == 0, huge.err);
     }
 
-    void aFolderThatIsNot()
+    void missingFolderIsReported()
     {
         const auto run = clearcut(QStringList(md_) << "-o" << folder_.filePath("none/a.pdf"));
         QCOMPARE(run.code, 1);

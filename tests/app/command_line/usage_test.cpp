@@ -122,7 +122,7 @@ private slots:
         QVERIFY2(run.out.simplified().contains(limit), run.out.constData());
     }
 
-    void whatIsACommand()
+    void commandsAndHelpMakeACommandLine()
     {
         QVERIFY(app::isCommandLine({"clip"}));
         QVERIFY(app::isCommandLine({"drawing.svg", "--help"}));
@@ -135,7 +135,7 @@ private slots:
     }
 
     // NOLINTNEXTLINE(readability-function-size): a table, a row for each wrong usage
-    void wrongUsageIsTwo_data()
+    void wrongUsageExitsWith2_data()
     {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QByteArray>("sentence");
@@ -217,7 +217,7 @@ private slots:
         row({"bench", "--report", "r.html", "--measure", "classes"}, "need clip, draw or total");
         row({"bench", "--against-paper"}, "--against-paper needs --paper");
     }
-    void wrongUsageIsTwo()
+    void wrongUsageExitsWith2()
     {
         QFETCH(QStringList, arguments);
         QFETCH(QByteArray, sentence);
@@ -232,7 +232,7 @@ private slots:
         QVERIFY(!QFile::exists(path("x.svg")));
     }
 
-    void badFilesAreOneSentenceAndOne_data()
+    void badFilesGetOneSentenceAndExitWith1_data()
     {
         QTest::addColumn<QString>("script");
         QTest::addColumn<QByteArray>("sentence");
@@ -269,7 +269,7 @@ private slots:
         row("huge picture", "$clearcut clip a.csv -o x.png --dpi 1e9",
             "Cannot write x.png: the picture would have ");
     }
-    void badFilesAreOneSentenceAndOne()
+    void badFilesGetOneSentenceAndExitWith1()
     {
         QFETCH(QString, script);
         QFETCH(QByteArray, sentence);
@@ -367,7 +367,7 @@ private slots:
         QCOMPARE(contentOf(path("out.svg")), "old");
     }
 
-    void memoryThatIsNotThereIsASentence()
+    void missingMemoryIsReported()
     {
         if (!memoryCanBeLimited)
             QSKIP("the sanitizer itself takes more memory than is left here");
@@ -376,7 +376,7 @@ private slots:
         QCOMPARE(run.err, "clearcut info: There is not enough memory for this.\n");
     }
 
-    void whatIsNeitherFileNorCommandIsSaid_data()
+    void unknownWordIsReported_data()
     {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QByteArray>("sentence");
@@ -399,7 +399,7 @@ private slots:
         row("file:///no/where.svg", "Cannot open /no/where.svg: there is no such file.", 1);
         row("no/where", "Cannot open no/where: there is no such file.", 1);
     }
-    void whatIsNeitherFileNorCommandIsSaid()
+    void unknownWordIsReported()
     {
         QFETCH(QStringList, arguments);
         QFETCH(QByteArray, sentence);

@@ -13,14 +13,14 @@ class AtTextTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void theWindowGoesWithoutSaying()
+    void clipWindowNeedsNoCaption()
     {
         QVERIFY(app::atText(app::ComparedWindow{{}, false}).isEmpty());
         QCOMPARE(app::atText(app::ComparedWindow{{}, true}),
                  "At the page: there is no clip window.");
     }
     /// What is computed follows, too.
-    void aHiddenWindowIsNone()
+    void hiddenWindowCountsAsNoWindow()
     {
         app::Session session;
         ::load(session.document, sheetAt({{10, 10}, {50, 50}}));

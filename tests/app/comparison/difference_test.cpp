@@ -132,7 +132,7 @@ private slots:
         QCOMPARE(app::counted(inOrder).endsApart, inOrder.size());
     }
 
-    void asManyUlpsAsAllowed()
+    void endsWithinTheAllowedUlpsAgree()
     {
         const std::vector<Segment> lines{{{0, 0}, {8, 0}}};
         const Window window{{-1, -1}, {1, 1}};
@@ -184,7 +184,7 @@ private slots:
                  "A and B are the same: choose two different ones");
     }
 
-    void everySentence()
+    void sentencesNameEveryKindOfDifference()
     {
         const Variant md = corrected("md"), lb = corrected("lb");
         QCOMPARE(app::sentence(md, lb, {1, 1, 1}, 9),

@@ -53,7 +53,7 @@ class LiveDifferencesTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void nobodyLooks()
+    void nothingIsComputedWithoutAWatcher()
     {
         app::Session session;
         ::load(session.document, sheetOf(1000));
@@ -169,7 +169,7 @@ private slots:
     }
 
     /// When the gesture rests, and once: the command that it becomes finds nothing new.
-    void manyLinesFollowAGestureThatRests()
+    void manyLinesAreComparedWhenAGestureRests()
     {
         app::Session session;
         ::load(session.document, sheetOf(LiveDifferences::mostAtOnce + 1));
@@ -203,7 +203,7 @@ private slots:
         QVERIFY(!session.differences.upToDate());
     }
 
-    void onlyWhenAskedSomethingElse()
+    void sameQuestionIsNotComputedAgain()
     {
         app::Session session;
         ::load(session.document, sheetOf(500));
@@ -224,7 +224,7 @@ private slots:
         QVERIFY(stricter.allowed() >= 24);
     }
 
-    void whereToLook()
+    void placeShowsTheDifferingPart()
     {
         const Segment line{{0, 0}, {0.5, 300}};
         const Window window{{0, 100}, {400, 200}};

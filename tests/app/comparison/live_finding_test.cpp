@@ -84,7 +84,7 @@ class LiveFindingTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void nobodyAsks()
+    void nothingIsComputedWithoutAQuestion()
     {
         Stage stage(5);
         stage.count.setWindow(second);
@@ -184,7 +184,7 @@ private slots:
         QCOMPARE(stage.changed.size(), told + 1);
     }
 
-    void anotherDrawingForgets()
+    void anotherDrawingClearsTheResults()
     {
         Stage stage(few);
         stage.ask();
@@ -196,13 +196,13 @@ private slots:
         QTRY_COMPARE(stage.count.found, std::size_t(3));
     }
 
-    void aGestureThatIsDroppedCostsNothing_data()
+    void droppedGestureNeedsNoComputation_data()
     {
         QTest::addColumn<std::size_t>("lines");
         QTest::addRow("few") << few;
         QTest::addRow("many") << few + 1;
     }
-    void aGestureThatIsDroppedCostsNothing()
+    void droppedGestureNeedsNoComputation()
     {
         QFETCH(std::size_t, lines);
         Stage stage(lines);
@@ -225,7 +225,7 @@ private slots:
     }
 
     /// Of which nothing is kept.
-    void aChangeInTheMiddleBeginsAnew()
+    void changeDuringComputationRestartsIt()
     {
         Stage stage(40);
         stage.count.milliseconds = 3;

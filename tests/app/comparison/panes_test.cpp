@@ -61,7 +61,7 @@ class PanesTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void whatIsChosenStaysChosen()
+    void chosenPanesStayChosen()
     {
         Panes panes(row("lb"));
         QCOMPARE(words(panes), "[LB]");
@@ -78,7 +78,7 @@ private slots:
         panes.show(2);
         QCOMPARE(words(panes), "[EX] KWC'");
     }
-    void aChoiceThatIsShownChangesPlaces()
+    void choosingAShownAlgorithmSwapsPanes()
     {
         Panes panes(row("exact"));
         panes.show(4);
@@ -122,7 +122,7 @@ private slots:
         panes.close(0);
         QCOMPARE(words(panes), "[KWC']");
     }
-    void fewOfAllAreNoLongerAll()
+    void closingOneOfAllPanesEndsAll()
     {
         Panes panes(app::exactVariant());
         panes.showAll();
@@ -143,7 +143,7 @@ private slots:
         panes.activate(1);
         QCOMPARE(panes.shown(2), (std::vector<std::size_t>{0, 1}));
     }
-    void areRemembered()
+    void panesAreRemembered()
     {
         Panes panes(row("exact"));
         panes.show(4);
@@ -205,7 +205,7 @@ private slots:
             QVERIFY(Panes::fromText(panes.text(), panes.chosen()));
         }
     }
-    void standInAGridOfEqualCells()
+    void panesFormAGridOfEqualCells()
     {
         for (const int count : {1, 2, 3, 4, 11, 12})
             for (int width = 600; width < 640; ++width) {
@@ -230,7 +230,7 @@ private slots:
         QCOMPARE(high[0].left(), high[1].left());
         QCOMPARE(app::paneCells({900, 680}, 4, usual)[3].topLeft(), QPoint(451, 341));
     }
-    void becomeFewerWhereThereIsNoRoom()
+    void panesBecomeFewerWithoutRoom()
     {
         QCOMPARE(app::panesWithRoom({900, 680}, 12, usual), 12);
         QCOMPARE(app::panesWithRoom({900, 680}, 4, usual), 4);

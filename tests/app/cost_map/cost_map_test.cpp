@@ -132,7 +132,7 @@ private slots:
             float(costOf(*plan.shown, *plan.measure, plan.lineTo(plan.middleOf(0, 0)), window)));
     }
 
-    void timesAreTimes()
+    void timesAreNanoseconds()
     {
         CostPlan plan = planOf({findAlgorithm("CS")}, *findCostMeasure("time"));
         plan.columns = plan.rows = 3;
@@ -146,7 +146,7 @@ private slots:
         }
     }
 
-    void wordsSayWhatACellIs()
+    void captionsDescribeACell()
     {
         const CostPlan plan = planOf({findAlgorithm("MD")}, costMeasures().front());
         QCOMPARE(costWords(plan, {-200, 100}), "2 operations here; cheapest: NLN = MD = exact 2");
@@ -190,7 +190,7 @@ private slots:
         QCOMPARE(legend.shareOf(legend.range.high), 1.0);
     }
 
-    void moreIsAlwaysFartherFromTheGround()
+    void higherCostContrastsMoreWithTheBackground()
     {
         for (const Ground ground : {Ground::Light, Ground::Dark})
             for (int i = 0; i < 100; ++i) {

@@ -230,7 +230,7 @@ private slots:
         QCOMPARE(errorOf(misprint, Yardstick::Own), 0.5 / 0x1p-53);
     }
 
-    void outsideIsSeenHoweverLittle()
+    void endsOutsideByUlpsAreFound()
     {
         std::size_t outside = 0;
         const auto lines = paperLines(20'000);

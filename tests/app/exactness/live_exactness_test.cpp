@@ -47,7 +47,7 @@ class LiveExactnessTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void nobodyLooks()
+    void nothingIsComputedWithoutAWatcher()
     {
         app::Session session;
         ::load(session.document, sheetOf(500));
@@ -106,7 +106,7 @@ private slots:
     }
 
     /// The lines are not judged again.
-    void anotherYardstickMeasuresTheSame()
+    void bothYardsticksMeasureTheSameResults()
     {
         app::Session session;
         ::load(session.document, sheetOf(1'000));

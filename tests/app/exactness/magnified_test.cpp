@@ -101,7 +101,7 @@ private slots:
         QVERIFY2(same > all * 0.97, qPrintable(QString("%1 of %2").arg(same).arg(all)));
     }
 
-    void zoomKeepsThePointUnderTheHand()
+    void zoomKeepsThePointUnderThePointer()
     {
         const auto seen = magnified(variant("md"), slanted, paper, 1);
         const MagnifierView view = usualView(*seen, {400, 300});

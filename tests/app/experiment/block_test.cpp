@@ -62,7 +62,7 @@ private slots:
         }
     }
 
-    void threadsFindWhatOneFinds()
+    void severalThreadsFindTheSameLinesAsOne()
     {
         if (app::mostThreads() == 1)
             QSKIP("one core, or no oneTBB: nothing to share out");

@@ -77,7 +77,7 @@ private slots:
         }
     }
 
-    void whoAgreesHasOneChecksumAndLostLinesAreCounted()
+    void equalResultsHaveEqualChecksumsAndLostLinesAreCounted()
     {
         app::ExperimentOptions options;
         options.lines = 100'000;
@@ -174,7 +174,7 @@ private slots:
         QVERIFY(all.front().secondsLeft > 0 && all.front().secondsLeft < 60);
     }
 
-    void whoStopsItGetsNothing()
+    void stoppedExperimentsHaveNoResult()
     {
         app::ExperimentOptions options;
         options.lines = 1000;

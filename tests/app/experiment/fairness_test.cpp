@@ -146,7 +146,7 @@ private slots:
 #endif
     }
 
-    void nobodyIsAlwaysFirst()
+    void noAlgorithmIsAlwaysFirst()
     {
         static std::vector<int> order;
         const auto remember = []<int who>(std::integral_constant<int, who>) {

@@ -15,7 +15,7 @@ class OpenGlTargetGlTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void itIsTheBestWhereThereIsADisplay()
+    void openGlIsChosenWhereThereIsADisplay()
     {
         const auto maker = app::openGlTarget();
         QVERIFY(maker);

@@ -165,7 +165,7 @@ private slots:
         QVERIFY(app::paperLayout(paper).notes.join(' ').contains("that is an assumption"));
     }
 
-    void whatIsNotTheSameWorkIsToldSo()
+    void differentWorkIsReported()
     {
         const auto paper = app::paperTables()[0];
         const auto clip = app::measures().front(), total = app::measures().back();

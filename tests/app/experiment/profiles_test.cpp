@@ -232,7 +232,7 @@ private slots:
         }
     }
 
-    void whoTurnsLinesRoundOrLosesNumbersIsOff()
+    void reversedOrNonFiniteResultsCountAsErrors()
     {
         auto odd = clipping::exactAlgorithm();
         odd.corrected.clipAll = [](std::span<const Segment> in, const clipping::Window& window,
@@ -275,7 +275,7 @@ private slots:
         QCOMPARE(table.names[3], "lost");
     }
 
-    void looksForLinesNoLongerThanItIsLet()
+    void searchForLinesStopsAtItsLimit()
     {
         std::stop_source source;
         std::size_t made = 0;
@@ -295,7 +295,7 @@ private slots:
         QCOMPARE(made, 50'000u);
     }
 
-    void whatIsStoppedGivesNothing()
+    void stoppedProfilesHaveNoResult()
     {
         std::stop_source source;
         source.request_stop();

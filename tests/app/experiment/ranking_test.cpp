@@ -84,7 +84,7 @@ private slots:
     }
 
     /// The rule before, of overlapping intervals, called those equal.
-    void whatDiffersInEveryRoundDiffers()
+    void aDifferenceInEveryRoundIsSignificant()
     {
         const auto runs = inRounds({30, 31.5}, 10, 0, 1);
         const auto a = app::summaryOf(runs[0]).confidence, b = app::summaryOf(runs[1]).confidence;
@@ -140,7 +140,7 @@ private slots:
             QCOMPARE(ranking.ranks[i], std::optional(int(i) + 1));
     }
 
-    void oneAloneIsTheFirst()
+    void aSingleAlgorithmRanksFirst()
     {
         const Ranking ranking = app::rankingOf(Runs{{3}});
         QVERIFY(ranking.told);
@@ -149,7 +149,7 @@ private slots:
         QVERIFY(app::rankingNotes(ranking).isEmpty());
     }
 
-    void noTimeAtAllIsEqual() // of drawing, where nothing is visible
+    void zeroTimesAreEqual() // of drawing, where nothing is visible
     {
         const Ranking ranking = app::rankingOf(Runs(3, std::vector<double>(10, 0.0)));
         QCOMPARE(ranking.groups.size(), 1u);

@@ -134,7 +134,7 @@ private slots:
         QVERIFY(study->trials[0].record.target.startsWith("raster"));
     }
 
-    void whatDrewIsAskedForItsNameOnce()
+    void drawTargetIsAskedForItsNameOnce()
     {
         app::ExperimentOptions options;
         options.lines = 100;
@@ -157,7 +157,7 @@ private slots:
         QCOMPARE(plan.value->measures[0].key, "clip");
     }
 
-    void whatCannotBeMeasuredIsSaid()
+    void impossibleChoicesAreRefusedWithASentence()
     {
         app::Choice choice = few("paper");
         choice.algorithms = {};
@@ -223,7 +223,7 @@ private slots:
                 QString("and %1 others.").arg(choice.algorithms.size() - 3)));
     }
 
-    void whatIsSlowIsExpectedToBe()
+    void slowAlgorithmsGetLongerEstimates()
     {
         app::Choice choice = few("crossing");
         choice.lines = 1'000'000;
@@ -391,7 +391,7 @@ private slots:
                  qPrintable(told));
     }
 
-    void aTurnedRankingIsTold()
+    void reversedRankingIsReported()
     {
         const auto paper = app::paperTables()[1];
         auto times = likeThePaper(paper);
@@ -408,7 +408,7 @@ private slots:
         QCOMPARE(told.count("ranking does not hold"), 2); // clipping only, and the total
     }
 
-    void aWinnerThatLosesLinesIsNoHero()
+    void fastestThatLosesLinesIsReported()
     {
         const auto paper = app::paperTables()[0];
         auto trial = invented(paper, {30, 30, 30, 30, 30, 10, 30});
@@ -418,7 +418,7 @@ private slots:
                  qPrintable(told));
     }
 
-    void whatDoesNotDifferHasNoWinner()
+    void equalTimesHaveNoFastest()
     {
         const auto paper = app::paperTables()[0];
         auto trial = invented(paper, {30, 10, 30, 30, 30, 30, 10.05});
@@ -497,7 +497,7 @@ private slots:
         QVERIFY2(told[2].startsWith("All algorithms find the same lines"), qPrintable(told[2]));
     }
 
-    void whoLosesLinesIsNamed()
+    void algorithmsThatLoseLinesAreNamed()
     {
         app::Choice choice = few("paper");
         choice.lines = 20'000;

@@ -68,7 +68,7 @@ class TestSceneTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void everyRowIsItsOwn()
+    void scenesHaveKeysNamesAndMeanings()
     {
         QSet<QString> keys;
         for (const app::TestScene& scene : app::testScenes()) {

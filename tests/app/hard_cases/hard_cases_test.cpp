@@ -104,8 +104,8 @@ private slots:
         QVERIFY(!findHardCase(QStringLiteral("no such case")));
     }
 
-    void everyCase_data() { eachCase(); }
-    void everyCase()
+    void everyCaseAgreesWithTheOracle_data() { eachCase(); }
+    void everyCaseAgreesWithTheOracle()
     {
         QFETCH(int, index);
         const HardCase& hard = hardCases()[std::size_t(index)];
@@ -154,7 +154,7 @@ private slots:
     }
 
     // the gallery is worth a visit: all of these fail somewhere, in every way that there is.
-    void everybodyFailsSomewhere()
+    void everyPublishedFormWithAFaultFailsInSomeCase()
     {
         QSet<QString> failing, ways;
         for (const HardCase& hard : hardCases())
@@ -208,7 +208,7 @@ private slots:
         QVERIFY2(read.error.contains(says), qPrintable(read.error));
     }
 
-    void saysWhatCameOut()
+    void wordsDescribeEachRuling()
     {
         const HardCase& md = *findHardCase(QStringLiteral("far-outside"));
         const CaseAnswer far = answerOf(md, *findVariant(QStringLiteral("MD:published")));

@@ -67,7 +67,7 @@ private slots:
     }
 
     /// The warden waits for what has ended, so that it must not be overlooked.
-    void whatHasEndedIsStillFound()
+    void endedChildrenAreStillFound()
     {
         const Waiting child(1);
         QCOMPARE(::kill(child.started.front(), SIGKILL), 0);

@@ -83,7 +83,7 @@ private slots:
                  qPrintable(sentence(verdict)));
     }
 
-    void wrongOnesAreCaughtForTheRightReason_data()
+    void wrongLibrariesGetTheRightVerdict_data()
     {
         QTest::addColumn<Fault>("fault");
         QTest::addColumn<QString>("category"); // of the first finding
@@ -104,7 +104,7 @@ private slots:
         QTest::newRow("fickle") << Fault::Changed << "again";
         QTest::newRow("finite_only") << Fault::Nonsense << "nonsense";
     }
-    void wrongOnesAreCaughtForTheRightReason()
+    void wrongLibrariesGetTheRightVerdict()
     {
         QFETCH(Fault, fault);
         QFETCH(QString, category);
@@ -200,7 +200,7 @@ private slots:
         QCOMPARE(verdict.categories.back().wrong, 0u);
     }
 
-    void whatCannotBeUsedSaysWhy_data()
+    void unusableLibrariesHaveAReason_data()
     {
         QTest::addColumn<Unusable>("why");
         QTest::addColumn<QString>("words");
@@ -209,7 +209,7 @@ private slots:
         QTest::newRow("of_tomorrow") << Unusable::OtherVersion << "made for version 2";
         QTest::newRow("crash_while_loading") << Unusable::Broken << "SIGABRT";
     }
-    void whatCannotBeUsedSaysWhy()
+    void unusableLibrariesHaveAReason()
     {
         QFETCH(Unusable, why);
         QFETCH(QString, words);
@@ -219,7 +219,7 @@ private slots:
         QVERIFY(!verdict.passed());
     }
 
-    void whatIsNoLibraryIsNotLoadable()
+    void otherFilesAreNotLoadable()
     {
         QTemporaryDir folder;
         auto which = caseOf("any");
@@ -232,7 +232,7 @@ private slots:
         QVERIFY2(verdict.more.contains("invalid ELF header"), qPrintable(verdict.more));
     }
 
-    void whatIsNotCompiledSaysHow_data()
+    void sourceFilesGetTheCompilerCommand_data()
     {
         QTest::addColumn<QString>("name");
         QTest::newRow("C") << "mine.c";
@@ -242,7 +242,7 @@ private slots:
         QTest::newRow("object file") << "mine.o";
     }
     /// And the command line that is told makes a library that passes.
-    void whatIsNotCompiledSaysHow()
+    void sourceFilesGetTheCompilerCommand()
     {
         QFETCH(QString, name);
         QTemporaryDir folder;
@@ -296,7 +296,7 @@ private slots:
         }
     }
 
-    void whatTakesTooLongIsNotCalledWrong()
+    void slowLibrariesAreNotCalledWrong()
     {
         auto which = caseOf("example");
         which.seconds = 0;
@@ -307,7 +307,7 @@ private slots:
     }
 
     /// Also of one that sleeps, and so takes no processor time.
-    void aSlowOneIsToldWhatWasTested()
+    void slowLibrariesLearnWhatWasTested()
     {
         auto which = caseOf("sleepy");
         which.seconds = 1;
@@ -373,14 +373,14 @@ private slots:
                          : 0);
     }
 
-    void whatIsWrongInTheRaceIsWrong_data()
+    void errorsInTheRaceCount_data()
     {
         QTest::addColumn<Fault>("fault");
         QTest::newRow("race_cheat") << Fault::Lost;
         QTest::newRow("race_later") << Fault::Lost; // and changed, where it was right at first
         QTest::newRow("race_crash") << Fault::Crashed;
     }
-    void whatIsWrongInTheRaceIsWrong()
+    void errorsInTheRaceCount()
     {
         QFETCH(Fault, fault);
         auto which = caseOf(QTest::currentDataTag());
@@ -406,7 +406,7 @@ private slots:
     }
 
     /// Nothing is known of lines that it sleeps on, so that it does not pass.
-    void whoSleepsInTheRaceDoesNotPass()
+    void sleepingInTheRaceDoesNotPass()
     {
         auto which = caseOf("race_sleep");
         QVERIFY(verdictOn(which).passed()); // when asked
@@ -601,7 +601,7 @@ private slots:
         QVERIFY(!writeExample("/nowhere/at/all", Existing::Keep).value);
     }
 
-    void whatWasFilledInIsKept()
+    void changedSkeletonsAreKept()
     {
         QTemporaryDir folder;
         QVERIFY(writeExample(folder.path(), Existing::Keep).value);

@@ -304,7 +304,7 @@ private slots:
         QVERIFY(!asked(crossing, {"region", "3"}));
         QVERIFY(!asked(crossing, {"nonsense"}));
     }
-    void whatIsWrongIsSaidWithItsLine()
+    void errorsNameTheirLine()
     {
         const auto error = [](const char* text) {
             return app::readLesson(QStringLiteral("x"), QString::fromUtf8(text)).error;

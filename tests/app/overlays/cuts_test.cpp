@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is seen of an algorithm without an overlay of its own is what its trace tells.
+// An algorithm without its own overlay gets one from its trace.
 #include "app/overlays/family.h"
 #include "app/teaching/teaching.h"
 
@@ -25,7 +25,7 @@ Overlay of(const Variant& variant, const Window& w, const Segment& line)
     return app::traceOverlay(seeing);
 }
 
-/// What is said of it if its steps name no edge.
+/// The caption of an algorithm whose steps name no edge.
 QString captionWithoutEdges(const Variant& variant, const Window& w, const Segment& line)
 {
     app::Seeing seeing{{variant, w, line, {}, everything}};
@@ -95,7 +95,7 @@ private slots:
             QVERIFY2(whole.endsWith("cuts nothing: the whole line is visible."), qPrintable(whole));
         }
     }
-    void theCaptionSaysWhatBecomesOfTheLine()
+    void captionStatesTheOutcome()
     {
         const Variant md{clipping::findAlgorithm("MD")};
         const Window w{{0, 0}, {4, 3}};

@@ -46,7 +46,7 @@ private slots:
         }
     }
 
-    void whatIsAvoidedIsHiddenOnlyWhereThereIsNoOtherPlace()
+    void avoidedPlacesAreUsedLast()
     {
         const QRectF letter(100, 100, 10, 10);
         const std::vector<QRectF> over{{95, 95, 40, 20}}, both{over[0], {200, 100, 40, 20}};

@@ -76,7 +76,7 @@ class RegionsTest : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Whether it has an overlay of its own or not: what is seen says something of any line.
+    /// Every algorithm has an overlay with a caption for any line, its own or the general one.
     void everyAlgorithmHasItsOverlay()
     {
         const Window w{{-4, -3}, {4, 3}};

@@ -150,7 +150,7 @@ private slots:
                 QCOMPARE(row.differences.all(), std::size_t(0));
         }
     }
-    void whoBeginsChangesFromRoundToRound()
+    void firstAlgorithmChangesFromRoundToRound()
     {
         ThreeRows t;
         const auto scene = sceneLinesOf(scattered(100));
@@ -174,7 +174,7 @@ private slots:
         const double median = t.race.rows()[0].summary().median;
         QVERIFY(std::abs(median - 0.05) < 0.005); // ms: 1000 lines at 50 ns
     }
-    void withoutLinesThereAreRoundsToo()
+    void roundsRunWithoutLinesToo()
     {
         ThreeRows t;
         for (int i = 0; i < 3; ++i)
@@ -239,7 +239,7 @@ private slots:
         QCOMPARE(app::shortTimeText(0.0004), "0.40 µs");
         QCOMPARE(app::shortTimeText(0), "0.00 µs");
     }
-    void whatDoesNotDifferIsNamed()
+    void algorithmsWithoutADifferenceAreNamed()
     {
         const auto row = [](const char* name, Form form, double ms) {
             return app::RaceRow{.variant = {findAlgorithm(name), form},
@@ -276,7 +276,7 @@ private slots:
         if (memoryCanBeLimited)
             QVERIFY2(bytes < sizeof(Clipped) + 4, qPrintable(QString::number(bytes)));
     }
-    void whatIsDroppedLeavesNothing()
+    void droppedRacesLeaveNoResult()
     {
         ThreeRows t;
         const auto scene = sceneLinesOf(scattered(100));

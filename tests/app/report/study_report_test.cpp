@@ -79,7 +79,7 @@ private slots:
         QCOMPARE(std::size_t(charts.size()), app::chartsOf(study).size());
     }
 
-    void whatIsTrueOfAllIsSaidOnce()
+    void sharedFactsAreStatedOnce()
     {
         const auto report = app::reportOf(studyOf({"-n", "1000", "-r", "2", "-a", "cs,md"}));
         for (const app::ReportSection& section : report.sections)

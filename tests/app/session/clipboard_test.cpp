@@ -10,7 +10,7 @@ class ClipboardTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void whatIsCopiedIsPastedBitForBit()
+    void pasteReturnsTheCopyBitForBit()
     {
         app::DocumentBuilder builder;
         builder.open({.name = "one"});
@@ -43,7 +43,7 @@ private slots:
         QVERIFY(glm::distance(objects[0].singleLine()->a, {10, 20}) < 1e-9);
         QVERIFY(std::abs(objects[0].style().width - 5) < 1e-9);
     }
-    void anythingElseIsNothing()
+    void otherClipboardContentsAreIgnored()
     {
         QMimeData data;
         data.setText("hello <svg but not really");

@@ -66,7 +66,7 @@ private slots:
         drawn.look();
         QCOMPARE(session.microscope.tracedLine().line, across);
     }
-    void ofTheNineRegionsItIsNoLineOfTheGrid()
+    void sampleWithNineRegionsDoesNotTraceAGridLine()
     {
         const auto read =
             app::readFile(QStringLiteral(SOURCE_DIR "/resources/samples/nine-regions.svg"));
@@ -188,7 +188,7 @@ private slots:
         drawn.go(1);
         QCOMPARE(drawn.line(), std::size_t(0));
     }
-    void whoOpensItAtTheInspectedLineIsFollowed()
+    void inspectedLineFollowsIntoTheMicroscope()
     {
         app::Session session;
         app::DrawnLine drawn(session);

@@ -74,7 +74,7 @@ private slots:
         const QString first = stepTexts(line).front();
         QVERIFY2(first.contains("code[1] = 0101, code[2] = 0010"), qPrintable(first));
     }
-    void whatIsLeftAndWhatItCosts()
+    void remainingPartAndCost()
     {
         app::Session session;
         session.load({app::documentOf(sheetOf({{{-10, 5}, {10, 5}}})), {}});
@@ -162,7 +162,7 @@ private slots:
             QVERIFY2(!turned.contains(name), qPrintable(turned));
         QVERIFY2(turned.contains("dx = 75"), qPrintable(turned));
     }
-    void whatIsRejectedLeavesNothing()
+    void rejectedLinesLeaveNothing()
     {
         for (const auto& algorithm : clipping::algorithms()) {
             const auto line = inspected(algorithm.key.data(), {{-8, 5}, {5, 18.5}});
@@ -172,7 +172,7 @@ private slots:
         }
     }
     /// A line that differs is explained by who errs on it, as long as somebody looks.
-    void whatDiffersIsExplainedByA()
+    void differencesAreExplainedByA()
     {
         app::Session session;
         session.load({app::documentOf(sheetOf({{{1, 1}, {2, 2}}, {{5, 4}, {5.05, 9}}})), {}});

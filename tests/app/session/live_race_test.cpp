@@ -84,7 +84,7 @@ class LiveRaceTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void nobodyRunsUnlessSomebodyLooks()
+    void racesRunOnlyWhileTheyAreWatched()
     {
         Track t(2000);
         t.show(moved(1));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A line of pseudo-code is taken apart as people read it.
+// The parts of a line of pseudo-code: condition, assignments, calls.
 #include "app/teaching/code_line.h"
 
 #include <QTest>

@@ -141,7 +141,7 @@ class FigureTest : public QObject {
     std::mt19937_64 random_{8};
 
 private slots:
-    void whatIsClippedAtThePageIsCalledPage()
+    void windowOfADrawingWithoutOneIsLabelledPage()
     {
         const TracedLine s = tracedLine("exact", {{-150, -20}, {150, 30}});
         const Narration narration = narrationOf(s);
@@ -303,7 +303,7 @@ private slots:
         QVERIFY2(placed >= wanted, QByteArray::number(double(placed) / double(wanted)));
     }
 
-    void keepsClearOfWhatIsReserved()
+    void labelsKeepClearOfReservedPlaces()
     {
         for (int i = 0; i < 300; ++i) {
             const TracedLine s = anyTracedLine(exactVariant());
@@ -419,7 +419,7 @@ private slots:
             }
     }
 
-    void whoTellsNoStepHasNoFigure()
+    void tracesWithoutStepsHaveNoFigure()
     {
         clipping::Algorithm silent = clipping::exactAlgorithm();
         silent.corrected.trace = [](const clipping::Segment&, const clipping::Window&) {

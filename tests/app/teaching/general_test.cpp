@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is said of an algorithm that has no sentences of its own: the highlighted line of its
-// pseudo-code with the numbers of its variables, worked out by hand.
+// The sentences of an algorithm without its own: the highlighted line of its pseudo-code with the
+// values of its variables, computed by hand.
 #include "app/teaching/sentences/code_values.h"
 #include "app/teaching/teaching.h"
 
@@ -92,7 +92,7 @@ private slots:
         QVERIFY2(all.filter("is codeOut & TOP != 0000? 1000 & TOP != 0000: yes.").size() == 1,
                  qPrintable(all.join('\n')));
     }
-    /// What a variable was stands in the formula that changes it.
+    /// A formula that changes a variable shows the value before.
     void valuesAreThoseBefore()
     {
         // The line turned round: dy = 160, the window is 200 wide, and e was 160 * 60 - 230 * 105.
@@ -101,7 +101,7 @@ private slots:
                               "17450, c = c + 1 = 3 + 1 = 4."),
                  qPrintable(all.join('\n')));
     }
-    /// The window and the line of a plane that the algorithm has turned are those that it tells.
+    /// In a plane that the algorithm has turned, window and line have their values in that plane.
     void aTurnedPlaneHasItsOwnWindow()
     {
         // Turned by three quarters: (x, y) becomes (-y, x).
@@ -125,7 +125,7 @@ private slots:
         QCOMPARE(app::filledIn("x[k] - x[i] < X[k] + y[n] * xi", values),
                  "7 − 5 < 9 + y[n] * (−160)");
     }
-    /// Two numbers that differ in a late place are told in all their places.
+    /// Two numbers that differ only in a late digit are shown with all digits.
     void digitsTellNumbersApart()
     {
         const double x = std::nextafter(-100.0, -200.0);

@@ -35,7 +35,7 @@ private slots:
         QFETCH(const QString, text);
         QCOMPARE(app::lineFrom(text), (clipping::Segment{{-160, -30.5}, {70, 130}}));
     }
-    void otherTextIsNone()
+    void otherTextIsNotALine()
     {
         for (const char* text :
              {"", "1, 2", "1, 2 -> 3", "1, 2 -> 3, 4, 5", "a, 2 -> 3, 4", "1 2 3 4 x",
@@ -43,7 +43,7 @@ private slots:
               "1 2 3 4 to", "1,2 to to 3,4", ",1,2,3,4"})
             QVERIFY2(!app::lineFrom(QString::fromUtf8(text)), text);
     }
-    void whatIsNoNumberIsReadAsSuch()
+    void nonFiniteNumbersAreRead()
     {
         const auto line = app::lineFrom("nan, 0 -> inf, 1");
         QVERIFY(line && std::isnan(line->a.x) && std::isinf(line->b.x));

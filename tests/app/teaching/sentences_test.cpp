@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is said of the steps of an algorithm: every step in its own words, on a line that fits.
+// The sentences of the steps: every step has its own, next to the right line of pseudo-code.
 #include "app/teaching/page.h"
 #include "app/teaching/teaching.h"
 
@@ -20,7 +20,7 @@ using clipping::Edge;
 constexpr clipping::Window window{{-100, -75}, {100, 75}};
 constexpr clipping::Segment across{{-160, -30}, {70, 130}};
 
-/// Lines of all kinds: anywhere, on the edges' lines, points, along the axes.
+/// Lines of all kinds: random, with ends on the edges' lines, points, parallel to an axis.
 std::vector<clipping::Segment> lines(int count)
 {
     std::mt19937_64 random(11);
@@ -88,7 +88,7 @@ QByteArray told(const app::SentenceContext& context, const QString& sentence)
         .toUtf8();
 }
 
-/// What is wrong with a sentence in itself; empty: nothing.
+/// The formal fault of a sentence; empty if it has none.
 QString fault(const QString& sentence)
 {
     static const QRegularExpression placeholder(QStringLiteral("%\\d"));
@@ -139,8 +139,8 @@ private slots:
         }
     }
 
-    /// By the row's own words where it has some, which are for every step.
-    void everyStepIsSaid()
+    /// An algorithm with its own sentences has one for every step.
+    void everyStepHasASentence()
     {
         for (const app::Variant& variant : toldVariants())
             for (const auto& line : lines(300))
@@ -158,10 +158,11 @@ private slots:
                 }
     }
 
-    /// The words for an algorithm without a row are sentences, too, whatever it does. Steps at
-    /// different lines of the pseudo-code are said in different words, unless the lines are alike.
-    /// A row that has its own words does not say the same; but all accept in the same words.
-    void theGeneralWordsSpeak()
+    /// The general sentences, for an algorithm without its own, are well-formed for every step.
+    /// Steps at different lines of the pseudo-code have different sentences, unless the lines are
+    /// alike. An algorithm's own sentences differ from the general ones, except for the one that
+    /// accepts.
+    void generalSentencesAreSentences()
     {
         for (const app::Variant& variant : toldVariants()) {
             const QStringList code = app::codeOf(variant);
@@ -191,7 +192,7 @@ private slots:
     }
 
     /// Numbers of any size, windows without area, lines that only touch.
-    void hardCasesAreSaidInWords()
+    void hardCasesHaveSentences()
     {
         for (const app::Variant& variant : toldVariants())
             for (const Family& family : families()) {
@@ -214,8 +215,8 @@ private slots:
             }
     }
 
-    /// With y down the same numbers lie elsewhere on the screen.
-    void edgesAreSaidAsTheyAreSeen()
+    /// With y down, the screen's top edge is ymin.
+    void edgesAreNamedAsSeenOnTheScreen()
     {
         static const QRegularExpression vertical(
             QStringLiteral("\\b(top|bottom|above|below|up|down)\\b"));
@@ -241,7 +242,7 @@ private slots:
         QVERIFY(different > 100);
     }
 
-    /// The line of the pseudo-code that is highlighted says what is done.
+    /// The highlighted line of the pseudo-code does what the step's mark shows.
     void linesFitTheMarks()
     {
         static const QRegularExpression assigns(QStringLiteral("=|move|exchange"));
@@ -277,9 +278,7 @@ private slots:
                     QVERIFY2(c.unicode() >= 32 && c.unicode() < 127, code.toUtf8());
     }
 
-    /// By hand: the slope is 160/230, and from x = -160 to the left edge it is 60. The picture that
-    /// the microscope was drawn after has 13 steps; it leaves out that y[1] and x[2] are tested
-    /// against both edges of their axis.
+    /// Computed by hand: the slope is 160/230, and the left edge is 60 to the right of x = -160.
     void matthesDrakopoulos()
     {
         compareLists(

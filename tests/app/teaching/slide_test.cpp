@@ -17,7 +17,7 @@ struct PaintedText {
     double size; ///< of its font, in pixels of a slide
 };
 
-/// What is written on the slides of a trace, as an independent reader finds it in their SVG.
+/// The texts on the slides of a trace, read from their SVG by an independent reader.
 std::vector<PaintedText> textsOn(const TraceExport& trace)
 {
     std::vector<PaintedText> texts;
@@ -57,7 +57,7 @@ class SlideTest : public QObject {
     Q_OBJECT
 
 private slots:
-    /// And the line of the step stands on its slide with every word, in one row or in several.
+    /// The pseudo-code line of the step is on its slide with every word, in one row or in several.
     void noTextIsTooLowOrCutOff()
     {
         const double least = slideHeight / 40;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is said of a line's way through the algorithms that ask about regions, corners and cells,
-// worked out by hand from what their authors print.
+// The sentences of the algorithms that test regions, corners and cells, computed by hand from the
+// published forms.
 #include "app/teaching/narration.h"
 
 #include <QLocale>
@@ -451,7 +451,7 @@ private slots:
                  qPrintable(all.join('\n')));
     }
     /// What overflows tells no side, and a rejection that is wrong is called so.
-    void overflowIsNoAnswer()
+    void overflowDecidesNothing()
     {
         const auto slater =
             told("sb:published", {{-1e200, -1e200}, {2e200, 2e200}}, {{0, 0}, {1, 1}});

@@ -88,7 +88,7 @@ private slots:
                  QStringList{folder_.filePath("matthes-drakopoulos.gif")});
     }
 
-    void existingOnesAreNamed()
+    void existingFilesAreNamed()
     {
         const QStringList paths = written(sample(), "png");
         QCOMPARE(existingOf(paths), paths);
@@ -96,7 +96,7 @@ private slots:
         QCOMPARE(existingOf(paths), paths.sliced(1));
     }
 
-    void othersSeeTheSameSvg()
+    void librsvgPaintsTheSameSvg()
     {
         const QStringList svg = written(sample(), "svg"), png = written(sample(), "png");
         const QString seen = folder_.filePath("seen.png");
@@ -109,7 +109,7 @@ private slots:
         }
     }
 
-    void othersReadThePdf()
+    void popplerReadsThePdf()
     {
         const TraceExport trace = sample();
         const QString pdf = written(trace, "pdf").front();
@@ -176,7 +176,7 @@ private slots:
         }
     }
 
-    void jsonIsAllOfIt()
+    void jsonHoldsTheWholeTrace()
     {
         for (const auto& algorithm : clipping::algorithms()) {
             const TraceExport trace = sample(algorithm.key);
@@ -205,7 +205,7 @@ private slots:
         }
     }
 
-    void whatIsNoNumberIsAWordInJson()
+    void nonFiniteNumbersAreWordsInJson()
     {
         TraceExport trace = sample();
         trace.narration.steps.front().left.a = {std::nan(""), -INFINITY};
@@ -244,7 +244,7 @@ private slots:
         QVERIFY(traceBytes(trace, format("text"))->front().contains("x1 is not a finite number"));
     }
 
-    void aFullDiskIsSaid()
+    void fullDiskIsReported()
     {
         const auto bytes = traceBytes(sample(), format("pdf"));
         const auto error = writeTrace({QStringLiteral("/dev/full")}, *bytes);

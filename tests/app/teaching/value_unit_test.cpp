@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The unit of every number that an algorithm tells, by what becomes of it in a plane of another
-// size, and in one that is moved.
+// The unit of every number in a trace, checked by scaling and by moving the plane.
 #include "app/teaching/teaching.h"
 #include "app/teaching/value_unit.h"
 
@@ -31,7 +30,7 @@ std::vector<clipping::Segment> lines()
     return all;
 }
 
-// A row that has nothing of its own in teaching yet shows its numbers as they are.
+// An algorithm without a row in teaching shows its numbers without units.
 std::vector<Variant> toldVariants()
 {
     auto all = app::variants();
@@ -87,7 +86,7 @@ class ValueUnitTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void everyNumberThatIsToldHasAUnit()
+    void everyNumberInATraceHasAUnit()
     {
         for (const Variant& variant : toldVariants())
             for (const auto& line : lines())

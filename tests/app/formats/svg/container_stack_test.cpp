@@ -69,7 +69,7 @@ private slots:
                                path + layer("inkscape:label='B'", path) + path + path)),
                  "A(1 B(1) 2)");
     }
-    void whatIsOutsideOfLayersGetsOnes()
+    void objectsOutsideLayersGetALayer()
     {
         QCOMPARE(outline(path + group("", path)), "Drawing(2)");
         QCOMPARE(outline(path + layer("inkscape:label='A'", path) + path + path
@@ -77,7 +77,7 @@ private slots:
                  "Drawing(1) A(1) Drawing (2)(2) B(1) Drawing (3)(1)");
         QCOMPARE(outline(group("id='g'", path) + path), "Drawing([1] 1)");
     }
-    void groupsAreThoseThatSayAnything()
+    void onlyGroupsWithAnIdNameOrTitleAreKept()
     {
         QCOMPARE(outline(group("", path)), "Drawing(1)");
         QCOMPARE(outline(group("fill='red'", path)), "Drawing(1)");
@@ -185,7 +185,7 @@ private slots:
                  "1 title, description or metadata of an element");
     }
 
-    void anIdIsThereOnce()
+    void repeatedIdsAreRemoved()
     {
         const QByteArray p = "<path id='a' d='M0 0h1'/>";
         QCOMPARE(reportOf(p + p), "1 repeated id was removed");

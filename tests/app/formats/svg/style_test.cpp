@@ -81,7 +81,7 @@ private slots:
         QCOMPARE(count, 147);
     }
 
-    void whatIsNotSaidIsSvgsDefault()
+    void missingPropertiesHaveSvgsDefaults()
     {
         const app::Style plain = shapeOf(triangle + "/>").style;
         QCOMPARE(name(style("").fill), "none"); // a line has nothing to fill

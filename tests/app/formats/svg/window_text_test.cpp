@@ -44,7 +44,7 @@ class WindowTextTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void whatIsUsualIsNotSaid()
+    void defaultsAreNotWritten()
     {
         QCOMPARE(metadataOf({}), "");
         QCOMPARE(metadataOf({{{.shape = box}}}),
