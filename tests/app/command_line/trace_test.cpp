@@ -104,7 +104,8 @@ private slots:
         QCOMPARE(done.err, "");
         QVERIFY(contentOf(first).contains("<svg"));
         const auto many = clearcut(arguments);
-        QVERIFY2(many.err.contains("talk-01.svg and ") && many.err.contains(" more files already exist"),
+        QVERIFY2(many.err.contains("talk-01.svg and ")
+                     && many.err.contains(" more files already exist"),
                  many.err);
     }
 
