@@ -291,7 +291,7 @@ std::span<const Category> categories()
          PlugIn::tr(
              "The same lines 2¹⁰⁰ times as large and as small, and lines with ends far away."),
          usual, sizes},
-        {"nonsense", PlugIn::tr("Nonsense"),
+        {"nonsense", PlugIn::tr("Invalid input"),
          PlugIn::tr("Infinities, NaNs and inverted windows: nothing is visible."), usual, nonsense},
         {"random", PlugIn::tr("Random lines"),
          PlugIn::tr("The paper's scene: both ends anywhere around the window."), usual,

@@ -85,7 +85,7 @@ QString wrongText(const Verdict& v)
         .arg(v.name, info.sentence, countText(v.wrong()), countText(v.judged()), whereText(v));
 }
 
-/// "It passes everything but Nonsense: 10 of 11 categories are right, 103 of 110 points."
+/// "It passes everything but “Invalid input”: 10 of 11 categories are right, 103 of 110 points."
 QString scoreText(const Verdict& v)
 {
     const Score score = scoreOf(v);
@@ -126,14 +126,18 @@ QString asleepText(const Verdict& v)
 QString roundingText(const Verdict& v)
 {
     const QString ulps = QString::number(v.mostOff, 'g', 3);
-    return v.outside() == 0
-               ? PlugIn::tr("No end lies outside the window, not even by rounding, and none is off "
-                            "by more than %1 ulps of the largest coordinate.")
-                     .arg(ulps)
-               : PlugIn::tr("Rounding left %1 pieces with an end outside the window, by at most %2 "
-                            "ulps of the largest coordinate; Clearcut's own algorithms never do "
-                            "that.")
-                     .arg(countText(v.outside()), ulps);
+    if (v.outside() == 0)
+        return PlugIn::tr("No end lies outside the window, not even by rounding, and none is off "
+                          "by more than %1 ulps of the largest coordinate.")
+            .arg(ulps);
+    const QString rounded = v.outside() == 1
+                                ? PlugIn::tr("Rounding left an end of 1 result outside the window")
+                                : PlugIn::tr("Rounding left ends of %1 results outside the window")
+                                      .arg(countText(v.outside()));
+    return rounded
+           + PlugIn::tr(", by at most %1 ulps of the largest coordinate. Clearcut's own algorithms "
+                        "leave no end outside.")
+                 .arg(ulps);
 }
 
 QString speedText(const Times& times)
