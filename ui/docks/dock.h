@@ -25,6 +25,9 @@ public:
     enum class Title : std::uint8_t { Shown, InTab };
     void setTitle(Title where);
 
+    /// Whether another tab of its place is in front of it. Qt moves such docks off the screen.
+    bool isBehind() const { return x() < 0 && !isFloating(); }
+
 private:
     DockTitle* title_;
     QWidget* noTitle_;

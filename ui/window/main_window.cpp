@@ -11,6 +11,7 @@
 #include "ui/files/files.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/saved_theme.h"
+#include "ui/look/window_place.h"
 #include "ui/tools/tool.h"
 #include "ui/widgets/window_note.h"
 #include "ui/window/commands.h"
@@ -33,7 +34,8 @@ namespace ui {
 
 namespace {
 
-constexpr QSize smallest(1024, 640);
+const QString placeKey = QStringLiteral("geometry");
+constexpr QSize smallest(1024, 640), usual(1280, 800);
 constexpr int messageMilliseconds = 5000;
 
 } // namespace
@@ -63,7 +65,8 @@ MainWindow::MainWindow(Backend backend, QWidget* parent)
     });
     rememberPanes();
     limitHistory();
-    restoreLayout();
+    restorePlace(*this, placeKey, usual, minimumSize());
+    panelLayout_->restore();
     refreshActions();
     showTitle();
     canvas_->setFocus();
@@ -205,8 +208,7 @@ void MainWindow::showStart()
     if (const auto samples = app::samples(); !samples.empty())
         files_->openSample(samples.front());
     canvas_->setTool("window");
-    starting_ = true;
-    arrange();
+    panelLayout_->showStart();
     if (!QSettings().value("windowDragged").toBool()) {
         note_ = new WindowNote(session_);
         static_cast<QVBoxLayout*>(centralWidget()->layout())->insertWidget(0, note_);
@@ -221,8 +223,15 @@ void MainWindow::closeEvent(QCloseEvent* event)
 {
     if (!files_->mayClose())
         return event->ignore();
-    saveLayout();
+    rememberPlace(*this, placeKey);
+    panelLayout_->save();
     event->accept();
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event)
+{
+    QMainWindow::resizeEvent(event);
+    panelLayout_->fitWindow();
 }
 
 /// Handles a key that no widget took: says why the key's command is disabled, or treats the key as

@@ -6,13 +6,12 @@
 #include "ui/dialogs/questions.h"
 #include "ui/look/look.h"
 #include "ui/widgets/message_strip.h"
+#include "ui/window/panel_layout.h"
+#include "ui/window/panels.h"
 
 #include <QMainWindow>
 #include <QPointer>
 
-#include <vector>
-
-class QDockWidget;
 class QStackedWidget;
 class QToolBar;
 
@@ -21,12 +20,10 @@ namespace ui {
 class AlgorithmPanel;
 class CostMapPanel;
 class DifferencePanel;
-class Dock;
 class ExactnessPanel;
 class Files;
 class MicroscopePage;
 class OptionBar;
-class StartPanel;
 class StatusBar;
 class WindowNote;
 
@@ -47,10 +44,10 @@ public:
     Canvas& canvas() { return *canvas_; }
     const Canvas& canvas() const { return *canvas_; }
     Files& files() { return *files_; }
-    AlgorithmPanel& algorithmPanel() { return *algorithmPanel_; }
-    DifferencePanel& differencePanel() { return *differencePanel_; }
-    CostMapPanel& costMapPanel() { return *costMapPanel_; }
-    ExactnessPanel& exactnessPanel() { return *exactnessPanel_; }
+    AlgorithmPanel& algorithmPanel() { return *panels_.algorithm; }
+    DifferencePanel& differencePanel() { return *panels_.difference; }
+    CostMapPanel& costMapPanel() { return *panels_.costMap; }
+    ExactnessPanel& exactnessPanel() { return *panels_.exactness; }
     OptionBar& optionBar() { return *optionBar_; }
     StatusBar& status() { return *status_; }
     app::DrawnLine& drawnLine() { return drawnLine_; }
@@ -63,11 +60,11 @@ public:
     QString message() const { return strip_->sentence(); }
 
     QList<QAction*> toolActions() const { return toolActions_; }
-    QList<QAction*> panelToggles() const;
-    void raisePanel(const QString& key);
-    void togglePanel(const QString& key);
-    bool showsPanel(const QString& key) const; ///< possibly behind another tab
-    void resetLayout();
+    QList<QAction*> panelToggles() const { return panelLayout_->toggles(); }
+    void raisePanel(const QString& key) { panelLayout_->raise(key); }
+    void togglePanel(const QString& key) { panelLayout_->toggle(key); }
+    bool showsPanel(const QString& key) const { return panelLayout_->shows(key); }
+    void resetLayout() { panelLayout_->reset(); }
 
     /// Shows the lessons beside the microscope.
     void showLessons();
@@ -98,7 +95,6 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    static constexpr int layoutVersion = 1; ///< version of saveState()'s data
     void addCentre();
     void addMicroscope();
     void makeMicroscopePage();
@@ -109,32 +105,15 @@ private:
     void makeBare();
     void endBare();
     void closeLessons();
-    void bringPanelsBack();
     void addTools();
-    void addPanels();
-    void place(Dock& dock);
-    void connectStart(StartPanel& start);
-    void addWide();
-    void follow(Dock& wide);
-    void makeRoomForLine();
     void addBars();
+    void addPanels();
+    void connectPanels();
+    void connectLayout();
     void connectFiles();
     void showTitle();
     void rememberPanes();
     void limitHistory();
-    void arrange();
-    enum class Arrangement : std::uint8_t { Stacked, Tabs, StartInFront };
-    void arrangeAs(Arrangement arrangement);
-    Arrangement fittingArrangement() const;
-    int lowerTabs() const;
-    void fitStack();
-    void shareHeight();
-    void shareHeightWithWide();
-    int columnWidth() const;
-    void refreshDockTitles();
-    void leaveStart();
-    void saveLayout();
-    void restoreLayout();
 
     app::Session session_;
     app::DrawnLine drawnLine_{session_};
@@ -142,38 +121,19 @@ private:
     Canvas* canvas_;
     QStackedWidget* centre_ = nullptr; ///< the canvas, or the microscope
     MicroscopePage* microscopePage_ = nullptr;
-    /// Of docks and bars, while the microscope or a presentation hides them.
-    QByteArray layoutBefore_;
     QPointer<QWidget> focusBefore_;   ///< the focus to restore when the microscope closes
     std::optional<QFont> fontBefore_; ///< the application's font to restore after presenting
     Qt::WindowStates statesBefore_{}; ///< the window's states to restore after presenting
-    /// A panel that is hidden while the microscope is open or while presenting.
-    struct HiddenDock {
-        QDockWidget* dock;
-        QSize size;   ///< of its tab group
-        bool inFront; ///< whether it is the current tab of its group
-    };
-    std::vector<HiddenDock> hiddenDocks_;
-    QList<QToolBar*> barsBefore_; ///< tool bars to show again
+    bool bare_ = false;               ///< the mode hides the panels
+    QList<QToolBar*> barsBefore_;     ///< tool bars to show again
     MessageStrip* strip_;
     OptionBar* optionBar_ = nullptr;
     StatusBar* status_ = nullptr;
-    AlgorithmPanel* algorithmPanel_ = nullptr;
-    DifferencePanel* differencePanel_ = nullptr;
-    CostMapPanel* costMapPanel_ = nullptr;
-    ExactnessPanel* exactnessPanel_ = nullptr;
     std::unique_ptr<Files> files_;
-    QList<Dock*> docks_;    ///< Start first, the others in stacking order
-    QList<Dock*> wide_;     ///< the comparison panels: above the others, in a wider column
-    QList<Dock*> openWide_; ///< the visible ones of wide_
+    Panels panels_{session_};
+    std::unique_ptr<PanelLayout> panelLayout_;
     QList<QAction*> toolActions_;
     WindowNote* note_ = nullptr;
-    Arrangement arrangement_ = Arrangement::Stacked;
-    int lowerTabs_ = 0;       ///< how many of the stacked panels share the lowest place as tabs
-    bool arranging_ = false;  ///< docks move by program, not by the person
-    bool ownLayout_ = false;  ///< the person moved docks: never rearrange them
-    bool inspecting_ = false; ///< the inspector shows a line
-    bool starting_ = false;   ///< the start panel is in front
 };
 
 } // namespace ui

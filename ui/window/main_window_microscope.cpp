@@ -22,34 +22,11 @@
 
 namespace ui {
 
-namespace {
-
-/// The height of the tab bar above a panel, in logical pixels; 0: none.
-int tabsAbove(const QDockWidget& dock, const QMainWindow& window)
-{
-    constexpr int nearby = 8; // pixels
-    for (const auto* tabs : window.findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) {
-        const QRect place = tabs->geometry();
-        if (tabs->isVisible() && std::abs(place.bottom() - dock.y()) <= nearby
-            && place.left() <= dock.geometry().right() && place.right() >= dock.x())
-            return dock.y() - place.top();
-    }
-    return 0;
-}
-
-} // namespace
-
 void MainWindow::addMicroscope()
 {
     connect(&session_.microscope, &app::Microscope::openChanged, this,
             &MainWindow::followMicroscope);
     connect(&session_, &app::Session::loaded, &session_.microscope, &app::Microscope::close);
-    connect(findChild<LinePanel*>(), &LinePanel::microscopeWanted, this, [this] {
-        if (const auto line = session_.inspected())
-            drawnLine_.look(*line);
-    });
-    connect(differencePanel_, &DifferencePanel::lineWanted, this,
-            [this](std::size_t line) { drawnLine_.look(line); });
 }
 
 void MainWindow::followMicroscope()
@@ -119,18 +96,10 @@ void MainWindow::showInCentre()
 
 void MainWindow::makeBare()
 {
-    if (!layoutBefore_.isEmpty())
+    if (bare_)
         return;
-    layoutBefore_ = saveState(layoutVersion);
-    const QScopedValueRollback quiet(arranging_, true);
-    for (auto* dock : findChildren<QDockWidget*>()) {
-        dock->toggleViewAction()->setEnabled(false);
-        if (!dock->isHidden())
-            hiddenDocks_.push_back({dock, dock->size() + QSize(0, tabsAbove(*dock, *this)),
-                                    dock->x() >= 0 || dock->isFloating()});
-    }
-    for (const HiddenDock& hidden : hiddenDocks_)
-        hidden.dock->hide();
+    bare_ = true;
+    panelLayout_->hideAll();
     for (auto* bar : findChildren<QToolBar*>(QString(), Qt::FindDirectChildrenOnly))
         if (!bar->isHidden())
             barsBefore_ << bar;
@@ -138,40 +107,9 @@ void MainWindow::makeBare()
 
 void MainWindow::endBare()
 {
-    if (layoutBefore_.isEmpty())
-        return;
-    findChild<LinePanel*>()->showNow(); // or it would have the height for another line
-    bringPanelsBack();
-    layoutBefore_.clear();
+    bare_ = false;
+    panelLayout_->bringBack();
     barsBefore_.clear();
-    if (fittingArrangement() != arrangement_) // the window's size has changed, or Start is finished
-        arrange();
-    makeRoomForLine(); // a line may have been inspected meanwhile
-    fitStack();
-    refreshDockTitles();
-}
-
-/// Does not use restoreState(), which would also show panels that are not placed in the window.
-void MainWindow::bringPanelsBack()
-{
-    const QScopedValueRollback quiet(arranging_, true);
-    for (auto* dock : findChildren<QDockWidget*>())
-        dock->toggleViewAction()->setEnabled(true);
-    QList<QDockWidget*> docked;
-    QList<int> widths, heights;
-    for (const HiddenDock& hidden : std::exchange(hiddenDocks_, {})) {
-        hidden.dock->show();
-        if (hidden.dock->isFloating())
-            continue;
-        if (hidden.inFront) {
-            hidden.dock->raise();
-            docked << hidden.dock;
-            widths << hidden.size.width();
-            heights << hidden.size.height();
-        }
-    }
-    resizeDocks(docked, widths, Qt::Horizontal);
-    resizeDocks(docked, heights, Qt::Vertical);
 }
 
 } // namespace ui

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/panel_layout.h"
+
+#include <QAction>
+#include <QSignalSpy>
+
+#include "tests/ui/window/plain_panels.h"
+
+using namespace ui;
+
+namespace {
+
+const QStringList stack{"algorithm", "window", "line", "layers"};
+
+/// Where the panels in front are.
+QMap<QString, QRect> places(const PlainWindow& plain)
+{
+    QMap<QString, QRect> places;
+    const QStringList front = plain.inFront();
+    for (const Dock* dock : plain.docks.all())
+        if (front.contains(dock->objectName()))
+            places[dock->objectName()] = dock->geometry();
+    return places;
+}
+
+} // namespace
+
+class PanelLayoutTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aHighWindowStacksThePanelsAndALowOneHasTabs()
+    {
+        PlainWindow plain;
+        plain.show();
+        QCOMPARE(plain.inFront(), stack);
+        plain.window.resize(1280, 700);
+        plain.layout->fitWindow();
+        QCOMPARE(plain.inFront(), QStringList("algorithm"));
+        QCOMPARE(plain.window.tabifiedDockWidgets(plain.docks.algorithm).size(), 4);
+        QTRY_VERIFY(plain.docks.algorithm->titleBarWidget()->height() == 0); // the tab is the title
+    }
+    void panelsThatAreTooHighShareTheLowestPlace()
+    {
+        PlainWindow plain;
+        plain.show();
+        PlainWindow::panel(*plain.docks.layers).least = 600;
+        plain.layout->fit();
+        QVERIFY(plain.window.tabifiedDockWidgets(plain.docks.layers).contains(plain.docks.line));
+        QVERIFY(plain.window.tabifiedDockWidgets(plain.docks.algorithm).empty());
+        QVERIFY(plain.inFront().contains("algorithm"));
+    }
+    void theFirstLineGetsItsRoom()
+    {
+        PlainWindow plain;
+        plain.show();
+        const int before = plain.docks.line->height();
+        plain.layout->makeRoomForLine(); // there is none
+        QCOMPARE(plain.docks.line->height(), before);
+        plain.inspecting = true;
+        plain.layout->makeRoomForLine();
+        QTRY_VERIFY(plain.docks.line->height() > 2 * before);
+    }
+    void startIsInFrontUntilItIsLeft()
+    {
+        PlainWindow plain;
+        plain.show();
+        plain.layout->showStart();
+        QCOMPARE(plain.inFront(), QStringList("start"));
+        plain.layout->leaveStart();
+        QCOMPARE(plain.inFront(), stack);
+        plain.layout->raise("start");
+        QCOMPARE(plain.inFront(), QStringList("start"));
+    }
+    void aComparisonPanelIsAboveTheOthersAndWider()
+    {
+        PlainWindow plain;
+        plain.show();
+        const QSignalSpy changed(plain.layout.get(), &PanelLayout::changed);
+        const auto before = places(plain);
+        plain.layout->toggle("difference");
+        QVERIFY(plain.layout->shows("difference") && !plain.layout->shows("compare"));
+        QCOMPARE(plain.inFront(), QStringList({"window", "difference"}));
+        QVERIFY(plain.docks.wide[1]->width() > before["algorithm"].width() + 100);
+        QVERIFY(plain.docks.wide[1]->y() < plain.docks.window->y());
+        plain.layout->toggle("difference");
+        QCOMPARE(places(plain), before);
+        QCOMPARE(changed.size(), 2);
+    }
+    void aComparisonPanelBehindAnotherComesToTheFront()
+    {
+        PlainWindow plain;
+        plain.show();
+        plain.layout->toggle("compare");
+        plain.layout->toggle("difference");
+        QVERIFY(!plain.inFront().contains("compare"));
+        plain.layout->toggle("compare");
+        QVERIFY(plain.layout->shows("compare") && plain.inFront().contains("compare"));
+        plain.layout->toggle("compare");
+        QVERIFY(!plain.layout->shows("compare"));
+    }
+    void raisingAPanelSaysSoBefore()
+    {
+        PlainWindow plain;
+        plain.show();
+        const QSignalSpy asked(plain.layout.get(), &PanelLayout::aboutToRaise);
+        plain.layout->raise("layers");
+        plain.layout->toggle("compare");
+        QCOMPARE(asked.size(), 2);
+    }
+    void hiddenPanelsComeBackAsTheyWere()
+    {
+        PlainWindow plain;
+        plain.show();
+        const auto stacked = places(plain);
+        plain.layout->hideAll();
+        QCOMPARE(plain.inFront(), QStringList());
+        for (const QAction* toggle : plain.layout->toggles())
+            QVERIFY(!toggle->isEnabled());
+        plain.layout->bringBack();
+        QCOMPARE(places(plain), stacked);
+        for (const QAction* toggle : plain.layout->toggles())
+            QVERIFY(toggle->isEnabled());
+    }
+    /// Their places are higher than they are, by the height of the tab bars above them.
+    void hiddenPanelsInTabsComeBackAsTheyWere()
+    {
+        PlainWindow plain;
+        plain.show();
+        plain.layout->toggle("compare");
+        plain.layout->raise("layers");
+        plain.window.resizeDocks({plain.docks.wide[0], plain.docks.layers}, {300, 500},
+                                 Qt::Vertical);
+        QCoreApplication::processEvents();
+        const auto before = places(plain);
+        QCOMPARE(before.keys(), QStringList({"compare", "layers"}));
+        plain.layout->hideAll();
+        QCoreApplication::processEvents();
+        plain.layout->bringBack();
+        QCOMPARE(places(plain), before);
+    }
+    void whilePanelsAreHiddenNothingIsArranged()
+    {
+        PlainWindow plain;
+        plain.show();
+        plain.layout->hideAll();
+        plain.layout->showStart();
+        plain.layout->reset();
+        plain.window.resize(1280, 700);
+        plain.layout->fitWindow();
+        plain.inspecting = true;
+        plain.layout->makeRoomForLine();
+        QCOMPARE(plain.inFront(), QStringList());
+        plain.layout->bringBack();
+        QCOMPARE(plain.inFront(), QStringList("start"));
+    }
+    void panelsAreAskedForTheirHeightBeforeTheyComeBack()
+    {
+        PlainWindow plain;
+        plain.show();
+        bool hidden = false;
+        connect(plain.layout.get(), &PanelLayout::aboutToBringBack, this,
+                [&] { hidden = plain.docks.line->isHidden(); });
+        plain.layout->bringBack();
+        QVERIFY(!hidden); // they are not hidden: no signal
+        plain.layout->hideAll();
+        plain.layout->bringBack();
+        QVERIFY(hidden);
+    }
+    void theProgramsLayoutIsNotSaved()
+    {
+        PlainWindow plain;
+        plain.show();
+        plain.layout->toggle("compare");
+        plain.layout->raise("layers");
+        plain.layout->hideAll();
+        plain.layout->bringBack();
+        plain.layout->save();
+        QCOMPARE(QSettings().value("ownLayout").toBool(), false);
+        QVERIFY(!QSettings().contains("layout"));
+    }
+    void onesOwnLayoutIsKeptAndSavedAsItWasBeforeThePanelsWereHidden()
+    {
+        PlainWindow plain;
+        plain.show();
+        plain.window.addDockWidget(Qt::LeftDockWidgetArea, plain.docks.layers);
+        plain.window.resize(1280, 700);
+        plain.layout->fitWindow();
+        QCOMPARE(plain.inFront(), stack);
+        plain.layout->hideAll();
+        plain.layout->save();
+        const QVariant saved = QSettings().value("layout");
+        PlainWindow next; // has other settings
+        QSettings().setValue("ownLayout", true);
+        QSettings().setValue("layout", saved);
+        next.show();
+        QCOMPARE(next.window.dockWidgetArea(next.docks.layers), Qt::LeftDockWidgetArea);
+        next.layout->reset();
+        QCOMPARE(next.window.dockWidgetArea(next.docks.layers), Qt::RightDockWidgetArea);
+    }
+};
+
+QTEST_MAIN(PanelLayoutTest)
+#include "panel_layout_test.moc"

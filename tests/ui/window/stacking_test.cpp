@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/stacking.h"
+
+#include <QTest>
+
+#include <vector>
+
+class StackingTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void lowestPanelsShareAPlace_data()
+    {
+        QTest::addColumn<int>("room");
+        QTest::addColumn<int>("tabs");
+        QTest::newRow("all fit") << 1000 << 0;
+        QTest::newRow("all just fit") << 500 << 0;
+        QTest::newRow("the lowest two as high as the higher") << 499 << 2;
+        QTest::newRow("the lowest two just fit") << 400 << 2;
+        QTest::newRow("the lowest three") << 399 << 3;
+        QTest::newRow("the first keeps its place") << 10 << 3;
+    }
+    void lowestPanelsShareAPlace()
+    {
+        QFETCH(int, room);
+        const std::vector needed{200, 50, 150, 100};
+        QTEST(ui::lowerTabs(needed, room), "tabs");
+    }
+    void fewPanelsHaveNoTabs()
+    {
+        QCOMPARE(ui::lowerTabs({}, -1), 0);
+        const int one = 100;
+        QCOMPARE(ui::lowerTabs({&one, 1}, 10), 0);
+    }
+};
+
+QTEST_APPLESS_MAIN(StackingTest)
+#include "stacking_test.moc"

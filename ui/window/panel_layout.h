@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/window/arrangement.h"
+#include "ui/window/hidden_panels.h"
+#include "ui/window/own_layout.h"
+
+#include <functional>
+
+class QAction;
+
+namespace ui {
+
+/// Which panels a window shows, and where. The program arranges them (`Arrangement`) until the
+/// person moves one (`OwnLayout`); a mode without panels hides them all for a while
+/// (`HiddenPanels`), and meanwhile nothing is rearranged.
+class PanelLayout : public QObject {
+    Q_OBJECT
+
+public:
+    /// Adds the docks to the window. `inspecting` answers whether the panel Line shows a line.
+    PanelLayout(QMainWindow& window, const PanelDocks& docks, std::function<bool()> inspecting);
+
+    QList<QAction*> toggles() const; ///< of all panels but Start, which comes and goes by itself
+    /// Brings a narrow panel to the front.
+    void raise(const QString& key);
+    /// Opens a comparison panel, or closes it if it is in front.
+    void toggle(const QString& key);
+    bool shows(const QString& key) const; ///< possibly behind another tab
+
+    void showStart();
+    void leaveStart();      ///< shows the working panels; nothing happens if Start is not wanted
+    void makeRoomForLine(); ///< the panel Line has another content
+    void fit();             ///< a panel needs another height: other panels may become tabs
+    void fitWindow();       ///< the window has another size
+    void reset();           ///< forgets the person's own layout
+
+    void hideAll();
+    void bringBack(); ///< nothing happens if the panels are not hidden
+
+    void save() const; ///< in the settings; while the panels are hidden, as they were before
+    void restore();    ///< from the settings
+
+signals:
+    void aboutToRaise();     ///< what covers the panels must go
+    void aboutToBringBack(); ///< each panel needs its final height now
+    void changed();          ///< a comparison panel was opened or closed
+
+private:
+    void add(Dock& dock);
+    bool hidden() const { return !before_.isEmpty(); }
+    Situation situation() const;
+    void arrange();
+    void follow(Dock& wide);
+    void showTitles();
+
+    QMainWindow& window_;
+    PanelDocks docks_;
+    std::function<bool()> inspecting_;
+    OwnLayout own_;
+    Arrangement arrangement_;
+    HiddenPanels hiding_;
+    QByteArray before_;     ///< the layout before all panels were hidden; empty: they are not
+    QList<Dock*> openWide_; ///< the visible comparison panels, the newest last
+    bool hadLine_ = false;  ///< a line was inspected when the panels last made room
+    bool starting_ = false; ///< Start is wanted in front
+};
+
+} // namespace ui

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/panel_layout.h"
+
+#include <QAction>
+#include <QMainWindow>
+
+#include <algorithm>
+#include <utility>
+
+// Which panels are shown. panel_layout.cpp says where.
+
+namespace ui {
+
+QList<QAction*> PanelLayout::toggles() const
+{
+    QList<QAction*> toggles;
+    for (const Dock* dock : docks_.stack() + docks_.wide)
+        toggles << dock->toggleViewAction();
+    return toggles;
+}
+
+void PanelLayout::raise(const QString& key)
+{
+    emit aboutToRaise();
+    if (key == docks_.start->objectName() && !own_.exists())
+        return showStart();
+    for (Dock* dock : docks_.narrow()) {
+        if (dock->objectName() != key)
+            continue;
+        const auto quiet = own_.byProgram();
+        if (window_.dockWidgetArea(dock) == Qt::NoDockWidgetArea) {
+            window_.addDockWidget(Qt::RightDockWidgetArea, dock);
+            window_.tabifyDockWidget(docks_.algorithm, dock);
+        }
+        dock->show();
+        dock->raise();
+    }
+}
+
+void PanelLayout::toggle(const QString& key)
+{
+    emit aboutToRaise();
+    for (Dock* dock : docks_.wide) {
+        if (dock->objectName() != key)
+            continue;
+        const bool open = dock->isHidden() || dock->isBehind();
+        starting_ = starting_ && !open;
+        const auto quiet = own_.byProgram();
+        if (open && window_.dockWidgetArea(dock) == Qt::NoDockWidgetArea)
+            window_.addDockWidget(Qt::RightDockWidgetArea, dock);
+        dock->setVisible(open);
+        if (open)
+            dock->raise();
+    }
+    for (Dock* dock : docks_.wide)
+        follow(*dock);
+}
+
+/// The others make room for a comparison panel that was opened, and come back when it is closed.
+void PanelLayout::follow(Dock& wide)
+{
+    if (hidden())
+        return; // it is restored with the others
+    const bool open = !wide.isHidden();
+    if (open == openWide_.contains(&wide))
+        return;
+    open ? openWide_.append(&wide) : void(openWide_.removeAll(&wide));
+    if (!own_.exists() && !own_.isByProgram())
+        arrange();
+    emit changed();
+}
+
+bool PanelLayout::shows(const QString& key) const
+{
+    return std::ranges::any_of(docks_.all(), [&key](const Dock* dock) {
+        return dock->objectName() == key && !dock->isHidden();
+    });
+}
+
+void PanelLayout::showStart()
+{
+    starting_ = true;
+    arrange();
+}
+
+void PanelLayout::leaveStart()
+{
+    if (!std::exchange(starting_, false))
+        return;
+    arrange();
+    if (arrangement_.form() == Arrangement::Form::Tabs)
+        raise(docks_.algorithm->objectName());
+}
+
+} // namespace ui

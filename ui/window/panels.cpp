@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/panels.h"
+
+#include "ui/docks/algorithm_panel.h"
+#include "ui/docks/compare_panel.h"
+#include "ui/docks/cost_map_panel.h"
+#include "ui/docks/difference_panel.h"
+#include "ui/docks/exactness_panel.h"
+#include "ui/docks/layers_panel.h"
+#include "ui/docks/line_panel.h"
+#include "ui/docks/start_panel.h"
+#include "ui/docks/window_panel.h"
+
+#include <QCoreApplication>
+
+namespace ui {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("Panels", text); }
+
+} // namespace
+
+Panels::Panels(app::Session& session)
+    : start(new StartPanel), algorithm(new AlgorithmPanel(session)),
+      window(new WindowPanel(session)), line(new LinePanel(session)),
+      layers(new LayersPanel(session)), compare(new ComparePanel(session)),
+      difference(new DifferencePanel(session)), costMap(new CostMapPanel(session)),
+      exactness(new ExactnessPanel(session)),
+      docks{.start = new Dock("start", tr("Start"), start),
+            .algorithm = new Dock("algorithm", tr("Algorithm"), algorithm),
+            .window = new Dock("window", tr("Clip window"), window),
+            .line = new Dock("line", tr("Line"), line),
+            .layers = new Dock("layers", tr("Layers"), layers),
+            .wide = {new Dock("compare", tr("Compare"), compare),
+                     new Dock("difference", tr("Differences"), difference),
+                     new Dock("cost-map", tr("Cost map"), costMap),
+                     new Dock("exactness", tr("Exactness"), exactness)}}
+{
+    QObject::connect(line, &LinePanel::titled, docks.line,
+                     [dock = docks.line](const QString& title, const QString& remark) {
+                         dock->setRemark(remark);
+                         dock->setName(title);
+                     });
+    QObject::connect(docks.wide.front(), &QDockWidget::visibilityChanged, compare,
+                     &ComparePanel::setWatched);
+}
+
+} // namespace ui

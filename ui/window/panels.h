@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/window/panel_docks.h"
+
+namespace app {
+class Session;
+}
+
+namespace ui {
+
+class AlgorithmPanel;
+class ComparePanel;
+class CostMapPanel;
+class DifferencePanel;
+class ExactnessPanel;
+class LayersPanel;
+class LinePanel;
+class StartPanel;
+class WindowPanel;
+
+/// The panels of a window, each in its dock. The window that the docks are added to owns them.
+struct Panels {
+    explicit Panels(app::Session& session);
+
+    StartPanel* start;
+    AlgorithmPanel* algorithm;
+    WindowPanel* window;
+    LinePanel* line;
+    LayersPanel* layers;
+    ComparePanel* compare;
+    DifferencePanel* difference;
+    CostMapPanel* costMap;
+    ExactnessPanel* exactness;
+    PanelDocks docks;
+};
+
+} // namespace ui

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/start.h"
+
+#include "ui/docks/start_panel.h"
+#include "ui/files/files.h"
+#include "ui/window/main_window.h"
+#include "ui/window/panel_layout.h"
+
+namespace ui {
+
+void connectStart(StartPanel& start, PanelLayout& layout, MainWindow& window)
+{
+    Files& files = window.files();
+    QObject::connect(&start, &StartPanel::drawWanted, &window, [&window] {
+        window.files().startNew();
+        window.canvas().setTool("line");
+    });
+    QObject::connect(&start, &StartPanel::openWanted, &files, qOverload<>(&Files::open));
+    QObject::connect(&start, &StartPanel::fileWanted, &files,
+                     qOverload<const QString&>(&Files::open));
+    QObject::connect(&start, &StartPanel::sampleWanted, &files, &Files::openSample);
+    QObject::connect(&start, &StartPanel::lessonWanted, &window, [&window] {
+        window.showLessons();
+        window.session().course.begin(0);
+    });
+    QObject::connect(&start, &StartPanel::paperWanted, &window, &MainWindow::experimentWanted);
+    const auto follow = [&start, &files] { start.showRecent(files.recent()); };
+    QObject::connect(&files, &Files::recentChanged, &start, follow);
+    QObject::connect(&files, &Files::nameChanged, &start,
+                     [&start, &files] { start.markSample(files.sample()); });
+    follow();
+    const app::Session& session = window.session();
+    QObject::connect(&session, &app::Session::loaded, &window, [&layout] { layout.leaveStart(); });
+    QObject::connect(&session.history, &app::History::indexChanged, &window, [&layout](int index) {
+        if (index > 0)
+            layout.leaveStart();
+    });
+}
+
+} // namespace ui
