@@ -30,6 +30,12 @@ QString numberText(double value, int decimals)
 
 QString countText(std::size_t count) { return QLocale().toString(qulonglong(count)); }
 
+QString linesText(std::size_t count)
+{
+    return count == 1 ? QCoreApplication::translate("numbers", "1 line")
+                      : QCoreApplication::translate("numbers", "%1 lines").arg(countText(count));
+}
+
 double inUnit(double userUnits, Unit unit, double millimetresPerUnit)
 {
     const double size = infoOf(unit).millimetres;

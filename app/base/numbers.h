@@ -15,6 +15,8 @@ namespace app {
 /// "1,234.50", "−3.00"; a number that rounds to zero has no sign.
 QString numberText(double value, int decimals);
 QString countText(std::size_t count);
+/// "1 line", "1,234 lines".
+QString linesText(std::size_t count);
 
 /// Converts a length of the drawing to `unit`. `millimetresPerUnit` is the size of a user unit.
 /// Unit::User leaves the number unchanged.

@@ -162,8 +162,8 @@ QString effortText(const Plan& plan, double durationRatio)
     std::uint64_t lines = 0;
     for (const PlannedTrial& trial : plan.trials)
         lines += trial.options.lines * trial.options.runs * trial.variants.size();
-    return Experiments::tr("Run: %1 lines to clip, about %2.")
-        .arg(countText(lines), durationText(durationRatio * roughSeconds(plan)));
+    return Experiments::tr("Run: %1 to clip, about %2.")
+        .arg(linesText(lines), durationText(durationRatio * roughSeconds(plan)));
 }
 
 QString quickEffortText(const Choice& choice, double durationRatio)

@@ -200,7 +200,7 @@ QStringList remarks(const Verdict& v)
     if (v.wrong() > 0)
         all << scoreText(v);
     if (v.wrong() > 0 && v.judged() < v.lines())
-        all << PlugIn::tr("%1 lines were not tested.").arg(countText(v.lines() - v.judged()));
+        all << PlugIn::tr("Not tested: %1.").arg(linesText(v.lines() - v.judged()));
     if (!v.notReloaded.isEmpty())
         all << PlugIn::tr("After the error it could not be loaded again: %1.").arg(v.notReloaded);
     if (isWrongOnlyInRace(v))

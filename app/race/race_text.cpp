@@ -51,9 +51,9 @@ QString shortTimeText(double milliseconds)
 
 QString fieldText(std::size_t lines)
 {
-    const QString count = countText(lines);
-    return lines < leastLinesToTime ? Races::tr("%1 lines: too few to time").arg(count)
-                                    : Races::tr("%1 lines, rotated order, 1 thread").arg(count);
+    return (lines < leastLinesToTime ? Races::tr("%1: too few to time")
+                                     : Races::tr("%1, rotated order, 1 thread"))
+        .arg(linesText(lines));
 }
 
 } // namespace app

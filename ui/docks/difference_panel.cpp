@@ -226,11 +226,11 @@ void DifferencePanel::paintSummary()
     const bool differ = !live.found().list.empty();
     const bool known = live.asked() && live.upToDate();
     const bool good = known && !differ && live.found().lines > 0 && comparison.a != comparison.b;
-    summary_->setText(
-        !known ? tr("Comparing %1 lines…").arg(app::countText(session_.scene.lines().size()))
-               : app::sentence(comparison.a, comparison.b, app::counted(live.found().list),
-                               live.found().lines)
-                     + u'.');
+    summary_->setText(!known
+                          ? tr("Comparing %1…").arg(app::linesText(session_.scene.lines().size()))
+                          : app::sentence(comparison.a, comparison.b,
+                                          app::counted(live.found().list), live.found().lines)
+                                + u'.');
     summary_->setFont(known && differ ? semiBold(font()) : font());
     const QColor colour = !known || (!good && !differ) ? look.muted
                           : good                       ? look.good

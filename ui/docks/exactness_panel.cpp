@@ -194,8 +194,8 @@ void ExactnessPanel::paintSummary()
     const bool wrong = known && exactness.counts().classes.back() > 0;
     summary_->setText(known ? app::sentence(exactness.asked()->variant, exactness.counts(),
                                             exactness.asked()->yardstick)
-                            : tr("Judging %1 lines… %2")
-                                  .arg(app::countText(session_.scene.lines().size()),
+                            : tr("Judging %1… %2")
+                                  .arg(app::linesText(session_.scene.lines().size()),
                                        app::percentText(exactness.progress())));
     const QColor colour = wrong ? look.differs : known ? look.text : look.muted;
     summary_->setStyleSheet(QStringLiteral("color: ") + colour.name());

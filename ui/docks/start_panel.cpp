@@ -156,8 +156,7 @@ void StartPanel::showRecent(const std::vector<app::RecentFile>& files)
         auto* item = new QListWidgetItem(QFileInfo(file.path).fileName(), recent_);
         item->setToolTip(file.path);
         item->setData(PathRole, file.path);
-        item->setData(LinesRole, file.lines == 1 ? tr("1 line")
-                                                 : tr("%1 lines").arg(app::countText(file.lines)));
+        item->setData(LinesRole, app::linesText(file.lines));
         item->setData(DayRole, app::dayText(file.when.toLocalTime().date(), today));
         if (file.missing())
             item->setFlags(Qt::NoItemFlags);

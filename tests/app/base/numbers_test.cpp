@@ -16,6 +16,9 @@ private slots:
         QCOMPARE(app::numberText(-3, 2), QStringLiteral("−3.00"));
         QCOMPARE(app::numberText(-0.001, 2), "0.00");
         QCOMPARE(app::countText(49696), "49,696");
+        QCOMPARE(app::linesText(0), "0 lines");
+        QCOMPARE(app::linesText(1), "1 line");
+        QCOMPARE(app::linesText(49696), "49,696 lines");
     }
     void followsTheLocale()
     {
