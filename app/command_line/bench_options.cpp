@@ -157,8 +157,8 @@ std::vector<Option> experimentOptions()
         {{"order"},
          "as-they-come|shuffled|sorted",
          Commands::tr(
-             "as-they-come: in the scene's or the drawing's order; shuffled: the same lines in "
-             "random order, so that neighbours no longer resemble each other; sorted: by class "
+             "Order of the lines. as-they-come: the scene's or the drawing's own order; shuffled: "
+             "a random order, so that neighbours no longer resemble each other; sorted: by class "
              "(inside, rejected, cut, missed), which the processor predicts best (as-they-come).")},
         {{"space"}, "XMIN,YMIN,XMAX,YMAX", Commands::tr("The space of the lines (the paper's).")},
         {{"w", "window"}, "XMIN,YMIN,XMAX,YMAX", Commands::tr("The clip window (the paper's).")},

@@ -58,7 +58,7 @@ QString overview()
         rows.emplace_back(QLatin1StringView(command.key), command.summary);
     return Commands::tr("Usage: clearcut [FILE]                 opens the editor\n"
                         "       clearcut COMMAND [OPTIONS]      works without a display\n"
-                        "       clearcut COMMAND --help         says what a command can do\n"
+                        "       clearcut COMMAND --help         shows the help of a command\n"
                         "       clearcut --version\n\nOptions of the editor:\n")
            + aligned(
                {{"--renderer auto|opengl|raster", Commands::tr("What draws the canvas.")},

@@ -78,8 +78,8 @@ std::vector<Option> writingOptions()
         {{"precision"},
          "N",
          Commands::tr(
-             "Decimals of written coordinates, 0 to %1. Coordinates that rounding puts outside the "
-             "window are moved into it (as many as are needed to read the same number back).")
+             "Decimals of written coordinates, 0 to %1 (as many as are needed to read the same "
+             "number back). Coordinates that rounding puts outside the window are moved into it.")
              .arg(mostDecimals)},
         {{"dpi"}, "N", Commands::tr("Pixels per inch of a picture (96).")},
     };

@@ -146,48 +146,49 @@ void trace(const ParsedArguments& arguments)
 
 Command traceCommand()
 {
-    return {"trace",
-            "--line X1,Y1,X2,Y2 [OPTIONS]",
-            Commands::tr("Shows step by step how an algorithm clips one line: as text, as data, as "
-                         "slides or as an animated picture."),
-            {{{"a", "algorithm"},
-              "A",
-              Commands::tr("Key or abbreviation of the algorithm; KEY:published is the form that "
-                           "its authors printed (%1).")
-                  .arg(latin(usualAlgorithm().key))},
-             {{"line"}, "X1,Y1,X2,Y2", Commands::tr("The line, from End 1 to End 2.")},
-             {{"w", "window"},
-              "XMIN,YMIN,XMAX,YMAX",
-              Commands::tr("The window (-100,-75,100,75, the paper's).")},
-             {{"f", "format"},
-              formatKeys().join(u'|'),
-              Commands::tr("Format of the output (by the ending of -o, otherwise text).")},
-             {{"o", "output"},
-              "FILE|FOLDER/",
-              Commands::tr("Where to write. For svg and png there is a file for each step: "
-                           "FILE-01.svg and so on.")},
-             {{"step"}, "N", Commands::tr("Write only this step.")},
-             {{"y", "y-axis"},
-              "up|down",
-              Commands::tr("Direction in which y grows, in pictures and sentences (up).")},
-             {{"theme"}, "light|dark", Commands::tr("Theme of the pictures (light).")},
-             {{"picture-only"},
-              {},
-              Commands::tr("Pictures without sentence, pseudo-code and variables.")},
-             {{"width"},
-              "PIXELS",
-              Commands::tr("Width of png and gif in pixels, %1 to %2; they are 16:9 (1280).")
-                  .arg(leastWidth)
-                  .arg(mostWidth)},
-             {{"overwrite"}, {}, Commands::tr("Replace numbered files that exist.")},
-             {{"q", "quiet"}, {}, Commands::tr("Do not report the files written.")}},
-            {"clearcut trace -a md --line -160,-30,70,130",
-             "clearcut trace -a cs:published --line 1,1,-1,-1 -w 0.1,0.1,3,3 -f json",
-             "clearcut trace -a lb --line -160,-30,70,130 -o slides.pdf",
-             "clearcut trace -a nln --line -160,-30,70,130 -f svg -o frames/ --theme dark"},
-            0,
-            trace,
-            true};
+    return {
+        "trace",
+        "--line X1,Y1,X2,Y2 [OPTIONS]",
+        Commands::tr("Shows step by step how an algorithm clips one line: as text, as data, as "
+                     "slides or as an animated picture."),
+        {{{"a", "algorithm"},
+          "A",
+          Commands::tr("Key or abbreviation of the algorithm; KEY:published is the form that "
+                       "its authors printed (%1).")
+              .arg(latin(usualAlgorithm().key))},
+         {{"line"}, "X1,Y1,X2,Y2", Commands::tr("The line, from End 1 to End 2.")},
+         {{"w", "window"},
+          "XMIN,YMIN,XMAX,YMAX",
+          Commands::tr("The window (-100,-75,100,75, the paper's).")},
+         {{"f", "format"},
+          formatKeys().join(u'|'),
+          Commands::tr("Format of the output (by the ending of the name in -o, otherwise text).")},
+         {{"o", "output"},
+          "FILE|FOLDER/",
+          Commands::tr("Where to write. For svg and png there is a file for each step: "
+                       "FILE-01.svg and so on.")},
+         {{"step"}, "N", Commands::tr("Write only this step.")},
+         {{"y", "y-axis"},
+          "up|down",
+          Commands::tr("Direction in which y grows, in pictures and sentences (up).")},
+         {{"theme"}, "light|dark", Commands::tr("Theme of the pictures (light).")},
+         {{"picture-only"},
+          {},
+          Commands::tr("Pictures without sentence, pseudo-code and variables.")},
+         {{"width"},
+          "PIXELS",
+          Commands::tr("Width of png and gif in pixels, %1 to %2; they are 16:9 (1280).")
+              .arg(leastWidth)
+              .arg(mostWidth)},
+         {{"overwrite"}, {}, Commands::tr("Replace numbered files that exist.")},
+         {{"q", "quiet"}, {}, Commands::tr("Do not report the files written.")}},
+        {"clearcut trace -a md --line -160,-30,70,130",
+         "clearcut trace -a cs:published --line 1,1,-1,-1 -w 0.1,0.1,3,3 -f json",
+         "clearcut trace -a lb --line -160,-30,70,130 -o slides.pdf",
+         "clearcut trace -a nln --line -160,-30,70,130 -f svg -o frames/ --theme dark"},
+        0,
+        trace,
+        true};
 }
 
 } // namespace app

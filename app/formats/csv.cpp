@@ -9,14 +9,15 @@ namespace app {
 
 Format csvFormat()
 {
-    return {"csv",
-            QCoreApplication::translate("formats", "Lines as a table"),
-            csv::read,
-            csv::write,
-            Holds::SeparateLines,
-            Hides::No,
-            QCoreApplication::translate("formats", "%1 lines; %2 layers (those above become one)")
-                .arg(countText(csv::mostRows), countText(Containers::mostLayers))};
+    return {
+        "csv",
+        QCoreApplication::translate("formats", "Lines as a table"),
+        csv::read,
+        csv::write,
+        Holds::SeparateLines,
+        Hides::No,
+        QCoreApplication::translate("formats", "%1 lines; %2 layers (further layers become one)")
+            .arg(countText(csv::mostRows), countText(Containers::mostLayers))};
 }
 
 } // namespace app

@@ -16,8 +16,9 @@ Format svgFormat()
             svg::write,
             Holds::Paths,
             Hides::Yes,
-            QCoreApplication::translate("formats", "%1 elements, nested %2 deep; %3 points; %4 "
-                                                   "layers (those above become one)")
+            QCoreApplication::translate(
+                "formats",
+                "%1 elements, nested %2 deep; %3 points; %4 layers (further layers become one)")
                 .arg(countText(svg::mostElements), countText(svg::deepestNesting),
                      countText(svg::mostParts), countText(Containers::mostLayers))};
 }
