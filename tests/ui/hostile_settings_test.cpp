@@ -2,6 +2,7 @@
 #include "app/settings/seal.h"
 #include "ui/look/saved_theme.h"
 
+#include <QDialog>
 #include <QDirIterator>
 #include <QRegularExpression>
 #include <QScreen>
