@@ -116,7 +116,7 @@ QString way(const SentenceContext& context, const QString& from, const Point& st
 QString moved(const SentenceContext& context, int number)
 {
     const auto& p = number == 1 ? context.step.segment.a : context.step.segment.b;
-    return tr("%1 moves along the line to %2, to %3. The part beyond that edge is cut off.")
+    return tr("%1 moves along the line to %2, to %3. The part beyond that edge is removed.")
         .arg(end(number), context.edgeText(), point(p));
 }
 

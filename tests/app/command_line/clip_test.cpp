@@ -165,8 +165,8 @@ private slots:
                 QCOMPARE(run.code, 2);
                 QCOMPARE(run.out, "");
                 const QByteArray sentence = "--window " + QByteArray(window)
-                                            + ": give all four with a unit, counted from the "
-                                              "paper's top left corner, or all four without, ";
+                                            + ": give all four numbers with a unit, counted "
+                                              "from the paper's top left corner, or all four ";
                 QVERIFY2(run.err.contains(sentence), run.err.constData());
             }
     }
@@ -383,8 +383,8 @@ private slots:
         QTest::addColumn<QString>("window");
         QTest::addColumn<QByteArray>("hidden"); // what is said of the hidden shape
         QTest::addColumn<QByteArray>("why");    // that nothing (visible) is left
-        const QByteArray left = "1 left and still hidden, 0 gone;",
-                         gone = "0 left and still hidden, 1 gone;";
+        const QByteArray left = "1 left and still hidden, 0 removed.",
+                         gone = "0 left and still hidden, 1 removed.";
         QTest::newRow("all whole") << "0,0,100,10" << left << QByteArray();
         QTest::newRow("both cut") << "20,0,80,10" << left << QByteArray();
         QTest::newRow("hidden gone") << "50,0,100,10" << gone << QByteArray();

@@ -95,7 +95,7 @@ private slots:
         const auto refused = clearcut(arguments);
         QCOMPARE(refused.code, 1);
         QCOMPARE(refused.err, "clearcut trace: " + first.toUtf8()
-                                  + " exists already. Give another name, or --overwrite.\n");
+                                  + " already exists. Give another name, or --overwrite.\n");
         QCOMPARE(contentOf(first), "somebody's own");
         QVERIFY(!QFile::exists(folder_.filePath("talk-02.svg")));
         const auto done = clearcut(QStringList(arguments) << "--overwrite"
@@ -128,7 +128,7 @@ private slots:
         row("step 0", {"--line", "0,0,1,1", "--step", "0"}, "a whole number from 1 to");
         row("step beyond", {"--line", "0,0,1,1", "--step", "9999"}, "a whole number from 1 to");
         row("format", {"--line", "0,0,1,1", "-f", "bmp"}, "--format bmp");
-        row("ending", {"--line", "0,0,1,1", "-o", "a.bmp"}, "say with --format");
+        row("ending", {"--line", "0,0,1,1", "-o", "a.bmp"}, "give the format with --format");
         row("no name", {"--line", "0,0,1,1", "-f", "gif"}, "Name a file or a folder");
         row("option", {"--line", "0,0,1,1", "--setp", "1"}, "The nearest is “--step”");
     }

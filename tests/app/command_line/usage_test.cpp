@@ -168,7 +168,7 @@ private slots:
         row(clip + QStringList{"--page", "--margin", "1e6"},
             "--margin 1e6 is too large: nothing of the page is left.");
         row(clip + QStringList{"-a", "nobody"}, "There is no algorithm “nobody”");
-        row(clip + QStringList{"-a", "md,md"}, "name one with -a");
+        row(clip + QStringList{"-a", "md,md"}, "Name it with -a");
         row(clip + QStringList{"--form", "new"}, "--form new: give corrected or published");
         row(clip + QStringList{"--form", "published"}, "“Exact” has no published form");
         row(clip + QStringList{"--keep", "both"}, "--keep both: give inside or outside");
@@ -202,7 +202,7 @@ private slots:
         row({"bench", "--format", "xml"}, "--format xml: give text or csv or json");
         row({"bench", "--scene", "moon"}, "--scene moon: give paper or inside or");
         row({"bench", "--space", "0,0,5cm,5"}, "--space 0,0,5cm,5: give four numbers without");
-        row({"bench", "--window=-960,-75,100,75"}, "the space must be larger on all four sides");
+        row({"bench", "--window=-960,-75,100,75"}, "the space must extend beyond it on all four sides");
         row({"bench", "--measure", "clip,sleep"}, "--measure clip,sleep: give clip, draw, total");
         row({"bench", "--form", "published", "-a", "exact"}, "None of these algorithms");
         row({"bench", "--paper", "table3"}, "--paper table3: give table1 or table2 or all");
@@ -505,7 +505,7 @@ private slots:
                                  + ": seconds for 100,000 lines, "
                                    "algorithms published\n"),
                      1);
-        QVERIFY(usual.contains("KWC loses 133 of the 16,523 lines"));
+        QVERIFY(usual.contains("KWC loses 133 of the 16,523 visible lines"));
     }
 
     void tablesGoToFilesByTheirEndings()

@@ -90,7 +90,8 @@ private slots:
         const Window w{{0, 0}, {4, 3}};
         for (const Variant& variant : everyForm()) {
             const QString cut = captionWithoutEdges(variant, w, {{-2, 1}, {6, 2}});
-            QVERIFY2(cut.endsWith("cuts the line: what is left is visible."), qPrintable(cut));
+            QVERIFY2(cut.endsWith("cuts the line: the remaining part is visible."),
+                     qPrintable(cut));
             const QString whole = captionWithoutEdges(variant, w, {{1, 1}, {2, 2}});
             QVERIFY2(whole.endsWith("cuts nothing: the whole line is visible."), qPrintable(whole));
         }
@@ -106,7 +107,7 @@ private slots:
                  name + "rejects the line without a cut: nothing is visible.");
         QCOMPARE(caption({{-2, 1}, {6, 1}}),
                  name
-                     + "cuts the line at the left edge and the right edge: what is left is "
+                     + "cuts the line at the left edge and the right edge: the remaining part is "
                        "visible.");
         QVERIFY(caption({{-2, 2}, {1, 5}}).endsWith("and then rejects it: nothing is visible."));
         const Variant cs{clipping::findAlgorithm("CS"), clipping::Form::Published};

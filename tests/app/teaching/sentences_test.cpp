@@ -292,7 +292,7 @@ private slots:
              "8: From End 1 to the left edge, x changes by 60. For each unit of x, y changes by "
              "0.695652; in all, y changes by 41.7391.",
              "9: End 1 moves along the line to the left edge, to (−100, 11.7391). The part beyond "
-             "that edge is cut off.",
+             "that edge is removed.",
              "13: End 1 does not lie below the window (11.7391 > −75), so the bottom edge does not "
              "cut it.",
              "16: End 1 does not lie above the window (11.7391 < 75), so the top edge does not cut "
@@ -308,7 +308,7 @@ private slots:
              "17: From End 1 to the top edge, y changes by 105. For each unit of y, x changes by "
              "1.4375; in all, x changes by 150.938.",
              "18: End 2 moves along the line to the top edge, to (−9.0625, 75). The part beyond "
-             "that edge is cut off.",
+             "that edge is removed.",
              "19: The ends are now at x = −100 and x = −9.0625, neither both left nor both right "
              "of the window: the algorithm concludes that the line meets it.",
              "21: The remaining part, from (−100, 11.7391) to (−9.0625, 75), lies inside the "
@@ -332,7 +332,7 @@ private slots:
              "11.7391).",
              "17: The outcode is that of End 1, so End 1 is cut.",
              "18: End 1 moves along the line to the left edge, to (−100, 11.7391). The part beyond "
-             "that edge is cut off. Its outcode is now 0000 (inside).",
+             "that edge is removed. Its outcode is now 0000 (inside).",
              "3: At least one end is outside, because 0000 | 1000 = 1000 is not 0000: the line "
              "cannot be accepted yet.",
              "5: No edge has both ends beyond it, because 0000 & 1000 = 0000: the line cannot be "
@@ -345,7 +345,7 @@ private slots:
              "75).",
              "17: The outcode is not that of End 1, so End 2 is cut.",
              "20: End 2 moves along the line to the top edge, to (−9.0625, 75). The part beyond "
-             "that edge is cut off. Its outcode is now 0000 (inside).",
+             "that edge is removed. Its outcode is now 0000 (inside).",
              "3: Both ends are inside, because 0000 | 0000 = 0000: the line can be accepted.",
              "4: The remaining part, from (−100, 11.7391) to (−9.0625, 75), lies inside the "
              "window: it is visible."});
@@ -361,13 +361,13 @@ private slots:
              "5: No edge has both ends beyond it, because 0001 & 1000 = 0000: the line cannot be "
              "rejected yet.",
              "7: End 1 is outside, with the outcode 0001 (left), so End 1 is cut.",
-             "The cut starts from the original position of 8: End 1, (−160, −30).",
+             "8: The cut starts from the original position of End 1, (−160, −30).",
              "11: The bit of the top edge is not set in 0001: End 1 is not cut at that edge.",
              "15: The bit of the bottom edge is not set in 0001: End 1 is not cut at that edge.",
              "19: The bit of the right edge is not set in 0001: End 1 is not cut at that edge.",
              "24: From End 1 to the left edge, x changes by 60. Meanwhile y changes by 41.7391.",
              "25: End 1 moves along the line to the left edge, to (−100, 11.7391). The part beyond "
-             "that edge is cut off.",
+             "that edge is removed.",
              "26: The distance that End 1 has moved, compared with its distances to the other "
              "edges, gives the outcode 0000 (inside).",
              "27: An edge that has cut End 1 does not cut it again. The bits of these edges, 0001, "
@@ -378,12 +378,12 @@ private slots:
              "rejected yet.",
              "7: End 1 is inside and End 2 is outside, with the outcode 1000 (above), so End 2 is "
              "cut.",
-             "The cut starts from the original position of 10: End 2, (70, 130).",
+             "10: The cut starts from the original position of End 2, (70, 130).",
              "11: The bit of the top edge is set in 1000: End 2 lies above the window and is cut "
              "at that edge.",
              "12: From End 2 to the top edge, y changes by −55. Meanwhile x changes by −79.0625.",
              "13: End 2 moves along the line to the top edge, to (−9.0625, 75). The part beyond "
-             "that edge is cut off.",
+             "that edge is removed.",
              "14: The distance that End 2 has moved, compared with its distances to the other "
              "edges, gives the outcode 0000 (inside).",
              "27: An edge that has cut End 2 does not cut it again. The bits of these edges, 1000, "
@@ -443,10 +443,10 @@ private slots:
              "11: The remaining part ends at the top edge, at u1 = 0.65625.",
              "19: u1 = 0.65625 is less than 1: End 2 lies outside and has to move.",
              "20: End 2 moves along the line to the top edge, to (−9.0625, 75). The part beyond "
-             "that edge is cut off.",
+             "that edge is removed.",
              "21: u0 = 0.26087 is greater than 0: End 1 lies outside and has to move.",
              "22: End 1 moves along the line to the left edge, to (−100, 11.7391). The part beyond "
-             "that edge is cut off.",
+             "that edge is removed.",
              "23: The remaining part, from (−100, 11.7391) to (−9.0625, 75), lies inside the "
              "window: it is visible."});
     }
@@ -457,10 +457,10 @@ private slots:
         compareLists(touching.last(7),
                      {"20: u1 = 0.5 is less than 1: End 2 lies outside and has to move.",
                       "21: End 2 moves along the line to the top edge, to (−100, 75). The part "
-                      "beyond that edge is cut off.",
+                      "beyond that edge is removed.",
                       "24: u0 = 0.5 is greater than 0: End 1 lies outside and has to move.",
                       "25: End 1 moves along the line to the left edge, to (−100, 75). The part "
-                      "beyond that edge is cut off.",
+                      "beyond that edge is removed.",
                       "26: The remaining part begins where it ends (0.5 = 0.5): the line only "
                       "touches the window.",
                       "27: End 1 becomes the same point as End 2, (−100, 75).",
@@ -484,8 +484,7 @@ private slots:
         const auto edge = [](const char* name, const char* normal, const char* d, const char* n,
                              const char* t) {
             return QStringList{
-                QString(
-                    "3: The inner normal of the %1 edge is (%2), which is as long as that edge.")
+                QString("3: The inner normal of the %1 edge is (%2). It is as long as that edge.")
                     .arg(name, normal),
                 QString("4: The inner normal of the %1 edge is (%2). Along it the line gains D = "
                         "%3 on its way from End 1 to End 2.")
@@ -528,10 +527,10 @@ private slots:
                     "0.65625): the part between them is visible.",
                     "16: tL = 0.65625 is less than 1: End 2 lies outside and has to move.",
                     "17: End 2 moves along the line to the top edge, to (−9.0625, 75). The part "
-                    "beyond that edge is cut off.",
+                    "beyond that edge is removed.",
                     "18: tE = 0.26087 is greater than 0: End 1 lies outside and has to move.",
                     "19: End 1 moves along the line to the left edge, to (−100, 11.7391). The part "
-                    "beyond that edge is cut off.",
+                    "beyond that edge is removed.",
                     "20: The remaining part, from (−100, 11.7391) to (−9.0625, 75), lies inside "
                     "the window: it is visible."});
     }

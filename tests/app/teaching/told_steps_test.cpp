@@ -121,16 +121,16 @@ private slots:
              "4: The outcodes have no bit in common: the line may meet the window.",
              "6: The cross product of both ends is the line as a vector: px = −160, py = 230, pw = "
              "−18700. It tells on which side of the line a point lies.",
-             "8: At the bottom left corner F is −19950.",
+             "8: At the bottom left corner, F = −19950.",
              "9: Seen along the line from End 1 to End 2, the bottom left corner lies on the right "
              "(F = −19950, so c[0] = 0).",
-             "8: At the bottom right corner F is −51950.",
+             "8: At the bottom right corner, F = −51950.",
              "9: Seen along the line from End 1 to End 2, the bottom right corner lies on the "
              "right (F = −51950, so c[1] = 0).",
-             "8: At the top right corner F is −17450.",
+             "8: At the top right corner, F = −17450.",
              "9: Seen along the line from End 1 to End 2, the top right corner lies on the right "
              "(F = −17450, so c[2] = 0).",
-             "8: At the top left corner F is 14550.",
+             "8: At the top left corner, F = 14550.",
              "9: Seen along the line from End 1 to End 2, the top left corner lies on the left "
              "(F = 14550, so c[3] = 1).",
              "10: The four answers make c = 1000, row 8 of the table: the side changes along the "
@@ -241,7 +241,7 @@ private slots:
              "5: The line meets the y axis at c = 81.3043. From now on the line is y = mx + c.",
              "7: End 1 lies left of the window (−160 < −100), so it is pushed to the left edge.",
              "8: End 1 moves along the line to the left edge, to (−100, 11.7391). The part beyond "
-             "that edge is cut off.",
+             "that edge is removed.",
              "11: End 1 does not lie below the window (11.7391 > −75).",
              "13: End 1 does not lie above the window (11.7391 < 75).",
              "7: End 2 does not lie left of the window (70 > −100).",
@@ -249,7 +249,7 @@ private slots:
              "11: End 2 does not lie below the window (130 > −75).",
              "13: End 2 lies above the window (130 > 75), so it is pushed to the top edge.",
              "14: End 2 moves along the line to the top edge, to (−9.0625, 75). The part beyond "
-             "that edge is cut off.",
+             "that edge is removed.",
              "15: Now |x1 − x2| = 90.9375, not less than 1: the line has not shrunk to a point, "
              "so it meets the window.",
              "40: The remaining part, from (−100, 11.7391) to (−9.0625, 75), lies inside the "
@@ -280,7 +280,7 @@ private slots:
              "the line out.",
              "23: From End 1 to the left edge, x changes by 60. Meanwhile y changes by 41.7391.",
              "24: End 1 moves along the line to the left edge, to (−100, 11.7391). The part beyond "
-             "that edge is cut off.",
+             "that edge is removed.",
              "29: End 1 has moved by 41.7391 in y, and the bottom edge was −45 away (41.7391 > "
              "−45): End 1 has not passed that edge and does not lie below the window.",
              "33: End 1 has moved by 41.7391 in y, and the top edge was 105 away (41.7391 < 105): "
@@ -294,7 +294,7 @@ private slots:
              "the line out.",
              "35: From End 2 to the top edge, y changes by −55. Meanwhile x changes by −79.0625.",
              "36: End 2 moves along the line to the top edge, to (−9.0625, 75). The part beyond "
-             "that edge is cut off.",
+             "that edge is removed.",
              "7: Rounding has put no end outside the window, so both stay where they are.",
              "18: The remaining part, from (−100, 11.7391) to (−9.0625, 75), lies inside the "
              "window: it is visible."});
@@ -455,7 +455,7 @@ private slots:
     {
         const auto slater =
             told("sb:published", {{-1e200, -1e200}, {2e200, 2e200}}, {{0, 0}, {1, 1}});
-        QVERIFY2(slater.filter("tells on which side").isEmpty(), qPrintable(slater.join('\n')));
+        QVERIFY2(slater.filter("on which side").isEmpty(), qPrintable(slater.join('\n')));
         QVERIFY2(slater.filter("By the sign of e").isEmpty(), qPrintable(slater.join('\n')));
         QVERIFY2(slater.contains("23: The products overflow: e is not a number (NaN). The walk "
                                  "nevertheless crosses the line of the bottom edge."),
@@ -463,11 +463,10 @@ private slots:
         const auto skala =
             told("skala:published", {{-1e200, -1e200}, {2e200, 2e200}}, {{0, 0}, {1, 1}});
         QVERIFY(skala.filter("lies on the").isEmpty());
-        QCOMPARE(skala.filter("too large for a number").size(), 4);
+        QCOMPARE(skala.filter("The products overflow").size(), 4);
         const auto matthes =
             told("md:published", {{-1e-300, -1e300}, {2e-300, 1e300}}, {{0, 0}, {1, 1}});
         QVERIFY2(matthes.last().contains("That is wrong"), qPrintable(matthes.last()));
-        QVERIFY(matthes.filter("has passed the window").isEmpty());
     }
 
     void slaterBarskySaysWhatItLoses()
