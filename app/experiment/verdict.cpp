@@ -193,8 +193,9 @@ QStringList paperSentences(const Trial& trial)
     const auto leaders = rankingOf(*trial.paper).leaders();
     const auto& fastest = trial.paper->columns[leaders.front()];
     sentences << (leaders.size() == 1
-                      ? Experiments::tr("By the same tests, %1 is the fastest in the paper's own "
-                                        "runs, assuming that they are paired row by row.")
+                      ? Experiments::tr(
+                            "By the same tests, the fastest algorithm in the paper's own "
+                            "runs is %1, assuming that they are paired row by row.")
                             .arg(shortNameOf({fastest.algorithm, clipping::Form::Corrected}))
                       : Experiments::tr(
                           "By the same tests, the paper's own runs do not tell which algorithm is "

@@ -141,7 +141,7 @@ private slots:
         const auto measure = app::measures()[2];
         const auto table = app::againstPaper(paper, record, measure);
         QCOMPARE(table.rows.size(), 7u);
-        QVERIFY(table.notes.join(' ').contains("Not the same work"));
+        QVERIFY(table.notes.join(' ').contains("The work differs"));
         const auto& nln = table.rows[3];
         QCOMPARE(nln[0], "NLN");
         QCOMPARE(nln[1], "12.969");
@@ -161,8 +161,8 @@ private slots:
         const QString notes = table.notes.join(' ');
         QVERIFY(
             notes.contains("Too few runs: 7 algorithms need 10 runs, but this experiment has 4."));
-        QVERIFY(notes.contains("that is an assumption"));
-        QVERIFY(app::paperLayout(paper).notes.join(' ').contains("that is an assumption"));
+        QVERIFY(notes.contains("That is an assumption"));
+        QVERIFY(app::paperLayout(paper).notes.join(' ').contains("That is an assumption"));
     }
 
     void differentWorkIsReported()

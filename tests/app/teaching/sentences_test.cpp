@@ -486,8 +486,9 @@ private slots:
             return QStringList{
                 QString("3: The inner normal of the %1 edge is (%2). It is as long as that edge.")
                     .arg(name, normal),
-                QString("4: The inner normal of the %1 edge is (%2). Along it the line gains D = "
-                        "%3 on its way from End 1 to End 2.")
+                QString("4: The inner normal of the %1 edge is (%2). Along it, the line advances "
+                        "by D = "
+                        "%3 from End 1 to End 2.")
                     .arg(name, normal, d),
                 QString("5: Along the same normal, End 1 lies N = %2 inside the %1 edge (N < 0: "
                         "beyond it).")

@@ -200,7 +200,7 @@ private slots:
         stage.choose("sb:published");
         QVERIFY2(stage.panel.summary().contains("1 with an end that is not a number"),
                  qPrintable(stage.panel.summary()));
-        QCOMPARE(stage.cell(0, 1).left(18), "an end is no numbe");
+        QCOMPARE(stage.cell(0, 1).left(18), "an end is not a nu");
         stage.panel.magnify(0, 1);
         QVERIFY(!stage.panel.magnifier().isVisible());
         bool said = false;
