@@ -6,26 +6,24 @@
 #include "ui/dialogs/questions.h"
 #include "ui/look/look.h"
 #include "ui/widgets/message_strip.h"
-#include "ui/window/panel_layout.h"
 #include "ui/window/panels.h"
 
 #include <QMainWindow>
-#include <QPointer>
-
-class QStackedWidget;
-class QToolBar;
 
 namespace ui {
 
 class AlgorithmPanel;
+class Centre;
 class CostMapPanel;
 class DifferencePanel;
 class ExactnessPanel;
 class Files;
 class MicroscopePage;
+class Modes;
 class OptionBar;
+class PanelLayout;
 class StatusBar;
-class WindowNote;
+class ToolBar;
 
 /// The editor's window around one session: bars, canvas and panels. It only assembles them. The
 /// room menus/ adds its commands (`addMenus`) and opens the other windows that it asks for.
@@ -52,19 +50,19 @@ public:
     StatusBar& status() { return *status_; }
     app::DrawnLine& drawnLine() { return drawnLine_; }
     /// The microscope's page; null until the microscope is first opened.
-    MicroscopePage* microscopePage() const { return microscopePage_; }
+    MicroscopePage* microscopePage() const;
 
     /// Shows the first sample, its clip window ready to drag, and the start panel in front.
     void showStart();
     void tell(const Message& message) { strip_->tell(message); }
     QString message() const { return strip_->sentence(); }
 
-    QList<QAction*> toolActions() const { return toolActions_; }
-    QList<QAction*> panelToggles() const { return panelLayout_->toggles(); }
-    void raisePanel(const QString& key) { panelLayout_->raise(key); }
-    void togglePanel(const QString& key) { panelLayout_->toggle(key); }
-    bool showsPanel(const QString& key) const { return panelLayout_->shows(key); }
-    void resetLayout() { panelLayout_->reset(); }
+    QList<QAction*> toolActions() const;
+    QList<QAction*> panelToggles() const;
+    void raisePanel(const QString& key);
+    void togglePanel(const QString& key);
+    bool showsPanel(const QString& key) const; ///< possibly behind another tab
+    void resetLayout();
 
     /// Shows the lessons beside the microscope.
     void showLessons();
@@ -96,21 +94,15 @@ protected:
 
 private:
     void addCentre();
-    void addMicroscope();
-    void makeMicroscopePage();
-    void remakeMicroscopePage();
-    void followMicroscope();
-    void fitMode();
-    void showInCentre();
-    void makeBare();
-    void endBare();
-    void closeLessons();
-    void addTools();
     void addBars();
+    void addModes();
     void addPanels();
     void connectPanels();
     void connectLayout();
     void connectFiles();
+    void connectMicroscope(MicroscopePage* page);
+    void connectSession();
+    static QString placeKey() { return QStringLiteral("geometry"); } ///< in the settings
     void showTitle();
     void rememberPanes();
     void limitHistory();
@@ -119,21 +111,15 @@ private:
     app::DrawnLine drawnLine_{session_};
     Theme theme_;
     Canvas* canvas_;
-    QStackedWidget* centre_ = nullptr; ///< the canvas, or the microscope
-    MicroscopePage* microscopePage_ = nullptr;
-    QPointer<QWidget> focusBefore_;   ///< the focus to restore when the microscope closes
-    std::optional<QFont> fontBefore_; ///< the application's font to restore after presenting
-    Qt::WindowStates statesBefore_{}; ///< the window's states to restore after presenting
-    bool bare_ = false;               ///< the mode hides the panels
-    QList<QToolBar*> barsBefore_;     ///< tool bars to show again
     MessageStrip* strip_;
+    Centre* centre_ = nullptr;
+    ToolBar* toolBar_ = nullptr;
     OptionBar* optionBar_ = nullptr;
     StatusBar* status_ = nullptr;
     std::unique_ptr<Files> files_;
     Panels panels_{session_};
     std::unique_ptr<PanelLayout> panelLayout_;
-    QList<QAction*> toolActions_;
-    WindowNote* note_ = nullptr;
+    std::unique_ptr<Modes> modes_;
 };
 
 } // namespace ui

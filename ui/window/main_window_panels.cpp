@@ -7,6 +7,7 @@
 #include "ui/docks/line_panel.h"
 #include "ui/docks/window_panel.h"
 #include "ui/window/main_window.h"
+#include "ui/window/panel_layout.h"
 #include "ui/window/start.h"
 
 // What the panels ask of the window.

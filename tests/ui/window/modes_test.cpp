@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/canvas/canvas.h"
+#include "ui/lessons/lesson_panel.h"
+#include "ui/look/look.h"
+#include "ui/microscope/microscope_page.h"
+#include "ui/widgets/message_strip.h"
+#include "ui/window/centre.h"
+#include "ui/window/modes.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QSignalSpy>
+#include <QToolBar>
+
+#include "tests/ui/window/plain_panels.h"
+
+using namespace ui;
+
+namespace {
+
+/// A window with a canvas, two bars and plain panels, but without menus and status bar.
+class Stage {
+public:
+    Stage()
+    {
+        canvas = new Canvas(session, Backend::Raster);
+        centre = new Centre(*new MessageStrip, *canvas);
+        window().setCentralWidget(centre);
+        across = window().addToolBar("across");
+        across->setObjectName("across");
+        atSide = new QToolBar("side");
+        atSide->setObjectName("side");
+        window().addToolBar(Qt::LeftToolBarArea, atSide);
+        modes = std::make_unique<Modes>(
+            session, drawn, *canvas,
+            Modes::Parts{window(), *centre, *plain.layout, {across, atSide}});
+        plain.show();
+        window().activateWindow();
+        canvas->setFocus();
+    }
+    QMainWindow& window() { return plain.window; }
+    void toggleMicroscope()
+    {
+        session.microscope.isOpen() ? session.microscope.close() : drawn.look();
+        QCoreApplication::processEvents();
+    }
+    void togglePresenting()
+    {
+        modes->togglePresenting();
+        QCoreApplication::processEvents();
+    }
+    /// What the window shows although its mode should not, or does not show although it should.
+    QStringList faults()
+    {
+        const Mode mode = modeOf(session);
+        const ModeParts parts = partsOf(mode);
+        const bool presenting = mode == Mode::Presenting || mode == Mode::PresentingMicroscope;
+        QStringList faults;
+        const auto expect = [&faults](const char* what, bool shown, bool wanted) {
+            if (shown != wanted)
+                faults << QLatin1StringView(what);
+        };
+        expect("microscope", !centre->showsCanvas(), parts.microscope);
+        expect("canvas", canvas->isVisible(), !parts.microscope);
+        expect("panels", !plain.inFront().empty(), parts.panels);
+        expect("bar across", across->isVisible(), parts.barAcross);
+        expect("bar at the side", atSide->isVisible(), parts.barAtSide);
+        expect("large type", QApplication::font().pointSizeF() > type * 1.4, presenting);
+        return faults;
+    }
+
+    const double type = QApplication::font().pointSizeF();
+    app::Session session;
+    app::DrawnLine drawn{session};
+    PlainWindow plain;
+    Canvas* canvas;
+    Centre* centre;
+    QToolBar *across, *atSide;
+    std::unique_ptr<Modes> modes;
+};
+
+} // namespace
+
+class ModesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { applyTheme(*qApp, Theme::Light); }
+
+    void theSessionSaysWhichModeIsOn()
+    {
+        app::Session session;
+        app::DrawnLine drawn(session);
+        QCOMPARE(modeOf(session), Mode::Editing);
+        drawn.look();
+        QCOMPARE(modeOf(session), Mode::Microscope);
+        app::Display display = session.display();
+        display.presenting = true;
+        session.setDisplay(display);
+        QCOMPARE(modeOf(session), Mode::PresentingMicroscope);
+        session.microscope.close();
+        QCOMPARE(modeOf(session), Mode::Presenting);
+    }
+    void everyWayThroughTheModesEndsAsItBegan_data()
+    {
+        QTest::addColumn<QString>("toggles"); // m: microscope, p: presenting
+        for (const char* toggles : {"mm", "pp", "mpmp", "mppm", "pmpm", "pmmp", "mmppmpmp"})
+            QTest::newRow(toggles) << QString(toggles);
+    }
+    void everyWayThroughTheModesEndsAsItBegan()
+    {
+        QFETCH(QString, toggles);
+        Stage stage;
+        QCOMPARE(stage.faults().join(","), QString());
+        const QStringList panels = stage.plain.inFront();
+        for (const QChar toggle : toggles) {
+            toggle == u'm' ? stage.toggleMicroscope() : stage.togglePresenting();
+            QCOMPARE(stage.faults().join(","), QString());
+        }
+        QCOMPARE(modeOf(stage.session), Mode::Editing);
+        QCOMPARE(stage.plain.inFront(), panels);
+        QCOMPARE(QApplication::font().pointSizeF(), stage.type);
+    }
+    void aBarThatThePersonHidStaysHidden()
+    {
+        Stage stage;
+        stage.atSide->hide();
+        for (int i = 0; i < 2; ++i) {
+            stage.toggleMicroscope();
+            QVERIFY(!stage.atSide->isVisible());
+        }
+        stage.atSide->show();
+        for (int i = 0; i < 2; ++i)
+            stage.toggleMicroscope();
+        QVERIFY(stage.atSide->isVisible());
+    }
+    void presentingFillsTheScreenAndRestoresTheWindow()
+    {
+        Stage stage;
+        const QSize size = stage.window().size();
+        stage.togglePresenting();
+        QVERIFY(stage.window().isFullScreen());
+        stage.togglePresenting();
+        QVERIFY(!stage.window().isFullScreen());
+        QTRY_COMPARE(stage.window().size(), size);
+    }
+    void theFocusReturnsFromTheMicroscope()
+    {
+        Stage stage;
+        for (const bool deleted : {false, true}) {
+            auto* field = new QWidget;
+            field->setFocusPolicy(Qt::StrongFocus);
+            stage.atSide->addWidget(field);
+            QTRY_VERIFY(field->isVisible());
+            field->setFocus();
+            QVERIFY(field->hasFocus());
+            stage.toggleMicroscope();
+            QVERIFY(!field->hasFocus());
+            if (deleted)
+                delete field;
+            stage.toggleMicroscope();
+            QCOMPARE(stage.window().focusWidget(), deleted ? stage.canvas->focusProxy() : field);
+        }
+    }
+    void theMicroscopeIsMadeWhenItIsEnteredAndAnewForAnotherType()
+    {
+        Stage stage;
+        const QSignalSpy made(&stage.modes->microscope(), &MicroscopeMode::made);
+        stage.togglePresenting();
+        stage.togglePresenting();
+        QVERIFY(!stage.centre->microscope());
+        for (int i = 0; i < 3; ++i)
+            stage.toggleMicroscope();
+        QCOMPARE(made.size(), 1);
+        const MicroscopePage* const before = stage.centre->microscope();
+        stage.togglePresenting();
+        QCOMPARE(made.size(), 2);
+        QVERIFY(stage.centre->microscope() != before && stage.centre->microscope()->isVisible());
+    }
+    void lessonsAreReadOnWhilePresentingAndEndWithTheMicroscope()
+    {
+        Stage stage;
+        MicroscopeMode& microscope = stage.modes->microscope();
+        const QSignalSpy changed(stage.modes.get(), &Modes::changed);
+        microscope.showLessons();
+        QCOMPARE(modeOf(stage.session), Mode::Microscope);
+        stage.session.course.begin(0);
+        stage.togglePresenting();
+        QVERIFY(microscope.showsLessons() && stage.session.course.lesson());
+        stage.toggleMicroscope();
+        QVERIFY(!microscope.showsLessons() && !stage.session.course.lesson());
+        QCOMPARE(stage.faults().join(","), QString());
+        QVERIFY(changed.size() >= 4);
+    }
+    void loadingADrawingLeavesTheMicroscope()
+    {
+        Stage stage;
+        stage.toggleMicroscope();
+        stage.session.load({});
+        QCOMPARE(stage.faults().join(","), QString());
+        QVERIFY(modeOf(stage.session) == Mode::Editing);
+    }
+    void typeIsTheProgramsAndGoesWithTheWindow()
+    {
+        const double type = QApplication::font().pointSizeF();
+        {
+            Stage stage;
+            stage.togglePresenting();
+            QVERIFY(QApplication::font().pointSizeF() > type);
+        }
+        QCOMPARE(QApplication::font().pointSizeF(), type);
+    }
+};
+
+QTEST_MAIN(ModesTest)
+#include "modes_test.moc"

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+class QStackedWidget;
+
+namespace ui {
+
+class Canvas;
+class MessageStrip;
+class MicroscopePage;
+class WindowNote;
+
+/// The middle of the window: the canvas, or the microscope in its place, below the message strip
+/// and, at the first start, a note.
+class Centre : public QWidget {
+    Q_OBJECT
+
+public:
+    Centre(MessageStrip& strip, Canvas& canvas);
+
+    void addNote(WindowNote& note); ///< until it deletes itself; the microscope hides it
+    /// Uses this page from now on. The page before is deleted later: it may handle an event now.
+    void setMicroscope(MicroscopePage* page);
+    MicroscopePage* microscope() const { return microscope_; } ///< null: none yet
+
+    void showCanvas();
+    void showMicroscope();
+    bool showsCanvas() const;
+
+private:
+    void show(QWidget& page);
+
+    QStackedWidget* pages_;
+    Canvas& canvas_;
+    MicroscopePage* microscope_ = nullptr;
+    WindowNote* note_ = nullptr;
+};
+
+} // namespace ui

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/numbers.h"
+#include "ui/bars/status_bar.h"
+#include "ui/editing/undo_memory.h"
+#include "ui/files/files.h"
+#include "ui/microscope/microscope_page.h"
+#include "ui/window/main_window.h"
+
+#include <QSettings>
+
+// What session, files, canvas and microscope ask of the window.
+
+namespace ui {
+
+void MainWindow::connectSession()
+{
+    for (const auto signal : {&app::Session::displayChanged, &app::Session::selectionChanged,
+                              &app::Session::fileChanged})
+        connect(&session_, signal, this, &MainWindow::refreshActions);
+    connect(&session_.document, &app::EditedDocument::changed, this, &MainWindow::refreshActions);
+    connect(&session_.history, &app::History::cleanChanged, this, &MainWindow::showTitle);
+    connect(&session_.history, &app::History::indexChanged, strip_, &MessageStrip::takeBackDone);
+    connect(&session_, &app::Session::refused, this, [this](const QString& sentence) {
+        tell({Message::Kind::Warning, sentence});
+    });
+}
+
+void MainWindow::connectFiles()
+{
+    connect(files_.get(), &Files::documentWanted, canvas_, &Canvas::endGesture);
+    connect(files_.get(), &Files::told, this, &MainWindow::tell);
+    connect(files_.get(), &Files::nameChanged, this, &MainWindow::showTitle);
+}
+
+void MainWindow::rememberPanes()
+{
+    if (const auto panes =
+            app::Panes::fromText(QSettings().value("panes").toString(), session_.variant()))
+        canvas_->setPanes(*panes);
+    connect(canvas_, &Canvas::panesChanged, this, [this] {
+        QSettings().setValue("panes", canvas_->panes().text());
+        refreshActions();
+    });
+}
+
+// The message is shown once per drawing, and after the command's own message, which would replace
+// it.
+void MainWindow::limitHistory()
+{
+    session_.history.setLimit(bytesOf(undoMegabytes()));
+    const auto sayWhy = [this] {
+        tell({Message::Kind::Warning,
+              tr("The oldest steps can no longer be undone: undo may use at most %1 MB of memory "
+                 "(menu Settings). Save a copy if you may need this state again.")
+                  .arg(app::countText(session_.history.limit() / bytesOf(1)))});
+    };
+    connect(&session_.history, &app::History::forgot, this, [this, sayWhy](int steps) {
+        if (steps == session_.history.forgotten())
+            QMetaObject::invokeMethod(this, sayWhy, Qt::QueuedConnection);
+    });
+}
+
+void MainWindow::connectMicroscope(MicroscopePage* page)
+{
+    connect(page, &MicroscopePage::refused, this, [this](const QString& sentence) {
+        tell({Message::Kind::Warning, sentence});
+    });
+    connect(page, &MicroscopePage::pointerMoved, status_, &StatusBar::showPoint);
+    connect(page, &MicroscopePage::hinted, status_, &StatusBar::showHint);
+    connect(page, &MicroscopePage::aboutWanted, this,
+            [this](const clipping::Algorithm* algorithm) { emit explanationWanted(*algorithm); });
+    connect(page, &MicroscopePage::exportWanted, this, &MainWindow::stepsExportWanted);
+}
+
+void MainWindow::showTitle()
+{
+    setWindowTitle(tr("%1[*] – Clearcut").arg(files_->name()));
+    setWindowFilePath(session_.path());
+    setWindowModified(!session_.history.isClean());
+}
+
+} // namespace ui

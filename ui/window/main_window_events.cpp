@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/files/files.h"
+#include "ui/look/window_place.h"
+#include "ui/window/centre.h"
+#include "ui/window/commands.h"
+#include "ui/window/keyboard.h"
+#include "ui/window/main_window.h"
+#include "ui/window/panel_layout.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDropEvent>
+#include <QKeyEvent>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QStatusBar>
+
+namespace ui {
+
+namespace {
+
+constexpr int messageMilliseconds = 5000;
+
+} // namespace
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    if (!files_->mayClose())
+        return event->ignore();
+    rememberPlace(*this, placeKey());
+    panelLayout_->save();
+    event->accept();
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event)
+{
+    QMainWindow::resizeEvent(event);
+    panelLayout_->fitWindow();
+}
+
+/// Handles a key that no widget took: says why the key's command is disabled, or treats the key as
+/// the American one at the same place.
+void MainWindow::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Escape && centre_->showsCanvas())
+        return canvas_->setFocus(); // from a list or a field
+    const auto key = keyAtItsPlace(*event);
+    const bool onCanvas = canvas_->isAncestorOf(QApplication::focusWidget());
+    const QKeySequence pressed(event->keyCombination());
+    for (QAction* action : commands(*menuBar())) {
+        const bool reached =
+            action->shortcutContext() != Qt::WidgetWithChildrenShortcut || onCanvas;
+        if (reached && !action->isEnabled() && !action->statusTip().isEmpty()
+            && action->shortcuts().contains(pressed))
+            return statusBar()->showMessage(action->statusTip(), messageMilliseconds);
+        if (key && reached && action->isEnabled()
+            && action->shortcuts().contains(QKeySequence(*key)))
+            return action->trigger();
+    }
+    QMainWindow::keyPressEvent(event);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+    for (const QUrl& url : event->mimeData()->urls())
+        if (url.isLocalFile())
+            return event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event)
+{
+    for (const QUrl& url : event->mimeData()->urls())
+        if (url.isLocalFile()) {
+            event->acceptProposedAction();
+            // Queued until the drop is finished, because a question may follow while the other
+            // program waits.
+            QMetaObject::invokeMethod(
+                this, [this, path = url.toLocalFile()] { files_->open(path); },
+                Qt::QueuedConnection);
+            return;
+        }
+}
+
+bool MainWindow::event(QEvent* event)
+{
+    if (event->type() == QEvent::WindowActivate)
+        refreshActions();
+    return QMainWindow::event(event);
+}
+
+} // namespace ui

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/microscope_mode.h"
+
+#include "ui/canvas/canvas.h"
+#include "ui/lessons/lesson_panel.h"
+#include "ui/microscope/microscope_page.h"
+#include "ui/window/centre.h"
+
+#include <QApplication>
+
+namespace ui {
+
+MicroscopeMode::MicroscopeMode(app::Session& session, app::DrawnLine& drawn, Canvas& canvas,
+                               Centre& centre)
+    : session_(session), drawn_(drawn), canvas_(canvas), centre_(centre)
+{
+}
+
+void MicroscopeMode::enter()
+{
+    canvas_.endGesture();
+    if (!centre_.microscope())
+        make();
+    focusBefore_ = QApplication::focusWidget();
+}
+
+void MicroscopeMode::leave() { closeLessons(); }
+
+void MicroscopeMode::returnFocus()
+{
+    (focusBefore_ && focusBefore_->isVisible() ? focusBefore_.data() : &canvas_)->setFocus();
+}
+
+void MicroscopeMode::make()
+{
+    auto* page = new MicroscopePage(session_, drawn_);
+    centre_.setMicroscope(page);
+    connect(page, &MicroscopePage::closeWanted, &session_.microscope, &app::Microscope::close);
+    emit made(page);
+}
+
+void MicroscopeMode::remake()
+{
+    if (!centre_.microscope())
+        return;
+    const bool lessons = showsLessons();
+    make();
+    if (!session_.microscope.isOpen())
+        return;
+    centre_.showMicroscope();
+    if (lessons)
+        showLessons();
+}
+
+void MicroscopeMode::showLessons()
+{
+    if (!session_.microscope.isOpen())
+        drawn_.look();
+    MicroscopePage& page = *centre_.microscope();
+    if (!page.side()) {
+        auto* lessons = new LessonPanel(session_.course);
+        // Queued: the panel is deleted, but not while it handles an event.
+        connect(lessons, &LessonPanel::closeWanted, this, &MicroscopeMode::closeLessons,
+                Qt::QueuedConnection);
+        page.setSide(lessons);
+    }
+    page.side()->setFocus();
+    emit lessonsToggled();
+}
+
+bool MicroscopeMode::showsLessons() const
+{
+    return centre_.microscope() && centre_.microscope()->side();
+}
+
+void MicroscopeMode::closeLessons()
+{
+    session_.course.end();
+    if (centre_.microscope())
+        centre_.microscope()->setSide(nullptr);
+    emit lessonsToggled();
+}
+
+} // namespace ui

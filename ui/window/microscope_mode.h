@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/session/drawn_line.h"
+
+#include <QPointer>
+#include <QWidget>
+
+namespace ui {
+
+class Canvas;
+class Centre;
+class MicroscopePage;
+
+/// The microscope in place of the canvas, and the lessons beside it. Its page is made when it is
+/// first entered.
+class MicroscopeMode : public QObject {
+    Q_OBJECT
+
+public:
+    MicroscopeMode(app::Session& session, app::DrawnLine& drawn, Canvas& canvas, Centre& centre);
+
+    void enter(); ///< ends the canvas's gesture, and remembers what has the focus
+    void leave(); ///< ends the lessons
+    /// Gives the focus back to what had it on entering, or else to the canvas.
+    void returnFocus();
+    /// Replaces the page, because widgets take the sizes of type and marks when they are made.
+    void remake();
+
+    /// Shows the lessons; opens the microscope for them.
+    void showLessons();
+    bool showsLessons() const;
+
+signals:
+    void made(ui::MicroscopePage* page);
+    void lessonsToggled();
+
+private:
+    void make();
+    void closeLessons();
+
+    app::Session& session_;
+    app::DrawnLine& drawn_;
+    Canvas& canvas_;
+    Centre& centre_;
+    QPointer<QWidget> focusBefore_;
+};
+
+} // namespace ui

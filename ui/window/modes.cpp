@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/modes.h"
+
+#include "ui/window/centre.h"
+#include "ui/window/panel_layout.h"
+
+#include <QToolBar>
+
+#include <utility>
+
+namespace ui {
+
+Mode modeOf(const app::Session& session)
+{
+    if (session.display().presenting)
+        return session.microscope.isOpen() ? Mode::PresentingMicroscope : Mode::Presenting;
+    return session.microscope.isOpen() ? Mode::Microscope : Mode::Editing;
+}
+
+Modes::Modes(app::Session& session, app::DrawnLine& drawn, Canvas& canvas, Parts parts)
+    : session_(session), parts_(std::move(parts)),
+      microscope_(session, drawn, canvas, parts_.centre), presenting_(parts_.window)
+{
+    connect(&session.microscope, &app::Microscope::openChanged, this, &Modes::followMicroscope);
+    connect(&session, &app::Session::loaded, &session.microscope, &app::Microscope::close);
+    connect(&microscope_, &MicroscopeMode::lessonsToggled, this, &Modes::changed);
+}
+
+void Modes::followMicroscope()
+{
+    const bool open = session_.microscope.isOpen();
+    open ? microscope_.enter() : microscope_.leave();
+    fit();
+    if (!open)
+        microscope_.returnFocus();
+    emit changed();
+}
+
+void Modes::togglePresenting()
+{
+    app::Display display = session_.display();
+    display.presenting = !display.presenting;
+    display.presenting ? presenting_.enter() : presenting_.leave();
+    session_.setDisplay(display);
+    microscope_.remake();
+    fit();
+    emit changed();
+}
+
+/// Shows the parts of the session's mode. The panels come back last, when the centre has its size.
+void Modes::fit()
+{
+    const ModeParts shown = partsOf(modeOf(session_));
+    if (!shown.panels)
+        parts_.panels.hideAll();
+    fitBars(shown);
+    shown.microscope ? parts_.centre.showMicroscope() : parts_.centre.showCanvas();
+    if (shown.panels)
+        parts_.panels.bringBack();
+}
+
+void Modes::fitBars(const ModeParts& shown)
+{
+    if (!barsOfEditing_) {
+        barsOfEditing_.emplace();
+        for (QToolBar* bar : parts_.bars)
+            if (!bar->isHidden())
+                barsOfEditing_->append(bar);
+    }
+    for (QToolBar* bar : *barsOfEditing_)
+        bar->setVisible(bar->orientation() == Qt::Horizontal ? shown.barAcross : shown.barAtSide);
+    if (shown.panels)
+        barsOfEditing_.reset();
+}
+
+} // namespace ui
