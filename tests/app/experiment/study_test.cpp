@@ -473,7 +473,7 @@ private slots:
         QVERIFY(batch != timings.end() && each == batch + 1);
         QVERIFY(batch->found == each->found); // one algorithm
         const QString told = app::verdict(study->trials[0], clipOnly()).join(' ');
-        QVERIFY2(told.contains("timed in batches") && told.contains("called line by line"),
+        QVERIFY2(told.contains("timed in batches") && told.contains("Called line by line"),
                  qPrintable(told));
         const auto table = app::timesTable(study->trials[0].record, clipOnly()[0]);
         QVERIFY(table.notes.join(' ').contains("timed in batches"));

@@ -195,7 +195,7 @@ private slots:
         QVERIFY(file.setFileTime(QDateTime::currentDateTime().addSecs(1),
                                  QFileDevice::FileModificationTime));
         file.close();
-        QTRY_VERIFY_WITH_TIMEOUT(stage.sentence().contains("loses lines"), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(stage.sentence().contains("loses visible lines"), 60'000);
     }
 
     void theExampleIsSaved()
