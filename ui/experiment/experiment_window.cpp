@@ -99,8 +99,6 @@ ExperimentWindow::ExperimentWindow(app::Session& session, std::function<QString(
     connect(run_, &QPushButton::clicked, this, [this] { run(choice_->choice()); });
     connect(quick_, &QPushButton::clicked, this, [this] { run(app::quick(choice_->choice())); });
     connect(cancel_, &QPushButton::clicked, this, &ExperimentWindow::cancel);
-    connect(&measuring_, &Measuring::progressed, this, &ExperimentWindow::showProgress);
-    connect(&measuring_, &Measuring::finished, this, &ExperimentWindow::finish);
     connect(&session_.scene, &app::Scene::outdated, this, &ExperimentWindow::followDrawing);
     showEffort();
 }
@@ -240,7 +238,10 @@ void ExperimentWindow::run(app::Choice choice)
     state_->setText(tr("Starting…"));
     taken_.start();
     thought_ = app::roughSeconds(*plan.value);
-    measuring_.start(std::move(*plan.value));
+    measuring_.start([plan = std::move(*plan.value)](
+                         const app::Follower& follower) { return app::study(plan, follower); },
+                     [this](std::optional<app::Study>&& study) { finish(std::move(*study)); },
+                     [this](const app::Progress& progress) { showProgress(progress); });
     showState();
 }
 
@@ -251,14 +252,14 @@ void ExperimentWindow::cancel()
     state_->setText(tr("Cancelled. Nothing was changed."));
 }
 
-void ExperimentWindow::finish(const std::shared_ptr<const app::Study>& study)
+void ExperimentWindow::finish(app::Study study)
 {
     const double taken = double(taken_.elapsed()) / 1000;
     if (thought_ >= leastTelling) {
         durationRatio_ = std::clamp(taken / thought_, leastDurationRatio, mostDurationRatio);
         QSettings().setValue(durationRatioKey, durationRatio_);
     }
-    results_->show(study);
+    results_->show(std::make_shared<const app::Study>(std::move(study)));
     stack_->setCurrentWidget(results_);
     showEffort();
     state_->setText(tr("Done in %1.").arg(app::durationText(taken)));

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/background.h"
 #include "app/experiment/choice.h"
+#include "app/experiment/study.h"
 #include "app/session/session.h"
 #include "ui/dialogs/questions.h"
-#include "ui/experiment/measuring.h"
 #include "ui/widgets/message_strip.h"
 
 #include <QDialog>
@@ -50,7 +51,7 @@ private:
     void addTools();
     void run(app::Choice choice);
     void cancel();
-    void finish(const std::shared_ptr<const app::Study>& study);
+    void finish(app::Study study);
     void showProgress(const app::Progress& progress);
     void showEffort();
     void showState();
@@ -70,7 +71,7 @@ private:
     QElapsedTimer taken_;
     double thought_ = 0;       ///< expected duration of the run, in seconds
     double durationRatio_ = 1; ///< measured divided by expected duration; kept in the settings
-    Measuring measuring_;
+    app::Background<std::optional<app::Study>> measuring_;
 };
 
 } // namespace ui

@@ -82,11 +82,6 @@ JudgeWindow::JudgeWindow(app::Session& session, QWidget* parent)
     connect(&watcher_, &QFileSystemWatcher::directoryChanged, this, &JudgeWindow::followFile);
     connect(&watcher_, &QFileSystemWatcher::fileChanged, this, &JudgeWindow::followFile);
     connect(&settled_, &QTimer::timeout, this, &JudgeWindow::run);
-    connect(&judging_, &Judging::finished, this, &JudgeWindow::finish);
-    connect(&judging_, &Judging::progressed, this, [this](const app::Progress& progress) {
-        bar_->setValue(int(1000 * progress.share));
-        state_->setText(app::progressText(progress));
-    });
     showState();
 }
 
@@ -218,7 +213,12 @@ void JudgeWindow::run()
     app::plug_in::Case which{.library = path_, .program = program_};
     if (strict_->isChecked())
         which.contract.strictness = app::plug_in::Strictness::Clearcuts;
-    judging_.start(std::move(which));
+    judging_.start(
+        [which = std::move(which)](const app::Follower& follower) {
+            return app::plug_in::judge(which, follower);
+        },
+        [this](std::optional<app::plug_in::Verdict>&& verdict) { finish(std::move(*verdict)); },
+        [this](const app::Progress& progress) { showProgress(progress); });
     showState();
 }
 
@@ -229,9 +229,15 @@ void JudgeWindow::cancel()
     state_->setText(tr("Cancelled."));
 }
 
-void JudgeWindow::finish(const std::shared_ptr<const app::plug_in::Verdict>& verdict)
+void JudgeWindow::showProgress(const app::Progress& progress)
 {
-    view_->show(verdict);
+    bar_->setValue(int(1000 * progress.share));
+    state_->setText(app::progressText(progress));
+}
+
+void JudgeWindow::finish(app::plug_in::Verdict verdict)
+{
+    view_->show(std::make_shared<const app::plug_in::Verdict>(std::move(verdict)));
     stack_->setCurrentWidget(view_);
     state_->setText(
         tr("Judged at %1.").arg(QTime::currentTime().toString(QStringLiteral("HH:mm:ss"))));

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/background.h"
+#include "app/judge/judge.h"
 #include "app/session/session.h"
 #include "ui/dialogs/questions.h"
-#include "ui/judge/judging.h"
 #include "ui/widgets/message_strip.h"
 
 #include <QCheckBox>
@@ -50,7 +51,8 @@ private:
     void take(const QString& path);
     void run();
     void cancel();
-    void finish(const std::shared_ptr<const app::plug_in::Verdict>& verdict);
+    void finish(app::plug_in::Verdict verdict);
+    void showProgress(const app::Progress& progress);
     void followFile();
     void lookAt(const app::plug_in::Finding& finding);
     void showState();
@@ -68,7 +70,7 @@ private:
     VerdictView* view_;
     QFileSystemWatcher watcher_;
     QTimer settled_; ///< waits until the compiler has finished writing the file
-    Judging judging_;
+    app::Background<std::optional<app::plug_in::Verdict>> judging_;
 };
 
 } // namespace ui
