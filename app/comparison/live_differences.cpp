@@ -94,16 +94,34 @@ void LiveDifferences::ask(const std::optional<Comparison>& comparison)
     askAnew(asked_.has_value());
 }
 
-void LiveDifferences::start(const Window& window) { growing_ = {window}; }
+class LiveDifferences::Growing final : public Finding {
+public:
+    Growing(const Comparison& comparison, const Window& window)
+        : differences{window}, comparison_(comparison)
+    {
+    }
+    void look(const SceneLines& lines, std::size_t count) override
+    {
+        differences = extended(std::move(differences), comparison_, lines, count);
+    }
 
-void LiveDifferences::look(const SceneLines& lines, std::size_t count)
+    Differences differences;
+
+private:
+    Comparison comparison_;
+};
+
+std::unique_ptr<LiveFinding::Finding> LiveDifferences::start(const Window& window)
 {
-    growing_ = extended(std::move(growing_), *asked_, lines, count);
+    return std::make_unique<Growing>(*asked_, window);
 }
 
-void LiveDifferences::keep() { found_ = std::exchange(growing_, {}); }
+void LiveDifferences::keep(Finding& whole)
+{
+    found_ = std::move(static_cast<Growing&>(whole).differences);
+}
 
-void LiveDifferences::forget() { found_ = growing_ = {}; }
+void LiveDifferences::forget() { found_ = {}; }
 
 const Differences* LiveDifferences::at(const Window& window) const
 {

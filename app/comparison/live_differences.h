@@ -56,13 +56,13 @@ public:
     std::span<const clipping::Clipped> piecesAt(const clipping::Window& window) const;
 
 private:
-    void start(const clipping::Window& window) override;
-    void look(const SceneLines& lines, std::size_t count) override;
-    void keep() override;
+    class Growing;
+    std::unique_ptr<Finding> start(const clipping::Window& window) override;
+    void keep(Finding& whole) override;
     void forget() override;
 
     std::optional<Comparison> asked_;
-    Differences found_, growing_; ///< growing_: the result in progress
+    Differences found_;
 };
 
 } // namespace app

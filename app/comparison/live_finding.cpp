@@ -3,8 +3,6 @@
 
 #include "app/scene/compared_window.h"
 
-#include <QElapsedTimer>
-
 #include <algorithm>
 
 namespace app {
@@ -13,7 +11,6 @@ using clipping::Window;
 
 namespace {
 
-constexpr qint64 sliceMilliseconds = 8;
 constexpr int idleMilliseconds = 150; // many lines wait until a series of changes is over
 
 } // namespace
@@ -26,7 +23,6 @@ LiveFinding::LiveFinding(const EditedDocument& document, const Scene& scene, Bat
     connect(&document, &EditedDocument::changed, this, &LiveFinding::follow);
     soon_.setSingleShot(true);
     connect(&soon_, &QTimer::timeout, this, &LiveFinding::begin);
-    connect(&work_, &QTimer::timeout, this, &LiveFinding::work);
 }
 
 void LiveFinding::askAnew(bool something)
@@ -86,9 +82,8 @@ void LiveFinding::restart()
 
 void LiveFinding::stop()
 {
-    seen_.reset();
     soon_.stop();
-    work_.stop();
+    background_.cancel();
 }
 
 void LiveFinding::findAtOnce()
@@ -96,61 +91,52 @@ void LiveFinding::findAtOnce()
     posted_ = false;
     if (upToDate_ || many())
         return;
-    start(window_);
-    look(scene_.lines(), scene_.lines().size());
-    keepFound();
+    const auto finding = start(window_);
+    finding->look(scene_.lines(), scene_.lines().size());
+    keepFound(*finding);
 }
 
 void LiveFinding::begin()
 {
     soon_.stop();
-    seen_ = 0;
-    start(window_);
-    work_.start(0);
-    if (many())
-        emit begun();
-    work();
+    share_ = 0;
+    background_.start(
+        [finding = start(window_), lines = scene_.lines(),
+         slice = sizes_.slice](const Follower& follower) mutable {
+            for (std::size_t seen = 0; seen < lines.size() && !follower.stop.stop_requested();) {
+                const std::size_t more = std::min(slice, lines.size() - seen);
+                finding->look(lines, more);
+                seen += more;
+                follower.progress({double(seen) / double(lines.size()), 0});
+            }
+            return std::move(finding);
+        },
+        [this](const std::unique_ptr<Finding>& whole) { keepFound(*whole); },
+        [this](const Progress& progress) {
+            share_ = progress.share;
+            emit progressed();
+        });
+    emit begun();
 }
 
-void LiveFinding::work()
-{
-    QElapsedTimer clock;
-    clock.start();
-    const SceneLines& lines = scene_.lines();
-    do {
-        const std::size_t more = std::min(sizes_.slice, lines.size() - *seen_);
-        look(lines, more);
-        *seen_ += more;
-    } while (*seen_ < lines.size() && clock.elapsed() < sliceMilliseconds);
-    if (*seen_ == lines.size())
-        keepFound();
-    else
-        emit progressed();
-}
-
-void LiveFinding::keepFound()
+void LiveFinding::keepFound(Finding& whole)
 {
     stop();
-    keep();
+    keep(whole);
     foundOf_ = now();
     upToDate_ = true;
     emit changed();
 }
 
-double LiveFinding::progress() const
-{
-    const std::size_t all = scene_.lines().size();
-    return seen_ && all > 0 ? double(*seen_) / double(all) : upToDate_ ? 1 : 0;
-}
+double LiveFinding::progress() const { return background_.active() ? share_ : upToDate_ ? 1 : 0; }
 
 void LiveFinding::finish()
 {
-    if (upToDate_)
-        return;
-    if (!seen_)
+    if (!upToDate_ && !many())
+        return findAtOnce();
+    if (!upToDate_ && !background_.active())
         begin();
-    while (!upToDate_)
-        work();
+    background_.wait();
 }
 
 } // namespace app

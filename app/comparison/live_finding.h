@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/background.h"
 #include "app/scene/scene.h"
 
 #include <QTimer>
@@ -10,9 +11,8 @@
 namespace app {
 
 /// A result for all lines of an open drawing at the clip window, kept up to date while a question
-/// is asked. A few lines are examined at once, before the next frame; many lines are examined
-/// between events, some milliseconds at a time, when a series of changes is over. Painting only
-/// reads the result.
+/// is asked. A few lines are examined at once, before the next frame; many lines are examined in
+/// the background, when a series of changes is over. Painting only reads the result.
 class LiveFinding : public QObject {
     Q_OBJECT
 
@@ -28,12 +28,12 @@ public:
 signals:
     void changed();    ///< the question, the result, or whether it is up to date
     void begun();      ///< a long examination of many lines has started
-    void progressed(); ///< more lines were examined
+    void progressed(); ///< more of many lines were examined
 
 protected:
     struct BatchSizes {
         std::size_t atOnce; ///< up to this many lines are examined at once
-        std::size_t slice;  ///< lines between two readings of the clock
+        std::size_t slice;  ///< lines between two readings of the stop token
     };
     LiveFinding(const EditedDocument& document, const Scene& scene, BatchSizes sizes,
                 QObject* parent);
@@ -41,12 +41,21 @@ protected:
     /// A new question (or none, if false): forgets the last result.
     void askAnew(bool something);
 
+    /// A partial result, which owns everything it uses: it grows on another thread.
+    class Finding {
+    public:
+        Finding() = default;
+        virtual ~Finding() = default;
+        Q_DISABLE_COPY_MOVE(Finding)
+        /// Examines the next `count` lines; at least that many are left.
+        virtual void look(const SceneLines& lines, std::size_t count) = 0;
+    };
+
 private:
-    /// Drops the partial result and starts a new one for this window.
-    virtual void start(const clipping::Window& window) = 0;
-    /// Examines the next `count` lines; at least that many are left.
-    virtual void look(const SceneLines& lines, std::size_t count) = 0;
-    virtual void keep() = 0;   ///< all lines were examined: the partial result becomes the result
+    /// A result for this window, of no lines yet.
+    virtual std::unique_ptr<Finding> start(const clipping::Window& window) = 0;
+    /// It is the result from now on. All lines were examined; start() made it.
+    virtual void keep(Finding& whole) = 0;
     virtual void forget() = 0; ///< drops the result
 
     /// The lines and the window of a result.
@@ -62,18 +71,18 @@ private:
     void stop();
     void findAtOnce();
     void begin();
-    void work();
-    void keepFound();
+    void keepFound(Finding& whole);
 
     const Scene& scene_;
     const BatchSizes sizes_;
     clipping::Window window_;
-    std::optional<Matter> foundOf_{};   ///< what the present result is for
-    std::optional<std::size_t> seen_{}; ///< number of lines examined since the last start
+    std::optional<Matter> foundOf_{}; ///< what the present result is for
+    double share_ = 0;                ///< examined by background_
     bool asking_ = false;
     bool upToDate_ = true;
     bool posted_ = false; ///< a call of findAtOnce() is queued
-    QTimer soon_, work_;
+    QTimer soon_;
+    Background<std::unique_ptr<Finding>> background_;
 };
 
 } // namespace app

@@ -25,22 +25,34 @@ void LiveExactness::ask(const std::optional<Question>& question)
     emit changed();
 }
 
-void LiveExactness::start(const Window& window) { growing_ = {window}; }
+class LiveExactness::Growing final : public Finding {
+public:
+    Growing(const Variant& variant, const Window& window) : results{window}, variant_(variant) {}
+    void look(const SceneLines& lines, std::size_t count) override
+    {
+        results = extended(std::move(results), variant_, lines, count);
+    }
 
-void LiveExactness::look(const SceneLines& lines, std::size_t count)
+    ExactnessResults results;
+
+private:
+    Variant variant_;
+};
+
+std::unique_ptr<LiveFinding::Finding> LiveExactness::start(const Window& window)
 {
-    growing_ = extended(std::move(growing_), asked_->variant, lines, count);
+    return std::make_unique<Growing>(asked_->variant, window);
 }
 
-void LiveExactness::keep()
+void LiveExactness::keep(Finding& whole)
 {
-    found_ = std::exchange(growing_, {});
+    found_ = std::move(static_cast<Growing&>(whole).results);
     measure();
 }
 
 void LiveExactness::forget()
 {
-    found_ = growing_ = {};
+    found_ = {};
     counts_ = {};
     pieces_.clear();
 }

@@ -33,15 +33,15 @@ public:
     std::span<const std::vector<clipping::Clipped>> piecesAt(const clipping::Window& window) const;
 
 private:
-    void start(const clipping::Window& window) override;
-    void look(const SceneLines& lines, std::size_t count) override;
-    void keep() override;
+    class Growing;
+    std::unique_ptr<Finding> start(const clipping::Window& window) override;
+    void keep(Finding& whole) override;
     void forget() override;
     void measure();
 
     std::optional<Question> asked_;
-    ExactnessResults found_, growing_; ///< growing_: the result in progress
-    ErrorCounts counts_;               ///< of the result, by the yardstick that was asked for
+    ExactnessResults found_;
+    ErrorCounts counts_; ///< of the result, by the yardstick that was asked for
     std::vector<std::vector<clipping::Clipped>> pieces_; ///< pieces, by error class
 };
 

@@ -4,6 +4,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QThread>
+#include <QThreadPool>
 
 #include "tests/app/document/sheet_edits.h"
 
@@ -37,24 +38,34 @@ public:
 
     std::size_t found = 0, starts = 0;
     unsigned milliseconds = 0;      ///< that a slice takes
-    std::vector<std::size_t> looks; ///< lines that it looked at, since the last start
+    std::vector<std::size_t> looks; ///< lines that the last result looked at
     Window window{};                ///< of the last start
+    Qt::HANDLE thread = nullptr;    ///< that looked for the last result
 
 private:
-    void start(const Window& at) override
+    struct Looks final : Finding {
+        explicit Looks(unsigned slow) : milliseconds(slow) {}
+        void look(const app::SceneLines& lines, std::size_t count) override
+        {
+            looks.push_back(count);
+            thread = QThread::currentThreadId();
+            QThread::msleep(milliseconds);
+            QVERIFY(count <= lines.size());
+        }
+        unsigned milliseconds;
+        std::vector<std::size_t> looks;
+        Qt::HANDLE thread = nullptr;
+    };
+    std::unique_ptr<Finding> start(const Window& at) override
     {
         ++starts;
-        looks.clear();
         window = at;
+        return std::make_unique<Looks>(milliseconds);
     }
-    void look(const app::SceneLines& lines, std::size_t count) override
+    void keep(Finding& whole) override
     {
-        looks.push_back(count);
-        QThread::msleep(milliseconds);
-        QVERIFY(count <= lines.size());
-    }
-    void keep() override
-    {
+        looks = static_cast<Looks&>(whole).looks;
+        thread = static_cast<Looks&>(whole).thread;
         found = 0;
         for (const std::size_t lines : looks)
             found += lines;
@@ -114,10 +125,11 @@ private slots:
         QVERIFY(stage.count.upToDate());
         QCOMPARE(stage.count.progress(), 1.0);
         QVERIFY(stage.begun.isEmpty() && stage.progressed.isEmpty());
+        QCOMPARE(stage.count.thread, QThread::currentThreadId());
     }
 
     /// When a series of changes is over.
-    void manyLinesAreLookedAtInSlices()
+    void manyLinesAreLookedAtInTheBackgroundInSlices()
     {
         Stage stage(few + 1);
         stage.ask();
@@ -132,6 +144,19 @@ private slots:
         QCOMPARE(stage.count.starts, std::size_t(1));
         QCOMPARE(stage.begun.size(), 1);
         QCOMPARE(stage.changed.size(), 1);
+        QVERIFY(stage.count.thread != QThread::currentThreadId());
+    }
+
+    /// A thread may still look at the lines of a drawing that is gone.
+    void theDrawingMayGoInTheMiddle()
+    {
+        {
+            Stage stage(1000);
+            stage.count.milliseconds = 1;
+            stage.ask();
+            QTRY_VERIFY(!stage.progressed.isEmpty());
+        }
+        QTRY_COMPARE(app::backgroundThreads().activeThreadCount(), 0);
     }
 
     void finishDoesNotWait()
