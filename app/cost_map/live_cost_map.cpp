@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cost_map/live_cost_map.h"
 
-#include <QElapsedTimer>
-
 #include <algorithm>
 
 namespace app {
 
 namespace {
 
-constexpr std::size_t sliceCells = 256;
-constexpr qint64 sliceMilliseconds = 8;
+constexpr std::size_t sliceCells = 256; // between two readings of the stop token
+constexpr std::chrono::milliseconds atOnce{8};
 
 CostPlan coarse(CostPlan plan)
 {
@@ -21,26 +19,21 @@ CostPlan coarse(CostPlan plan)
 
 } // namespace
 
-LiveCostMap::LiveCostMap(QObject* parent) : QObject(parent)
-{
-    connect(&work_, &QTimer::timeout, this, &LiveCostMap::work);
-}
+LiveCostMap::LiveCostMap(QObject* parent) : QObject(parent) {}
 
 void LiveCostMap::ask(const std::optional<CostPlan>& plan)
 {
     if (plan == asked_)
         return;
     asked_ = plan;
-    growing_.reset();
-    work_.stop();
+    background_.cancel();
     if (!plan) {
         map_.reset();
         emit changed();
         return;
     }
-    growing_ = CostMap{coarse(*plan)};
-    work_.start(0);
-    work();
+    compute(coarse(*plan));
+    background_.waitFor(atOnce);
 }
 
 bool LiveCostMap::upToDate() const
@@ -48,33 +41,29 @@ bool LiveCostMap::upToDate() const
     return !asked_ || (map_ && map_->complete() && map_->plan == *asked_);
 }
 
+void LiveCostMap::compute(const CostPlan& plan)
+{
+    background_.start(
+        [map = CostMap{plan}](const Follower& follower) mutable {
+            while (!map.complete() && !follower.stop.stop_requested())
+                map = extended(std::move(map), sliceCells);
+            return std::move(map);
+        },
+        [this](CostMap whole) { show(std::move(whole)); });
+}
+
 void LiveCostMap::show(CostMap map)
 {
     map_ = std::move(map);
+    if (!upToDate())
+        compute(*asked_);
     emit changed();
-}
-
-void LiveCostMap::work()
-{
-    QElapsedTimer clock;
-    clock.start();
-    while (!growing_->complete() && clock.elapsed() < sliceMilliseconds)
-        growing_ = extended(std::move(*growing_), sliceCells);
-    if (growing_->complete()) {
-        CostMap whole = *std::exchange(growing_, std::nullopt);
-        const bool fine = whole.plan == *asked_;
-        if (fine)
-            work_.stop();
-        else
-            growing_ = CostMap{*asked_};
-        show(std::move(whole));
-    }
 }
 
 void LiveCostMap::finish()
 {
     while (!upToDate())
-        work();
+        background_.wait();
 }
 
 } // namespace app

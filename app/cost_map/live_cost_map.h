@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/background.h"
 #include "app/cost_map/cost_map.h"
 
-#include <QTimer>
+#include <QObject>
 
 namespace app {
 
-/// A cost map that is recomputed when its plan changes. A coarse map appears as soon as possible; a
-/// fine one follows between events, some milliseconds at a time.
+/// A cost map that is recomputed in the background when its plan changes. A coarse map appears as
+/// soon as possible, at once if it takes at most 8 ms; a fine one follows.
 class LiveCostMap : public QObject {
     Q_OBJECT
 
@@ -30,12 +31,12 @@ signals:
     void changed();
 
 private:
-    void work();
+    void compute(const CostPlan& plan);
     void show(CostMap map);
 
     std::optional<CostPlan> asked_;
-    std::optional<CostMap> map_, growing_;
-    QTimer work_;
+    std::optional<CostMap> map_;
+    Background<CostMap> background_; ///< of the plan, coarse or fine, until the map is up to date
 };
 
 } // namespace app
