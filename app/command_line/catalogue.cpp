@@ -27,8 +27,19 @@ Command traceCommand();
 // THE CATALOGUE. To add a command: write its file in app/command_line/, and name it in both lists.
 std::vector<Command> commands()
 {
-    return {clipCommand(),    convertCommand(),    compareCommand(), infoCommand(), traceCommand(),
-            costmapCommand(), algorithmsCommand(), benchCommand(),   judgeCommand()};
+    // clang-format off
+    return {
+        clipCommand(),
+        convertCommand(),
+        compareCommand(),
+        infoCommand(),
+        traceCommand(),
+        costmapCommand(),
+        algorithmsCommand(),
+        benchCommand(),
+        judgeCommand(),
+    };
+    // clang-format on
 }
 
 namespace {

@@ -18,10 +18,20 @@ namespace app {
 // THE CATALOGUE. To add a command, write its file in app/commands/ and name its row here.
 std::span<const CommandKind> commandKinds()
 {
-    static constexpr std::array all{AddObjects::row,    RemoveObjects::row, MoveObjects::row,
-                                    ResizeObjects::row, SetStyle::row,      SetWindow::row,
-                                    SetWindows::row,    SetContainers::row, RemoveLayer::row,
-                                    CropToWindow::row};
+    // clang-format off
+    static constexpr std::array all{
+        AddObjects::row,
+        RemoveObjects::row,
+        MoveObjects::row,
+        ResizeObjects::row,
+        SetStyle::row,
+        SetWindow::row,
+        SetWindows::row,
+        SetContainers::row,
+        RemoveLayer::row,
+        CropToWindow::row,
+    };
+    // clang-format on
     return all;
 }
 

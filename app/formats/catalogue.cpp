@@ -24,7 +24,12 @@ Format pngFormat();
 // add it to the list below.
 std::span<const Format> formats()
 {
-    static const std::array all{svgFormat(), csvFormat(), pdfFormat(), pngFormat()};
+    static const std::array all{
+        svgFormat(),
+        csvFormat(),
+        pdfFormat(),
+        pngFormat(),
+    };
     return all;
 }
 

@@ -133,8 +133,16 @@ struct Reading {
     }
 };
 
-constexpr std::array keys{"why-clip",           "outcodes",    "parameters",
-                          "avoiding-divisions", "method-2019", "rounding"};
+// clang-format off
+constexpr std::array keys{
+    "why-clip",
+    "outcodes",
+    "parameters",
+    "avoiding-divisions",
+    "method-2019",
+    "rounding",
+};
+// clang-format on
 
 } // namespace
 

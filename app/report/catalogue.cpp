@@ -37,8 +37,10 @@ QString readable(const QString& field, bool numeric)
 // THE CATALOGUE. To add a format: write its file in app/report/, and name it above and below.
 std::vector<ReportFormat> reportFormats()
 {
-    return {{"html", Reports::tr("Web page"), writeHtmlReport},
-            {"pdf", Reports::tr("PDF document"), writePdfReport}};
+    return {
+        {"html", Reports::tr("Web page"), writeHtmlReport},
+        {"pdf", Reports::tr("PDF document"), writePdfReport},
+    };
 }
 
 std::optional<ReportFormat> reportFormatOf(const QString& path)

@@ -10,7 +10,10 @@ Misprint printedStep2InPlace();
 // THE CATALOGUE. To add a known misprint: write its file here, and name it in both lists.
 const std::vector<Misprint>& misprints()
 {
-    static const std::vector<Misprint> all{printedStep2(), printedStep2InPlace()};
+    static const std::vector<Misprint> all{
+        printedStep2(),
+        printedStep2InPlace(),
+    };
     return all;
 }
 

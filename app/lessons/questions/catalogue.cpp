@@ -6,14 +6,26 @@
 namespace app {
 
 // Each is defined in the file of its kind.
-extern const QuestionKind visibleQuestion, regionQuestion, nextQuestion, edgeQuestion,
-    cheaperQuestion, rightQuestion;
+extern const QuestionKind visibleQuestion;
+extern const QuestionKind regionQuestion;
+extern const QuestionKind nextQuestion;
+extern const QuestionKind edgeQuestion;
+extern const QuestionKind cheaperQuestion;
+extern const QuestionKind rightQuestion;
 
 // THE CATALOGUE. To add a kind of question: write its file here, and add its line.
 std::span<const QuestionKind> questionKinds()
 {
-    static const std::array all{visibleQuestion, regionQuestion,  nextQuestion,
-                                edgeQuestion,    cheaperQuestion, rightQuestion};
+    // clang-format off
+    static const std::array all{
+        visibleQuestion,
+        regionQuestion,
+        nextQuestion,
+        edgeQuestion,
+        cheaperQuestion,
+        rightQuestion,
+    };
+    // clang-format on
     return all;
 }
 
