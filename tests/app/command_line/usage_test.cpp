@@ -2,6 +2,7 @@
 #include "app/base/unfinished.h"
 #include "app/command_line/command.h"
 #include "app/command_line/terminal.h"
+#include "app/formats/format.h"
 #include "clipping/algorithm.h"
 
 #include <QDir>
@@ -30,6 +31,16 @@ bool isCaught(qint64 process, int signal)
         if (line.startsWith("SigCgt:"))
             return ((line.mid(7).trimmed().toULongLong(nullptr, 16) >> (signal - 1)) & 1) != 0;
     return false;
+}
+
+/// The keys of all drawing formats, or of those that can be read: "svg, csv".
+QByteArray formatKeys(bool readable)
+{
+    QByteArrayList keys;
+    for (const app::Format& format : app::formats())
+        if (!readable || format.read)
+            keys << QByteArray(format.key.data(), qsizetype(format.key.size()));
+    return keys.join(", ");
 }
 
 } // namespace
@@ -142,6 +153,7 @@ private slots:
         const auto row = [](const QStringList& arguments, const QByteArray& sentence) {
             QTest::newRow(qPrintable(arguments.join(u' '))) << arguments << sentence;
         };
+        const QByteArray all = formatKeys(false), readable = formatKeys(true);
         const QStringList clip{"clip", "A", "-o", "x.svg"};
         row({"clip"}, "An argument is missing: clip INPUT -o OUTPUT");
         row({"clip", "A"}, "Name the output: -o FILE");
@@ -177,17 +189,17 @@ private slots:
         row(clip + QStringList{"--precision", "-1"},
             "--precision -1: give a whole number from 0 to 30");
         row(clip + QStringList{"--dpi", "0"}, "--dpi 0: give a number greater than 0");
-        row(clip + QStringList{"--from", "docx"}, "--from docx: give svg, csv, pdf, png");
-        row(clip + QStringList{"--from", "png"}, "with --from and one of svg, csv");
+        row(clip + QStringList{"--from", "docx"}, "--from docx: give " + all + ".");
+        row(clip + QStringList{"--from", "png"}, "with --from and one of " + readable + ".");
         row({"clip", "A", "-o", "x.docx"},
-            "x.docx: give its type with --to and one of svg, csv, pdf, png");
+            "x.docx: give its type with --to and one of " + all + ".");
         row({"clip", "-", "-o", "x.svg"},
-            "clip: - (standard input): give its type with --from and one of svg, csv.");
+            "clip: - (standard input): give its type with --from and one of " + readable + ".");
         for (const char* command : {"clip", "convert"})
             row({command, "A", "-o", "-"}, command
                                                + QByteArray(": -o - (standard output): give its "
-                                                            "type with --to and one of svg, csv, "
-                                                            "pdf, png."));
+                                                            "type with --to and one of ")
+                                               + all + ".");
         row({"info"}, "An argument is missing: info INPUT");
         row({"algorithms", "x"}, "The argument “x” is one too many");
         row({"algorithms", "--format", "xml"}, "--format xml: give text or csv or json");

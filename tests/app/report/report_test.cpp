@@ -221,13 +221,16 @@ private slots:
     void theNameTellsTheFormat()
     {
         QTemporaryDir folder;
+        QStringList endings;
         for (const app::ReportFormat& format : app::reportFormats()) {
+            endings << u'.' + format.key;
             const QString path = folder.filePath("Report." + format.key.toUpper());
             QCOMPARE(app::reportFormatOf(path)->key, format.key);
             QVERIFY(!format.name.isEmpty());
         }
         QCOMPARE(*app::writeReport(sample(), "report.odt"),
-                 "Cannot write report.odt: end the name of a report with .html or .pdf.");
+                 "Cannot write report.odt: end the name of a report with " + endings.join(" or ")
+                     + u'.');
         const auto error = app::writeReport(sample(), folder.filePath("no/report.html"));
         QVERIFY(error && error->contains("No such file or directory"));
     }
