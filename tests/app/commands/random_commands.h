@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <vector>
 
 #include "tests/app/document/random_documents.h"
 
@@ -54,7 +55,7 @@ private:
         std::string_view key;
         app::UndoCommand* (*make)(RandomCommands&); ///< null: not now
     };
-    static const std::array<Maker, 10> makers;
+    static const std::vector<Maker> makers;
 
     const app::Document& now() const { return document_.now(); }
     app::ContainerId container()
@@ -147,7 +148,7 @@ private:
     std::map<std::string_view, int> drawn_;
 };
 
-inline const std::array<RandomCommands::Maker, 10> RandomCommands::makers{{
+inline const std::vector<RandomCommands::Maker> RandomCommands::makers{
     {"add-objects", [](RandomCommands& r) { return r.add(); }},
     {"remove-objects",
      [](RandomCommands& r) -> app::UndoCommand* {
@@ -167,4 +168,4 @@ inline const std::array<RandomCommands::Maker, 10> RandomCommands::makers{{
     {"set-containers", [](RandomCommands& r) { return r.setContainers(); }},
     {"remove-layer", [](RandomCommands& r) { return r.removeLayer(); }},
     {"crop-to-window", [](RandomCommands& r) { return r.crop(); }},
-}};
+};
