@@ -101,6 +101,28 @@ private slots:
         session.microscope.close();
         QCOMPARE(modeOf(session), Mode::Presenting);
     }
+    void eachModeShowsItsParts_data()
+    {
+        QTest::addColumn<Mode>("mode");
+        QTest::addColumn<QString>("shown");
+        QTest::newRow("editing") << Mode::Editing << "canvas, panels, bar across, bar at side";
+        QTest::newRow("microscope") << Mode::Microscope << "microscope, bar at side";
+        QTest::newRow("presenting") << Mode::Presenting << "canvas, bar across";
+        QTest::newRow("both") << Mode::PresentingMicroscope << "microscope";
+    }
+    void eachModeShowsItsParts()
+    {
+        QFETCH(Mode, mode);
+        const ModeParts parts = partsOf(mode);
+        QStringList shown{parts.microscope ? "microscope" : "canvas"};
+        if (parts.panels)
+            shown << "panels";
+        if (parts.barAcross)
+            shown << "bar across";
+        if (parts.barAtSide)
+            shown << "bar at side";
+        QTEST(shown.join(", "), "shown");
+    }
     void everyWayThroughTheModesEndsAsItBegan_data()
     {
         QTest::addColumn<QString>("toggles"); // m: microscope, p: presenting
