@@ -194,6 +194,7 @@ private slots:
         QSettings().setValue("ownLayout", true);
         QSettings().setValue("layout", saved);
         next.show();
+        QVERIFY(next.inFront().contains("layers"));
         QCOMPARE(next.window.dockWidgetArea(next.docks.layers), Qt::LeftDockWidgetArea);
         next.layout->reset();
         QCOMPARE(next.window.dockWidgetArea(next.docks.layers), Qt::RightDockWidgetArea);
