@@ -44,7 +44,7 @@ QAction* makeAction(MainWindow& window, OtherWindows& others, const ActionInfo& 
     action->setShortcuts(row.keys);
     if (!row.icon.empty())
         action->setIcon(icon(row.icon));
-    if (row.reach == Reach::Canvas) {
+    if (row.scope == ShortcutScope::Canvas) {
         action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
         window.canvas().addAction(action);
     }

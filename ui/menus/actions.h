@@ -19,7 +19,7 @@ class OtherWindows;
 
 /// Where a command's keys work: everywhere in the window, or only while the canvas has the focus
 /// (single letters and digits, which fields need for typing).
-enum class Reach : std::uint8_t { Window, Canvas };
+enum class ShortcutScope : std::uint8_t { Window, Canvas };
 
 /// One row of the catalogue of commands. Menus, tool bars, the list of shortcuts and the tests loop
 /// over it.
@@ -28,7 +28,7 @@ struct ActionInfo {
     /// With its mnemonic; ends in "…" if the command opens a dialog. Empty: a separator.
     QString text = {};
     QList<QKeySequence> keys = {};
-    Reach reach = Reach::Window;
+    ShortcutScope scope = ShortcutScope::Window;
     std::string_view icon = {};
     void (*run)(MainWindow& window) = nullptr;
     void (OtherWindows::*show)() = nullptr;              ///< instead of run

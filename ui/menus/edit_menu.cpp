@@ -124,7 +124,7 @@ MenuInfo editMenu()
                     .key = "delete",
                     .text = tr("&Delete"),
                     .keys = {K(Qt::Key_Delete), K(Qt::Key_Backspace)},
-                    .reach = Reach::Canvas,
+                    .scope = ShortcutScope::Canvas,
                     .icon = "bin",
                     .run = [](MainWindow& w) { deleteSelection(w.session()); },
                     .enabled = someSelected,

@@ -17,7 +17,7 @@ enum class Mode : std::uint8_t { Editing, Microscope, Presenting, PresentingMicr
 /// The mode that a session asks for. This alone says which mode is on.
 Mode modeOf(const app::Session& session);
 
-/// What of the window a mode shows.
+/// The parts of the window that a mode shows.
 struct ModeParts {
     bool microscope; ///< in place of the canvas
     bool panels;
