@@ -155,7 +155,7 @@ MenuInfo compareMenu()
                     .key = "agree",
                     .text = tr("Compare &all algorithms"),
                     .keys = {QKeySequence("F7")},
-                    .icon = "tick",
+                    .icon = "compare",
                     .run =
                         [](MainWindow& w) {
                             w.raisePanel("algorithm");
