@@ -13,6 +13,7 @@ struct TracedLine {
     clipping::Window window{};
     YAxis y = YAxis::Down;
     QString origin{}; ///< where the line comes from: "Line 217 of 420"
+    bool windowIsPage = false; ///< the drawing has no clip window: the line is clipped at its page
     friend bool operator==(const TracedLine&, const TracedLine&) = default;
 };
 

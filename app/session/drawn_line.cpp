@@ -153,6 +153,7 @@ void DrawnLine::followDrawing()
         return;
     TracedLine tracedLine = session_.microscope.tracedLine();
     tracedLine.window = session_.window();
+    tracedLine.windowIsPage = session_.compared().isPage;
     if (const auto line = drawn()) {
         tracedLine.origin = tracedLineOf(session_, *line_).origin;
         if (!own_)

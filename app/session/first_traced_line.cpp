@@ -73,7 +73,8 @@ TracedLine tracedLineOf(const Session& session, std::size_t segment)
             .line = lines[segment],
             .window = session.window(),
             .y = YAxis::Down,
-            .origin = tr("Line %1 of %2").arg(countText(segment + 1), countText(lines.size()))};
+            .origin = tr("Line %1 of %2").arg(countText(segment + 1), countText(lines.size())),
+            .windowIsPage = session.compared().isPage};
 }
 
 std::optional<std::size_t> firstLine(const Session& session)
@@ -95,7 +96,8 @@ TracedLine firstTracedLine(const Session& session)
             .line = across(window),
             .window = window,
             .y = YAxis::Down,
-            .origin = tr("Example line")};
+            .origin = tr("Example line"),
+            .windowIsPage = session.compared().isPage};
 }
 
 } // namespace app

@@ -14,9 +14,8 @@ struct FigureFrame {
     QSizeF size;           ///< of the picture, in its own units: logical pixels
     clipping::Window seen; ///< the part of the drawing that fills it, in the picture's proportions
     YAxis y = YAxis::Up;
-    QFont font;                ///< with a pixel size; strokes, marks and distances scale with it
-    QRectF reserved{};         ///< labels do not cover this part of the picture
-    bool windowIsPage = false; ///< the line is clipped at the page: there is no clip window
+    QFont font;        ///< with a pixel size; strokes, marks and distances scale with it
+    QRectF reserved{}; ///< labels do not cover this part of the picture
 
     QRectF picture() const { return {QPointF(), size}; }
     /// Converts a point of the drawing to the picture. Always finite: the result for a very distant

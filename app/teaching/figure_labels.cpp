@@ -148,7 +148,7 @@ void labelWindow(std::vector<FigureLabel>& labels, const TracedLine& tracedLine,
     const QRectF box = windowBox(tracedLine, frame);
     const double gap = 3 * frame.unit();
     FigureLabel label{
-        Tone::Window, frame.windowIsPage ? tr("Page") : tr("Clip window"), {}, {}, {}};
+        Tone::Window, tracedLine.windowIsPage ? tr("Page") : tr("Clip window"), {}, {}, {}};
     const QSizeF size = sizeOf(label, frame);
     std::vector<QRectF> places;
     const double left = box.left() + gap, right = box.right() - gap - size.width();

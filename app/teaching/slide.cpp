@@ -31,7 +31,8 @@ QString stepText(const Narration& narration, std::size_t step)
 /// "Line from −160, −30 to 70, 130, window from −100, −75 to 100, 75".
 QString factsText(const TracedLine& tracedLine)
 {
-    return tr("Line from %1 to %2, window from %3 to %4")
+    return (tracedLine.windowIsPage ? tr("Line from %1 to %2, page from %3 to %4")
+                                    : tr("Line from %1 to %2, window from %3 to %4"))
         .arg(pointText(tracedLine.line.a), pointText(tracedLine.line.b),
              pointText(tracedLine.window.min), pointText(tracedLine.window.max));
 }

@@ -142,7 +142,7 @@ QString stepsOf(const TraceExport& trace, std::span<const std::size_t> steps)
 QByteArray traceJson(const TraceExport& trace, std::span<const std::size_t> steps)
 {
     const Narration& narration = trace.narration;
-    const auto& [variant, line, window, y, origin] = trace.tracedLine;
+    const auto& [variant, line, window, y, origin, windowIsPage] = trace.tracedLine;
     QStringList code;
     for (const QString& text : narration.code)
         code << quoted(text);

@@ -72,10 +72,11 @@ QString endText(const Narration& narration)
 
 QByteArray traceText(const TraceExport& trace, std::span<const std::size_t> steps)
 {
-    const auto& [variant, line, window, y, origin] = trace.tracedLine;
+    const auto& [variant, line, window, y, origin, windowIsPage] = trace.tracedLine;
     QString text = titleOf(variant) + u'\n';
     text += tr("Line:    %1 to %2\n").arg(pair(line.a), pair(line.b));
-    text += tr("Window:  %1 to %2, y grows %3\n\n")
+    text += (windowIsPage ? tr("Page:    %1 to %2, y grows %3\n\n")
+                          : tr("Window:  %1 to %2, y grows %3\n\n"))
                 .arg(pair(window.min), pair(window.max), y == YAxis::Up ? tr("up") : tr("down"));
     if (trace.narration.steps.empty())
         return (text + trace.narration.refusal + u'\n').toUtf8();

@@ -191,7 +191,6 @@ void MicroscopePage::showPlace()
     const QString at = drawn_.line() ? app::atText(session_.compared()) : QString();
     if (!at.isEmpty())
         lines << at;
-    view_->setWindowIsPage(!at.isEmpty());
     place_->setText(lines.join(u'\n'));
     overview_->setVisible(drawn_.line().has_value());
     back_->setVisible(drawn_.changed());

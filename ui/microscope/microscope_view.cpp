@@ -44,15 +44,8 @@ void MicroscopeView::refit()
     body.setPixelSize(QFontInfo(body).pixelSize());
     frame_ = app::nearFrame(microscope_.tracedLine(), QSizeF(size()), body);
     frame_.reserved = reserved_;
-    frame_.windowIsPage = windowIsPage_;
     update();
     emit framed();
-}
-
-void MicroscopeView::setWindowIsPage(bool isPage)
-{
-    windowIsPage_ = frame_.windowIsPage = isPage;
-    update();
 }
 
 void MicroscopeView::reserve(const QRectF& place)

@@ -22,7 +22,6 @@ public:
     /// Reserves an area that labels avoid.
     void reserve(const QRectF& place);
     /// Whether the window is the page, because there is no clip window; changes its label.
-    void setWindowIsPage(bool isPage);
     /// Fits window and line into the view.
     void fit();
     bool fitted() const { return fitted_; }
@@ -79,7 +78,6 @@ private:
     QRectF reserved_;
     std::optional<LineEnd> chosen_, hovered_;
     std::optional<Drag> drag_;
-    bool windowIsPage_ = false;
     bool ring_ = false;  ///< the focus came by keyboard: paint the focus ring
     bool fitted_ = true; ///< the person has neither zoomed nor panned
 };

@@ -132,6 +132,20 @@ private slots:
         QVERIFY(!drawn.changed());
         QCOMPARE(session.microscope.tracedLine().line, (clipping::Segment{{-4, 5}, {16, 6}}));
     }
+    void knowsWhetherItIsClippedAtThePage()
+    {
+        app::Session session;
+        app::DrawnLine drawn(session);
+        app::Document document = app::documentOf(sheetOf({across}));
+        document.apply({.windows = app::ClipWindows()});
+        session.load({document, {}});
+        drawn.look(0);
+        QVERIFY(session.microscope.tracedLine().windowIsPage);
+        session.history.push(new app::SetWindow(session.document, {{0, 0}, {8, 8}}));
+        QVERIFY(!session.microscope.tracedLine().windowIsPage);
+        session.history.undo();
+        QVERIFY(session.microscope.tracedLine().windowIsPage);
+    }
     void aLineThatGoesStaysUnderTheMicroscope()
     {
         app::Session session;

@@ -143,15 +143,15 @@ class FigureTest : public QObject {
 private slots:
     void windowOfADrawingWithoutOneIsLabelledPage()
     {
-        const TracedLine s = tracedLine("exact", {{-150, -20}, {150, 30}});
+        TracedLine s = tracedLine("exact", {{-150, -20}, {150, 30}});
         const Narration narration = narrationOf(s);
-        FigureFrame frame = figureFrame(s, size, font());
+        const FigureFrame frame = figureFrame(s, size, font());
         const auto names = [&](const QString& name) {
             return std::ranges::count(figureLabels(s, narration, stepScene(s, narration, 0), frame),
                                       name, &FigureLabel::head);
         };
         QCOMPARE(names("Clip window"), 1);
-        frame.windowIsPage = true;
+        s.windowIsPage = true;
         QCOMPARE(names("Clip window"), 0);
         QCOMPARE(names("Page"), 1);
     }
