@@ -36,14 +36,14 @@ using Window = BasicWindow<double>;
 using Segment3 = BasicSegment<double, 3>;
 using Window3 = BasicWindow<double, 3>;
 
-/// The infinite line through two points, directed from a to b. `a == b` is not a line: nothing of
-/// it is visible.
+/// The infinite line through two points, directed from a to b. If `a == b`, nothing is
+/// visible.
 struct Line {
     glm::dvec2 a; ///< a point of the line
     glm::dvec2 b; ///< another point, further along its direction
 };
-/// The ray that starts at a and passes through b. `a == b` has no direction: nothing of it is
-/// visible.
+/// The ray that starts at a and passes through b. If `a == b`, it has no direction and
+/// nothing is visible.
 struct Ray {
     glm::dvec2 a; ///< the start
     glm::dvec2 b; ///< another point of the ray

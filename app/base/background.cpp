@@ -8,8 +8,8 @@ namespace app {
 
 namespace {
 
-// No work waits for another one's thread: each of some ten owners has one running work, and perhaps
-// cancelled ones that are about to stop.
+// Enough that no work has to wait for a thread: each of about ten owners runs one work at a time,
+// and may have cancelled works that have not stopped yet.
 constexpr int mostThreads = 64;
 
 constexpr qint64 intervalMilliseconds = 50;

@@ -20,8 +20,7 @@ class QThreadPool;
 namespace app {
 
 /// The threads of all background work. They are not those of the global pool, on which the canvas
-/// paints: minutes of measuring must not keep it from painting. A destroyed QCoreApplication has
-/// waited for them.
+/// paints: minutes of measuring must not keep it from painting. ~QCoreApplication waits for them.
 QThreadPool& backgroundThreads();
 
 /// Passes progress from the working thread to another, at most 20 times a second.
@@ -37,7 +36,7 @@ private:
 };
 
 /// One piece of work at a time, on another thread: `Result work(const Follower&)`. It must own
-/// everything it uses, because a cancelled work runs on, unseen, until it reads its stop token. The
+/// everything it uses, because cancelled work continues until it next checks its stop token. The
 /// owner's thread gets progress and result as events, or by waiting. Neither cancel() nor the
 /// destructor waits, and nothing is delivered after them. Both may be called during a delivery. The
 /// work should not throw: an exception becomes a QUnhandledException where the result would arrive.
@@ -58,7 +57,8 @@ public:
     void cancel();
     /// Asks the work to stop early; its result is still delivered.
     void requestStop();
-    /// Waits for the result and delivers it before it returns. False: it takes longer than that.
+    /// Waits for the result at most that long, and delivers it before it returns. Returns false if
+    /// the time was too short.
     bool waitFor(std::chrono::milliseconds time);
     void wait(); ///< however long it takes
 

@@ -27,7 +27,7 @@ Chart withSharedNote(Chart chart);
 /// "Scene “Long”, 1,000,000 lines".
 QString sceneText(const ExperimentOptions& options);
 
-/// The groups of at least two things, if row r shows thing order[r].
+/// The groups with at least two members. Row r of the chart shows member order[r] of the ranking.
 std::vector<RowGroup> groupsOf(const Ranking& ranking, std::span<const std::size_t> order);
 
 /// Sentences below a chart: the meaning of brackets, or that there were too few runs for a test.

@@ -9,7 +9,7 @@ namespace {
 void list(const ParsedArguments& arguments)
 {
     const TableOutput output = tableOutput(arguments);
-    // In a terminal the column of ideas needs the room; a name tells no more than its key.
+    // Text output has no column of names: the ideas need the width, and keys resemble names.
     const bool isText = output.format.key == tableFormats().front().key;
     Table table{isText ? QStringList{"key", "abbr.", "year", "idea"}
                        : QStringList{"key", "abbreviation", "name", "year", "idea"}};

@@ -16,7 +16,7 @@ Plan parsedPlan(const ParsedArguments& arguments, const Wanted& wanted);
 /// Whether the paper's own numbers are requested.
 Against parsedAgainst(const ParsedArguments& arguments);
 
-/// What explains the trials of such a plan, on as many lines as the first trial.
+/// The trial to explain: all variants of the plan, with the options of its first trial.
 PlannedTrial explanationOf(const Plan& plan);
 
 } // namespace app

@@ -87,8 +87,8 @@ void setAlgorithms(CostPlan& plan, const ParsedArguments& arguments)
     plan.shown = findVariant(*key);
     if (!plan.shown)
         throw WrongUsage{
-            Commands::tr("There is no algorithm “%1”. Give a key or abbreviation of “clearcut "
-                         "algorithms”, with :published if there is such a form.")
+            Commands::tr("There is no algorithm “%1”. Give a key or abbreviation from the list of "
+                         "“clearcut algorithms”; add :published for the published form.")
                 .arg(*key)};
     if (!canMeasure(*plan.shown, *plan.measure))
         throw WrongUsage{
@@ -162,7 +162,10 @@ Command costmapCommand()
          "ALGORITHM",
          Commands::tr("Key or abbreviation of the algorithm; KEY:published is the form that its "
                       "authors printed.")},
-        {{"cheapest"}, {}, Commands::tr("Show the cheapest algorithm instead, with ties.")},
+        {{"cheapest"},
+         {},
+         Commands::tr("Show which algorithm is cheapest for each cell (or which are, in a tie), "
+                      "instead of the cost of one algorithm.")},
         {{"form"},
          "corrected|published",
          Commands::tr("With --cheapest: which forms take part (corrected).")},
@@ -171,7 +174,7 @@ Command costmapCommand()
          Commands::tr("Fix End 1 of every line here; End 2 sweeps the area (left of the window).")},
         {{"to"},
          "X,Y",
-         Commands::tr("Fix End 2 of every line here instead; End 1 sweeps the area.")},
+         Commands::tr("Instead of --from: fix End 2 of every line here; End 1 sweeps the area.")},
         {{"w", "window"},
          "XMIN,YMIN,XMAX,YMAX",
          Commands::tr("The clip window (-100,-75,100,75, as in the paper).")},

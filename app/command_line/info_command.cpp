@@ -195,7 +195,7 @@ Command infoCommand()
             "INPUT [OPTIONS]",
             Commands::tr("Lists the content of a drawing: lines and their length, shapes, paths "
                          "and curves, bounds (also in millimetres), clip windows, page, unit, "
-                         "layers and groups, and what of the file is not kept."),
+                         "layers and groups, and the contents that cannot be kept."),
             readingOptions(),
             {"clearcut info drawing.svg"},
             1,

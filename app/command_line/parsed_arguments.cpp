@@ -199,8 +199,8 @@ std::optional<Variant> ParsedArguments::variant(const QString& option) const
     for (const Misprint& misprint : misprints())
         more << misprint.key;
     throw WrongUsage{
-        Commands::tr("There is no algorithm “%1”. Give a key or abbreviation of “clearcut "
-                     "algorithms”, with :published if there is such a form, or %2.")
+        Commands::tr("There is no algorithm “%1”. Give a key or abbreviation from the list of "
+                     "“clearcut algorithms”, with :published for the published form, or %2.")
             .arg(*key, more.join(Commands::tr(", ")))};
 }
 

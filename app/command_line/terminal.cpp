@@ -32,8 +32,9 @@ void printWith(const Filling& write)
 
 void say(const QString& line) { std::fputs((line + u'\n').toUtf8().constData(), stderr); }
 
-// The substitutes are opened in the wrong mode, so that reading or writing remains an error. open()
-// takes the lowest free number; output to a closed standard error is discarded.
+// The substitute for standard input can only be written and that for standard output only be read,
+// so that using them remains an error. Output to a closed standard error is discarded. open()
+// returns the lowest free number, so each substitute gets the number of the closed stream.
 void holdStandardStreams()
 {
     struct Stream {

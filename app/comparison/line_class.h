@@ -10,8 +10,8 @@
 namespace app {
 
 /// The class of a line. Inside: both ends are in the window. Rejected: both ends are beyond the
-/// same edge. Cut: any other line with a visible part. Missed: any other line, nothing of it
-/// visible.
+/// same edge. Cut: any other line with a visible part. Missed: any other line, with no
+/// visible part.
 enum class LineClass : std::uint8_t { Inside, Rejected, Cut, Missed };
 
 /// All classes, in the order of every table and chart.

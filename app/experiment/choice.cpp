@@ -81,13 +81,13 @@ std::vector<Subject> subjects()
     std::vector<Subject> all{
         {"all", Experiments::tr("Tables 1 and 2 of the paper"),
          Experiments::tr("The paper's seven algorithms clip one million, then ten million random "
-                         "lines with both ends anywhere in the space."),
+                         "lines with both ends anywhere in an area of 1,920 × 1,440 units."),
          papers}};
     for (const PaperTable& paper : papers)
         all.push_back({paper.key,
                        Experiments::tr("%1 of the paper").arg(numberOf(paper)),
                        Experiments::tr("The paper's seven algorithms clip %1 random lines with "
-                                       "both ends anywhere in the space.")
+                                       "both ends anywhere in an area of 1,920 × 1,440 units.")
                            .arg(countText(paper.lines)),
                        {paper}});
     for (const TestScene& scene : testScenes())

@@ -131,7 +131,7 @@ void Bench::shuffle(std::span<Segment> lines) const
         std::swap(lines[left - 1], lines[std::size_t(random.between(0, double(left)))]);
 }
 
-/// Class by class, within a class in the generated order.
+/// Groups the lines by their class; lines of the same class keep the generated order.
 void Bench::sort(std::span<Segment> lines) const
 {
     std::array<std::vector<Segment>, lineClasses.size()> classes;

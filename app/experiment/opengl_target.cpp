@@ -26,7 +26,7 @@ public:
                  std::unique_ptr<QOpenGLContext> context);
     ~OpenGlTarget() override { context_->makeCurrent(surface_.get()); }
 
-    /// False: what it draws is not correct.
+    /// Whether it draws correctly.
     bool works() const { return works_; }
     QString name() const override;
     bool drawsElsewhere() const override { return true; }

@@ -10,7 +10,7 @@ namespace app {
 /// What was measured, how, and on which machine: everything that tables, charts and reports show.
 struct Record {
     ExperimentOptions options;
-    QString target; ///< the draw target, and its clock if another; empty: nothing was drawn
+    QString target; ///< name of the draw target, and of its clock if different; empty: no drawing
     std::vector<std::pair<QString, QString>> circumstances;
     std::vector<Timing> timings;
 };
@@ -31,7 +31,7 @@ Ranking rankingOf(const Record& record, const Measure& measure);
 /// Facts about the lines: scene, number, seed, space and window.
 std::vector<std::pair<QString, QString>> factsOf(const ExperimentOptions& options);
 
-/// Facts about all numbers of the record: those of the lines, and runs, clock, machine ...
+/// Facts that hold for the whole record: those about the lines, and runs, clock, machine, ...
 std::vector<std::pair<QString, QString>> factsOf(const Record& record);
 
 /// A row for each variant: its times, its rank, and its findings.

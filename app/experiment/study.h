@@ -21,7 +21,7 @@ std::vector<PlannedTrial> paperTrials(std::span<const PaperTable> papers,
                                       const ExperimentOptions& options,
                                       std::optional<std::uint64_t> lines);
 
-/// What explains the times: the times of each class, the operation counts, and the accuracy.
+/// The measurements that explain the times: per class, the operation counts, and the accuracy.
 struct Explanation {
     ClassProfile classes;
     OperationProfile operations;
@@ -32,7 +32,7 @@ struct Explanation {
 struct Plan {
     std::vector<PlannedTrial> trials;
     std::vector<Measure> measures;           ///< those that are reported
-    std::optional<PlannedTrial> explained{}; ///< what is explained afterwards, if anything
+    std::optional<PlannedTrial> explained{}; ///< the trial to explain afterwards, if any
 };
 
 /// Sets the runs of each trial to the number that its variants need (usualRounds).

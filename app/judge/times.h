@@ -41,8 +41,8 @@ Ranking rankingOf(const Times& times);
 /// The library's time ÷ the time of contender `to`, by medians.
 double ratioOf(const Times& times, std::size_t to);
 
-/// The reader of a table: a file has keys and plain numbers, a terminal keys and errors in words, a
-/// person gets words and numbers of the locale.
+/// Where a table is shown. File: keys and plain numbers. Terminal: keys, and errors in words.
+/// Person (the interface): words, and numbers in the format of the locale.
 enum class Reader : std::uint8_t { File, Terminal, Person };
 
 /// A row for each contender, the fastest first: rank, time, and the library's time ÷ its time.

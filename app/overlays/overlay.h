@@ -19,7 +19,7 @@ enum class Emphasis : std::uint8_t { Quiet, Highlighted };
 
 /// A convex piece of the plane, clipped to the visible part.
 struct OverlayArea {
-    std::vector<Point> corners{}; ///< in order; empty: nothing of it is visible
+    std::vector<Point> corners{}; ///< in order; empty if nothing is visible
     QString label{};              ///< "1001", "LT"; empty: lines that end there are not visible
     std::uint32_t strong = 0;     ///< emphasized characters of the label; bit 0: the first
     Emphasis emphasis = Emphasis::Quiet;

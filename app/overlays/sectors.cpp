@@ -74,7 +74,7 @@ public:
     }
 
 private:
-    /// The wedge in which the first end sees an edge.
+    /// Adds the wedge between the rays from the first end through the two corners of an edge.
     void addWedge(std::vector<HalfPlane>& halves, Edge edge) const
     {
         const auto [one, other] = cornersOf(edge, seeing_.window);

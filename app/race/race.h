@@ -13,7 +13,7 @@ struct RaceFrame {
     clipping::Window window{};
 
     bool sameAs(const RaceFrame& other) const { return is(other.lines, other.window); }
-    /// Whether the frame has these very lines and this window.
+    /// Whether the frame has exactly these lines and this window.
     bool is(const SceneLines& ofThese, const clipping::Window& atThis) const
     {
         return lines.revision() == ofThese.revision() && window == atThis;
@@ -52,7 +52,8 @@ public:
     /// The purpose of a round: only times, or also the findings that this frame lacks, which takes
     /// a sixth longer. Until then rows keep the earlier findings.
     enum class Purpose : std::uint8_t { Times, Findings };
-    /// Begins a round. Forgets times of another number of lines. No round may be running.
+    /// Begins a round. Discards the earlier times if the number of lines has changed. No round may
+    /// be running.
     void begin(const RaceFrame& frame, Purpose purpose = Purpose::Findings);
     bool running() const { return racing_; }
     /// One variant's turn on some of the lines, which takes some milliseconds. Returns true after

@@ -18,7 +18,7 @@ namespace app {
 /// The data needed to continue with a drawing.
 struct Origin {
     QString name;       ///< the name in the title
-    QString path;       ///< the target of Save; empty: it asks
+    QString path;       ///< where Save writes; empty: Save asks
     QDateTime fileTime; ///< last change of that file, as far as the program knew
     friend bool operator==(const Origin&, const Origin&) = default;
 };

@@ -17,8 +17,8 @@ struct DifferenceColumn {
 
     QString (*heading)(const Comparison& comparison); ///< "Line"
     QString (*meaning)(const Comparison& comparison); ///< what the column shows, a sentence
-    /// The text for a person, in the drawing's unit. Empty if the line is gone, or if no panel
-    /// shows differences.
+    /// The displayed text, with lengths in the drawing's unit. Empty if the line no longer exists,
+    /// or if no panel shows differences.
     QString (*text)(const Session& session, const Difference& difference);
     Key (*key)(const Session& session, const Difference& difference);
     bool number; ///< aligned to the right

@@ -3,8 +3,8 @@
 
 #include "app/session/session.h"
 
-// Undoable steps for which a document may have no room. Then nothing changes, and the session says
-// why (`Session::refused`).
+// Undoable steps that fail if the document already has as many clip windows or layers as it may
+// have. Then nothing changes, and `Session::refused` says why.
 
 namespace app {
 

@@ -44,7 +44,7 @@ constexpr T dot(const glm::vec<dimensions, T>& u, const glm::vec<dimensions, T>&
 }
 
 /// Cuts a part at one edge: one pass of Cyrus and Beck's loop, lines 3 to 13 of the corrected
-/// pseudo-code; d is b - a. False: nothing is visible.
+/// pseudo-code; d is b - a. Returns false if nothing is visible.
 template <class T, glm::length_t dimensions, class Step>
 constexpr bool cutAt(Edge edge, Part<T>& part, const BasicSegment<T, dimensions>& s,
                      const glm::vec<dimensions, T>& d, const BasicWindow<T, dimensions>& w,

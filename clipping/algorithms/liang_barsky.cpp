@@ -59,7 +59,7 @@ if clipt(-dx, x1-xmin)
     // Pseudo-code lines of the calls of clipt, by edge.
     static constexpr std::array callLines{0, 14, 15, 17, 18};
 
-    /// False: nothing is visible.
+    /// Returns false if nothing is visible.
     template <class T, class Step>
     static constexpr bool clipt(T p, T q, T& u0, T& u1, Edge edge, Step& step)
     {

@@ -5,9 +5,10 @@
 
 namespace clipping {
 
-/// Cuts a part at one edge, like Liang and Barsky's `clipt`, and records the edge. p is the speed
-/// at which the segment leaves the edge's half-plane, q the distance of a from leaving it. False:
-/// nothing is visible. Steps are lines 1 to 12 of the pseudo-code; `line` is the line of the call.
+/// Cuts a part at one edge, like Liang and Barsky's `clipt`, and records the edge. p is
+/// the rate at which the segment moves outwards across the edge (p < 0: it enters), q the signed
+/// distance of a from the edge (q < 0: a is outside). Returns false if nothing is visible. Steps
+/// are lines 1 to 12 of the pseudo-code; `line` is the line of the call.
 template <class T, class Step>
 constexpr bool clipt(T p, T q, Part<T>& part, int line, Edge edge, Step& step)
 {

@@ -90,7 +90,7 @@ constexpr Script scriptOf(std::size_t row, std::size_t column)
     return script;
 }
 
-/// Executes a script; false: nothing is visible.
+/// Executes a script; returns false if nothing is visible.
 template <auto script>
 constexpr bool followAll(auto& ends)
 {

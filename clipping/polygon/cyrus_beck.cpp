@@ -61,8 +61,8 @@ struct CyrusBeckPolygon {
         return true;
     }
 
-    /// Cuts at one edge; called for the edges in order around the polygon. False: both ends are
-    /// outside the edge.
+    /// Cuts at one edge; called for the edges in order around the polygon. Returns false if both
+    /// ends are outside the edge.
     template <class T, class Step>
     static bool cutAt(std::size_t i, const BasicSegment<T>& s, const PolygonIn<T>& polygon,
                       Interval<T>& part, Step& step)

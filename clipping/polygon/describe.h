@@ -28,7 +28,7 @@ inline bool easy(const Segment& s, const PreparedPolygon& polygon)
     return polygon.ordinary && ordinary(s);
 }
 
-/// Clears the edge number of a new end that equals the input's end.
+/// Sets the edge number to 0 at each end that equals the same end of the input.
 inline PolygonPiece<double> named(PolygonPiece<double> piece, const Segment& whole)
 {
     if (piece.segment.a == whole.a)

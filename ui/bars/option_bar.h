@@ -29,7 +29,7 @@ public:
     void setExport(QAction& exportCut);
 
 signals:
-    void refused(const QString& sentence); ///< the typed stroke width is no length
+    void refused(const QString& sentence); ///< the typed stroke width is not a length
     void taken();                          ///< the stroke width is valid again
 
 protected:

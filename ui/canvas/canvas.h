@@ -90,7 +90,7 @@ public:
 
 signals:
     void frameShown(const ui::FrameTimes& times); ///< the times of the active pane's frame
-    /// The pointer's position in the drawing; nothing: the pointer has left.
+    /// The pointer's position in the drawing; empty: the pointer has left.
     void pointerMoved(std::optional<app::Point> position);
     void hint(const QString& text); ///< the tool's current hint; empty: its usual one
     void toolChanged();

@@ -26,7 +26,7 @@ public:
 
 private:
     const app::Scene& scene_;
-    std::optional<app::View> view_; ///< the view of boxes_; nothing: boxes_ must be computed
+    std::optional<app::View> view_; ///< the view of boxes_; empty: boxes_ must be computed
     std::vector<QRectF> boxes_;
 };
 

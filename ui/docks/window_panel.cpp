@@ -107,7 +107,7 @@ QWidget* WindowPanel::makeOffer()
     auto* text = new QLabel(tr("There is no clip window, so nothing is cut. Draw one (W), or:"));
     text->setWordWrap(true);
     auto* button = new QPushButton(tr("Lay window on page"));
-    button->setToolTip(tr("Lay a clip window on the whole page"));
+    button->setToolTip(tr("Add a clip window that covers the whole page"));
     connect(button, &QPushButton::clicked, this, [this] { layWindowOnPage(session_); });
     auto* row = new QHBoxLayout;
     row->addWidget(text, 1);

@@ -23,7 +23,7 @@ public:
 
 signals:
     void entered(); ///< a number or a unit was entered: the focus returns to the canvas
-    void refused(const QString& sentence); ///< the typed text is no length
+    void refused(const QString& sentence); ///< the typed text is not a length
     void taken();                          ///< a field's value is valid again
     void resized();                        ///< the height that it needs has changed
 

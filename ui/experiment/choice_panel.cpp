@@ -74,8 +74,8 @@ ChoicePanel::ChoicePanel(Drawing drawing, QWidget* parent)
 void ChoicePanel::describeFields()
 {
     const std::size_t all = clipping::algorithms().size();
-    runs_->setToolTip(tr("The paper used ten runs. Telling %2 algorithms apart takes at least %1 "
-                         "runs; with fewer there are no ranks.")
+    runs_->setToolTip(tr("The paper used ten runs. Ranking %2 algorithms needs at least %1 runs; "
+                         "with fewer there are no ranks.")
                           .arg(app::leastRounds(all))
                           .arg(all));
     seed_->setValue(1);

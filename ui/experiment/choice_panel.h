@@ -46,7 +46,7 @@ private:
 
     std::vector<app::Subject> subjects_;
     Drawing drawing_;
-    /// Copy of the drawing since its last change; nothing: not copied yet.
+    /// Copy of the drawing since its last change; empty: not copied yet.
     mutable std::optional<app::Subject> taken_;
     bool ofDrawing_ = false; ///< the subject shown is the drawing
     int usualLines_ = 0;     ///< the subject's default number of lines

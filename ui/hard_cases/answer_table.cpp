@@ -90,7 +90,7 @@ QString AnswerModel::text(const app::CaseAnswer& answer, int column) const
         return app::nameOf(answer.variant);
     case Verdict:
         return app::words(answer);
-    case Error: // no error for an empty or non-finite result
+    case Error: // measurable only if both the answer and the exact result are finite and visible
         return answer.visible && answer.ulps >= 0 && answer.ruling != app::Ruling::Shown
                        && answer.ruling != app::Ruling::Allowed
                        && answer.ruling != app::Ruling::NotANumber

@@ -32,7 +32,7 @@ public:
     QSize minimumSizeHint() const override { return {320, 180}; }
 
 signals:
-    /// In the drawing; nothing: the pointer has left.
+    /// In the drawing; empty: the pointer has left.
     void pointerMoved(std::optional<app::Point> point);
     void framed();                    ///< the visible part has changed
     void hinted(const QString& hint); ///< what the person can do here
@@ -55,7 +55,7 @@ protected:
 
 private:
     struct Drag {
-        std::optional<LineEnd> end; ///< nothing: the drag pans
+        std::optional<LineEnd> end; ///< empty: the drag pans
         clipping::Segment before;
         /// Offset from the pointer to the end; when panning, the last pointer position.
         QPointF handle;

@@ -120,7 +120,7 @@ private:
     std::vector<app::Point> corners_;
     std::vector<app::Point> takenBack_; ///< removed corners; the last one returns first
     int stepsBefore_ = 0;               ///< number of history steps done when a corner was removed
-    std::optional<app::Point> to_;      ///< the corner that a click would add; nothing: none
+    std::optional<app::Point> to_;      ///< the corner that a click would add; empty: none
 };
 
 } // namespace

@@ -66,8 +66,8 @@ public:
     virtual void leave(Workbench&) {}           ///< the pointer has left: nothing is hovered
     virtual void cancel(Workbench&) {}          ///< discards the gesture and everything it has made
     virtual bool busy() const { return false; } ///< a gesture is in progress
-    /// Called on Esc, when the tool changes, and before the document is read: what is complete of
-    /// the gesture becomes one command.
+    /// Called on Esc, when the tool changes, and before the document is read: pushes the completed
+    /// part of the gesture as one command.
     virtual void end(Workbench& bench) { cancel(bench); }
 
     /// During a gesture of several steps, Undo and Redo act on these steps one by one instead of on
@@ -78,7 +78,7 @@ public:
     virtual void putBack(Workbench&) {}
     /// The step's name in the Undo and Redo menu entries.
     virtual QString stepText() const { return {}; }
-    /// The path that end() would keep now; nothing: no object.
+    /// The path that end() would keep now; empty: none.
     virtual std::optional<app::Subpath> pathInHand() const { return std::nullopt; }
     /// Number of points of the path being drawn.
     virtual std::size_t pointsInHand() const { return 0; }

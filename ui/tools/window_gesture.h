@@ -26,7 +26,7 @@ private:
     struct State {
         app::Handle handle;
         Pointer from, to;
-        std::optional<clipping::Window> start; ///< nothing: a new window
+        std::optional<clipping::Window> start; ///< empty: a new window
         bool drags = false;
     };
     std::optional<State> state_;

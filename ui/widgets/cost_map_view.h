@@ -28,7 +28,7 @@ public:
 
 signals:
     void fixedEndMoved(const app::Point& to);
-    /// The pointer's position in the drawing; nothing: it has left.
+    /// The pointer's position in the drawing; empty: it has left.
     void pointed(const std::optional<app::Point>& at);
     void dropped(); ///< a drag has ended
     void resized();

@@ -25,7 +25,7 @@ public:
     /// `length` in user units; emits no signal.
     void show(double length, app::Unit unit, double millimetresPerUnit);
     void stepBy(int steps) override;
-    /// The visible text, with an ellipsis if the whole number does not fit.
+    /// The visible text; ends with an ellipsis if the number does not fit completely.
     QString seenText() const;
 
 signals:
@@ -33,7 +33,7 @@ signals:
     /// wheel may merge with the previous one.
     void edited(double length, app::Merging merging);
     void entered(); ///< Enter was pressed and the value is valid: typing is finished
-    void refused(const QString& sentence); ///< the typed text is no length, or out of range
+    void refused(const QString& sentence); ///< the text is not a length, or out of range
     void taken();                          ///< the field's value is valid now
 
 protected:

@@ -41,7 +41,7 @@ private:
     void put(Message message);
 
     Message message_;
-    /// The message that a refusal replaces, possibly empty; nothing: no refusal is shown.
+    /// The message that a refusal replaces, possibly an empty text; nullopt: no refusal is shown.
     std::optional<Message> under_;
     QLabel* text_;
     QPushButton* button_;

@@ -17,7 +17,7 @@ public:
     explicit VariantBox(const QString& name, const QStringList& before = {},
                         QWidget* parent = nullptr);
 
-    /// Nothing: one of the `before` choices; currentIndex() says which.
+    /// Empty if one of the `before` choices is selected; currentIndex() says which.
     std::optional<app::Variant> variant() const;
     void choose(const app::Variant& variant);
     /// Enables only variants for which `fits` is true. If the current one is disabled, the first

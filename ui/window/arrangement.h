@@ -26,9 +26,9 @@ public:
 
     Form form() const { return form_; } ///< as placed last
     Form fitting(const Situation& situation) const;
-    /// Whether as many panels of the stack are tabs as the window's height asks for now.
+    /// Whether the number of panels that share a place as tabs fits the window's current height.
     bool tabsFit() const { return neededTabs() == tabs_; }
-    bool hasTabsBelow() const { return tabs_ > 0; } ///< a stack's lowest place holds tabs
+    bool hasTabsBelow() const { return tabs_ > 0; } ///< in a stack, the lowest panels are tabs
 
     /// Places all panels in the fitting form. Closed comparison panels stay closed.
     void place(const Situation& situation);

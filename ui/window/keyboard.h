@@ -11,7 +11,7 @@ namespace ui {
 
 /// The key at the same place on an American keyboard, for keys that type no Latin letter or digit,
 /// such as the digits of a French keyboard and all letters of a Greek one. Without it shortcuts
-/// with letters or digits could not be typed there. Nothing: the key types a Latin letter or digit,
+/// with letters or digits could not be typed there. Empty: the key types a Latin letter or digit,
 /// or its place is unknown (only Linux's scan codes are known).
 std::optional<QKeyCombination> keyAtItsPlace(const QKeyEvent& event);
 

@@ -8,7 +8,7 @@
 
 #include <QSettings>
 
-// What session, files, canvas and microscope ask of the window.
+// Connects the signals of session, files, canvas and microscope to the window.
 
 namespace ui {
 

@@ -10,7 +10,7 @@
 #include "ui/window/panel_layout.h"
 #include "ui/window/start.h"
 
-// What the panels ask of the window.
+// Creates the panels and connects their signals to the window.
 
 namespace ui {
 

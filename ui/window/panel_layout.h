@@ -21,7 +21,7 @@ public:
     /// Adds the docks to the window. `inspecting` answers whether the panel Line shows a line.
     PanelLayout(QMainWindow& window, const PanelDocks& docks, std::function<bool()> inspecting);
 
-    QList<QAction*> toggles() const; ///< of all panels but Start, which comes and goes by itself
+    QList<QAction*> toggles() const; ///< of all panels except Start, which is shown automatically
     /// Brings a narrow panel to the front.
     void raise(const QString& key);
     /// Opens a comparison panel, or closes it if it is in front.
@@ -38,11 +38,11 @@ public:
     void hideAll();
     void bringBack(); ///< nothing happens if the panels are not hidden
 
-    void save() const; ///< in the settings; while the panels are hidden, as they were before
+    void save() const; ///< to the settings; if the panels are hidden, the layout before that
     void restore();    ///< from the settings
 
 signals:
-    void aboutToRaise();     ///< what covers the panels must go
+    void aboutToRaise();     ///< receivers must hide what covers the panels
     void aboutToBringBack(); ///< each panel needs its final height now
     void changed();          ///< a comparison panel was opened or closed
 

@@ -27,7 +27,8 @@ public:
     /// Returns all lines as a document whose page encloses them. The object cannot be used for
     /// further lines.
     Document take();
-    /// For each object of the document, its number in the order of the file. Call after `take`.
+    /// For each object of the document, the index of its line in the order of `add`. Call after
+    /// `take`.
     std::vector<std::uint32_t> order();
 
 private:

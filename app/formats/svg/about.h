@@ -30,8 +30,9 @@ public:
     About about() const;
     /// Whether the texts exceeded `mostMetadata` bytes; then none is kept.
     bool tooLarge() const { return tooLarge_; }
-    /// The number of non-empty titles, descriptions and metadata of elements below the root. `take`
-    /// returns all of them except metadata and notes that are too large or nested too deeply.
+    /// How many non-empty titles, descriptions and metadata elements below the root were read so
+    /// far. This includes those that `take` does not return: metadata, and notes that are too large
+    /// or nested too deeply.
     int ofElements() const { return ofElements_; }
 
 private:

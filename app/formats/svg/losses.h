@@ -96,12 +96,12 @@ inline constexpr LossKind unknownOperation{
     QT_TRANSLATE_NOOP("svg", "the operations are add, cut-out and intersect"),
     QT_TRANSLATE_NOOP("svg", "the operations are add, cut-out and intersect")};
 inline constexpr LossKind unknownKeep{
-    QT_TRANSLATE_NOOP("svg", "unknown value %1 of keep (inside or outside) was read as inside"),
-    QT_TRANSLATE_NOOP("svg", "unknown values %1 of keep (inside or outside) were read as inside"),
+    QT_TRANSLATE_NOOP("svg", "unknown value %1 of “keep” (inside or outside) was read as inside"),
+    QT_TRANSLATE_NOOP("svg", "unknown values %1 of “keep” (inside or outside) were read as inside"),
     true};
 inline constexpr LossKind unknownVisible{
-    QT_TRANSLATE_NOOP("svg", "unknown value %1 of visible (yes or no) was read as yes"),
-    QT_TRANSLATE_NOOP("svg", "unknown values %1 of visible (yes or no) were read as yes"), true};
+    QT_TRANSLATE_NOOP("svg", "unknown value %1 of “visible” (yes or no) was read as yes"),
+    QT_TRANSLATE_NOOP("svg", "unknown values %1 of “visible” (yes or no) were read as yes"), true};
 inline constexpr LossKind containers{
     QT_TRANSLATE_NOOP("svg", "group beyond the limit was dissolved"),
     QT_TRANSLATE_NOOP("svg", "groups beyond the limit were dissolved"), true};

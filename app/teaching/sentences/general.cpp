@@ -156,7 +156,7 @@ QString generalSentence(const SentenceContext& context)
     case What::Accept:
         return words::acceptedIfInside(context);
     case What::Reject:
-        return tr("The line is rejected: nothing of it is visible.") + words::lost(context);
+        return tr("The line is rejected: nothing is visible.") + words::lost(context);
     default:
         return tr(
             "The algorithm does not end on this line: it is stopped, and nothing is visible.");

@@ -171,7 +171,7 @@ QString given(const SentenceContext& context, int number)
 QString rejected(const SentenceContext& context)
 {
     return words::isPublished(context)
-               ? tr("The line is rejected: the published form draws nothing of it.")
+               ? tr("The line is rejected: the published form draws nothing.")
                      + words::lost(context)
                : words::bothBeyond(context);
 }

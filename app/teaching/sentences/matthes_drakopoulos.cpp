@@ -85,8 +85,8 @@ bool isLastTest(const clipping::Step& step, const SentenceContext& context)
 QString rejected(const SentenceContext& context)
 {
     if (context.before && isLastTest(*context.before, context))
-        return tr("If the line met the window, its ends would lie in the window now. So nothing of "
-                  "it is visible.");
+        return tr("If the line met the window, its ends would lie in the window now. So nothing is "
+                  "visible.");
     return tr("Both ends lie %1, and so does every point between them: nothing of the line is "
               "visible.")
         .arg(words::beyond(context.edge(), context.tracedLine.y));

@@ -247,7 +247,7 @@ QString reject(const SentenceContext& context)
 {
     if (context.step.line == 5)
         return words::bothBeyond(context);
-    return tr("The line misses the window: nothing of it is visible.") + words::lost(context);
+    return tr("The line misses the window: nothing is visible.") + words::lost(context);
 }
 
 QString given(const SentenceContext& context)

@@ -49,9 +49,8 @@ QString question(const SentenceContext& context)
 QString tested(const SentenceContext& context)
 {
     if (context.step.line == 3)
-        return context.holds() ? tr("The script of this pair is a cross: both ends lie beyond one "
-                                    "edge.")
-                               : tr("The script of this pair is no cross: the line may meet the "
+        return context.holds() ? tr("The table has × for this pair: both ends lie beyond one edge.")
+                               : tr("The table has no × for this pair: the line may meet the "
                                     "window.");
     if (!words::isPublished(context) && context.step.line == 6)
         return context.holds() ? tr("The script is not empty: it moves an end.")
@@ -116,7 +115,7 @@ QString sentence(const SentenceContext& context)
     case clipping::What::Reject:
         return context.step.line == 4
                    ? words::bothBeyond(context)
-                   : tr("The line passes a corner outside the window: nothing of it is visible.")
+                   : tr("The line passes a corner outside the window: nothing is visible.")
                          + words::lost(context);
     case clipping::What::Accept:
         return words::acceptedIfInside(context);

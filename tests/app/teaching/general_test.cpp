@@ -137,9 +137,9 @@ private slots:
     void rejections()
     {
         QCOMPARE(told("md", {{-200, 0}, {-150, 50}}).last(),
-                 "2: The line is rejected: nothing of it is visible.");
+                 "2: The line is rejected: nothing is visible.");
         const QString lost = told("kwc:published", {{100, 0}, {100.5, 300}}).last();
-        QVERIFY2(lost.startsWith("16: The line is rejected: nothing of it is visible. That is "
+        QVERIFY2(lost.startsWith("16: The line is rejected: nothing is visible. That is "
                                  "wrong: "),
                  qPrintable(lost));
     }

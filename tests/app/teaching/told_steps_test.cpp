@@ -226,7 +226,7 @@ private slots:
     void skalaSaysWhatItLoses()
     {
         QCOMPARE(told("skala:published", {{-1, 0}, {1, 0}}, {{0, 0}, {2, 2}}).last(),
-                 "12: The line misses the window: nothing of it is visible. That is wrong: from "
+                 "12: The line misses the window: nothing is visible. That is wrong: from "
                  "(0, 0) to (1, 0) the line is inside.");
     }
 
@@ -261,7 +261,7 @@ private slots:
             told("kwc:published", {{100, 0}, {100.5, 300}}, {{0, 0}, {300, 300}});
         compare(all.last(2), {"15: Now |x1 − x2| = 0.5, less than 1. The published form concludes "
                               "that the line has shrunk to a point and misses the window.",
-                              "16: The line is rejected: the published form draws nothing of it. "
+                              "16: The line is rejected: the published form draws nothing. "
                               "That is wrong: from (100, 0) to (100.5, 300) the line is inside."});
     }
     /// It has no m and no c. rise = 160 * 60 / 230, run = 230 * -55 / 160.
@@ -312,7 +312,7 @@ private slots:
                  "2: Both outcodes together are the number 24, the code of this pair of regions. "
                  "The table has a script for each of the 81 pairs. The script of this pair has "
                  "only the cuts and tests that the pair needs.",
-                 "3: The script of this pair is no cross: the line may meet the window.",
+                 "3: The table has no × for this pair: the line may meet the window.",
                  "10: End 1 is beyond the left edge, so it moves along the line to that edge, to "
                  "(−100, 11.7391).",
                  "17: End 1 does not lie above the window (11.7391 < 75): here the line does "

@@ -146,8 +146,8 @@ private slots:
         QVERIFY(read(windows)
                 == (app::ClipWindows{{{.shape = box}, {.shape = box}, {.shape = box}}}));
         QCOMPARE(reportOn(windows),
-                 "1 unknown value “out” of keep (inside or outside) was read as inside; 2 unknown "
-                 "values “false”, “off” of visible (yes or no) were read as yes");
+                 "1 unknown value “out” of “keep” (inside or outside) was read as inside; 2 "
+                 "unknown values “false”, “off” of “visible” (yes or no) were read as yes");
         QByteArray many;
         for (const char* word : {"a", "b", "a", "%1", "d", "e"})
             many += head + "operation='" + word + "'/>";
