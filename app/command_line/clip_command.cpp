@@ -89,7 +89,7 @@ void report(const Imported& imported, const Document& before, const CutCounts& c
 /// Removes hidden objects if requested, or if the file cannot hide them; returns their number.
 std::size_t dropHidden(const ParsedArguments& arguments, const Output& output, Document& document)
 {
-    if (output.format->hides == Hides::Yes && !arguments.has(QStringLiteral("drop-hidden")))
+    if (output.format->hides == StoresHidden::Yes && !arguments.has(QStringLiteral("drop-hidden")))
         return 0;
     const std::size_t hidden = hiddenObjects(document).size();
     document = withoutHidden(std::move(document));

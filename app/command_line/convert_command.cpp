@@ -19,7 +19,7 @@ void convert(const ParsedArguments& arguments)
     if (arguments.has(QStringLiteral("quiet")))
         return;
     sayLosses(imported);
-    if (output.format->hides == Hides::No)
+    if (output.format->hides == StoresHidden::No)
         sayHiddenLeftOut(hiddenObjects(imported.document).size(), *output.format);
 }
 

@@ -37,7 +37,7 @@ std::vector<Clipped> majorityOf(std::span<const std::vector<Clipped>> answers, s
     return kept;
 }
 
-void add(Dissent& to, std::span<const Difference> fromMajority, std::size_t firstLine)
+void add(Disagreement& to, std::span<const Difference> fromMajority, std::size_t firstLine)
 {
     const DifferenceCounts counts = counted(fromMajority);
     to.lost += counts.onlyB;
@@ -48,9 +48,9 @@ void add(Dissent& to, std::span<const Difference> fromMajority, std::size_t firs
 }
 
 /// The variants that are judged: the published form first.
-std::vector<Dissent> allToJudge(const Variant& chosen)
+std::vector<Disagreement> allToJudge(const Variant& chosen)
 {
-    std::vector<Dissent> all;
+    std::vector<Disagreement> all;
     if (chosen.form == Form::Published)
         all.push_back({.variant = chosen});
     for (const Algorithm& algorithm : algorithms())
@@ -59,11 +59,11 @@ std::vector<Dissent> allToJudge(const Variant& chosen)
 }
 
 /// Adds the differences in the lines of one run. The majority is known line by line.
-void judge(std::vector<Dissent>& all, const SceneLines::Run& run, const Window& window,
+void judge(std::vector<Disagreement>& all, const SceneLines::Run& run, const Window& window,
            const Variant& corrected)
 {
     std::vector<std::vector<Clipped>> answers;
-    for (const Dissent& one : all)
+    for (const Disagreement& one : all)
         answers.push_back(clipped(one.variant, run.segments, window));
     const auto votes = std::span(answers).last(algorithms().size());
     const auto majority = majorityOf(votes, run.segments.size());
@@ -80,41 +80,42 @@ QString counted(const char* one, const char* many, std::size_t count)
                       : QCoreApplication::translate("agreement", many).arg(countText(count));
 }
 
-QString sentence(const Dissent& dissent)
+QString sentence(const Disagreement& disagreement)
 {
     QStringList faults;
-    if (dissent.lost)
+    if (disagreement.lost)
         faults << counted("loses 1 line that is visible", "loses %1 lines that are visible",
-                          dissent.lost);
-    if (dissent.shown)
+                          disagreement.lost);
+    if (disagreement.shown)
         faults << counted("keeps 1 line that is not visible", "keeps %1 lines that are not visible",
-                          dissent.shown);
-    if (dissent.moved)
+                          disagreement.shown);
+    if (disagreement.moved)
         faults << counted("misplaces the ends of 1 line", "misplaces the ends of %1 lines",
-                          dissent.moved);
-    return nameOf(dissent.variant) + u' '
+                          disagreement.moved);
+    return nameOf(disagreement.variant) + u' '
            + faults.join(QCoreApplication::translate("agreement", ", "));
 }
 
 } // namespace
 
-std::vector<Dissent> dissents(const SceneLines& lines, const Window& window, const Variant& chosen)
+std::vector<Disagreement> disagreements(const SceneLines& lines, const Window& window,
+                                        const Variant& chosen)
 {
-    std::vector<Dissent> found = allToJudge(chosen);
+    std::vector<Disagreement> found = allToJudge(chosen);
     const Variant corrected{chosen.algorithm}; // the majority's contract
     for (const SceneLines::Run& run : lines.runs())
         judge(found, run, window, corrected);
-    std::erase_if(found, [](const Dissent& one) { return one.none(); });
+    std::erase_if(found, [](const Disagreement& one) { return one.none(); });
     return found;
 }
 
-QString sentence(std::span<const Dissent> dissents)
+QString sentence(std::span<const Disagreement> disagreements)
 {
-    if (dissents.empty())
+    if (disagreements.empty())
         return QCoreApplication::translate("agreement", "All corrected algorithms agree here");
     QStringList sentences;
-    for (const Dissent& dissent : dissents)
-        sentences << sentence(dissent);
+    for (const Disagreement& disagreement : disagreements)
+        sentences << sentence(disagreement);
     return sentences.join(QStringLiteral("; "));
 }
 

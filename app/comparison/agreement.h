@@ -12,7 +12,7 @@
 namespace app {
 
 /// How one variant differs from the majority of algorithms on many segments.
-struct Dissent {
+struct Disagreement {
     Variant variant;
     std::size_t lost = 0;  ///< visible segments that it drops
     std::size_t shown = 0; ///< invisible segments that it keeps
@@ -25,10 +25,10 @@ struct Dissent {
 /// The verdict on a drawing and a window: one entry for each corrected form of the catalogue that
 /// differs from the majority, and one for `chosen` if it is a published form that differs. Empty:
 /// they agree. Takes as long as clipping once with every algorithm.
-std::vector<Dissent> dissents(const SceneLines& lines, const clipping::Window& window,
-                              const Variant& chosen);
+std::vector<Disagreement> disagreements(const SceneLines& lines, const clipping::Window& window,
+                                        const Variant& chosen);
 
 /// "All algorithms, corrected, agree here", or "KWC as published loses 456 lines that are visible".
-QString sentence(std::span<const Dissent> dissents);
+QString sentence(std::span<const Disagreement> disagreements);
 
 } // namespace app

@@ -59,12 +59,12 @@ private:
     virtual void forget() = 0; ///< drops the result
 
     /// The lines and the window of a result.
-    struct Matter {
+    struct FindingInput {
         std::uint64_t lines; ///< their revision
         clipping::Window window;
-        friend bool operator==(const Matter&, const Matter&) = default;
+        friend bool operator==(const FindingInput&, const FindingInput&) = default;
     };
-    Matter now() const { return {scene_.lines().revision(), window_}; }
+    FindingInput now() const { return {scene_.lines().revision(), window_}; }
     bool many() const { return scene_.lines().size() > sizes_.atOnce; }
     void follow(const DocumentChange& change);
     void restart();
@@ -76,8 +76,8 @@ private:
     const Scene& scene_;
     const BatchSizes sizes_;
     clipping::Window window_;
-    std::optional<Matter> foundOf_{}; ///< what the present result is for
-    double share_ = 0;                ///< examined by background_
+    std::optional<FindingInput> foundOf_{}; ///< what the present result is for
+    double share_ = 0;                      ///< examined by background_
     bool asking_ = false;
     bool upToDate_ = true;
     bool posted_ = false; ///< a call of findAtOnce() is queued

@@ -43,9 +43,9 @@ std::vector<QRgb> stripesOf(const CostPlan& plan, std::uint32_t cheapest, const 
 }
 
 /// The colours of the cells of one map.
-class Paints {
+class CellColours {
 public:
-    Paints(const CostMap& map, const CostMapLook& look) : map_(map), legend_(legendOf(map))
+    CellColours(const CostMap& map, const CostMapLook& look) : map_(map), legend_(legendOf(map))
     {
         for (const CostLegend::Share& share : legend_.shares)
             stripes_.push_back(stripesOf(map.plan, share.cheapest, look.chart));
@@ -78,7 +78,7 @@ void paintCells(QPainter& painter, const QRectF& place, const CostMap& map, cons
     const double ratio = painter.device()->devicePixelRatioF();
     QImage image((place.size() * ratio).toSize().expandedTo({1, 1}), QImage::Format_ARGB32);
     image.fill(Qt::transparent);
-    const Paints paints(map, look);
+    const CellColours paints(map, look);
     const int width = std::max(1, int(std::lround(stripe * ratio)));
     for (int y = 0; y < image.height(); ++y) {
         auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));

@@ -32,13 +32,14 @@ std::vector<KeptPart> partsOf(std::size_t chords, std::span<const Clipped>& piec
 CutObject cutObject(const Object& object, double tolerance, std::span<const Chord> chords,
                     std::span<const Clipped> pieces, std::size_t first, const ClipRegion& region)
 {
-    const OverStart overStart = object.style.dashes.empty() ? OverStart::Join : OverStart::Break;
+    const ClosedStart closedStart =
+        object.style.dashes.empty() ? ClosedStart::Join : ClosedStart::Break;
     CutObject result{.whole = true};
     std::vector<Run> runs;
     for (const Subpath& path : object.path.subpaths()) {
         const std::size_t count = chordCount(path, tolerance);
         const auto parts = partsOf(count, pieces, first);
-        auto kept = joinRuns(path, chords.first(count), parts, region, overStart);
+        auto kept = joinRuns(path, chords.first(count), parts, region, closedStart);
         const bool unchanged = kept.size() == 1 && kept.front().path == path;
         result.whole = result.whole && unchanged;
         result.opened += path.closed && !unchanged && !kept.empty();

@@ -194,7 +194,7 @@ bool isWhole(std::span<const Chord> chords, std::span<const KeptPart> parts)
 
 std::vector<Run> joinRuns(const Subpath& path, std::span<const Chord> chords,
                           std::span<const KeptPart> parts, const ClipRegion& region,
-                          OverStart overStart)
+                          ClosedStart closedStart)
 {
     if (parts.empty())
         return {};
@@ -204,7 +204,7 @@ std::vector<Run> joinRuns(const Subpath& path, std::span<const Chord> chords,
     runs.noteFirst(parts.front());
     for (const KeptPart& part : parts)
         runs.add(part);
-    return runs.take(path.closed && overStart == OverStart::Join);
+    return runs.take(path.closed && closedStart == ClosedStart::Join);
 }
 
 std::vector<Object> objectsOfRuns(Object object, std::vector<Run> runs)

@@ -30,12 +30,12 @@ struct Run {
 /// replaced by chords: a cut moves to the point where the curve itself meets the edge. One of its
 /// coordinates is then the edge's own; the other stays within a window of `region` that has this
 /// edge. If everything is kept, the path is returned unchanged; otherwise all runs are open. A run
-/// across the start of a closed path is one run, except with OverStart::Break (for dashed strokes,
-/// whose dashes restart there).
-enum class OverStart : std::uint8_t { Join, Break };
+/// across the start of a closed path is one run, except with ClosedStart::Break (for dashed
+/// strokes, whose dashes restart there).
+enum class ClosedStart : std::uint8_t { Join, Break };
 std::vector<Run> joinRuns(const Subpath& path, std::span<const Chord> chords,
                           std::span<const KeptPart> parts, const ClipRegion& region,
-                          OverStart overStart);
+                          ClosedStart closedStart);
 
 /// Makes one object of the runs, painted like `object`; or several where dashes must continue, as
 /// an object has only one dash offset. Only the first keeps the id, title and description; none

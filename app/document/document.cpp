@@ -73,18 +73,18 @@ Edit adding(const Document& document, const Objects& objects, ContainerId into)
     return edit;
 }
 
-Edit adding(const Document& document, std::span<const ObjectInHand> objects)
+Edit adding(const Document& document, std::span<const PendingObject> objects)
 {
     const Containers& containers = document.containers();
-    std::vector<const ObjectInHand*> sorted;
-    for (const ObjectInHand& object : objects)
+    std::vector<const PendingObject*> sorted;
+    for (const PendingObject& object : objects)
         sorted.push_back(&object);
-    std::ranges::stable_sort(sorted, [&](const ObjectInHand* a, const ObjectInHand* b) {
+    std::ranges::stable_sort(sorted, [&](const PendingObject* a, const PendingObject* b) {
         return containers.endsBefore(a->into, b->into);
     });
     Edit edit{.objects = document.objects().slice(0, 0)};
     std::vector<ContainerId> into;
-    for (const ObjectInHand* one : sorted) {
+    for (const PendingObject* one : sorted) {
         if (into.empty() || into.back() != one->into) {
             into.push_back(one->into);
             edit.splices.push_back({std::uint32_t(containers.rangeOf(one->into).end), 0, 0});

@@ -60,7 +60,7 @@ private:
 Document withOwnStyles(const Document& document);
 
 /// An object that is being drawn or copied, and its future container.
-struct ObjectInHand {
+struct PendingObject {
     Object object;
     ContainerId into;
 };
@@ -69,6 +69,6 @@ struct ObjectInHand {
 Edit adding(const Document& document, const Objects& objects, ContainerId into);
 /// An edit that adds each object to its own container; objects of the same container keep their
 /// order.
-Edit adding(const Document& document, std::span<const ObjectInHand> objects);
+Edit adding(const Document& document, std::span<const PendingObject> objects);
 
 } // namespace app

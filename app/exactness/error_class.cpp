@@ -69,12 +69,12 @@ std::span<const ErrorClass> errorClasses()
     return all;
 }
 
-std::size_t errorClassOf(const LineExactness& line, Yardstick yardstick)
+std::size_t errorClassOf(const LineExactness& line, ErrorUnit errorUnit)
 {
     const auto all = errorClasses();
     if (line.isWrong())
         return all.size() - 1;
-    const double error = errorOf(line, yardstick);
+    const double error = errorOf(line, errorUnit);
     std::size_t row = 0;
     while (error > all[row].most)
         ++row;
@@ -95,19 +95,19 @@ std::size_t ErrorCounts::all() const
     return std::accumulate(classes.begin(), classes.end(), std::size_t(0));
 }
 
-ErrorCounts counted(const ExactnessResults& results, Yardstick yardstick)
+ErrorCounts counted(const ExactnessResults& results, ErrorUnit errorUnit)
 {
     ErrorCounts counts;
     counts.classes.resize(errorClasses().size());
     for (const LineExactness& line : results.list) {
-        ++counts.classes[errorClassOf(line, yardstick)];
+        ++counts.classes[errorClassOf(line, errorUnit)];
         counts.lost += line.fault == Fault::Lost;
         counts.invented += line.fault == Fault::Invented;
         counts.notFinite += line.fault == Fault::NotFinite;
         counts.outside += line.outside();
         counts.orderMatters += line.orderMatters;
         if (line.fault == Fault::None)
-            counts.worst = std::max(counts.worst, errorOf(line, yardstick));
+            counts.worst = std::max(counts.worst, errorOf(line, errorUnit));
     }
     return counts;
 }
@@ -117,7 +117,7 @@ QString errorText(double ulps)
     return ulps == 1 ? Exactness::tr("1 ulp") : Exactness::tr("%1 ulps").arg(number(ulps));
 }
 
-QString sentence(const Variant& variant, const ErrorCounts& counts, Yardstick yardstick)
+QString sentence(const Variant& variant, const ErrorCounts& counts, ErrorUnit errorUnit)
 {
     if (counts.all() == 0)
         return Exactness::tr("Nothing is visible here.");
@@ -125,7 +125,7 @@ QString sentence(const Variant& variant, const ErrorCounts& counts, Yardstick ya
     if (const QStringList wrong = wrongTexts(counts); !wrong.isEmpty())
         text += QStringLiteral(": ") + wrong.join(Exactness::tr(", "));
     text += Exactness::tr(". The worst end is off by %1 of %2")
-                .arg(errorText(counts.worst), yardstick == Yardstick::Largest
+                .arg(errorText(counts.worst), errorUnit == ErrorUnit::Largest
                                                   ? Exactness::tr("the largest coordinate")
                                                   : Exactness::tr("its own coordinate"));
     text += counts.orderMatters == 0

@@ -16,7 +16,7 @@ struct ErrorClass {
 };
 /// From the best to the worst; the last class is for wrong lines.
 std::span<const ErrorClass> errorClasses();
-std::size_t errorClassOf(const LineExactness& line, Yardstick yardstick);
+std::size_t errorClassOf(const LineExactness& line, ErrorUnit errorUnit);
 /// From pale to strong on that ground; `wrong` for the class of wrong lines.
 QColor errorColour(std::size_t errorClass, Ground ground, const QColor& wrong);
 
@@ -27,11 +27,11 @@ struct ErrorCounts {
     double worst = 0; ///< largest error of the lines without a fault
     std::size_t all() const;
 };
-ErrorCounts counted(const ExactnessResults& results, Yardstick yardstick);
+ErrorCounts counted(const ExactnessResults& results, ErrorUnit errorUnit);
 
 /// "MD: 21,345 of 21,345 visible lines are right, the worst end is 2.1 ulps off. 12 depend on
 /// which end comes first."
-QString sentence(const Variant& variant, const ErrorCounts& counts, Yardstick yardstick);
+QString sentence(const Variant& variant, const ErrorCounts& counts, ErrorUnit errorUnit);
 
 /// The verdict on one line: "lost: 300 long …", "3.2 ulps off, outside the window". Without a
 /// period.

@@ -136,11 +136,11 @@ private:
 
 } // namespace
 
-double errorOf(const LineExactness& line, Yardstick yardstick)
+double errorOf(const LineExactness& line, ErrorUnit errorUnit)
 {
     if (line.fault != Fault::None)
         return infinity;
-    return yardstick == Yardstick::Largest ? std::max(line.ends[0].ulps, line.ends[1].ulps)
+    return errorUnit == ErrorUnit::Largest ? std::max(line.ends[0].ulps, line.ends[1].ulps)
                                            : std::max(line.ends[0].ownUlps, line.ends[1].ownUlps);
 }
 

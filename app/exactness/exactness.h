@@ -39,9 +39,9 @@ struct LineExactness {
 };
 
 /// The unit in which errors are measured.
-enum class Yardstick : std::uint8_t { Largest, Own };
+enum class ErrorUnit : std::uint8_t { Largest, Own };
 /// The error of the worse end; infinite for a line with a fault.
-double errorOf(const LineExactness& line, Yardstick yardstick);
+double errorOf(const LineExactness& line, ErrorUnit errorUnit);
 
 /// The results for the first `lines` lines.
 struct ExactnessResults {

@@ -18,20 +18,20 @@ struct Rows {
     Q_DECLARE_TR_FUNCTIONS(Exactness)
 };
 
-template <Yardstick yardstick>
+template <ErrorUnit errorUnit>
 QString errorCell(const LineExactness& line)
 {
-    return line.fault == Fault::None ? errorText(errorOf(line, yardstick)) : QStringLiteral("–");
+    return line.fault == Fault::None ? errorText(errorOf(line, errorUnit)) : QStringLiteral("–");
 }
 
 /// Faults rank above any error, by length.
-template <Yardstick yardstick>
+template <ErrorUnit errorUnit>
 double errorKey(const LineExactness& line)
 {
     constexpr double most = 1e100, fault = 1e150;
     switch (line.fault) {
     case Fault::None:
-        return std::min(errorOf(line, yardstick), most);
+        return std::min(errorOf(line, errorUnit), most);
     case Fault::NotFinite:
         return std::numeric_limits<double>::max();
     default:
@@ -61,11 +61,11 @@ std::span<const ExactnessColumn> exactnessColumns()
         ExactnessColumn{Rows::tr("Error"),
                         Rows::tr("How far the worse end is from the true one, in units in the last "
                                  "place of the largest coordinate of line and window (ulps)"),
-                        errorCell<Yardstick::Largest>, errorKey<Yardstick::Largest>, true},
+                        errorCell<ErrorUnit::Largest>, errorKey<ErrorUnit::Largest>, true},
         ExactnessColumn{
             Rows::tr("Own ulps"),
             Rows::tr("The same distance in units in the last place of the end's own coordinate"),
-            errorCell<Yardstick::Own>, errorKey<Yardstick::Own>, true}};
+            errorCell<ErrorUnit::Own>, errorKey<ErrorUnit::Own>, true}};
     return columns;
 }
 

@@ -59,10 +59,10 @@ void LiveExactness::forget()
 
 void LiveExactness::measure()
 {
-    counts_ = counted(found_, asked_->yardstick);
+    counts_ = counted(found_, asked_->errorUnit);
     pieces_.assign(errorClasses().size(), {});
     for (const LineExactness& line : found_.list)
-        pieces_[errorClassOf(line, asked_->yardstick)].push_back({line.piece, line.source, 0});
+        pieces_[errorClassOf(line, asked_->errorUnit)].push_back({line.piece, line.source, 0});
 }
 
 std::span<const std::vector<Clipped>> LiveExactness::piecesAt(const Window& window) const

@@ -15,7 +15,7 @@ public:
 
     struct Question {
         Variant variant;
-        Yardstick yardstick = Yardstick::Largest;
+        ErrorUnit errorUnit = ErrorUnit::Largest;
         friend bool operator==(const Question&, const Question&) = default;
     };
     /// An empty optional hides the result and stops the computation.
@@ -41,7 +41,7 @@ private:
 
     std::optional<Question> asked_;
     ExactnessResults found_;
-    ErrorCounts counts_; ///< of the result, by the yardstick that was asked for
+    ErrorCounts counts_; ///< of the result, by the errorUnit that was asked for
     std::vector<std::vector<clipping::Clipped>> pieces_; ///< pieces, by error class
 };
 

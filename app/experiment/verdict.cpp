@@ -32,7 +32,7 @@ QString longName(const Record& record, std::size_t i)
 QString timesText(double ratio) { return Experiments::tr("%1 times").arg(numberText(ratio, 2)); }
 
 /// The results by one measure, with their ranking.
-struct Told {
+struct RankedResults {
     const Record& record;
     const Measure& measure;
     std::vector<Summary> times = summaries(record, measure);
@@ -53,7 +53,7 @@ QString rangeText(const std::vector<Summary>& times, const std::vector<std::size
 }
 
 /// "; CB, the slowest, takes 2.36 times as long": only if it is significantly slower.
-QString slowestText(const Told& told)
+QString slowestText(const RankedResults& told)
 {
     const std::size_t last = told.ranking.order.back();
     if (told.ranking.againstLowest(last).outcome != Outcome::Different)
@@ -71,7 +71,7 @@ QString leaderName(const Record& record, std::size_t i)
 }
 
 /// "LB (1.004 times as long, p = 0.23)"
-QString testedName(const Told& told, std::size_t i)
+QString testedName(const RankedResults& told, std::size_t i)
 {
     const PairTest& test = told.ranking.againstLowest(i);
     return Experiments::tr("%1 (%2 times as long, p = %3)")
@@ -80,7 +80,7 @@ QString testedName(const Told& told, std::size_t i)
 
 /// " LB (…) does not differ significantly from it." for the variants with one outcome; empty
 /// without any. For many variants only their names: the table has ratios and p.
-QString outcomeText(const Told& told, Outcome outcome)
+QString outcomeText(const RankedResults& told, Outcome outcome)
 {
     constexpr std::ptrdiff_t mostDetailed = 3;
     const auto has = [&](std::size_t i) {
@@ -104,7 +104,7 @@ QString outcomeText(const Told& told, Outcome outcome)
 }
 
 /// " The next, LB, takes 1.13 times as long (p = 0.002)."; empty for two, which slowestText covers.
-QString nextText(const Told& told)
+QString nextText(const RankedResults& told)
 {
     if (told.ranking.order.size() < 3)
         return {};
@@ -114,7 +114,7 @@ QString nextText(const Told& told)
              pText(told.ranking.fastest[next].p));
 }
 
-QString leaderSentence(const Told& told)
+QString leaderSentence(const RankedResults& told)
 {
     const auto& [record, measure, times, ranking] = told;
     const std::size_t lowest = told.lowest();
@@ -143,7 +143,7 @@ QString leaderSentence(const Told& told)
            + outcomeText(told, Outcome::PracticallyEqual);
 }
 
-QString proposedText(const Told& told)
+QString proposedText(const RankedResults& told)
 {
     const std::size_t proposed = told.times.size() - 1;
     const auto leaders = told.ranking.leaders();
@@ -158,7 +158,7 @@ QString proposedText(const Told& told)
         .arg(name);
 }
 
-QString rankingSentence(const Trial& trial, const Told& told)
+QString rankingSentence(const Trial& trial, const RankedResults& told)
 {
     if (!told.ranking.told)
         return Experiments::tr("So the paper's ranking can be neither confirmed nor refuted.");
@@ -261,7 +261,7 @@ QStringList verdict(const Trial& trial, std::span<const Measure> measures)
     for (const Measure& measure : measures) {
         if (measure.key == u"draw")
             continue; // all variants leave the same lines to draw
-        const Told told{trial.record, measure};
+        const RankedResults told{trial.record, measure};
         sentences << leaderSentence(told);
         if (trial.paper)
             sentences.back() += u' ' + rankingSentence(trial, told);

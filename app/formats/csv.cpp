@@ -15,7 +15,7 @@ Format csvFormat()
         csv::read,
         csv::write,
         Holds::SeparateLines,
-        Hides::No,
+        StoresHidden::No,
         QCoreApplication::translate("formats", "%1 lines; %2 layers (further layers become one)")
             .arg(countText(csv::mostRows), countText(Containers::mostLayers))};
 }

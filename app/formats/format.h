@@ -56,7 +56,7 @@ struct WriteOptions {
 enum class Holds : std::uint8_t { Paths, SeparateLines };
 
 /// Whether the format can store hidden objects as hidden.
-enum class Hides : std::uint8_t { No, Yes };
+enum class StoresHidden : std::uint8_t { No, Yes };
 
 /// One row of the catalogue of file formats. A null function: not supported.
 struct Format {
@@ -68,7 +68,7 @@ struct Format {
     std::optional<QString> (*write)(const Document& document, QIODevice& out,
                                     const WriteOptions& options);
     Holds holds = Holds::Paths;
-    Hides hides = Hides::No;
+    StoresHidden hides = StoresHidden::No;
     QString limits{}; ///< the largest content of a file, worded to follow "at most "; may be empty
 };
 

@@ -130,7 +130,7 @@ Format pngFormat()
             nullptr,
             write,
             Holds::Paths,
-            Hides::No,
+            StoresHidden::No,
             QCoreApplication::translate("formats", "%1 pixels a side and %2 in all")
                 .arg(countText(std::size_t(mostPixelsOfSide)), countText(std::size_t(mostPixels)))};
 }

@@ -15,7 +15,7 @@ Format svgFormat()
             svg::read,
             svg::write,
             Holds::Paths,
-            Hides::Yes,
+            StoresHidden::Yes,
             QCoreApplication::translate(
                 "formats",
                 "%1 elements, nested %2 deep; %3 points; %4 layers (further layers become one)")

@@ -4,7 +4,7 @@
 #include "app/judge/child_race.h"
 #include "app/judge/library.h"
 #include "app/judge/question.h"
-#include "app/judge/warden.h"
+#include "app/judge/supervisor.h"
 
 #include <QByteArray>
 #include <QDir>
@@ -66,7 +66,7 @@ rlim_t tasksOfTheUser()
     return count;
 }
 
-/// The limit of processes does not apply to root; the warden ends such processes afterwards.
+/// The limit of processes does not apply to root; the supervisor ends such processes afterwards.
 void limitEverything()
 {
     ::setsid(); // so that a signal to its group reaches no other process
@@ -140,7 +140,7 @@ bool isChild(const QStringList& arguments)
 
 int runChild(const QStringList& arguments)
 {
-    stayBehindAsWarden();
+    forkUnderSupervisor();
     const Pipes pipes = pipesOfTheJudge();
     limitEverything();
     const std::string id = std::to_string(::getpid()) + '\n';

@@ -15,10 +15,10 @@ inline constexpr unsigned long memoryLimit = 512ul << 20;
 
 bool isChild(const QStringList& arguments);
 
-/// Leaves a warden behind (warden.h), prints the number of the process that loads the library on
-/// standard output, loads the library, reports the result, and does what the arguments ask. The
-/// library's output goes to standard error. Runs at most two minutes of processor time, and not
-/// longer than the thread that started it; no process that the library started survives.
+/// Leaves a supervisor behind (supervisor.h), prints the number of the process that loads the
+/// library on standard output, loads the library, reports the result, and does what the arguments
+/// ask. The library's output goes to standard error. Runs at most two minutes of processor time,
+/// and not longer than the thread that started it; no process that the library started survives.
 int runChild(const QStringList& arguments);
 
 /// The child's second line: a word for the result, a space, and the name of the algorithm or the

@@ -12,8 +12,8 @@ namespace {
 
 constexpr int glance = 20; // milliseconds between two readings of the clocks
 constexpr qsizetype mostPrinted = 2000;
-constexpr qint64 mostUnread = 1 << 20; // bytes: only a library that never stops sends more
-constexpr int wardensTime = 10'000;    // milliseconds, more than the warden needs
+constexpr qint64 mostUnread = 1 << 20;  // bytes: only a library that never stops sends more
+constexpr int supervisorsTime = 10'000; // milliseconds, more than the supervisor needs
 
 } // namespace
 
@@ -23,22 +23,24 @@ ChildProcess::ChildProcess(const QString& program, const QStringList& arguments)
     group_ = process_.processId();
 }
 
-/// The warden kills all processes of the library, even after the library has ended, and then ends.
+/// The supervisor kills all processes of the library, even after the library has ended, and then
+/// ends.
 ChildProcess::~ChildProcess()
 {
     process_.terminate();
-    if (process_.waitForFinished(wardensTime))
+    if (process_.waitForFinished(supervisorsTime))
         return;
     if (group_ > 0)
-        ::kill(pid_t(-group_), SIGKILL); // the group of the warden
+        ::kill(pid_t(-group_), SIGKILL); // the group of the supervisor
     process_.kill();
     process_.waitForFinished();
 }
 
-ChildProcess::News ChildProcess::waitForStart(const Patience& patience, const std::stop_token& stop)
+ChildProcess::WaitResult ChildProcess::waitForStart(const WaitLimits& patience,
+                                                    const std::stop_token& stop)
 {
-    const News news = waitForLine(patience, stop);
-    if (news == News::Came)
+    const WaitResult news = waitForLine(patience, stop);
+    if (news == WaitResult::Came)
         library_ = readLine().toLongLong();
     return news;
 }
@@ -70,9 +72,9 @@ void ChildProcess::keepPrinted()
     printed_ += more.left(std::max<qsizetype>(0, mostPrinted - printed_.size()));
 }
 
-template <class Enough>
-ChildProcess::News ChildProcess::waitUntil(Enough enough, const Patience& patience,
-                                           const std::stop_token& stop)
+template <class Predicate>
+ChildProcess::WaitResult ChildProcess::waitUntil(Predicate enough, const WaitLimits& patience,
+                                                 const std::stop_token& stop)
 {
     QElapsedTimer wall;
     wall.start();
@@ -80,35 +82,36 @@ ChildProcess::News ChildProcess::waitUntil(Enough enough, const Patience& patien
     qint64 had = available();
     while (!enough()) {
         if (stop.stop_requested())
-            return News::Stopped;
+            return WaitResult::Stopped;
         process_.waitForReadyRead(glance);
         keepPrinted();
         if (available() > mostUnread)
-            return News::Stuck;
+            return WaitResult::Stuck;
         if (available() != had) { // there is progress
             had = available();
             wall.restart();
             used = processorSeconds();
         } else if (process_.state() == QProcess::NotRunning) {
-            return News::Ended;
+            return WaitResult::Ended;
         } else if (processorSeconds() - used > patience.processorSeconds) {
-            return News::Stuck;
+            return WaitResult::Stuck;
         } else if (!isAsleep()) { // it computes, or waits for a processor
             wall.restart();
         } else if (double(wall.elapsed()) > 1000 * patience.wallSeconds) {
-            return News::Asleep;
+            return WaitResult::Asleep;
         }
     }
-    return News::Came;
+    return WaitResult::Came;
 }
 
-ChildProcess::News ChildProcess::waitFor(qint64 bytes, const Patience& patience,
-                                         const std::stop_token& stop)
+ChildProcess::WaitResult ChildProcess::waitFor(qint64 bytes, const WaitLimits& patience,
+                                               const std::stop_token& stop)
 {
     return waitUntil([&] { return available() >= bytes; }, patience, stop);
 }
 
-ChildProcess::News ChildProcess::waitForLine(const Patience& patience, const std::stop_token& stop)
+ChildProcess::WaitResult ChildProcess::waitForLine(const WaitLimits& patience,
+                                                   const std::stop_token& stop)
 {
     return waitUntil([&] { return process_.canReadLine(); }, patience, stop);
 }

@@ -9,13 +9,14 @@ namespace app::plug_in {
 
 /// How long to wait for output of a child. Processor time counts, which other programs cannot use
 /// up; wall-clock time counts only while the child sleeps.
-struct Patience {
+struct WaitLimits {
     double processorSeconds = 1;
     double wallSeconds = 5;
 };
 
 /// This program as a judge's child. Needs no event loop: only the waiting thread uses it. Its
-/// destructor makes the child's warden (warden.h) kill the child and all processes that it started.
+/// destructor makes the child's supervisor (supervisor.h) kill the child and all processes that it
+/// started.
 class ChildProcess {
 public:
     ChildProcess(const QString& program, const QStringList& arguments);
@@ -25,12 +26,12 @@ public:
     void write(const QByteArray& bytes) { process_.write(bytes); }
 
     /// Stuck: it computes without end. Asleep: it waits and uses no processor time.
-    enum class News : std::uint8_t { Came, Ended, Stuck, Asleep, Stopped };
+    enum class WaitResult : std::uint8_t { Came, Ended, Stuck, Asleep, Stopped };
     /// Waits until the library's process is known; call this first.
-    News waitForStart(const Patience& patience, const std::stop_token& stop);
+    WaitResult waitForStart(const WaitLimits& patience, const std::stop_token& stop);
     /// Waits until `bytes` bytes or a whole line can be read.
-    News waitFor(qint64 bytes, const Patience& patience, const std::stop_token& stop);
-    News waitForLine(const Patience& patience, const std::stop_token& stop);
+    WaitResult waitFor(qint64 bytes, const WaitLimits& patience, const std::stop_token& stop);
+    WaitResult waitForLine(const WaitLimits& patience, const std::stop_token& stop);
     QByteArray read(qint64 bytes) { return process_.read(bytes); }
     QByteArray readLine() { return process_.readLine().trimmed(); }
     qint64 available() const { return process_.bytesAvailable(); }
@@ -41,13 +42,13 @@ public:
     int exitCode() const { return process_.exitCode(); } ///< or the signal of a crash
 
 private:
-    template <class Enough>
-    News waitUntil(Enough enough, const Patience& patience, const std::stop_token& stop);
+    template <class Predicate>
+    WaitResult waitUntil(Predicate enough, const WaitLimits& patience, const std::stop_token& stop);
     void keepPrinted();
     bool isAsleep() const;
 
-    QProcess process_;   ///< the warden
-    qint64 group_;       ///< process group of the warden
+    QProcess process_;   ///< the supervisor
+    qint64 group_;       ///< process group of the supervisor
     qint64 library_ = 0; ///< number of the process that loads the library; 0: not known yet
     QByteArray printed_;
 };

@@ -88,15 +88,15 @@ bool Examination::run()
         unusable(Unusable::NotCompiled, why->sentence);
         return true;
     }
-    Went went = open();
-    if (went == Went::On)
+    StepResult went = open();
+    if (went == StepResult::On)
         prepare();
-    for (std::size_t i = 0; i < questions_.size() && went == Went::On; ++i)
+    for (std::size_t i = 0; i < questions_.size() && went == StepResult::On; ++i)
         went = ask(i);
     leave();
     if (verdict_.judged() > 0)
         verdict_.nanoseconds = 1e9 * processorSeconds_ / double(verdict_.judged());
-    return went != Went::Stopped;
+    return went != StepResult::Stopped;
 }
 
 void Examination::prepare()
@@ -146,34 +146,34 @@ void Examination::unusable(Unusable why, const QString& more)
     leave();
 }
 
-Examination::Went Examination::open()
+Examination::StepResult Examination::open()
 {
     const QString path = QFileInfo(case_.library).absoluteFilePath();
     child_ = std::make_unique<ChildProcess>(
         programOf(case_), QStringList{QLatin1StringView(childKey), QStringLiteral("answer"), path});
     // The child's own start takes time, too.
-    constexpr Patience patience{4, 30};
+    constexpr WaitLimits patience{4, 30};
     auto news = child_->waitForStart(patience, follower_.stop);
-    if (news == ChildProcess::News::Came)
+    if (news == ChildProcess::WaitResult::Came)
         news = child_->waitForLine(patience, follower_.stop);
-    if (news == ChildProcess::News::Stopped)
-        return Went::Stopped;
-    if (news != ChildProcess::News::Came) {
-        unusable(Unusable::Broken, news == ChildProcess::News::Ended
+    if (news == ChildProcess::WaitResult::Stopped)
+        return StepResult::Stopped;
+    if (news != ChildProcess::WaitResult::Came) {
+        unusable(Unusable::Broken, news == ChildProcess::WaitResult::Ended
                                        ? deathText(*child_)
                                        : PlugIn::tr("it did not end"));
-        return Went::Over;
+        return StepResult::Over;
     }
     const QString line = QString::fromUtf8(child_->readLine());
     const QString more = line.section(u' ', 1);
     if (const auto why = whyUnusable(line.section(u' ', 0, 0))) {
         unusable(*why, more);
-        return Went::Over;
+        return StepResult::Over;
     }
     if (!more.isEmpty())
         verdict_.name = more;
     wasLoaded_ = true;
-    return Went::On;
+    return StepResult::On;
 }
 
 /// The share of the remaining time: in proportion to its lines, but at least an equal
@@ -187,11 +187,11 @@ double Examination::shareOf(std::size_t category) const
                     1.0 / double(questions_.size() - category));
 }
 
-Examination::Went Examination::ask(std::size_t category)
+Examination::StepResult Examination::ask(std::size_t category)
 {
     const double now = spent();
     if (now >= 1)
-        return Went::Over;
+        return StepResult::Over;
     const double share = shareOf(category);
     auto& questions = questions_[category];
     if (categories()[category].asked == Asked::Again) // the questions that were answered
@@ -199,8 +199,8 @@ Examination::Went Examination::ask(std::size_t category)
     return askAll(category, questions, now + (1 - now) * share);
 }
 
-Examination::Went Examination::askAll(std::size_t category, std::span<const Question> questions,
-                                      double until)
+Examination::StepResult Examination::askAll(std::size_t category,
+                                            std::span<const Question> questions, double until)
 {
     const int enough = deaths_ + mostOfACategory;
     while (!questions.empty() && deaths_ < enough && spent() < until) {
@@ -208,39 +208,40 @@ Examination::Went Examination::askAll(std::size_t category, std::span<const Ques
         took.start();
         std::size_t answered = 0;
         const auto some = questions.first(std::min(atOnce_, questions.size()));
-        if (const Went went = askSome(category, some, answered); went != Went::On)
+        if (const StepResult went = askSome(category, some, answered); went != StepResult::On)
             return went;
         questions = questions.subspan(answered);
         atOnce_ = double(took.elapsed()) > someTime ? std::max<std::size_t>(1, atOnce_ / 2)
                                                     : std::min(mostAtOnce, 2 * atOnce_);
         tell();
     }
-    return Went::On;
+    return StepResult::On;
 }
 
-Examination::Went Examination::askSome(std::size_t category, std::span<const Question> questions,
-                                       std::size_t& answered)
+Examination::StepResult Examination::askSome(std::size_t category,
+                                             std::span<const Question> questions,
+                                             std::size_t& answered)
 {
     child_->write(
         {reinterpret_cast<const char*>(questions.data()), qsizetype(questions.size_bytes())});
     for (const Question& question : questions) {
         const auto news = child_->waitFor(sizeof(Answer), {}, follower_.stop);
-        if (news != ChildProcess::News::Came) {
+        if (news != ChildProcess::WaitResult::Came) {
             ++answered;
-            return mourn(news, category, question);
+            return handleFailure(news, category, question);
         }
         Answer answer{};
         std::memcpy(&answer, child_->read(sizeof answer).constData(), sizeof answer);
-        hear(category, question, answer);
+        recordAnswer(category, question, answer);
         ++answered;
     }
-    return Went::On;
+    return StepResult::On;
 }
 
-void Examination::hear(std::size_t category, const Question& question, const Answer& answer)
+void Examination::recordAnswer(std::size_t category, const Question& question, const Answer& answer)
 {
     if (categories()[category].asked == Asked::Again)
-        return hearAgain(category, question, answer);
+        return recordRepeatedAnswer(category, question, answer);
     if (const auto known = first_.find(bitsOf(question)); known != first_.end())
         known->second = answer;
     CategoryCount& count = verdict_.categories[category];
@@ -256,7 +257,8 @@ void Examination::hear(std::size_t category, const Question& question, const Ans
 }
 
 /// Whether the first answer was correct is recorded in its own category.
-void Examination::hearAgain(std::size_t category, const Question& question, const Answer& answer)
+void Examination::recordRepeatedAnswer(std::size_t category, const Question& question,
+                                       const Answer& answer)
 {
     ++verdict_.categories[category].judged;
     verdict_.categories[category].visible += expected(question).has_value();
@@ -267,12 +269,12 @@ void Examination::hearAgain(std::size_t category, const Question& question, cons
 }
 
 /// Blames the line without an answer; the other lines are sent again to a new child.
-Examination::Went Examination::mourn(ChildProcess::News news, std::size_t category,
-                                     const Question& question)
+Examination::StepResult Examination::handleFailure(ChildProcess::WaitResult news,
+                                                   std::size_t category, const Question& question)
 {
-    if (news == ChildProcess::News::Stopped)
-        return Went::Stopped;
-    const bool stuck = news != ChildProcess::News::Ended;
+    if (news == ChildProcess::WaitResult::Stopped)
+        return StepResult::Stopped;
+    const bool stuck = news != ChildProcess::WaitResult::Ended;
     const Fault fault = stuck               ? Fault::DidNotEnd
                         : child_->crashed() ? Fault::Crashed
                                             : Fault::LeftProgram;
@@ -282,7 +284,7 @@ Examination::Went Examination::mourn(ChildProcess::News news, std::size_t catego
                    stuck ? QString() : deathText(*child_)});
     leave();
     if (++deaths_ >= mostDeaths)
-        return Went::Over;
+        return StepResult::Over;
     return open();
 }
 

@@ -26,19 +26,21 @@ public:
     Verdict take() { return std::move(verdict_); }
 
 private:
-    enum class Went : std::uint8_t { On, Over, Stopped };
-    Went open();
+    enum class StepResult : std::uint8_t { On, Over, Stopped };
+    StepResult open();
     double spent() const;
     double shareOf(std::size_t category) const;
     void unusable(Unusable why, const QString& more);
     void prepare();
-    Went ask(std::size_t category);
-    Went askAll(std::size_t category, std::span<const Question> questions, double until);
+    StepResult ask(std::size_t category);
+    StepResult askAll(std::size_t category, std::span<const Question> questions, double until);
     /// `answered`: the number of questions that were answered.
-    Went askSome(std::size_t category, std::span<const Question> questions, std::size_t& answered);
-    void hear(std::size_t category, const Question& question, const Answer& answer);
-    void hearAgain(std::size_t category, const Question& question, const Answer& answer);
-    Went mourn(ChildProcess::News news, std::size_t category, const Question& question);
+    StepResult askSome(std::size_t category, std::span<const Question> questions,
+                       std::size_t& answered);
+    void recordAnswer(std::size_t category, const Question& question, const Answer& answer);
+    void recordRepeatedAnswer(std::size_t category, const Question& question, const Answer& answer);
+    StepResult handleFailure(ChildProcess::WaitResult news, std::size_t category,
+                             const Question& question);
     void add(std::size_t category, Finding finding);
     void tell();
     void leave();

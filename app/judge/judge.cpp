@@ -61,10 +61,10 @@ void addFindings(Verdict& verdict, const RaceFindings& found)
 }
 
 /// The library ended the race or hung: a fault, whose line is unknown.
-void addEnd(Verdict& verdict, ChildProcess::News news, const ChildProcess& child,
+void addEnd(Verdict& verdict, ChildProcess::WaitResult news, const ChildProcess& child,
             std::uint64_t lines)
 {
-    const bool stuck = news != ChildProcess::News::Ended;
+    const bool stuck = news != ChildProcess::WaitResult::Ended;
     const Fault fault = stuck             ? Fault::DidNotEnd
                         : child.crashed() ? Fault::Crashed
                                           : Fault::LeftProgram;
@@ -98,17 +98,17 @@ QStringList raceArguments(const Case& which, std::uint64_t lines)
 
 /// Reads the child's reports until the race is over or there are no more. Times are accepted only
 /// after the findings; findings only once.
-ChildProcess::News follow(ChildProcess& child, Verdict& verdict, const Case& which,
-                          const Follower& follower)
+ChildProcess::WaitResult follow(ChildProcess& child, Verdict& verdict, const Case& which,
+                                const Follower& follower)
 {
-    const Patience start{10, 20}, patience{10, which.raceSleep};
+    const WaitLimits start{10, 20}, patience{10, which.raceSleep};
     auto news = child.waitForStart(start, follower.stop);
-    if (news == ChildProcess::News::Came)
+    if (news == ChildProcess::WaitResult::Came)
         news = child.waitForLine(start, follower.stop);
     child.readLine(); // the algorithm's name is known already
-    while (news == ChildProcess::News::Came && !verdict.times) {
+    while (news == ChildProcess::WaitResult::Came && !verdict.times) {
         news = child.waitForLine(patience, follower.stop);
-        if (news != ChildProcess::News::Came)
+        if (news != ChildProcess::WaitResult::Came)
             break;
         const QByteArray line = child.readLine();
         if (verdict.hasRace())
@@ -137,11 +137,11 @@ bool addTimes(Verdict& verdict, const Case& which, const Follower& follower)
     }
     ChildProcess child(programOf(which), raceArguments(which, lines));
     const auto news = follow(child, verdict, which, follower);
-    if (news == ChildProcess::News::Stopped)
+    if (news == ChildProcess::WaitResult::Stopped)
         return false;
     if (verdict.times)
         verdict.times->ownWrong = verdict.categories.back().wrong;
-    else if (news == ChildProcess::News::Asleep && !verdict.hasRace())
+    else if (news == ChildProcess::WaitResult::Asleep && !verdict.hasRace())
         addSleep(verdict, lines);
     else
         addEnd(verdict, news, child, lines);

@@ -9,7 +9,7 @@
 namespace app {
 
 /// A question as a lesson writes it: the key of its kind (question.h) and its words.
-struct Asking {
+struct QuestionSpec {
     QString kind;
     QStringList words;
 };
@@ -21,7 +21,7 @@ struct LessonPage {
     QString hint{}; ///< of the question; replaces the hint of its kind
     TracedLine tracedLine{};
     QString step{}; ///< "first", "last", a number from 1, or the mark of a step: "cut"
-    std::optional<Asking> question{};
+    std::optional<QuestionSpec> question{};
 };
 
 /// A lesson: a file in resources/lessons/, whose README explains the format.

@@ -26,9 +26,9 @@ std::optional<unsigned> cellOf(const Point& p, const clipping::Window& window)
     return 3 * row + (p.x < window.min.x ? 0 : 1);
 }
 
-OverlayArea cellArea(unsigned cell, const Seeing& seeing)
+OverlayArea cellArea(unsigned cell, const OverlayContext& context)
 {
-    const auto side = [&](Edge edge) { return beyond(edge, seeing.window); };
+    const auto side = [&](Edge edge) { return beyond(edge, context.window); };
     std::vector<HalfPlane> halves{side(Edge::Right).other()};
     halves.push_back(cell % 3 == 0 ? side(Edge::Left) : side(Edge::Left).other());
     if (cell / 3 == 0)
@@ -39,30 +39,30 @@ OverlayArea cellArea(unsigned cell, const Seeing& seeing)
         halves.push_back(side(Edge::Bottom).other());
         halves.push_back(side(Edge::Top).other());
     }
-    return {.corners = common(seeing.seen, halves), .label = QString::number(cell)};
+    return {.corners = common(context.seen, halves), .label = QString::number(cell)};
 }
 
 /// The cells that the algorithm visited, in order.
-std::vector<unsigned> visited(const Seeing& seeing)
+std::vector<unsigned> visited(const OverlayContext& context)
 {
     std::vector<unsigned> cells;
     const auto visit = [&](unsigned cell) {
         if (cells.empty() || cells.back() != cell)
             cells.push_back(cell);
     };
-    for (const clipping::Step& step : seeing.trace.steps)
+    for (const clipping::Step& step : context.trace.steps)
         for (const clipping::NamedValue& value : step.values)
             if (value.name == "c")
                 visit(unsigned(value.value));
-    if (seeing.trace.outcome == clipping::Outcome::Visible
+    if (context.trace.outcome == clipping::Outcome::Visible
         && std::ranges::find(cells, centre) == cells.end())
         visit(centre);
     return cells;
 }
 
-QString caption(const Seeing& seeing, std::span<const unsigned> cells)
+QString caption(const OverlayContext& context, std::span<const unsigned> cells)
 {
-    if (!seeing.line)
+    if (!context.line)
         return tr("The walk goes from cell to cell, to the right. %1").arg(pointAtALine());
     if (cells.empty())
         return tr("Both ends are beyond one edge: there is no walk, and nothing is visible.");
@@ -72,34 +72,34 @@ QString caption(const Seeing& seeing, std::span<const unsigned> cells)
     const QString narration =
         tr("The walk from the left end: cell %1.").arg(names.join(QStringLiteral(" \u2192 ")));
     return narration + QStringLiteral(" ")
-           + (seeing.trace.outcome == clipping::Outcome::Visible
+           + (context.trace.outcome == clipping::Outcome::Visible
                   ? tr("The part in cell 4 is visible.")
                   : tr("The walk does not reach cell 4: nothing is visible."));
 }
 
 } // namespace
 
-Overlay cellOverlay(const Seeing& seeing)
+Overlay cellOverlay(const OverlayContext& context)
 {
     std::vector<unsigned> cells;
-    if (seeing.line)
-        cells = visited(seeing);
-    Overlay overlay{.lines = regionBorders(seeing), .caption = caption(seeing, cells)};
+    if (context.line)
+        cells = visited(context);
+    Overlay overlay{.lines = regionBorders(context), .caption = caption(context, cells)};
     for (const unsigned cell : {0U, 1U, 3U, 4U, 6U, 7U}) {
-        OverlayArea area = cellArea(cell, seeing);
-        area.pointed = seeing.pointer && cellOf(*seeing.pointer, seeing.window) == cell;
+        OverlayArea area = cellArea(cell, context);
+        area.pointed = context.pointer && cellOf(*context.pointer, context.window) == cell;
         if (std::ranges::find(cells, cell) != cells.end())
             area.emphasis = Emphasis::Highlighted;
         overlay.areas.push_back(std::move(area));
     }
     overlay.areas.push_back(
-        {.corners = common(seeing.seen, std::array{beyond(Edge::Right, seeing.window)}),
+        {.corners = common(context.seen, std::array{beyond(Edge::Right, context.window)}),
          .ground = OverlayArea::Ground::Hatched});
-    if (!seeing.line)
+    if (!context.line)
         return overlay;
-    const std::vector<EndMove> moves = movesOf(seeing.trace, *seeing.line);
-    overlay.marks = moveMarks(seeing, moves);
-    for (OverlayMark& mark : endMarks(*seeing.line, {}, {}))
+    const std::vector<EndMove> moves = movesOf(context.trace, *context.line);
+    overlay.marks = moveMarks(context, moves);
+    for (OverlayMark& mark : endMarks(*context.line, {}, {}))
         overlay.marks.push_back(std::move(mark));
     return overlay;
 }

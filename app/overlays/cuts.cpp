@@ -15,12 +15,12 @@ namespace {
 QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
 
 /// The infinite lines of the four edges; those that cut the line are highlighted.
-std::vector<OverlayLine> edges(const Seeing& seeing, std::span<const EndMove> moves)
+std::vector<OverlayLine> edges(const OverlayContext& context, std::span<const EndMove> moves)
 {
     std::vector<OverlayLine> lines;
     for (const clipping::Edge edge : windowEdges)
-        if (auto line = border(edge, seeing)) {
-            line->label = edgeName(edge, seeing.y);
+        if (auto line = border(edge, context)) {
+            line->label = edgeName(edge, context.y);
             if (std::ranges::find(moves, edge, &EndMove::edge) != moves.end())
                 line->emphasis = Emphasis::Highlighted;
             lines.push_back(*line);
@@ -28,13 +28,13 @@ std::vector<OverlayLine> edges(const Seeing& seeing, std::span<const EndMove> mo
     return lines;
 }
 
-OverlayTable table(const Seeing& seeing, std::span<const EndMove> moves)
+OverlayTable table(const OverlayContext& context, std::span<const EndMove> moves)
 {
     OverlayTable table{{tr("cut"), tr("end and edge")}, {}, {}};
     for (const EndMove& move : moves)
         table.rows.push_back(
             {QString::number(table.rows.size() + 1),
-             tr("%1 to %2").arg(endName(move.ofB), edgeName(move.edge, seeing.y))});
+             tr("%1 to %2").arg(endName(move.ofB), edgeName(move.edge, context.y))});
     return table;
 }
 
@@ -45,15 +45,15 @@ QString listed(QStringList edges)
     return edges.isEmpty() ? last : tr("%1 and %2").arg(edges.join(tr(", ")), last);
 }
 
-QString caption(const Seeing& seeing, std::span<const EndMove> moves)
+QString caption(const OverlayContext& context, std::span<const EndMove> moves)
 {
-    if (!seeing.line)
+    if (!context.line)
         return tr("The lines of the window's four edges. %1").arg(pointAtALine());
-    const QString name = latin(seeing.variant.algorithm->name);
-    const bool visible = seeing.trace.outcome == clipping::Outcome::Visible;
-    if (seeing.trace.outcome == clipping::Outcome::DidNotEnd)
+    const QString name = latin(context.variant.algorithm->name);
+    const bool visible = context.trace.outcome == clipping::Outcome::Visible;
+    if (context.trace.outcome == clipping::Outcome::DidNotEnd)
         return tr("%1 does not end on this line and is stopped: nothing is visible.").arg(name);
-    if (moves.empty() && visible && seeing.trace.visible != *seeing.line)
+    if (moves.empty() && visible && context.trace.visible != *context.line)
         return tr("%1 cuts the line: the remaining part is visible.").arg(name);
     if (moves.empty())
         return (visible ? tr("%1 cuts nothing: the whole line is visible.")
@@ -61,7 +61,7 @@ QString caption(const Seeing& seeing, std::span<const EndMove> moves)
             .arg(name);
     QStringList edges;
     for (const EndMove& move : moves)
-        if (const QString edge = edgeWords(move.edge, seeing.y); !edges.contains(edge))
+        if (const QString edge = edgeWords(move.edge, context.y); !edges.contains(edge))
             edges << edge;
     return (visible ? tr("%1 cuts the line at %2: the remaining part is visible.")
                     : tr("%1 cuts the line at %2 and then rejects it: nothing is visible."))
@@ -70,24 +70,24 @@ QString caption(const Seeing& seeing, std::span<const EndMove> moves)
 
 } // namespace
 
-Overlay traceOverlay(const Seeing& seeing)
+Overlay traceOverlay(const OverlayContext& context)
 {
     std::vector<EndMove> moves;
-    if (seeing.line)
-        moves = movesOf(seeing.trace, *seeing.line);
+    if (context.line)
+        moves = movesOf(context.trace, *context.line);
     constexpr std::size_t enough = 8; // more marks would hide each other
     if (moves.size() > enough)
         moves.resize(enough);
-    Overlay overlay{.lines = edges(seeing, moves), .caption = caption(seeing, moves)};
-    if (!seeing.line)
+    Overlay overlay{.lines = edges(context, moves), .caption = caption(context, moves)};
+    if (!context.line)
         return overlay;
-    for (OverlayLine& line : moveLines(seeing, moves))
+    for (OverlayLine& line : moveLines(context, moves))
         overlay.lines.push_back(std::move(line));
-    overlay.marks = moveMarks(seeing, moves);
-    for (OverlayMark& mark : endMarks(*seeing.line, {}, {}))
+    overlay.marks = moveMarks(context, moves);
+    for (OverlayMark& mark : endMarks(*context.line, {}, {}))
         overlay.marks.push_back(std::move(mark));
     if (!moves.empty())
-        overlay.table = table(seeing, moves);
+        overlay.table = table(context, moves);
     return overlay;
 }
 

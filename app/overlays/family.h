@@ -9,7 +9,7 @@
 namespace app {
 
 /// The input of an overlay: all numbers are finite, and the window has min <= max.
-struct Seeing : OverlaySubject {
+struct OverlayContext : OverlaySubject {
     clipping::Trace trace{}; ///< of the line, if any
 
     /// The trace of this variant for another line.
@@ -19,17 +19,17 @@ struct Seeing : OverlaySubject {
     }
 };
 
-Overlay outcodeOverlay(const Seeing& seeing);   ///< Cohen-Sutherland
-Overlay scriptOverlay(const Seeing& seeing);    ///< Sobkow-Pospisil-Yang
-Overlay midpointOverlay(const Seeing& seeing);  ///< Midpoint subdivision
-Overlay signOverlay(const Seeing& seeing);      ///< Skala
-Overlay sectorOverlay(const Seeing& seeing);    ///< Nicholl-Lee-Nicholl
-Overlay parameterOverlay(const Seeing& seeing); ///< Liang-Barsky, Cyrus-Beck
-Overlay pushOverlay(const Seeing& seeing);      ///< Kodituwakku…, Matthes-Drakopoulos
-Overlay cellOverlay(const Seeing& seeing);      ///< Slater-Barsky
-Overlay turnOverlay(const Seeing& seeing);      ///< Exact
+Overlay outcodeOverlay(const OverlayContext& context);   ///< Cohen-Sutherland
+Overlay scriptOverlay(const OverlayContext& context);    ///< Sobkow-Pospisil-Yang
+Overlay midpointOverlay(const OverlayContext& context);  ///< Midpoint subdivision
+Overlay signOverlay(const OverlayContext& context);      ///< Skala
+Overlay sectorOverlay(const OverlayContext& context);    ///< Nicholl-Lee-Nicholl
+Overlay parameterOverlay(const OverlayContext& context); ///< Liang-Barsky, Cyrus-Beck
+Overlay pushOverlay(const OverlayContext& context);      ///< Kodituwakku…, Matthes-Drakopoulos
+Overlay cellOverlay(const OverlayContext& context);      ///< Slater-Barsky
+Overlay turnOverlay(const OverlayContext& context);      ///< Exact
 
 /// The default overlay of any algorithm: the edges, and the points where its steps cut the line.
-Overlay traceOverlay(const Seeing& seeing);
+Overlay traceOverlay(const OverlayContext& context);
 
 } // namespace app

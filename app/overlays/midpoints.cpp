@@ -35,15 +35,15 @@ void search(bool forB, const clipping::Segment& line, const clipping::Window& wi
     }
 }
 
-QString caption(const Seeing& seeing)
+QString caption(const OverlayContext& context)
 {
-    if (!seeing.line)
+    if (!context.line)
         return tr("Outcodes tell which half cannot contain the end that is sought. %1")
             .arg(pointAtALine());
-    const auto [a, b] = codesOf(seeing);
+    const auto [a, b] = codesOf(context);
     if ((a & b) != 0 || (a | b) == 0)
-        return codeWords(seeing);
-    return seeing.trace.outcome == clipping::Outcome::Visible
+        return codeWords(context);
+    return context.trace.outcome == clipping::Outcome::Visible
                ? tr("The first midpoints are numbered: each halves the part that may contain the "
                     "end.")
                : tr("Halving finds two points beyond one edge: nothing is visible.");
@@ -63,17 +63,17 @@ std::vector<Halving> halvings(const clipping::Segment& line, const clipping::Win
     return all;
 }
 
-Overlay midpointOverlay(const Seeing& seeing)
+Overlay midpointOverlay(const OverlayContext& context)
 {
-    Overlay overlay{.areas = outcodeRegions(seeing),
-                    .lines = regionBorders(seeing),
-                    .caption = caption(seeing)};
-    if (!seeing.line)
+    Overlay overlay{.areas = outcodeRegions(context),
+                    .lines = regionBorders(context),
+                    .caption = caption(context)};
+    if (!context.line)
         return overlay;
-    const auto& [a, b] = *seeing.line;
+    const auto& [a, b] = *context.line;
     int number = 0;
     bool forB = true;
-    for (const Halving& halving : halvings(*seeing.line, seeing.window, shownHalvings)) {
+    for (const Halving& halving : halvings(*context.line, context.window, shownHalvings)) {
         number = halving.forB == forB ? number + 1 : 1;
         forB = halving.forB;
         overlay.marks.push_back(
@@ -82,10 +82,10 @@ Overlay midpointOverlay(const Seeing& seeing)
              .label = QString::number(number),
              .emphasis = Emphasis::Highlighted});
     }
-    const auto [codeA, codeB] = codesOf(seeing);
-    for (OverlayMark& mark : endMarks(*seeing.line, outcodeText(codeA), outcodeText(codeB)))
+    const auto [codeA, codeB] = codesOf(context);
+    for (OverlayMark& mark : endMarks(*context.line, outcodeText(codeA), outcodeText(codeB)))
         overlay.marks.push_back(std::move(mark));
-    overlay.table = codeTable(seeing);
+    overlay.table = codeTable(context);
     return overlay;
 }
 

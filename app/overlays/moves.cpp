@@ -36,18 +36,18 @@ std::vector<EndMove> movesOf(const clipping::Trace& trace, const clipping::Segme
     return moves;
 }
 
-std::vector<OverlayLine> moveLines(const Seeing& seeing, std::span<const EndMove> moves)
+std::vector<OverlayLine> moveLines(const OverlayContext& context, std::span<const EndMove> moves)
 {
     std::vector<OverlayLine> lines;
     for (const EndMove& move : moves)
-        if (const auto part = seenPart(move.from, move.to, seeing.seen))
+        if (const auto part = seenPart(move.from, move.to, context.seen))
             lines.push_back({.segment = *part,
                              .kind = OverlayLine::Kind::Move,
                              .emphasis = Emphasis::Highlighted});
     return lines;
 }
 
-std::vector<OverlayMark> moveMarks(const Seeing& seeing, std::span<const EndMove> moves)
+std::vector<OverlayMark> moveMarks(const OverlayContext& context, std::span<const EndMove> moves)
 {
     std::vector<OverlayMark> marks;
     for (const EndMove& move : moves)
@@ -55,7 +55,7 @@ std::vector<OverlayMark> moveMarks(const Seeing& seeing, std::span<const EndMove
             {.at = move.to,
              .symbol = OverlayMark::Symbol::Diamond,
              .label =
-                 QStringLiteral("%1  %2").arg(marks.size() + 1).arg(edgeName(move.edge, seeing.y)),
+                 QStringLiteral("%1  %2").arg(marks.size() + 1).arg(edgeName(move.edge, context.y)),
              .emphasis = Emphasis::Highlighted});
     return marks;
 }

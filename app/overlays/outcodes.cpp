@@ -10,41 +10,41 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
 
-QString caption(const Seeing& seeing, std::span<const EndMove> moves)
+QString caption(const OverlayContext& context, std::span<const EndMove> moves)
 {
-    if (!seeing.line)
+    if (!context.line)
         return tr("An outcode has four bits: %1. %2").arg(outcodeBits(), pointAtALine());
-    QString text = codeWords(seeing);
+    QString text = codeWords(context);
     if (moves.empty())
         return text;
     text += QStringLiteral(" ")
             + tr("%1 is cut at %2 first.")
-                  .arg(endName(moves.front().ofB), edgeWords(moves.front().edge, seeing.y));
-    if (seeing.trace.outcome == clipping::Outcome::DidNotEnd)
+                  .arg(endName(moves.front().ofB), edgeWords(moves.front().edge, context.y));
+    if (context.trace.outcome == clipping::Outcome::DidNotEnd)
         text += QStringLiteral(" ") + tr("Its outcodes repeat forever: the algorithm is stopped.");
     return text;
 }
 
 } // namespace
 
-Overlay outcodeOverlay(const Seeing& seeing)
+Overlay outcodeOverlay(const OverlayContext& context)
 {
-    Overlay overlay{.areas = outcodeRegions(seeing), .lines = regionBorders(seeing)};
+    Overlay overlay{.areas = outcodeRegions(context), .lines = regionBorders(context)};
     std::vector<EndMove> moves;
-    if (seeing.line) {
-        moves = movesOf(seeing.trace, *seeing.line);
+    if (context.line) {
+        moves = movesOf(context.trace, *context.line);
         constexpr std::size_t enough = 4; // no form that ends has more
         if (moves.size() > enough)
             moves.resize(enough);
-        const auto [a, b] = codesOf(seeing);
-        for (OverlayLine& line : moveLines(seeing, moves))
+        const auto [a, b] = codesOf(context);
+        for (OverlayLine& line : moveLines(context, moves))
             overlay.lines.push_back(std::move(line));
-        overlay.marks = moveMarks(seeing, moves);
-        for (OverlayMark& mark : endMarks(*seeing.line, outcodeText(a), outcodeText(b)))
+        overlay.marks = moveMarks(context, moves);
+        for (OverlayMark& mark : endMarks(*context.line, outcodeText(a), outcodeText(b)))
             overlay.marks.push_back(std::move(mark));
-        overlay.table = codeTable(seeing);
+        overlay.table = codeTable(context);
     }
-    overlay.caption = caption(seeing, moves);
+    overlay.caption = caption(context, moves);
     return overlay;
 }
 

@@ -33,15 +33,15 @@ std::optional<double> found(const clipping::Trace& trace, Edge edge)
 }
 
 /// Empty if the line is parallel to the edge, or if the intersection is not finite.
-std::optional<Crossing> crossing(Edge edge, const Seeing& seeing)
+std::optional<Crossing> crossing(Edge edge, const OverlayContext& context)
 {
     const auto axis = clipping::axisOf(edge);
-    const auto& [a, b] = *seeing.line;
+    const auto& [a, b] = *context.line;
     const Point d = b - a;
     if (d[axis] == 0)
         return std::nullopt;
-    const double level = clipping::levelOf(edge, seeing.window);
-    const double t = found(seeing.trace, edge).value_or((level - a[axis]) / d[axis]);
+    const double level = clipping::levelOf(edge, context.window);
+    const double t = found(context.trace, edge).value_or((level - a[axis]) / d[axis]);
     Point at = a + t * d;
     at[axis] = level;
     const bool low = edge == clipping::lowerEdge(axis);
@@ -68,12 +68,12 @@ Bounds boundsOf(std::span<const Crossing> crossings)
 }
 
 /// The edge beyond which the line lies, parallel to it; None if there is none.
-Edge shutOut(const Seeing& seeing)
+Edge shutOut(const OverlayContext& context)
 {
-    const auto& [a, b] = *seeing.line;
+    const auto& [a, b] = *context.line;
     for (const Edge edge : windowEdges) {
         const auto axis = clipping::axisOf(edge);
-        const double level = clipping::levelOf(edge, seeing.window);
+        const double level = clipping::levelOf(edge, context.window);
         if (a[axis] == b[axis]
             && (edge == clipping::lowerEdge(axis) ? a[axis] < level : a[axis] > level))
             return edge;
@@ -81,14 +81,14 @@ Edge shutOut(const Seeing& seeing)
     return Edge::None;
 }
 
-QString caption(const Seeing& seeing, const Bounds& bounds)
+QString caption(const OverlayContext& context, const Bounds& bounds)
 {
-    if (!seeing.line)
+    if (!context.line)
         return tr("The window is the intersection of four half-planes; the outer side of each edge "
                   "is hatched. %1")
             .arg(pointAtALine());
-    const auto words = [&](Edge edge) { return edgeWords(edge, seeing.y); };
-    if (const Edge edge = shutOut(seeing); edge != Edge::None)
+    const auto words = [&](Edge edge) { return edgeWords(edge, context.y); };
+    if (const Edge edge = shutOut(context); edge != Edge::None)
         return tr("The line is parallel to %1 and lies beyond it: nothing is visible.")
             .arg(words(edge));
     const QString start = bounds.enter == Edge::None
@@ -107,12 +107,12 @@ QString caption(const Seeing& seeing, const Bounds& bounds)
     return tr("%1 and %2. %3").arg(start, stop, end);
 }
 
-void addHalfPlanes(Overlay& overlay, const Seeing& seeing, const Bounds& bounds)
+void addHalfPlanes(Overlay& overlay, const OverlayContext& context, const Bounds& bounds)
 {
     for (const Edge edge : windowEdges)
-        if (auto line = border(edge, seeing)) {
-            line->label = edgeName(edge, seeing.y);
-            line->outwards = beyond(edge, seeing.window).normal;
+        if (auto line = border(edge, context)) {
+            line->label = edgeName(edge, context.y);
+            line->outwards = beyond(edge, context.window).normal;
             line->emphasis = bounds.has(edge) ? Emphasis::Highlighted : Emphasis::Quiet;
             overlay.lines.push_back(*line);
         }
@@ -120,21 +120,21 @@ void addHalfPlanes(Overlay& overlay, const Seeing& seeing, const Bounds& bounds)
 
 } // namespace
 
-Overlay parameterOverlay(const Seeing& seeing)
+Overlay parameterOverlay(const OverlayContext& context)
 {
     std::vector<Crossing> crossings;
-    if (seeing.line)
+    if (context.line)
         for (const Edge edge : windowEdges)
-            if (const auto found = crossing(edge, seeing))
+            if (const auto found = crossing(edge, context))
                 crossings.push_back(*found);
     std::ranges::stable_sort(crossings, {}, &Crossing::t);
     const Bounds bounds = boundsOf(crossings);
-    Overlay overlay{.caption = caption(seeing, bounds)};
-    addHalfPlanes(overlay, seeing, bounds);
-    if (!seeing.line)
+    Overlay overlay{.caption = caption(context, bounds)};
+    addHalfPlanes(overlay, context, bounds);
+    if (!context.line)
         return overlay;
     OverlayAxis axis{.from = bounds.from, .to = bounds.to};
-    if (shutOut(seeing) != Edge::None)
+    if (shutOut(context) != Edge::None)
         axis.from = 1, axis.to = 0;
     for (const Crossing& c : crossings) {
         const auto emphasis = bounds.has(c.edge) ? Emphasis::Highlighted : Emphasis::Quiet;
@@ -145,9 +145,9 @@ Overlay parameterOverlay(const Seeing& seeing)
              .label =
                  (c.enters ? tr("enters  t = %1") : tr("leaves  t = %1")).arg(parameterText(c.t)),
              .emphasis = emphasis});
-        axis.ticks.push_back({c.t, c.enters, edgeName(c.edge, seeing.y), emphasis});
+        axis.ticks.push_back({c.t, c.enters, edgeName(c.edge, context.y), emphasis});
     }
-    for (OverlayMark& mark : endMarks(*seeing.line, {}, {}))
+    for (OverlayMark& mark : endMarks(*context.line, {}, {}))
         overlay.marks.push_back(std::move(mark));
     overlay.axis = std::move(axis);
     return overlay;

@@ -33,58 +33,58 @@ QString pushedTo(std::span<const EndMove> moves, bool ofB, glm::length_t axis, Y
     return move == moves.end() ? QStringLiteral("\u2013") : edgeName(move->edge, y);
 }
 
-OverlayTable table(const Seeing& seeing, std::span<const EndMove> moves)
+OverlayTable table(const OverlayContext& context, std::span<const EndMove> moves)
 {
     OverlayTable table{{tr("pushed to"), endName(false), endName(true)}, {}, {}};
     const auto row = [&](const QString& name, glm::length_t axis) {
-        table.rows.push_back(
-            {name, pushedTo(moves, false, axis, seeing.y), pushedTo(moves, true, axis, seeing.y)});
+        table.rows.push_back({name, pushedTo(moves, false, axis, context.y),
+                              pushedTo(moves, true, axis, context.y)});
     };
     row(tr("left or right"), 0);
     row(tr("top or bottom"), 1);
-    const bool missed = seeing.trace.outcome != clipping::Outcome::Visible;
+    const bool missed = context.trace.outcome != clipping::Outcome::Visible;
     table.rows.push_back({missed ? tr("rejected") : tr("visible"), {}, {}});
     table.highlightedRow = table.rows.size() - 1;
     return table;
 }
 
-QString caption(const Seeing& seeing, std::span<const EndMove> moves)
+QString caption(const OverlayContext& context, std::span<const EndMove> moves)
 {
-    if (!seeing.line)
+    if (!context.line)
         return tr("The tests that fire for an end: first left or right; then top or bottom, at the "
                   "place to which the end was pushed. %1")
             .arg(pointAtALine());
     QStringList ways;
     for (const EndMove& move : moves)
-        ways << tr("%1 to %2").arg(endName(move.ofB), edgeWords(move.edge, seeing.y));
+        ways << tr("%1 to %2").arg(endName(move.ofB), edgeWords(move.edge, context.y));
     const QString pushed =
         ways.isEmpty() ? tr("No end is pushed.") : tr("Pushed: %1.").arg(ways.join(tr(", ")));
-    if (seeing.trace.outcome == clipping::Outcome::Visible)
+    if (context.trace.outcome == clipping::Outcome::Visible)
         return pushed + QStringLiteral(" ") + tr("The remaining part is visible.");
-    const Edge last = seeing.trace.steps.empty() ? Edge::None : seeing.trace.steps.back().edge;
+    const Edge last = context.trace.steps.empty() ? Edge::None : context.trace.steps.back().edge;
     const QString why =
         last == Edge::None
             ? tr("The test for a miss fires: nothing is visible.")
-            : tr("Both ends are beyond %1: nothing is visible.").arg(edgeWords(last, seeing.y));
+            : tr("Both ends are beyond %1: nothing is visible.").arg(edgeWords(last, context.y));
     return pushed + QStringLiteral(" ") + why;
 }
 
 } // namespace
 
-Overlay pushOverlay(const Seeing& seeing)
+Overlay pushOverlay(const OverlayContext& context)
 {
-    Overlay overlay{.areas = regionsNamed(seeing, testsOf), .lines = regionBorders(seeing)};
+    Overlay overlay{.areas = regionsNamed(context, testsOf), .lines = regionBorders(context)};
     std::vector<EndMove> moves;
-    if (seeing.line) {
-        moves = movesOf(seeing.trace, *seeing.line);
-        for (OverlayLine& line : moveLines(seeing, moves))
+    if (context.line) {
+        moves = movesOf(context.trace, *context.line);
+        for (OverlayLine& line : moveLines(context, moves))
             overlay.lines.push_back(std::move(line));
-        overlay.marks = moveMarks(seeing, moves);
-        for (OverlayMark& mark : endMarks(*seeing.line, {}, {}))
+        overlay.marks = moveMarks(context, moves);
+        for (OverlayMark& mark : endMarks(*context.line, {}, {}))
             overlay.marks.push_back(std::move(mark));
-        overlay.table = table(seeing, moves);
+        overlay.table = table(context, moves);
     }
-    overlay.caption = caption(seeing, moves);
+    overlay.caption = caption(context, moves);
     return overlay;
 }
 

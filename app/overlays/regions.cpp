@@ -42,44 +42,45 @@ std::uint32_t setBits(const QString& code)
 
 } // namespace
 
-std::vector<OverlayArea> regionsNamed(const Seeing& seeing, QString (*name)(unsigned code, YAxis y))
+std::vector<OverlayArea> regionsNamed(const OverlayContext& context,
+                                      QString (*name)(unsigned code, YAxis y))
 {
     std::optional<unsigned> pointed;
-    if (seeing.pointer)
-        pointed = clipping::outcodeOf(*seeing.pointer, seeing.window);
+    if (context.pointer)
+        pointed = clipping::outcodeOf(*context.pointer, context.window);
     std::vector<OverlayArea> areas;
     for (const unsigned code : {5U, 4U, 6U, 1U, 0U, 2U, 9U, 8U, 10U})
-        areas.push_back({.corners = regionCorners(code, seeing.window, seeing.seen),
-                         .label = name(code, seeing.y),
+        areas.push_back({.corners = regionCorners(code, context.window, context.seen),
+                         .label = name(code, context.y),
                          .pointed = code == pointed});
     return areas;
 }
 
-std::vector<OverlayArea> outcodeRegions(const Seeing& seeing)
+std::vector<OverlayArea> outcodeRegions(const OverlayContext& context)
 {
     std::vector<OverlayArea> areas =
-        regionsNamed(seeing, [](unsigned code, YAxis) { return outcodeText(code); });
+        regionsNamed(context, [](unsigned code, YAxis) { return outcodeText(code); });
     for (OverlayArea& area : areas)
         area.strong = setBits(area.label);
     return areas;
 }
 
-std::optional<OverlayLine> border(Edge edge, const Seeing& seeing)
+std::optional<OverlayLine> border(Edge edge, const OverlayContext& context)
 {
     const auto axis = clipping::axisOf(edge);
-    const double level = clipping::levelOf(edge, seeing.window);
-    if (level < seeing.seen.min[axis] || level > seeing.seen.max[axis])
+    const double level = clipping::levelOf(edge, context.window);
+    if (level < context.seen.min[axis] || level > context.seen.max[axis])
         return std::nullopt;
-    clipping::Segment line{seeing.seen.min, seeing.seen.max};
+    clipping::Segment line{context.seen.min, context.seen.max};
     line.a[axis] = line.b[axis] = level;
     return OverlayLine{.segment = line};
 }
 
-std::vector<OverlayLine> regionBorders(const Seeing& seeing)
+std::vector<OverlayLine> regionBorders(const OverlayContext& context)
 {
     std::vector<OverlayLine> lines;
     for (const Edge edge : windowEdges)
-        if (const auto line = border(edge, seeing))
+        if (const auto line = border(edge, context))
             lines.push_back(*line);
     return lines;
 }
@@ -95,15 +96,15 @@ std::vector<OverlayMark> endMarks(const clipping::Segment& line, const QString& 
     return {mark(line.a, false, ofA), mark(line.b, true, ofB)};
 }
 
-CodePair codesOf(const Seeing& seeing)
+CodePair codesOf(const OverlayContext& context)
 {
-    return {clipping::outcodeOf(seeing.line->a, seeing.window),
-            clipping::outcodeOf(seeing.line->b, seeing.window)};
+    return {clipping::outcodeOf(context.line->a, context.window),
+            clipping::outcodeOf(context.line->b, context.window)};
 }
 
-OverlayTable codeTable(const Seeing& seeing)
+OverlayTable codeTable(const OverlayContext& context)
 {
-    const auto [a, b] = codesOf(seeing);
+    const auto [a, b] = codesOf(context);
     OverlayTable table{{QString(), tr("code")},
                        {{endName(false), outcodeText(a)},
                         {endName(true), outcodeText(b)},
@@ -116,9 +117,9 @@ OverlayTable codeTable(const Seeing& seeing)
     return table;
 }
 
-QString codeWords(const Seeing& seeing)
+QString codeWords(const OverlayContext& context)
 {
-    const auto [a, b] = codesOf(seeing);
+    const auto [a, b] = codesOf(context);
     if ((a | b) == 0)
         return tr("Both outcodes are 0000: the whole line is inside.");
     if ((a & b) == 0)
@@ -126,7 +127,7 @@ QString codeWords(const Seeing& seeing)
     QStringList names;
     for (const Edge edge : windowEdges)
         if (a & b & bitOf(edge))
-            names << edgeWords(edge, seeing.y);
+            names << edgeWords(edge, context.y);
     return tr("The outcodes have a bit in common: both ends are beyond %1, so nothing is visible.")
         .arg(names.join(tr(" and ")));
 }

@@ -22,56 +22,56 @@ QString regionName(unsigned code)
     return name.isEmpty() ? QStringLiteral("C") : name;
 }
 
-OverlayTable table(const Seeing& seeing, std::span<const EndMove> moves)
+OverlayTable table(const OverlayContext& context, std::span<const EndMove> moves)
 {
-    const auto [a, b] = codesOf(seeing);
+    const auto [a, b] = codesOf(context);
     OverlayTable table{{tr("case"), tr("%1 to %2").arg(regionName(a), regionName(b))}, {}, {}};
     for (const EndMove& move : moves)
         table.rows.push_back(
             {QString::number(table.rows.size() + 1),
-             tr("%1 to %2").arg(endName(move.ofB), edgeName(move.edge, seeing.y))});
-    const bool visible = seeing.trace.outcome == clipping::Outcome::Visible;
+             tr("%1 to %2").arg(endName(move.ofB), edgeName(move.edge, context.y))});
+    const bool visible = context.trace.outcome == clipping::Outcome::Visible;
     table.rows.push_back({{}, visible ? tr("visible") : tr("rejected")});
     table.highlightedRow = table.rows.size() - 1;
     return table;
 }
 
-QString caption(const Seeing& seeing)
+QString caption(const OverlayContext& context)
 {
-    if (!seeing.line)
+    if (!context.line)
         return tr("The regions of both ends pick one of 81 scripts. %1").arg(pointAtALine());
-    const auto [a, b] = codesOf(seeing);
+    const auto [a, b] = codesOf(context);
     const QString pair = tr("End 1 in %1, End 2 in %2").arg(regionName(a), regionName(b));
     if ((a & b) != 0)
         return tr("%1: the script of this case rejects at once.").arg(pair);
     if ((a | b) == 0)
         return tr("%1: the script of this case is empty, the line is inside.").arg(pair);
-    return seeing.trace.outcome == clipping::Outcome::Visible
+    return context.trace.outcome == clipping::Outcome::Visible
                ? tr("%1: the script of this case leaves a visible part.").arg(pair)
                : tr("%1: the script of this case finds that nothing is visible.").arg(pair);
 }
 
 } // namespace
 
-Overlay scriptOverlay(const Seeing& seeing)
+Overlay scriptOverlay(const OverlayContext& context)
 {
-    Overlay overlay{.areas =
-                        regionsNamed(seeing, [](unsigned code, YAxis) { return regionName(code); }),
-                    .lines = regionBorders(seeing),
-                    .caption = caption(seeing)};
-    if (!seeing.line)
+    Overlay overlay{
+        .areas = regionsNamed(context, [](unsigned code, YAxis) { return regionName(code); }),
+        .lines = regionBorders(context),
+        .caption = caption(context)};
+    if (!context.line)
         return overlay;
-    const auto [a, b] = codesOf(seeing);
+    const auto [a, b] = codesOf(context);
     for (OverlayArea& area : overlay.areas)
         if (area.label == regionName(a) || area.label == regionName(b))
             area.emphasis = Emphasis::Highlighted;
-    const auto moves = movesOf(seeing.trace, *seeing.line);
-    for (OverlayLine& line : moveLines(seeing, moves))
+    const auto moves = movesOf(context.trace, *context.line);
+    for (OverlayLine& line : moveLines(context, moves))
         overlay.lines.push_back(std::move(line));
-    overlay.marks = moveMarks(seeing, moves);
-    for (OverlayMark& mark : endMarks(*seeing.line, regionName(a), regionName(b)))
+    overlay.marks = moveMarks(context, moves);
+    for (OverlayMark& mark : endMarks(*context.line, regionName(a), regionName(b)))
         overlay.marks.push_back(std::move(mark));
-    overlay.table = table(seeing, moves);
+    overlay.table = table(context, moves);
     return overlay;
 }
 

@@ -42,10 +42,10 @@ std::optional<Sector> sectorOf(const clipping::Trace& trace, const clipping::Seg
 /// The division of the plane around the first end.
 class Around {
 public:
-    Around(const Point& eye, const Seeing& seeing) : eye_(eye), seeing_(seeing)
+    Around(const Point& eye, const OverlayContext& context) : eye_(eye), context_(context)
     {
         for (const Edge edge : windowEdges)
-            if (isBeyond(eye, edge, seeing.window))
+            if (isBeyond(eye, edge, context.window))
                 facing_.push_back(edge);
     }
 
@@ -64,11 +64,11 @@ public:
 
     std::vector<OverlayLine> rays() const
     {
-        const auto& [min, max] = seeing_.window;
+        const auto& [min, max] = context_.window;
         static const auto* const ray = clipping::findAlgorithm("liang-barsky")->ray;
         std::vector<OverlayLine> lines;
         for (const Point& corner : {min, Point(max.x, min.y), max, Point(min.x, max.y)})
-            if (const auto part = ray->clip({eye_, corner}, seeing_.seen))
+            if (const auto part = ray->clip({eye_, corner}, context_.seen))
                 lines.push_back({.segment = *part, .kind = OverlayLine::Kind::Ray});
         return lines;
     }
@@ -77,7 +77,7 @@ private:
     /// Adds the wedge between the rays from the first end through the two corners of an edge.
     void addWedge(std::vector<HalfPlane>& halves, Edge edge) const
     {
-        const auto [one, other] = cornersOf(edge, seeing_.window);
+        const auto [one, other] = cornersOf(edge, context_.window);
         halves.push_back(sideOf(eye_, one, other));
         halves.push_back(sideOf(eye_, other, one));
     }
@@ -88,15 +88,15 @@ private:
             addWedge(halves, of.enter);
         if (of.leave != Edge::None) {
             addWedge(halves, of.leave);
-            halves.push_back(beyond(of.leave, seeing_.window));
+            halves.push_back(beyond(of.leave, context_.window));
         } else
             for (const Edge edge : windowEdges)
-                halves.push_back(beyond(edge, seeing_.window).other());
-        return {.corners = common(seeing_.seen, halves), .label = labelOf(of, seeing_.y)};
+                halves.push_back(beyond(edge, context_.window).other());
+        return {.corners = common(context_.seen, halves), .label = labelOf(of, context_.y)};
     }
     OverlayArea hatched(std::span<const HalfPlane> halves) const
     {
-        return {.corners = common(seeing_.seen, halves), .ground = OverlayArea::Ground::Hatched};
+        return {.corners = common(context_.seen, halves), .ground = OverlayArea::Ground::Hatched};
     }
     /// The areas in which a line from the first end ends outside the window: beside it, and in
     /// front.
@@ -110,7 +110,7 @@ private:
         areas.push_back(hatched(std::array{in.other()}));
         areas.push_back(hatched(std::array{in, too.other()}));
         for (const Edge edge : facing_) {
-            std::vector<HalfPlane> halves{beyond(edge, seeing_.window)};
+            std::vector<HalfPlane> halves{beyond(edge, context_.window)};
             addWedge(halves, edge);
             areas.push_back(hatched(halves));
         }
@@ -120,10 +120,10 @@ private:
     /// adjacent ones.
     EdgeCorners outermost() const
     {
-        const EdgeCorners first = cornersOf(facing_.front(), seeing_.window);
+        const EdgeCorners first = cornersOf(facing_.front(), context_.window);
         if (facing_.size() == 1)
             return first;
-        const EdgeCorners second = cornersOf(facing_.back(), seeing_.window);
+        const EdgeCorners second = cornersOf(facing_.back(), context_.window);
         const Point shared =
             first.one == second.one || first.one == second.other ? first.one : first.other;
         return {first.one == shared ? first.other : first.one,
@@ -131,7 +131,7 @@ private:
     }
 
     Point eye_;
-    const Seeing& seeing_;
+    const OverlayContext& context_;
     std::vector<Edge> facing_; ///< the edges that the first end is beyond
 };
 
@@ -143,18 +143,19 @@ OverlayArea* areaOf(std::vector<OverlayArea>& areas, const std::optional<Sector>
     return area == areas.end() ? nullptr : &*area;
 }
 
-QString placeWords(const Point& eye, const Seeing& seeing)
+QString placeWords(const Point& eye, const OverlayContext& context)
 {
-    const unsigned code = clipping::outcodeOf(eye, seeing.window);
+    const unsigned code = clipping::outcodeOf(eye, context.window);
     return code == 0             ? tr("inside the window")
            : (code & (code - 1)) ? tr("beyond a corner")
                                  : tr("beyond an edge");
 }
 
-QString caption(const Seeing& seeing, const Point& eye, const std::optional<Sector>& sector)
+QString caption(const OverlayContext& context, const Point& eye,
+                const std::optional<Sector>& sector)
 {
-    const QString place = placeWords(eye, seeing);
-    if (!seeing.line)
+    const QString place = placeWords(eye, context);
+    if (!context.line)
         return tr("These are the sectors of a line whose End 1 is here, %1. %2")
             .arg(place, pointAtALine());
     if (!sector)
@@ -163,42 +164,43 @@ QString caption(const Seeing& seeing, const Point& eye, const std::optional<Sect
             .arg(place);
     if (*sector == Sector{})
         return tr("End 1 lies %1, and so does End 2: nothing is cut.").arg(place);
-    const auto words = [&](Edge edge) { return edgeWords(edge, seeing.y); };
+    const auto words = [&](Edge edge) { return edgeWords(edge, context.y); };
     const QString text =
         sector->enter == Edge::None   ? tr("the line leaves through %1").arg(words(sector->leave))
         : sector->leave == Edge::None ? tr("the line enters through %1").arg(words(sector->enter))
                                       : tr("the line enters through %1 and leaves through %2")
                                             .arg(words(sector->enter), words(sector->leave));
     return tr("End 1 lies %1, End 2 in sector %2: %3.")
-        .arg(place, labelOf(*sector, seeing.y), text);
+        .arg(place, labelOf(*sector, context.y), text);
 }
 
 } // namespace
 
-Overlay sectorOverlay(const Seeing& seeing)
+Overlay sectorOverlay(const OverlayContext& context)
 {
-    if (!seeing.line && !seeing.pointer)
-        return {.areas = outcodeRegions(seeing),
-                .lines = regionBorders(seeing),
+    if (!context.line && !context.pointer)
+        return {.areas = outcodeRegions(context),
+                .lines = regionBorders(context),
                 .caption = pointAtALine()};
-    const Point eye = seeing.line ? seeing.line->a : *seeing.pointer;
-    const Around around(eye, seeing);
+    const Point eye = context.line ? context.line->a : *context.pointer;
+    const Around around(eye, context);
     Overlay overlay{.areas = around.sectors(), .lines = around.rays()};
     std::optional<Sector> sector;
-    if (seeing.line) {
-        sector = sectorOf(seeing.trace, *seeing.line);
-        if (OverlayArea* area = areaOf(overlay.areas, sector, seeing.y))
+    if (context.line) {
+        sector = sectorOf(context.trace, *context.line);
+        if (OverlayArea* area = areaOf(overlay.areas, sector, context.y))
             area->emphasis = Emphasis::Highlighted;
-        overlay.marks = endMarks(*seeing.line, {}, sector ? labelOf(*sector, seeing.y) : QString());
+        overlay.marks =
+            endMarks(*context.line, {}, sector ? labelOf(*sector, context.y) : QString());
     } else
         overlay.marks.push_back({.at = eye, .label = endName(false)});
-    if (seeing.pointer) {
-        const clipping::Segment there{eye, *seeing.pointer};
-        const auto to = sectorOf(seeing.traceOf(there), there);
-        if (OverlayArea* area = areaOf(overlay.areas, to, seeing.y))
+    if (context.pointer) {
+        const clipping::Segment there{eye, *context.pointer};
+        const auto to = sectorOf(context.traceOf(there), there);
+        if (OverlayArea* area = areaOf(overlay.areas, to, context.y))
             area->pointed = true;
     }
-    overlay.caption = caption(seeing, eye, sector);
+    overlay.caption = caption(context, eye, sector);
     return overlay;
 }
 

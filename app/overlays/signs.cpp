@@ -67,50 +67,50 @@ void addCorners(Overlay& overlay, unsigned pattern, const clipping::Window& wind
 }
 
 /// The infinite line, whose side is tested for the corners.
-std::optional<OverlayLine> infiniteLine(const Seeing& seeing)
+std::optional<OverlayLine> infiniteLine(const OverlayContext& context)
 {
-    const auto& [a, b] = *seeing.line;
-    const auto part = clipping::findAlgorithm("liang-barsky")->line->clip({a, b}, seeing.seen);
+    const auto& [a, b] = *context.line;
+    const auto part = clipping::findAlgorithm("liang-barsky")->line->clip({a, b}, context.seen);
     if (!part)
         return std::nullopt;
     return OverlayLine{.segment = *part, .kind = OverlayLine::Kind::Ray};
 }
 
-QString caption(const Seeing& seeing, std::optional<unsigned> pattern)
+QString caption(const OverlayContext& context, std::optional<unsigned> pattern)
 {
-    if (!seeing.line)
+    if (!context.line)
         return tr("The outcodes are tested first, then the side of the line on which each corner "
                   "of the window lies. %1")
             .arg(pointAtALine());
     if (!pattern)
-        return tr("%1 No corner had to be tested.").arg(codeWords(seeing));
+        return tr("%1 No corner had to be tested.").arg(codeWords(context));
     const QString signs = tr("The corners' signs make c = %1 (%2), row %1 of the table: ")
                               .arg(*pattern)
                               .arg(bitsOf(*pattern));
     return signs
-           + (crossedBy(*pattern, seeing.y) == crossedBy(0, seeing.y)
+           + (crossedBy(*pattern, context.y) == crossedBy(0, context.y)
                   ? tr("all corners lie on one side of the line, so nothing is visible.")
-                  : tr("the line crosses %1.").arg(crossedBy(*pattern, seeing.y)));
+                  : tr("the line crosses %1.").arg(crossedBy(*pattern, context.y)));
 }
 
 } // namespace
 
-Overlay signOverlay(const Seeing& seeing)
+Overlay signOverlay(const OverlayContext& context)
 {
-    Overlay overlay{.areas = outcodeRegions(seeing), .lines = regionBorders(seeing)};
+    Overlay overlay{.areas = outcodeRegions(context), .lines = regionBorders(context)};
     std::optional<unsigned> pattern;
-    if (seeing.line) {
-        pattern = patternOf(seeing.trace);
-        if (const auto line = infiniteLine(seeing))
+    if (context.line) {
+        pattern = patternOf(context.trace);
+        if (const auto line = infiniteLine(context))
             overlay.lines.push_back(*line);
         if (pattern)
-            addCorners(overlay, *pattern, seeing.window);
-        const auto [a, b] = codesOf(seeing);
-        for (OverlayMark& mark : endMarks(*seeing.line, outcodeText(a), outcodeText(b)))
+            addCorners(overlay, *pattern, context.window);
+        const auto [a, b] = codesOf(context);
+        for (OverlayMark& mark : endMarks(*context.line, outcodeText(a), outcodeText(b)))
             overlay.marks.push_back(std::move(mark));
     }
-    overlay.table = table(pattern, seeing.y);
-    overlay.caption = caption(seeing, pattern);
+    overlay.table = table(pattern, context.y);
+    overlay.caption = caption(context, pattern);
     return overlay;
 }
 

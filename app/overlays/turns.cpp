@@ -67,23 +67,24 @@ bool passesOutside(const clipping::Segment& s, const Point& corner, const clippi
     return here != 0 && here == clipping::turnInIntegers(s.a, s.b, s.a, opposite);
 }
 
-QString caption(const Seeing& seeing, std::span<const EndMove> moves, std::size_t questions)
+QString caption(const OverlayContext& context, std::span<const EndMove> moves,
+                std::size_t questions)
 {
-    if (!seeing.line)
+    if (!context.line)
         return tr("Only the corners that can decide are tested: on which side of the line do they "
                   "lie? %1")
             .arg(pointAtALine());
-    const auto [a, b] = codesOf(seeing);
+    const auto [a, b] = codesOf(context);
     if ((a & b) != 0 || (a | b) == 0)
         return (a & b) != 0 ? tr(
                    "Both ends are beyond one edge: nothing is visible, and no corner is tested.")
                             : tr("Both ends are inside: nothing is cut, and no corner is tested.");
-    if (seeing.trace.outcome != clipping::Outcome::Visible)
+    if (context.trace.outcome != clipping::Outcome::Visible)
         return tr("The line passes a corner on the outside: nothing is visible.");
     QStringList ways;
     for (const EndMove& move : moves)
         ways << (move.ofB ? tr("leaves through %1") : tr("enters through %1"))
-                    .arg(edgeWords(move.edge, seeing.y));
+                    .arg(edgeWords(move.edge, context.y));
     const QString asked =
         questions == 0 ? tr("No corner has to be tested") : tr("The corners decide");
     return tr("%1: the line %2.").arg(asked, ways.join(tr(" and ")));
@@ -101,18 +102,19 @@ QString choiceWords(const Question& question, std::span<const EndMove> moves, YA
 }
 
 /// A mark at every corner that is tested; none after a corner that the line passes on the outside.
-std::vector<OverlayMark> corners(const Seeing& seeing, std::span<const EndMove> moves)
+std::vector<OverlayMark> corners(const OverlayContext& context, std::span<const EndMove> moves)
 {
     using Symbol = OverlayMark::Symbol;
     std::vector<OverlayMark> marks;
-    for (const Question& question : questionsOf(wayOf(*seeing.line, seeing.window))) {
-        const Point corner = cornerOf(question, seeing.window);
-        const bool missed = question.decides && passesOutside(*seeing.line, corner, seeing.window);
+    for (const Question& question : questionsOf(wayOf(*context.line, context.window))) {
+        const Point corner = cornerOf(question, context.window);
+        const bool missed =
+            question.decides && passesOutside(*context.line, corner, context.window);
         marks.push_back({.at = corner,
                          .symbol = missed ? Symbol::Hollow : Symbol::Filled,
                          .label = missed             ? tr("passed outside: missed")
                                   : question.decides ? tr("passed inside: met")
-                                                     : choiceWords(question, moves, seeing.y),
+                                                     : choiceWords(question, moves, context.y),
                          .emphasis = Emphasis::Highlighted});
         if (missed)
             break;
@@ -122,20 +124,20 @@ std::vector<OverlayMark> corners(const Seeing& seeing, std::span<const EndMove> 
 
 } // namespace
 
-Overlay turnOverlay(const Seeing& seeing)
+Overlay turnOverlay(const OverlayContext& context)
 {
-    Overlay overlay{.areas = outcodeRegions(seeing), .lines = regionBorders(seeing)};
+    Overlay overlay{.areas = outcodeRegions(context), .lines = regionBorders(context)};
     std::vector<EndMove> moves;
-    if (seeing.line) {
-        moves = movesOf(seeing.trace, *seeing.line);
-        if (const auto [a, b] = codesOf(seeing); (a & b) == 0)
-            overlay.marks = corners(seeing, moves);
+    if (context.line) {
+        moves = movesOf(context.trace, *context.line);
+        if (const auto [a, b] = codesOf(context); (a & b) == 0)
+            overlay.marks = corners(context, moves);
     }
-    overlay.caption = caption(seeing, moves, overlay.marks.size());
-    if (seeing.line) {
-        for (OverlayMark& mark : moveMarks(seeing, moves))
+    overlay.caption = caption(context, moves, overlay.marks.size());
+    if (context.line) {
+        for (OverlayMark& mark : moveMarks(context, moves))
             overlay.marks.push_back(std::move(mark));
-        for (OverlayMark& mark : endMarks(*seeing.line, {}, {}))
+        for (OverlayMark& mark : endMarks(*context.line, {}, {}))
             overlay.marks.push_back(std::move(mark));
     }
     return overlay;

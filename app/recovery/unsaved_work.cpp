@@ -15,7 +15,7 @@ UnsavedWork::Written UnsavedWork::write() const
 {
     const std::lock_guard reading(lock_);
     app::Document document = edited_.snapshot();
-    const bool changed = document_.changed && !isOnlyLookedAt(document_.sample, document);
+    const bool changed = document_.changed && !isUnchangedSample(document_.sample, document);
     if (!changed && !document_.inHand)
         return {};
     if (document_.inHand) {

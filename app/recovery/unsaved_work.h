@@ -18,7 +18,7 @@ public:
         Origin origin;
         QString sample;       ///< key of the sample that it was opened from; empty: none
         bool changed = false; ///< since the last save
-        std::optional<ObjectInHand> inHand{}; ///< the object being drawn
+        std::optional<PendingObject> inHand{}; ///< the object being drawn
     };
     void tell(Document document);
 

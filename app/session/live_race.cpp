@@ -112,11 +112,11 @@ void LiveRace::work()
     clock.start();
     do
         if (race_->step())
-            return roundOver();
+            return finishRound();
     while (double(clock.nsecsElapsed()) * 1e-6 < sliceMilliseconds);
 }
 
-void LiveRace::roundOver()
+void LiveRace::finishRound()
 {
     work_.stop();
     if (!show_.isActive())

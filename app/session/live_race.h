@@ -44,7 +44,7 @@ private:
     bool isOnWhatIsShown() const; ///< the running round, or the last one
     void begin();
     void work();
-    void roundOver();
+    void finishRound();
     bool enough() const;
 
     const Session& session_;

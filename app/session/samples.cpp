@@ -23,7 +23,7 @@ std::vector<Sample> samples()
     return all;
 }
 
-bool isOnlyLookedAt(const QString& key, const Document& document)
+bool isUnchangedSample(const QString& key, const Document& document)
 {
     for (const Sample& sample : samples())
         if (sample.key == key)

@@ -19,6 +19,6 @@ std::vector<Sample> samples();
 
 /// Whether a drawing is the sample of that key with no changes except to the clip windows: then
 /// there is nothing to save.
-bool isOnlyLookedAt(const QString& key, const Document& document);
+bool isUnchangedSample(const QString& key, const Document& document);
 
 } // namespace app

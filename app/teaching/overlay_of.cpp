@@ -22,12 +22,12 @@ Overlay overlayOf(const OverlaySubject& subject)
                                        .window = subject.window});
         !why.isEmpty())
         return {.caption = why};
-    Seeing seeing{subject};
-    if (seeing.pointer && !isFinite(*seeing.pointer))
-        seeing.pointer.reset();
-    if (seeing.line)
-        seeing.trace = seeing.traceOf(*seeing.line);
-    return teachingOf(*subject.variant.algorithm).overlay(seeing);
+    OverlayContext context{subject};
+    if (context.pointer && !isFinite(*context.pointer))
+        context.pointer.reset();
+    if (context.line)
+        context.trace = context.traceOf(*context.line);
+    return teachingOf(*subject.variant.algorithm).overlay(context);
 }
 
 } // namespace app

@@ -26,7 +26,8 @@ struct Teaching {
     QString (*sentence)(const SentenceContext& context) = generalSentence;
     std::string_view parameter{}; ///< the value that is the parameter of a candidate cut
     std::array<std::string_view, 2> middle{}; ///< or the two values that are its coordinates
-    Overlay (*overlay)(const Seeing& seeing) = traceOverlay; ///< the algorithm's view of the plane
+    Overlay (*overlay)(const OverlayContext& context) =
+        traceOverlay; ///< the algorithm's view of the plane
     PageFigure figure{};
     /// The units of variables that differ from the usual ones (value_unit.cpp); `published`: names
     /// that the published code uses differently. A number without a unit is dimensionless.

@@ -44,9 +44,10 @@ std::size_t objectsIn(std::span<const ObjectRange> ranges)
 }
 
 /// Paints the selected objects whole, regardless of the clip windows.
-class Lighting {
+class SelectionPainter {
 public:
-    Lighting(const StyleTable& styles, const SceneLines& lines, const PictureOptions& options)
+    SelectionPainter(const StyleTable& styles, const SceneLines& lines,
+                     const PictureOptions& options)
         : styles_(styles), lines_(lines), options_(options),
           builder_(lines, all_, options, objectsIn(options.selection))
     {
@@ -118,7 +119,7 @@ Picture picture(const StyleTable& styles, const SceneLines& lines, const SceneFr
         picture.ghost = drawListOf(Painted::Removed);
     if (options.ghosting)
         makeGhosts(picture.ghost, *options.ghosting);
-    picture.selected = Lighting(styles, lines, options).drawList();
+    picture.selected = SelectionPainter(styles, lines, options).drawList();
     picture.differing = differenceMarks(styles, lines, options);
     return picture;
 }

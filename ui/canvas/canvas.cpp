@@ -63,7 +63,7 @@ void Canvas::redo() { parts_->controller.redo(); }
 QString Canvas::undoText() const { return parts_->controller.undoText(); }
 QString Canvas::redoText() const { return parts_->controller.redoText(); }
 void Canvas::endGesture() { parts_->controller.endGesture(); }
-std::optional<app::ObjectInHand> Canvas::objectInHand() const
+std::optional<app::PendingObject> Canvas::objectInHand() const
 {
     return parts_->controller.objectInHand();
 }

@@ -23,7 +23,7 @@ static app::Colour colourOf(const QColor& c)
 
 Controller::Controller(app::Session& session, QObject* parent)
     : QObject(parent), session_(session), picking_(session.document, session.scene),
-      letters_(session.scene), shown_(session.display()),
+      textBoxes_(session.scene), shown_(session.display()),
       look_(lookOf(QGuiApplication::palette())), bench_{session_, toolView_, picking_, look_}
 {
     setTool(tools().front().key);
@@ -215,7 +215,7 @@ void Controller::setZoom(double zoom)
 
 Controller::Steps Controller::steps() const
 {
-    return {canUndo(), canRedo(), tool_->canTakeBack(), tool_->pointsInHand()};
+    return {canUndo(), canRedo(), tool_->canTakeBack(), tool_->pendingPoints()};
 }
 
 // Receivers copy the whole object being drawn, which would be slow for each point of a long
@@ -271,12 +271,12 @@ void Controller::endGesture()
         withTool([&] { tool_->end(bench_); });
 }
 
-std::optional<app::ObjectInHand> Controller::objectInHand() const
+std::optional<app::PendingObject> Controller::objectInHand() const
 {
-    const auto path = tool_->pathInHand();
+    const auto path = tool_->pendingPath();
     if (!path)
         return std::nullopt;
-    return app::ObjectInHand{objectOf(session_, std::span(&*path, 1)), session_.pen.layer};
+    return app::PendingObject{objectOf(session_, std::span(&*path, 1)), session_.pen.layer};
 }
 
 bool Controller::handle(QEvent& event)

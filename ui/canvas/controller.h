@@ -5,8 +5,8 @@
 #include "app/view/picture.h"
 #include "app/view/snap.h"
 #include "ui/canvas/canvas.h"
-#include "ui/canvas/letters.h"
 #include "ui/canvas/navigation.h"
+#include "ui/canvas/text_boxes.h"
 #include "ui/tools/tool.h"
 
 #include <QTimer>
@@ -70,7 +70,7 @@ public:
     /// Ends the gesture and keeps what is complete. To be called before the document is read or the
     /// view changes under the pointer.
     void endGesture();
-    std::optional<app::ObjectInHand> objectInHand() const; ///< what endGesture() would keep now
+    std::optional<app::PendingObject> objectInHand() const; ///< what endGesture() would keep now
 
     /// Undo or redo one step: a corner of the polyline being drawn, else a step of the history.
     /// During a drag, undo() cancels the drag and redo() does nothing.
@@ -86,7 +86,7 @@ public:
     /// clipWindow(), or the page if there is none.
     clipping::Window window() const { return session_.window(); }
     /// Boxes that labels should not cover, in logical pixels.
-    const std::vector<QRectF>& letters() const { return letters_.in(view()); }
+    const std::vector<QRectF>& textBoxes() const { return textBoxes_.in(view()); }
     QColor pageColour() const;
     double ghostOpacity() const; ///< of the removed lines' layer, 0 to 1
     FrameKey key(const Pane& pane) const
@@ -146,8 +146,8 @@ private:
     app::Session& session_;
     Navigation navigation_;
     app::Picking picking_;
-    mutable Letters letters_; ///< computed on demand
-    app::Display shown_;      ///< except the algorithm, which each pane has of its own
+    mutable TextBoxes textBoxes_; ///< computed on demand
+    app::Display shown_;          ///< except the algorithm, which each pane has of its own
     Look look_;
     app::View toolView_; ///< the view that tools change; compared with the real one after each call
     Workbench bench_;

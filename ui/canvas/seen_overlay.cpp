@@ -45,7 +45,7 @@ void paintWhatIsSeen(QPainter& painter, const Controller& controller, const Pane
          .look = controller.look(),
          .page = controller.pageColour(),
          .taken = windowFurniture(controller, pane, painter.font()),
-         .avoided = controller.letters()});
+         .avoided = controller.textBoxes()});
 }
 
 } // namespace ui

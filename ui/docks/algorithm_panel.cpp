@@ -80,8 +80,9 @@ AlgorithmPanel::AlgorithmPanel(app::Session& session, QWidget* parent)
 void AlgorithmPanel::compare()
 {
     idle_.stop();
-    dissents_ = app::dissents(session_.scene.lines(), session_.window(), session_.variant());
-    verdict_->setText(app::sentence(dissents_));
+    disagreements_ =
+        app::disagreements(session_.scene.lines(), session_.window(), session_.variant());
+    verdict_->setText(app::sentence(disagreements_));
     verdict_->show();
     tick_->show();
     ask_->hide();
@@ -125,7 +126,7 @@ void AlgorithmPanel::follow()
 void AlgorithmPanel::paintVerdict()
 {
     const Look& look = lookOf(palette());
-    const bool good = dissents_.empty();
+    const bool good = disagreements_.empty();
     const QColor colour = good ? look.good : look.differs;
     verdict_->setFont(good ? font() : semiBold(font()));
     verdict_->setStyleSheet(QStringLiteral("color: ") + colour.name());

@@ -22,7 +22,7 @@ public:
 
     void compare(); ///< compares at once
     QString verdict() const { return verdict_->text(); }
-    const std::vector<app::Dissent>& dissents() const { return dissents_; }
+    const std::vector<app::Disagreement>& disagreements() const { return disagreements_; }
 
 signals:
     void aboutWanted(const clipping::Algorithm& algorithm); ///< asks for its page
@@ -43,7 +43,7 @@ private:
     QPushButton* ask_;
     QTimer idle_;
     clipping::Window window_{};
-    std::vector<app::Dissent> dissents_;
+    std::vector<app::Disagreement> disagreements_;
 };
 
 } // namespace ui

@@ -35,7 +35,7 @@ QHBoxLayout* within()
 ExactnessPanel::ExactnessPanel(app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session), model_(session),
       algorithm_(new VariantBox(tr("Algorithm"), {tr("The current algorithm")})),
-      yardstick_(new Segments(tr("Ulps of"), {tr("largest coordinate"), tr("own coordinate")})),
+      errorUnit_(new Segments(tr("Ulps of"), {tr("largest coordinate"), tr("own coordinate")})),
       end_(new Segments(tr("End"), {tr("End 1"), tr("End 2")})),
       lattice_(new Segments(tr("Numbers"), {tr("doubles"), tr("floats")})), summary_(new QLabel),
       heading_(new QLabel), magnified_(new QLabel), histogram_(new ErrorHistogram),
@@ -70,15 +70,15 @@ void ExactnessPanel::addChoosers()
     grid->addWidget(quietLabel(tr("Algorithm")), 0, 0);
     grid->addWidget(algorithm_, 0, 1);
     grid->addWidget(quietLabel(tr("Ulps of")), 1, 0);
-    grid->addWidget(yardstick_, 1, 1, Qt::AlignLeft);
+    grid->addWidget(errorUnit_, 1, 1, Qt::AlignLeft);
     grid->setColumnStretch(1, 1);
     static_cast<QVBoxLayout*>(layout())->addLayout(grid);
-    yardstick_->setToolTip(tr(
+    errorUnit_->setToolTip(tr(
         "One ulp is one unit in the last place of a number: of the largest coordinate of the line "
         "and the clip window, as in the library's contract, or of the wrong coordinate itself."));
     connect(algorithm_, &VariantBox::currentIndexChanged, this, &ExactnessPanel::ask);
     connect(algorithm_, &VariantBox::done, this, &ExactnessPanel::entered);
-    connect(yardstick_, &Segments::picked, this, &ExactnessPanel::ask);
+    connect(errorUnit_, &Segments::picked, this, &ExactnessPanel::ask);
 }
 
 QWidget* ExactnessPanel::listPage()
@@ -161,7 +161,7 @@ app::LiveExactness::Question ExactnessPanel::wanted() const
     const app::Display& display = session_.display();
     const app::Variant clipping = usable(display.variant);
     return {algorithm_->variant().value_or(clipping),
-            yardstick_->chosen() == 1 ? app::Yardstick::Own : app::Yardstick::Largest};
+            errorUnit_->chosen() == 1 ? app::ErrorUnit::Own : app::ErrorUnit::Largest};
 }
 
 void ExactnessPanel::ask()
@@ -193,7 +193,7 @@ void ExactnessPanel::paintSummary()
     const bool known = exactness.asked() && exactness.upToDate();
     const bool wrong = known && exactness.counts().classes.back() > 0;
     summary_->setText(known ? app::sentence(exactness.asked()->variant, exactness.counts(),
-                                            exactness.asked()->yardstick)
+                                            exactness.asked()->errorUnit)
                             : tr("Judging %1… %2")
                                   .arg(app::linesText(session_.scene.lines().size()),
                                        app::percentText(exactness.progress())));

@@ -59,7 +59,7 @@ private:
     app::Session& session_;
     ExactnessModel model_;
     VariantBox* algorithm_;
-    Segments *yardstick_, *end_, *lattice_;
+    Segments *errorUnit_, *end_, *lattice_;
     QLabel *summary_, *heading_, *magnified_;
     ErrorHistogram* histogram_;
     DenseTable* table_;

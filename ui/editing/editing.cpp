@@ -23,11 +23,11 @@ constexpr double stepMillimetres = 5;
 QString tr(const char* text) { return QCoreApplication::translate("Editing", text); }
 
 /// Adds copies in one undo step, each to its container, offset from its original, and selects them.
-void add(app::Session& session, std::vector<app::ObjectInHand> copies, const QString& text)
+void add(app::Session& session, std::vector<app::PendingObject> copies, const QString& text)
 {
     const app::Document& document = session.now();
     app::Objects all;
-    for (const app::ObjectInHand& copy : copies)
+    for (const app::PendingObject& copy : copies)
         all.append(copy.object);
     const app::Point step(stepMillimetres / document.page().millimetresPerUnit());
     const app::Placement where{{1, 1}, app::copyOffset(document, all, step)};
@@ -42,9 +42,9 @@ void add(app::Session& session, std::vector<app::ObjectInHand> copies, const QSt
     session.select(std::move(added));
 }
 
-std::vector<app::ObjectInHand> selected(const app::Session& session)
+std::vector<app::PendingObject> selected(const app::Session& session)
 {
-    std::vector<app::ObjectInHand> copies;
+    std::vector<app::PendingObject> copies;
     copies.reserve(session.selection().size());
     for (const std::size_t object : session.selection())
         copies.push_back({session.now().objects()[object].copy(),
@@ -77,7 +77,7 @@ bool paste(app::Session& session)
 {
     const QMimeData* data = QGuiApplication::clipboard()->mimeData();
     const app::Objects objects = data ? app::pasted(*data, session.now().page()) : app::Objects();
-    std::vector<app::ObjectInHand> copies;
+    std::vector<app::PendingObject> copies;
     objects.forEach(0, objects.size(), [&](std::size_t, const app::ObjectView& object) {
         copies.push_back({object.copy(), session.pen.layer});
     });

@@ -223,7 +223,7 @@ void Files::exportCut()
     writing.dpi = exportDpi;
     std::stop_source cancel;
     writing.stop = cancel.get_token();
-    const bool hides = format && format->hides == app::Hides::Yes;
+    const bool hides = format && format->hides == app::StoresHidden::Yes;
     const auto job = [document = session_.now(), options, path, writing, hides] {
         return exported(document, options, path, writing, hides);
     };
@@ -260,7 +260,7 @@ void Files::crop()
 bool Files::mayClose()
 {
     emit documentWanted();
-    if (session_.history.isClean() || app::isOnlyLookedAt(sample_, session_.now()))
+    if (session_.history.isClean() || app::isUnchangedSample(sample_, session_.now()))
         return true;
     switch (questions_->saveChanges(name())) {
     case Questions::Answer::Save:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/hard_cases/case_list.h"
 
-#include "ui/hard_cases/portrait_view.h"
+#include "ui/hard_cases/case_picture_view.h"
 #include "ui/look/look.h"
 #include "ui/widgets/keep_choice.h"
 
@@ -40,8 +40,8 @@ public:
         const int captionHeight = captionLines * QFontMetrics(caption).lineSpacing() + 4;
         const QRect box = cell.adjusted(0, 0, 0, -captionHeight);
         painter->setFont(caption);
-        paintPortrait(*painter, box, model_.hardCase(index.row()),
-                      {portraitColours(option.palette)});
+        paintCasePicture(*painter, box, model_.hardCase(index.row()),
+                         {casePictureColours(option.palette)});
         const bool chosen = option.state & QStyle::State_Selected;
         const bool near = option.state & QStyle::State_MouseOver;
         painter->setPen(QPen(chosen || near ? look.selection : look.border, chosen ? 2 : 1));

@@ -3,7 +3,7 @@
 
 #include "app/hard_cases/case_use.h"
 #include "ui/hard_cases/answer_table.h"
-#include "ui/hard_cases/portrait_view.h"
+#include "ui/hard_cases/case_picture_view.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 
@@ -29,7 +29,7 @@ QLabel* text(Qt::TextInteractionFlags flags = Qt::TextSelectableByMouse)
 
 CaseView::CaseView(QWidget* parent)
     : QScrollArea(parent), title_(text()), origin_(text(Qt::TextBrowserInteraction)), why_(text()),
-      numbers_(text()), expected_(text()), note_(text()), portrait_(new PortraitView),
+      numbers_(text()), expected_(text()), note_(text()), picture_(new CasePictureView),
       microscope_(new QPushButton(tr("Open in &microscope"))),
       draw_(new QPushButton(tr("Open as &drawing"))), table_(new AnswerTable)
 {
@@ -73,7 +73,7 @@ void CaseView::layOut()
                                space::dockMargin);
     column->setSpacing(space::labelToField);
     column->addWidget(title_);
-    column->addWidget(portrait_);
+    column->addWidget(picture_);
     column->addWidget(note_);
     column->addWidget(facts());
     auto* buttons = new QHBoxLayout;
@@ -135,9 +135,9 @@ void CaseView::showAnswer()
     const app::CaseAnswer* answer = table_->chosen();
     if (!hard_ || !answer)
         return;
-    portrait_->show(*hard_, *answer);
+    picture_->show(*hard_, *answer);
     note_->setVisible(!app::isToScale(*hard_, answer));
-    portrait_->setAccessibleName(
+    picture_->setAccessibleName(
         tr("%1. %2: %3").arg(hard_->title, app::nameOf(answer->variant), app::words(*answer)));
     microscope_->setEnabled(!answer->variant.misprint);
     microscope_->setToolTip(answer->variant.misprint

@@ -10,7 +10,7 @@
 namespace ui {
 
 class AnswerTable;
-class PortraitView;
+class CasePictureView;
 
 /// One hard case: its picture, its source, why it is hard, the right result, and every variant's
 /// result. A selected wrong result is painted into the picture.
@@ -39,7 +39,7 @@ private:
 
     const app::HardCase* hard_ = nullptr;
     QLabel *title_, *origin_, *why_, *numbers_, *expected_, *note_;
-    PortraitView* portrait_;
+    CasePictureView* picture_;
     QPushButton *microscope_, *draw_;
     AnswerTable* table_;
 };

@@ -23,9 +23,9 @@ void selectDiffering(MainWindow& window)
     panel.compare();
     const app::Session& session = window.session();
     app::ObjectRanges objects;
-    for (const app::Dissent& dissent : panel.dissents()) {
+    for (const app::Disagreement& disagreement : panel.disagreements()) {
         app::ObjectRanges treated; // in ascending order, so each one is appended
-        for (const std::uint32_t segment : dissent.segments)
+        for (const std::uint32_t segment : disagreement.segments)
             treated.insert(session.scene.lines().objectOf(segment));
         objects = united(objects, treated);
     }

@@ -4,6 +4,7 @@
 #include "app/comparison/at_text.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/microscope/answer_cover.h"
 #include "ui/microscope/code_view.h"
 #include "ui/microscope/heading.h"
 #include "ui/microscope/microscope_bar.h"
@@ -11,7 +12,6 @@
 #include "ui/microscope/operations_view.h"
 #include "ui/microscope/overview.h"
 #include "ui/microscope/variable_table.h"
-#include "ui/microscope/veil.h"
 
 #include <QApplication>
 #include <QShortcut>
@@ -55,7 +55,7 @@ MicroscopePage::MicroscopePage(app::Session& session, app::DrawnLine& drawn, QWi
       code_(new CodeView), variables_(new VariableTable), operations_(new OperationsView),
       overview_(new Overview(session, view_)), place_(new QLabel(view_)),
       back_(new QToolButton(view_)), fit_(new QToolButton(view_)),
-      variablesVeil_(new Veil(variables_)), operationsVeil_(new Veil(operations_)),
+      variablesCover_(new AnswerCover(variables_)), operationsCover_(new AnswerCover(operations_)),
       across_(splitter(Qt::Horizontal)), down_(splitter(Qt::Vertical)),
       right_(splitter(Qt::Vertical))
 {
@@ -177,8 +177,8 @@ void MicroscopePage::showStep()
     code_->show(narration.code);
     code_->light(narrated ? narrated->line : 0);
     variables_->show(narrated ? narrated->variables : std::vector<app::Variable>{});
-    variablesVeil_->setVisible(microscope.isCovered() && !narrated);
-    operationsVeil_->setVisible(microscope.isCovered());
+    variablesCover_->setVisible(microscope.isCovered() && !narrated);
+    operationsCover_->setVisible(microscope.isCovered());
     const bool counts = narrated && !microscope.isCovered();
     operations_->show(counts ? narrated->cost : clipping::OperationCounts{},
                       counts ? narration.steps.back().cost : clipping::OperationCounts{});

@@ -14,7 +14,7 @@ class MicroscopeView;
 class OperationsView;
 class Overview;
 class VariableTable;
-class Veil;
+class AnswerCover;
 
 /// The clip microscope: the line enlarged, the steps below, pseudo-code, variables and operations
 /// at the right. Left, Right, Space, Home and End step wherever the focus is in the page, except in
@@ -69,7 +69,7 @@ private:
     Overview* overview_;
     QLabel* place_;
     QToolButton *back_, *fit_;
-    Veil *variablesVeil_, *operationsVeil_;
+    AnswerCover *variablesCover_, *operationsCover_;
     QSplitter *across_, *down_, *right_;
     Qt::Corner corner_ = Qt::TopLeftCorner; ///< the corner of the view that holds the overview
     QWidget* side_ = nullptr;

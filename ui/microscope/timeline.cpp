@@ -3,8 +3,8 @@
 
 #include "app/base/numbers.h"
 #include "ui/look/look.h"
+#include "ui/microscope/answer_cover.h"
 #include "ui/microscope/timeline_mark.h"
-#include "ui/microscope/veil.h"
 
 #include <QHelpEvent>
 #include <QKeyEvent>
@@ -22,7 +22,7 @@ namespace {
 constexpr double side = 14, railY = 28; // pixels
 constexpr double crowded = 9; // pixels between marks; if closer, comparisons are painted as dashes
 constexpr int notch = 120;
-constexpr double coveredSpacing = 40, leastVeil = 200; // pixels
+constexpr double coveredSpacing = 40, leastCover = 200; // pixels
 
 bool context(app::Mark mark) { return mark != app::Mark::Look && mark != app::Mark::Compare; }
 
@@ -64,13 +64,13 @@ double Timeline::spacing() const
     // Covered steps have fixed spacing, so that it does not reveal their number.
     if (microscope_.isCovered())
         return std::min(coveredSpacing,
-                        (width() - 2 * side - leastVeil) / std::max(1.0, double(count)));
+                        (width() - 2 * side - leastCover) / std::max(1.0, double(count)));
     return count < 2 ? 0 : std::min((width() - 2 * side) / double(count - 1), 96.0);
 }
 
 /// The area that covers all later steps, extended to the right end so that it does not reveal their
 /// number.
-QRect Timeline::veil() const
+QRect Timeline::answerCover() const
 {
     constexpr int high = 22;
     const int count = int(microscope_.narration().steps.size());
@@ -113,7 +113,7 @@ void Timeline::paintEvent(QPaintEvent*)
         paintNow(painter);
     }
     if (microscope_.isCovered())
-        paintVeil(painter, veil(), palette());
+        paintAnswerCover(painter, answerCover(), palette());
     if (hasFocus()) {
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(lookOf(palette()).selection, 2));

@@ -30,7 +30,7 @@ protected:
 
 private:
     double spacing() const;
-    QRect veil() const;
+    QRect answerCover() const;
     std::size_t stepAt(double x) const;
     std::size_t numberEvery() const;
     void paintRail(QPainter& painter) const;

@@ -29,11 +29,11 @@ public:
     void cancel(Workbench&) override { points_.clear(); }
     bool busy() const override { return !points_.empty(); }
     bool draws() const override { return true; }
-    std::optional<app::Subpath> pathInHand() const override
+    std::optional<app::Subpath> pendingPath() const override
     {
         return points_.size() >= 2 ? std::optional(pathOf(points_)) : std::nullopt;
     }
-    std::size_t pointsInHand() const override { return points_.size(); }
+    std::size_t pendingPoints() const override { return points_.size(); }
     app::SnapTo snapsTo() const override { return app::SnapTo::Nothing; }
     void paint(QPainter& painter, const Workbench& bench) const override
     {

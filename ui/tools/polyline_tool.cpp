@@ -67,11 +67,11 @@ public:
     {
         return QCoreApplication::translate("Commands", "Place corner");
     }
-    std::optional<app::Subpath> pathInHand() const override
+    std::optional<app::Subpath> pendingPath() const override
     {
         return corners_.size() >= 2 ? std::optional(pathOf(false)) : std::nullopt;
     }
-    std::size_t pointsInHand() const override { return corners_.size(); }
+    std::size_t pendingPoints() const override { return corners_.size(); }
     void paint(QPainter& painter, const Workbench& bench) const override
     {
         if (corners_.empty())

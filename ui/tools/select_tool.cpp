@@ -274,9 +274,9 @@ void SelectTool::paint(QPainter& painter, const Workbench& bench) const
 void SelectTool::paintBox(QPainter& painter, const Workbench& bench) const
 {
     const bool touches = to_.screen.x < from_.screen.x;
-    QColor veil = bench.look.selection;
-    veil.setAlphaF(0.08F);
-    painter.setBrush(veil);
+    QColor tint = bench.look.selection;
+    tint.setAlphaF(0.08F);
+    painter.setBrush(tint);
     painter.setPen(QPen(bench.look.selection, 1, touches ? Qt::DashLine : Qt::SolidLine));
     painter.drawRect(QRectF(bench.onScreen(from_.raw), bench.onScreen(to_.raw)).normalized());
 }

@@ -79,9 +79,9 @@ public:
     /// The step's name in the Undo and Redo menu entries.
     virtual QString stepText() const { return {}; }
     /// The path that end() would keep now; empty: none.
-    virtual std::optional<app::Subpath> pathInHand() const { return std::nullopt; }
+    virtual std::optional<app::Subpath> pendingPath() const { return std::nullopt; }
     /// Number of points of the path being drawn.
-    virtual std::size_t pointsInHand() const { return 0; }
+    virtual std::size_t pendingPoints() const { return 0; }
 
     virtual QCursor cursor(const Workbench&) const { return Qt::CrossCursor; }
     virtual app::SnapTo snapsTo() const { return app::SnapTo::All; }

@@ -69,7 +69,7 @@ void MessageStrip::put(Message message)
     update();
 }
 
-void MessageStrip::takeBackDone()
+void MessageStrip::closeDone()
 {
     if (under_ && under_->kind == Message::Kind::Done)
         under_ = Message{};

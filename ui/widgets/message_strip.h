@@ -28,7 +28,7 @@ public:
     explicit MessageStrip(QWidget* parent = nullptr);
 
     void tell(Message message);
-    void takeBackDone(); ///< closes a Done message, because it is outdated
+    void closeDone(); ///< closes a Done message, because it is outdated
     /// Shows a warning about typed text in place of the current message, which returns afterwards.
     void refuse(const QString& sentence);
     void withdrawRefusal(); ///< a field has accepted a value

@@ -19,7 +19,7 @@ void MainWindow::connectSession()
         connect(&session_, signal, this, &MainWindow::refreshActions);
     connect(&session_.document, &app::EditedDocument::changed, this, &MainWindow::refreshActions);
     connect(&session_.history, &app::History::cleanChanged, this, &MainWindow::showTitle);
-    connect(&session_.history, &app::History::indexChanged, strip_, &MessageStrip::takeBackDone);
+    connect(&session_.history, &app::History::indexChanged, strip_, &MessageStrip::closeDone);
     connect(&session_, &app::Session::refused, this, [this](const QString& sentence) {
         tell({Message::Kind::Warning, sentence});
     });

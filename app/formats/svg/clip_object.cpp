@@ -33,14 +33,14 @@ bool tooManyCurves(const Subpath& path)
 }
 
 std::vector<Run> strokeRuns(const Subpath& path, std::span<const Chord> chords,
-                            const ConvexRegion& region, OverStart overStart)
+                            const ConvexRegion& region, ClosedStart closedStart)
 {
     std::vector<KeptPart> parts;
     for (std::size_t i = 0; i < chords.size(); ++i)
         if (const auto part = region.clip(chords[i], i))
             parts.push_back(*part);
     const ClipRegion bounds{{{region.bounds(), WindowOperation::Add}}};
-    return joinRuns(path, chords, parts, bounds, overStart);
+    return joinRuns(path, chords, parts, bounds, closedStart);
 }
 
 // Whether the polygon has no area, apart from rounding.
@@ -105,7 +105,7 @@ std::optional<ClippedObject> clipObject(const Drawn& drawn, const ConvexRegion& 
     Drawn area{{}, drawn.style, {}, drawn.hidden};
     area.style.stroke.reset();
     std::vector<Run> runs;
-    const auto overStart = drawn.style.dashes.empty() ? OverStart::Join : OverStart::Break;
+    const auto closedStart = drawn.style.dashes.empty() ? ClosedStart::Join : ClosedStart::Break;
     for (const Subpath& path : drawn.paths) {
         if (region.position(path) == Position::Inside) {
             runs.push_back({path, 0});
@@ -116,7 +116,7 @@ std::optional<ClippedObject> clipObject(const Drawn& drawn, const ConvexRegion& 
         flatten(path, toleranceFor(path, tolerance), chords);
         result.work += chords.size() * region.sides();
         if (drawn.style.stroke)
-            std::ranges::move(strokeRuns(path, chords, region, overStart),
+            std::ranges::move(strokeRuns(path, chords, region, closedStart),
                               std::back_inserter(runs));
         if (drawn.style.fill)
             if (auto filled = filledPart(chords, region))

@@ -431,7 +431,7 @@ private slots:
                 const auto run = clearcut(arguments, drawing);
                 const QByteArray said = "Hidden shapes: 1 left out; a file of type " + key.toUtf8()
                                         + " cannot hide them.";
-                QCOMPARE(run.err.contains(said), format.hides == app::Hides::No);
+                QCOMPARE(run.err.contains(said), format.hides == app::StoresHidden::No);
                 QCOMPARE(clearcut(arguments + QStringList{"-q"}, drawing).err, "");
             }
     }

@@ -20,8 +20,8 @@ private slots:
         std::vector<Segment> segments(20000);
         for (Segment& s : segments)
             s = {{x(random), y(random)}, {x(random), y(random)}};
-        const auto found = app::dissents(sceneLinesOf(segments, 3'000), {{-100, -75}, {100, 75}},
-                                         {findAlgorithm("md")});
+        const auto found = app::disagreements(sceneLinesOf(segments, 3'000),
+                                              {{-100, -75}, {100, 75}}, {findAlgorithm("md")});
         QCOMPARE(app::sentence(found), "All corrected algorithms agree here");
     }
     /// Published KWC takes a line with |dx| < 1 for a vertical one at x1 (algorithms.md).
@@ -29,8 +29,8 @@ private slots:
     {
         const std::vector<Segment> segments{{{-0.2, -10}, {0.6, 10}}, {{0, 0}, {1, 1}}};
         const Window window{{0, -5}, {10, 5}};
-        const auto found =
-            app::dissents(sceneLinesOf(segments), window, {findAlgorithm("kwc"), Form::Published});
+        const auto found = app::disagreements(sceneLinesOf(segments), window,
+                                              {findAlgorithm("kwc"), Form::Published});
         QCOMPARE(found.size(), std::size_t(1));
         QCOMPARE(found[0].variant.form, Form::Published);
         QCOMPARE(found[0].lost + found[0].moved, std::size_t(1));
@@ -49,8 +49,8 @@ private slots:
         }
         const Window window{{-5, -5}, {5, 5}};
         const auto found = [&](std::size_t inBlock) {
-            return app::dissents(sceneLinesOf(segments, inBlock), window,
-                                 {findAlgorithm("kwc"), Form::Published});
+            return app::disagreements(sceneLinesOf(segments, inBlock), window,
+                                      {findAlgorithm("kwc"), Form::Published});
         };
         const auto whole = found(1000);
         QCOMPARE(whole.front().variant.form, Form::Published);
@@ -69,7 +69,8 @@ private slots:
     }
     void nothingToCompare()
     {
-        QVERIFY(app::dissents({}, {{0, 0}, {1, 1}}, {&algorithms()[0], Form::Published}).empty());
+        QVERIFY(
+            app::disagreements({}, {{0, 0}, {1, 1}}, {&algorithms()[0], Form::Published}).empty());
     }
 };
 

@@ -167,7 +167,7 @@ private slots:
                                       {oracle->line.b.x, oracle->line.b.y}};
                 const double apart =
                     endsApart(*piece, rounded, ours ? Ends::InOrder : Ends::EitherWay) / ulp;
-                QVERIFY2(std::abs(errorOf(line, Yardstick::Largest) - apart) <= 0.5 + 1e-9 * apart,
+                QVERIFY2(std::abs(errorOf(line, ErrorUnit::Largest) - apart) <= 0.5 + 1e-9 * apart,
                          text(lines[i]));
                 const auto inside = [&](const glm::dvec2& p) {
                     return p.x >= window.min.x && p.x <= window.max.x && p.y >= window.min.y
@@ -176,7 +176,7 @@ private slots:
                 QVERIFY2(line.outside() == !(inside(piece->a) && inside(piece->b)), text(lines[i]));
                 if (ours) {
                     QVERIFY2(!line.outside(), text(lines[i]));
-                    QVERIFY2(errorOf(line, Yardstick::Largest) <= variant.algorithm->ulps,
+                    QVERIFY2(errorOf(line, ErrorUnit::Largest) <= variant.algorithm->ulps,
                              text(lines[i]));
                 }
             }
@@ -191,7 +191,7 @@ private slots:
         const auto check = [&](std::span<const Segment> lines, const Window& window) {
             for (const LineExactness& line : extended({window}, exactVariant(), lines).list) {
                 QVERIFY2(!line.isWrong() && !line.orderMatters, text(lines[line.source]));
-                QVERIFY2(errorOf(line, Yardstick::Own) <= 1, text(lines[line.source]));
+                QVERIFY2(errorOf(line, ErrorUnit::Own) <= 1, text(lines[line.source]));
             }
         };
         check(paperLines(20'000), paperWindow);
@@ -226,8 +226,8 @@ private slots:
         QVERIFY(!exactnessOf(exactVariant(), missing, {{0, 0}, {1, 1}}));
         // X2: the misprint begins at (0,0) instead of (1/2,0): half a unit, 2^51 ulps of 2
         const LineExactness misprint = exactness("md-step-2", {{0, -1}, {1, 1}}, two);
-        QCOMPARE(errorOf(misprint, Yardstick::Largest), 0.5 / 0x1p-51);
-        QCOMPARE(errorOf(misprint, Yardstick::Own), 0.5 / 0x1p-53);
+        QCOMPARE(errorOf(misprint, ErrorUnit::Largest), 0.5 / 0x1p-51);
+        QCOMPARE(errorOf(misprint, ErrorUnit::Own), 0.5 / 0x1p-53);
     }
 
     void endsOutsideByUlpsAreFound()
@@ -262,7 +262,7 @@ private slots:
         LineExactness line{};
         const auto classOf = [&](double ulps) {
             line.ends[0].ulps = ulps;
-            return errorClasses()[errorClassOf(line, Yardstick::Largest)].name;
+            return errorClasses()[errorClassOf(line, ErrorUnit::Largest)].name;
         };
         QCOMPARE(classOf(0), "exact");
         QCOMPARE(classOf(0.5), "≤ ½ ulp");
@@ -309,7 +309,7 @@ private slots:
         QCOMPARE(slices.list.size(), all.list.size());
         for (std::size_t i = 0; i < all.list.size(); ++i) {
             QCOMPARE(slices.list[i].source, all.list[i].source);
-            QCOMPARE(errorOf(slices.list[i], Yardstick::Own), errorOf(all.list[i], Yardstick::Own));
+            QCOMPARE(errorOf(slices.list[i], ErrorUnit::Own), errorOf(all.list[i], ErrorUnit::Own));
         }
     }
 };

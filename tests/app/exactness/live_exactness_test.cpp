@@ -15,9 +15,9 @@ using app::LiveExactness;
 
 namespace {
 
-LiveExactness::Question published(app::Yardstick yardstick = app::Yardstick::Largest)
+LiveExactness::Question published(app::ErrorUnit errorUnit = app::ErrorUnit::Largest)
 {
-    return {*app::findVariant("kwc:published"), yardstick};
+    return {*app::findVariant("kwc:published"), errorUnit};
 }
 
 /// What was found is what the lines say if all of them are judged in one go.
@@ -106,7 +106,7 @@ private slots:
     }
 
     /// The lines are not judged again.
-    void bothYardsticksMeasureTheSameResults()
+    void bothErrorUnitsMeasureTheSameResults()
     {
         app::Session session;
         ::load(session.document, sheetOf(1'000));
@@ -115,12 +115,12 @@ private slots:
         const auto before = session.exactness.counts().classes;
         QSignalSpy changed(&session.exactness, &LiveExactness::changed);
         session.exactness.ask(
-            LiveExactness::Question{*app::findVariant("md"), app::Yardstick::Own});
+            LiveExactness::Question{*app::findVariant("md"), app::ErrorUnit::Own});
         QVERIFY(session.exactness.upToDate());
         QCOMPARE(changed.size(), 1);
         QVERIFY(session.exactness.counts().classes != before);
         QCOMPARE(painted(session, paper), session.exactness.found().list.size());
-        session.exactness.ask(published(app::Yardstick::Own));
+        session.exactness.ask(published(app::ErrorUnit::Own));
         QVERIFY(!session.exactness.upToDate());
         QVERIFY(session.exactness.found().list.empty());
         session.exactness.ask(std::nullopt);

@@ -66,7 +66,7 @@ private slots:
         QCOMPARE(scannedChildren(), std::vector<pid_t>());
     }
 
-    /// The warden waits for what has ended, so that it must not be overlooked.
+    /// The supervisor waits for what has ended, so that it must not be overlooked.
     void endedChildrenAreStillFound()
     {
         const Waiting child(1);

@@ -18,7 +18,7 @@ app::LessonPage pageAbout(const char* look, const QStringList& words)
     const auto lesson = app::readLesson(QStringLiteral("x"),
                                         QStringLiteral("# T\n> S\n:: look %1\ntext").arg(look));
     app::LessonPage page = lesson.value->pages.front();
-    page.question = app::Asking{words[0], words.mid(1)};
+    page.question = app::QuestionSpec{words[0], words.mid(1)};
     return page;
 }
 

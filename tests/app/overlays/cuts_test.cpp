@@ -20,19 +20,19 @@ constexpr int cases = 1000;
 
 Overlay of(const Variant& variant, const Window& w, const Segment& line)
 {
-    app::Seeing seeing{{variant, w, line, {}, everything}};
-    seeing.trace = seeing.traceOf(line);
-    return app::traceOverlay(seeing);
+    app::OverlayContext context{{variant, w, line, {}, everything}};
+    context.trace = context.traceOf(line);
+    return app::traceOverlay(context);
 }
 
 /// The caption of an algorithm whose steps name no edge.
 QString captionWithoutEdges(const Variant& variant, const Window& w, const Segment& line)
 {
-    app::Seeing seeing{{variant, w, line, {}, everything}};
-    seeing.trace = seeing.traceOf(line);
-    for (clipping::Step& step : seeing.trace.steps)
+    app::OverlayContext context{{variant, w, line, {}, everything}};
+    context.trace = context.traceOf(line);
+    for (clipping::Step& step : context.trace.steps)
         step.edge = clipping::Edge::None;
-    return app::traceOverlay(seeing).caption;
+    return app::traceOverlay(context).caption;
 }
 
 std::vector<OverlayMark> cutsIn(const Overlay& overlay)

@@ -55,7 +55,7 @@ Sheet sheetOf(int lines)
     return sheet;
 }
 
-ObjectInHand inHand(const EditedDocument& document, const Shape& shape)
+PendingObject inHand(const EditedDocument& document, const Shape& shape)
 {
     return {{.path = Path(shape.paths), .style = shape.style},
             document.now().containers().childrenOf(0)[shape.layer]};
@@ -127,7 +127,7 @@ private slots:
         constexpr int lines = 5'000;
         const EditedDocument edited(documentOf(sheetOf(lines)));
         UnsavedWork work(edited);
-        const auto taken = [&](std::optional<ObjectInHand> inHand) {
+        const auto taken = [&](std::optional<PendingObject> inHand) {
             auto known = document(true);
             known.inHand = std::move(inHand);
             work.tell(std::move(known));

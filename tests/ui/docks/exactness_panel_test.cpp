@@ -126,7 +126,7 @@ private slots:
         for (QToolButton* button : stage.panel.findChildren<QToolButton*>())
             if (button->text() == "own coordinate")
                 QTest::mouseClick(button, Qt::LeftButton);
-        QTRY_COMPARE(stage.session.exactness.asked()->yardstick, app::Yardstick::Own);
+        QTRY_COMPARE(stage.session.exactness.asked()->errorUnit, app::ErrorUnit::Own);
         QTRY_VERIFY(stage.panel.summary() != before);
     }
 
@@ -156,7 +156,7 @@ private slots:
         const app::Magnified& seen = stage.panel.magnifier().seen();
         QVERIFY(seen.returned && seen.exactness);
         const double off = std::max(std::abs(seen.exactness->x), std::abs(seen.exactness->y));
-        QCOMPARE(off / seen.largestUlp, app::errorOf(*exactness, app::Yardstick::Largest));
+        QCOMPARE(off / seen.largestUlp, app::errorOf(*exactness, app::ErrorUnit::Largest));
         QTest::keyClick(&stage.panel.magnifier(), Qt::Key_Escape);
         QVERIFY(!stage.panel.magnifies());
     }

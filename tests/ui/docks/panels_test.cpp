@@ -232,7 +232,7 @@ private slots:
         AlgorithmPanel& panel = t.window->algorithmPanel();
         panel.compare();
         QCOMPARE(panel.verdict(), "All corrected algorithms agree here");
-        QVERIFY(panel.dissents().empty());
+        QVERIFY(panel.disagreements().empty());
     }
     void aLineBeingDrawnKeepsTheVerdict()
     {

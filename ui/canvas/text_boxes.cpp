@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/canvas/letters.h"
+#include "ui/canvas/text_boxes.h"
 
 #include "app/overlays/label_places.h"
 
@@ -7,12 +7,12 @@ namespace ui {
 
 constexpr std::size_t mostLines = 20'000; // more lines would take too long
 
-Letters::Letters(const app::Scene& scene, QObject* parent) : QObject(parent), scene_(scene)
+TextBoxes::TextBoxes(const app::Scene& scene, QObject* parent) : QObject(parent), scene_(scene)
 {
     connect(&scene, &app::Scene::outdated, this, [this] { view_.reset(); });
 }
 
-const std::vector<QRectF>& Letters::in(const app::View& view)
+const std::vector<QRectF>& TextBoxes::in(const app::View& view)
 {
     if (view == view_)
         return boxes_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/hard_cases/portrait_view.h"
+#include "ui/hard_cases/case_picture_view.h"
 
 #include "ui/look/look.h"
 
@@ -14,29 +14,29 @@ constexpr double stroke = 1.2; // factor of a thumbnail's stroke width
 
 } // namespace
 
-app::PortraitColours portraitColours(const QPalette& palette)
+app::CasePictureColours casePictureColours(const QPalette& palette)
 {
     const Look& look = lookOf(palette);
     return {look.paper, look.text, look.muted, look.accent, look.selection, look.differs};
 }
 
-PortraitView::PortraitView(QWidget* parent) : QWidget(parent) { setFixedHeight(usualHeight); }
+CasePictureView::CasePictureView(QWidget* parent) : QWidget(parent) { setFixedHeight(usualHeight); }
 
-void PortraitView::show(const app::HardCase& hard, const std::optional<app::CaseAnswer>& answer)
+void CasePictureView::show(const app::HardCase& hard, const std::optional<app::CaseAnswer>& answer)
 {
     hard_ = &hard;
     answer_ = answer;
     update();
 }
 
-void PortraitView::paintEvent(QPaintEvent*)
+void CasePictureView::paintEvent(QPaintEvent*)
 {
     if (!hard_)
         return;
     QPainter painter(this);
     painter.setFont(captionFont(font()));
-    paintPortrait(painter, rect().adjusted(1, 1, -1, -1), *hard_,
-                  {portraitColours(palette()), stroke}, answer_ ? &*answer_ : nullptr);
+    paintCasePicture(painter, rect().adjusted(1, 1, -1, -1), *hard_,
+                     {casePictureColours(palette()), stroke}, answer_ ? &*answer_ : nullptr);
     painter.setPen(lookOf(palette()).rule);
     painter.drawRect(rect().adjusted(0, 0, -1, -1));
 }

@@ -9,11 +9,11 @@ namespace ui {
 
 /// Covers a widget that would give away the answer to an open question: a plain background with a
 /// closed eye. While shown it covers its whole parent widget.
-class Veil : public QWidget {
+class AnswerCover : public QWidget {
     Q_OBJECT
 
 public:
-    explicit Veil(QWidget* over);
+    explicit AnswerCover(QWidget* over);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -21,6 +21,6 @@ protected:
 };
 
 /// Paints the same cover on a part of a picture; omits its text if there is no room.
-void paintVeil(QPainter& painter, const QRect& area, const QPalette& palette);
+void paintAnswerCover(QPainter& painter, const QRect& area, const QPalette& palette);
 
 } // namespace ui

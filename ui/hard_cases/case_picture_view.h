@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/hard_cases/portrait.h"
+#include "app/hard_cases/case_picture.h"
 
 #include <QPalette>
 #include <QWidget>
@@ -11,14 +11,14 @@
 namespace ui {
 
 /// The colours for pictures of hard cases that match a palette.
-app::PortraitColours portraitColours(const QPalette& palette);
+app::CasePictureColours casePictureColours(const QPalette& palette);
 
 /// One hard case, large, with a variant's result if that is wrong.
-class PortraitView : public QWidget {
+class CasePictureView : public QWidget {
     Q_OBJECT
 
 public:
-    explicit PortraitView(QWidget* parent = nullptr);
+    explicit CasePictureView(QWidget* parent = nullptr);
 
     void show(const app::HardCase& hard, const std::optional<app::CaseAnswer>& answer);
     const std::optional<app::CaseAnswer>& answer() const { return answer_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/judge/warden.h"
+#include "app/judge/supervisor.h"
 
 #include "app/judge/children.h"
 
@@ -101,7 +101,7 @@ void letPipesGo()
 
 } // namespace
 
-void stayBehindAsWarden()
+void forkUnderSupervisor()
 {
     ::setsid(); // so that no signal of a terminal ends it before it has killed
     ::prctl(PR_SET_CHILD_SUBREAPER, 1);
@@ -110,11 +110,11 @@ void stayBehindAsWarden()
         std::signal(signal, SIG_DFL); // sigwait cannot receive ignored signals
     const sigset_t wanted = setOf({SIGTERM, SIGCHLD, SIGHUP, SIGINT});
     ::sigprocmask(SIG_BLOCK, &wanted, nullptr);
-    const pid_t warden = ::getpid(), library = ::fork();
+    const pid_t supervisor = ::getpid(), library = ::fork();
     if (library == 0) {
         ::prctl(PR_SET_PDEATHSIG, SIGKILL);
         ::sigprocmask(SIG_UNBLOCK, &wanted, nullptr);
-        if (::getppid() == warden)
+        if (::getppid() == supervisor)
             return;
         ::_exit(EXIT_FAILURE);
     }

@@ -14,11 +14,11 @@ namespace ui {
 
 /// Parts of the drawing that may be letters, which labels should not cover. The result is kept from
 /// frame to frame until the lines or the view change.
-class Letters : public QObject {
+class TextBoxes : public QObject {
     Q_OBJECT
 
 public:
-    explicit Letters(const app::Scene& scene, QObject* parent = nullptr);
+    explicit TextBoxes(const app::Scene& scene, QObject* parent = nullptr);
 
     /// Bounding boxes of the letters in a view, in logical pixels; empty for a drawing with too
     /// many lines.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/hard_cases/portrait.h"
+#include "app/hard_cases/case_picture.h"
 
 #include "app/hard_cases/case_scale.h"
 
@@ -15,10 +15,10 @@ namespace {
 
 constexpr double margin = 0.13; // share of the shorter side, for the ends' numbers
 
-class PortraitPainter {
+class CasePicturePainter {
 public:
-    PortraitPainter(QPainter& painter, const QRectF& area, const HardCase& hard,
-                    const PortraitLook& look, const CaseAnswer* answer)
+    CasePicturePainter(QPainter& painter, const QRectF& area, const HardCase& hard,
+                       const CasePictureLook& look, const CaseAnswer* answer)
         : painter_(painter), hard_(hard), colours_(look.colours), unit_(look.unit), answer_(answer),
           scale_(hard, answer), picture_(area)
     {
@@ -135,7 +135,7 @@ private:
 
     QPainter& painter_;
     const HardCase& hard_;
-    const PortraitColours& colours_;
+    const CasePictureColours& colours_;
     double unit_;
     const CaseAnswer* answer_;
     CaseScale scale_;
@@ -144,14 +144,14 @@ private:
 
 } // namespace
 
-void paintPortrait(QPainter& painter, const QRectF& area, const HardCase& hard,
-                   const PortraitLook& look, const CaseAnswer* answer)
+void paintCasePicture(QPainter& painter, const QRectF& area, const HardCase& hard,
+                      const CasePictureLook& look, const CaseAnswer* answer)
 {
     painter.save();
     painter.setClipRect(area);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(area, look.colours.paper);
-    PortraitPainter(painter, area, hard, look, answer).paint();
+    CasePicturePainter(painter, area, hard, look, answer).paint();
     painter.restore();
 }
 

@@ -10,19 +10,19 @@ class QPainter;
 
 namespace app {
 
-struct PortraitColours {
+struct CasePictureColours {
     QColor paper, text, muted;
     QColor window, visible, differs; ///< the clip window, the visible part, a wrong answer
 };
-struct PortraitLook {
-    PortraitColours colours;
+struct CasePictureLook {
+    CasePictureColours colours;
     double unit = 1; ///< size of a logical pixel
 };
 
 /// Paints a hard case, y up: the window, the line with its ends numbered, the exact visible part
 /// and, if given, a wrong answer. Nothing is painted outside the area, whatever the numbers are.
-void paintPortrait(QPainter& painter, const QRectF& area, const HardCase& hard,
-                   const PortraitLook& look, const CaseAnswer* answer = nullptr);
+void paintCasePicture(QPainter& painter, const QRectF& area, const HardCase& hard,
+                      const CasePictureLook& look, const CaseAnswer* answer = nullptr);
 
 /// Whether distances are to scale; otherwise only the order of the numbers is true.
 bool isToScale(const HardCase& hard, const CaseAnswer* answer = nullptr);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/microscope/veil.h"
+#include "ui/microscope/answer_cover.h"
 
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
@@ -14,11 +14,11 @@ namespace {
 
 constexpr int eye = 16, gap = 6; // pixels
 
-QString words() { return QCoreApplication::translate("Veil", "covered until you answer"); }
+QString words() { return QCoreApplication::translate("AnswerCover", "covered until you answer"); }
 
 } // namespace
 
-Veil::Veil(QWidget* over) : QWidget(over)
+AnswerCover::AnswerCover(QWidget* over) : QWidget(over)
 {
     setAccessibleName(words());
     setFont(captionFont(over->font()));
@@ -26,21 +26,22 @@ Veil::Veil(QWidget* over) : QWidget(over)
     setGeometry(over->rect());
 }
 
-bool Veil::eventFilter(QObject* watched, QEvent* event)
+bool AnswerCover::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::Resize)
         setGeometry(parentWidget()->rect());
     return QWidget::eventFilter(watched, event);
 }
 
-void Veil::paintEvent(QPaintEvent*)
+void AnswerCover::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     painter.fillRect(rect(), lookOf(palette()).panel);
-    paintVeil(painter, rect().adjusted(space::dockMargin, 6, -space::dockMargin, -6), palette());
+    paintAnswerCover(painter, rect().adjusted(space::dockMargin, 6, -space::dockMargin, -6),
+                     palette());
 }
 
-void paintVeil(QPainter& painter, const QRect& area, const QPalette& palette)
+void paintAnswerCover(QPainter& painter, const QRect& area, const QPalette& palette)
 {
     const Look& look = lookOf(palette);
     painter.save();
