@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/canvas/canvas.h"
+#include <QString>
+
+#include <cstdint>
 
 namespace ui {
+
+enum class Backend : std::uint8_t { Automatic, OpenGL, Raster };
 
 /// The result of testing OpenGL on this computer.
 struct GlProbe {

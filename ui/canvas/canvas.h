@@ -5,6 +5,9 @@
 #include "app/session/session.h"
 #include "app/view/snap.h"
 #include "app/view/view.h"
+#include "ui/canvas/backend.h"
+#include "ui/canvas/frame_times.h"
+#include "ui/canvas/navigation.h"
 
 #include <QWidget>
 
@@ -13,22 +16,6 @@
 #include <string_view>
 
 namespace ui {
-
-enum class Backend : std::uint8_t { Automatic, OpenGL, Raster };
-
-/// The device that scrolls. Automatic: a touchpad if the system reports pixel deltas from one.
-enum class PointingDevice : std::uint8_t { Automatic, Mouse, Touchpad };
-
-/// The times of the last frame. `drawMs` is everything but the clipping: building the picture and
-/// painting it.
-struct FrameTimes {
-    double clipMs = 0, drawMs = 0;
-    std::uint64_t clipNanoseconds = 0;
-    std::size_t visible = 0, total = 0;
-    std::optional<app::Variant> choice{}; ///< the variant that clipped
-    /// The new picture is not ready: the last one is shown, moved and scaled.
-    bool painting = false;
-};
 
 /// The drawing on the screen, with rulers and the current tool. All segments are clipped at every
 /// frame. Colours follow the palette (ui/look/look.h). focusProxy() is the widget that receives the

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "ui/canvas/backend.h"
+#include "ui/canvas/canvas.h"
+#include "ui/canvas/controller.h"
 #include "ui/canvas/pane_widget.h"
 #include "ui/canvas/ruler.h"
 

@@ -123,9 +123,16 @@ QCursor Controller::cursor() const
         return Qt::ClosedHandCursor;
     if (space_)
         return Qt::OpenHandCursor;
-    if (pointer_ && offerPlace(*this).contains(pointer_->screen.x, pointer_->screen.y))
+    if (pointer_ && offeredHandle().contains(pointer_->screen.x, pointer_->screen.y))
         return Qt::PointingHandCursor;
     return mayDraw() ? tool_->cursor(bench_) : Qt::ForbiddenCursor;
+}
+
+QRectF Controller::offeredHandle() const
+{
+    if (clipWindow() || !tool_->showsHandles())
+        return {};
+    return offerPlace(session_.now().page().rectangle(), view());
 }
 
 QColor Controller::pageColour() const
@@ -352,7 +359,7 @@ bool Controller::pressOffer(const QMouseEvent& event)
 {
     if (onOffer_ && event.type() == QEvent::MouseButtonDblClick)
         return true;
-    onOffer_ = offerPlace(*this).contains(event.position());
+    onOffer_ = offeredHandle().contains(event.position());
     if (onOffer_)
         layWindowOnPage(session_);
     return onOffer_;

@@ -4,7 +4,6 @@
 #include "app/comparison/panes.h"
 #include "app/view/picture.h"
 #include "app/view/snap.h"
-#include "ui/canvas/canvas.h"
 #include "ui/canvas/navigation.h"
 #include "ui/canvas/text_boxes.h"
 #include "ui/tools/tool.h"
@@ -12,6 +11,10 @@
 #include <QTimer>
 
 #include <functional>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
 
 namespace ui {
 
@@ -85,6 +88,9 @@ public:
     std::optional<clipping::Window> clipWindow() const { return session_.clipWindow(); }
     /// clipWindow(), or the page if there is none.
     clipping::Window window() const { return session_.window(); }
+    /// The handle that adds a clip window (window_offer.h), in logical pixels; empty if none is
+    /// offered.
+    QRectF offeredHandle() const;
     /// Boxes that labels should not cover, in logical pixels.
     const std::vector<QRectF>& textBoxes() const { return textBoxes_.in(view()); }
     QColor pageColour() const;

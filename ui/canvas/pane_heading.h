@@ -3,6 +3,7 @@
 
 #include "app/view/frame_statistics.h"
 #include "ui/canvas/controller.h"
+#include "ui/canvas/frame_times.h"
 
 #include <QTimer>
 #include <QToolButton>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/canvas/backend.h"
 #include "ui/canvas/pane_heading.h"
 #include "ui/canvas/surface.h"
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/canvas/controller.h"
+#include "ui/canvas/frame_times.h"
 
 #include <memory>
 

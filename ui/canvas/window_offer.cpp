@@ -16,12 +16,8 @@ QString text() { return QCoreApplication::translate("Canvas", "Lay window on pag
 
 } // namespace
 
-QRectF offerPlace(const Controller& controller)
+QRectF offerPlace(const clipping::Window& page, const app::View& view)
 {
-    if (controller.clipWindow() || !controller.tool().showsHandles())
-        return {};
-    const app::View& view = controller.view();
-    const clipping::Window page = controller.session().now().page().rectangle();
     const app::Point min = view.toScreen(page.min), max = view.toScreen(page.max);
     const QSizeF size =
         QFontMetricsF(QGuiApplication::font()).boundingRect(text()).size() + QSizeF(20, 8);
@@ -32,17 +28,13 @@ QRectF offerPlace(const Controller& controller)
     return {QPointF(x - size.width() / 2, y), size};
 }
 
-void paintOffer(QPainter& painter, const Controller& controller, const Pane& pane)
+void paintOffer(QPainter& painter, const QRectF& place, const std::optional<Pointer>& pointer,
+                const Look& look, const QColor& ground)
 {
-    const QRectF place = offerPlace(controller);
-    if (place.isEmpty() || !pane.active)
-        return;
-    const Look& look = controller.look();
-    const auto& pointer = controller.pointer();
     const bool hovered = pointer && place.contains(pointer->screen.x, pointer->screen.y);
     painter.setFont(QGuiApplication::font());
     painter.setPen(QPen(look.accent, 1));
-    painter.setBrush(hovered ? look.accent : controller.pageColour());
+    painter.setBrush(hovered ? look.accent : ground);
     painter.drawRoundedRect(place, 4, 4);
     painter.setPen(hovered ? look.onAccent : look.accent);
     painter.drawText(place, Qt::AlignCenter, text());

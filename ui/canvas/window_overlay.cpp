@@ -123,7 +123,9 @@ bool isFurnished(const Controller& controller, const Pane& pane, const QRectF& w
 void paintWindow(QPainter& painter, const Controller& controller, const Pane& pane)
 {
     if (!controller.clipWindow()) {
-        paintOffer(painter, controller, pane);
+        if (const QRectF place = controller.offeredHandle(); pane.active && !place.isEmpty())
+            paintOffer(painter, place, controller.pointer(), controller.look(),
+                       controller.pageColour());
         return;
     }
     paintOthers(painter, controller);
@@ -151,7 +153,7 @@ std::vector<QRectF> windowFurniture(const Controller& controller, const Pane& pa
                                     const QFont& font)
 {
     if (!controller.clipWindow())
-        return {offerPlace(controller)};
+        return {controller.offeredHandle()};
     const QRectF window = rectangleOnScreen(controller);
     std::vector<QRectF> places{QRectF(window.topLeft(), QSizeF(window.width(), 0)),
                                QRectF(window.bottomLeft(), QSizeF(window.width(), 0)),
