@@ -78,43 +78,6 @@ bool Controller::escape()
     return true;
 }
 
-bool Controller::canUndo() const { return tool_->canTakeBack() || session_.history.canUndo(); }
-
-// While a polyline is being drawn, redoing a later step of the history would put it before the
-// corners.
-bool Controller::canRedo() const
-{
-    return tool_->canPutBack(bench_) || (!tool_->canTakeBack() && session_.history.canRedo());
-}
-
-void Controller::undo()
-{
-    if (tool_->canTakeBack())
-        withTool([&] { tool_->takeBack(bench_); });
-    else if (tool_->busy())
-        withTool([&] { tool_->cancel(bench_); });
-    else
-        session_.history.undo();
-}
-
-void Controller::redo()
-{
-    if (tool_->canPutBack(bench_))
-        withTool([&] { tool_->putBack(bench_); });
-    else if (!tool_->busy())
-        session_.history.redo();
-}
-
-QString Controller::undoText() const
-{
-    return tool_->canTakeBack() ? tool_->stepText() : session_.history.undoText();
-}
-
-QString Controller::redoText() const
-{
-    return tool_->canPutBack(bench_) ? tool_->stepText() : session_.history.redoText();
-}
-
 bool Controller::arrow(const QKeyEvent& event)
 {
     const auto direction = directionOf(event.key());

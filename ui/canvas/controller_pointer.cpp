@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/canvas/controller.h"
+#include "ui/canvas/window_offer.h"
+#include "ui/editing/keeping.h"
+
+// The pointer over the canvas.
+
+namespace ui {
+
+constexpr double snapReach = 8; // pixels
+
+Pointer Controller::pointerAt(const QPointF& screen, Qt::MouseButtons buttons,
+                              Qt::KeyboardModifiers modifiers)
+{
+    const app::Point at(screen.x(), screen.y()), raw = view().toDrawing(at);
+    snap_.reset();
+    const auto to = app::SnapTo(std::uint8_t(tool_->snapsTo()) & std::uint8_t(snapTo_));
+    if (to != app::SnapTo::Nothing && !(modifiers & Qt::ControlModifier)) {
+        std::vector<clipping::Segment> near;
+        const double radius = bench_.inDrawing(snapReach);
+        for (const std::size_t line : picking_.near(raw, radius))
+            near.push_back(session_.scene.lines()[line]);
+        snap_ = app::snap(raw, radius, near, firstWindow(session_.now().windows()), to);
+    }
+    return {snap_ ? snap_->point : raw, raw, at, buttons, modifiers};
+}
+
+QRectF Controller::offeredHandle() const
+{
+    if (clipWindow() || !tool_->showsHandles())
+        return {};
+    return offerPlace(session_.now().page().rectangle(), view());
+}
+
+void Controller::pointerEvent(QMouseEvent& event)
+{
+    if (event.type() == QEvent::MouseMove)
+        move(event);
+    else if (event.type() == QEvent::MouseButtonRelease)
+        release(event);
+    else if (event.type() == QEvent::MouseButtonDblClick && event.button() == Qt::MiddleButton)
+        fitDrawing();
+    else
+        press(event);
+    pointer_ = pointerAt(event.position(), event.buttons(), event.modifiers());
+    if (event.type() == QEvent::MouseButtonRelease)
+        snap_.reset(); // the snapped action is finished
+    emit pointerMoved(pointer_->position);
+}
+
+void Controller::press(QMouseEvent& event)
+{
+    if (event.button() == Qt::MiddleButton || (event.button() == Qt::LeftButton && space_)) {
+        panningFrom_ = event.position();
+        emit changed();
+        return;
+    }
+    if (event.button() != Qt::LeftButton || pressOffer(event))
+        return;
+    const Pointer pointer = pointerAt(event.position(), event.buttons(), event.modifiers());
+    if (!mayDraw())
+        return;
+    withTool([&] {
+        event.type() == QEvent::MouseButtonDblClick ? tool_->doubleClick(pointer, bench_)
+                                                    : tool_->press(pointer, bench_);
+    });
+}
+
+// Whether the offered handle takes the click. At the second press of a double click it no longer
+// exists.
+bool Controller::pressOffer(const QMouseEvent& event)
+{
+    if (onOffer_ && event.type() == QEvent::MouseButtonDblClick)
+        return true;
+    onOffer_ = offeredHandle().contains(event.position());
+    if (onOffer_)
+        layWindowOnPage(session_);
+    return onOffer_;
+}
+
+void Controller::move(QMouseEvent& event)
+{
+    if (panningFrom_) {
+        navigation_.pan(event.position() - *panningFrom_);
+        panningFrom_ = event.position();
+        return;
+    }
+    const Pointer pointer = pointerAt(event.position(), event.buttons(), event.modifiers());
+    pointer_ = pointer;
+    withTool([&] { tool_->move(pointer, bench_); });
+}
+
+void Controller::release(QMouseEvent& event)
+{
+    if (panningFrom_ && (event.button() == Qt::MiddleButton || event.button() == Qt::LeftButton)) {
+        panningFrom_.reset();
+        emit changed();
+        return;
+    }
+    if (event.button() != Qt::LeftButton || onOffer_)
+        return;
+    const Pointer pointer = pointerAt(event.position(), event.buttons(), event.modifiers());
+    withTool([&] { tool_->release(pointer, bench_); });
+}
+
+} // namespace ui

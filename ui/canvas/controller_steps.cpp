@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/canvas/controller.h"
+
+// Undo and redo, which act on the tool during a gesture of several steps.
+
+namespace ui {
+
+bool Controller::canUndo() const { return tool_->canTakeBack() || session_.history.canUndo(); }
+
+// While a polyline is being drawn, redoing a later step of the history would put it before the
+// corners.
+bool Controller::canRedo() const
+{
+    return tool_->canPutBack(bench_) || (!tool_->canTakeBack() && session_.history.canRedo());
+}
+
+void Controller::undo()
+{
+    if (tool_->canTakeBack())
+        withTool([&] { tool_->takeBack(bench_); });
+    else if (tool_->busy())
+        withTool([&] { tool_->cancel(bench_); });
+    else
+        session_.history.undo();
+}
+
+void Controller::redo()
+{
+    if (tool_->canPutBack(bench_))
+        withTool([&] { tool_->putBack(bench_); });
+    else if (!tool_->busy())
+        session_.history.redo();
+}
+
+QString Controller::undoText() const
+{
+    return tool_->canTakeBack() ? tool_->stepText() : session_.history.undoText();
+}
+
+QString Controller::redoText() const
+{
+    return tool_->canPutBack(bench_) ? tool_->stepText() : session_.history.redoText();
+}
+
+Controller::Steps Controller::steps() const
+{
+    return {canUndo(), canRedo(), tool_->canTakeBack(), tool_->pendingPoints()};
+}
+
+// Receivers copy the whole object being drawn, which would be slow for each point of a long
+// freehand line.
+void Controller::tellSteps(const Steps& before)
+{
+    const Steps now = steps();
+    Steps grown = before;
+    grown.points = now.points;
+    const bool following = now == grown && !now.takeBack && now.points > before.points;
+    if (now == before)
+        return;
+    if (following && !growing_.isActive())
+        growing_.start();
+    if (following)
+        return;
+    growing_.stop();
+    emit stepsChanged();
+}
+
+} // namespace ui

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/canvas/controller.h"
+#include "ui/tools/shape_drawing.h"
+
+// The current tool.
+
+namespace ui {
+
+void Controller::setTool(std::string_view key)
+{
+    const ToolInfo* info = findTool(key);
+    if (!info || info == toolInfo_)
+        return;
+    if (tool_)
+        tool_->end(bench_);
+    tool_ = info->make();
+    toolInfo_ = info;
+    snap_.reset();
+    emit stepsChanged();
+    emit toolChanged();
+    emit hintChanged();
+    emit changed();
+}
+
+// New objects must not be added to a locked or hidden layer.
+bool Controller::mayDraw() const
+{
+    const app::Containers& containers = session_.now().containers();
+    const app::ContainerId layer = session_.pen.layer;
+    return !tool_->draws() || (containers.shown(layer) && !containers.locked(layer));
+}
+
+QString Controller::hint() const
+{
+    if (!mayDraw())
+        return tr("The layer %1 is locked or hidden. Select another layer, or unlock and show this "
+                  "one.")
+            .arg(session_.now().containers()[session_.pen.layer].name);
+    const QString now = tool_->hint(bench_);
+    return now.isEmpty() ? toolInfo_->hint : now;
+}
+
+QCursor Controller::cursor() const
+{
+    if (panningFrom_)
+        return Qt::ClosedHandCursor;
+    if (space_)
+        return Qt::OpenHandCursor;
+    if (pointer_ && offeredHandle().contains(pointer_->screen.x, pointer_->screen.y))
+        return Qt::PointingHandCursor;
+    return mayDraw() ? tool_->cursor(bench_) : Qt::ForbiddenCursor;
+}
+
+void Controller::withTool(const std::function<void()>& call)
+{
+    const QString before = hint();
+    const Steps stepsBefore = steps();
+    call();
+    navigation_.go(toolView_);
+    if (hint() != before)
+        emit hintChanged();
+    tellSteps(stepsBefore);
+    emit changed();
+}
+
+void Controller::endGesture()
+{
+    panningFrom_.reset();
+    if (tool_->busy())
+        withTool([&] { tool_->end(bench_); });
+}
+
+std::optional<app::PendingObject> Controller::objectInHand() const
+{
+    const auto path = tool_->pendingPath();
+    if (!path)
+        return std::nullopt;
+    return app::PendingObject{objectOf(session_, std::span(&*path, 1)), session_.pen.layer};
+}
+
+} // namespace ui

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scene/bounds.h"
+#include "ui/canvas/controller.h"
+
+#include <glm/common.hpp>
+
+namespace ui {
+
+// Shows the page and objects outside it.
+void Controller::fitDrawing()
+{
+    clipping::Window all = session_.now().page().rectangle();
+    if (const auto lines = app::boundsOf(session_.scene.lines()))
+        all = {glm::min(all.min, lines->min), glm::max(all.max, lines->max)};
+    navigation_.show(all);
+}
+
+void Controller::fitSelection()
+{
+    const auto& bounds = session_.selectionBounds();
+    bounds ? navigation_.show(*bounds) : fitDrawing();
+}
+
+void Controller::fitWindow() { navigation_.show(window()); }
+
+static double pixelsPerUnit(const app::Page& page)
+{
+    return page.millimetresPerUnit() / app::infoOf(app::Unit::Px).millimetres;
+}
+
+double Controller::zoom() const { return view().zoom / pixelsPerUnit(session_.now().page()); }
+
+void Controller::setZoom(double zoom)
+{
+    const QPointF middle(view().size.x / 2, view().size.y / 2);
+    navigation_.zoomAt(middle, zoom / this->zoom());
+}
+
+} // namespace ui
