@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/overlays/parts.h"
-#include "clipping/exact/turn.h"
 #include "clipping/outcode.h"
 
 #include <QCoreApplication>
+
+#include <algorithm>
+#include <iterator>
 
 namespace app {
 
@@ -57,14 +59,13 @@ Point cornerOf(const Question& question, const clipping::Window& w)
     return {clipping::levelOf(question.edge[0], w), clipping::levelOf(question.edge[1], w)};
 }
 
-/// Whether the line passes a corner on the outside: the corner and the opposite one are on one
-/// side.
-bool passesOutside(const clipping::Segment& s, const Point& corner, const clipping::Window& w)
+/// The far edge of the corner that the line passes on the outside; None: of no corner. The test of
+/// that corner is the last one before the line is rejected.
+Edge edgeOfRejection(const clipping::Trace& trace)
 {
-    const Point opposite(corner.x == w.min.x ? w.max.x : w.min.x,
-                         corner.y == w.min.y ? w.max.y : w.min.y);
-    const int here = clipping::turnInIntegers(s.a, s.b, s.a, corner);
-    return here != 0 && here == clipping::turnInIntegers(s.a, s.b, s.a, opposite);
+    if (trace.outcome == clipping::Outcome::Visible || trace.steps.size() < 2)
+        return Edge::None;
+    return trace.steps[trace.steps.size() - 2].edge;
 }
 
 QString caption(const OverlayContext& context, std::span<const EndMove> moves,
@@ -105,11 +106,13 @@ QString choiceWords(const Question& question, std::span<const EndMove> moves, YA
 std::vector<OverlayMark> corners(const OverlayContext& context, std::span<const EndMove> moves)
 {
     using Symbol = OverlayMark::Symbol;
+    const Edge rejecting = edgeOfRejection(context.trace);
     std::vector<OverlayMark> marks;
     for (const Question& question : questionsOf(wayOf(*context.line, context.window))) {
         const Point corner = cornerOf(question, context.window);
         const bool missed =
-            question.decides && passesOutside(*context.line, corner, context.window);
+            question.decides
+            && std::ranges::find(question.edge, rejecting) != std::end(question.edge);
         marks.push_back({.at = corner,
                          .symbol = missed ? Symbol::Hollow : Symbol::Filled,
                          .label = missed             ? tr("passed outside: missed")

@@ -252,6 +252,17 @@ private slots:
         }
     }
 
+    // A line that passes the window on the right, from the left and below to the right and above:
+    // the top left corner does not reject it.
+    void onlyTheCornerThatRejectsIsMissed()
+    {
+        const auto marks = of(app::exactVariant(), {{0, 0}, {4, 4}}, {{-1, -20}, {6, 5}}).marks;
+        QCOMPARE(marks[0].at, Point(0, 4));
+        QCOMPARE(marks[0].symbol, OverlayMark::Symbol::Filled);
+        QCOMPARE(marks[1].at, Point(4, 0));
+        QCOMPARE(marks[1].symbol, OverlayMark::Symbol::Hollow);
+    }
+
     // What the pushes leave is what is visible, and the marks are where the trace has been.
     void pushesEndWhereTheTraceEnds()
     {
