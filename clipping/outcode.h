@@ -7,13 +7,17 @@
 
 namespace clipping {
 
-/// The sides of the window that a point is strictly beyond: a sum of these bits, 0 inside.
+/// The bits of an outcode: the sides of the window that a point is strictly beyond. The next two
+/// bits, 16 and 32, are those of the third axis.
 namespace outcode {
-inline constexpr unsigned left = 1, right = 2, bottom = 4, top = 8; // 16 and 32 on the third axis
+inline constexpr unsigned left = 1;   ///< x < xmin
+inline constexpr unsigned right = 2;  ///< x > xmax
+inline constexpr unsigned bottom = 4; ///< y < ymin
+inline constexpr unsigned top = 8;    ///< y > ymax
 } // namespace outcode
 
 /// The side of an axis that a number is strictly beyond: `left` below `low`, `right` above `high`.
-/// At most two comparisons.
+/// 0 between them, and for a NaN. At most two comparisons.
 template <class T>
 constexpr unsigned sideBeyond(const T& v, const T& low, const T& high)
 {
@@ -29,6 +33,8 @@ constexpr unsigned sideBeyond(const T& v, const T& low, const T& high)
     return below | (above & ~below) << 1;
 }
 
+/// The outcode of a point: the sum of its bits, 0 in the window and on its edges. The window has
+/// min <= max on every axis.
 template <class T, glm::length_t N>
 constexpr unsigned outcodeOf(const glm::vec<N, T>& p, const BasicWindow<T, N>& w)
 {
