@@ -3,7 +3,7 @@
 // frames [LINES|FILE] [raster|gl] [PICTURE.png]
 // and what it takes while all algorithms race on each frame.
 #include "app/document/document_builder.h"
-#include "app/session/live_race.h"
+#include "app/race/live_race.h"
 #include "ui/canvas/canvas.h"
 
 #include <QApplication>
@@ -126,7 +126,9 @@ std::vector<std::pair<QString, Figures>> movedInPanes(app::Session& session, ui:
 
 void compare(QTextStream& out, app::Session& session, ui::Canvas& canvas)
 {
-    app::LiveRace race(session);
+    app::LiveRace race(session.document, session.scene);
+    QObject::connect(&session, &app::Session::previewChanged, &race,
+                     [&] { race.setWindow(session.window()); });
     std::vector<const clipping::Algorithm*> all;
     for (const clipping::Algorithm& algorithm : clipping::algorithms())
         all.push_back(&algorithm);

@@ -39,7 +39,7 @@ QLabel* caption(const QFont& font)
 } // namespace
 
 ComparePanel::ComparePanel(app::Session& session, QWidget* parent)
-    : QWidget(parent), race_(session),
+    : QWidget(parent), race_(session.document, session.scene),
       forms_(new Segments(tr("Forms"), {tr("Corrected"), tr("Published"), tr("Both")})),
       table_(new CompareTable(session)), state_(caption(font())), groups_(caption(font())),
       field_(caption(font()))
@@ -73,6 +73,9 @@ ComparePanel::ComparePanel(app::Session& session, QWidget* parent)
         chooseForms(index);
     });
     connect(&race_, &app::LiveRace::advanced, this, &ComparePanel::showRace);
+    const auto follow = [this, &session] { race_.setWindow(session.window()); };
+    connect(&session, &app::Session::previewChanged, this, follow);
+    follow();
     const int forms = app::rememberedNumber(setting, 0, bothForms, bothForms);
     forms_->choose(forms);
     chooseForms(forms);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/session/live_race.h"
+#include "app/race/live_race.h"
+#include "app/session/session.h"
 
 #include <QLabel>
 #include <QWidget>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/race/race.h"
-#include "app/session/session.h"
+#include "app/scene/scene.h"
 
 #include <QElapsedTimer>
 #include <QTimer>
@@ -18,8 +18,10 @@ class LiveRace : public QObject {
     Q_OBJECT
 
 public:
-    explicit LiveRace(const Session& session, QObject* parent = nullptr);
+    LiveRace(const EditedDocument& document, const Scene& scene, QObject* parent = nullptr);
 
+    /// The current place of the clip window, also during a drag.
+    void setWindow(const clipping::Window& window);
     /// Sets the competing variants, at least one; forgets all measurements.
     void setVariants(std::vector<Variant> variants);
     std::span<const Variant> variants() const { return variants_; }
@@ -39,7 +41,6 @@ signals:
     void advanced(); ///< rounds have finished, or the race has settled; at most ten times a second
 
 private:
-    void followWindow();
     void follow(const DocumentChange& change);
     bool isOnWhatIsShown() const; ///< the running round, or the last one
     void begin();
@@ -47,7 +48,8 @@ private:
     void finishRound();
     bool enough() const;
 
-    const Session& session_;
+    const Scene& scene_;
+    clipping::Window window_;
     std::vector<Variant> variants_;
     std::optional<Race> race_;
     bool settled_ = false;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/session/live_race.h"
+#include "app/race/live_race.h"
 
 #include "app/experiment/ranking.h"
+#include "app/scene/compared_window.h"
 #include "app/view/frame_statistics.h"
 
 #include <algorithm>
@@ -15,7 +16,9 @@ constexpr qint64 longEnough = 10'000; // milliseconds; for large drawings, whose
 
 } // namespace
 
-LiveRace::LiveRace(const Session& session, QObject* parent) : QObject(parent), session_(session)
+LiveRace::LiveRace(const EditedDocument& document, const Scene& scene, QObject* parent)
+    : QObject(parent), scene_(scene),
+      window_(comparedWindow(document.now().windows(), document.now().page()).window)
 {
     for (QTimer* timer : {&next_, &show_}) {
         timer->setSingleShot(true);
@@ -24,8 +27,7 @@ LiveRace::LiveRace(const Session& session, QObject* parent) : QObject(parent), s
     connect(&work_, &QTimer::timeout, this, &LiveRace::work); // when there are no other events
     connect(&next_, &QTimer::timeout, this, &LiveRace::begin);
     connect(&show_, &QTimer::timeout, this, &LiveRace::advanced);
-    connect(&session, &Session::previewChanged, this, &LiveRace::followWindow);
-    connect(&session.document, &EditedDocument::changed, this, &LiveRace::follow);
+    connect(&document, &EditedDocument::changed, this, &LiveRace::follow);
 }
 
 void LiveRace::setVariants(std::vector<Variant> variants)
@@ -54,8 +56,9 @@ void LiveRace::stop()
 }
 
 // Paint requests are queued, and a timer waits for all queued events: the frame comes first.
-void LiveRace::followWindow()
+void LiveRace::setWindow(const clipping::Window& window)
 {
+    window_ = window;
     if (running() && !race_->running() && !isOnWhatIsShown())
         next_.start(0);
 }
@@ -84,10 +87,7 @@ void LiveRace::follow(const DocumentChange& change)
     next_.start(tenthOfASecond);
 }
 
-bool LiveRace::isOnWhatIsShown() const
-{
-    return race_->frame().is(session_.scene.lines(), session_.window());
-}
+bool LiveRace::isOnWhatIsShown() const { return race_->frame().is(scene_.lines(), window_); }
 
 void LiveRace::begin()
 {
@@ -100,8 +100,7 @@ void LiveRace::begin()
         !same && sinceFindings_.isValid() && sinceFindings_.elapsed() < tenthOfASecond;
     if (!quick)
         sinceFindings_.start();
-    race_->begin({session_.scene.lines(), session_.window()},
-                 quick ? Race::Purpose::Times : Race::Purpose::Findings);
+    race_->begin({scene_.lines(), window_}, quick ? Race::Purpose::Times : Race::Purpose::Findings);
     settled_ = false;
     work_.start(0);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/set_window.h"
-#include "app/session/live_race.h"
+#include "app/race/live_race.h"
+#include "app/session/session.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -55,10 +56,12 @@ app::Sheet sheetOf(int lines)
 struct Track {
     std::array<Algorithm, 2> rows{counting<0>(), counting<1>()};
     app::Session session;
-    app::LiveRace race{session};
+    app::LiveRace race{session.document, session.scene};
 
     explicit Track(int lines)
     {
+        QObject::connect(&session, &app::Session::previewChanged, &race,
+                         [this] { race.setWindow(session.window()); });
         session.load({app::documentOf(sheetOf(lines)), {}});
         race.setVariants({{&rows[0], Form::Corrected}, {&rows[1], Form::Corrected}});
         calls.clear();
