@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/view/picture.h"
+#include "app/view/draw_list.h"
 
 #include <QPainterPath>
 

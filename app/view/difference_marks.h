@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/view/picture.h"
+#include "app/scene/scene_lines.h"
+#include "app/view/draw_list.h"
+#include "app/view/picture_options.h"
 
 namespace app {
 

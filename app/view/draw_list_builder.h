@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/view/outline.h"
+#include "app/view/picture_options.h"
 #include "app/view/polyline_builder.h"
 
 namespace app {

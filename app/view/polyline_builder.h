@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/view/picture.h"
+#include "app/view/draw_list.h"
+#include "app/view/view.h"
+
+#include <optional>
+#include <vector>
 
 namespace app {
 

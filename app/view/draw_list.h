@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/style.h"
+
+#include <QPointF>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace app {
+
+/// A polyline on screen, in logical pixels from the top left corner of the canvas.
+struct Polyline {
+    std::uint32_t first, count; ///< in DrawList::points; at least two
+    bool closed;                ///< the last point equals the first: a join there, no caps
+    bool capAtStart, capAtEnd;  ///< true for the stroke's own ends; ends made by a cut are butt
+};
+
+/// A stroke style; the width is in logical pixels.
+struct StrokeStyle {
+    Colour colour;
+    double width = 1;
+    Cap cap = Cap::Butt;
+    Join join = Join::Miter;
+    double miterLimit = 4;
+    friend bool operator==(const StrokeStyle&, const StrokeStyle&) = default;
+};
+
+/// A draw command: consecutive polylines that are stroked with one style, or filled together as one
+/// area.
+struct DrawCommand {
+    std::optional<StrokeStyle> stroke;
+    Colour fill{};
+    FillRule rule = FillRule::NonZero;
+    std::uint32_t firstPolyline = 0, polylines = 0;
+};
+
+/// A draw list: draw commands from bottom to top.
+struct DrawList {
+    std::vector<DrawCommand> commands;
+    std::vector<Polyline> polylines;
+    std::vector<QPointF> points;
+
+    std::span<const Polyline> polylinesOf(const DrawCommand& command) const
+    {
+        return std::span(polylines).subspan(command.firstPolyline, command.polylines);
+    }
+    std::span<const QPointF> pointsOf(const Polyline& polyline) const
+    {
+        return std::span(points).subspan(polyline.first, polyline.count);
+    }
+};
+
+} // namespace app

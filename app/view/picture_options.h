@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/object_ranges.h"
+#include "app/document/style.h"
+#include "app/view/removed_part.h"
+#include "app/view/view.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace app {
+
+/// How ghosts are mixed with the page colour if they are not a translucent layer.
+struct Ghosting {
+    Colour page;
+    double opacity;
+};
+
+/// The options of a frame.
+struct PictureOptions {
+    View view;
+    RemovedPart removed = RemovedPart::Ghosted;
+    std::optional<Colour> page; ///< make all colours visible on this page colour; empty: leave them
+                                ///< unchanged
+    double leastWidth = 0.75;   ///< logical pixels; thinner strokes are drawn this wide
+    double strokes = 1;         ///< factor of stroke widths
+    /// For projectors: ghosts are drawn in opaque colours visible on this page (see ghostColour in
+    /// visible_colour.h), instead of as a layer with the ghost's opacity.
+    std::optional<Ghosting> ghosting{};
+    std::span<const ObjectRange> selection{}; ///< objects to draw again, on top, in `light`
+    Colour light{};
+    std::span<const clipping::Clipped> differing{}; ///< pieces to draw on top of everything, in
+                                                    ///< `marked`
+    Colour marked{};
+    /// A tick across a differing piece: only if the piece is too short to be seen, or always; none
+    /// where ticks would hide other pieces.
+    enum class Ticks : std::uint8_t { WhereShort, Everywhere };
+    Ticks ticks = Ticks::WhereShort;
+    /// Pieces to draw above everything except the differing pieces, each group in a colour that is
+    /// visible on the page.
+    struct Graded {
+        std::span<const clipping::Clipped> pieces;
+        Colour colour;
+    };
+    std::vector<Graded> graded{};
+};
+
+} // namespace app
