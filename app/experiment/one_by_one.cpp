@@ -2,7 +2,6 @@
 #include "app/experiment/one_by_one.h"
 
 #include "app/base/latin.h"
-#include "app/base/short_names.h"
 #include "app/experiment/paper_runs.h"
 
 #include <QCoreApplication>
@@ -36,14 +35,6 @@ std::size_t clipEach(std::span<const clipping::BasicSegment<T>> in,
 
 bool isExact(const Variant& one) { return one.algorithm == &clipping::exactAlgorithm(); }
 bool isOneByOne(const Variant& one) { return one.algorithm == &exactOneByOne(); }
-
-/// The median clipping time; empty if there is no such variant.
-std::optional<double> medianOf(const Record& record, bool (*is)(const Variant&))
-{
-    const auto found = std::ranges::find_if(record.timings, is, &Timing::variant);
-    return found == record.timings.end() ? std::nullopt
-                                         : std::optional(summaryOf(found->clip).median);
-}
 
 } // namespace
 
@@ -101,17 +92,6 @@ QString batchText(std::span<const Variant> variants)
                : batches
                      + Experiments::tr(" “EX one by one” is the same algorithm, called line "
                                        "by line.");
-}
-
-QString batchText(const Record& record)
-{
-    const auto batch = medianOf(record, isExact), each = medianOf(record, isOneByOne);
-    if (!batch || !each)
-        return {};
-    return Experiments::tr("Exact (EX) is timed in batches: it clips many lines at once with the "
-                           "processor's vector instructions and takes %1. Called line by line, "
-                           "like the other algorithms, it takes %2.")
-        .arg(timeText(*batch), timeText(*each));
 }
 
 } // namespace app

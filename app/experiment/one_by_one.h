@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/experiment/record.h"
+#include "app/base/variant.h"
+
+#include <QString>
+
+#include <span>
+#include <vector>
 
 namespace app {
 
@@ -22,8 +27,5 @@ std::vector<Variant> withoutOneByOne(std::span<const Variant> variants);
 
 /// One sentence for a table or chart of these variants; empty without `exact`.
 QString batchText(std::span<const Variant> variants);
-
-/// The same for a record, with both times if it has both.
-QString batchText(const Record& record);
 
 } // namespace app

@@ -2,12 +2,15 @@
 #include "app/experiment/record.h"
 
 #include "app/base/latin.h"
+#include "app/base/short_names.h"
 #include "app/experiment/circumstances.h"
 #include "app/experiment/one_by_one.h"
 #include "app/experiment/ranking_text.h"
 #include "app/formats/rectangle_text.h"
 
 #include <QCoreApplication>
+
+#include <algorithm>
 
 namespace app {
 namespace {
@@ -50,6 +53,16 @@ QStringList rowOf(const Timing& timing, const Summary& times, const Ranking& ran
             QString::number(timing.found.lost),
             QString::number(timing.found.shown),
             hexadecimal(timing.found.checksum)};
+}
+
+/// The median clipping time of an algorithm; empty if it was not timed.
+std::optional<double> medianOf(const Record& record, const clipping::Algorithm& algorithm)
+{
+    const auto found = std::ranges::find_if(record.timings, [&](const Timing& timing) {
+        return timing.variant.algorithm == &algorithm;
+    });
+    return found == record.timings.end() ? std::nullopt
+                                         : std::optional(summaryOf(found->clip).median);
 }
 
 } // namespace
@@ -126,6 +139,18 @@ std::vector<std::pair<QString, QString>> factsOf(const Record& record)
         facts.emplace_back("drawn", record.target);
     facts.insert(facts.end(), record.circumstances.begin(), record.circumstances.end());
     return facts;
+}
+
+QString batchText(const Record& record)
+{
+    const auto batch = medianOf(record, clipping::exactAlgorithm());
+    const auto each = medianOf(record, exactOneByOne());
+    if (!batch || !each)
+        return {};
+    return Experiments::tr("Exact (EX) is timed in batches: it clips many lines at once with the "
+                           "processor's vector instructions and takes %1. Called line by line, "
+                           "like the other algorithms, it takes %2.")
+        .arg(timeText(*batch), timeText(*each));
 }
 
 Table timesTable(const Record& record, const Measure& measure)

@@ -34,6 +34,10 @@ std::vector<std::pair<QString, QString>> factsOf(const ExperimentOptions& option
 /// Facts that hold for the whole record: those about the lines, and runs, clock, machine, ...
 std::vector<std::pair<QString, QString>> factsOf(const Record& record);
 
+/// One sentence on `exact`, which is timed in batches, with its times in batches and line by line;
+/// empty without both.
+QString batchText(const Record& record);
+
 /// A row for each variant: its times, its rank, and its findings.
 Table timesTable(const Record& record, const Measure& measure);
 
