@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/hard_cases/case_filter.h"
 
+#include "app/comparison/variants.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/hard_cases/hard_case.h"
+#include "app/hard_cases/case_answer.h"
 
 #include <QRectF>
 

@@ -2,6 +2,7 @@
 #include "app/hard_cases/case_use.h"
 
 #include "app/document/document_builder.h"
+#include "app/hard_cases/case_answer.h"
 
 #include <QCoreApplication>
 

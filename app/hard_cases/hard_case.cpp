@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/hard_cases/hard_case.h"
 
+#include "app/comparison/variants.h"
+
 #include <QCoreApplication>
 #include <QFile>
 #include <QJsonArray>

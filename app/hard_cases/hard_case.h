@@ -3,8 +3,13 @@
 
 #include "app/base/result.h"
 #include "app/hard_cases/ruling.h"
+#include "clipping/geometry.h"
 
 #include <QByteArray>
+
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace app {
 

@@ -2,6 +2,7 @@
 #include "app/lessons/reading.h"
 
 #include "app/base/latin.h"
+#include "app/hard_cases/case_answer.h"
 #include "app/hard_cases/case_filter.h"
 #include "app/hard_cases/case_use.h"
 #include "app/teaching/page.h"

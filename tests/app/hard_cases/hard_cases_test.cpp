@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every hard case against exact arithmetic, and every algorithm on every hard case.
-#include "app/hard_cases/hard_case.h"
+#include "app/comparison/variants.h"
+#include "app/hard_cases/case_answer.h"
 
 #include <QFile>
 #include <QSet>
