@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/canvas/algorithm_overlay.h"
+#include "app/overlays/overlay.h"
+#include "ui/canvas/overlay_ground.h"
+
+#include <QPainter>
 
 namespace ui {
 
