@@ -29,7 +29,10 @@ const Look& lookOf(const QPalette& palette);
 
 enum class Theme : std::uint8_t { System, Light, Dark };
 
-/// Sets style, palette and style sheet of the whole program.
+/// The look of a theme. System: the one that matches the application's palette.
+const Look& lookOf(Theme theme);
+
+/// Sets style, palette and style sheet of the whole program (theme.cpp).
 void applyTheme(QApplication& application, Theme theme);
 
 /// Distances in logical pixels.
