@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/menus/panes_menu.h"
+
+#include "ui/window/main_window.h"
+
+#include <QCoreApplication>
+
+namespace ui {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("PanesMenu", text); }
+
+template <std::size_t count>
+void showPanes(MainWindow& window)
+{
+    app::Panes panes = window.canvas().panes();
+    panes.show(count);
+    window.canvas().setPanes(panes);
+}
+
+template <std::size_t count>
+bool showsPanes(const MainWindow& window)
+{
+    return window.canvas().panes().size() == count;
+}
+
+void showAllPanes(MainWindow& window)
+{
+    app::Panes panes = window.canvas().panes();
+    panes.showAll();
+    window.canvas().setPanes(panes);
+}
+
+bool severalPanes(const MainWindow& window) { return window.canvas().panes().size() > 1; }
+
+void activatePane(MainWindow& window, std::size_t by)
+{
+    const app::Panes& panes = window.canvas().panes();
+    window.canvas().activatePane((panes.active() + by) % panes.size());
+    window.canvas().setFocus();
+}
+
+void closePane(MainWindow& window)
+{
+    app::Panes panes = window.canvas().panes();
+    panes.close(panes.active());
+    window.canvas().setPanes(panes);
+}
+
+} // namespace
+
+// NOLINTNEXTLINE(readability-function-size): a table, a row for each entry
+std::vector<ActionInfo> panesRows()
+{
+    const QString panes = tr("Pan&es");
+    return {
+        {
+            .key = "panes-1",
+            .text = tr("&One pane"),
+            .keys = {QKeySequence("Ctrl+1")},
+            .run = showPanes<1>,
+            .checked = showsPanes<1>,
+            .group = "panes",
+            .submenu = panes,
+        },
+        {
+            .key = "panes-2",
+            .text = tr("&Two panes"),
+            .keys = {QKeySequence("Ctrl+2")},
+            .run = showPanes<2>,
+            .checked = showsPanes<2>,
+            .group = "panes",
+            .submenu = panes,
+        },
+        {
+            .key = "panes-4",
+            .text = tr("&Four panes"),
+            .keys = {QKeySequence("Ctrl+4")},
+            .icon = "panes",
+            .run = showPanes<4>,
+            .checked = showsPanes<4>,
+            .group = "panes",
+            .submenu = panes,
+        },
+        {
+            .key = "panes-all",
+            .text = tr("A pane for &every algorithm"),
+            .keys = {QKeySequence("Ctrl+9")},
+            .run = showAllPanes,
+            .checked = [](const MainWindow& w) { return w.canvas().panes().showsAll(); },
+            .group = "panes",
+            .submenu = panes,
+        },
+        {
+            .key = "next-pane",
+            .text = tr("&Next pane"),
+            .keys = {QKeySequence("F6")},
+            .run = [](MainWindow& w) { activatePane(w, 1); },
+            .enabled = severalPanes,
+            .submenu = panes,
+        },
+        {
+            .key = "previous-pane",
+            .text = tr("&Previous pane"),
+            .keys = {QKeySequence("Shift+F6")},
+            .run = [](MainWindow& w) { activatePane(w, w.canvas().panes().size() - 1); },
+            .enabled = severalPanes,
+            .submenu = panes,
+        },
+        {
+            .key = "close-pane",
+            .text = tr("&Close pane"),
+            .keys = {QKeySequence("Ctrl+Shift+W")},
+            .run = closePane,
+            .enabled = severalPanes,
+            .submenu = panes,
+        },
+    };
+}
+
+} // namespace ui
