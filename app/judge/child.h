@@ -21,11 +21,4 @@ bool isChild(const QStringList& arguments);
 /// and not longer than the thread that started it; no process that the library started survives.
 int runChild(const QStringList& arguments);
 
-/// The child's second line: a word for the result, a space, and the name of the algorithm or the
-/// loader's message.
-namespace hello {
-inline constexpr auto ready = "ready", notLoadable = "not-loadable", noFunction = "no-function",
-                      otherVersion = "other-version";
-} // namespace hello
-
 } // namespace app::plug_in

@@ -2,6 +2,7 @@
 #include "app/judge/examination.h"
 
 #include "app/judge/child.h"
+#include "app/judge/hello.h"
 #include "app/judge/library_file.h"
 #include "app/judge/signal_text.h"
 
