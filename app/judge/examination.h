@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/judge/case.h"
 #include "app/judge/child_process.h"
-#include "app/judge/judge.h"
+#include "app/judge/verdict.h"
 
 #include <QElapsedTimer>
 
