@@ -5,6 +5,7 @@
 #include "app/base/number.h"
 #include "app/base/replace_file.h"
 #include "app/base/write_all.h"
+#include "app/cost_map/translation.h"
 #include "app/cost_map/words.h"
 
 #include <QBuffer>

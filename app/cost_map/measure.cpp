@@ -4,7 +4,7 @@
 #include "app/base/latin.h"
 #include "app/base/numbers.h"
 #include "app/base/promised_operations.h"
-#include "app/cost_map/words.h"
+#include "app/cost_map/translation.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/numbers.h"
 #include "app/cost_map/paint.h"
+#include "app/cost_map/translation.h"
 #include "app/cost_map/words.h"
 #include "app/view/sequential_scale.h"
 

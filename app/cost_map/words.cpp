@@ -2,6 +2,7 @@
 #include "app/cost_map/words.h"
 
 #include "app/base/numbers.h"
+#include "app/cost_map/translation.h"
 
 #include <QLocale>
 

@@ -3,14 +3,7 @@
 
 #include "app/cost_map/cost_map.h"
 
-#include <QCoreApplication>
-
 namespace app {
-
-/// The translation context of cost maps.
-struct CostMaps {
-    Q_DECLARE_TR_FUNCTIONS(CostMaps)
-};
 
 /// "NLN", or for a tie "NLN = SB".
 QString namesOf(const CostPlan& plan, std::uint32_t cheapest);
