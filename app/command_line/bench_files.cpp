@@ -61,7 +61,7 @@ std::vector<BenchFile> parsedFiles(const ParsedArguments& arguments)
 void writeFiles(const std::vector<BenchFile>& files, const Study& study)
 {
     for (const BenchFile& file : files) {
-        const auto written = file.kind.write(study, file.path);
+        const auto written = file.kind.write(study, file.path, {});
         if (!written)
             throw Failure{written.error};
         for (const QString& path : *written.value)

@@ -12,13 +12,12 @@ public:
     static constexpr CommandKind row{"crop-to-window", "Cuts the drawing at its clip window"};
 
     CropToWindow(EditedDocument& document, const CutOptions& options);
+    CropToWindow(EditedDocument& document, Cut cut); ///< `cut` of the present document
 
     const CutCounts& counts() const { return counts_; }
     bool changes() const { return counts_.cut + counts_.gone > 0; } ///< whether an object changes
 
 private:
-    CropToWindow(EditedDocument& document, Cut cut);
-
     CutCounts counts_;
 };
 

@@ -42,8 +42,9 @@ void History::append(Step step)
         bytes_ -= steps_.back().bytes;
         steps_.pop_back();
     }
-    if (clean_ > index_)
-        clean_.reset(); // that state was undone and can no longer be redone
+    for (auto* clean : {&clean_, &cleanNext_})
+        if (*clean > index_)
+            clean->reset(); // that state was undone and can no longer be redone
     steps_.push_back(std::move(step));
     ++index_;
     measure(steps_.back());
@@ -69,8 +70,9 @@ int History::forgetOldest()
         bytes_ -= steps_.front().bytes;
         steps_.pop_front();
     }
-    if (clean_)
-        clean_ = *clean_ >= gone ? std::optional(*clean_ - gone) : std::nullopt;
+    for (auto* clean : {&clean_, &cleanNext_})
+        if (*clean)
+            *clean = **clean >= gone ? std::optional(**clean - gone) : std::nullopt;
     forgotten_ += gone;
     return gone;
 }
@@ -141,12 +143,23 @@ void History::endMacro()
 
 void History::setClean()
 {
+    beginClean();
+    endClean();
+}
+
+void History::beginClean()
+{
     assert(macros_ == 0);
-    const bool wasClean = isClean();
-    clean_ = index_;
+    cleanNext_ = index_;
     lastPush_.reset(); // a command that merged with the last step would lose the saved state
-    if (!wasClean)
-        emit cleanChanged(true);
+}
+
+void History::endClean()
+{
+    const bool wasClean = isClean();
+    clean_ = std::exchange(cleanNext_, std::nullopt);
+    if (wasClean != isClean())
+        emit cleanChanged(!wasClean);
 }
 
 void History::resetClean()
@@ -167,6 +180,7 @@ void History::clear()
     index_ = macros_ = forgotten_ = 0;
     bytes_ = 0;
     clean_ = 0;
+    cleanNext_.reset();
     notify(wasClean);
 }
 

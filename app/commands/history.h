@@ -53,6 +53,10 @@ public:
     /// Whether the document is in its state at the last setClean(), or at the start of the history.
     bool isClean() const { return macros_ == 0 && clean_ == index_; }
     void setClean();
+    /// setClean() in two parts, for a state that is saved while the history may go on: the state at
+    /// beginClean() becomes the clean one at endClean().
+    void beginClean();
+    void endClean();
     void resetClean(); ///< no step leads back to a clean state any more
     void clear();      ///< forgets all steps, for a new document, which is clean
 
@@ -90,6 +94,7 @@ private:
     std::deque<Step> steps_;
     int index_ = 0;
     std::optional<int> clean_ = 0; ///< the index at which the document is clean
+    std::optional<int> cleanNext_; ///< that index after endClean()
     Step macro_;                   ///< being recorded while macros_ > 0
     int macros_ = 0;               ///< the number of open, nested macros
     std::size_t bytes_ = 0, limit_ = usualLimit;

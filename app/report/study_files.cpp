@@ -54,29 +54,39 @@ QStringList chartPaths(const Study& study, const QString& path)
     return paths;
 }
 
-/// The circumstances become facts of every table.
-Written writeTables(const TableFormat& format, const Study& study, const QString& path)
+/// Writes the files in turn by `write(i)`, until one fails or a stop is requested.
+Written writeEach(const QStringList& paths, const std::stop_token& stop,
+                  const std::function<std::optional<QString>(qsizetype)>& write)
 {
-    const auto tables = tablesOf(study);
-    const QStringList paths = tablePaths(format, study, path);
-    if (paths == QStringList{path}) {
-        const auto error = writeText(path, format.text(tables));
-        return error ? Written::failure(*error) : Written::of(paths);
-    }
-    for (std::size_t i = 0; i < tables.size(); ++i)
-        if (const auto error = writeTable(tables[i], format, paths[qsizetype(i)]))
+    for (qsizetype i = 0; i < paths.size(); ++i) {
+        if (stop.stop_requested())
+            return Written::of(paths.first(i));
+        if (const auto error = write(i))
             return Written::failure(*error);
+    }
     return Written::of(paths);
 }
 
-Written writeCharts(const Study& study, const QString& path)
+/// The circumstances become facts of every table.
+Written writeTables(const TableFormat& format, const Study& study, const QString& path,
+                    const std::stop_token& stop)
 {
+    const auto tables = tablesOf(study);
+    const QStringList paths = tablePaths(format, study, path);
+    const bool together = paths == QStringList{path};
+    return writeEach(paths, stop, [&](qsizetype i) {
+        return together ? writeText(path, format.text(tables))
+                        : writeTable(tables[std::size_t(i)], format, paths[i]);
+    });
+}
+
+Written writeCharts(const Study& study, const QString& path, const std::stop_token& stop)
+{
+    const auto charts = chartsOf(study);
     const QStringList paths = chartPaths(study, path);
-    qsizetype i = 0;
-    for (const Chart& chart : chartsOf(study))
-        if (const auto error = writeChart(chart, paths[i++], chartLook(Ground::Light)))
-            return Written::failure(*error);
-    return Written::of(paths);
+    return writeEach(paths, stop, [&](qsizetype i) {
+        return writeChart(charts[std::size_t(i)], paths[i], chartLook(Ground::Light));
+    });
 }
 
 } // namespace
@@ -92,22 +102,24 @@ std::vector<StudyFile> studyFiles()
     std::vector<StudyFile> rows;
     for (const TableFormat& format : tableFormats())
         if (format.key != u"text")
-            rows.push_back({StudyFile::Group::Tables, format.name, format.ending,
-                            [format](const Study& study, const QString& path) {
-                                return tablePaths(format, study, path);
-                            },
-                            [format](const Study& study, const QString& path) {
-                                return writeTables(format, study, path);
-                            }});
+            rows.push_back(
+                {StudyFile::Group::Tables, format.name, format.ending,
+                 [format](const Study& study, const QString& path) {
+                     return tablePaths(format, study, path);
+                 },
+                 [format](const Study& study, const QString& path, const std::stop_token& stop) {
+                     return writeTables(format, study, path, stop);
+                 }});
     for (const ChartFormat& format : chartFormats())
         rows.push_back(
             {StudyFile::Group::Charts, format.name, latin(format.key), chartPaths, writeCharts});
     for (const ReportFormat& format : reportFormats())
         rows.push_back({StudyFile::Group::Report, format.name, format.key,
                         [](const Study&, const QString& path) { return QStringList{path}; },
-                        [](const Study& study, const QString& path) {
-                            const auto error = writeReport(reportOf(study), path);
-                            return error ? Written::failure(*error) : Written::of({path});
+                        [](const Study& study, const QString& path, const std::stop_token& stop) {
+                            return writeEach({path}, stop, [&](qsizetype) {
+                                return writeReport(reportOf(study), path);
+                            });
                         }});
     return rows;
 }

@@ -6,6 +6,7 @@
 #include "app/tables/table.h"
 
 #include <functional>
+#include <stop_token>
 
 namespace app {
 
@@ -19,8 +20,11 @@ struct StudyFile {
     std::function<QStringList(const Study& study, const QString& path)> paths;
     /// Writes the study to `path`, replacing existing files only by complete new ones. Returns all
     /// files, or a sentence that says what failed. If each table or chart has a file of its own,
-    /// "times.csv" becomes "times-table1-clip-published.csv" and so on.
-    std::function<Result<QStringList>(const Study& study, const QString& path)> write;
+    /// "times.csv" becomes "times-table1-clip-published.csv" and so on. A stop request leaves out
+    /// the files not begun yet.
+    std::function<Result<QStringList>(const Study& study, const QString& path,
+                                      const std::stop_token& stop)>
+        write;
 };
 
 /// Tables in every format except text, then charts, then reports.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/session.h"
 
-#include "app/base/unfinished.h"
 #include "app/base/usual_algorithm.h"
 #include "app/document/followed_ranges.h"
 #include "app/scene/bounds.h"
@@ -91,6 +90,7 @@ void Session::load(Imported imported, const QString& path)
 {
     losses_ = std::move(imported.report);
     path_ = path;
+    saving_ = false;
     history.clear();
     document.load(std::move(imported.document));
     Display display = display_;
@@ -106,18 +106,21 @@ bool Session::mustSaveAs() const
            || std::ranges::any_of(losses_, [](const Loss& loss) { return !loss.remark; });
 }
 
-std::optional<QString> Session::save(const QString& path)
+Document Session::beginSaving()
 {
-    {
-        const Unfinished guard(path);
-        if (auto error = writeFile(now(), path))
-            return error;
-    }
+    saving_ = true;
+    history.beginClean();
+    return now();
+}
+
+void Session::endSaving(const QString& path)
+{
+    if (!std::exchange(saving_, false))
+        return;
     path_ = path;
     losses_.clear();
-    history.setClean();
+    history.endClean();
     emit fileChanged();
-    return std::nullopt;
 }
 
 // All other signals are emitted after the scene has followed the change.

@@ -101,8 +101,11 @@ public:
     QString path() const { return path_; } ///< empty: never saved
     const std::vector<Loss>& losses() const { return losses_; }
     bool mustSaveAs() const; ///< no path, or the import lost something
-    /// Saves to `path` (or to its own file) and remembers it; empty, or the error.
-    std::optional<QString> save(const QString& path);
+    /// Saving in two parts, because another thread writes the file (app/session/save.h): the
+    /// drawing to write; then, if `path` holds it, its path and saved state. A change in between
+    /// stays unsaved; after a load() in between, endSaving() does nothing.
+    Document beginSaving();
+    void endSaving(const QString& path);
 
 signals:
     void displayChanged();
@@ -130,6 +133,7 @@ private:
     ClipRegion region_;
     QString path_;
     std::vector<Loss> losses_;
+    bool saving_ = false; ///< between beginSaving() and endSaving(), without a load()
 };
 
 } // namespace app

@@ -49,6 +49,7 @@ bool save(const QString& drawing, ui::Theme theme, std::size_t panes, const QStr
     many.show(panes);
     window.canvas().setPanes(many);
     window.files().open(drawing);
+    window.files().wait();
     window.show();
     QCoreApplication::processEvents();
     return pictureOf(window).save(picture);

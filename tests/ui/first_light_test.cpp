@@ -156,7 +156,8 @@ private slots:
         QVERIFY(sheetOf(session.document).window == drawn);
 
         QTest::keyClick(canvas, Qt::Key_E, Qt::ControlModifier);
-        QTRY_VERIFY(QFile::exists(cutFile));
+        QTRY_VERIFY(!window.files().busy());
+        QVERIFY(QFile::exists(cutFile));
         QCOMPARE(QFileInfo(Answers::proposal).fileName(), QString("foreign-cut.svg"));
         QVERIFY2(!window.message().isEmpty(), "the export says what it did");
 

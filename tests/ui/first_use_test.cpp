@@ -61,7 +61,7 @@ private slots:
     void keepOutsideCountsTheLinesOutside()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines()); // with a window around both
+        t.open(t.twoLines()); // with a window around both
         t.show();
         QTRY_COMPARE(t.window->status().visibility(), "2 of 2 visible");
         ui::setKeep(t.window->session(), app::Keep::Outside);
@@ -71,7 +71,7 @@ private slots:
     {
         for (const char* const how : {"paste", "duplicate"}) {
             TestWindow t;
-            t.window->files().open(t.twoLines());
+            t.open(t.twoLines());
             t.show();
             app::Session& session = t.window->session();
             session.select({0});
@@ -130,7 +130,7 @@ private slots:
     void aClickBesideTheRowsKeepsTheSelection()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         t.show();
         t.window->findChild<LayersPanel*>()->findChild<QToolButton*>()->click(); // a second layer
         int lists = 0;
@@ -156,7 +156,7 @@ private slots:
     void renamingALayerKeepsItSelected()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         t.show();
         auto* panel = t.window->findChild<LayersPanel*>();
         panel->findChild<QToolButton*>()->click();
@@ -181,7 +181,7 @@ private slots:
     void listsReturnTheFocus()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         t.show();
         QVERIFY(QTest::qWaitForWindowActive(t.window.get()));
         // The focus within the window: without a window manager, closing a list does not make the
@@ -209,7 +209,7 @@ private slots:
     void listsOfTheComparisonPanelsGiveTheKeyboardBack()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         t.show();
         int tried = 0;
         for (const char* key : {"difference", "cost-map", "exactness"}) {
@@ -224,7 +224,7 @@ private slots:
     void escapeReturnsTheFocusToTheCanvas()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         t.show();
         QVERIFY(QTest::qWaitForWindowActive(t.window.get()));
         int tried = 0;

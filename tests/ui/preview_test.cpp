@@ -38,7 +38,7 @@ struct Desk : TestWindow {
         QByteArray path = "M0 0";
         for (int i = 1; i <= lines; ++i)
             path += "L" + QByteArray::number(i % 101) + " " + QByteArray::number(i % 97);
-        window->files().open(file(
+        open(file(
             "lines.svg", "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='100mm' "
                          "viewBox='0 0 100 100'><path stroke='#000' fill='none' d='"
                              + path + "'/></svg>"));
@@ -244,7 +244,7 @@ private slots:
         else if (how == "tool")
             t.window->canvas().setTool("line");
         else
-            t.window->files().open(t.twoLines());
+            t.open(t.twoLines());
         QCOMPARE(t.session().preview(), app::Preview{});
         QVERIFY(!changed.isEmpty());
         QCOMPARE(t.numbers(), t.numbersOf(sheetOf(t.session().document).window));

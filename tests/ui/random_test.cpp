@@ -26,7 +26,7 @@ class Somebody {
 public:
     explicit Somebody(quint64 seed) : random_(seed)
     {
-        test_.window->files().open(test_.twoLines());
+        test_.open(test_.twoLines());
         test_.show();
         test_.answers->answer = Questions::Answer::DontSave;
         for (QAction* action : test_.window->findChildren<QAction*>())
@@ -45,30 +45,12 @@ public:
         start_ = sheetOf(session().document);
     }
 
-    /// Sends one random event, and describes it.
+    /// Sends one random event, waits for the file that it reads or writes, and describes it.
     QString act()
     {
-        switch (below(13)) {
-        case 0:
-        case 1:
-            return command();
-        case 2:
-            return key();
-        case 3:
-            return list();
-        case 4:
-            return undo();
-        case 5:
-            return wheel();
-        case 6:
-            return resize();
-        case 7:
-            return drag();
-        case 8:
-            return pane();
-        default:
-            return mouse();
-        }
+        const QString what = send();
+        test_.window->files().wait();
+        return what;
     }
 
     /// The fault found now, or empty.
@@ -114,6 +96,30 @@ public:
     }
 
 private:
+    QString send()
+    {
+        switch (below(13)) {
+        case 0:
+        case 1:
+            return command();
+        case 2:
+            return key();
+        case 3:
+            return list();
+        case 4:
+            return undo();
+        case 5:
+            return wheel();
+        case 6:
+            return resize();
+        case 7:
+            return drag();
+        case 8:
+            return pane();
+        default:
+            return mouse();
+        }
+    }
     app::Session& session() { return test_.window->session(); }
     int below(int most) { return int(random_() % unsigned(most)); }
     template <class List>

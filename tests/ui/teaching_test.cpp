@@ -16,7 +16,7 @@ struct Stage : ui::TestWindow {
     Stage()
     {
         show();
-        window->files().open(twoLines());
+        open(twoLines());
         QCoreApplication::processEvents();
     }
     void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier)

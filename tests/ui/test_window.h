@@ -87,6 +87,26 @@ public:
         window->activateWindow();
         window->canvas().setFocus();
     }
+    /// Opens a file, and waits until it is shown.
+    void open(const QString& file) const
+    {
+        window->files().open(file);
+        window->files().wait();
+    }
+    /// Chooses a command, and waits until no file is read or written any more.
+    void run(const char* command) const
+    {
+        action(command)->trigger();
+        window->files().wait();
+    }
+    /// Saves, and waits for the answer.
+    bool saved(void (Files::*save)(Files::Answer) = &Files::save) const
+    {
+        std::optional<bool> answer;
+        (window->files().*save)([&](bool yes) { answer = yes; });
+        window->files().wait();
+        return answer.value();
+    }
     QAction* action(const char* name) const { return window->findChild<QAction*>(name); }
     QString path(const char* name) const { return folder.filePath(name); }
     QWidget* drawingArea() const

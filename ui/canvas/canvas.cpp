@@ -63,9 +63,9 @@ void Canvas::redo() { parts_->controller.redo(); }
 QString Canvas::undoText() const { return parts_->controller.undoText(); }
 QString Canvas::redoText() const { return parts_->controller.redoText(); }
 void Canvas::endGesture() { parts_->controller.endGesture(); }
-std::optional<app::PendingObject> Canvas::objectInHand() const
+std::optional<app::PendingObject> Canvas::pendingObject() const
 {
-    return parts_->controller.objectInHand();
+    return parts_->controller.pendingObject();
 }
 void Canvas::setSnapping(app::SnapTo to) { parts_->controller.setSnapping(to); }
 void Canvas::setPointingDevice(PointingDevice device)

@@ -51,7 +51,7 @@ public:
     QString redoText() const;
     /// Ends the gesture and keeps what is complete, so that the document is as it is seen.
     void endGesture();
-    std::optional<app::PendingObject> objectInHand() const; ///< what endGesture() would keep now
+    std::optional<app::PendingObject> pendingObject() const; ///< what endGesture() would keep now
 
     void setSnapping(app::SnapTo to);
     void setPointingDevice(PointingDevice device);

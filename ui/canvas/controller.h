@@ -73,7 +73,7 @@ public:
     /// Ends the gesture and keeps what is complete. To be called before the document is read or the
     /// view changes under the pointer.
     void endGesture();
-    std::optional<app::PendingObject> objectInHand() const; ///< what endGesture() would keep now
+    std::optional<app::PendingObject> pendingObject() const; ///< what endGesture() would keep now
 
     /// Undo or redo one step: a corner of the polyline being drawn, else a step of the history.
     /// During a drag, undo() cancels the drag and redo() does nothing.

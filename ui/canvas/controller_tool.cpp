@@ -70,7 +70,7 @@ void Controller::endGesture()
         withTool([&] { tool_->end(bench_); });
 }
 
-std::optional<app::PendingObject> Controller::objectInHand() const
+std::optional<app::PendingObject> Controller::pendingObject() const
 {
     const auto path = tool_->pendingPath();
     if (!path)

@@ -1,48 +1,120 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/in_background.h"
 
-#include <QCoreApplication>
-#include <QEventLoop>
-#include <QProgressDialog>
-#include <QThread>
-#include <QTimer>
+#include <cassert>
 
 namespace ui {
 
 namespace {
 
-constexpr int patienceMilliseconds = 500;
+constexpr std::chrono::milliseconds patience{500};
 
 } // namespace
 
-bool runInBackground(QWidget* parent, const QString& label, std::function<void()> work)
+InBackground::InBackground(QWidget* window) : window_(window)
 {
-    auto* thread = QThread::create(std::move(work));
-    QEventLoop loop;
-    QProgressDialog progress(label, QCoreApplication::translate("Progress", "Cancel"), 0, 0,
-                             parent);
-    progress.setWindowModality(Qt::ApplicationModal);
-    progress.setMinimumDuration(0);
-    progress.reset(); // otherwise it would appear by its own rule
-    QTimer patience;
-    patience.setSingleShot(true);
-    bool finished = false;
-    QObject::connect(&patience, &QTimer::timeout, &progress, &QWidget::show);
-    QObject::connect(&progress, &QProgressDialog::canceled, &loop, &QEventLoop::quit);
-    QObject::connect(thread, &QThread::finished, &loop, [&] {
-        finished = true;
-        loop.quit();
+    patience_.setSingleShot(true);
+    connect(&patience_, &QTimer::timeout, this, &InBackground::showDialog);
+}
+
+InBackground::~InBackground()
+{
+    waiting_.clear();
+    done_ = {};
+    if (working() && cancel_ == Cancel::Stops)
+        job_->wait();
+    delete dialog_;
+}
+
+void InBackground::start(const QString& label, std::function<Any(const app::Follower&)> work,
+                         Deliver done, Cancel cancel)
+{
+    assert(!working());
+    label_ = label;
+    done_ = std::move(done);
+    cancel_ = cancel;
+    input_.hold();
+    patience_.start(patience);
+    job_ = std::make_unique<Job>();
+    job_->start(
+        std::move(work), [this](const Any& result) { finish(result); },
+        [this](const app::Progress& progress) {
+            if (dialog_)
+                dialog_->showProgress(progress);
+        });
+}
+
+void InBackground::showDialog()
+{
+    input_.drop(); // the dialog interrupts what the person was doing
+    dialog_ = new WaitingDialog(label_, window_);
+    connect(dialog_, &WaitingDialog::cancelled, this, &InBackground::cancel);
+    dialog_->show();
+}
+
+void InBackground::cancel()
+{
+    if (cancel_ == Cancel::Stops) {
+        dialog_->showStopping();
+        return job_->requestStop();
+    }
+    job_->cancel();
+    finish({});
+}
+
+/// The receiver of the result may start the next job, or destroy this object.
+void InBackground::finish(const Any& result)
+{
+    patience_.stop();
+    if (dialog_) {
+        dialog_->hide();
+        dialog_->deleteLater(); // it may be handling its own event
+        dialog_.clear();
+    }
+    QMetaObject::invokeMethod(this, &InBackground::settle, Qt::QueuedConnection);
+    if (const auto done = std::exchange(done_, {}))
+        done(result);
+}
+
+bool InBackground::busy() const { return working() || !turn_.expired() || !waiting_.empty(); }
+
+void InBackground::whenIdle(std::function<void()> act)
+{
+    inTurn([act = std::move(act)](const Turn&) { act(); });
+}
+
+void InBackground::inTurn(std::function<void(const Turn&)> act)
+{
+    const bool idle = !busy();
+    waiting_.push_back(std::move(act));
+    if (idle)
+        settle();
+}
+
+/// Begins the next turn, or gives the input back.
+void InBackground::settle()
+{
+    if (working() || !turn_.expired())
+        return;
+    if (waiting_.empty())
+        return input_.release();
+    const auto act = std::move(waiting_.front());
+    waiting_.pop_front();
+    const Turn turn(this, [self = QPointer(this)](void*) {
+        if (self)
+            QMetaObject::invokeMethod(self, &InBackground::settle, Qt::QueuedConnection);
     });
-    QObject::connect(thread, &QThread::finished, thread, &QObject::deleteLater);
-    QObject::connect(qApp, &QCoreApplication::aboutToQuit, thread, [thread] { thread->wait(); });
-    patience.start(patienceMilliseconds);
-    thread->start();
-    // The drawing must not change meanwhile, so input waits until the dialog is visible.
-    while (!finished && !progress.wasCanceled() && !progress.isVisible())
-        loop.processEvents(QEventLoop::ExcludeUserInputEvents | QEventLoop::WaitForMoreEvents);
-    if (!finished && !progress.wasCanceled())
-        loop.exec();
-    return finished;
+    turn_ = turn;
+    act(turn);
+}
+
+void InBackground::wait()
+{
+    do {
+        while (working())
+            job_->wait();
+        settle();
+    } while (working());
 }
 
 } // namespace ui

@@ -199,8 +199,10 @@ int show(QApplication& application, const Options& options, const QElapsedTimer&
     const bool first = !options.screenshot.isEmpty() || QFileInfo(options.file).size() < quickBytes;
     if (options.file.isEmpty())
         window.showStart();
-    else if (first)
+    else if (first) {
         open();
+        window.files().wait();
+    }
     std::optional<Recovery> recovery; // none for a screenshot, which must not touch unsaved work
     if (options.screenshot.isEmpty())
         recovery.emplace(window);

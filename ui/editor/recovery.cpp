@@ -5,6 +5,8 @@
 #include "ui/files/files.h"
 #include "ui/window/main_window.h"
 
+#include <QPointer>
+
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -42,7 +44,7 @@ void Recovery::tell()
 {
     const Files& files = window_.files();
     work_.tell({file_, files.origin(), files.sample(), !window_.session().history.isClean(),
-                window_.canvas().objectInHand()});
+                window_.canvas().pendingObject()});
 }
 
 /// Discards the leftover when its drawing is saved or replaced by another.
@@ -74,22 +76,44 @@ void Recovery::keep(int signal) const
 
 void Recovery::offer()
 {
-    auto found = app::claimLeftovers(folder_);
+    window_.files().whenIdle([self = QPointer(this)] {
+        if (self)
+            self->ask(app::claimLeftovers(self->folder_));
+    });
+}
+
+void Recovery::ask(std::vector<app::Leftover> found)
+{
     while (!found.empty()) {
         const auto [verb, which] = window_.files().questions().aboutLeftovers(found);
         if (verb == Verb::Later || which >= found.size())
             return;
         app::Leftover chosen = std::move(found[which]);
         found.erase(found.begin() + std::ptrdiff_t(which));
-        if (verb == Verb::Discard) {
-            app::discard(chosen);
-        } else if (window_.files().mayClose() && window_.files().recover(chosen)) {
-            recovered_ = std::move(chosen);
-            file_ = recovered_->file;
-            tell();
-            return;
-        }
+        if (verb == Verb::Recover)
+            return recover(chosen, [this, found] { ask(found); });
+        app::discard(chosen);
     }
+}
+
+/// Replaces the drawing in the window, unless the person keeps it or the leftover is unreadable.
+void Recovery::recover(const app::Leftover& chosen, const std::function<void()>& otherwise)
+{
+    const auto end = [=, self = QPointer(this)](bool recovered) {
+        if (!self)
+            return;
+        if (!recovered)
+            return otherwise();
+        self->recovered_ = chosen;
+        self->file_ = chosen.file;
+        self->tell();
+    };
+    window_.files().mayClose([=, self = QPointer(this)](bool mayReplace) {
+        if (self && mayReplace)
+            self->window_.files().recover(chosen, end);
+        else
+            end(false);
+    });
 }
 
 } // namespace ui

@@ -6,7 +6,9 @@
 
 #include <QObject>
 
+#include <functional>
 #include <optional>
+#include <vector>
 
 namespace ui {
 
@@ -23,10 +25,12 @@ public:
     ~Recovery() override;
 
     /// Asks about the leftovers until one is recovered or the person postpones; the others wait for
-    /// the next start.
+    /// the next start. Begins when the window's file is read.
     void offer();
 
 private:
+    void ask(std::vector<app::Leftover> found);
+    void recover(const app::Leftover& chosen, const std::function<void()>& otherwise);
     void tell();
     void forgetRecovered();
     void keep(int signal) const;

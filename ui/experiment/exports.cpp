@@ -4,7 +4,6 @@
 #include "app/base/latin.h"
 #include "app/charts/study_charts.h"
 #include "app/settings/remembered.h"
-#include "ui/dialogs/in_background.h"
 
 #include <QFileInfo>
 #include <QMenu>
@@ -44,7 +43,8 @@ QString proposal(const QString& name, const QString& ending)
 } // namespace
 
 Exports::Exports(QWidget& window)
-    : QObject(&window), window_(window), questions_(std::make_unique<Questions>(window))
+    : QObject(&window), window_(window), questions_(std::make_unique<Questions>(window)),
+      background_(&window)
 {
 }
 
@@ -153,10 +153,13 @@ void Exports::writeStudy(const app::StudyFile& row, const std::shared_ptr<const 
     const QString path = study ? pathFor(row, *study) : QString();
     if (path.isEmpty())
         return;
-    const auto written = inBackground(&window_, tr("Writing…"),
-                                      [study, row, path] { return row.write(*study, path); });
-    if (written)
-        tell(*written);
+    background_.run(
+        tr("Writing…"),
+        [study, row, path](const app::Follower& follower) {
+            return row.write(*study, path, follower.stop);
+        },
+        [this](const std::optional<Written>& written) { tell(written.value()); },
+        InBackground::Cancel::Stops);
 }
 
 void Exports::tell(const Written& written)
@@ -164,6 +167,8 @@ void Exports::tell(const Written& written)
     if (!written)
         return emit told({Message::Kind::Warning, written.error});
     const QStringList& paths = *written.value;
+    if (paths.isEmpty()) // cancelled before the first
+        return;
     emit told({Message::Kind::Done, paths.size() == 1 ? tr("Wrote %1.").arg(paths.front())
                                                       : tr("Wrote %n files, the first of them %1.",
                                                            nullptr, int(paths.size()))

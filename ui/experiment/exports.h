@@ -3,6 +3,7 @@
 
 #include "app/charts/chart_file.h"
 #include "app/report/study_files.h"
+#include "ui/dialogs/in_background.h"
 #include "ui/dialogs/questions.h"
 #include "ui/widgets/message_strip.h"
 
@@ -38,6 +39,7 @@ public:
     /// row of app::studyFiles().
     QMenu* menu(const Current& current);
     void exportChart(const app::Chart& chart);
+    bool busy() const { return background_.busy(); } ///< a study is being written
 
 signals:
     void told(const ui::Message& message);
@@ -54,6 +56,7 @@ private:
 
     QWidget& window_;
     std::unique_ptr<Questions> questions_;
+    InBackground background_;
 };
 
 } // namespace ui

@@ -5,7 +5,9 @@
 #include "app/recovery/leftover.h"
 #include "app/session/recent_files.h"
 #include "app/session/samples.h"
+#include "app/session/save.h"
 #include "app/session/session.h"
+#include "ui/dialogs/in_background.h"
 #include "ui/dialogs/questions.h"
 #include "ui/widgets/message_strip.h"
 
@@ -14,7 +16,8 @@
 namespace ui {
 
 /// The File menu's functions on one session. Asks about unsaved changes before it replaces them.
-/// Reading, cutting and large writes do not block the window.
+/// Reading, cutting and writing do not block the window. What is called while another function is
+/// busy begins when that one has ended, in the order of the calls.
 class Files : public QObject {
     Q_OBJECT
 
@@ -23,20 +26,28 @@ public:
 
     void setQuestions(std::unique_ptr<Questions> questions);
 
+    /// Called once, unless the window is destroyed before; at once if nothing has to be read,
+    /// written or waited for.
+    using Answer = std::function<void(bool)>;
+
     void startNew(); ///< an empty A3 sheet
     void open();
     void open(const QString& path);
     void openSample(const app::Sample& sample);
     /// Opens a document made by the program; false: the person kept the current one.
-    bool openMade(app::Document document, const QString& title);
-    bool save(); ///< true: saved
-    bool saveAs();
+    void openMade(app::Document document, const QString& title, Answer opened = {});
+    void save(Answer saved = {});
+    void saveAs(Answer saved = {});
     void exportCut();
     void crop(); ///< undoable
-    bool mayClose();
+    void mayClose(const Answer& answer);
     /// Opens a drawing that an earlier run left, marked as unsaved; false: cancelled, or its file
     /// was unreadable and has been set aside.
-    bool recover(app::Leftover& leftover);
+    void recover(app::Leftover leftover, const Answer& recovered);
+
+    bool busy() const { return background_.busy(); }
+    void whenIdle(std::function<void()> act) { background_.whenIdle(std::move(act)); }
+    void wait() { background_.wait(); } ///< blocks until nothing is read or written
 
     Questions& questions() { return *questions_; }
     app::Origin origin() const; ///< restored with the document after a signal ended the program
@@ -52,17 +63,33 @@ signals:
     void nameChanged();
 
 private:
+    using Turn = InBackground::Turn;
+
+    // What follows an answer of keepChanges(). Each holds its turn until it has ended.
+    void replace(std::function<void(const Turn&)> then); ///< not if the person keeps the drawing
+    void read(const QString& path, const Turn& turn);
     void show(app::Imported imported, const QString& path, const QString& title);
-    bool write(const QString& path);
+    void tellLosses();
+
+    // Parts of a turn that their answer holds.
+    void keepChanges(const Answer& mayReplace);
+    void saveNow(const Answer& saved);
+    void askPath(const Answer& saved);
+    void write(const QString& path, const Answer& saved);
+
+    void noteSaved(const app::Saved& saved, const QString& path);
+    void cropNow(const Turn& turn);
+    void showCrop(app::Cut cut);
     void noteRecent();
     QString folder() const;
+    QString proposal(const QString& ending) const;
     app::CutOptions cutOptions() const;
 
     app::Session& session_;
-    QWidget& window_;
     std::unique_ptr<Questions> questions_;
     QString title_, sample_;
     QDateTime seen_; ///< the file's modification time when we last read or wrote it
+    InBackground background_;
 };
 
 } // namespace ui

@@ -9,6 +9,7 @@
 #include "ui/look/window_place.h"
 
 #include <QHBoxLayout>
+#include <QPointer>
 #include <QShortcut>
 #include <QVBoxLayout>
 
@@ -109,13 +110,17 @@ void HardCasesWindow::openMicroscope(const app::HardCase& hard, const app::Varia
 void HardCasesWindow::draw(const app::HardCase& hard, const app::Variant& variant)
 {
     const auto document = app::documentOf(hard);
-    if (!document || !files_.openMade(*document.value, hard.title))
+    if (!document)
         return;
-    app::Display display = session_.display();
-    display.variant = {variant.algorithm, variant.form};
-    session_.setDisplay(display);
-    window_.raise();
-    window_.activateWindow();
+    files_.openMade(*document.value, hard.title, [self = QPointer(this), variant](bool opened) {
+        if (!self || !opened)
+            return;
+        app::Display display = self->session_.display();
+        display.variant = {variant.algorithm, variant.form};
+        self->session_.setDisplay(display);
+        self->window_.raise();
+        self->window_.activateWindow();
+    });
 }
 
 void HardCasesWindow::hideEvent(QHideEvent* event)

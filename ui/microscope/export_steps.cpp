@@ -3,7 +3,6 @@
 
 #include "app/base/latin.h"
 #include "app/settings/remembered.h"
-#include "ui/dialogs/in_background.h"
 #include "ui/look/look.h"
 #include "ui/microscope/export_steps_dialog.h"
 
@@ -27,7 +26,7 @@ QString folder()
 
 StepExports::StepExports(QWidget& window, const app::Microscope& microscope)
     : QObject(&window), window_(window), microscope_(microscope),
-      questions_(std::make_unique<Questions>(window))
+      questions_(std::make_unique<Questions>(window)), background_(&window)
 {
 }
 
@@ -72,12 +71,20 @@ void StepExports::write(const app::TraceFormat& format, const app::TraceExport& 
     const QStringList paths = pathsFor(format, trace);
     if (paths.isEmpty())
         return;
-    const auto painted =
-        inBackground(&window_, tr("Painting %n steps…", nullptr, int(trace.steps().size())),
-                     [&format, trace] { return app::traceBytes(trace, format); });
-    if (!painted) // cancelled before anything is written
-        return;
-    const auto& bytes = *painted;
+    using Painted = std::optional<std::vector<QByteArray>>; // empty: not enough memory
+    background_.run(
+        tr("Painting %n steps…", nullptr, int(trace.steps().size())),
+        [&format, trace](const app::Follower&) { return app::traceBytes(trace, format); },
+        [this, paths](const std::optional<Painted>& painted) {
+            if (painted) // otherwise cancelled before anything is written
+                writePainted(paths, *painted);
+        },
+        InBackground::Cancel::Drops);
+}
+
+void StepExports::writePainted(const QStringList& paths,
+                               const std::optional<std::vector<QByteArray>>& bytes)
+{
     const auto error =
         bytes
             ? app::writeTrace(paths, *bytes)

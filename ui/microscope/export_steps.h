@@ -3,6 +3,7 @@
 
 #include "app/teaching/microscope.h"
 #include "app/teaching/trace_file.h"
+#include "ui/dialogs/in_background.h"
 #include "ui/dialogs/questions.h"
 #include "ui/widgets/message_strip.h"
 
@@ -25,16 +26,20 @@ public:
     void ask();
     /// Asks for the path and writes the files.
     void write(const app::TraceFormat& format, const app::TraceExport& trace);
+    bool busy() const { return background_.busy(); } ///< steps are being painted
 
 signals:
     void told(const ui::Message& message);
 
 private:
+    void writePainted(const QStringList& paths,
+                      const std::optional<std::vector<QByteArray>>& bytes);
     QStringList pathsFor(const app::TraceFormat& format, const app::TraceExport& trace);
 
     QWidget& window_;
     const app::Microscope& microscope_;
     std::unique_ptr<Questions> questions_;
+    InBackground background_;
 };
 
 } // namespace ui

@@ -102,6 +102,9 @@ private:
     void connectFiles();
     void connectMicroscope(MicroscopePage* page);
     void connectSession();
+    /// Whether the window may be closed: not asked; the question is open; the answer waits for a
+    /// file; yes.
+    enum class Closing : std::uint8_t { No, Asking, Waiting, Agreed };
     static QString placeKey() { return QStringLiteral("geometry"); } ///< in the settings
     void showTitle();
     void rememberPanes();
@@ -120,6 +123,7 @@ private:
     Panels panels_{session_};
     std::unique_ptr<PanelLayout> panelLayout_;
     std::unique_ptr<Modes> modes_;
+    Closing closing_ = Closing::No;
 };
 
 } // namespace ui

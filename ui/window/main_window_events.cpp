@@ -24,10 +24,24 @@ constexpr int messageMilliseconds = 5000;
 
 } // namespace
 
+// close() inside this function would do nothing, so a later answer closes the window again.
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    if (!files_->mayClose())
-        return event->ignore();
+    event->ignore();
+    if (closing_ == Closing::No) {
+        closing_ = Closing::Asking;
+        files_->mayClose([this](bool yes) {
+            const bool later = closing_ == Closing::Waiting;
+            closing_ = yes ? Closing::Agreed : Closing::No;
+            if (yes && later)
+                close();
+        });
+        if (closing_ == Closing::Asking)
+            closing_ = Closing::Waiting;
+    }
+    if (closing_ != Closing::Agreed)
+        return;
+    closing_ = Closing::No;
     rememberPlace(*this, placeKey());
     panelLayout_->save();
     event->accept();

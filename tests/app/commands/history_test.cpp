@@ -153,6 +153,37 @@ private slots:
         QCOMPARE(d.history.count(), 3);
     }
 
+    // A save takes time.
+    void theCleanStateIsThatAtTheBeginningOfTheSave()
+    {
+        Desk d;
+        QSignalSpy clean(&d.history, &History::cleanChanged);
+        d.type(1);
+        d.history.beginClean();
+        d.type(2); // joins nothing
+        QVERIFY(!d.history.isClean());
+        d.history.endClean();
+        QVERIFY(!d.history.isClean());
+        d.history.undo();
+        QVERIFY(d.history.isClean());
+        d.history.beginClean();
+        d.history.undo();
+        d.write(3); // what is being saved can no longer be reached
+        d.history.endClean();
+        for (int index = 0; index <= d.history.count(); ++index) {
+            d.history.setIndex(index);
+            QVERIFY(!d.history.isClean());
+        }
+        QCOMPARE(clean, (QList<QVariantList>{{false}, {true}, {false}}));
+        d.history.setLimit(1500);
+        d.write(4, 1000);
+        d.history.beginClean();
+        d.write(5, 1000); // the steps before are forgotten
+        d.history.endClean();
+        d.history.undo();
+        QVERIFY(d.history.isClean());
+    }
+
     void cleanIsTheSavedState()
     {
         Desk d;

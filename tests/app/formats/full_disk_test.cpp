@@ -95,8 +95,9 @@ std::vector<Writer> madeWriters()
                            }});
         }
     all.push_back({"session", "svg", [](const QString& path) {
-                       Session session;
-                       return session.save(path);
+                       const Saved saved = save(Session().beginSaving(), path);
+                       return saved.end == Saved::End::Written ? std::nullopt
+                                                               : std::optional(saved.error);
                    }});
     for (const ChartFormat& format : chartFormats())
         all.push_back({"chart", latin(format.key), [](const QString& path) {

@@ -96,6 +96,23 @@ private slots:
         QCOMPARE(session.outdated, 0);
     }
 
+    void whatIsOpenedDuringASaveIsNotTheSavedFile()
+    {
+        app::Session session;
+        setWindows(session, list({{{0, 0}, {5, 5}}}));
+        session.history.resetClean();
+        QVERIFY(session.beginSaving() == session.now());
+        session.load({}, "other.svg");
+        session.history.resetClean();
+        session.endSaving("saved.svg");
+        QCOMPARE(session.path(), "other.svg");
+        QVERIFY(!session.history.isClean());
+        session.beginSaving();
+        session.endSaving("saved.svg");
+        QCOMPARE(session.path(), "saved.svg");
+        QVERIFY(session.history.isClean());
+    }
+
     /// Frames ask several times each.
     void askingCopiesNothing()
     {

@@ -65,7 +65,7 @@ private slots:
         TestWindow test;
         const QString file = test.twoLines();
         test.show();
-        test.window->files().open(file);
+        test.open(file);
         app::Session& session = test.window->session();
         const app::Shape line{
             {{{1, 2}, {{{3, 4}}}, false}}, {.stroke = app::Colour{}}, {}, 0, false};
@@ -85,7 +85,7 @@ private slots:
                 [&](const Message& message) { told = message.sentence; });
         const auto refuses = [&](const QString& circumstances) {
             told.clear();
-            const bool saved = test.window->files().save();
+            const bool saved = test.saved();
             disk::state() = {};
             QVERIFY2(!saved && read() == old && test.window->isWindowModified()
                          && told.startsWith("Cannot write " + file),
@@ -99,7 +99,7 @@ private slots:
             const disk::Failing failing(step);
             refuses(step == disk::Step::Sync ? "fsync" : "rename");
         }
-        QVERIFY(test.window->files().save());
+        QVERIFY(test.saved());
         QVERIFY(!test.window->isWindowModified());
         QVERIFY(read() != old);
     }

@@ -29,7 +29,7 @@ struct CompareWindow : TestWindow {
                            .replace("%2", QByteArray::number(i % 97)));
         file.write("'/></svg>");
         file.close();
-        window->files().open(file.fileName());
+        TestWindow::open(file.fileName());
         ::setWindow(window->session().document, {{25, 25}, {75, 75}});
         show();
     }

@@ -179,7 +179,7 @@ private slots:
         QTest::keyClick(test.window.get(), Qt::Key_F2, Qt::ShiftModifier);
         CostMapPanel& panel = test.window->costMapPanel();
         QTRY_VERIFY(panel.live().asked());
-        test.window->files().open(test.twoLines());
+        test.open(test.twoLines());
         QTRY_COMPARE(panel.live().asked()->window, test.window->session().window());
     }
 };

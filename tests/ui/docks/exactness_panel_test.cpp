@@ -213,7 +213,7 @@ private slots:
     {
         TestWindow test;
         test.show();
-        test.window->files().open(test.twoLines());
+        test.open(test.twoLines());
         QTRY_COMPARE(test.window->session().scene.lines().size(), std::size_t(2));
         QTest::keyClick(test.window.get(), Qt::Key_F3, Qt::ShiftModifier);
         QTRY_VERIFY(test.window->session().exactness.asked());
@@ -226,7 +226,7 @@ private slots:
     {
         TestWindow test;
         test.show();
-        test.window->files().open(test.twoLines());
+        test.open(test.twoLines());
         QTRY_COMPARE(test.window->session().scene.lines().size(), std::size_t(2));
         const auto colours = [&] {
             test.window->canvas().settle();

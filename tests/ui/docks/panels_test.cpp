@@ -43,7 +43,7 @@ private slots:
     void aTypedNumberIsOneUndoStep()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         t.show();
         app::Session& session = t.window->session();
         const auto fields = t.window->findChild<WindowPanel*>()->findChildren<LengthField*>();
@@ -63,7 +63,7 @@ private slots:
     {
         using namespace std::chrono_literals;
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         t.show();
         app::Session& session = t.window->session();
         std::chrono::steady_clock::time_point now{};
@@ -88,9 +88,8 @@ private slots:
     void quickStepsOfAStyleAreOneUndoStep()
     {
         TestWindow t;
-        t.window->files().open(t.file("styles.svg",
-                                      "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9' "
-                                      "stroke='black'><path d='M1 1H8'/><path d='M1 2H8'/></svg>"));
+        t.open(t.file("styles.svg", "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9' "
+                                    "stroke='black'><path d='M1 1H8'/><path d='M1 2H8'/></svg>"));
         t.show();
         app::Session& session = t.window->session();
         std::chrono::steady_clock::time_point now{};
@@ -123,10 +122,9 @@ private slots:
     void coordinatesCountFromThePagesCorner()
     {
         TestWindow t;
-        t.window->files().open(t.file("centred.svg",
-                                      "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' "
-                                      "height='100mm' viewBox='-50 -50 100 100'>"
-                                      "<path d='M-40-40 40 40' stroke='black'/></svg>"));
+        t.open(t.file("centred.svg", "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' "
+                                     "height='100mm' viewBox='-50 -50 100 100'>"
+                                     "<path d='M-40-40 40 40' stroke='black'/></svg>"));
         t.show();
         app::Session& session = t.window->session();
         QCOMPARE(sheetOf(session.document).window, (clipping::Window{{-50, -50}, {50, 50}}));
@@ -149,7 +147,7 @@ private slots:
     void enterReturnsTheFocusToTheCanvas()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         t.show();
         const auto chosen = [&] { return t.window->session().display().variant.algorithm; };
         const auto digit = [](Qt::Key key) { QTest::keyClick(QApplication::focusWidget(), key); };
@@ -168,7 +166,7 @@ private slots:
     void aNegativeWidthIsRefusedWithAMessage()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         t.show();
         const auto fields = t.window->findChild<WindowPanel*>()->findChildren<LengthField*>();
         type(fields[2], "-5");
@@ -179,7 +177,7 @@ private slots:
     void aRefusalDisappearsWithTheNextAcceptedValue()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         t.show();
         const auto fields = t.window->findChild<WindowPanel*>()->findChildren<LengthField*>();
         auto* width = t.window->findChild<OptionBar*>()->findChild<LengthField*>();
@@ -204,7 +202,7 @@ private slots:
     void proportionsAreKept()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         t.show();
         auto* panel = t.window->findChild<WindowPanel*>();
         const auto fields = panel->findChildren<LengthField*>();
@@ -217,7 +215,7 @@ private slots:
     void theUnitChangesEveryNumber()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         app::Display display = t.window->session().display();
         display.unit = app::Unit::Inch;
         t.window->session().setDisplay(display);
@@ -227,7 +225,7 @@ private slots:
     void theVerdictCountsLostLines()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         t.show();
         AlgorithmPanel& panel = t.window->algorithmPanel();
         panel.compare();
@@ -237,7 +235,7 @@ private slots:
     void aLineBeingDrawnKeepsTheVerdict()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         t.show();
         app::Session& session = t.window->session();
         app::Sheet sheet;
@@ -259,7 +257,7 @@ private slots:
     void theRadioButtonsChooseTheForm()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         t.show();
         QTest::keyClick(t.drawingArea(), Qt::Key_1);
         const auto radios = t.window->algorithmPanel().findChildren<QRadioButton*>();
@@ -269,7 +267,7 @@ private slots:
     void aRowWithoutPublishedFormSaysSo()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         t.show();
         app::Session& session = t.window->session();
         const auto choose = [&](const clipping::Algorithm& algorithm) {
@@ -290,7 +288,7 @@ private slots:
     void theLinePanelShowsTheSteps()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         t.show();
         t.window->session().inspect(0);
         auto* panel = t.window->findChild<LinePanel*>();
@@ -323,7 +321,7 @@ private slots:
     void theStepsAreInTheUnitOfTheTable()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines()); // in millimetres, from 0 to 100
+        t.open(t.twoLines()); // in millimetres, from 0 to 100
         t.show();
         app::Display display = t.window->session().display();
         display.unit = app::Unit::Cm;
@@ -357,7 +355,7 @@ private slots:
     void layersAreUndoable()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         app::Session& session = t.window->session();
         auto* model = t.window->findChild<LayerModel*>();
         model->addLayer();
@@ -376,7 +374,7 @@ private slots:
     void layersAreAddedAndDeletedByVisibleButtons()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         t.show();
         const auto buttons = t.window->findChild<LayersPanel*>()->findChildren<QToolButton*>();
         QCOMPARE(buttons.size(), 2);
@@ -429,7 +427,7 @@ private slots:
         emit t.window->canvas().frameShown({.visible = 18, .total = 41});
         QTRY_COMPARE(t.window->status().visibility(), "18 of 41 visible");
         emit t.window->canvas().frameShown({.visible = 17, .total = 41});
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         QCOMPARE(t.window->status().visibility(), "");
         QCOMPARE(t.window->status().times(), "");
         QTest::qWait(150); // earlier times are no longer shown
@@ -468,7 +466,7 @@ private slots:
     void theStatusBarCounts()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         t.show();
         QTRY_COMPARE(t.window->status().visibility(), "2 of 2 visible");
         QCOMPARE(t.window->status().times(), "too few lines to time");

@@ -2,6 +2,7 @@
 #include "app/base/unfinished.h"
 #include "app/recovery/leftover.h"
 #include "ui/editor/editor.h"
+#include "ui/files/files.h"
 #include "ui/window/main_window.h"
 
 #include <QAction>
@@ -16,10 +17,12 @@
 #include <QTimer>
 #include <QTreeWidget>
 
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <functional>
 #include <map>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include "tests/app/document/sheet_edits.h"
@@ -106,6 +109,8 @@ void sayDrawing(const MainWindow& window)
 
 void ready() { say("ready"); }
 
+std::atomic<bool> diskHangs = false; ///< at the next file
+
 qsizetype filesLeft()
 {
     return QDir(app::leftoverFolder()).entryList({"*.svg"}, QDir::Files).size();
@@ -156,6 +161,12 @@ const std::map<QString, Scenario>& scenarios()
              for (;;)
                  pause();
          }},
+        {"slow save",
+         [](MainWindow& w) {
+             drawLine(w);
+             diskHangs = true;
+             w.findChild<QAction*>("save")->trigger();
+         }},
         {"dialog",
          [](MainWindow& w) {
              drawLine(w);
@@ -172,6 +183,7 @@ const std::map<QString, Scenario>& scenarios()
          [](MainWindow& w) {
              recover(w, [&w] {
                  w.findChild<QAction*>("save")->trigger();
+                 w.files().wait();
                  sayDrawing(w), ready();
              });
          }},
@@ -188,6 +200,20 @@ const std::map<QString, Scenario>& scenarios()
 }
 
 QString scenario;
+
+} // namespace
+
+/// Goes before the C library's function.
+extern "C" int fsync(int file)
+{
+    if (!diskHangs.exchange(false))
+        return int(::syscall(SYS_fsync, file));
+    ready();
+    for (;;)
+        pause();
+}
+
+namespace {
 
 // When this runs, the events of the start have been handled, or wait for an answer to the offer.
 void play()
@@ -228,6 +254,7 @@ private slots:
         QTest::addRow("a polyline in hand") << "polyline" << SIGTERM << 2;
         QTest::addRow("while it is busy") << "busy" << SIGTERM << 2;
         QTest::addRow("while it saves") << "saving" << SIGTERM << 2;
+        QTest::addRow("while the disk is slow") << "slow save" << SIGTERM << 2;
         QTest::addRow("in a dialog") << "dialog" << SIGTERM << 2;
     }
     void aSignalSavesTheWorkAndEndsTheProgram()

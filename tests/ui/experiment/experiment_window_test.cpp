@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/verdict.h"
 #include "ui/experiment/experiment_window.h"
+#include "ui/experiment/exports.h"
 #include "ui/widgets/table_model.h"
 #include "ui/widgets/table_view.h"
 
@@ -41,7 +42,7 @@ class Stage {
 public:
     Stage()
     {
-        test.window->files().open(test.twoLines());
+        test.open(test.twoLines());
         test.show();
         test.action("reproduce-paper")->trigger();
         window = test.window->findChild<ExperimentWindow*>();
@@ -84,6 +85,12 @@ public:
         chooseFew();
         click("Run");
         QTRY_VERIFY_WITH_TIMEOUT(!measuring(), 20'000);
+    }
+    /// Chooses an export, and waits for it.
+    void run(const QString& command) const
+    {
+        window->findChild<QAction*>(command)->trigger();
+        QTRY_VERIFY(!window->findChild<Exports*>()->busy());
     }
     QString state() const { return window->findChild<QLabel*>("state")->text(); }
     QList<TableView*> shownTables() const
@@ -321,7 +328,7 @@ private slots:
         stage.test.window->files().startNew();
         QVERIFY(!row->isEnabled());
         QCOMPARE(stage.named<QComboBox>("What is measured")->currentData().toString(), "all");
-        stage.test.window->files().open(stage.test.twoLines());
+        stage.test.open(stage.test.twoLines());
         stage.runFew("drawing");
         QVERIFY(stage.window->study());
         for (const auto& timing : stage.window->study()->trials[0].record.timings)
@@ -353,7 +360,7 @@ private slots:
         stage.runFew("table1");
         const app::Study& study = *stage.window->study();
         stage.answers->save = stage.test.path("out.csv");
-        stage.window->findChild<QAction*>("export-0-csv")->trigger();
+        stage.run("export-0-csv");
         for (const app::Table& table : app::tablesOf(study)) {
             QFile file(stage.test.folder.filePath("out-" + table.key + ".csv"));
             QVERIFY2(file.open(QIODevice::ReadOnly), qPrintable(file.fileName()));
@@ -366,14 +373,14 @@ private slots:
         }
         for (const QString ending : {"json", "md", "tex"}) {
             stage.answers->save = stage.test.folder.filePath("out." + ending);
-            stage.window->findChild<QAction*>("export-0-" + ending)->trigger();
+            stage.run("export-0-" + ending);
             QFile file(stage.answers->save);
             QVERIFY(file.open(QIODevice::ReadOnly));
             const QString text = QString::fromUtf8(file.readAll());
             QVERIFY2(text.contains("Against the paper"), qPrintable(ending));
         }
         stage.answers->save = "/nowhere/at/all.json";
-        stage.window->findChild<QAction*>("export-0-json")->trigger();
+        stage.run("export-0-json");
         QTRY_VERIFY(stage.window->findChild<MessageStrip*>()->sentence().startsWith(
             "Cannot write /nowhere/at/all.json"));
     }
@@ -382,7 +389,6 @@ private slots:
     {
         const Stage stage;
         stage.runFew("near-miss");
-        auto* csv = stage.window->findChild<QAction*>("export-0-csv");
         const QString there = stage.test.path("out-classes.csv");
         const auto content = [&] {
             QFile file(there);
@@ -393,12 +399,12 @@ private slots:
         own.write("mine");
         own.close();
         stage.answers->save = stage.test.path("out.csv");
-        csv->trigger();
+        stage.run("export-0-csv");
         QCOMPARE(stage.answers->existing, QStringList{there});
         QCOMPARE(content(), QByteArray("mine"));
         QCOMPARE(QDir(stage.test.folder.path()).entryList({"out-*"}).size(), 1);
         stage.answers->overwrite = true;
-        csv->trigger();
+        stage.run("export-0-csv");
         QVERIFY(content().startsWith("algorithm,form"));
         QCOMPARE(QDir(stage.test.folder.path()).entryList({"out-*"}).size(),
                  qsizetype(app::tablesOf(*stage.window->study()).size()));
@@ -421,16 +427,16 @@ private slots:
         stage.runFew("near-miss");
         const auto* shown = stage.shownTables().front();
         stage.answers->save = stage.test.path("this.csv");
-        stage.window->findChild<QAction*>("export-shown-csv")->trigger();
+        stage.run("export-shown-csv");
         QFile file(stage.answers->save);
         QVERIFY(file.open(QIODevice::ReadOnly));
         const app::Table& table = shown->table();
         QVERIFY(file.readAll().startsWith(early(table, table.names)));
         stage.answers->save = stage.test.path("this.svg");
-        stage.window->findChild<QAction*>("export-shown-svg")->trigger(); // no chart is in front
+        stage.run("export-shown-svg"); // no chart is in front
         QVERIFY(!QFile::exists(stage.answers->save));
         stage.window->findChild<QTabWidget*>()->setCurrentIndex(1);
-        stage.window->findChild<QAction*>("export-shown-svg")->trigger();
+        stage.run("export-shown-svg");
         QVERIFY(QFile::exists(stage.answers->save));
         QCOMPARE(QDir(stage.test.folder.path()).entryList({"this*"}).size(), 2);
     }
@@ -441,7 +447,7 @@ private slots:
         stage.runFew("near-miss");
         for (const QString ending : {"svg", "pdf", "png"}) {
             stage.answers->save = stage.test.folder.filePath("chart." + ending);
-            stage.window->findChild<QAction*>("export-1-" + ending)->trigger();
+            stage.run("export-1-" + ending);
             const auto files = QDir(stage.test.folder.path()).entryList({"chart-*." + ending});
             QVERIFY2(files.size() >= 4, qPrintable(files.join(' ')));
         }
@@ -452,7 +458,7 @@ private slots:
         const Stage stage;
         stage.runFew("table1");
         stage.answers->save = stage.test.path("report.html");
-        stage.window->findChild<QAction*>("export-2-html")->trigger();
+        stage.run("export-2-html");
         QFile file(stage.answers->save);
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QString page = QString::fromUtf8(file.readAll());
@@ -524,7 +530,7 @@ private slots:
         const QPoint before = place();
         QVERIFY(!age->isVisible());
         stage.answers->save = stage.test.path("out.json");
-        stage.window->findChild<QAction*>("export-0-json")->trigger();
+        stage.run("export-0-json");
         QVERIFY(stage.window->findChild<MessageStrip*>()->isVisible());
         QCoreApplication::processEvents();
         QCOMPARE(place(), before);

@@ -47,7 +47,7 @@ private slots:
             for (const double x : {10.25, 20.5}) {
                 setWindow(session, {{x, 5}, {40, 45}});
                 t.answers->save = t.path(file);
-                t.window->files().exportCut();
+                t.run("export");
                 QVERIFY2(t.window->message().contains("Exported"), qPrintable(t.window->message()));
                 QCOMPARE(session.now().styles().size(), styles);
             }

@@ -31,6 +31,12 @@ class ExportStepsTest : public QObject {
     {
         return *app::findTraceFormat(QString::fromLatin1(key));
     }
+    /// Writes the files, and waits for them.
+    void write(const app::TraceFormat& format)
+    {
+        exports_->write(format, trace());
+        QTRY_VERIFY(!exports_->busy());
+    }
 
 private slots:
     void initTestCase()
@@ -53,7 +59,7 @@ private slots:
             const QString name = QString::fromLatin1(row.ending.data());
             answers_->save = folder_.filePath("steps." + name);
             QSignalSpy told(exports_.get(), &StepExports::told);
-            exports_->write(row, trace());
+            write(row);
             QCOMPARE(told.count(), 1);
             QCOMPARE(told.front().front().value<Message>().kind, Message::Kind::Done);
             const auto files = QDir(folder_.path()).entryList({"steps*." + name});
@@ -66,7 +72,7 @@ private slots:
     void asksBeforeNumberedFilesAreReplaced()
     {
         answers_->save = folder_.filePath("talk.svg");
-        exports_->write(format("svg"), trace());
+        write(format("svg"));
         QVERIFY(answers_->existing.isEmpty());
         const QString first = folder_.filePath("talk-01.svg");
         QVERIFY(QFile::remove(first));
@@ -74,13 +80,13 @@ private slots:
         QVERIFY(own.open(QIODevice::WriteOnly) && own.write("own") == 3);
         own.close();
         QSignalSpy told(exports_.get(), &StepExports::told);
-        exports_->write(format("svg"), trace()); // and the answer is no
+        write(format("svg")); // and the answer is no
         QCOMPARE(answers_->existing.size(),
                  qsizetype(session().microscope.narration().steps.size()));
         QVERIFY(told.isEmpty());
         QCOMPARE(QFileInfo(first).size(), 3);
         answers_->overwrite = true;
-        exports_->write(format("svg"), trace());
+        write(format("svg"));
         QCOMPARE(told.count(), 1);
         QVERIFY(QFileInfo(first).size() > 1000);
     }
@@ -88,7 +94,7 @@ private slots:
     void cancellingWritesNothing()
     {
         QSignalSpy told(exports_.get(), &StepExports::told);
-        exports_->write(format("pdf"), trace());
+        write(format("pdf"));
         QVERIFY(told.isEmpty());
     }
 
@@ -96,7 +102,7 @@ private slots:
     {
         answers_->save = folder_.filePath("none/steps.pdf");
         QSignalSpy told(exports_.get(), &StepExports::told);
-        exports_->write(format("pdf"), trace());
+        write(format("pdf"));
         const auto message = told.front().front().value<Message>();
         QCOMPARE(message.kind, Message::Kind::Warning);
         QVERIFY(message.sentence.startsWith("Cannot write " + answers_->save));

@@ -29,7 +29,7 @@ class Stage {
 public:
     Stage()
     {
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         app::Session& session = t.window->session();
         session.history.push(new app::SetWindow(session.document, {{25, 25}, {75, 75}}));
         t.show();
@@ -340,7 +340,7 @@ private slots:
     void thePanelsAreRestored()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         t.show();
         t.window->session().inspect(0);
         t.window->findChild<LinePanel*>()->showNow(); // on a busy machine the timer may be late
@@ -379,7 +379,7 @@ private slots:
     void aUserLayoutIsKeptAndSaved()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         t.show();
         auto* layers = t.window->findChild<QDockWidget*>("layers");
         auto* line = t.window->findChild<QDockWidget*>("line");
@@ -405,7 +405,7 @@ private slots:
     void theLinePanelAndADoubleClickOpenTheMicroscope()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         t.show();
         t.window->session().inspect(1);
         auto* panel = t.window->findChild<LinePanel*>();

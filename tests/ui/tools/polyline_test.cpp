@@ -50,7 +50,7 @@ private slots:
         QVERIFY(hand.shapes().empty());
         hand.redo();
         QCOMPARE(hand.shapes().size(), std::size_t(1));
-        QVERIFY(!hand.window.canvas().objectInHand());
+        QVERIFY(!hand.window.canvas().pendingObject());
         hand.redo();
         hand.redo();
         hand.key(Qt::Key_Return);
@@ -105,7 +105,7 @@ private slots:
                 QCOMPARE(hand.window.session().history.count(), int(kept));
                 if (kept)
                     QVERIFY2(hand.corners(0) == hand.placed(count), qPrintable(name));
-                QVERIFY2(!hand.window.canvas().objectInHand(), qPrintable(name));
+                QVERIFY2(!hand.window.canvas().pendingObject(), qPrintable(name));
             }
     }
     void savingAndClosingIncludeThePolyline()
@@ -113,7 +113,7 @@ private slots:
         Hand hand;
         hand.click(3);
         hand.t.answers->save = hand.t.path("polyline.svg");
-        hand.t.action("save")->trigger();
+        hand.t.run("save");
         QCOMPARE(app::sheetOf(app::readFile(hand.t.answers->save).value->document).shapes.size(),
                  std::size_t(1));
         hand.click(2);
@@ -175,10 +175,10 @@ private slots:
             stage.move({100. + i % 200, 50. + i % 7}, Qt::LeftButton);
         QVERIFY2(told.count() <= clock.elapsed() / 100, qPrintable(QString::number(told.count())));
         QTRY_VERIFY(told.count() > 0); // while the pointer rests
-        QCOMPARE(stage.canvas->objectInHand()->object.path.subpaths()[0].segments.size(),
+        QCOMPARE(stage.canvas->pendingObject()->object.path.subpaths()[0].segments.size(),
                  std::size_t(moves));
         stage.release({100, 60});
-        QVERIFY(!stage.canvas->objectInHand());
+        QVERIFY(!stage.canvas->pendingObject());
     }
     void theHintExplainsUndo()
     {
@@ -252,7 +252,7 @@ private:
         std::vector<Ending> all{
             {"Enter", [](Hand& hand) { hand.key(Qt::Key_Return); }},
             {"Esc", [](Hand& hand) { hand.key(Qt::Key_Escape); }},
-            {"Crop", [](Hand& hand) { hand.window.files().crop(); }},
+            {"Crop", [](Hand& hand) { hand.t.run("crop"); }},
             {"panes",
              [](Hand& hand) { // fewer or more panes: the view changes
                  app::Panes panes = hand.window.canvas().panes();

@@ -35,7 +35,7 @@ private slots:
     {
         ui::TestWindow test;
         test.show();
-        test.window->files().open(test.twoLines());
+        test.open(test.twoLines());
         const auto press = [&](QKeyEvent event) {
             QCoreApplication::sendEvent(QApplication::focusWidget(), &event);
         };

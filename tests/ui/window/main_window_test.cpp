@@ -88,6 +88,7 @@ private slots:
         t.show();
         t.answers->open = t.twoLines();
         QTest::keyClick(t.window.get(), Qt::Key_O, Qt::ControlModifier);
+        QTRY_VERIFY(!t.window->files().busy());
         QCOMPARE(t.window->session().scene.lines().size(), std::size_t(2));
         QVERIFY(t.window->windowTitle().startsWith("two.svg"));
         QCOMPARE(t.window->files().recent().size(), std::size_t(1));
@@ -96,13 +97,13 @@ private slots:
     void aBadFileChangesNothing()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         QFile bad(t.path("bad.svg"));
         QVERIFY(bad.open(QIODevice::WriteOnly));
         bad.write("<svg><g>");
         bad.close();
         t.show();
-        t.window->files().open(bad.fileName());
+        t.open(bad.fileName());
         QVERIFY(t.window->message().contains("bad.svg"));
         QVERIFY(t.window->message().contains("Nothing was changed"));
         QCOMPARE(t.window->session().scene.lines().size(), std::size_t(2));
@@ -110,7 +111,7 @@ private slots:
     void digitsChooseTheAlgorithmOnTheCanvasOnly()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         t.show();
         const auto all = clipping::algorithms();
         QCOMPARE(t.window->session().display().variant.algorithm, &clipping::exactAlgorithm());
@@ -147,7 +148,7 @@ private slots:
     void itAsksAboutUnsavedChanges()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         t.show();
         QVERIFY(!t.window->isWindowModified());
         setWindow(t, middle);
@@ -156,14 +157,15 @@ private slots:
         QVERIFY(!t.window->close());
         QCOMPARE(t.answers->asked, 1);
         t.answers->answer = Questions::Answer::Save;
-        QVERIFY(t.window->close());
+        QVERIFY(!t.window->close()); // not before it is saved
+        QTRY_VERIFY(!t.window->isVisible());
         const auto again = app::readFile(t.path("two.svg"));
         QCOMPARE(app::sheetOf(again.value->document).window, middle);
     }
     void dontSaveLeavesTheFile()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         setWindow(t, middle);
         t.answers->answer = Questions::Answer::DontSave;
         t.window->files().startNew();
@@ -173,13 +175,13 @@ private slots:
     void itAsksBeforeOverwritingAnotherProgramsChange()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         setWindow(t, middle);
         QFile file(t.path("two.svg"));
         QVERIFY(file.open(QIODevice::Append));
         file.setFileTime(QDateTime::currentDateTime().addSecs(60), QFile::FileModificationTime);
         file.close();
-        QVERIFY(!t.window->files().save()); // the prepared answer is no
+        QVERIFY(!t.saved()); // the prepared answer is no
         QVERIFY(t.window->isWindowModified());
     }
     void aLossyImportIsSavedAsANewFile()
@@ -191,23 +193,23 @@ private slots:
                    "<text>a</text><path d='M0 0L5 5' stroke='#000'/></svg>");
         file.close();
         t.show();
-        t.window->files().open(file.fileName());
+        t.open(file.fileName());
         QVERIFY2(t.window->message().contains("cannot be kept"), qPrintable(t.window->message()));
         t.answers->asNewFile = false;
-        QVERIFY(!t.window->files().save());
+        QVERIFY(!t.saved());
         t.answers->asNewFile = true;
         t.answers->save = t.path("new.svg");
-        QVERIFY(t.window->files().save());
+        QVERIFY(t.saved());
         QVERIFY(QFile::exists(t.path("new.svg")));
-        QVERIFY(t.window->files().save()); // now it is ours
+        QVERIFY(t.saved()); // now it is ours
     }
     void drawingsAreSavedOnlyAsSvg()
     {
         TestWindow t;
         t.show();
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         t.answers->save = t.path("picture.png");
-        QVERIFY(!t.window->files().saveAs());
+        QVERIFY(!t.saved(&Files::saveAs));
         QVERIFY(!QFile::exists(t.path("picture.png")));
         QVERIFY2(t.window->message().contains("SVG"), qPrintable(t.window->message()));
         QVERIFY(t.window->session().path().endsWith("two.svg"));
@@ -215,11 +217,12 @@ private slots:
     void exportsTheCutDrawing()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         setWindow(t, middle);
         t.show();
         t.answers->save = t.path("out.svg");
         QTest::keyClick(t.window.get(), Qt::Key_E, Qt::ControlModifier);
+        QTRY_VERIFY(!t.window->files().busy());
         QVERIFY2(t.answers->proposed.endsWith("two-cut.svg"), qPrintable(t.answers->proposed));
         QVERIFY2(t.window->message().contains("Exported out.svg"), qPrintable(t.window->message()));
         const auto cut = app::readFile(t.path("out.svg"));
@@ -231,10 +234,10 @@ private slots:
     void croppingCanBeUndone()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         setWindow(t, middle);
         t.show();
-        t.action("crop")->trigger();
+        t.run("crop");
         QCOMPARE(t.window->session().scene.lines().size(), std::size_t(1));
         QVERIFY(t.window->message().startsWith("Cropped"));
         t.action("undo")->trigger();
@@ -244,14 +247,14 @@ private slots:
     void croppingLeavesALockedLayerAlone()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         setWindow(t, middle);
         t.show();
         auto layers = sheetOf(t.window->session().document).layers;
         layers.front().locked = true;
         ::setLayers(t.window->session().document, layers);
         const int before = t.window->session().history.count();
-        t.action("crop")->trigger();
+        t.run("crop");
         QCOMPARE(t.window->session().scene.lines().size(), std::size_t(2));
         QCOMPARE(t.window->session().history.count(), before);
         QCOMPARE(t.window->message(), "Nothing was cropped. Unchanged on locked layers: 1.");
@@ -337,9 +340,9 @@ private slots:
     void croppingWithoutEffectIsNoStep()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         t.show();
-        t.action("crop")->trigger();
+        t.run("crop");
         QCOMPARE(t.window->session().history.count(), 0);
         QCOMPARE(t.window->message(),
                  "Nothing was cropped: the clip window keeps all of the drawing.");
@@ -347,7 +350,7 @@ private slots:
     void selectionKeysReportAnEmptySelection()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         t.show();
         const QString said = "Nothing is selected. Select an object first.";
         const QList<std::pair<const char*, QKeySequence>> commands{
@@ -382,7 +385,7 @@ private slots:
     void theClipboardWarningDisappearsWithTheNextPaste()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         t.show();
         const QString warning = "The clipboard holds no drawing. Copy lines first.";
         const auto shapes = [&] { return sheetOf(t.window->session().document).shapes.size(); };
@@ -409,7 +412,7 @@ private slots:
     void clipboardAndSelection()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         app::Session& session = t.window->session();
         t.action("select-all")->trigger();
         QCOMPARE(session.selection().size(), std::size_t(1));
@@ -550,7 +553,7 @@ private slots:
     void stackedPanelsHaveTitles()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         t.show();
         for (const char* key : {"algorithm", "window", "line", "layers"}) {
             auto* dock = t.window->findChild<QDockWidget*>(key);
@@ -566,7 +569,7 @@ private slots:
     {
         for (const int height : {760, 800, 900, 1200}) {
             TestWindow t;
-            t.window->files().open(t.twoLines());
+            t.open(t.twoLines());
             t.window->resize(1280, height);
             t.show();
             QTest::keyClick(t.window.get(), Qt::Key_F8);
@@ -609,7 +612,7 @@ private slots:
     void panesAreChosenAndRemembered()
     {
         TestWindow t;
-        t.window->files().open(t.twoLines());
+        t.open(t.twoLines());
         t.show();
         auto* segments = t.window->findChild<OptionBar*>()->findChild<Segments*>("panes");
         QCOMPARE(segments->chosen(), 0);

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/formats/loss_text.h"
+#include "ui/files/files.h"
+
+#include <QFileInfo>
+
+// What replaces the drawing in the window.
+
+namespace ui {
+
+namespace {
+
+constexpr double newPenMillimetres = 0.3; // the stroke width in a new drawing
+
+app::Document emptyDocument()
+{
+    app::Document document;
+    document.apply(
+        {.page = app::Page{{0, 0}, {420, 297}, {420, app::Unit::Mm}, {297, app::Unit::Mm}}});
+    return document;
+}
+
+} // namespace
+
+void Files::replace(std::function<void(const Turn&)> then)
+{
+    background_.inTurn([this, then = std::move(then)](const Turn& turn) {
+        keepChanges([then, turn](bool mayReplace) {
+            if (mayReplace)
+                then(turn);
+        });
+    });
+}
+
+void Files::show(app::Imported imported, const QString& path, const QString& title)
+{
+    title_ = title;
+    sample_.clear();
+    session_.load(std::move(imported), path);
+    session_.pen.style.width = newPenMillimetres / session_.now().page().millimetresPerUnit();
+    seen_ = QFileInfo(path).lastModified();
+    emit nameChanged();
+    emit told({});
+}
+
+void Files::startNew()
+{
+    replace([this](const Turn&) { show({emptyDocument(), {}}, {}, {}); });
+}
+
+void Files::openMade(app::Document document, const QString& title, Answer opened)
+{
+    mayClose(
+        [this, document = std::move(document), title, opened = std::move(opened)](bool mayReplace) {
+            if (mayReplace)
+                show({document, {}}, {}, title);
+            if (opened)
+                opened(mayReplace);
+        });
+}
+
+void Files::open()
+{
+    background_.whenIdle([this] {
+        if (const QString path = questions_->fileToOpen(folder()); !path.isEmpty())
+            open(path);
+    });
+}
+
+void Files::open(const QString& path)
+{
+    replace([this, absolute = QFileInfo(path).absoluteFilePath()](const Turn& turn) {
+        read(absolute, turn);
+    });
+}
+
+void Files::read(const QString& path, const Turn& turn)
+{
+    using Read = app::Result<app::Imported>;
+    background_.run(
+        tr("Opening %1…").arg(QFileInfo(path).fileName()),
+        [path](const app::Follower&) { return app::readFile(path); },
+        [this, path, turn](std::optional<Read> read) {
+            if (!read)
+                return;
+            if (!*read)
+                return emit told(
+                    {Message::Kind::Warning, tr("%1 Nothing was changed.").arg(read->error)});
+            show(std::move(*read->value), path, {});
+            noteRecent();
+            tellLosses();
+        },
+        InBackground::Cancel::Drops);
+}
+
+void Files::tellLosses()
+{
+    const auto& losses = session_.losses();
+    if (losses.empty())
+        return;
+    const QString sentence = app::lossSentence(losses);
+    emit told({Message::Kind::Warning,
+               sentence.isEmpty() ? tr("%1 was opened with some changes.").arg(name()) : sentence,
+               tr("Show details"), [this, losses] { questions_->showLosses(name(), losses); }});
+}
+
+void Files::openSample(const app::Sample& sample)
+{
+    replace([this, sample](const Turn&) {
+        auto read = app::readFile(sample.file);
+        if (!read)
+            return emit told({Message::Kind::Warning, read.error});
+        show(std::move(*read.value), {}, sample.title);
+        sample_ = sample.key;
+        emit nameChanged();
+    });
+}
+
+} // namespace ui

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/files/files.h"
+
+#include <QFileInfo>
+
+// Saving, and the question about unsaved changes.
+
+namespace ui {
+
+namespace {
+
+bool isNative(const QString& path) { return app::formatOfFile(path) == &app::formats().front(); }
+
+/// An answer that ends its turn after it was given.
+Files::Answer inTurn(const InBackground::Turn& turn, Files::Answer answer)
+{
+    return [turn, answer = std::move(answer)](bool yes) {
+        if (answer)
+            answer(yes);
+    };
+}
+
+} // namespace
+
+void Files::mayClose(const Answer& answer)
+{
+    background_.inTurn([=, this](const Turn& turn) { keepChanges(inTurn(turn, answer)); });
+}
+
+void Files::save(Answer saved)
+{
+    background_.inTurn([=, this](const Turn& turn) { saveNow(inTurn(turn, saved)); });
+}
+
+void Files::saveAs(Answer saved)
+{
+    background_.inTurn([=, this](const Turn& turn) {
+        emit documentWanted();
+        askPath(inTurn(turn, saved));
+    });
+}
+
+void Files::keepChanges(const Answer& mayReplace)
+{
+    emit documentWanted();
+    if (session_.history.isClean() || app::isUnchangedSample(sample_, session_.now()))
+        return mayReplace(true);
+    switch (questions_->saveChanges(name())) {
+    case Questions::Answer::Save:
+        return saveNow(mayReplace);
+    case Questions::Answer::DontSave:
+        return mayReplace(true);
+    case Questions::Answer::Cancel:
+        return mayReplace(false);
+    }
+}
+
+void Files::saveNow(const Answer& saved)
+{
+    emit documentWanted();
+    const QString path = session_.path();
+    if (path.isEmpty() || !isNative(path))
+        return askPath(saved);
+    if (session_.mustSaveAs())
+        return questions_->saveAsNewFile(session_.losses()) ? askPath(saved) : saved(false);
+    const bool changedElsewhere =
+        QFileInfo::exists(path) && QFileInfo(path).lastModified() != seen_;
+    if (changedElsewhere && !questions_->overwriteChanged(path))
+        return saved(false);
+    write(path, saved);
+}
+
+// Only the native format holds a whole drawing; another format would lose parts of it.
+void Files::askPath(const Answer& saved)
+{
+    const QString path = questions_->fileToSave(tr("Save as"), proposal(QStringLiteral(".svg")),
+                                                Questions::Formats::Native);
+    if (!path.isEmpty() && isNative(path))
+        return write(path, saved);
+    if (!path.isEmpty())
+        emit told({Message::Kind::Warning, tr("%1 was not saved, because drawings are saved only "
+                                              "as SVG. “Export cut drawing…” writes other types.")
+                                               .arg(QFileInfo(path).fileName())});
+    saved(false);
+}
+
+void Files::write(const QString& path, const Answer& saved)
+{
+    background_.run(
+        tr("Saving %1…").arg(QFileInfo(path).fileName()),
+        [document = session_.beginSaving(), path](const app::Follower& follower) {
+            return app::save(document, path, follower.stop);
+        },
+        [this, path, saved](const std::optional<app::Saved>& written) {
+            noteSaved(written.value(), path);
+            saved(written->end == app::Saved::End::Written);
+        },
+        InBackground::Cancel::Stops);
+}
+
+void Files::noteSaved(const app::Saved& saved, const QString& path)
+{
+    if (saved.end == app::Saved::End::Failed)
+        emit told({Message::Kind::Warning, saved.error});
+    if (saved.end != app::Saved::End::Written)
+        return;
+    session_.endSaving(path);
+    seen_ = saved.fileTime;
+    title_.clear();
+    sample_.clear();
+    noteRecent();
+    emit nameChanged();
+    emit told({});
+}
+
+} // namespace ui
