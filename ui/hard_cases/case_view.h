@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/variant.h"
 #include "app/hard_cases/hard_case.h"
 
 #include <QLabel>
