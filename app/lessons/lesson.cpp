@@ -133,6 +133,7 @@ struct Reading {
     }
 };
 
+// THE CATALOGUE. To add a lesson: write its file in resources/lessons/, and add its key here.
 // clang-format off
 constexpr std::array keys{
     "why-clip",
@@ -162,7 +163,6 @@ Result<Lesson> readLesson(const QString& key, const QString& text)
     return Result<Lesson>::of(reading.lesson);
 }
 
-// THE CATALOGUE. To add a lesson: write its file in resources/lessons/, and add its key here.
 const std::vector<Lesson>& lessons()
 {
     static const std::vector<Lesson> all = [] {
