@@ -68,10 +68,6 @@ std::optional<app::PendingObject> Canvas::pendingObject() const
     return parts_->controller.pendingObject();
 }
 void Canvas::setSnapping(app::SnapTo to) { parts_->controller.setSnapping(to); }
-void Canvas::setPointingDevice(PointingDevice device)
-{
-    parts_->controller.navigation().device = device;
-}
 void Canvas::fitDrawing() { parts_->controller.fitDrawing(); }
 void Canvas::fitSelection() { parts_->controller.fitSelection(); }
 void Canvas::fitWindow() { parts_->controller.fitWindow(); }

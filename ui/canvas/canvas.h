@@ -54,7 +54,6 @@ public:
     std::optional<app::PendingObject> pendingObject() const; ///< what endGesture() would keep now
 
     void setSnapping(app::SnapTo to);
-    void setPointingDevice(PointingDevice device);
 
     void fitDrawing();   ///< the page and everything that is drawn
     void fitSelection(); ///< the drawing if nothing is selected

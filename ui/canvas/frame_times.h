@@ -12,7 +12,6 @@ namespace ui {
 /// painting it.
 struct FrameTimes {
     double clipMs = 0, drawMs = 0;
-    std::uint64_t clipNanoseconds = 0;
     std::size_t visible = 0, total = 0;
     std::optional<app::Variant> choice{}; ///< the variant that clipped
     /// The new picture is not ready: the last one is shown, moved and scaled.

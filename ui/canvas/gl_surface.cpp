@@ -65,8 +65,8 @@ protected:
         paintOverlay(painter, controller_, pane_);
         painter.end();
         const double clipMs = double(frame.nanoseconds) * 1e-6;
-        report_({clipMs, double(clock.nsecsElapsed()) * 1e-6 - clipMs, frame.nanoseconds,
-                 frame.visible, frame.total, pane_.choice});
+        report_({clipMs, double(clock.nsecsElapsed()) * 1e-6 - clipMs, frame.visible, frame.total,
+                 pane_.choice});
     }
 
 private:

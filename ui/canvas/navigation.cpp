@@ -94,10 +94,8 @@ void Navigation::forth()
 }
 
 // A mouse wheel turns by whole notches and has no phases; but X11 reports pixel deltas for it too.
-bool Navigation::isTouchpad(const QWheelEvent& event) const
+bool Navigation::isTouchpad(const QWheelEvent& event)
 {
-    if (device != PointingDevice::Automatic)
-        return device == PointingDevice::Touchpad;
     if (event.phase() != Qt::NoScrollPhase)
         return true;
     const QPoint angle = event.angleDelta();

@@ -37,14 +37,12 @@ public:
     void wheel(const QWheelEvent& event);
     bool gesture(const QNativeGestureEvent& event); ///< true if the gesture was handled
 
-    PointingDevice device = PointingDevice::Automatic;
-
 signals:
     void moved();
 
 private:
     void replace(const app::View& view);
-    bool isTouchpad(const QWheelEvent& event) const;
+    static bool isTouchpad(const QWheelEvent& event);
 
     app::View view_;
     app::ViewHistory history_;

@@ -94,8 +94,8 @@ protected:
         paintOverlay(painter, controller_, pane_);
         const double clipMs = double(frame.nanoseconds) * 1e-6;
         const double waitMs = art_.key == key ? 0 : lastMs_; // painted by other threads
-        report_({clipMs, std::max(milliseconds(clock) - clipMs, waitMs), frame.nanoseconds,
-                 frame.visible, frame.total, pane_.choice, art_.key != key});
+        report_({clipMs, std::max(milliseconds(clock) - clipMs, waitMs), frame.visible, frame.total,
+                 pane_.choice, art_.key != key});
     }
 
 private:
