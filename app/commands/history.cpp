@@ -4,7 +4,6 @@
 #include "app/base/heap_bytes.h"
 
 #include <algorithm>
-#include <cassert>
 #include <utility>
 
 namespace app {
@@ -13,16 +12,12 @@ void History::push(UndoCommand* command)
 {
     std::unique_ptr<UndoCommand> done(command);
     done->redo();
-    if (macros_ > 0)
-        return macro_.commands.push_back(std::move(done));
     const auto now = clock_();
     if (lastPush_ && now - *lastPush_ < mergingTime && joinsLast(*done)) {
         measure(steps_.back());
         notify(false, forgetOldest());
     } else {
-        Step step{done->text()};
-        step.commands.push_back(std::move(done));
-        append(std::move(step));
+        append({std::move(done)});
     }
     lastPush_ = now;
 }
@@ -30,7 +25,7 @@ void History::push(UndoCommand* command)
 // Requires lastPush_ to be set: then the last command pushed is the last of all steps, and done.
 bool History::joinsLast(const UndoCommand& command) const
 {
-    UndoCommand& last = *steps_.back().commands.back();
+    UndoCommand& last = *steps_.back().command;
     const QString key = last.mergeKey();
     return !key.isEmpty() && key == command.mergeKey() && last.mergeWith(command);
 }
@@ -56,10 +51,7 @@ void History::append(Step step)
 void History::measure(Step& step)
 {
     bytes_ -= step.bytes;
-    step.bytes = sizeof(Step) + heapBytes(step.text)
-                 + heapBlock(step.commands.capacity() * sizeof(step.commands.front()));
-    for (const auto& command : step.commands)
-        step.bytes += command->bytes();
+    step.bytes = sizeof(Step) + heapBytes(step.command->text()) + step.command->bytes();
     bytes_ += step.bytes;
 }
 
@@ -93,7 +85,7 @@ void History::redo() { setIndex(index_ + 1); }
 void History::setIndex(int index)
 {
     index = std::clamp(index, 0, count());
-    if (macros_ > 0 || index == index_)
+    if (index == index_)
         return;
     const bool wasClean = isClean();
     lastPush_.reset();
@@ -107,38 +99,20 @@ void History::setIndex(int index)
 void History::undoOne()
 {
     Step& step = steps_[std::size_t(--index_)];
-    std::for_each(step.commands.rbegin(), step.commands.rend(),
-                  [](const auto& command) { command->undo(); });
+    step.command->undo();
     measure(step);
 }
 
 void History::redoOne()
 {
     Step& step = steps_[std::size_t(index_++)];
-    for (const auto& command : step.commands)
-        command->redo();
+    step.command->redo();
     measure(step);
 }
 
 QString History::text(int step) const
 {
-    return step >= 0 && step < count() ? steps_[std::size_t(step)].text : QString();
-}
-
-void History::beginMacro(const QString& text)
-{
-    if (macros_++ == 0)
-        macro_ = {text};
-}
-
-void History::endMacro()
-{
-    assert(macros_ > 0);
-    if (--macros_ > 0)
-        return;
-    lastPush_.reset();
-    if (!macro_.commands.empty())
-        append(std::exchange(macro_, {}));
+    return step >= 0 && step < count() ? steps_[std::size_t(step)].command->text() : QString();
 }
 
 void History::setClean()
@@ -149,7 +123,6 @@ void History::setClean()
 
 void History::beginClean()
 {
-    assert(macros_ == 0);
     cleanNext_ = index_;
     lastPush_.reset(); // a command that merged with the last step would lose the saved state
 }
@@ -175,9 +148,8 @@ void History::clear()
 {
     const bool wasClean = isClean();
     steps_.clear();
-    macro_ = {};
     lastPush_.reset();
-    index_ = macros_ = forgotten_ = 0;
+    index_ = forgotten_ = 0;
     bytes_ = 0;
     clean_ = 0;
     cleanNext_.reset();

@@ -10,7 +10,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <vector>
 
 namespace app {
 
@@ -29,29 +28,23 @@ public:
     using QObject::QObject;
 
     /// Executes the command and takes ownership. Discards all undone steps. The command joins the
-    /// last step if the two can be merged, unless something happened in between: undo, redo, save
-    /// or a macro.
+    /// last step if the two can be merged, unless something happened in between: undo, redo or
+    /// save.
     void push(UndoCommand* command);
     void undo();
     void redo();
-
-    /// All commands pushed until endMacro() form one step, with which nothing merges; without a
-    /// push there is no step. Macros may be nested; only the outermost makes a step. During a macro
-    /// nothing can be undone or redone.
-    void beginMacro(const QString& text);
-    void endMacro();
 
     int index() const { return index_; }             ///< the number of steps that are done
     int count() const { return int(steps_.size()); } ///< done and undone
     void setIndex(int index);                        ///< undoes or redoes until index() is `index`
     QString text(int step) const;                    ///< step 0 is the oldest; empty if none
-    bool canUndo() const { return macros_ == 0 && index_ > 0; }
-    bool canRedo() const { return macros_ == 0 && index_ < count(); }
+    bool canUndo() const { return index_ > 0; }
+    bool canRedo() const { return index_ < count(); }
     QString undoText() const { return canUndo() ? text(index_ - 1) : QString(); }
     QString redoText() const { return canRedo() ? text(index_) : QString(); }
 
     /// Whether the document is in its state at the last setClean(), or at the start of the history.
-    bool isClean() const { return macros_ == 0 && clean_ == index_; }
+    bool isClean() const { return clean_ == index_; }
     void setClean();
     /// setClean() in two parts, for a state that is saved while the history may go on: the state at
     /// beginClean() becomes the clean one at endClean().
@@ -78,8 +71,7 @@ signals:
 
 private:
     struct Step {
-        QString text;
-        std::vector<std::unique_ptr<UndoCommand>> commands{}; ///< in the order they were done
+        std::unique_ptr<UndoCommand> command;
         std::size_t bytes = 0;
     };
 
@@ -95,8 +87,6 @@ private:
     int index_ = 0;
     std::optional<int> clean_ = 0; ///< the index at which the document is clean
     std::optional<int> cleanNext_; ///< that index after endClean()
-    Step macro_;                   ///< being recorded while macros_ > 0
-    int macros_ = 0;               ///< the number of open, nested macros
     std::size_t bytes_ = 0, limit_ = usualLimit;
     int forgotten_ = 0;
     Clock clock_ = std::chrono::steady_clock::now;

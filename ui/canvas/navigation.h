@@ -8,13 +8,9 @@
 #include <QNativeGestureEvent>
 #include <QWheelEvent>
 
-#include <cstdint>
 #include <optional>
 
 namespace ui {
-
-/// The device that scrolls. Automatic: a touchpad if the system reports pixel deltas from one.
-enum class PointingDevice : std::uint8_t { Automatic, Mouse, Touchpad };
 
 /// The view, and its response to wheel, touchpad and pinch gestures.
 class Navigation : public QObject {
