@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cost_map/measure.h"
 
-#include "app/base/latin.h"
 #include "app/base/numbers.h"
 #include "app/base/promised_operations.h"
 #include "app/cost_map/translation.h"
 
-#include <algorithm>
 #include <array>
 
 namespace app {
@@ -32,13 +30,6 @@ std::span<const CostMeasure> costMeasures()
                     [](const OperationCounts& counts) { return counts.divisions; }},
         CostMeasure{"time", C::tr("Time (noisy)"), {}, C::tr("%1 ns"), nullptr}};
     return all;
-}
-
-const CostMeasure* findCostMeasure(const QString& key)
-{
-    const auto found = std::ranges::find_if(
-        costMeasures(), [&](const CostMeasure& measure) { return latin(measure.key) == key; });
-    return found == costMeasures().end() ? nullptr : &*found;
 }
 
 QString costText(const CostMeasure& measure, double cost)

@@ -23,9 +23,6 @@ struct CostMeasure {
 /// Every measure, in menu order; the first is all operations (`promisedOf`).
 std::span<const CostMeasure> costMeasures();
 
-/// Null if there is none.
-const CostMeasure* findCostMeasure(const QString& key);
-
 /// "32 operations", "1 division", "23.9 ns".
 QString costText(const CostMeasure& measure, double cost);
 

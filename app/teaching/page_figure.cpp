@@ -3,7 +3,6 @@
 
 #include "app/teaching/figure.h"
 
-#include <QCoreApplication>
 #include <QGuiApplication>
 #include <QPainter>
 
@@ -12,8 +11,6 @@
 namespace app {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("Page", text); }
 
 constexpr clipping::Window window{{-100, -75}, {100, 75}}; // the paper's
 
@@ -47,18 +44,6 @@ std::size_t stepOf(const PageFigure& figure, const Narration& narration)
         if (narration.steps[i - 1].mark == figure.mark)
             return i - 1;
     return std::max<std::size_t>(narration.steps.size(), 1) - 1;
-}
-
-QString pageFigureCaption(const clipping::Algorithm& algorithm)
-{
-    const Narration narration = narrationOf(pageTracedLine(algorithm));
-    if (narration.steps.empty())
-        return {};
-    const std::size_t step = stepOf(teachingOf(algorithm).figure, narration);
-    return tr("Step %1 of %2: %3")
-        .arg(step + 1)
-        .arg(narration.steps.size())
-        .arg(narration.steps[step].sentence);
 }
 
 QImage pageFigure(const clipping::Algorithm& algorithm, Ground ground, int width,

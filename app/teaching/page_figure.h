@@ -15,9 +15,6 @@ namespace app {
 TracedLine pageTracedLine(const clipping::Algorithm& algorithm);
 /// The figure's step: the last one with the row's mark, or the last of all if there is none.
 std::size_t stepOf(const PageFigure& figure, const Narration& narration);
-/// The caption "Step 11 of 13: End 2 lies above the window …"; empty: an algorithm without steps
-/// has no figure.
-QString pageFigureCaption(const clipping::Algorithm& algorithm);
 
 /// The figure, `width` logical pixels wide and 9/16 of that high, with `devicePixels` device pixels
 /// for each logical one; a null image if there are no steps.

@@ -11,6 +11,7 @@
 #include <QPainter>
 #include <QTest>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -31,6 +32,12 @@ CostPlan planOf(const Variant& variant, const CostMeasure& measure)
     plan.columns = 24;
     plan.rows = 18;
     return plan;
+}
+
+const CostMeasure& costMeasure(const QString& key)
+{
+    return *std::ranges::find(costMeasures(), key,
+                              [](const CostMeasure& measure) { return latin(measure.key); });
 }
 
 CostPlan cheapestPlan()
@@ -70,7 +77,7 @@ private slots:
         QFETCH(QString, key);
         QFETCH(QString, measure);
         const Variant variant = *findVariant(key);
-        const CostPlan plan = planOf(variant, *findCostMeasure(measure));
+        const CostPlan plan = planOf(variant, costMeasure(measure));
         const CostMap map = costMap(plan);
         QVERIFY(map.complete());
         const auto* uses = usesOf(*variant.algorithm, variant.form);
@@ -134,7 +141,7 @@ private slots:
 
     void timesAreNanoseconds()
     {
-        CostPlan plan = planOf({findAlgorithm("CS")}, *findCostMeasure("time"));
+        CostPlan plan = planOf({findAlgorithm("CS")}, costMeasure("time"));
         plan.columns = plan.rows = 3;
         for (const float nanoseconds : notEmpty(costMap(plan).values))
             QVERIFY2(nanoseconds > 0.1 && nanoseconds < 1e6,
@@ -154,7 +161,7 @@ private slots:
         QCOMPARE(costWords(plan, {0, 0}), QString("24 operations here; cheapest: %1 %2")
                                               .arg(namesOf(plan, best.which))
                                               .arg(best.cost));
-        QCOMPARE(costText(*findCostMeasure("divisions"), 1), "1 division");
+        QCOMPARE(costText(costMeasure("divisions"), 1), "1 division");
     }
 
     void regionsHangTogether()
