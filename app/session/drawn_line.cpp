@@ -75,9 +75,9 @@ void DrawnLine::choose(const Variant& variant)
     if (!attached_ || variant.misprint)
         return session_.microscope.setTracedLine(tracedLine);
     show(tracedLine);
-    Display display = session_.display();
-    display.variant = {variant.algorithm, variant.form};
-    session_.setDisplay(display);
+    session_.changeDisplay([&variant](Display& display) {
+        display.variant = {variant.algorithm, variant.form};
+    });
 }
 
 void DrawnLine::back()

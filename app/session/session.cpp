@@ -93,9 +93,7 @@ void Session::load(Imported imported, const QString& path)
     saving_ = false;
     history.clear();
     document.load(std::move(imported.document));
-    Display display = display_;
-    display.unit = now().page().usualUnit();
-    setDisplay(display);
+    changeDisplay([this](Display& display) { display.unit = now().page().usualUnit(); });
     emit fileChanged();
     emit loaded();
 }

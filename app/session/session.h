@@ -12,6 +12,7 @@
 #include "app/session/preview.h"
 #include "app/view/removed_part.h"
 
+#include <concepts>
 #include <optional>
 
 namespace app {
@@ -80,6 +81,13 @@ public:
 
     const Display& display() const { return display_; }
     void setDisplay(const Display& display);
+    /// `edit` changes a copy of the display, which then replaces it.
+    void changeDisplay(const std::invocable<Display&> auto& edit)
+    {
+        Display display = display_;
+        edit(display);
+        setDisplay(display);
+    }
     /// The variant that clips: the wanted form if the algorithm has it.
     Variant variant() const { return usable(display_.variant); }
     const clipping::Uses<clipping::Segment, clipping::Window>& uses() const;

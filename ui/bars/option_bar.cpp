@@ -157,9 +157,8 @@ void OptionBar::addClipping()
     connect(keep_, &Segments::picked, this,
             [this](int index) { setKeep(session_, app::Keep(index)); });
     connect(removed_, &Segments::picked, this, [this](int index) {
-        app::Display display = session_.display();
-        display.removed = app::RemovedPart(index);
-        session_.setDisplay(display);
+        session_.changeDisplay(
+            [index](app::Display& display) { display.removed = app::RemovedPart(index); });
     });
 }
 

@@ -32,10 +32,8 @@ void Canvas::setPanes(const app::Panes& panes)
 {
     parts_->panes = panes;
     layOut();
-    app::Session& session = parts_->controller.session();
-    app::Display display = session.display();
-    display.variant = panes.chosen();
-    session.setDisplay(display);
+    parts_->controller.session().changeDisplay(
+        [&panes](app::Display& display) { display.variant = panes.chosen(); });
     emit panesChanged();
 }
 

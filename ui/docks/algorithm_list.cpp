@@ -178,9 +178,9 @@ void AlgorithmList::currentChanged(const QModelIndex& current, const QModelIndex
     QListView::currentChanged(current, previous);
     if (!current.isValid())
         return;
-    app::Display display = session_.display();
-    display.variant.algorithm = &clipping::algorithms()[std::size_t(current.row())];
-    session_.setDisplay(display);
+    session_.changeDisplay([&current](app::Display& display) {
+        display.variant.algorithm = &clipping::algorithms()[std::size_t(current.row())];
+    });
 }
 
 void AlgorithmList::follow()

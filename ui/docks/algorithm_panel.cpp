@@ -61,9 +61,7 @@ AlgorithmPanel::AlgorithmPanel(app::Session& session, QWidget* parent)
     column->addStretch();
 
     const auto choose = [this](clipping::Form chosen) {
-        app::Display display = session_.display();
-        display.variant.form = chosen;
-        session_.setDisplay(display);
+        session_.changeDisplay([chosen](app::Display& display) { display.variant.form = chosen; });
     };
     connect(corrected_, &QRadioButton::clicked, this, [=] { choose(clipping::Form::Corrected); });
     connect(published_, &QRadioButton::clicked, this, [=] { choose(clipping::Form::Published); });

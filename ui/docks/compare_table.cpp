@@ -75,9 +75,7 @@ void CompareTable::choose(const QModelIndex& index)
     if (!index.isValid())
         return;
     const app::Variant& chosen = model_.row(sorted_.mapToSource(index).row()).variant;
-    app::Display display = session_.display();
-    display.variant = chosen;
-    session_.setDisplay(display);
+    session_.changeDisplay([&chosen](app::Display& display) { display.variant = chosen; });
 }
 
 void CompareTable::follow()

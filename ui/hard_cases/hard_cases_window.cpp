@@ -115,9 +115,9 @@ void HardCasesWindow::draw(const app::HardCase& hard, const app::Variant& varian
     files_.openMade(*document.value, hard.title, [self = QPointer(this), variant](bool opened) {
         if (!self || !opened)
             return;
-        app::Display display = self->session_.display();
-        display.variant = {variant.algorithm, variant.form};
-        self->session_.setDisplay(display);
+        self->session_.changeDisplay([&variant](app::Display& display) {
+            display.variant = {variant.algorithm, variant.form};
+        });
         self->window_.raise();
         self->window_.activateWindow();
     });

@@ -18,16 +18,10 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("ClipMenu", text); }
 
-void change(MainWindow& window, const std::function<void(app::Display&)>& edit)
-{
-    app::Display display = window.session().display();
-    edit(display);
-    window.session().setDisplay(display);
-}
-
 void choose(MainWindow& window, const clipping::Algorithm& algorithm)
 {
-    change(window, [&](app::Display& display) { display.variant.algorithm = &algorithm; });
+    window.session().changeDisplay(
+        [&](app::Display& display) { display.variant.algorithm = &algorithm; });
 }
 
 /// Adds the algorithms, with digits as shortcuts while the canvas has the focus.
@@ -71,7 +65,7 @@ void setKeep(MainWindow& window)
 template <app::RemovedPart removed>
 void setRemoved(MainWindow& window)
 {
-    change(window, [](app::Display& display) { display.removed = removed; });
+    window.session().changeDisplay([](app::Display& display) { display.removed = removed; });
 }
 
 void windowOnPage(MainWindow& window) { layWindowOnPage(window.session()); }

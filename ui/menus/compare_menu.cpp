@@ -76,9 +76,7 @@ void showMisprint(MainWindow& window)
 
 void choose(MainWindow& window, clipping::Form form)
 {
-    app::Display display = window.session().display();
-    display.variant.form = form;
-    window.session().setDisplay(display);
+    window.session().changeDisplay([form](app::Display& display) { display.variant.form = form; });
 }
 
 bool someLines(const MainWindow& window) { return window.session().scene.lines().size() > 0; }

@@ -22,9 +22,8 @@ void toggleMicroscope(MainWindow& window)
 
 void toggleOverlay(MainWindow& window)
 {
-    app::Display display = window.session().display();
-    display.overlay = !display.overlay;
-    window.session().setDisplay(display);
+    window.session().changeDisplay(
+        [](app::Display& display) { display.overlay = !display.overlay; });
 }
 
 } // namespace

@@ -24,9 +24,8 @@ void addUnits(MainWindow& window, QMenu& menu)
         const auto suffix = app::infoOf(unit).suffix;
         auto* action =
             menu.addAction(QStringLiteral("&") + app::latin(suffix), &window, [&window, unit] {
-                app::Display display = window.session().display();
-                display.unit = unit;
-                window.session().setDisplay(display);
+                window.session().changeDisplay(
+                    [unit](app::Display& display) { display.unit = unit; });
             });
         action->setCheckable(true);
         group->addAction(action);

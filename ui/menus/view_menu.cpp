@@ -17,9 +17,8 @@ QString tr(const char* text) { return QCoreApplication::translate("ViewMenu", te
 
 void toggle(MainWindow& window, bool app::Display::*member)
 {
-    app::Display display = window.session().display();
-    display.*member = !(display.*member);
-    window.session().setDisplay(display);
+    window.session().changeDisplay(
+        [member](app::Display& display) { display.*member = !(display.*member); });
 }
 
 /// Zooms the drawing, or the microscope if it is open.

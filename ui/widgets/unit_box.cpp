@@ -24,9 +24,9 @@ UnitBox::UnitBox(app::Session& session, QWidget* parent) : ToolList(parent)
         setCurrentIndex(findData(int(session.display().unit)));
     };
     connect(this, &QComboBox::activated, this, [this, &session](int index) {
-        app::Display display = session.display();
-        display.unit = app::Unit(itemData(index).toInt());
-        session.setDisplay(display);
+        session.changeDisplay([this, index](app::Display& display) {
+            display.unit = app::Unit(itemData(index).toInt());
+        });
     });
     connect(&session, &app::Session::displayChanged, this, follow);
     follow();

@@ -38,10 +38,10 @@ void Modes::followMicroscope()
 
 void Modes::togglePresenting()
 {
-    app::Display display = session_.display();
-    display.presenting = !display.presenting;
-    display.presenting ? presenting_.enter() : presenting_.leave();
-    session_.setDisplay(display);
+    const bool presenting = !session_.display().presenting;
+    presenting ? presenting_.enter() : presenting_.leave();
+    session_.changeDisplay(
+        [presenting](app::Display& display) { display.presenting = presenting; });
     microscope_.remake();
     fit();
     emit changed();

@@ -2,6 +2,7 @@
 #include "app/commands/set_window.h"
 #include "app/session/session.h"
 
+#include <QSignalSpy>
 #include <QTest>
 
 #include "tests/app/document/first_window.h"
@@ -58,6 +59,19 @@ class SessionTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void theDisplayIsChangedInOnePart()
+    {
+        app::Session session;
+        const app::Display before = session.display();
+        const QSignalSpy changed(&session, &app::Session::displayChanged);
+        session.changeDisplay([](app::Display& display) { display.overlay = true; });
+        app::Display expected = before;
+        expected.overlay = true;
+        QVERIFY(session.display() == expected);
+        session.changeDisplay([](app::Display&) {});
+        QCOMPARE(changed.size(), 1);
+    }
+
     void windowsAreAlwaysThoseOfNow()
     {
         const clipping::Window a{{0, 0}, {5, 5}}, b{{2, 2}, {9, 9}}, c{{1, 1}, {3, 3}};
