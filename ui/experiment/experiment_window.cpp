@@ -9,6 +9,9 @@
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/window_place.h"
+#include "ui/widgets/plain_button.h"
+#include "ui/widgets/progress_row.h"
+#include "ui/widgets/rule.h"
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -26,16 +29,7 @@ const QString durationRatioKey = QStringLiteral("experimentPace");
 constexpr QSize usual(1180, 780), smallest(640, 360);
 constexpr double leastTelling = 1; // seconds; shorter runs consist mostly of overhead
 constexpr double leastDurationRatio = 0.02, mostDurationRatio = 50;
-constexpr int leftWidth = 300, barWidth = 180;
-
-QPushButton* button(const QString& text, std::string_view iconKey = {})
-{
-    auto* one = new QPushButton(text);
-    one->setAutoDefault(false);
-    if (!iconKey.empty())
-        one->setIcon(icon(iconKey));
-    return one;
-}
+constexpr int leftWidth = 300;
 
 QLabel* aside(const QString& text)
 {
@@ -67,17 +61,6 @@ QWidget* invitation()
     return page;
 }
 
-/// A line one pixel wide.
-QFrame* rule(QFrame::Shape shape)
-{
-    auto* line = new QFrame;
-    line->setFrameShape(shape);
-    line->setFrameShadow(QFrame::Plain);
-    line->setForegroundRole(QPalette::Mid);
-    line->setLineWidth(1);
-    return line;
-}
-
 } // namespace
 
 ExperimentWindow::ExperimentWindow(app::Session& session, std::function<QString()> name,
@@ -86,10 +69,10 @@ ExperimentWindow::ExperimentWindow(app::Session& session, std::function<QString(
       exports_(new Exports(*this)), choice_(new ChoicePanel([this] {
           return app::drawingSubject(name_(), session_.scene.lines(), session_.now());
       })),
-      run_(button(tr("&Run"), "play")), quick_(button(tr("&Quick run"))),
-      cancel_(button(tr("&Cancel"))), copy_(button(tr("Co&py table"))), export_(new QToolButton),
-      effort_(aside({})), state_(new QLabel), bar_(new QProgressBar), strip_(new MessageStrip),
-      stack_(new QStackedWidget), results_(new Results({copy_, export_}))
+      run_(plainButton(tr("&Run"), "play")), quick_(plainButton(tr("&Quick run"))),
+      copy_(plainButton(tr("Co&py table"))), export_(new QToolButton), effort_(aside({})),
+      progress_(new ProgressRow), strip_(new MessageStrip), stack_(new QStackedWidget),
+      results_(new Results({copy_, export_}))
 {
     durationRatio_ =
         app::rememberedNumber(durationRatioKey, leastDurationRatio, mostDurationRatio, 1.0);
@@ -98,7 +81,7 @@ ExperimentWindow::ExperimentWindow(app::Session& session, std::function<QString(
     connect(choice_, &ChoicePanel::changed, this, &ExperimentWindow::showEffort);
     connect(run_, &QPushButton::clicked, this, [this] { run(choice_->choice()); });
     connect(quick_, &QPushButton::clicked, this, [this] { run(app::quick(choice_->choice())); });
-    connect(cancel_, &QPushButton::clicked, this, &ExperimentWindow::cancel);
+    connect(progress_, &ProgressRow::cancelWanted, this, &ExperimentWindow::cancel);
     connect(&session_.scene, &app::Scene::outdated, this, &ExperimentWindow::followDrawing);
     showEffort();
 }
@@ -111,14 +94,14 @@ void ExperimentWindow::layOut()
     auto* middle = new QHBoxLayout;
     middle->setSpacing(0);
     middle->addWidget(left());
-    middle->addWidget(rule(QFrame::VLine));
+    middle->addWidget(rule(Qt::Vertical));
     middle->addWidget(right(), 1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addLayout(middle, 1);
-    column->addWidget(rule(QFrame::HLine));
-    column->addWidget(below());
+    column->addWidget(rule(Qt::Horizontal));
+    column->addWidget(progress_);
 }
 
 ExperimentWindow::~ExperimentWindow() = default;
@@ -177,30 +160,6 @@ QWidget* ExperimentWindow::right()
     return whole;
 }
 
-QWidget* ExperimentWindow::below()
-{
-    bar_->setRange(0, 1000);
-    bar_->setTextVisible(false);
-    bar_->setFixedSize(barWidth, 8);
-    bar_->setAccessibleName(tr("Progress"));
-    for (QWidget* widget : {static_cast<QWidget*>(bar_), static_cast<QWidget*>(cancel_)}) {
-        QSizePolicy policy = widget->sizePolicy();
-        policy.setRetainSizeWhenHidden(true);
-        widget->setSizePolicy(policy);
-    }
-    state_->setFont(captionFont(state_->font()));
-    state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long path is cut off
-    state_->setObjectName(QStringLiteral("state"));
-    auto* whole = new QWidget;
-    auto* row = new QHBoxLayout(whole);
-    row->setContentsMargins(space::betweenGroups, 6, space::betweenGroups, 6);
-    row->setSpacing(space::dockMargin);
-    row->addWidget(state_, 1);
-    row->addWidget(bar_);
-    row->addWidget(cancel_);
-    return whole;
-}
-
 void ExperimentWindow::addTools()
 {
     QMenu* menu = exports_->menu([this] {
@@ -218,7 +177,7 @@ void ExperimentWindow::addTools()
                          "spreadsheet (separated by tabs)."));
     connect(copy_, &QPushButton::clicked, this, [this] {
         results_->copyTable();
-        state_->setText(tr("The table is on the clipboard."));
+        progress_->tell(tr("The table is on the clipboard."));
     });
     connect(results_, &Results::tabChanged, this,
             [this] { copy_->setEnabled(results_->shownTable() != nullptr); });
@@ -233,9 +192,8 @@ void ExperimentWindow::run(app::Choice choice)
     auto plan = app::planOf(choice);
     if (!plan || measuring_.active())
         return showEffort();
-    bar_->setValue(0);
     results_->markOld();
-    state_->setText(tr("Starting…"));
+    progress_->start();
     taken_.start();
     thought_ = app::roughSeconds(*plan.value);
     measuring_.start([plan = std::move(*plan.value)](
@@ -249,7 +207,7 @@ void ExperimentWindow::cancel()
 {
     measuring_.cancel();
     showState();
-    state_->setText(tr("Cancelled. Nothing was changed."));
+    progress_->tell(tr("Cancelled. Nothing was changed."));
 }
 
 void ExperimentWindow::finish(app::Study study)
@@ -262,13 +220,13 @@ void ExperimentWindow::finish(app::Study study)
     results_->show(std::make_shared<const app::Study>(std::move(study)));
     stack_->setCurrentWidget(results_);
     showEffort();
-    state_->setText(tr("Done in %1.").arg(app::durationText(taken)));
+    progress_->tell(tr("Done in %1.").arg(app::durationText(taken)));
 }
 
 void ExperimentWindow::showProgress(const app::Progress& progress)
 {
-    bar_->setValue(int(1000 * progress.share));
-    state_->setText(
+    progress_->showProgress(
+        progress.share,
         tr("%1. Other work on this computer distorts the times.").arg(app::progressText(progress)));
 }
 
@@ -292,8 +250,7 @@ void ExperimentWindow::showState()
     choice_->setEnabled(!active);
     run_->setEnabled(can && !active);
     quick_->setEnabled(can && !active);
-    bar_->setVisible(active);
-    cancel_->setVisible(active);
+    progress_->setWorking(active);
 }
 
 /// A hidden window ignores changes and updates itself when shown.

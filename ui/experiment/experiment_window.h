@@ -11,7 +11,6 @@
 #include <QDialog>
 #include <QElapsedTimer>
 #include <QLabel>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QToolButton>
@@ -20,6 +19,7 @@ namespace ui {
 
 class ChoicePanel;
 class Exports;
+class ProgressRow;
 class Results;
 
 /// Repeats the paper's experiment and similar ones: the choices at the left, the results at the
@@ -46,7 +46,6 @@ protected:
 private:
     QWidget* left();
     QWidget* right();
-    QWidget* below();
     void layOut();
     void addTools();
     void run(app::Choice choice);
@@ -61,10 +60,10 @@ private:
     std::function<QString()> name_;
     Exports* exports_;
     ChoicePanel* choice_;
-    QPushButton *run_, *quick_, *cancel_, *copy_;
+    QPushButton *run_, *quick_, *copy_;
     QToolButton* export_;
-    QLabel *effort_, *state_;
-    QProgressBar* bar_;
+    QLabel* effort_;
+    ProgressRow* progress_;
     MessageStrip* strip_;
     QStackedWidget* stack_;
     Results* results_;

@@ -5,8 +5,10 @@
 #include "app/judge/example_files.h"
 #include "ui/judge/verdict_view.h"
 #include "ui/look/look.h"
-#include "ui/look/look_icon.h"
 #include "ui/look/window_place.h"
+#include "ui/widgets/plain_button.h"
+#include "ui/widgets/progress_row.h"
+#include "ui/widgets/rule.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -21,34 +23,7 @@ namespace ui {
 namespace {
 
 constexpr QSize usual(1080, 760), smallest(640, 400);
-constexpr int barWidth = 180, settling = 500, textWidth = 520;
-
-QPushButton* button(const QString& text, std::string_view iconKey = {})
-{
-    auto* one = new QPushButton(text);
-    one->setAutoDefault(false);
-    if (!iconKey.empty())
-        one->setIcon(icon(iconKey));
-    return one;
-}
-
-QFrame* rule()
-{
-    auto* line = new QFrame;
-    line->setFrameShape(QFrame::HLine);
-    line->setFrameShadow(QFrame::Plain);
-    line->setForegroundRole(QPalette::Mid);
-    line->setLineWidth(1);
-    return line;
-}
-
-QHBoxLayout* row(QWidget* of, int above)
-{
-    auto* layout = new QHBoxLayout(of);
-    layout->setContentsMargins(space::betweenGroups, above, space::betweenGroups, above);
-    layout->setSpacing(space::dockMargin);
-    return layout;
-}
+constexpr int settling = 500, textWidth = 520;
 
 QString folderOf(const QString& path)
 {
@@ -61,12 +36,13 @@ QString folderOf(const QString& path)
 JudgeWindow::JudgeWindow(app::Session& session, QWidget* parent)
     : QDialog(parent, Qt::Window), session_(session),
       questions_(std::make_unique<Questions>(*this)),
-      choose_(button(tr("Choose &library…"), "folder")), again_(button(tr("&Judge again"), "play")),
-      example_(button(tr("&Save header and examples…"), "export")), cancel_(button(tr("&Cancel"))),
-      copy_(button(tr("Co&py table"))),
+      choose_(plainButton(tr("Choose &library…"), "folder")),
+      again_(plainButton(tr("&Judge again"), "play")),
+      example_(plainButton(tr("&Save header and examples…"), "export")),
+      copy_(plainButton(tr("Co&py table"))),
       follow_(new QCheckBox(tr("Judge again after each re&build"))),
-      strict_(new QCheckBox(tr("S&trict: no end outside"))), file_(new QLabel), state_(new QLabel),
-      bar_(new QProgressBar), strip_(new MessageStrip), stack_(new QStackedWidget),
+      strict_(new QCheckBox(tr("S&trict: no end outside"))), file_(new QLabel),
+      progress_(new ProgressRow), strip_(new MessageStrip), stack_(new QStackedWidget),
       view_(new VerdictView)
 {
     layOut();
@@ -75,7 +51,7 @@ JudgeWindow::JudgeWindow(app::Session& session, QWidget* parent)
     connect(choose_, &QPushButton::clicked, this, &JudgeWindow::choose);
     connect(again_, &QPushButton::clicked, this, &JudgeWindow::run);
     connect(example_, &QPushButton::clicked, this, &JudgeWindow::saveExample);
-    connect(cancel_, &QPushButton::clicked, this, &JudgeWindow::cancel);
+    connect(progress_, &ProgressRow::cancelWanted, this, &JudgeWindow::cancel);
     connect(copy_, &QPushButton::clicked, view_, &VerdictView::copy);
     connect(strict_, &QCheckBox::toggled, this, &JudgeWindow::run);
     connect(view_, &VerdictView::wanted, this, &JudgeWindow::lookAt);
@@ -100,11 +76,12 @@ void JudgeWindow::layOut()
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(top());
-    column->addWidget(rule());
+    column->addWidget(rule(Qt::Horizontal));
     column->addWidget(stack_, 1);
     column->addWidget(strip_);
-    column->addWidget(rule());
-    column->addWidget(below());
+    column->addWidget(rule(Qt::Horizontal));
+    progress_->addButton(copy_);
+    column->addWidget(progress_);
 }
 
 QWidget* JudgeWindow::top()
@@ -116,7 +93,10 @@ QWidget* JudgeWindow::top()
         tr("Demands what Clearcut's own algorithms guarantee: no end outside the window, not even "
            "by rounding. Textbook algorithms do not promise this."));
     auto* whole = new QWidget;
-    auto* layout = row(whole, space::labelToField);
+    auto* layout = new QHBoxLayout(whole);
+    layout->setContentsMargins(space::betweenGroups, space::labelToField, space::betweenGroups,
+                               space::labelToField);
+    layout->setSpacing(space::dockMargin);
     layout->addWidget(choose_);
     layout->addWidget(file_, 1);
     layout->addWidget(strict_);
@@ -155,28 +135,6 @@ QWidget* JudgeWindow::invitation()
     return page;
 }
 
-QWidget* JudgeWindow::below()
-{
-    bar_->setRange(0, 1000);
-    bar_->setTextVisible(false);
-    bar_->setFixedSize(barWidth, 8);
-    bar_->setAccessibleName(tr("Progress"));
-    for (QWidget* widget : {static_cast<QWidget*>(bar_), static_cast<QWidget*>(cancel_)}) {
-        QSizePolicy policy = widget->sizePolicy();
-        policy.setRetainSizeWhenHidden(true);
-        widget->setSizePolicy(policy);
-    }
-    state_->setFont(captionFont(state_->font()));
-    state_->setObjectName(QStringLiteral("state"));
-    auto* whole = new QWidget;
-    auto* layout = row(whole, 6);
-    layout->addWidget(state_, 1);
-    layout->addWidget(bar_);
-    layout->addWidget(cancel_);
-    layout->addWidget(copy_);
-    return whole;
-}
-
 void JudgeWindow::choose()
 {
     const QString last = QSettings().value("plugInLibrary").toString();
@@ -208,8 +166,7 @@ void JudgeWindow::run()
     judging_.cancel();
     settled_.stop();
     written_ = QFileInfo(path_).lastModified();
-    bar_->setValue(0);
-    state_->setText(tr("Starting…"));
+    progress_->start();
     app::plug_in::Case which{.library = path_, .program = program_};
     if (strict_->isChecked())
         which.contract.strictness = app::plug_in::Strictness::Clearcuts;
@@ -226,20 +183,19 @@ void JudgeWindow::cancel()
 {
     judging_.cancel();
     showState();
-    state_->setText(tr("Cancelled."));
+    progress_->tell(tr("Cancelled."));
 }
 
 void JudgeWindow::showProgress(const app::Progress& progress)
 {
-    bar_->setValue(int(1000 * progress.share));
-    state_->setText(app::progressText(progress));
+    progress_->showProgress(progress.share, app::progressText(progress));
 }
 
 void JudgeWindow::finish(app::plug_in::Verdict verdict)
 {
     view_->show(std::make_shared<const app::plug_in::Verdict>(std::move(verdict)));
     stack_->setCurrentWidget(view_);
-    state_->setText(
+    progress_->tell(
         tr("Judged at %1.").arg(QTime::currentTime().toString(QStringLiteral("HH:mm:ss"))));
     showState();
 }
@@ -292,8 +248,7 @@ void JudgeWindow::showState()
 {
     const bool active = judging_.active();
     again_->setEnabled(!path_.isEmpty() && !active);
-    bar_->setVisible(active);
-    cancel_->setVisible(active);
+    progress_->setWorking(active);
     copy_->setVisible(view_->verdict() && !view_->verdict()->unusable);
     view_->setEnabled(!active);
     file_->setText(path_.isEmpty() ? tr("No library chosen") : QFileInfo(path_).fileName());

@@ -11,13 +11,12 @@
 #include <QDateTime>
 #include <QDialog>
 #include <QFileSystemWatcher>
-#include <QProgressBar>
 #include <QStackedWidget>
 #include <QTimer>
 
 namespace ui {
 
-class MainWindow;
+class ProgressRow;
 class VerdictView;
 
 /// Judges the user's own algorithm: the library at the top, the verdict below, progress at the
@@ -45,7 +44,6 @@ private:
     void layOut();
     QWidget* top();
     QWidget* invitation();
-    QWidget* below();
     void choose();
     void saveExample();
     void take(const QString& path);
@@ -61,10 +59,10 @@ private:
     std::unique_ptr<Questions> questions_;
     QString program_, path_;
     QDateTime written_; ///< modification time of the last judged library
-    QPushButton *choose_, *again_, *example_, *cancel_, *copy_;
+    QPushButton *choose_, *again_, *example_, *copy_;
     QCheckBox *follow_, *strict_;
-    QLabel *file_, *state_;
-    QProgressBar* bar_;
+    QLabel* file_;
+    ProgressRow* progress_;
     MessageStrip* strip_;
     QStackedWidget* stack_;
     VerdictView* view_;
