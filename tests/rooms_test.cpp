@@ -45,22 +45,47 @@ Rooms roomsIn(const QString& cmake)
     return rooms;
 }
 
+/// The includes of a text, except those that moc writes.
+QStringList includesOf(const QString& text)
+{
+    static const QRegularExpression include(QStringLiteral("^\\s*#\\s*include \"([^\"]+)\""),
+                                            QRegularExpression::MultilineOption);
+    QStringList paths;
+    for (auto match = include.globalMatch(text); match.hasNext();)
+        if (const QString path = match.next().captured(1); !path.endsWith(QStringLiteral(".moc")))
+            paths << path;
+    return paths;
+}
+
+/// The includes that do not name a path from the root of the repository: one sentence each.
+QStringList relative(const QString& path, const QString& text)
+{
+    static const QRegularExpression fromRoot(
+        QStringLiteral("^(app|clipping|resources|tests|ui)/(?!.*\\.\\./)"));
+    QStringList found;
+    for (const QString& include : includesOf(text))
+        if (!fromRoot.match(include).hasMatch())
+            found << QStringLiteral("%1 includes %2, which is no path from the root")
+                         .arg(path, include);
+    return found;
+}
+
 /// What a file of a room includes and does not stand on: one sentence each. Every room of ui stands
 /// on app, and none of app on ui.
 QStringList upward(const Rooms& rooms, const QString& path, const QString& text)
 {
-    static const QRegularExpression include(QStringLiteral("^#include \"(app|ui)/(\\w+)"),
-                                            QRegularExpression::MultilineOption);
+    static const QRegularExpression place(QStringLiteral("^(app|ui)/(\\w+)"));
     const QString layer = path.section(u'/', 0, 0);
     const QString room = path.section(u'/', 1, 1);
     QStringList found;
-    for (auto match = include.globalMatch(text); match.hasNext();) {
-        const auto line = match.next();
-        const bool stands = line.captured(1) == layer ? rooms.below[room].contains(line.captured(2))
+    for (const QString& include : includesOf(text)) {
+        const auto to = place.match(include);
+        const bool stands = !to.hasMatch()            ? true
+                            : to.captured(1) == layer ? rooms.below[room].contains(to.captured(2))
                                                       : layer == u"ui";
         if (!stands)
             found << QStringLiteral("%1 includes %2/%3: %4 does not stand on that")
-                         .arg(path, line.captured(1), line.captured(2), room);
+                         .arg(path, to.captured(1), to.captured(2), room);
     }
     return found;
 }
@@ -154,6 +179,39 @@ private slots:
                 found += upward(rooms, path, contentOf(source_.filePath(path)));
         QVERIFY(paths.size() > files);
         QVERIFY2(found.isEmpty(), qPrintable(found.join(u'\n')));
+    }
+
+    void everyIncludeIsAPathFromTheRoot_data()
+    {
+        QTest::addColumn<QString>("folder");
+        QTest::addColumn<int>("files"); // there are more
+        QTest::newRow("app") << "app" << 500;
+        QTest::newRow("ui") << "ui" << 200;
+        QTest::newRow("tests") << "tests" << 200;
+    }
+    void everyIncludeIsAPathFromTheRoot()
+    {
+        QFETCH(QString, folder);
+        QFETCH(int, files);
+        const QStringList paths = filesOf(folder);
+        QStringList found;
+        for (const QString& path : paths)
+            found += relative(path, contentOf(source_.filePath(path)));
+        QVERIFY(paths.size() > files);
+        QVERIFY2(found.isEmpty(), qPrintable(found.join(u'\n')));
+    }
+
+    void aRelativeIncludeIsNamed()
+    {
+        const QString fine = "#include \"app/base/number.h\"\n#include <QTest>\n"
+                             "#include \"ui/window/panels.h\"\n#include \"rooms_test.moc\"\n";
+        QCOMPARE(relative("ui/menus/x.cpp", fine), QStringList());
+        for (const char* include : {"../window/main_window.h", "main_window.h", "base/number.h",
+                                    "ui/docks/../window/main_window.h"})
+            QCOMPARE(relative("ui/docks/x.cpp", QStringLiteral("#include \"%1\"\n").arg(include)),
+                     QStringList{QStringLiteral("ui/docks/x.cpp includes %1, which is no path "
+                                                "from the root")
+                                     .arg(QLatin1StringView(include))});
     }
 
     void anIncludeThatPointsUpIsNamed()
