@@ -194,8 +194,10 @@ void CostMapPanel::exportAs(const QString& key)
         tr("Export the cost map"), QStringLiteral("cost-map.") + key, format->name, key);
     if (path.isEmpty())
         return;
-    const auto error = exportTo(path);
-    emit told(error.value_or(tr("Wrote %1.").arg(path)));
+    if (const auto error = exportTo(path))
+        emit told({Message::Kind::Warning, *error});
+    else
+        emit told({Message::Kind::Done, tr("Wrote %1.").arg(path)});
 }
 
 void CostMapPanel::showEvent(QShowEvent* event)

@@ -5,6 +5,7 @@
 #include "app/session/session.h"
 #include "ui/dialogs/questions.h"
 #include "ui/widgets/cost_map_view.h"
+#include "ui/widgets/message_strip.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -33,7 +34,7 @@ public:
     void setQuestions(std::unique_ptr<Questions> questions);
 
 signals:
-    void told(const QString& sentence); ///< whether the file was written
+    void told(const ui::Message& message); ///< whether the file was written
     void entered(); ///< a choice was made in a list: the focus returns to the canvas
 
 protected:

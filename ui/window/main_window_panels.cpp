@@ -32,9 +32,7 @@ void MainWindow::connectPanels()
     connect(panels_.exactness, &ExactnessPanel::entered, canvas_, focusCanvas);
     connect(panels_.window, &WindowPanel::refused, strip_, &MessageStrip::refuse);
     connect(panels_.window, &WindowPanel::taken, strip_, &MessageStrip::withdrawRefusal);
-    connect(panels_.costMap, &CostMapPanel::told, this, [this](const QString& sentence) {
-        tell({Message::Kind::Done, sentence});
-    });
+    connect(panels_.costMap, &CostMapPanel::told, this, &MainWindow::tell);
     const auto look = [this](const clipping::Window& place) {
         canvas_->go(app::lookingAt(canvas_->view(), place, session_.window()));
     };

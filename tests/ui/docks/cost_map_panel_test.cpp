@@ -156,6 +156,27 @@ private slots:
         QVERIFY(!panel.live().asked());
     }
 
+    void aFailedExportIsAWarning()
+    {
+        Stage stage;
+        auto prepared = std::make_unique<PreparedAnswers>(stage.panel);
+        PreparedAnswers& answers = *prepared;
+        stage.panel.setQuestions(std::move(prepared));
+        Message message;
+        connect(&stage.panel, &CostMapPanel::told, this,
+                [&](const Message& told) { message = told; });
+        QAction& exportCsv = *stage.panel.findChild<QAction*>("export-cost-map-csv");
+        answers.save = "/nowhere/at/all.csv";
+        exportCsv.trigger();
+        QVERIFY(message.kind == Message::Kind::Warning);
+        QVERIFY2(message.sentence.contains("/nowhere/at/all.csv"), qPrintable(message.sentence));
+        const QTemporaryDir folder;
+        answers.save = folder.filePath("map.csv");
+        exportCsv.trigger();
+        QVERIFY(message.kind == Message::Kind::Done);
+        QCOMPARE(message.sentence, "Wrote " + answers.save + ".");
+    }
+
     void theFixedEndKeepsItsPlaceRelativeToTheWindow()
     {
         Stage stage;
