@@ -53,22 +53,15 @@ void inspectNext(MainWindow& window, std::ptrdiff_t by)
     window.raisePanel("line");
 }
 
-/// Opens the panel if it is closed, and brings it to the front.
-void showDifferences(MainWindow& window)
-{
-    if (window.differencePanel().visibleRegion().isEmpty())
-        window.togglePanel("difference");
-}
-
 void goToDifference(MainWindow& window, int rows)
 {
-    showDifferences(window);
+    window.raisePanel("difference");
     window.differencePanel().go(rows);
 }
 
 void showMisprint(MainWindow& window)
 {
-    showDifferences(window);
+    window.raisePanel("difference");
     const app::Misprint& misprint = app::misprints().front();
     window.differencePanel().compare({misprint.meant, clipping::Form::Published, &misprint},
                                      app::exactVariant());

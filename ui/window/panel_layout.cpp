@@ -87,6 +87,8 @@ void PanelLayout::fitWindow()
 
 void PanelLayout::reset()
 {
+    if (hidden())
+        return defer([this] { reset(); });
     own_.forget();
     arrange();
 }
@@ -114,6 +116,8 @@ void PanelLayout::bringBack()
         arrange();     // the window's size has changed, or Start is finished
     makeRoomForLine(); // a line may have been inspected meanwhile
     fit();
+    for (const auto& action : std::exchange(deferred_, {}))
+        action();
     showTitles();
 }
 
@@ -129,6 +133,8 @@ void PanelLayout::restore()
 {
     const auto quiet = own_.byProgram();
     own_.restore();
+    if (!starting_)
+        docks_.start->hide(); // restoreState() shows docks that its data do not name
     for (Dock* dock : docks_.wide)
         follow(*dock);
     arrange();

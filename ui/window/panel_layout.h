@@ -6,6 +6,7 @@
 #include "ui/window/own_layout.h"
 
 #include <functional>
+#include <vector>
 
 class QAction;
 
@@ -13,7 +14,8 @@ namespace ui {
 
 /// Which panels a window shows, and where. The program arranges them (`Arrangement`) until the
 /// person moves one (`OwnLayout`); a mode without panels hides them all for a while
-/// (`HiddenPanels`), and meanwhile nothing is rearranged.
+/// (`HiddenPanels`). Meanwhile nothing is rearranged or shown: raise(), toggle() and reset() take
+/// effect, in the order of the calls, when the panels come back.
 class PanelLayout : public QObject {
     Q_OBJECT
 
@@ -22,7 +24,7 @@ public:
     PanelLayout(QMainWindow& window, const PanelDocks& docks, std::function<bool()> inspecting);
 
     QList<QAction*> toggles() const; ///< of all panels except Start, which is shown automatically
-    /// Brings a narrow panel to the front.
+    /// Brings a panel to the front, and opens it first if it is a closed comparison panel.
     void raise(const QString& key);
     /// Opens a comparison panel, or closes it if it is in front.
     void toggle(const QString& key);
@@ -53,6 +55,9 @@ private:
     void arrange();
     void follow(Dock& wide);
     void showTitles();
+    void bringToFront(Dock& narrow);
+    void setOpen(Dock& wide, bool open); ///< an open one is in front
+    void defer(std::function<void()> action) { deferred_.push_back(std::move(action)); }
 
     QMainWindow& window_;
     PanelDocks docks_;
@@ -60,7 +65,8 @@ private:
     OwnLayout own_;
     Arrangement arrangement_;
     HiddenPanels hiding_;
-    QByteArray before_;     ///< the layout before all panels were hidden; empty: they are not
+    QByteArray before_; ///< the layout before all panels were hidden; empty: they are not
+    std::vector<std::function<void()>> deferred_; ///< until the panels come back
     QList<Dock*> openWide_; ///< the visible comparison panels, the newest last
     bool hadLine_ = false;  ///< a line was inspected when the panels last made room
     bool starting_ = false; ///< Start is wanted in front

@@ -7,9 +7,15 @@
 #include <algorithm>
 #include <utility>
 
-// Which panels are shown. panel_layout.cpp says where.
+// Which panels are shown. Arrangement says where.
 
 namespace ui {
+
+namespace {
+
+bool isInFront(const Dock& dock) { return !dock.isHidden() && !dock.isBehind(); }
+
+} // namespace
 
 QList<QAction*> PanelLayout::toggles() const
 {
@@ -24,33 +30,47 @@ void PanelLayout::raise(const QString& key)
     emit aboutToRaise();
     if (key == docks_.start->objectName() && !own_.exists())
         return showStart();
-    for (Dock* dock : docks_.narrow()) {
-        if (dock->objectName() != key)
-            continue;
-        const auto quiet = own_.byProgram();
-        if (window_.dockWidgetArea(dock) == Qt::NoDockWidgetArea) {
-            window_.addDockWidget(Qt::RightDockWidgetArea, dock);
-            window_.tabifyDockWidget(docks_.algorithm, dock);
-        }
-        dock->show();
-        dock->raise();
+    if (hidden())
+        return defer([this, key] { raise(key); });
+    for (Dock* dock : docks_.narrow())
+        if (dock->objectName() == key)
+            bringToFront(*dock);
+    for (Dock* dock : docks_.wide)
+        if (dock->objectName() == key && !isInFront(*dock))
+            setOpen(*dock, true);
+}
+
+void PanelLayout::bringToFront(Dock& narrow)
+{
+    const auto quiet = own_.byProgram();
+    if (window_.dockWidgetArea(&narrow) == Qt::NoDockWidgetArea) {
+        window_.addDockWidget(Qt::RightDockWidgetArea, &narrow);
+        window_.tabifyDockWidget(docks_.algorithm, &narrow);
     }
+    narrow.show();
+    narrow.raise();
 }
 
 void PanelLayout::toggle(const QString& key)
 {
     emit aboutToRaise();
-    for (Dock* dock : docks_.wide) {
-        if (dock->objectName() != key)
-            continue;
-        const bool open = dock->isHidden() || dock->isBehind();
-        starting_ = starting_ && !open;
+    if (hidden())
+        return defer([this, key] { toggle(key); });
+    for (Dock* dock : docks_.wide)
+        if (dock->objectName() == key)
+            setOpen(*dock, !isInFront(*dock));
+}
+
+void PanelLayout::setOpen(Dock& wide, bool open)
+{
+    starting_ = starting_ && !open;
+    {
         const auto quiet = own_.byProgram();
-        if (open && window_.dockWidgetArea(dock) == Qt::NoDockWidgetArea)
-            window_.addDockWidget(Qt::RightDockWidgetArea, dock);
-        dock->setVisible(open);
+        if (open && window_.dockWidgetArea(&wide) == Qt::NoDockWidgetArea)
+            window_.addDockWidget(Qt::RightDockWidgetArea, &wide);
+        wide.setVisible(open);
         if (open)
-            dock->raise();
+            wide.raise();
     }
     for (Dock* dock : docks_.wide)
         follow(*dock);
@@ -88,7 +108,7 @@ void PanelLayout::leaveStart()
     if (!std::exchange(starting_, false))
         return;
     arrange();
-    if (arrangement_.form() == Arrangement::Form::Tabs)
+    if (!hidden() && arrangement_.form() == Arrangement::Form::Tabs)
         raise(docks_.algorithm->objectName());
 }
 

@@ -154,6 +154,75 @@ private slots:
         plain.layout->bringBack();
         QCOMPARE(plain.inFront(), QStringList("start"));
     }
+    void panelsAskedForWhileAllAreHiddenAreShownWhenTheyComeBack()
+    {
+        PlainWindow plain;
+        plain.show();
+        plain.window.resize(1280, 700);
+        plain.layout->fitWindow();
+        QCOMPARE(plain.inFront(), QStringList("algorithm"));
+        plain.layout->hideAll();
+        plain.layout->toggle("compare");
+        plain.layout->raise("line");
+        QCOMPARE(plain.inFront(), QStringList());
+        QVERIFY(!plain.layout->shows("compare") && !plain.layout->shows("line"));
+        plain.layout->bringBack();
+        QCOMPARE(plain.inFront(), QStringList({"line", "compare"}));
+        plain.layout->toggle("compare"); // it is known to be open
+        QCOMPARE(plain.inFront(), QStringList("algorithm"));
+        plain.layout->hideAll();
+        plain.layout->bringBack();
+        QCOMPARE(plain.inFront(), QStringList("algorithm")); // asked for once
+    }
+    void aPanelToggledTwiceWhileAllAreHiddenStaysClosed()
+    {
+        PlainWindow plain;
+        plain.show();
+        plain.layout->hideAll();
+        plain.layout->toggle("compare");
+        plain.layout->toggle("compare");
+        plain.layout->bringBack();
+        QCOMPARE(plain.inFront(), stack);
+    }
+    void raisingAComparisonPanelOpensItOnce()
+    {
+        PlainWindow plain;
+        plain.show();
+        plain.layout->raise("difference");
+        plain.layout->raise("difference");
+        QVERIFY(plain.inFront().contains("difference"));
+        plain.layout->hideAll();
+        plain.layout->raise("compare");
+        plain.layout->raise("compare");
+        QCOMPARE(plain.inFront(), QStringList());
+        plain.layout->bringBack();
+        QVERIFY(plain.inFront().contains("compare"));
+    }
+    void theLayoutIsResetWhenHiddenPanelsComeBack()
+    {
+        PlainWindow plain;
+        plain.show();
+        plain.window.addDockWidget(Qt::LeftDockWidgetArea, plain.docks.layers);
+        plain.layout->hideAll();
+        plain.layout->reset();
+        plain.layout->bringBack();
+        QCOMPARE(plain.window.dockWidgetArea(plain.docks.layers), Qt::RightDockWidgetArea);
+        QCOMPARE(plain.inFront(), stack);
+    }
+    void startLeftWhileAllAreHiddenShowsNoPanel()
+    {
+        PlainWindow plain;
+        plain.show();
+        plain.window.resize(1280, 700); // tabs
+        plain.layout->fitWindow();
+        plain.layout->raise("layers");
+        plain.layout->hideAll();
+        plain.layout->raise("start");
+        plain.layout->leaveStart();
+        QCOMPARE(plain.inFront(), QStringList());
+        plain.layout->bringBack();
+        QCOMPARE(plain.inFront(), QStringList("layers"));
+    }
     void panelsAreAskedForTheirHeightBeforeTheyComeBack()
     {
         PlainWindow plain;
@@ -194,7 +263,7 @@ private slots:
         QSettings().setValue("ownLayout", true);
         QSettings().setValue("layout", saved);
         next.show();
-        QVERIFY(next.inFront().contains("layers"));
+        QCOMPARE(next.inFront(), stack); // neither Start nor a comparison panel
         QCOMPARE(next.window.dockWidgetArea(next.docks.layers), Qt::LeftDockWidgetArea);
         next.layout->reset();
         QCOMPARE(next.window.dockWidgetArea(next.docks.layers), Qt::RightDockWidgetArea);
