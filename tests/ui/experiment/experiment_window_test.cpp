@@ -12,6 +12,7 @@
 #include <QDir>
 #include <QElapsedTimer>
 #include <QMenu>
+#include <QProgressBar>
 #include <QScreen>
 #include <QSpinBox>
 #include <QStandardItemModel>
