@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/unfinished.h"
 #include "app/command_line/command.h"
+#include "app/command_line/parsed_arguments.h"
 #include "app/command_line/terminal.h"
 #include "app/formats/format.h"
 #include "clipping/algorithm.h"
@@ -66,8 +67,9 @@ private slots:
                 const auto more = clearcut({key, "--help"});
                 QCOMPARE(more.code, 0);
                 QCOMPARE(more.err, "");
+                const QByteArray text = more.out.simplified().replace("| ", "|"); // lines joined
                 for (const app::Option& option : command.options)
-                    QVERIFY(more.out.contains(
+                    QVERIFY(text.contains(
                         "--" + option.names.last().toUtf8()
                         + (option.value.isEmpty() ? "" : " " + option.value.toUtf8())));
             }
@@ -100,6 +102,20 @@ private slots:
             QVERIFY2(!options || text.contains(QRegularExpression("^ +-")) || first <= 40,
                      line.constData());
         }
+    }
+
+    void longListsOfChoicesAreBroken()
+    {
+        QStringList choices;
+        for (int i = 0; i < 40; ++i)
+            choices << QStringLiteral("choice%1").arg(i);
+        const QString list = choices.join(u'|');
+        const QString text = app::aligned({{"--list " + list, "What it means."}});
+        for (const QString& line : text.split(u'\n'))
+            QVERIFY2(line.size() <= 80, qPrintable(line));
+        QVERIFY(text.simplified().remove(u' ').contains(list));
+        const QString word(100, u'x'); // cannot be broken
+        QVERIFY(app::aligned({{word, "What it means."}}).contains(word));
     }
 
     // What a refusal says is the most stands in the help.
