@@ -245,8 +245,8 @@ private slots:
         out.open(QIODevice::WriteOnly);
         QVERIFY(!findCostMapFormat("CSV")->write(map, costMapLook(Ground::Light), out));
         QCOMPARE(out.data().count('\n'), 13);
-        QVERIFY(
-            writeCostMap(map, "/nowhere/map.gif", costMapLook(Ground::Light))->contains(".png"));
+        QVERIFY(writeCostMap(map, "/nowhere/map.unknown", costMapLook(Ground::Light))
+                    ->contains(".png"));
     }
 
     void aWindowWithoutExtentHasPlaneAround()
