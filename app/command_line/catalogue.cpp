@@ -20,6 +20,7 @@ Command convertCommand();
 Command costmapCommand();
 Command algorithmsCommand();
 Command benchCommand();
+Command formatsCommand();
 Command infoCommand();
 Command judgeCommand();
 Command traceCommand();
@@ -33,6 +34,7 @@ std::vector<Command> commands()
         convertCommand(),
         compareCommand(),
         infoCommand(),
+        formatsCommand(),
         traceCommand(),
         costmapCommand(),
         algorithmsCommand(),
