@@ -141,6 +141,7 @@ constexpr std::array keys{
     "avoiding-divisions",
     "method-2019",
     "rounding",
+    "whole-lines",
 };
 // clang-format on
 
