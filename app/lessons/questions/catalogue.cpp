@@ -12,6 +12,7 @@ extern const QuestionKind nextQuestion;
 extern const QuestionKind edgeQuestion;
 extern const QuestionKind cheaperQuestion;
 extern const QuestionKind rightQuestion;
+extern const QuestionKind directionQuestion;
 
 // THE CATALOGUE. To add a kind of question: write its file here, and add its line.
 std::span<const QuestionKind> questionKinds()
@@ -24,6 +25,7 @@ std::span<const QuestionKind> questionKinds()
         edgeQuestion,
         cheaperQuestion,
         rightQuestion,
+        directionQuestion,
     };
     // clang-format on
     return all;
