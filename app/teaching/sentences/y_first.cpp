@@ -29,6 +29,7 @@ const Teaching yFirstTeaching{
     .key = "y-first",
     .sentence = sentence,
     .parameter = "r",
+    .overlay = bandOverlay,
     .variables = variables,
 };
 
