@@ -10,6 +10,7 @@
 #include "app/commands/set_style.h"
 #include "app/commands/set_window.h"
 #include "app/commands/set_windows.h"
+#include "app/commands/turn_page.h"
 
 #include <array>
 
@@ -30,6 +31,7 @@ std::span<const CommandKind> commandKinds()
         SetContainers::row,
         RemoveLayer::row,
         CropToWindow::row,
+        TurnPage::row,
     };
     // clang-format on
     return all;
