@@ -25,7 +25,6 @@ using Catalogue = List<
     struct MidpointSubdivision,
     struct SobkowPospisilYang,
     struct SlaterBarsky,
-    struct YFirst,
     struct Exact
 >;
 // clang-format on

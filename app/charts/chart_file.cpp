@@ -66,16 +66,6 @@ std::optional<QString> writePng(const Chart& chart, const ChartLook& look, const
     return written(out, bytes);
 }
 
-std::optional<QString> writeBmp(const Chart& chart, const ChartLook& look, const QSizeF& size,
-                                QIODevice& out)
-{
-    QByteArray png = pngOf(pageOf(chart, look, size), captionOf(chart), 1);
-    QBuffer buffer;
-    if (!QImage::fromData(png).save(&buffer, "bmp"))
-        return Charts::tr("there is not enough memory for the picture.");
-    return written(out, buffer.data());
-}
-
 QString keysText()
 {
     QStringList keys;
@@ -90,8 +80,7 @@ std::span<const ChartFormat> chartFormats()
 {
     static const std::array all{ChartFormat{"svg", Charts::tr("SVG drawing"), writeSvg},
                                 ChartFormat{"pdf", Charts::tr("PDF document"), writePdf},
-                                ChartFormat{"png", Charts::tr("PNG picture"), writePng},
-                                ChartFormat{"bmp", Charts::tr("BMP picture"), writeBmp}};
+                                ChartFormat{"png", Charts::tr("PNG picture"), writePng}};
     return all;
 }
 

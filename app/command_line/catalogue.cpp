@@ -20,7 +20,6 @@ Command convertCommand();
 Command costmapCommand();
 Command algorithmsCommand();
 Command benchCommand();
-Command formatsCommand();
 Command infoCommand();
 Command judgeCommand();
 Command traceCommand();
@@ -34,7 +33,6 @@ std::vector<Command> commands()
         convertCommand(),
         compareCommand(),
         infoCommand(),
-        formatsCommand(),
         traceCommand(),
         costmapCommand(),
         algorithmsCommand(),

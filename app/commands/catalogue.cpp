@@ -10,7 +10,6 @@
 #include "app/commands/set_style.h"
 #include "app/commands/set_window.h"
 #include "app/commands/set_windows.h"
-#include "app/commands/turn_page.h"
 
 #include <array>
 
@@ -31,7 +30,6 @@ std::span<const CommandKind> commandKinds()
         SetContainers::row,
         RemoveLayer::row,
         CropToWindow::row,
-        TurnPage::row,
     };
     // clang-format on
     return all;

@@ -56,14 +56,6 @@ std::optional<QString> writePng(const CostMap& map, const CostMapLook& look, QIO
     return written(out, buffer.data());
 }
 
-std::optional<QString> writeBmp(const CostMap& map, const CostMapLook& look, QIODevice& out)
-{
-    QBuffer buffer;
-    if (!costPicture(map, look).save(&buffer, "bmp"))
-        return CostMaps::tr("there is not enough memory for the picture.");
-    return written(out, buffer.data());
-}
-
 std::optional<QString> writeCsv(const CostMap& map, const CostMapLook&, QIODevice& out)
 {
     const auto formats = tableFormats();
@@ -146,7 +138,6 @@ QImage costPicture(const CostMap& map, const CostMapLook& look)
 std::span<const CostMapFormat> costMapFormats()
 {
     static const std::array all{CostMapFormat{"png", CostMaps::tr("PNG picture"), true, writePng},
-                                CostMapFormat{"bmp", CostMaps::tr("BMP picture"), true, writeBmp},
                                 CostMapFormat{"csv", CostMaps::tr("CSV table"), false, writeCsv}};
     return all;
 }

@@ -30,8 +30,6 @@ std::span<const CostMeasure> costMeasures()
                     [](const OperationCounts& counts) { return counts.multiplications; }},
         CostMeasure{"divisions", C::tr("Divisions"), C::tr("1 division"), C::tr("%1 divisions"),
                     [](const OperationCounts& counts) { return counts.divisions; }},
-        CostMeasure{"negations", C::tr("Negations"), C::tr("1 negation"), C::tr("%1 negations"),
-                    [](const OperationCounts& counts) { return counts.negations; }},
         CostMeasure{"time", C::tr("Time (noisy)"), {}, C::tr("%1 ns"), nullptr}};
     return all;
 }

@@ -62,11 +62,10 @@ std::span<const ErrorClass> errorClasses()
 {
     using E = Exactness;
     static const std::array all{
-        ErrorClass{0, E::tr("exact"), false},      ErrorClass{0.5, E::tr("≤ ½ ulp"), false},
-        ErrorClass{1, E::tr("≤ 1 ulp"), false},    ErrorClass{2, E::tr("≤ 2 ulps"), false},
-        ErrorClass{4, E::tr("≤ 4 ulps"), false},   ErrorClass{16, E::tr("≤ 16 ulps"), false},
-        ErrorClass{64, E::tr("≤ 64 ulps"), false}, ErrorClass{infinity, E::tr("more"), false},
-        ErrorClass{infinity, E::tr("wrong"), true}};
+        ErrorClass{0, E::tr("exact"), false},       ErrorClass{0.5, E::tr("≤ ½ ulp"), false},
+        ErrorClass{1, E::tr("≤ 1 ulp"), false},     ErrorClass{4, E::tr("≤ 4 ulps"), false},
+        ErrorClass{16, E::tr("≤ 16 ulps"), false},  ErrorClass{64, E::tr("≤ 64 ulps"), false},
+        ErrorClass{infinity, E::tr("more"), false}, ErrorClass{infinity, E::tr("wrong"), true}};
     return all;
 }
 

@@ -65,13 +65,7 @@ std::span<const ExactnessColumn> exactnessColumns()
         ExactnessColumn{
             Rows::tr("Own ulps"),
             Rows::tr("The same distance in units in the last place of the end's own coordinate"),
-            errorCell<Yardstick::Own>, errorKey<Yardstick::Own>, true},
-        ExactnessColumn{
-            Rows::tr("Order"), Rows::tr("Whether the result depends on the order of the ends"),
-            [](const LineExactness& line) {
-                return line.orderMatters ? Rows::tr("matters") : QStringLiteral("–");
-            },
-            [](const LineExactness& line) { return double(line.orderMatters); }, false}};
+            errorCell<Yardstick::Own>, errorKey<Yardstick::Own>, true}};
     return columns;
 }
 

@@ -34,11 +34,6 @@ std::optional<Table> accuracy(const ExperimentOptions& options, Variants variant
     return all ? std::optional(accuracyTable(*all, options)) : std::nullopt;
 }
 
-std::optional<Table> lines(const ExperimentOptions& options, Variants, const Follower&)
-{
-    return Table{.names = {"lines"}, .rows = {{QString::number(options.lines)}}, .key = "lines"};
-}
-
 } // namespace
 
 std::vector<Analysis> analyses()
@@ -56,7 +51,6 @@ std::vector<Analysis> analyses()
          operations},
         {"accuracy", Experiments::tr("Accuracy"),
          Experiments::tr("Lost lines, ends outside the window, and errors of the ends."), accuracy},
-        {"lines", Experiments::tr("Lines"), Experiments::tr("The number of lines."), lines},
     };
 }
 

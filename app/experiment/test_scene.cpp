@@ -79,14 +79,6 @@ Segment longLine(Random& random, const Field& field)
     return {middle - whole * at, middle + whole * (1 - at)};
 }
 
-/// Both ends near the centre of the window.
-Segment central(Random& random, const Field& field)
-{
-    const glm::dvec2 middle = 0.5 * (field.window.min + field.window.max);
-    const Segment line = inside(random, field);
-    return {0.5 * (line.a + middle), 0.5 * (line.b + middle)};
-}
-
 bool is(const Segment& line, const Field& field, LineClass lineClass)
 {
     return lineClassOf(line, field.window) == lineClass;
@@ -227,8 +219,6 @@ std::vector<TestScene> testScenes()
          Scenes::tr("Both ends anywhere in the space, as in the paper."), beginPaper},
         {"inside", Scenes::tr("Inside"), Scenes::tr("Both ends inside the window."),
          begin<inside, liesInside>},
-        {"central", Scenes::tr("Central"), Scenes::tr("Both ends near the centre of the window."),
-         begin<central, liesInside>},
         {"rejected", Scenes::tr("Rejected"), Scenes::tr("Both ends beyond one side of the window."),
          begin<rejected, isRejected>},
         {"crossing", Scenes::tr("Crossing"),

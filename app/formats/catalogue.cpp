@@ -17,7 +17,6 @@ namespace app {
 // Each function is defined in the file of its format.
 Format svgFormat();
 Format csvFormat();
-Format datFormat();
 Format pdfFormat();
 Format pngFormat();
 
@@ -29,7 +28,6 @@ std::span<const Format> formats()
     static const std::array all{
         svgFormat(),
         csvFormat(),
-        datFormat(),
         pdfFormat(),
         pngFormat(),
     };

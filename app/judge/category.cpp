@@ -100,13 +100,6 @@ Questions points(const Scope&)
     return grid(gridWindows, [](const Segment& line, const Window&) { return isPoint(line); });
 }
 
-Questions diagonals(const Scope&)
-{
-    return grid(gridWindows, [](const Segment& line, const Window&) {
-        return line.b.x - line.a.x == line.b.y - line.a.y;
-    });
-}
-
 Questions smallWindows(const Scope&)
 {
     constexpr std::array windows{Window{{4, 2}, {4, 6}}, Window{{2, 4}, {6, 4}},
@@ -285,8 +278,6 @@ std::span<const Category> categories()
          PlugIn::tr("Lines that lie along an edge or end on it, in whole numbers."), 0, edges},
         {"points", PlugIn::tr("Points"),
          PlugIn::tr("Lines whose ends are the same point, in whole numbers."), 0, points},
-        {"diagonals", PlugIn::tr("Diagonals"),
-         PlugIn::tr("Lines at an angle of 45°, in whole numbers."), 0, diagonals},
         {"small-windows", PlugIn::tr("Windows without area"),
          PlugIn::tr("Windows that are a line or a point, in whole numbers."), 0, smallWindows},
         {"directions", PlugIn::tr("Both directions"),

@@ -141,7 +141,6 @@ constexpr std::array keys{
     "avoiding-divisions",
     "method-2019",
     "rounding",
-    "whole-lines",
 };
 // clang-format on
 

@@ -28,7 +28,6 @@ Overlay sectorOverlay(const Seeing& seeing);    ///< Nicholl-Lee-Nicholl
 Overlay parameterOverlay(const Seeing& seeing); ///< Liang-Barsky, Cyrus-Beck
 Overlay pushOverlay(const Seeing& seeing);      ///< Kodituwakku…, Matthes-Drakopoulos
 Overlay cellOverlay(const Seeing& seeing);      ///< Slater-Barsky
-Overlay bandOverlay(const Seeing& seeing);      ///< y first
 Overlay turnOverlay(const Seeing& seeing);      ///< Exact
 
 /// The default overlay of any algorithm: the edges, and the points where its steps cut the line.

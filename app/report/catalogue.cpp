@@ -11,7 +11,6 @@ namespace app {
 
 // Each is defined in the file of its format.
 std::optional<QString> writeHtmlReport(const Report& report, QIODevice& out);
-std::optional<QString> writeTextReport(const Report& report, QIODevice& out);
 std::optional<QString> writePdfReport(const Report& report, QIODevice& out);
 
 namespace {
@@ -40,7 +39,6 @@ std::vector<ReportFormat> reportFormats()
 {
     return {
         {"html", Reports::tr("Web page"), writeHtmlReport},
-        {"txt", Reports::tr("Plain text"), writeTextReport},
         {"pdf", Reports::tr("PDF document"), writePdfReport},
     };
 }

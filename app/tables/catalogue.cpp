@@ -10,7 +10,6 @@ namespace app {
 // Each function is defined in the file of its format.
 QString plainText(std::span<const Table> tables);
 QString csvText(std::span<const Table> tables);
-QString tsvText(std::span<const Table> tables);
 QString jsonText(std::span<const Table> tables);
 QString markdownText(std::span<const Table> tables);
 QString latexText(std::span<const Table> tables);
@@ -25,7 +24,6 @@ std::vector<TableFormat> tableFormats()
     return {
         {"text", "txt", Tables::tr("Text"), plainText},
         {"csv", "csv", Tables::tr("CSV"), csvText},
-        {"tsv", "tsv", Tables::tr("Text with tabs"), tsvText},
         {"json", "json", Tables::tr("JSON"), jsonText},
         {"markdown", "md", Tables::tr("Markdown"), markdownText},
         {"latex", "tex", Tables::tr("LaTeX"), latexText},

@@ -43,15 +43,6 @@ QByteArray pdf(const TraceExport& trace, std::span<const std::size_t> steps)
     return pdfOf(pages, {titleOf(trace.tracedLine.variant), {}});
 }
 
-/// The sentences alone, one a line.
-QByteArray sentences(const TraceExport& trace, std::span<const std::size_t> steps)
-{
-    QString text;
-    for (const std::size_t step : steps)
-        text += slideSentence(trace.narration, step) + u'\n';
-    return text.toUtf8();
-}
-
 bool oneFile(const TraceExport& trace, const TraceFormat& format)
 {
     return format.files == TraceFormat::Files::One || trace.only;
@@ -88,7 +79,6 @@ std::span<const TraceFormat> traceFormats()
                     png},
         TraceFormat{"gif", "gif", tr("Animated GIF picture"), Files::One, true, traceGif},
         TraceFormat{"text", "txt", tr("Text"), Files::One, false, traceText},
-        TraceFormat{"sentences", "lines", tr("Sentences"), Files::One, false, sentences},
         TraceFormat{"json", "json", tr("JSON data"), Files::One, false, traceJson}};
     return all;
 }

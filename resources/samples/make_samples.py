@@ -11,7 +11,6 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True
 
-from drawings.hatching import hatching
 from drawings.hilbert import hilbert
 from drawings.landscape import landscape
 from drawings.paper import nine_regions, random_lines, rejected_lines
@@ -26,7 +25,6 @@ SAMPLES = {
     "landscape": landscape,
     "street-map": street_map,
     "hilbert": hilbert,
-    "hatching": hatching,
     "random-lines": random_lines,
     "nine-regions": nine_regions,
     "rejected-lines": rejected_lines,

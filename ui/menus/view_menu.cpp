@@ -80,11 +80,6 @@ MenuInfo viewMenu()
                     .run = [](MainWindow& w) { w.canvas().setZoom(1); },
                 },
                 {
-                    .key = "zoom-200",
-                    .text = tr("&Double size"),
-                    .run = [](MainWindow& w) { w.canvas().setZoom(2); },
-                },
-                {
                     .key = "fit-drawing",
                     .text = tr("&Fit drawing"),
                     .keys = {K("Shift+1")},

@@ -12,7 +12,6 @@ namespace ui {
 std::unique_ptr<Tool> makeSelectTool();
 std::unique_ptr<Tool> makeHandTool();
 std::unique_ptr<Tool> makeZoomTool();
-std::unique_ptr<Tool> makeCentreTool();
 std::unique_ptr<Tool> makeLineTool();
 std::unique_ptr<Tool> makePolylineTool();
 std::unique_ptr<Tool> makePencilTool();
@@ -33,8 +32,6 @@ std::span<const ToolInfo> tools()
         ToolInfo{"zoom", tr("Zoom"),
                  tr("Drag a rectangle to zoom to it. Click to zoom in, Alt+click to zoom out."),
                  QKeySequence("Z"), makeZoomTool},
-        ToolInfo{"centre", tr("Centre"), tr("Click to move the view there."), QKeySequence("C"),
-                 makeCentreTool},
         ToolInfo{"line", tr("Line"), tr("Drag to draw a line. Shift: 15° steps."),
                  QKeySequence("L"), makeLineTool, ToolInfo::Group::New},
         ToolInfo{"polyline", tr("Polyline"),

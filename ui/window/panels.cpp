@@ -4,7 +4,6 @@
 #include "ui/docks/algorithm_panel.h"
 #include "ui/docks/compare_panel.h"
 #include "ui/docks/cost_map_panel.h"
-#include "ui/docks/count_panel.h"
 #include "ui/docks/difference_panel.h"
 #include "ui/docks/exactness_panel.h"
 #include "ui/docks/layers_panel.h"
@@ -36,8 +35,7 @@ Panels::Panels(app::Session& session)
             .wide = {new Dock("compare", tr("Compare"), compare),
                      new Dock("difference", tr("Differences"), difference),
                      new Dock("cost-map", tr("Cost map"), costMap),
-                     new Dock("exactness", tr("Exactness"), exactness),
-                     new Dock("count", tr("Count"), new CountPanel(session))}}
+                     new Dock("exactness", tr("Exactness"), exactness)}}
 {
     QObject::connect(line, &LinePanel::titled, docks.line,
                      [dock = docks.line](const QString& title, const QString& remark) {

@@ -12,7 +12,6 @@ extern const QuestionKind nextQuestion;
 extern const QuestionKind edgeQuestion;
 extern const QuestionKind cheaperQuestion;
 extern const QuestionKind rightQuestion;
-extern const QuestionKind directionQuestion;
 
 // THE CATALOGUE. To add a kind of question: write its file here, and add its line.
 std::span<const QuestionKind> questionKinds()
@@ -25,7 +24,6 @@ std::span<const QuestionKind> questionKinds()
         edgeQuestion,
         cheaperQuestion,
         rightQuestion,
-        directionQuestion,
     };
     // clang-format on
     return all;

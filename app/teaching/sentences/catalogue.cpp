@@ -16,7 +16,6 @@ extern const Teaching matthesDrakopoulosTeaching;
 extern const Teaching midpointSubdivisionTeaching;
 extern const Teaching sobkowPospisilYangTeaching;
 extern const Teaching slaterBarskyTeaching;
-extern const Teaching yFirstTeaching;
 extern const Teaching exactTeaching;
 
 // THE CATALOGUE. An algorithm without a row uses the defaults.
@@ -34,7 +33,6 @@ std::span<const Teaching> teachings()
         midpointSubdivisionTeaching,
         sobkowPospisilYangTeaching,
         slaterBarskyTeaching,
-        yFirstTeaching,
         exactTeaching,
     };
     // clang-format on

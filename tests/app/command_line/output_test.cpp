@@ -51,7 +51,6 @@ class OutputTest : public QObject {
                   {"--line", "-160,-30,70,130", "-a", "md", "-f", "json"}}},
                 {"costmap", {{"-a", "md", "--measure", "comparisons", "--size", "8x6", "-o", "-"}}},
                 {"algorithms", {{}, {"-f", "json"}}},
-                {"formats", {{}}},
                 {"bench", {{"-n", "100", "-r", "1", "-a", "md"}}},
                 {"judge", {{PLUG_INS "/example.so"}}}};
     }

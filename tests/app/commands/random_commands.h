@@ -11,7 +11,6 @@
 #include "app/commands/set_style.h"
 #include "app/commands/set_window.h"
 #include "app/commands/set_windows.h"
-#include "app/commands/turn_page.h"
 
 #include <algorithm>
 #include <array>
@@ -169,6 +168,4 @@ inline const std::vector<RandomCommands::Maker> RandomCommands::makers{
     {"set-containers", [](RandomCommands& r) { return r.setContainers(); }},
     {"remove-layer", [](RandomCommands& r) { return r.removeLayer(); }},
     {"crop-to-window", [](RandomCommands& r) { return r.crop(); }},
-    {"turn-page",
-     [](RandomCommands& r) -> app::UndoCommand* { return new app::TurnPage(r.document_); }},
 };
