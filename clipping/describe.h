@@ -27,11 +27,12 @@ constexpr bool withinContract(const BasicSegment<T, N>& s, const BasicWindow<T, 
 }
 
 /// Whether a form works in a frame without overflow. Published forms work on the input itself, and
-/// a row with `ours` handles all numbers itself.
+/// a row with `unframed` handles all numbers itself.
 template <class Method, Form form, class T>
 constexpr bool framed()
 {
-    return form == Form::Corrected && std::is_floating_point_v<T> && !requires { Method::ours; };
+    constexpr bool wanted = !requires { Method::unframed; };
+    return wanted && form == Form::Corrected && std::is_floating_point_v<T>;
 }
 
 /// The input that an algorithm gets for a segment and a window, and the frame if the input is

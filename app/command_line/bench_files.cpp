@@ -18,6 +18,14 @@ QStringList endingsOf(StudyFile::Group group)
     return endings;
 }
 
+/// "FILE.html|FILE.pdf".
+QString namesOf(StudyFile::Group group)
+{
+    return endingsOf(group)
+        .replaceInStrings(QStringLiteral("."), QStringLiteral("FILE."))
+        .join(u'|');
+}
+
 BenchFile fileFor(const QString& option, const QString& path, StudyFile::Group group)
 {
     const QString ending = QFileInfo(path).suffix().toLower();
@@ -34,11 +42,11 @@ std::vector<Option> fileOptions()
 {
     return {
         {{"report"},
-         "FILE.html|FILE.pdf",
+         namesOf(StudyFile::Group::Report),
          Commands::tr("Also write a report: results, charts, tables, times by class, operations, "
                       "accuracy, and how it was measured.")},
         {{"charts"},
-         "FILE.svg|FILE.pdf|FILE.png",
+         namesOf(StudyFile::Group::Charts),
          Commands::tr("Also write the charts: FILE-table1-clip-published.svg and so on.")},
     };
 }

@@ -129,13 +129,14 @@ void printCostMap(const ParsedArguments& arguments)
 {
     const auto path = arguments.text(QStringLiteral("output"));
     if (!path)
-        throw WrongUsage{Commands::tr("Say with -o where to write: FILE.png, FILE.csv, or - for a "
-                                      "CSV table on standard output.")};
+        throw WrongUsage{Commands::tr("Say with -o where to write: a file whose name ends with %1, "
+                                      "or - for a CSV table on standard output.")
+                             .arg(costMapEndings())};
     const bool toOutput = *path == QStringLiteral("-");
     if (!toOutput && !findCostMapFormat(QFileInfo(*path).suffix()))
-        throw WrongUsage{Commands::tr("-o %1: a cost map is written as .png or .csv; give the file "
-                                      "one of these endings.")
-                             .arg(*path)};
+        throw WrongUsage{Commands::tr("-o %1: a cost map is written as %2; give the file one of "
+                                      "these endings.")
+                             .arg(*path, costMapEndings())};
     const bool dark = arguments.choice(QStringLiteral("theme"), {"light", "dark"}) == 1;
     const CostMap map = costMap(planOf(arguments));
     if (toOutput) {
@@ -189,8 +190,9 @@ Command costmapCommand()
          Commands::tr("What is counted for each line, or its time, which is noisy (operations).")},
         {{"o", "output"},
          "FILE",
-         Commands::tr("A picture with legend and caption (.png), or a table with a row for each "
-                      "cell (.csv); - is standard output, as CSV.")},
+         Commands::tr("A picture with legend and caption, or a table with a row for each cell, by "
+                      "its ending: %1; - is standard output, as CSV.")
+             .arg(costMapEndings())},
         {{"theme"}, "light|dark", Commands::tr("The background of the picture (light).")},
     };
     return {"costmap",

@@ -293,6 +293,21 @@ QString listed(const QString& heading, const QStringList& sentences)
     return sentences.isEmpty() ? QString() : text;
 }
 
+/// An option with a list of choices that is too long for a line, broken after a "|".
+QString brokenChoices(const QString& option)
+{
+    constexpr qsizetype indent = 8;
+    QString text, line = option;
+    while (line.size() > helpWidth) {
+        const qsizetype end = line.lastIndexOf(u'|', helpWidth - 1) + 1;
+        if (end <= indent)
+            break; // a single long word
+        text += line.first(end) + u'\n';
+        line = QString(indent, u' ') + line.sliced(end);
+    }
+    return text + line;
+}
+
 } // namespace
 
 QString aligned(const std::vector<std::pair<QString, QString>>& rows)
@@ -302,7 +317,7 @@ QString aligned(const std::vector<std::pair<QString, QString>>& rows)
     for (const auto& [left, right] : rows) {
         const QString first = QStringLiteral("  ") + left;
         text += first.size() + 2 <= indent ? first.leftJustified(indent)
-                                           : first + u'\n' + QString(indent, u' ');
+                                           : brokenChoices(first) + u'\n' + QString(indent, u' ');
         text += wrapped(right, indent);
     }
     return text;

@@ -65,14 +65,6 @@ std::optional<QString> writeCsv(const CostMap& map, const CostMapLook&, QIODevic
     return written(out, csv->text({&table, 1}).toUtf8());
 }
 
-QString endingsText()
-{
-    QStringList endings;
-    for (const CostMapFormat& format : costMapFormats())
-        endings << u'.' + latin(format.key);
-    return endings.join(CostMaps::tr(" or "));
-}
-
 } // namespace
 
 Table costTable(const CostMap& map)
@@ -151,6 +143,14 @@ std::span<const CostMapFormat> costMapFormats()
     return all;
 }
 
+QString costMapEndings()
+{
+    QStringList endings;
+    for (const CostMapFormat& format : costMapFormats())
+        endings << u'.' + latin(format.key);
+    return endings.join(CostMaps::tr(" or "));
+}
+
 const CostMapFormat* findCostMapFormat(const QString& key)
 {
     const auto found = std::ranges::find_if(costMapFormats(), [&](const CostMapFormat& format) {
@@ -165,7 +165,7 @@ std::optional<QString> writeCostMap(const CostMap& map, const QString& path,
     const CostMapFormat* format = findCostMapFormat(QFileInfo(path).suffix());
     if (!format)
         return CostMaps::tr("%1: a cost map is written as %2; give the file one of these endings.")
-            .arg(path, endingsText());
+            .arg(path, costMapEndings());
     const auto error =
         replaceFile(path, [&](QIODevice& out) { return format->write(map, look, out); });
     return error ? std::optional(CostMaps::tr("Cannot write %1: %2").arg(path, *error)) : error;

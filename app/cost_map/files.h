@@ -18,6 +18,8 @@ struct CostMapFormat {
     std::optional<QString> (*write)(const CostMap& map, const CostMapLook& look, QIODevice& out);
 };
 std::span<const CostMapFormat> costMapFormats();
+/// The endings of all formats: ".png or .csv".
+QString costMapEndings();
 /// Finds a format by a file's ending; null if there is none.
 const CostMapFormat* findCostMapFormat(const QString& key);
 

@@ -24,12 +24,14 @@ Format pngFormat();
 // add it to the list below.
 std::span<const Format> formats()
 {
+    // clang-format off
     static const std::array all{
         svgFormat(),
         csvFormat(),
         pdfFormat(),
         pngFormat(),
     };
+    // clang-format on
     return all;
 }
 

@@ -4,7 +4,8 @@
 #include "app/overlays/overlay.h"
 
 // The kinds of overlays, one file each. An algorithm's row (app/teaching/teaching.h) names its own
-// overlay, or has the default.
+// overlay, or has the default. Each has an area or a line and a caption, and with a line also a
+// mark at each of its ends, and another caption.
 
 namespace app {
 

@@ -22,7 +22,9 @@ struct PageFigure {
 /// One row. Everything except the key is optional.
 struct Teaching {
     std::string_view key; ///< of the algorithm
-    /// The sentence of a step; if it is empty, that of generalSentence is used.
+    /// The sentence of a step; if it is empty, that of generalSentence is used. A row with its own
+    /// sentences has one for every step of ordinary lines; only that of Accept may be the general
+    /// one.
     QString (*sentence)(const SentenceContext& context) = generalSentence;
     std::string_view parameter{}; ///< the value that is the parameter of a candidate cut
     std::array<std::string_view, 2> middle{}; ///< or the two values that are its coordinates
@@ -30,7 +32,8 @@ struct Teaching {
         traceOverlay; ///< the algorithm's view of the plane
     PageFigure figure{};
     /// The units of variables that differ from the usual ones (value_unit.cpp); `published`: names
-    /// that the published code uses differently. A number without a unit is dimensionless.
+    /// that the published code uses differently. A row with its own sentences or units has
+    /// the units of all its numbers; a number without a unit is dimensionless.
     std::span<const VariableUnit> variables{}, published{};
 };
 

@@ -77,7 +77,8 @@ struct Exact {
         .ulps = 0.5,
     };
 
-    static constexpr bool ours = true; // no published form
+    static constexpr bool ours = true;     // no published form
+    static constexpr bool unframed = true; // it handles all finite numbers itself
 
     template <class T>
     static std::size_t many(std::span<const BasicSegment<T>> in, const BasicWindow<T>& window,

@@ -21,6 +21,7 @@ extern const Teaching exactTeaching;
 // THE CATALOGUE. An algorithm without a row uses the defaults.
 std::span<const Teaching> teachings()
 {
+    // clang-format off
     static const std::array rows{
         cohenSutherlandTeaching,
         liangBarskyTeaching,
@@ -34,6 +35,7 @@ std::span<const Teaching> teachings()
         slaterBarskyTeaching,
         exactTeaching,
     };
+    // clang-format on
     return rows;
 }
 

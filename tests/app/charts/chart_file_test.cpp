@@ -104,9 +104,9 @@ private slots:
     }
     void errorsNameTheFileAndWhatToDo()
     {
-        QVERIFY(written("chart.bmp").contains("chart.bmp"));
-        QVERIFY(written("chart.bmp").contains(".svg"));
-        QVERIFY(!QFile::exists(folder_.filePath("chart.bmp")));
+        QVERIFY(written("chart.unknown").contains("chart.unknown"));
+        QVERIFY(written("chart.unknown").contains(".svg"));
+        QVERIFY(!QFile::exists(folder_.filePath("chart.unknown")));
         QVERIFY(written("missing/chart.svg").startsWith("Cannot write"));
         for (const ChartFormat& format : chartFormats()) { // a disk without room
             QFile full("/dev/full");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cost_map/files.h"
 #include "clipping/algorithm.h"
 
 #include <QImage>
@@ -52,13 +53,13 @@ private slots:
     {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QString>("says");
-        const auto row = [](const char* name, const QStringList& arguments, const char* says) {
-            QTest::newRow(name) << arguments << QString::fromUtf8(says);
+        const auto row = [](const char* name, const QStringList& arguments, const QString& says) {
+            QTest::newRow(name) << arguments << says;
         };
         row("neither", {"-o", "-"}, "either -a");
         row("both", {"-a", "md", "--cheapest", "-o", "-"}, "either -a");
         row("no output", {"-a", "md"}, "-o");
-        row("ending", {"-a", "md", "-o", "map.gif"}, ".png or .csv");
+        row("ending", {"-a", "md", "-o", "map.unknown"}, app::costMapEndings());
         row("algorithm", {"-a", "nobody", "-o", "-"}, "There is no algorithm “nobody”");
         row("misprint", {"-a", "md-step-2", "-o", "-"}, "--measure time");
         row("point", {"-a", "md", "--from", "1,nan", "-o", "-"}, "two numbers");

@@ -77,7 +77,9 @@ private slots:
         QTest::newRow("--help") << QStringList{"--help"};
         QTest::newRow("--version") << QStringList{"--version"};
         for (const app::Command& command : app::commands()) {
-            QVERIFY2(all.contains(command.key), command.key.data());
+            QVERIFY2(all.contains(command.key),
+                     qPrintable(QStringLiteral("printing() lacks a call of clearcut %1")
+                                    .arg(QLatin1StringView(command.key))));
             QStringList help = given(command.key, {"--help"});
             QTest::newRow(qPrintable(help.join(u' '))) << help;
             for (const QStringList& arguments : all.at(command.key))

@@ -127,8 +127,8 @@ private slots:
         row("misprint", {"--line", "0,0,1,1", "-a", "md-step-2"}, "steps are not recorded");
         row("step 0", {"--line", "0,0,1,1", "--step", "0"}, "a whole number from 1 to");
         row("step beyond", {"--line", "0,0,1,1", "--step", "9999"}, "a whole number from 1 to");
-        row("format", {"--line", "0,0,1,1", "-f", "bmp"}, "--format bmp");
-        row("ending", {"--line", "0,0,1,1", "-o", "a.bmp"}, "give the format with --format");
+        row("format", {"--line", "0,0,1,1", "-f", "unknown"}, "--format unknown");
+        row("ending", {"--line", "0,0,1,1", "-o", "a.unknown"}, "give the format with --format");
         row("no name", {"--line", "0,0,1,1", "-f", "gif"}, "Name a file or a folder");
         row("option", {"--line", "0,0,1,1", "--setp", "1"}, "The nearest is “--step”");
     }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/unfinished.h"
 #include "app/command_line/command.h"
+#include "app/command_line/parsed_arguments.h"
 #include "app/command_line/terminal.h"
 #include "app/formats/format.h"
+#include "app/tables/table.h"
 #include "clipping/algorithm.h"
 
 #include <QDir>
@@ -43,6 +45,15 @@ QByteArray formatKeys(bool readable)
     return keys.join(", ");
 }
 
+/// The keys of all formats of tables: "text or csv or json".
+QByteArray tableKeys()
+{
+    QStringList keys;
+    for (const app::TableFormat& format : app::tableFormats())
+        keys << format.key;
+    return keys.join(QStringLiteral(" or ")).toUtf8();
+}
+
 } // namespace
 
 class UsageTest : public QObject {
@@ -66,8 +77,9 @@ private slots:
                 const auto more = clearcut({key, "--help"});
                 QCOMPARE(more.code, 0);
                 QCOMPARE(more.err, "");
+                const QByteArray text = more.out.simplified().replace("| ", "|"); // lines joined
                 for (const app::Option& option : command.options)
-                    QVERIFY(more.out.contains(
+                    QVERIFY(text.contains(
                         "--" + option.names.last().toUtf8()
                         + (option.value.isEmpty() ? "" : " " + option.value.toUtf8())));
             }
@@ -100,6 +112,20 @@ private slots:
             QVERIFY2(!options || text.contains(QRegularExpression("^ +-")) || first <= 40,
                      line.constData());
         }
+    }
+
+    void longListsOfChoicesAreBroken()
+    {
+        QStringList choices;
+        for (int i = 0; i < 40; ++i)
+            choices << QStringLiteral("choice%1").arg(i);
+        const QString list = choices.join(u'|');
+        const QString text = app::aligned({{"--list " + list, "What it means."}});
+        for (const QString& line : text.split(u'\n'))
+            QVERIFY2(line.size() <= 80, qPrintable(line));
+        QVERIFY(text.simplified().remove(u' ').contains(list));
+        const QString word(100, u'x'); // cannot be broken
+        QVERIFY(app::aligned({{word, "What it means."}}).contains(word));
     }
 
     // What a refusal says is the most stands in the help.
@@ -189,10 +215,10 @@ private slots:
         row(clip + QStringList{"--precision", "-1"},
             "--precision -1: give a whole number from 0 to 30");
         row(clip + QStringList{"--dpi", "0"}, "--dpi 0: give a number greater than 0");
-        row(clip + QStringList{"--from", "docx"}, "--from docx: give " + all + ".");
+        row(clip + QStringList{"--from", "unknown"}, "--from unknown: give " + all + ".");
         row(clip + QStringList{"--from", "png"}, "with --from and one of " + readable + ".");
-        row({"clip", "A", "-o", "x.docx"},
-            "x.docx: give its type with --to and one of " + all + ".");
+        row({"clip", "A", "-o", "x.unknown"},
+            "x.unknown: give its type with --to and one of " + all + ".");
         row({"clip", "-", "-o", "x.svg"},
             "clip: - (standard input): give its type with --from and one of " + readable + ".");
         for (const char* command : {"clip", "convert"})
@@ -202,7 +228,7 @@ private slots:
                                                + all + ".");
         row({"info"}, "An argument is missing: info INPUT");
         row({"algorithms", "x"}, "The argument “x” is one too many");
-        row({"algorithms", "--format", "xml"}, "--format xml: give text or csv or json");
+        row({"algorithms", "--format", "unknown"}, "--format unknown: give " + tableKeys());
         row({"bench", "--lines", "0"}, "--lines 0: give a whole number from 1 to");
         row({"bench", "--lines", "1.5"}, "--lines 1.5: give a whole number from 1 to");
         row({"bench", "--lines", "1e99"}, "--lines 1e99: give a whole number from 1 to");
@@ -211,8 +237,8 @@ private slots:
         row({"bench", "--scene", "file:"}, " or file:PATH.");
         row({"bench", "--runs", "ten"}, "--runs ten: give a whole number from 1 to");
         row({"bench", "-a", "md,,cs"}, "There is no algorithm “”");
-        row({"bench", "--format", "xml"}, "--format xml: give text or csv or json");
-        row({"bench", "--scene", "moon"}, "--scene moon: give paper or inside or");
+        row({"bench", "--format", "unknown"}, "--format unknown: give " + tableKeys());
+        row({"bench", "--scene", "moon"}, "--scene moon: give paper or ");
         row({"bench", "--space", "0,0,5cm,5"}, "--space 0,0,5cm,5: give four numbers without");
         row({"bench", "--window=-960,-75,100,75"}, "the space must extend beyond it on all four sides");
         row({"bench", "--measure", "clip,sleep"}, "--measure clip,sleep: give clip, draw, total");
@@ -224,8 +250,8 @@ private slots:
         row({"bench", "--precision", "single", "--paper", "all"}, "leave out --paper");
         row({"bench", "--precision", "single", "--measure", "accuracy"}, "leave out “accuracy”");
         row({"bench", "--draw-with", "ink"}, "--draw-with ink: give auto or opengl or raster");
-        row({"bench", "--report", "r.odt"}, "--report r.odt: give a name that ends with .html or");
-        row({"bench", "--charts", "c"}, "--charts c: give a name that ends with .svg or .pdf or");
+        row({"bench", "--report", "r.unknown"}, "--report r.unknown: give a name that ends with .");
+        row({"bench", "--charts", "c"}, "--charts c: give a name that ends with .");
         row({"bench", "--report", "r.html", "--measure", "classes"}, "need clip, draw or total");
         row({"bench", "--against-paper"}, "--against-paper needs --paper");
     }

@@ -62,6 +62,21 @@ class CostMapTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void eachMeasureCountsWhatItsNameSays()
+    {
+        const OperationCounts counts{.additions = 20,
+                                     .multiplications = 300,
+                                     .divisions = 4000,
+                                     .comparisons = 1,
+                                     .negations = 50000};
+        const auto of = [&](const char* key) { return findCostMeasure(key)->of(counts); };
+        QCOMPARE(of("comparisons"), 1u);
+        QCOMPARE(of("additions"), 20u);
+        QCOMPARE(of("multiplications"), 300u);
+        QCOMPARE(of("divisions"), 4000u);
+        QCOMPARE(of("operations"), 4321u);
+    }
+
     void everyCellIsTheCountOfItsLine_data()
     {
         QTest::addColumn<QString>("key");
@@ -86,14 +101,7 @@ private slots:
                 const Point middle(-300 + 600 * (column + 0.5) / 24, -225 + 450 * (row + 0.5) / 18);
                 const Segment line{{-200, -45}, middle};
                 const OperationCounts counts = uses->count({&line, 1}, window);
-                const std::uint64_t expected =
-                    measure == "comparisons"       ? counts.comparisons
-                    : measure == "additions"       ? counts.additions
-                    : measure == "multiplications" ? counts.multiplications
-                    : measure == "divisions"       ? counts.divisions
-                                                   : counts.comparisons + counts.additions
-                                                   + counts.multiplications + counts.divisions;
-                QCOMPARE(map.values[map.at(column, row)], float(expected));
+                QCOMPARE(map.values[map.at(column, row)], float(plan.measure->of(counts)));
             }
     }
 
@@ -252,8 +260,8 @@ private slots:
         out.open(QIODevice::WriteOnly);
         QVERIFY(!findCostMapFormat("CSV")->write(map, costMapLook(Ground::Light), out));
         QCOMPARE(out.data().count('\n'), 13);
-        QVERIFY(
-            writeCostMap(map, "/nowhere/map.gif", costMapLook(Ground::Light))->contains(".png"));
+        QVERIFY(writeCostMap(map, "/nowhere/map.unknown", costMapLook(Ground::Light))
+                    ->contains(".png"));
     }
 
     void aWindowWithoutExtentHasPlaneAround()

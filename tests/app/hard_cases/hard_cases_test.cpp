@@ -140,6 +140,7 @@ private slots:
         QFETCH(int, index);
         const HardCase& hard = hardCases()[std::size_t(index)];
         std::size_t faults = 0;
+        QStringList wrong;
         for (const Variant& variant : variants()) {
             if (variant.form == Form::Corrected)
                 continue;
@@ -148,9 +149,12 @@ private slots:
             QVERIFY2(keyOf(answer.ruling) == keyOf(ruling(hard, variant)), name);
             if (!isListed(variant))
                 continue;
-            QVERIFY2(answer.ruling == listed(hard, variant), name);
+            if (answer.ruling != listed(hard, variant))
+                wrong << QStringLiteral("\"%1\": \"%2\"").arg(name, keyOf(answer.ruling));
             faults += answer.good() ? 0 : 1;
         }
+        QVERIFY2(wrong.isEmpty(), qPrintable(QStringLiteral("faults of hard_cases.json: ")
+                                             + wrong.join(QStringLiteral(", "))));
         QCOMPARE(faults, hard.faults.size()); // and no fault of what does not exist
     }
 

@@ -85,8 +85,7 @@ private slots:
             const Overlay without = app::overlayOf({variant, w, std::nullopt, {}, everything}),
                           with = app::overlayOf({variant, w, line, {}, everything});
             for (const Overlay* overlay : {&without, &with}) {
-                QVERIFY2(overlay->areas.size() + overlay->lines.size() >= 4,
-                         said(variant, w, line));
+                QVERIFY2(overlay->areas.size() + overlay->lines.size() > 0, said(variant, w, line));
                 QVERIFY2(!overlay->caption.isEmpty(), said(variant, w, line));
             }
             for (const Point& end : {line.a, line.b})

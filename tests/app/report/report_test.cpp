@@ -228,9 +228,9 @@ private slots:
             QCOMPARE(app::reportFormatOf(path)->key, format.key);
             QVERIFY(!format.name.isEmpty());
         }
-        QCOMPARE(*app::writeReport(sample(), "report.odt"),
-                 "Cannot write report.odt: end the name of a report with " + endings.join(" or ")
-                     + u'.');
+        QCOMPARE(*app::writeReport(sample(), "report.unknown"),
+                 "Cannot write report.unknown: end the name of a report with "
+                     + endings.join(" or ") + u'.');
         const auto error = app::writeReport(sample(), folder.filePath("no/report.html"));
         QVERIFY(error && error->contains("No such file or directory"));
     }

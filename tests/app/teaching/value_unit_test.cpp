@@ -30,14 +30,13 @@ std::vector<clipping::Segment> lines()
     return all;
 }
 
-// An algorithm without a row in teaching shows its numbers without units.
+// An algorithm without its own sentences and units shows its numbers without units.
 std::vector<Variant> toldVariants()
 {
     auto all = app::variants();
     std::erase_if(all, [](const Variant& variant) {
-        return variant.misprint != nullptr
-               || std::ranges::count(app::teachings(), variant.algorithm->key, &app::Teaching::key)
-                      == 0;
+        const app::Teaching row = app::teachingOf(*variant.algorithm);
+        return variant.misprint || (row.sentence == app::generalSentence && row.variables.empty());
     });
     return all;
 }
