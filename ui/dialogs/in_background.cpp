@@ -108,11 +108,14 @@ void InBackground::settle()
     act(turn);
 }
 
-void InBackground::wait()
+void InBackground::wait(QDeadlineTimer deadline)
 {
     do {
         while (working())
-            job_->wait();
+            if (deadline.isForever())
+                job_->wait();
+            else if (!job_->waitFor(std::chrono::milliseconds(deadline.remainingTime())))
+                return;
         settle();
     } while (working());
 }

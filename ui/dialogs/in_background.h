@@ -5,6 +5,7 @@
 #include "ui/dialogs/held_input.h"
 #include "ui/dialogs/waiting_dialog.h"
 
+#include <QDeadlineTimer>
 #include <QTimer>
 
 namespace ui {
@@ -37,7 +38,8 @@ public:
     void inTurn(std::function<void(const Turn&)> act);
     void whenIdle(std::function<void()> act);
     bool busy() const; ///< a job or a turn has not ended
-    void wait();       ///< blocks until no job runs; results are delivered
+    /// Blocks until no job runs, whose results are then delivered, or until the deadline.
+    void wait(QDeadlineTimer deadline = QDeadlineTimer(QDeadlineTimer::Forever));
 
 private:
     using Any = std::shared_ptr<void>;

@@ -32,6 +32,7 @@ namespace ui {
 namespace {
 
 constexpr qint64 quickBytes = 1'000'000; // such a file is read without noticeable delay
+constexpr int mostWaiting = 500;         // milliseconds for it, before the window is shown
 constexpr int mostPixels = 10'000;       // limit of --size in each direction: a picture of 400 MB
 constexpr QSize usualPicture(1280, 800);
 
@@ -145,8 +146,6 @@ void nameProgram()
 /// Returns nothing, or the reason why the file could not be written.
 std::optional<QString> savePicture(MainWindow& window, const QString& path)
 {
-    window.canvas().settle();
-    QCoreApplication::processEvents();
     const QPixmap picture = window.grab();
     QString type = QFileInfo(path).suffix();
     if (!QImageWriter::supportedImageFormats().contains(type.toLower().toLatin1()))
@@ -201,7 +200,8 @@ int show(QApplication& application, const Options& options, const QElapsedTimer&
         window.showStart();
     else if (first) {
         open();
-        window.files().wait();
+        window.files().wait(options.screenshot.isEmpty() ? QDeadlineTimer(mostWaiting)
+                                                         : QDeadlineTimer::Forever);
     }
     std::optional<Recovery> recovery; // none for a screenshot, which must not touch unsaved work
     if (options.screenshot.isEmpty())
@@ -228,9 +228,13 @@ int show(QApplication& application, const Options& options, const QElapsedTimer&
     std::optional<QString> error;
     // Milliseconds for thumbnails, which are painted on another thread.
     constexpr int forThumbnails = 1500;
-    QTimer::singleShot(forThumbnails, &window, [&] {
+    const auto save = [&] {
         error = savePicture(window, options.screenshot);
         application.quit();
+    };
+    QTimer::singleShot(forThumbnails, &window, [&] {
+        window.canvas().settle();
+        QTimer::singleShot(0, &window, save); // after the events that this has sent
     });
     application.exec();
     if (error)

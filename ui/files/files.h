@@ -43,11 +43,15 @@ public:
     void mayClose(const Answer& answer);
     /// Opens a drawing that an earlier run left, marked as unsaved; false: cancelled, or its file
     /// was unreadable and has been set aside.
-    void recover(app::Leftover leftover, const Answer& recovered);
+    void recover(const app::Leftover& leftover, const Answer& recovered);
 
     bool busy() const { return background_.busy(); }
     void whenIdle(std::function<void()> act) { background_.whenIdle(std::move(act)); }
-    void wait() { background_.wait(); } ///< blocks until nothing is read or written
+    /// Blocks until nothing is read or written, or until the deadline.
+    void wait(QDeadlineTimer deadline = QDeadlineTimer(QDeadlineTimer::Forever))
+    {
+        background_.wait(deadline);
+    }
 
     Questions& questions() { return *questions_; }
     app::Origin origin() const; ///< restored with the document after a signal ended the program
@@ -70,6 +74,8 @@ private:
     void read(const QString& path, const Turn& turn);
     void show(app::Imported imported, const QString& path, const QString& title);
     void tellLosses();
+    void showRecovered(app::Imported imported, const app::Origin& origin);
+    void setAside(app::Leftover leftover, const QString& error);
 
     // Parts of a turn that their answer holds.
     void keepChanges(const Answer& mayReplace);

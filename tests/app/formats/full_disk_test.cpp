@@ -10,6 +10,7 @@
 #include "app/judge/example_files.h"
 #include "app/report/report.h"
 #include "app/report/study_files.h"
+#include "app/session/save.h"
 #include "app/session/session.h"
 #include "app/teaching/trace_file.h"
 

@@ -252,7 +252,11 @@ private:
         std::vector<Ending> all{
             {"Enter", [](Hand& hand) { hand.key(Qt::Key_Return); }},
             {"Esc", [](Hand& hand) { hand.key(Qt::Key_Escape); }},
-            {"Crop", [](Hand& hand) { hand.t.run("crop"); }},
+            {"Crop",
+             [](Hand& hand) {
+                 hand.window.files().crop();
+                 hand.window.files().wait();
+             }},
             {"panes",
              [](Hand& hand) { // fewer or more panes: the view changes
                  app::Panes panes = hand.window.canvas().panes();
