@@ -1,87 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/dialogs/in_background.h"
-
-#include <QApplication>
-#include <QLineEdit>
 #include <QProgressBar>
-#include <QPushButton>
-#include <QSemaphore>
-#include <QTest>
 
-#include <vector>
-
-using ui::InBackground;
-using Cancel = InBackground::Cancel;
-
-namespace {
-
-ui::WaitingDialog* shownDialog()
-{
-    for (QWidget* widget : QApplication::topLevelWidgets())
-        if (auto* dialog = qobject_cast<ui::WaitingDialog*>(widget); dialog && dialog->isVisible())
-            return dialog;
-    return nullptr;
-}
-
-void clickCancel()
-{
-    QTRY_VERIFY(shownDialog());
-    QTest::mouseClick(shownDialog()->findChild<QPushButton*>(), Qt::LeftButton);
-}
-
-/// Work that ends when the test lets it, or when it reads a stop request.
-class Gate {
-public:
-    auto work(int result) const
-    {
-        return [open = open_, result](const app::Follower& follower) {
-            while (!open->tryAcquire(1, 1))
-                if (follower.stop.stop_requested())
-                    return -1;
-            return result;
-        };
-    }
-    /// Work that reads no stop request.
-    auto deafWork(std::shared_ptr<std::atomic<int>> ended) const
-    {
-        return [begun = begun_, open = open_, ended](const app::Follower&) {
-            begun->release();
-            open->acquire();
-            return ++*ended;
-        };
-    }
-    void open() const { open_->release(); }
-    bool begun() const { return begun_->tryAcquire(1, 5000); } ///< the deaf work
-
-private:
-    std::shared_ptr<QSemaphore> begun_ = std::make_shared<QSemaphore>();
-    std::shared_ptr<QSemaphore> open_ = std::make_shared<QSemaphore>();
-};
-
-/// A window with a field, which gets the keys.
-struct Desk {
-    Desk()
-    {
-        window.show();
-        window.activateWindow();
-        field.setFocus();
-    }
-    auto store()
-    {
-        return [this](std::optional<int> result) { results.push_back(result); };
-    }
-    /// As the system sends it.
-    void type(Qt::Key key) { QTest::keyClick(window.windowHandle(), key); }
-
-    QWidget window;
-    QLineEdit field{&window};
-    InBackground background{&window};
-    std::vector<std::optional<int>> results;
-};
-
-using Results = std::vector<std::optional<int>>;
-
-} // namespace
+#include "tests/ui/dialogs/waiting_desk.h"
 
 class InBackgroundTest : public QObject {
     Q_OBJECT
@@ -117,53 +37,6 @@ private slots:
         gate.open();
         QTRY_COMPARE(desk.results, Results{42});
         QVERIFY(!shownDialog());
-    }
-    void inputWaitsUntilTheWorkHasEnded()
-    {
-        Desk desk;
-        const Gate gate;
-        desk.background.run("Working…", gate.work(42), desk.store(), Cancel::Drops);
-        for (const Qt::Key key : {Qt::Key_A, Qt::Key_B, Qt::Key_C})
-            desk.type(key);
-        QTest::mouseClick(desk.window.windowHandle(), Qt::LeftButton);
-        QCOMPARE(desk.field.text(), QString());
-        gate.open();
-        QTRY_COMPARE(desk.field.text(), QString("abc"));
-        desk.type(Qt::Key_D);
-        QCOMPARE(desk.field.text(), QString("abcd"));
-    }
-    void inputBeforeTheDialogIsForgotten()
-    {
-        Desk desk;
-        const Gate gate;
-        desk.background.run("Working…", gate.work(42), desk.store(), Cancel::Drops);
-        desk.type(Qt::Key_A);
-        QTRY_VERIFY(shownDialog());
-        desk.type(Qt::Key_B);
-        gate.open();
-        QTRY_VERIFY(!desk.background.busy());
-        desk.type(Qt::Key_C);
-        QCOMPARE(desk.field.text(), QString("c"));
-    }
-    void inputThatBeginsTheNextJobWaitsInItsOrder()
-    {
-        Desk desk;
-        const Gate first, second;
-        connect(&desk.field, &QLineEdit::textEdited, this, [&](const QString& text) {
-            if (text == "a")
-                desk.background.run("Working…", second.work(2), desk.store(), Cancel::Drops);
-        });
-        desk.background.run("Working…", first.work(1), desk.store(), Cancel::Drops);
-        desk.type(Qt::Key_A);
-        desk.type(Qt::Key_B);
-        first.open();
-        QTRY_COMPARE(desk.field.text(), QString("a"));
-        desk.type(Qt::Key_C);
-        QTest::qWait(20);
-        QCOMPARE(desk.field.text(), QString("a"));
-        second.open();
-        QTRY_COMPARE(desk.field.text(), QString("abc"));
-        QCOMPARE(desk.results, (Results{1, 2}));
     }
     void aDroppedJobHasNoResultAndDoesNotDelayTheNext()
     {
@@ -225,6 +98,17 @@ private slots:
         QCOMPARE(done, QStringList({"a1", "a2", "b1", "b2", "idle"}));
         desk.background.whenIdle([&] { done << "at once"; });
         QCOMPARE(done.last(), QString("at once"));
+    }
+    void waitingEndsAtTheDeadline()
+    {
+        Desk desk;
+        const Gate gate;
+        desk.background.run("Working…", gate.work(42), desk.store(), Cancel::Drops);
+        desk.background.wait(QDeadlineTimer(20));
+        QVERIFY(desk.background.busy() && desk.results.empty());
+        gate.open();
+        desk.background.wait(QDeadlineTimer(10'000));
+        QCOMPARE(desk.results, Results{42});
     }
     void waitingDeliversTheResult()
     {
