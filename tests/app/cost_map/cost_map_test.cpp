@@ -69,7 +69,7 @@ private slots:
                                      .divisions = 4000,
                                      .comparisons = 1,
                                      .negations = 50000};
-        const auto of = [&](const char* key) { return findCostMeasure(key)->of(counts); };
+        const auto of = [&](const char* key) { return costMeasure(QLatin1StringView(key)).of(counts); };
         QCOMPARE(of("comparisons"), 1u);
         QCOMPARE(of("additions"), 20u);
         QCOMPARE(of("multiplications"), 300u);
