@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/crop_to_window.h"
 #include "app/comparison/cut_text.h"
-#include "ui/files/export_cut.h"
+#include "app/formats/export_cut.h"
 #include "ui/files/files.h"
 
 #include <QFileInfo>
@@ -31,13 +31,13 @@ void Files::exportCut()
             tr("Exporting %1…").arg(name),
             [document = session_.now(), options = cutOptions(),
              path](const app::Follower& follower) {
-                return ui::exportCut(document, options, path, follower.stop);
+                return app::exportCut(document, options, path, follower.stop);
             },
-            [this, name, turn](const std::optional<CutExport>& made) {
+            [this, name, turn](const std::optional<app::CutExport>& made) {
                 const auto& [end, error, counts] = made.value();
-                if (end == CutExport::End::Failed)
+                if (end == app::CutExport::End::Failed)
                     emit told({Message::Kind::Warning, error});
-                else if (end == CutExport::End::Written)
+                else if (end == app::CutExport::End::Written)
                     emit told({Message::Kind::Done,
                                tr("Exported %1: %2").arg(name, app::cutText(counts))});
             },

@@ -6,18 +6,18 @@
 #include <optional>
 #include <stop_token>
 
-namespace ui {
+namespace app {
 
 /// How an export ended. The file is complete, or as it was before.
 struct CutExport {
     enum class End : std::uint8_t { Written, Failed, Stopped };
     End end = End::Written;
     QString error{}; ///< a sentence that names the file, if it failed
-    app::CutCounts counts{};
+    CutCounts counts{};
 };
 
 /// Cuts a drawing and writes what remains to a file, in the format of its extension, on any thread.
-CutExport exportCut(const app::Document& document, app::CutOptions options, const QString& path,
+CutExport exportCut(const Document& document, CutOptions options, const QString& path,
                     const std::stop_token& stop);
 
-} // namespace ui
+} // namespace app
