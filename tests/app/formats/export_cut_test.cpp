@@ -41,7 +41,7 @@ private slots:
         QVERIFY2(read.value.has_value(), qPrintable(read.error));
         const Document& cut = read.value->document;
         QCOMPARE(cut.objects().size(), std::size_t(2)); // hidden objects are kept in SVG
-        QVERIFY(cut.windows().empty());
+        QVERIFY(cut.windows().list.empty());
         const Sheet sheet = sheetOf(cut);
         QCOMPARE(sheet.shapes[0].paths[0].start, Point(0, 5));
         QCOMPARE(sheet.shapes[0].paths[0].segments[0].to, Point(10, 5));
