@@ -32,6 +32,10 @@ inline void clickCancel()
 /// Work that ends when the test lets it, or when it reads a stop request.
 class Gate {
 public:
+    Gate() = default;
+    ~Gate() { open_->release(100); } // otherwise the end of the program would wait for the work
+    Q_DISABLE_COPY_MOVE(Gate)
+
     auto work(int result) const
     {
         return [open = open_, result](const app::Follower& follower) {

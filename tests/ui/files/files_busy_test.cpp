@@ -1,11 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QSignalSpy>
 
+#include <fcntl.h>
 #include <sys/stat.h>
 
 #include "tests/ui/files/busy_desk.h"
 
 using namespace ui;
+
+namespace {
+
+/// A file that takes long to read: until somebody writes to it.
+class Pipe {
+public:
+    explicit Pipe(const QString& path) : path(path) { ::mkfifo(name(), 0600); }
+    ~Pipe() { ::close(::open(name(), O_RDWR)); } // the end for whoever still reads
+    Q_DISABLE_COPY_MOVE(Pipe)
+
+    void write(const QByteArray& content) const
+    {
+        const int file = ::open(name(), O_WRONLY); // waits for the reader
+        QCOMPARE(::write(file, content.constData(), std::size_t(content.size())), content.size());
+        ::close(file);
+    }
+    const QString path;
+
+private:
+    const char* name() const { return name_.constData(); }
+    const QByteArray name_ = path.toLocal8Bit();
+};
+
+} // namespace
 
 class FilesBusyTest : public QObject {
     Q_OBJECT
@@ -46,17 +71,13 @@ private slots:
     {
         Desk desk;
         desk.answers->answer = Questions::Answer::DontSave;
-        const QString pipe = desk.path("pipe.svg");
-        QCOMPARE(::mkfifo(pipe.toLocal8Bit().constData(), 0600), 0);
+        const Pipe pipe(desk.path("pipe.svg"));
         QSignalSpy loaded(&desk.session(), &app::Session::loaded);
-        desk.files().open(pipe); // lasts until somebody writes to it
+        desk.files().open(pipe.path);
         desk.files().open(desk.otherFile());
         QTest::qWait(20);
         QCOMPARE(desk.files().name(), "two.svg");
-        QFile feed(pipe);
-        QVERIFY(feed.open(QIODevice::WriteOnly));
-        feed.write("<svg xmlns='http://www.w3.org/2000/svg' width='9mm' height='9mm'/>");
-        feed.close();
+        pipe.write("<svg xmlns='http://www.w3.org/2000/svg' width='9mm' height='9mm'/>");
         QTRY_VERIFY(!desk.files().busy());
         QCOMPARE(loaded.count(), 2);
         QCOMPARE(desk.files().name(), "other.svg");
@@ -65,17 +86,14 @@ private slots:
     {
         const Desk desk;
         desk.answers->answer = Questions::Answer::DontSave;
-        const QString pipe = desk.path("pipe.svg");
-        QCOMPARE(::mkfifo(pipe.toLocal8Bit().constData(), 0600), 0);
-        desk.files().open(pipe);
+        const Pipe pipe(desk.path("pipe.svg"));
+        desk.files().open(pipe.path);
         clickCancel();
         QTRY_VERIFY(!desk.files().busy());
         QCOMPARE(desk.files().name(), "two.svg");
         QCOMPARE(app::firstWindow(desk.session().now().windows()), middle);
         desk.answers->answer = Questions::Answer::Cancel;
         QVERIFY(desk.saved()); // although a thread still reads
-        QFile feed(pipe);
-        QVERIFY(feed.open(QIODevice::WriteOnly)); // it ends
     }
     void aCropIsThatOfTheDrawingItChanges()
     {
