@@ -13,7 +13,7 @@ namespace {
 /// A file that takes long to read: until somebody writes to it.
 class Pipe {
 public:
-    explicit Pipe(const QString& path) : path(path) { ::mkfifo(name(), 0600); }
+    explicit Pipe(const QString& where) : path(where) { ::mkfifo(name(), 0600); }
     ~Pipe() { ::close(::open(name(), O_RDWR)); } // the end for whoever still reads
     Q_DISABLE_COPY_MOVE(Pipe)
 
