@@ -94,7 +94,7 @@ private slots:
             },
             [](int) {},
             [&](const app::Progress& progress) {
-                here = here && QThread::currentThread() == qApp->thread();
+                here = here && QThread::currentThread() == thread();
                 shares.push_back(progress.share);
                 QCOMPARE(progress.secondsLeft, 10 - 10 * progress.share);
             });
