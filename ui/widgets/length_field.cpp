@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/length_field.h"
 
-#include "app/base/expression.h"
 #include "app/base/numbers.h"
+#include "app/base/typed_number.h"
 #include "ui/look/look.h"
 
 #include <QHelpEvent>
@@ -64,13 +64,9 @@ LengthField::LengthField(const QString& name, Range range, Suffix suffix, QWidge
 
 /// Parses numbers in the locale's or the C format, with either minus sign and other arithmetic
 /// signs.
-app::Result<double> LengthField::typed(QString text) const
+app::Result<double> LengthField::typed(const QString& text) const
 {
-    text = text.simplified();
-    text.replace(u'\u2212', u'-').replace(u'\u00d7', u'*').replace(u'\u00f7', u'/');
-    text.remove(QLocale().groupSeparator());
-    text.replace(QLocale().decimalPoint(), QStringLiteral("."));
-    auto length = app::evaluated(text.toStdString(), {unit_, millimetresPerUnit_});
+    auto length = app::typedLength(text, {unit_, millimetresPerUnit_});
     if (length && std::abs(*length.value) > limit)
         return app::Result<double>::failure(tr("it is too large"));
     return length;

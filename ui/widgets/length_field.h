@@ -45,7 +45,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    app::Result<double> typed(QString text) const; ///< in the field's unit
+    app::Result<double> typed(const QString& text) const; ///< in the field's unit
     bool takesTyped();
     void finish();
 
