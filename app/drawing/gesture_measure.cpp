@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/drawing/gesture_measure.h"
+
+#include "app/drawing/direction.h"
+
+#include <QCoreApplication>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("GestureMeasure", text); }
+
+/// A vector of this length in a vector's direction; to the right, if that is zero.
+Point ofLength(const Point& vector, double length)
+{
+    const double largest = std::max(std::abs(vector.x), std::abs(vector.y));
+    if (largest == 0)
+        return {length, 0};
+    if (vector.x == 0 || vector.y == 0) // exactly
+        return vector / largest * length;
+    return glm::normalize(vector / largest) * length;
+}
+
+Point endOfLengthAndAngle(const Point& from, const Point& pointer, const Held& held)
+{
+    const auto& [length, angle] = held;
+    const Point vector = pointer - from;
+    if (!angle)
+        return length ? from + ofLength(vector, *length) : pointer;
+    const Point direction = directionOf(*angle);
+    return from + direction * length.value_or(std::max(0.0, glm::dot(vector, direction)));
+}
+
+/// Where a side ends that begins at `from`.
+double endOfSide(double from, double pointer, double side)
+{
+    return pointer < from && side > 0 ? from - side : from + side;
+}
+
+template <bool square, bool centre>
+Point endOfBox(const Point& from, const Point& pointer, const Held& held)
+{
+    constexpr double share = centre ? 0.5 : 1; // of a side, from where the gesture begins
+    Held sides = held;
+    if constexpr (square) {
+        const Point size = glm::abs(pointer - from) / share;
+        const double side = held[0].value_or(held[1].value_or(std::max(size.x, size.y)));
+        sides = {side, side};
+    }
+    Point end = pointer;
+    for (int axis = 0; axis < 2; ++axis)
+        if (sides[std::size_t(axis)])
+            end[axis] = endOfSide(from[axis], pointer[axis], *sides[std::size_t(axis)] * share);
+    return end;
+}
+
+template <bool square, bool centre>
+GestureMeasure boxMeasure()
+{
+    return {{{{tr("Width"), Quantity::Length}, {tr("Height"), Quantity::Length}}},
+            [](const Point& from, const Point& to) -> std::array<double, 2> {
+                const Point size = glm::abs(to - from) * (centre ? 2.0 : 1.0);
+                return {size.x, size.y};
+            },
+            endOfBox<square, centre>,
+            true};
+}
+
+} // namespace
+
+const GestureMeasure& lengthAndAngle()
+{
+    static const GestureMeasure measure{
+        {{{tr("Length"), Quantity::Length}, {tr("Angle"), Quantity::Angle}}},
+        [](const Point& from, const Point& to) -> std::array<double, 2> {
+            return {glm::length(to - from), degreesOf(to - from)};
+        },
+        endOfLengthAndAngle,
+        true};
+    return measure;
+}
+
+const GestureMeasure& widthAndHeight(Proportion proportion, Anchor anchor)
+{
+    static const std::array measures{boxMeasure<false, false>(), boxMeasure<true, false>(),
+                                     boxMeasure<false, true>(), boxMeasure<true, true>()};
+    return measures[(proportion == Proportion::Square ? 1 : 0)
+                    + (anchor == Anchor::Centre ? 2 : 0)];
+}
+
+const GestureMeasure& position()
+{
+    static const GestureMeasure measure{
+        {{{tr("X"), Quantity::Length}, {tr("Y"), Quantity::Length}}},
+        [](const Point& from, const Point& to) -> std::array<double, 2> {
+            return {to.x - from.x, to.y - from.y};
+        },
+        [](const Point& from, const Point& pointer, const Held& held) {
+            return Point(held[0] ? from.x + *held[0] : pointer.x,
+                         held[1] ? from.y + *held[1] : pointer.y);
+        },
+        false};
+    return measure;
+}
+
+} // namespace app

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/drawing/gesture_measure.h"
+#include "app/drawing/typed_entry.h"
+
+namespace app {
+
+/// What the numbers of a gesture refer to.
+struct Gauge {
+    const GestureMeasure* measure = nullptr;
+    Point from;   ///< where the gesture begins
+    Point origin; ///< of absolute coordinates
+    Scale scale{};
+    std::optional<Point> aim{}; ///< steers instead of the pointer
+};
+
+/// The two numbers beside the pointer during a gesture, and what is typed into them. A number that
+/// is typed or locked holds; the pointer decides the others.
+class Readout {
+public:
+    enum class State : std::uint8_t { Free, Typed, Locked };
+
+    explicit Readout(const Gauge& gauge) : gauge_(gauge) {}
+
+    const Gauge& gauge() const { return gauge_; }
+    /// Goes on with another gauge for the same gesture and the same two numbers. False: it is
+    /// another gesture.
+    bool follow(const Gauge& gauge);
+    std::size_t active() const { return active_; }
+    State state(std::size_t field) const { return fields_[field].state; }
+    /// The typed text of a field; empty: it shows its number.
+    const QString& typed(std::size_t field) const { return fields_[field].text; }
+    /// The number of a field for a gesture that ends there, with its unit.
+    QString number(std::size_t field, const Point& end) const;
+    /// Why the last text was refused: one sentence, until the next change.
+    const QString& error() const { return error_; }
+    bool holdsSomething() const;
+
+    /// Typing goes on in that field.
+    void activate(std::size_t field);
+    /// Replaces the typed text of the active field. A text that is not complete yet holds nothing.
+    void type(const QString& text);
+    /// Gives the active field back to the pointer.
+    void release();
+    /// Locks the active field at what is typed, and goes on to the other one, or to the only one
+    /// that is free. False: refused.
+    bool lock();
+    /// Whether what is typed can be taken as it is; error() says why not.
+    bool accept();
+
+    /// Where the gesture ends.
+    Point end(const Point& pointer) const;
+
+private:
+    struct Field {
+        State state = State::Free;
+        QString text;
+    };
+    Result<Entry> entry() const;
+    bool hold(const Entry& entry);
+    bool refuse(const QString& sentence);
+    Point pointOf(const PointEntry& entry) const;
+
+    Gauge gauge_;
+    std::array<Field, 2> fields_;
+    Held held_;
+    std::optional<Point> target_; ///< a typed point
+    std::size_t active_ = 0;
+    QString error_;
+};
+
+} // namespace app

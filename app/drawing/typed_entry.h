@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/base/typed_number.h"
+#include "app/document/path.h"
+
+#include <optional>
+#include <variant>
+
+namespace app {
+
+/// A number for the field in which it is typed.
+struct NumberEntry {
+    double value;
+};
+/// "10,20", "10;20": a point.
+struct PointEntry {
+    /// Usual: from the second point of a gesture on, relative to the one before it.
+    enum class Origin : std::uint8_t { Usual, Absolute, Relative };
+    Point point;
+    Origin origin; ///< "#10,20": Absolute; "@10,20": Relative
+};
+/// "30<45": a length and an angle. "<45": only the angle.
+struct PolarEntry {
+    std::optional<double> length;
+    double angle;
+};
+using Entry = std::variant<NumberEntry, PointEntry, PolarEntry>;
+
+/// Reads what a person typed during a gesture. Lengths may have units and be sums ("10+5", "1in")
+/// and become user units; angles are degrees, with or without "°". Where the locale's decimal point
+/// is a comma, only ";" separates coordinates. The error is one sentence.
+Result<Entry> readEntry(const QString& text, bool isAngle, const Scale& scale,
+                        const QLocale& locale = {});
+
+} // namespace app
