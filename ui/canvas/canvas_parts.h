@@ -5,6 +5,7 @@
 #include "ui/canvas/canvas.h"
 #include "ui/canvas/controller.h"
 #include "ui/canvas/pane_widget.h"
+#include "ui/canvas/readout_box.h"
 #include "ui/canvas/ruler.h"
 
 namespace ui {
@@ -26,6 +27,7 @@ struct Canvas::Parts {
     std::vector<std::size_t> shown; ///< the pane of each visible widget
     /// The widgets of `shown`, then hidden widgets for reuse.
     std::vector<std::unique_ptr<PaneWidget>> widgets;
+    ReadoutBox readout;
     bool layingOut = false;
 };
 

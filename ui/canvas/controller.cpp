@@ -27,7 +27,7 @@ Controller::Controller(app::Session& session, QObject* parent)
     connect(&session.differences, &app::LiveDifferences::changed, this, &Controller::renew);
     connect(&session.exactness, &app::LiveExactness::changed, this, &Controller::renew);
     connect(&session, &app::Session::loaded, this, [this] {
-        tool_->cancel(bench_);
+        withTool([&] { tool_->cancel(bench_); });
         emit stepsChanged();
         fitDrawing();
     });
@@ -86,6 +86,8 @@ bool Controller::handle(QEvent& event)
         return true;
     case QEvent::NativeGesture:
         return navigation_.gesture(static_cast<QNativeGestureEvent&>(event));
+    case QEvent::ShortcutOverride:
+        return beginsTyping(static_cast<QKeyEvent&>(event)) && (event.accept(), true);
     case QEvent::KeyPress:
         return keyPress(static_cast<QKeyEvent&>(event));
     case QEvent::KeyRelease:

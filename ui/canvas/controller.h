@@ -62,6 +62,18 @@ public:
     const std::optional<Pointer>& pointer() const { return pointer_; }
     const std::optional<app::Snap>& snapped() const { return snap_; }
 
+    /// The numbers of the gesture; empty: the tool takes none now.
+    const std::optional<app::Readout>& readout() const { return readout_; }
+    bool typing() const { return typing_; } ///< a field of the readout is open
+    /// Where the pointer would end the gesture, if nothing were typed.
+    app::Point aim() const;
+    void typeNumber(const QString& text); ///< replaces the text of the active field
+    void activateNumber(std::size_t field);
+    void lockNumber();    ///< and goes on to the other field
+    void releaseNumber(); ///< gives the active field back to the pointer, and stops typing
+    void acceptNumber();  ///< ends the gesture, or its current step, with these numbers
+    void stopTyping();
+
     void fitDrawing();
     void fitSelection();
     void fitWindow();
@@ -113,6 +125,8 @@ signals:
     void changed(); ///< repaint
     void viewChanged();
     void pointerMoved(std::optional<app::Point> position);
+    void readoutChanged();
+    void typingBegan();
     void toolChanged();
     void hintChanged();
     /// The effect of undo() and redo(), or the object being drawn, has changed; for a freehand line
@@ -134,6 +148,10 @@ private:
     bool keyRelease(QKeyEvent& event);
     bool navigationKey(const QKeyEvent& event);
     bool toolKey(const QKeyEvent& event);
+    bool beginsTyping(const QKeyEvent& event) const;
+    void beginTyping(const QKeyEvent& event);
+    void steer();
+    void followGauge();
     bool arrow(const QKeyEvent& event);
     bool escape();
     Pointer pointerAt(const QPointF& screen, Qt::MouseButtons buttons,
@@ -161,6 +179,8 @@ private:
     std::unique_ptr<Tool> tool_;
     app::SnapTo snapTo_ = app::SnapTo::All;
     std::optional<Pointer> pointer_;
+    std::optional<app::Readout> readout_;
+    bool typing_ = false;
     std::optional<app::Snap> snap_;
     std::optional<QPointF> panningFrom_;
     bool space_ = false;

@@ -48,6 +48,10 @@ bool Controller::keyPress(QKeyEvent& event)
         emit changed();
         return true;
     }
+    if (beginsTyping(event)) {
+        beginTyping(event);
+        return true;
+    }
     bool used = false;
     withTool([&] { used = tool_->key(event, bench_); });
     return used || (event.key() == Qt::Key_Escape && escape()) || arrow(event)

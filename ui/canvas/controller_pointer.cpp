@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/drawing/direction.h"
 #include "ui/canvas/controller.h"
 #include "ui/canvas/window_offer.h"
 #include "ui/editing/keeping.h"
@@ -22,7 +23,12 @@ Pointer Controller::pointerAt(const QPointF& screen, Qt::MouseButtons buttons,
             near.push_back(session_.scene.lines()[line]);
         snap_ = app::snap(raw, radius, near, firstWindow(session_.now().windows()), to);
     }
-    return {snap_ ? snap_->point : raw, raw, at, buttons, modifiers};
+    app::Point position = snap_ ? snap_->point : raw;
+    if (readout_ && readout_->gauge().measure == &app::lengthAndAngle()
+        && modifiers & Qt::ShiftModifier)
+        position = app::turnedToStep(readout_->gauge().from, position);
+    const app::Point end = readout_ ? readout_->end(position) : position;
+    return {end, raw, at, buttons, modifiers, position};
 }
 
 QRectF Controller::offeredHandle() const
@@ -46,6 +52,8 @@ void Controller::pointerEvent(QMouseEvent& event)
     if (event.type() == QEvent::MouseButtonRelease)
         snap_.reset(); // the snapped action is finished
     emit pointerMoved(pointer_->position);
+    if (readout_)
+        emit readoutChanged();
 }
 
 void Controller::press(QMouseEvent& event)

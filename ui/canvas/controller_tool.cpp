@@ -16,6 +16,7 @@ void Controller::setTool(std::string_view key)
     tool_ = info->make();
     toolInfo_ = info;
     snap_.reset();
+    followGauge();
     emit stepsChanged();
     emit toolChanged();
     emit hintChanged();
@@ -57,6 +58,7 @@ void Controller::withTool(const std::function<void()>& call)
     const Steps stepsBefore = steps();
     call();
     navigation_.go(toolView_);
+    followGauge();
     if (hint() != before)
         emit hintChanged();
     tellSteps(stepsBefore);

@@ -32,19 +32,22 @@ std::span<const ToolInfo> tools()
         ToolInfo{"zoom", tr("Zoom"),
                  tr("Drag a rectangle to zoom to it. Click to zoom in, Alt+click to zoom out."),
                  QKeySequence("Z"), makeZoomTool},
-        ToolInfo{"line", tr("Line"), tr("Drag to draw a line. Shift: 15° steps."),
+        ToolInfo{"line", tr("Line"), tr("Click from point to point, or drag. Type a length, Tab, an angle, Enter. Shift: 15° "
+                    "steps, Ctrl: no snapping."),
                  QKeySequence("L"), makeLineTool, ToolInfo::Group::New},
         ToolInfo{"polyline", tr("Polyline"),
-                 tr("Click to place corners. Ctrl+Z removes the last one. Enter, Esc or a double "
-                    "click ends and keeps the polyline."),
+                 tr("Click to place corners, or type a length, Tab, an angle, Enter. Ctrl+Z removes "
+                    "the last corner. Esc ends and keeps the polyline."),
                  QKeySequence("P"), makePolylineTool},
         ToolInfo{"pencil", tr("Pencil"), tr("Drag to draw freehand."), QKeySequence("B"),
                  makePencilTool},
         ToolInfo{"rectangle", tr("Rectangle"),
-                 tr("Drag to draw a rectangle. Shift: square, Alt: from the centre."),
+                 tr("Drag, or click two corners. Type a width, Tab, a height, Enter. Shift: square, "
+                    "Alt: from the centre."),
                  QKeySequence("R"), makeRectangleTool},
         ToolInfo{"ellipse", tr("Ellipse"),
-                 tr("Drag to draw an ellipse. Shift: circle, Alt: from the centre."),
+                 tr("Drag, or click two corners. Type a width, Tab, a height, Enter. Shift: circle, "
+                    "Alt: from the centre."),
                  QKeySequence("E"), makeEllipseTool},
         ToolInfo{"window", tr("Clip window"), tr("Drag to draw a clip window. Shift: square."),
                  QKeySequence("W"), makeWindowTool, ToolInfo::Group::New},

@@ -14,14 +14,14 @@ class PolylineTool final : public Tool {
 public:
     void press(const Pointer& pointer, Workbench& bench) override
     {
-        const app::Point next = placed(pointer);
+        const app::Point next = pointer.position;
         if (corners_.size() >= 3 && glm::distance(next, corners_.front()) <= bench.inDrawing(reach))
             finish(bench, true);
         else if (corners_.empty() || next != corners_.back())
             add(next);
         to_ = next;
     }
-    void move(const Pointer& pointer, Workbench&) override { to_ = placed(pointer); }
+    void move(const Pointer& pointer, Workbench&) override { to_ = pointer.position; }
     void leave(Workbench&) override { to_.reset(); }
     void doubleClick(const Pointer&, Workbench& bench) override { end(bench); }
     bool key(QKeyEvent& event, Workbench& bench) override
@@ -67,6 +67,16 @@ public:
     {
         return QCoreApplication::translate("Commands", "Place corner");
     }
+    std::optional<app::Gauge> gauge(const Workbench& bench) const override
+    {
+        return corners_.empty() ? gaugeOfStart(bench)
+                                : gaugeFrom(corners_.back(), app::lengthAndAngle(), bench);
+    }
+    void accept(const app::Point& point, Workbench&) override
+    {
+        if (corners_.empty() || point != corners_.back())
+            add(point);
+    }
     std::optional<app::Subpath> pendingPath() const override
     {
         return corners_.size() >= 2 ? std::optional(pathOf(false)) : std::nullopt;
@@ -95,11 +105,6 @@ private:
     {
         corners_.push_back(corner);
         takenBack_.clear();
-    }
-    app::Point placed(const Pointer& pointer) const
-    {
-        const bool straight = pointer.modifiers & Qt::ShiftModifier && !corners_.empty();
-        return straight ? turned(corners_.back(), pointer.position) : pointer.position;
     }
     app::Subpath pathOf(bool closed) const
     {

@@ -2,13 +2,12 @@
 #include "ui/tools/shape_drawing.h"
 
 #include "app/commands/add_objects.h"
+#include "app/view/place.h"
 #include "app/view/visible_colour.h"
 
 #include <QPainterPath>
 
 #include <glm/geometric.hpp>
-
-#include <cmath>
 
 namespace ui {
 
@@ -53,18 +52,19 @@ void preview(QPainter& painter, const Workbench& bench, const app::Subpath& path
     painter.drawPath(outline);
 }
 
-app::Point turned(const app::Point& from, const app::Point& to)
+app::Gauge gaugeFrom(const app::Point& from, const app::GestureMeasure& measure,
+                     const Workbench& bench)
 {
-    constexpr double step = M_PI / 12;
-    const app::Point along = to - from;
-    const double angle = std::round(std::atan2(along.y, along.x) / step) * step;
-    const app::Point direction(std::cos(angle), std::sin(angle));
-    app::Point end = from + direction * glm::dot(along, direction);
-    if (std::abs(direction.x) < 1e-9)
-        end.x = from.x;
-    if (std::abs(direction.y) < 1e-9)
-        end.y = from.y;
-    return end;
+    const app::Page& page = bench.session.now().page();
+    const app::Unit unit = bench.session.display().unit;
+    return {&measure, from, app::originOf(page, unit), {unit, page.millimetresPerUnit()}};
+}
+
+app::Gauge gaugeOfStart(const Workbench& bench)
+{
+    app::Gauge gauge = gaugeFrom({}, app::position(), bench);
+    gauge.from = gauge.origin;
+    return gauge;
 }
 
 bool dragged(const app::Point& from, const Pointer& to)

@@ -16,8 +16,11 @@ void draw(Workbench& bench, std::vector<app::Subpath> paths, const QString& undo
 /// Paints the preview of a path in the colour of the session's stroke style.
 void preview(QPainter& painter, const Workbench& bench, const app::Subpath& path);
 
-/// `to`, rotated about `from` so that the direction is a multiple of 15 degrees.
-app::Point turned(const app::Point& from, const app::Point& to);
+/// Numbers for a gesture from this point, in the drawing's unit.
+app::Gauge gaugeFrom(const app::Point& from, const app::GestureMeasure& measure,
+                     const Workbench& bench);
+/// Coordinates for a first point.
+app::Gauge gaugeOfStart(const Workbench& bench);
 
 /// Whether the pointer has moved far enough for a drag.
 bool dragged(const app::Point& from, const Pointer& to);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/drawing/readout.h"
 #include "app/session/session.h"
 #include "app/view/handles.h"
 #include "app/view/picking.h"
@@ -21,11 +22,12 @@ namespace ui {
 
 /// The pointer over the canvas.
 struct Pointer {
-    app::Point position; ///< in the drawing, after snapping
+    app::Point position; ///< in the drawing, after snapping, held at what is typed
     app::Point raw;      ///< in the drawing, before snapping
     app::Point screen;   ///< logical pixels of the canvas
     Qt::MouseButtons buttons;
     Qt::KeyboardModifiers modifiers;
+    app::Point steered; ///< in the drawing, after snapping
 };
 
 /// What a tool works on. A tool changes the document only by pushing commands on session.history;
@@ -82,6 +84,14 @@ public:
     virtual std::optional<app::Subpath> pendingPath() const { return std::nullopt; }
     /// Number of points of the path being drawn.
     virtual std::size_t pendingPoints() const { return 0; }
+
+    /// Which numbers may be typed now, and what they refer to; empty: none.
+    virtual std::optional<app::Gauge> gauge(const Workbench&) const { return std::nullopt; }
+    /// Ends the gesture, or its current step, at a typed point.
+    virtual void accept(const app::Point&, Workbench&) {}
+    /// Goes on with the last gesture in place of what it has drawn, so that typed numbers change
+    /// it. Does nothing if anything else has happened since.
+    virtual void reopen(Workbench&) {}
 
     virtual QCursor cursor(const Workbench&) const { return Qt::CrossCursor; }
     virtual app::SnapTo snapsTo() const { return app::SnapTo::All; }

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/drawing/direction.h"
+
+#include <QLineEdit>
+
+#include <glm/geometric.hpp>
+
+#include "tests/ui/canvas/stage.h"
+
+// Numbers typed during a gesture, with mouse and keys only.
+class TypingTest : public QObject {
+    Q_OBJECT
+
+    /// A canvas with a tool; what is typed goes to the widget that has the keyboard.
+    struct Hand : Stage {
+        explicit Hand(const char* tool) : Stage(ui::Backend::Raster, {})
+        {
+            auto display = session.display();
+            display.unit = app::Unit::User;
+            session.setDisplay(display);
+            canvas->setTool(tool);
+            canvas->setSnapping(app::SnapTo::Nothing);
+        }
+        static QWidget* focused() { return QApplication::focusWidget(); }
+        static void type(const char* text)
+        {
+            for (const char* c = text; *c; ++c)
+                *c == '\t'   ? QTest::keyClick(focused(), Qt::Key_Tab)
+                : *c == '\n' ? QTest::keyClick(focused(), Qt::Key_Return)
+                             : QTest::keyClick(focused(), *c);
+        }
+        std::size_t count() const { return session.now().objects().size(); }
+        clipping::Segment lastLine()
+        {
+            const auto& lines = session.scene.lines();
+            return lines[lines.size() - 1];
+        }
+        clipping::Window lastBox()
+        {
+            const auto& lines = session.scene.lines();
+            const std::size_t first = lines.firstLineOf(count() - 1);
+            clipping::Window box{lines[first].a, lines[first].a};
+            for (std::size_t i = first; i < lines.size(); ++i)
+                box = {glm::min(box.min, lines[i].a), glm::max(box.max, lines[i].a)};
+            return box;
+        }
+    };
+    static bool same(const app::Point& a, const app::Point& b)
+    {
+        return glm::distance(a, b) < 1e-9;
+    }
+
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void lineTakesALengthInThePointersDirection()
+    {
+        Hand hand("line");
+        hand.click({20, 30});
+        hand.move({120, 30});
+        const app::Variant before = hand.session.variant();
+        hand.type("3450\n");
+        QCOMPARE(hand.count(), std::size_t(1));
+        const auto line = hand.lastLine();
+        QCOMPARE(line.b, line.a + app::Point(3450, 0));
+        QCOMPARE(hand.session.variant(), before);
+    }
+    void tabLocksTheLengthAndGoesOnToTheAngle()
+    {
+        Hand hand("line");
+        hand.click({20, 90});
+        hand.move({120, 30});
+        const app::Variant before = hand.session.variant();
+        hand.type("3450\t90");
+        hand.move({7, 20});
+        hand.type("\n");
+        const auto line = hand.lastLine();
+        QCOMPARE(line.b, line.a + app::Point(0, -3450));
+        QCOMPARE(hand.session.variant(), before);
+    }
+    void lockedLengthStaysWhileThePointerSteersTheAngle()
+    {
+        Hand hand("line");
+        hand.click({20, 90});
+        hand.move({120, 30});
+        hand.type("40\t");
+        hand.click({100, 90});
+        const auto line = hand.lastLine();
+        QVERIFY(std::abs(glm::distance(line.a, line.b) - 40) < 1e-9);
+        QVERIFY(std::abs(line.b.y - line.a.y) < 1);
+    }
+    void chainIsDrawnWithoutTheMouse()
+    {
+        Hand hand("line");
+        hand.move({100, 50});
+        hand.type("10,20\n"); // the first point is absolute
+        hand.type("30,0\n");
+        hand.type("#40,50\n");
+        hand.type("5<90\n");
+        QCOMPARE(hand.count(), std::size_t(3));
+        const auto& lines = hand.session.scene.lines();
+        QVERIFY(same(lines[0].a, {10, 20}) && same(lines[0].b, {40, 20}));
+        QVERIFY(same(lines[1].a, {40, 20}) && same(lines[1].b, {40, 50}));
+        QVERIFY(same(lines[2].b, {40, 45}));
+        hand.canvas->undo(); // takes one line back, and goes on from there
+        QCOMPARE(hand.count(), std::size_t(2));
+        hand.type("1,1\n");
+        QVERIFY(same(hand.lastLine().a, {40, 50}) && same(hand.lastLine().b, {41, 51}));
+    }
+    void typingAfterwardsChangesWhatWasDrawn()
+    {
+        Hand hand("line");
+        hand.drag({20, 20}, {120, 20});
+        const app::Point from = hand.lastLine().a;
+        hand.move({50, 70});
+        hand.type("35\n");
+        QCOMPARE(hand.count(), std::size_t(1));
+        QCOMPARE(hand.lastLine().b, from + app::Point(35, 0));
+        hand.type("12\n");
+        QCOMPARE(hand.lastLine().b, from + app::Point(12, 0));
+        QCOMPARE(hand.session.history.count(), 1);
+        hand.type("99");
+        QTest::keyClick(Hand::focused(), Qt::Key_Escape); // the field
+        hand.key(Qt::Key_Escape);                         // the gesture
+        QCOMPARE(hand.lastLine().b, from + app::Point(12, 0));
+        hand.canvas->undo();
+        QCOMPARE(hand.count(), std::size_t(0));
+    }
+    void polylineTakesCornersByNumbers()
+    {
+        Hand hand("polyline");
+        hand.move({100, 50});
+        hand.type("0,0\n100,0\n0,50\n<180\t20\n");
+        hand.key(Qt::Key_Return);
+        QCOMPARE(hand.count(), std::size_t(1));
+        const auto& lines = hand.session.scene.lines();
+        QCOMPARE(lines.size(), std::size_t(3));
+        QVERIFY(same(lines[1].b, {100, 50}) && same(lines[2].b, {80, 50}));
+    }
+    void rectangleTakesWidthAndHeight()
+    {
+        Hand hand("rectangle");
+        hand.click({20, 30});
+        hand.move({60, 80});
+        hand.type("25\t12.5\n");
+        QCOMPARE(hand.count(), std::size_t(1));
+        const auto box = hand.lastBox();
+        QVERIFY(same(box.max - box.min, {25, 12.5}));
+        hand.type("7\n"); // the width of what was just drawn
+        QVERIFY(std::abs(hand.lastBox().max.x - hand.lastBox().min.x - 7) < 1e-9);
+        QCOMPARE(hand.count(), std::size_t(1));
+    }
+    void nonsenseIsRefusedWithOneSentenceAndChangesNothing()
+    {
+        Hand hand("line");
+        hand.click({20, 30});
+        hand.move({60, 80});
+        hand.type("1abc\n");
+        QCOMPARE(hand.count(), std::size_t(0));
+        auto* field = qobject_cast<QLineEdit*>(Hand::focused());
+        QVERIFY(field);
+        QCOMPARE(field->text(), "1abc");
+        field->clear();
+        hand.type("5\n");
+        QCOMPARE(hand.count(), std::size_t(1));
+    }
+    void backspaceGivesTheFieldBack()
+    {
+        Hand hand("line");
+        hand.click({20, 30});
+        hand.move({60, 30});
+        hand.type("5");
+        QVERIFY(qobject_cast<QLineEdit*>(Hand::focused()));
+        QTest::keyClick(Hand::focused(), Qt::Key_Backspace);
+        QVERIFY(qobject_cast<QLineEdit*>(Hand::focused()));
+        QTest::keyClick(Hand::focused(), Qt::Key_Backspace);
+        QVERIFY(!qobject_cast<QLineEdit*>(Hand::focused()));
+        hand.click({90, 30});
+        QVERIFY(near(hand.lastLine().b, {90, 30}));
+    }
+    void digitsOfOtherToolsStillChooseTheAlgorithm()
+    {
+        Hand hand("select");
+        hand.key(Qt::Key_3);
+        QVERIFY(!qobject_cast<QLineEdit*>(Hand::focused()));
+    }
+};
+
+QTEST_MAIN(TypingTest)
+#include "typing_test.moc"

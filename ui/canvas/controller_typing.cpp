@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/canvas/controller.h"
+
+// Typed numbers, which make a gesture exact.
+
+namespace ui {
+namespace {
+
+/// The text with which typing begins; empty: the key types no number.
+QString firstTyped(const QKeyEvent& event)
+{
+    static const QString first = QStringLiteral("0123456789.,-+<@#(");
+    const auto others =
+        ~Qt::KeyboardModifiers(Qt::ShiftModifier | Qt::KeypadModifier | Qt::GroupSwitchModifier);
+    if (event.text().size() != 1 || (event.modifiers() & others))
+        return {};
+    return first.contains(event.text().front()) ? event.text() : QString();
+}
+
+} // namespace
+
+bool Controller::beginsTyping(const QKeyEvent& event) const
+{
+    const bool tab = tool_->busy() && event.key() == Qt::Key_Tab && !event.modifiers();
+    return readout_ && mayDraw() && (tab || !firstTyped(event).isEmpty());
+}
+
+/// Digits that follow a drawn object change it, until the next action.
+void Controller::beginTyping(const QKeyEvent& event)
+{
+    if (!tool_->busy() && event.text() != QStringLiteral("#"))
+        withTool([&] { tool_->reopen(bench_); });
+    typing_ = true;
+    if (event.key() == Qt::Key_Tab)
+        readout_->activate(1);
+    typeNumber(firstTyped(event));
+    emit typingBegan();
+}
+
+void Controller::typeNumber(const QString& text)
+{
+    if (!readout_)
+        return;
+    readout_->type(text);
+    steer();
+}
+
+void Controller::activateNumber(std::size_t field)
+{
+    if (readout_)
+        readout_->activate(field);
+    steer();
+}
+
+void Controller::lockNumber()
+{
+    if (readout_)
+        readout_->lock();
+    steer();
+}
+
+void Controller::releaseNumber()
+{
+    if (readout_)
+        readout_->release();
+    stopTyping();
+}
+
+void Controller::acceptNumber()
+{
+    if (!readout_ || !readout_->accept()) {
+        emit readoutChanged();
+        return;
+    }
+    const app::Point end = readout_->end(aim());
+    stopTyping();
+    readout_.reset();
+    withTool([&] { tool_->accept(end, bench_); });
+    steer();
+}
+
+void Controller::stopTyping()
+{
+    typing_ = false;
+    steer();
+}
+
+app::Point Controller::aim() const
+{
+    return pointer_ ? pointer_->steered : readout_ ? readout_->gauge().from : app::Point(0);
+}
+
+/// Lets the tool follow what is typed, as if the pointer had moved.
+void Controller::steer()
+{
+    if (readout_ && pointer_) {
+        pointer_->position = readout_->end(pointer_->steered);
+        withTool([&] { tool_->move(*pointer_, bench_); });
+    }
+    emit readoutChanged();
+    emit changed();
+}
+
+/// What is typed counts for one gesture, or one step of it.
+void Controller::followGauge()
+{
+    const auto gauge = tool_->gauge(bench_);
+    if (gauge && readout_ && readout_->follow(*gauge))
+        return;
+    if (!gauge && !readout_)
+        return;
+    typing_ = false;
+    readout_.reset();
+    if (gauge)
+        readout_.emplace(*gauge);
+    emit readoutChanged();
+}
+
+} // namespace ui

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/canvas/readout_box.h"
+
+#include "ui/look/look_icon.h"
+
+#include <QKeyEvent>
+#include <QPainter>
+#include <QVBoxLayout>
+
+namespace ui {
+namespace {
+
+constexpr int besidePointer = 16, belowPointer = 15, snapLabelHeight = 20;
+constexpr int cellHeight = 28, fieldWidth = 84, besideRule = 6;
+
+} // namespace
+
+ReadoutBox::ReadoutBox(Controller& controller, QWidget* parent)
+    : QFrame(parent), controller_(controller), cells_{makeCell(), makeCell()}, error_(new QLabel)
+{
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setAccessibleName(tr("Numbers of the gesture"));
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(8, 0, 8, 0);
+    row->setSpacing(5);
+    for (const Cell& cell : cells_) {
+        if (&cell != &cells_.front())
+            row->addSpacing(2 * besideRule);
+        row->addWidget(cell.name);
+        row->addWidget(cell.lock);
+        row->addWidget(cell.field);
+    }
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->setSizeConstraint(QLayout::SetFixedSize);
+    column->addLayout(row);
+    error_->setContentsMargins(8, 0, 8, 5);
+    column->addWidget(error_);
+    hide();
+    connect(&controller, &Controller::readoutChanged, this, &ReadoutBox::follow);
+    connect(&controller, &Controller::viewChanged, this, &ReadoutBox::follow);
+    connect(&controller, &Controller::typingBegan, this, &ReadoutBox::open);
+}
+
+ReadoutBox::Cell ReadoutBox::makeCell()
+{
+    Cell cell{new QLabel, new QLabel, new QLineEdit};
+    cell.name->setForegroundRole(QPalette::PlaceholderText);
+    cell.lock->setPixmap(icon("lock").pixmap(14, 14));
+    cell.lock->setToolTip(tr("This number is locked"));
+    cell.field->setFrame(false);
+    cell.field->setFixedSize(fieldWidth, cellHeight);
+    cell.field->setContextMenuPolicy(Qt::NoContextMenu);
+    cell.field->setFocusPolicy(Qt::NoFocus); // open() gives it the keyboard
+    cell.field->setMaxLength(200);
+    QPalette flat = cell.field->palette();
+    flat.setColor(QPalette::Base, Qt::transparent);
+    cell.field->setPalette(flat);
+    cell.field->installEventFilter(this);
+    connect(cell.field, &QLineEdit::textEdited, this,
+            [this](const QString& text) { controller_.typeNumber(text); });
+    return cell;
+}
+
+void ReadoutBox::setSurface(QWidget* surface)
+{
+    surface_ = surface;
+    follow();
+}
+
+void ReadoutBox::follow()
+{
+    const auto& readout = controller_.readout();
+    const bool shown = readout && surface_ && (controller_.tool().busy() || controller_.typing());
+    if (!shown || !controller_.typing())
+        giveBackKeyboard();
+    if (!shown)
+        return hide();
+    const app::Point end = readout->end(controller_.aim());
+    for (std::size_t number = 0; number < cells_.size(); ++number)
+        show(number, end);
+    error_->setText(readout->error());
+    error_->setVisible(!readout->error().isEmpty());
+    place();
+    QFrame::show();
+    raise();
+    update();
+}
+
+void ReadoutBox::show(std::size_t number, const app::Point& end)
+{
+    const app::Readout& readout = *controller_.readout();
+    const Cell& cell = cells_[number];
+    const bool open = controller_.typing() && readout.active() == number;
+    cell.name->setText(readout.gauge().measure->fields[number].name);
+    cell.lock->setVisible(readout.state(number) == app::Readout::State::Locked);
+    if (open && cell.field->text() == readout.typed(number))
+        return; // the caret stays where it is
+    const QString text = open || !readout.typed(number).isEmpty() ? readout.typed(number)
+                                                                  : readout.number(number, end);
+    if (cell.field->text() != text)
+        cell.field->setText(text);
+    cell.field->setAccessibleName(cell.name->text());
+}
+
+/// Beside the pointer, inside the surface.
+void ReadoutBox::place()
+{
+    adjustSize();
+    const auto& pointer = controller_.pointer();
+    const app::Point at = pointer
+                              ? pointer->screen
+                              : controller_.view().toScreen(controller_.readout()->gauge().from);
+    const int below = belowPointer + (controller_.snapped() ? snapLabelHeight : 0);
+    QPoint place(int(at.x) + besidePointer, int(at.y) + below);
+    if (place.x() + width() > surface_->width())
+        place.setX(int(at.x) - besidePointer - width());
+    if (place.y() + height() > surface_->height())
+        place.setY(int(at.y) - belowPointer - height());
+    place.setX(std::clamp(place.x(), 0, std::max(0, surface_->width() - width())));
+    place.setY(std::clamp(place.y(), 0, std::max(0, surface_->height() - height())));
+    move(surface_->mapTo(parentWidget(), place));
+}
+
+void ReadoutBox::open()
+{
+    follow();
+    if (!controller_.readout())
+        return;
+    QLineEdit* field = cells_[controller_.readout()->active()].field;
+    field->setFocus();
+    field->end(false);
+    update();
+}
+
+void ReadoutBox::giveBackKeyboard()
+{
+    const bool has =
+        std::ranges::any_of(cells_, [](const Cell& cell) { return cell.field->hasFocus(); });
+    if (has && surface_)
+        surface_->setFocus();
+}
+
+bool ReadoutBox::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::FocusOut && controller_.typing()) {
+        const auto is = [](const Cell& cell) { return cell.field->hasFocus(); };
+        if (std::ranges::none_of(cells_, is))
+            controller_.stopTyping();
+    }
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto& key = static_cast<const QKeyEvent&>(*event);
+        if (!(key.modifiers() & Qt::ControlModifier))
+            event->accept();
+    }
+    if (event->type() == QEvent::KeyPress && key(static_cast<const QKeyEvent&>(*event)))
+        return true;
+    return QFrame::eventFilter(watched, event);
+}
+
+bool ReadoutBox::key(const QKeyEvent& event)
+{
+    const auto& readout = controller_.readout();
+    if (!readout)
+        return false;
+    switch (event.key()) {
+    case Qt::Key_Tab:
+    case Qt::Key_Backtab:
+        controller_.lockNumber();
+        if (controller_.readout()) {
+            QLineEdit* field = cells_[controller_.readout()->active()].field;
+            field->setFocus();
+            field->setText(controller_.readout()->typed(controller_.readout()->active()));
+        }
+        return true;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        controller_.acceptNumber();
+        return true;
+    case Qt::Key_Escape:
+        controller_.releaseNumber();
+        return true;
+    case Qt::Key_Backspace:
+        if (!cells_[readout->active()].field->text().isEmpty())
+            return false;
+        controller_.releaseNumber();
+        return true;
+    default:
+        return false;
+    }
+}
+
+/// One line between the cells, one below the open field.
+void ReadoutBox::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    const Look& look = controller_.look();
+    const bool refused = !error_->isHidden();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(look.border, 1));
+    painter.setBrush(look.base);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
+    const int between = cells_[1].name->x() - besideRule - 1;
+    painter.drawLine(QPointF(between + 0.5, 1), QPointF(between + 0.5, cellHeight));
+    if (!controller_.typing() || !controller_.readout())
+        return;
+    const QRect field = cells_[controller_.readout()->active()].field->geometry();
+    painter.fillRect(QRect(field.left(), cellHeight - 2, field.width(), 2),
+                     refused ? look.differs : look.selection);
+}
+
+} // namespace ui

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/canvas/controller.h"
+
+#include <QFrame>
+#include <QLabel>
+#include <QLineEdit>
+
+namespace ui {
+
+/// The numbers of the gesture beside the pointer, with a field for each. Typing opens a field,
+/// which then has the keyboard; the mouse stays with the canvas.
+class ReadoutBox : public QFrame {
+    Q_OBJECT
+
+public:
+    ReadoutBox(Controller& controller, QWidget* parent);
+
+    /// The surface beside whose pointer the box is shown; it gets the keyboard back.
+    void setSurface(QWidget* surface);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    struct Cell {
+        QLabel *lock, *name;
+        QLineEdit* field;
+    };
+    Cell makeCell();
+    void follow();
+    void show(std::size_t number, const app::Point& end);
+    void place();
+    void open();
+    void giveBackKeyboard();
+    bool key(const QKeyEvent& event);
+
+    Controller& controller_;
+    QWidget* surface_ = nullptr;
+    std::array<Cell, 2> cells_;
+    QLabel* error_;
+};
+
+} // namespace ui
