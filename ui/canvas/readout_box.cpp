@@ -11,7 +11,7 @@ namespace ui {
 namespace {
 
 constexpr int besidePointer = 16, belowPointer = 15, snapLabelHeight = 20;
-constexpr int cellHeight = 28, fieldWidth = 84, besideRule = 6;
+constexpr int cellHeight = 28, fieldHeight = 24, fieldWidth = 84, besideRule = 6;
 
 } // namespace
 
@@ -21,7 +21,7 @@ ReadoutBox::ReadoutBox(Controller& controller, QWidget* parent)
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setAccessibleName(tr("Numbers of the gesture"));
     auto* row = new QHBoxLayout;
-    row->setContentsMargins(8, 0, 8, 0);
+    row->setContentsMargins(8, 1, 8, cellHeight - fieldHeight - 1); // the frame, the underline
     row->setSpacing(5);
     for (const Cell& cell : cells_) {
         if (&cell != &cells_.front())
@@ -50,7 +50,7 @@ ReadoutBox::Cell ReadoutBox::makeCell()
     cell.lock->setPixmap(icon("lock").pixmap(14, 14));
     cell.lock->setToolTip(tr("This number is locked"));
     cell.field->setFrame(false);
-    cell.field->setFixedSize(fieldWidth, cellHeight);
+    cell.field->setFixedSize(fieldWidth, fieldHeight);
     cell.field->setContextMenuPolicy(Qt::NoContextMenu);
     cell.field->setFocusPolicy(Qt::NoFocus); // open() gives it the keyboard
     cell.field->setMaxLength(200);
@@ -206,7 +206,7 @@ void ReadoutBox::paintEvent(QPaintEvent*)
     if (!controller_.typing() || !controller_.readout())
         return;
     const QRect field = cells_[controller_.readout()->active()].field->geometry();
-    painter.fillRect(QRect(field.left(), cellHeight - 2, field.width(), 2),
+    painter.fillRect(QRect(field.left(), field.bottom() + 1, field.width(), 2),
                      refused ? look.differs : look.selection);
 }
 
