@@ -102,7 +102,8 @@ private slots:
         QVERIFY(QTest::qWaitForWindowActive(&window));
 
         window.files().open(foreign);
-        QTRY_COMPARE(window.files().name(), QString("foreign.svg"));
+        window.files().wait();
+        QCOMPARE(window.files().name(), QString("foreign.svg"));
         const auto& session = window.session();
         QVERIFY(session.losses().empty()
                 || !std::ranges::any_of(session.losses(), [](const auto& l) { return !l.remark; }));

@@ -16,6 +16,7 @@ public:
     ~HeldInput() override;
 
     void hold();
+    bool holding() const { return holding_; }
     void drop(); ///< forgets what is held; later input is still held
     /// Delivers what is held, and holds no more. If a hold() comes in between, the rest stays held.
     void release();

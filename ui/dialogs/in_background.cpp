@@ -76,7 +76,10 @@ void InBackground::finish(const Any& result)
         done(result);
 }
 
-bool InBackground::busy() const { return working() || !turn_.expired() || !waiting_.empty(); }
+bool InBackground::busy() const
+{
+    return working() || !turn_.expired() || !waiting_.empty() || input_.holding();
+}
 
 void InBackground::whenIdle(std::function<void()> act)
 {

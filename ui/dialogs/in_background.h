@@ -37,7 +37,7 @@ public:
     /// questions that belong together are one turn, which nothing interrupts.
     void inTurn(std::function<void(const Turn&)> act);
     void whenIdle(std::function<void()> act);
-    bool busy() const; ///< a job or a turn has not ended
+    bool busy() const; ///< a job or a turn has not ended, or input is still held
     /// Blocks until no job runs, whose results are then delivered, or until the deadline.
     void wait(QDeadlineTimer deadline = QDeadlineTimer(QDeadlineTimer::Forever));
 
