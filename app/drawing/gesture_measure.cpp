@@ -97,7 +97,7 @@ const GestureMeasure& widthAndHeight(Proportion proportion, Anchor anchor)
 const GestureMeasure& position()
 {
     static const GestureMeasure measure{
-        {{{tr("X"), Quantity::Length}, {tr("Y"), Quantity::Length}}},
+        {{{tr("X"), Quantity::Coordinate}, {tr("Y"), Quantity::Coordinate}}},
         [](const Point& from, const Point& to) -> std::array<double, 2> {
             return {to.x - from.x, to.y - from.y};
         },
@@ -107,6 +107,16 @@ const GestureMeasure& position()
         },
         false};
     return measure;
+}
+
+std::optional<std::size_t> firstZeroLength(const GestureMeasure& measure, const Point& from,
+                                           const Point& to)
+{
+    const auto values = measure.values(from, to);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (measure.fields[i].quantity == Quantity::Length && values[i] == 0)
+            return i;
+    return std::nullopt;
 }
 
 } // namespace app

@@ -10,8 +10,8 @@
 
 namespace app {
 
-/// What a number of a gesture is.
-enum class Quantity : std::uint8_t { Length, Angle };
+/// The kind of a number of a gesture.
+enum class Quantity : std::uint8_t { Length, Angle, Coordinate };
 
 /// The two numbers of a gesture; nothing: the pointer decides.
 using Held = std::array<std::optional<double>, 2>;
@@ -40,5 +40,9 @@ const GestureMeasure& widthAndHeight(Proportion proportion = Proportion::Free,
                                      Anchor anchor = Anchor::Opposite);
 /// For a first point, measured from the origin of coordinates.
 const GestureMeasure& position();
+
+/// The number of the first length that is 0, so that nothing is drawn. Coordinates may be 0.
+std::optional<std::size_t> firstZeroLength(const GestureMeasure& measure, const Point& from,
+                                           const Point& to);
 
 } // namespace app

@@ -6,6 +6,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace app {
 namespace {
 
@@ -30,8 +32,6 @@ bool Readout::follow(const Gauge& gauge)
     gauge_ = gauge;
     return true;
 }
-
-bool Readout::holdsSomething() const { return target_ || held_[0] || held_[1]; }
 
 void Readout::activate(std::size_t field)
 {
@@ -71,6 +71,25 @@ void Readout::release()
             fields_[field] = {};
         }
     error_.clear();
+}
+
+void Readout::releaseTyped()
+{
+    if (isLocked() && target_)
+        return; // a point that was locked as a whole
+    for (std::size_t field = 0; field < fields_.size(); ++field)
+        if (fields_[field].state != State::Locked) {
+            held_[field].reset();
+            fields_[field] = {};
+        }
+    target_.reset();
+    error_.clear();
+}
+
+bool Readout::isLocked() const
+{
+    return std::ranges::any_of(fields_,
+                               [](const Field& field) { return field.state == State::Locked; });
 }
 
 bool Readout::refuse(const QString& sentence)
@@ -116,8 +135,10 @@ bool Readout::hold(const Entry& entry)
 
 bool Readout::lock()
 {
-    if (!accept())
+    if (!take())
         return false;
+    if (held_[active_] == 0 && gauge_.measure->fields[active_].quantity == Quantity::Length)
+        return refuseZero(active_);
     for (Field& field : fields_)
         if (target_ || field.state == State::Typed)
             field = {State::Locked, {}};
@@ -128,13 +149,27 @@ bool Readout::lock()
     return true;
 }
 
-bool Readout::accept()
+bool Readout::accept(const Point& pointer)
+{
+    if (!take())
+        return false;
+    const auto zero = firstZeroLength(*gauge_.measure, gauge_.from, end(pointer));
+    return !zero || refuseZero(*zero);
+}
+
+/// Holds what is typed in the active field.
+bool Readout::take()
 {
     error_.clear();
     if (fields_[active_].text.trimmed().isEmpty())
         return true;
     const auto typed = entry();
     return typed ? hold(*typed.value) : refuse(typed.error);
+}
+
+bool Readout::refuseZero(std::size_t field)
+{
+    return refuse(tr("%1 must not be 0.").arg(gauge_.measure->fields[field].name));
 }
 
 Point Readout::end(const Point& pointer) const

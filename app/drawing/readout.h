@@ -6,7 +6,7 @@
 
 namespace app {
 
-/// What the numbers of a gesture refer to.
+/// How the numbers of a gesture are measured.
 struct Gauge {
     const GestureMeasure* measure = nullptr;
     Point from;   ///< where the gesture begins
@@ -35,7 +35,6 @@ public:
     QString number(std::size_t field, const Point& end) const;
     /// Why the last text was refused: one sentence, until the next change.
     const QString& error() const { return error_; }
-    bool holdsSomething() const;
 
     /// Typing goes on in that field.
     void activate(std::size_t field);
@@ -43,11 +42,16 @@ public:
     void type(const QString& text);
     /// Gives the active field back to the pointer.
     void release();
+    /// Gives back what is typed but not locked.
+    void releaseTyped();
+    /// Whether a number or a point is locked.
+    bool isLocked() const;
     /// Locks the active field at what is typed, and goes on to the other one, or to the only one
     /// that is free. False: refused.
     bool lock();
-    /// Whether what is typed can be taken as it is; error() says why not.
-    bool accept();
+    /// Whether the gesture can end with what is typed, if the pointer is there; error() says why
+    /// not.
+    bool accept(const Point& pointer);
 
     /// Where the gesture ends.
     Point end(const Point& pointer) const;
@@ -58,7 +62,9 @@ private:
         QString text;
     };
     Result<Entry> entry() const;
+    bool take();
     bool hold(const Entry& entry);
+    bool refuseZero(std::size_t field);
     bool refuse(const QString& sentence);
     Point pointOf(const PointEntry& entry) const;
 

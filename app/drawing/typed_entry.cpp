@@ -21,7 +21,7 @@ public:
     {
         const auto length = typedLength(text, scale_, locale_);
         if (!length)
-            return refuse(tr("“%1” is no length: %2.").arg(text.trimmed(), length.error));
+            return refuse(tr("“%1” is not a length: %2.").arg(text.trimmed(), length.error));
         const double units = fromUnit(*length.value, scale_.unit, scale_.millimetresPerUnit);
         if (!(std::abs(units) <= limit))
             return refuse(tr("“%1” is too large.").arg(text.trimmed()));
@@ -33,7 +33,7 @@ public:
         text.remove(u'°');
         const auto degrees = typedLength(text, {}, locale_);
         if (!degrees)
-            return refuse(tr("“%1” is no angle: %2.").arg(typed, degrees.error));
+            return refuse(tr("“%1” is not an angle: %2.").arg(typed, degrees.error));
         if (!(std::abs(*degrees.value) <= limit))
             return refuse(tr("“%1” is too large.").arg(typed));
         return *degrees.value;
@@ -58,7 +58,7 @@ public:
     {
         const QStringList parts = text.split(separator);
         if (parts.size() != 2) {
-            refuse(tr("“%1” is no point: type two numbers, such as 10%2 20.")
+            refuse(tr("“%1” is not a point: type two numbers, such as 10%2 20.")
                        .arg(text, QString(separator)));
             return std::nullopt;
         }

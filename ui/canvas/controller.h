@@ -65,10 +65,10 @@ public:
     /// The numbers of the gesture; empty: the tool takes none now.
     const std::optional<app::Readout>& readout() const { return readout_; }
     bool typing() const { return typing_; } ///< a field of the readout is open
+    bool showsReadout() const;
     /// Where the pointer would end the gesture, if nothing were typed.
     app::Point aim() const;
     void typeNumber(const QString& text); ///< replaces the text of the active field
-    void activateNumber(std::size_t field);
     void lockNumber();    ///< and goes on to the other field
     void releaseNumber(); ///< gives the active field back to the pointer, and stops typing
     void acceptNumber();  ///< ends the gesture, or its current step, with these numbers
@@ -150,6 +150,7 @@ private:
     bool toolKey(const QKeyEvent& event);
     bool beginsTyping(const QKeyEvent& event) const;
     void beginTyping(const QKeyEvent& event);
+    bool releaseLocked();
     void steer();
     void followGauge();
     bool arrow(const QKeyEvent& event);

@@ -71,6 +71,8 @@ bool Controller::keyRelease(QKeyEvent& event)
 // Backs out one level: first the gesture, then the selection, then the tool.
 bool Controller::escape()
 {
+    if (releaseLocked())
+        return true;
     if (tool_->busy()) {
         endGesture();
     } else if (!session_.selection().empty() || session_.inspected()) {

@@ -16,7 +16,10 @@ void Controller::setTool(std::string_view key)
     tool_ = info->make();
     toolInfo_ = info;
     snap_.reset();
+    typing_ = false;
+    readout_.reset(); // the numbers were for the other tool
     followGauge();
+    emit readoutChanged();
     emit stepsChanged();
     emit toolChanged();
     emit hintChanged();

@@ -45,13 +45,6 @@ void Controller::typeNumber(const QString& text)
     steer();
 }
 
-void Controller::activateNumber(std::size_t field)
-{
-    if (readout_)
-        readout_->activate(field);
-    steer();
-}
-
 void Controller::lockNumber()
 {
     if (readout_)
@@ -68,7 +61,9 @@ void Controller::releaseNumber()
 
 void Controller::acceptNumber()
 {
-    if (!readout_ || !readout_->accept()) {
+    if (!readout_)
+        return;
+    if (!readout_->accept(aim())) {
         emit readoutChanged();
         return;
     }
@@ -82,7 +77,25 @@ void Controller::acceptNumber()
 void Controller::stopTyping()
 {
     typing_ = false;
+    if (readout_ && !tool_->busy())
+        readout_->releaseTyped(); // nothing is shown that it could hold
     steer();
+}
+
+bool Controller::showsReadout() const
+{
+    return readout_ && (typing_ || tool_->busy() || readout_->isLocked());
+}
+
+/// Gives the numbers of a gesture that has not begun back to the pointer.
+bool Controller::releaseLocked()
+{
+    if (!readout_ || tool_->busy() || !readout_->isLocked())
+        return false;
+    readout_.reset();
+    followGauge();
+    emit changed();
+    return true;
 }
 
 app::Point Controller::aim() const
@@ -101,7 +114,7 @@ void Controller::steer()
     emit changed();
 }
 
-/// What is typed counts for one gesture, or one step of it.
+/// What was typed ends with the gesture, or the step of it, for which it was typed.
 void Controller::followGauge()
 {
     const auto gauge = tool_->gauge(bench_);

@@ -72,23 +72,23 @@ void ReadoutBox::setSurface(QWidget* surface)
 void ReadoutBox::follow()
 {
     const auto& readout = controller_.readout();
-    const bool shown = readout && surface_ && (controller_.tool().busy() || controller_.typing());
+    const bool shown = surface_ && controller_.showsReadout();
     if (!shown || !controller_.typing())
         giveBackKeyboard();
     if (!shown)
         return hide();
     const app::Point end = readout->end(controller_.aim());
     for (std::size_t number = 0; number < cells_.size(); ++number)
-        show(number, end);
+        showNumber(number, end);
     error_->setText(readout->error());
     error_->setVisible(!readout->error().isEmpty());
     place();
-    QFrame::show();
+    show();
     raise();
     update();
 }
 
-void ReadoutBox::show(std::size_t number, const app::Point& end)
+void ReadoutBox::showNumber(std::size_t number, const app::Point& end)
 {
     const app::Readout& readout = *controller_.readout();
     const Cell& cell = cells_[number];

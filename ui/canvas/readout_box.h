@@ -31,7 +31,7 @@ private:
     };
     Cell makeCell();
     void follow();
-    void show(std::size_t number, const app::Point& end);
+    void showNumber(std::size_t number, const app::Point& end);
     void place();
     void open();
     void giveBackKeyboard();

@@ -10,6 +10,7 @@ class LastDrawn {
 public:
     struct Gesture {
         app::Point from, to;
+        Qt::KeyboardModifiers modifiers;
     };
 
     /// The last step of the history was drawn by this gesture.

@@ -42,7 +42,7 @@ private slots:
         QCOMPARE(line.active(), std::size_t(1));
         QVERIFY(line.state(0) == Readout::State::Locked);
         line.type("90");
-        QVERIFY(line.accept());
+        QVERIFY(line.accept({}));
         for (const Point& pointer : {Point(0, 0), Point(1e6, -4), Point(100, 50)})
             QCOMPARE(line.end(pointer), Point(100, 50 - 3450));
         line.release();
@@ -67,7 +67,7 @@ private slots:
         Readout line = readout(lengthAndAngle());
         const auto end = [&](const char* text) {
             line.type(QString::fromUtf8(text));
-            return line.accept() ? line.end({0, 0}) : Point(NAN, NAN);
+            return line.accept({0, 0}) ? line.end({0, 0}) : Point(NAN, NAN);
         };
         QCOMPARE(end("10,20"), Point(110, 70));
         QCOMPARE(end("@10,20"), Point(110, 70));
@@ -143,10 +143,29 @@ private slots:
         QCOMPARE(line.end({3, 4}), Point(3, 4));
         QVERIFY(line.error().isEmpty()); // typing is not finished
         QVERIFY(!line.lock());
-        QVERIFY(!line.accept());
+        QVERIFY(!line.accept({}));
         QVERIFY2(line.error().endsWith(u'.'), qPrintable(line.error()));
         line.type("5");
-        QVERIFY(line.accept() && line.error().isEmpty());
+        QVERIFY(line.accept({}) && line.error().isEmpty());
+    }
+    void lengthsOfZeroAreRefused()
+    {
+        const auto errorOf = [](const GestureMeasure& measure, const char* typed) {
+            Readout numbers = readout(measure);
+            numbers.type(QString::fromUtf8(typed));
+            return numbers.accept({130, 90}) ? QString() : numbers.error();
+        };
+        QCOMPARE(errorOf(lengthAndAngle(), "0"), "Length must not be 0.");
+        QCOMPARE(errorOf(lengthAndAngle(), "0,0"), "Length must not be 0.");
+        QCOMPARE(errorOf(widthAndHeight(), "0"), "Width must not be 0.");
+        QCOMPARE(errorOf(widthAndHeight(), "@10,0"), "Height must not be 0.");
+        QCOMPARE(errorOf(position(), "0,0"), QString());
+        Readout line = readout(lengthAndAngle());
+        line.type("0");
+        QVERIFY(!line.lock());
+        line.activate(1);
+        line.type("0");
+        QVERIFY(line.lock()); // an angle
     }
     void lockedPointIsGivenBackAsAWhole()
     {
@@ -157,7 +176,8 @@ private slots:
         QVERIFY(line.state(0) == Readout::State::Locked && line.state(1) == line.state(0));
         line.release();
         QCOMPARE(line.end({1, 2}), Point(1, 2));
-        QVERIFY(!line.holdsSomething());
+        QVERIFY(!line.isLocked());
+        QCOMPARE(line.end({3, 4}), Point(3, 4));
     }
     void directionsAreExactWhereTheyCanBe()
     {

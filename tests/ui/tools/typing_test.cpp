@@ -150,6 +150,93 @@ private slots:
         QVERIFY(std::abs(hand.lastBox().max.x - hand.lastBox().min.x - 7) < 1e-9);
         QCOMPARE(hand.count(), std::size_t(1));
     }
+    void rectangleIsDrawnByTwoClicks()
+    {
+        Hand hand("rectangle");
+        hand.click({20, 30});
+        hand.move({60, 80});
+        hand.click({60, 80});
+        QCOMPARE(hand.count(), std::size_t(1));
+        QVERIFY(near(hand.lastBox().min, {20, 30}) && near(hand.lastBox().max, {60, 80}));
+        hand.click({70, 90});
+        QCOMPARE(hand.count(), std::size_t(1));
+    }
+    void numberTypedAfterwardsKeepsTheCentre()
+    {
+        Hand hand("rectangle");
+        hand.click({60, 60});
+        hand.move({80, 90});
+        hand.click({80, 90}, Qt::AltModifier);
+        const auto centre = hand.lastBox().min + hand.lastBox().max;
+        hand.move({10, 20}); // Alt is up
+        hand.type("8\t6\n");
+        QCOMPARE(hand.count(), std::size_t(1));
+        QVERIFY(same(hand.lastBox().min + hand.lastBox().max, centre));
+        QVERIFY(same(hand.lastBox().max - hand.lastBox().min, {8, 6}));
+    }
+    void clickEndsTheCorrectionAndBeginsTheNextGesture()
+    {
+        Hand hand("line");
+        hand.drag({20, 20}, {120, 20});
+        const auto drawn = hand.lastLine();
+        hand.move({50, 70});
+        hand.type("35");
+        hand.click({50, 70});
+        QCOMPARE(hand.count(), std::size_t(1));
+        QCOMPARE(hand.lastLine(), drawn);
+        hand.move({90, 70});
+        hand.click({90, 70});
+        QCOMPARE(hand.count(), std::size_t(2));
+        QVERIFY(near(hand.lastLine().a, {50, 70}) && near(hand.lastLine().b, {90, 70}));
+    }
+    void halfOfAFirstPointIsForgottenWithItsField()
+    {
+        Hand hand("rectangle");
+        hand.move({20, 30});
+        hand.type("7");
+        hand.click({20, 30}); // the canvas gets the keyboard
+        hand.click({60, 80});
+        QVERIFY(near(hand.lastBox().min, {20, 30}));
+        hand.type("#7");
+        hand.canvas->setTool("ellipse");
+        hand.click({30, 30});
+        hand.click({60, 80});
+        QCOMPARE(hand.count(), std::size_t(2));
+        QVERIFY(near(hand.lastBox().min, {30, 30}));
+    }
+    void lockedCoordinateOfAFirstPointHoldsUntilEsc()
+    {
+        Hand hand("line");
+        hand.move({20, 30});
+        hand.type("7\t");
+        hand.click({20, 30});
+        hand.click({60, 80});
+        QCOMPARE(hand.lastLine().a.x, 7);
+        QVERIFY(near(hand.lastLine().a, {7, 30}));
+        hand.key(Qt::Key_Escape);
+        hand.type("7\t");
+        QTest::keyClick(Hand::focused(), Qt::Key_Escape);
+        hand.key(Qt::Key_Escape);
+        hand.click({40, 30});
+        hand.click({60, 80});
+        QVERIFY(near(hand.lastLine().a, {40, 30}));
+    }
+    void lengthOfZeroIsRefusedAndTheGestureGoesOn()
+    {
+        for (const char* typed : {"0\n", "0\t", "0,0\n", "0<45\n"}) {
+            Hand hand("line");
+            hand.click({20, 30});
+            hand.move({60, 30});
+            hand.type(typed);
+            auto* field = qobject_cast<QLineEdit*>(Hand::focused());
+            QVERIFY2(field, typed);
+            QVERIFY(!field->text().isEmpty());
+            QCOMPARE(hand.count(), std::size_t(0));
+            field->clear();
+            hand.type("5\n");
+            QCOMPARE(hand.lastLine().b, hand.lastLine().a + app::Point(5, 0));
+        }
+    }
     void nonsenseIsRefusedWithOneSentenceAndChangesNothing()
     {
         Hand hand("line");

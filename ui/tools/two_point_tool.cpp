@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tools/two_point_tool.h"
+
+namespace ui {
+
+void TwoPointTool::press(const Pointer& pointer, Workbench& bench)
+{
+    const bool corrects = last_.isOpen();
+    if (corrects)
+        cancel(bench); // a click ends the correction
+    if (gesture_ && !pressed_) {
+        move(pointer, bench);
+        return finishByClick(bench);
+    }
+    last_.forget();
+    pressed_ = pointer.screen;
+    begin(corrects ? pointer.steered : pointer.position, bench);
+    gesture_->modifiers = pointer.modifiers;
+}
+
+void TwoPointTool::move(const Pointer& pointer, Workbench& bench)
+{
+    if (!gesture_)
+        return;
+    if (!last_.isOpen())
+        gesture_->modifiers = pointer.modifiers;
+    moveEnd(pointer.position, bench);
+}
+
+void TwoPointTool::release(const Pointer& pointer, Workbench& bench)
+{
+    const auto pressed = std::exchange(pressed_, std::nullopt);
+    if (!pressed || !gesture_ || !dragged(*pressed, pointer))
+        return;
+    move(pointer, bench);
+    finish(bench);
+}
+
+void TwoPointTool::cancel(Workbench& bench)
+{
+    gesture_.reset();
+    pressed_.reset();
+    last_.restore(bench);
+}
+
+std::optional<app::Gauge> TwoPointTool::gauge(const Workbench& bench) const
+{
+    if (!gesture_)
+        return gaugeOfStart(bench);
+    app::Gauge gauge = gaugeFrom(gesture_->from, measure(gesture_->modifiers), bench);
+    gauge.aim = last_.end();
+    return gauge;
+}
+
+void TwoPointTool::accept(const app::Point& point, Workbench& bench)
+{
+    if (!gesture_)
+        return begin(point, bench);
+    moveEnd(point, bench);
+    last_.isOpen() ? finish(bench) : finishByClick(bench);
+}
+
+void TwoPointTool::reopen(Workbench& bench)
+{
+    const auto last = last_.reopen(bench);
+    if (!last)
+        return;
+    gesture_ = last;
+    follow(*gesture_, bench);
+}
+
+void TwoPointTool::paint(QPainter& painter, const Workbench& bench) const
+{
+    if (gesture_)
+        preview(painter, bench, path(*gesture_));
+}
+
+void TwoPointTool::begin(const app::Point& from, Workbench& bench)
+{
+    const auto modifiers = gesture_ ? gesture_->modifiers : Qt::KeyboardModifiers();
+    gesture_ = {from, from, modifiers};
+    follow(*gesture_, bench);
+}
+
+void TwoPointTool::moveEnd(const app::Point& to, Workbench& bench)
+{
+    gesture_->to = to;
+    follow(*gesture_, bench);
+}
+
+bool TwoPointTool::isEmpty() const
+{
+    return app::firstZeroLength(measure(gesture_->modifiers), gesture_->from, gesture_->to)
+        .has_value();
+}
+
+void TwoPointTool::add(Workbench& bench)
+{
+    draw(bench, {path(*gesture_)}, undoText(), recipe(*gesture_));
+}
+
+void TwoPointTool::finish(Workbench& bench)
+{
+    if (isEmpty())
+        return; // the gesture goes on
+    last_.discard();
+    add(bench);
+    const Gesture done = *gesture_;
+    cancel(bench);
+    last_.remember(done, bench);
+}
+
+} // namespace ui
