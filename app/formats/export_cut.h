@@ -2,17 +2,12 @@
 #pragma once
 
 #include "app/cut/cut.h"
-
-#include <optional>
-#include <stop_token>
+#include "app/formats/write_result.h"
 
 namespace app {
 
-/// How an export ended. The file is complete, or as it was before.
-struct CutExport {
-    enum class End : std::uint8_t { Written, Failed, Stopped };
-    End end = End::Written;
-    QString error{}; ///< a sentence that names the file, if it failed
+/// How an export ended, and what was cut.
+struct CutExport : WriteResult {
     CutCounts counts{};
 };
 

@@ -7,26 +7,23 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 
-#include <new>
-
 namespace app {
 
 Saved save(const Document& document, const QString& path, const std::stop_token& stop)
 {
     const Unfinished guard(path);
-    try {
-        WriteOptions options;
-        options.stop = stop;
-        if (const auto error = writeFile(document, path, options))
-            return {stop.stop_requested() ? Saved::End::Stopped : Saved::End::Failed, *error};
-        return {Saved::End::Written, {}, QFileInfo(path).lastModified()};
-    } catch (const std::bad_alloc&) {
-        return {Saved::End::Failed,
-                QCoreApplication::translate("Session", "Cannot write %1: there is not enough "
-                                                       "memory. Close other programs, and save "
-                                                       "again.")
-                    .arg(path)};
-    }
+    WriteOptions options;
+    options.stop = stop;
+    const auto write = [&] { return writeFile(document, path, options); };
+    const QString outOfMemory =
+        QCoreApplication::translate("Session",
+                                    "Cannot write %1: there is not enough memory. Close other "
+                                    "programs, and save again.")
+            .arg(path);
+    Saved saved{resultOf(write, stop, outOfMemory)};
+    if (saved.end == Saved::End::Written)
+        saved.fileTime = QFileInfo(path).lastModified();
+    return saved;
 }
 
 } // namespace app

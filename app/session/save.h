@@ -2,19 +2,14 @@
 #pragma once
 
 #include "app/document/document.h"
+#include "app/formats/write_result.h"
 
 #include <QDateTime>
 
-#include <optional>
-#include <stop_token>
-
 namespace app {
 
-/// How a save ended. The file is complete, or as it was before.
-struct Saved {
-    enum class End : std::uint8_t { Written, Failed, Stopped };
-    End end = End::Written;
-    QString error{};      ///< a sentence that names the file, if it failed
+/// How a save ended.
+struct Saved : WriteResult {
     QDateTime fileTime{}; ///< last change of the file, if it was written
 };
 

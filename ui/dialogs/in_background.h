@@ -21,7 +21,7 @@ public:
     explicit InBackground(QWidget* window); ///< null: the dialog has no window under it
     ~InBackground() override;
 
-    /// What Cancel does.
+    /// The effect of Cancel.
     enum class Cancel : std::uint8_t {
         Drops, ///< no result at once; the work runs on unseen
         Stops  ///< the work is asked to stop; the dialog stays, and the result is delivered

@@ -69,7 +69,7 @@ signals:
 private:
     using Turn = InBackground::Turn;
 
-    // What follows an answer of keepChanges(). Each holds its turn until it has ended.
+    // The consequences of the answers of keepChanges(). Each holds its turn until it has ended.
     void replace(std::function<void(const Turn&)> then); ///< not if the person keeps the drawing
     void read(const QString& path, const Turn& turn);
     void show(app::Imported imported, const QString& path, const QString& title);

@@ -34,12 +34,12 @@ void Files::exportCut()
                 return app::exportCut(document, options, path, follower.stop);
             },
             [this, name, turn](const std::optional<app::CutExport>& made) {
-                const auto& [end, error, counts] = made.value();
-                if (end == app::CutExport::End::Failed)
-                    emit told({Message::Kind::Warning, error});
-                else if (end == app::CutExport::End::Written)
+                const app::CutExport& cut = made.value();
+                if (cut.end == app::CutExport::End::Failed)
+                    emit told({Message::Kind::Warning, cut.error});
+                else if (cut.end == app::CutExport::End::Written)
                     emit told({Message::Kind::Done,
-                               tr("Exported %1: %2").arg(name, app::cutText(counts))});
+                               tr("Exported %1: %2").arg(name, app::cutText(cut.counts))});
             },
             InBackground::Cancel::Stops);
     });

@@ -4,7 +4,7 @@
 
 #include <QFileInfo>
 
-// What replaces the drawing in the window.
+// Everything that replaces the drawing in the window.
 
 namespace ui {
 
