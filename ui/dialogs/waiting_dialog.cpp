@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/waiting_dialog.h"
 
+#include "ui/look/look.h"
+
 #include <QDialogButtonBox>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QTimer>
 #include <QVBoxLayout>
 
 namespace ui {
 
 namespace {
 
-constexpr int wholeBar = 1000, leastWidth = 280;
+constexpr int wholeBar = 1000, leastWidth = 320, barHeight = 8;
+constexpr std::chrono::milliseconds repainting{40}; // of a bar of unknown length
 
 } // namespace
 
@@ -25,9 +29,16 @@ WaitingDialog::WaitingDialog(const QString& label, QWidget* window)
     text->setTextFormat(Qt::PlainText);
     text->setAlignment(Qt::AlignCenter);
     bar_->setRange(0, 0);
+    bar_->setTextVisible(false);
+    bar_->setFixedHeight(barHeight);
+    bar_->setAccessibleName(tr("Progress"));
+    auto* moving = new QTimer(this);
+    connect(moving, &QTimer::timeout, bar_, qOverload<>(&QWidget::update));
+    moving->start(repainting);
     auto* buttons = new QDialogButtonBox;
     buttons->addButton(cancel_, QDialogButtonBox::RejectRole);
     auto* column = new QVBoxLayout(this);
+    column->setSpacing(space::betweenGroups);
     column->addWidget(text);
     column->addWidget(bar_);
     column->addWidget(buttons);

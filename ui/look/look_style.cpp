@@ -3,6 +3,7 @@
 
 #include "ui/look/look.h"
 
+#include <QDateTime>
 #include <QListWidget>
 #include <QPainter>
 #include <QPainterPath>
@@ -48,6 +49,30 @@ void drawChevron(QPainter& painter, const QRect& rect, const QColor& colour, dou
                                    {c.x(), c.y() + w / 2 * towards},
                                    {c.x() + w, c.y() - w / 2 * towards}});
     painter.restore();
+}
+
+/// The part of a bar that is filled: up to its value, or a quarter that travels to and fro.
+QRect filledPart(const QStyleOptionProgressBar& bar)
+{
+    constexpr int thereAndBack = 3000; // ms
+    QRect filled = bar.rect;
+    const int values = bar.maximum - bar.minimum;
+    if (values > 0) {
+        filled.setWidth(int(bar.rect.width() * double(bar.progress - bar.minimum) / values));
+        return filled;
+    }
+    const double time = double(QDateTime::currentMSecsSinceEpoch() % thereAndBack) / thereAndBack;
+    const double share = 1 - std::abs(2 * time - 1); // from 0 to 1 and back
+    filled.setWidth(bar.rect.width() / 4);
+    filled.translate(int((bar.rect.width() - filled.width()) * share), 0);
+    return filled;
+}
+
+void drawProgress(QPainter& painter, const QStyleOptionProgressBar& bar)
+{
+    const QRect filled = filledPart(bar);
+    if (filled.width() > 2 * space::radius)
+        drawBox(painter, filled, lookOf(bar.palette).selection, lookOf(bar.palette).selection);
 }
 
 void drawButton(QPainter& painter, const QStyleOption& option)
@@ -197,7 +222,15 @@ void LookStyle::drawControl(ControlElement element, const QStyleOption* option, 
                             const QWidget* widget) const
 {
     const auto* tab = qstyleoption_cast<const QStyleOptionTab*>(option);
+    const auto* progress = qstyleoption_cast<const QStyleOptionProgressBar*>(option);
     switch (element) {
+    case CE_ProgressBarGroove:
+        return drawBox(*painter, option->rect, lookOf(option->palette).base,
+                       lookOf(option->palette).border);
+    case CE_ProgressBarContents:
+        if (progress)
+            drawProgress(*painter, *progress);
+        return;
     case CE_PushButtonBevel:
         return drawButton(*painter, *option);
     case CE_TabBarTabShape:

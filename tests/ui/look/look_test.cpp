@@ -5,6 +5,8 @@
 #include "ui/tools/tool.h"
 #include "ui/widgets/algorithm_marker.h"
 
+#include <QProgressBar>
+
 #include <set>
 
 #include "tests/ui/test_window.h"
@@ -89,6 +91,28 @@ private slots:
             const auto window = opaqueColours(icon("window").pixmap(80, 80).toImage());
             QVERIFY(window.contains(look.accent.rgb()));
         }
+    }
+    void progressOfUnknownLengthIsNotAFullBar()
+    {
+        applyTheme(*qApp, Theme::Light);
+        QProgressBar bar;
+        bar.setTextVisible(false);
+        bar.resize(400, 8);
+        const auto filled = [&bar] {
+            const QImage picture = bar.grab().toImage().scaled(bar.size());
+            const QRgb fill = lookOf(bar.palette()).selection.rgb();
+            int columns = 0;
+            for (int x = 0; x < picture.width(); ++x)
+                columns += picture.pixel(x, 4) == fill;
+            return columns;
+        };
+        bar.setRange(0, 0);
+        QVERIFY2(std::abs(filled() - 100) < 8, qPrintable(QString::number(filled())));
+        bar.setRange(0, 1000);
+        bar.setValue(750);
+        QVERIFY2(std::abs(filled() - 300) < 8, qPrintable(QString::number(filled())));
+        bar.setValue(0);
+        QCOMPARE(filled(), 0);
     }
 };
 
