@@ -10,6 +10,7 @@
 #include "app/commands/set_style.h"
 #include "app/commands/set_window.h"
 #include "app/commands/set_windows.h"
+#include "app/commands/transform_objects.h"
 
 #include <array>
 
@@ -24,6 +25,7 @@ std::span<const CommandKind> commandKinds()
         RemoveObjects::row,
         MoveObjects::row,
         ResizeObjects::row,
+        TransformObjects::row,
         SetStyle::row,
         SetWindow::row,
         SetWindows::row,

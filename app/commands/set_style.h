@@ -3,7 +3,20 @@
 
 #include "app/commands/edit_command.h"
 
+#include <unordered_map>
+
 namespace app {
+
+/// Changes the styles of objects, one by one: `change` is called once for each style.
+class StyleChanges {
+public:
+    explicit StyleChanges(std::function<void(Style&)> change) : change_(std::move(change)) {}
+    void operator()(ObjectRow& object, StyleTable& styles);
+
+private:
+    std::function<void(Style&)> change_;
+    std::unordered_map<StyleIndex, StyleIndex> known_; ///< the new style of each old style
+};
 
 /// Changes how objects are painted.
 class SetStyle : public EditCommand {

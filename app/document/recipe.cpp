@@ -45,7 +45,61 @@ struct Placed {
     }
 };
 
+/// What remains of a recipe under a map that rotates.
+struct Turned {
+    const AffineMap& map;
+    const bool swapsAxes = map.x.x == 0 && map.y.y == 0;
+    const bool keepsShape = isSimilarity();
+
+    template <class Other>
+    Recipe operator()(const Other&) const
+    {
+        return {};
+    }
+    Recipe operator()(const RectangleRecipe& r) const
+    {
+        if (!swapsAxes || (r.radius != 0 && !keepsShape))
+            return {};
+        const Point a = map(r.corner), b = map(r.corner + r.size);
+        return RectangleRecipe{glm::min(a, b), glm::abs(b - a), r.radius * map.scale()};
+    }
+    Recipe operator()(const EllipseRecipe& r) const
+    {
+        if (swapsAxes)
+            return EllipseRecipe{map(r.centre),
+                                 {r.radii.y * std::abs(map.y.x), r.radii.x * std::abs(map.x.y)}};
+        if (r.radii.x != r.radii.y || !keepsShape)
+            return {};
+        return EllipseRecipe{map(r.centre), r.radii * map.scale()};
+    }
+    Recipe operator()(const StarRecipe& r) const
+    {
+        if (!keepsShape)
+            return {};
+        const Point first = map.x * std::cos(r.turn) + map.y * std::sin(r.turn);
+        const double size = map.scale();
+        return StarRecipe{map(r.centre), r.outer * size, r.inner * size,
+                          std::atan2(first.y, first.x), r.points};
+    }
+
+private:
+    bool isSimilarity() const
+    {
+        const double most = 1e-12 * (std::abs(map.x.x) + std::abs(map.x.y));
+        const auto near = [&](double a, double b) { return std::abs(a - b) <= most; };
+        return (near(map.x.x, map.y.y) && near(map.x.y, -map.y.x))
+               || (near(map.x.x, -map.y.y) && near(map.x.y, map.y.x));
+    }
+};
+
 } // namespace
+
+Recipe mapped(const Recipe& recipe, const AffineMap& map)
+{
+    if (const auto where = map.placement())
+        return placed(recipe, *where);
+    return map.scale() > 0 ? std::visit(Turned{map}, recipe) : Recipe{};
+}
 
 Recipe placed(const Recipe& recipe, const Placement& where)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/placement.h"
+#include "app/document/affine_map.h"
 
 #include <QString>
 
@@ -40,5 +40,8 @@ using Recipe = std::variant<std::monostate, RectangleRecipe, EllipseRecipe, Star
 
 /// The recipe of the transformed path; empty if no recipe of its kind makes that path.
 Recipe placed(const Recipe& recipe, const Placement& where);
+/// The same for any map. A rectangle, an ellipse or a text that is turned has no recipe, unless it
+/// is a circle or turned by a multiple of 90°.
+Recipe mapped(const Recipe& recipe, const AffineMap& map);
 
 } // namespace app

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/drawing/gesture_measure.h"
 
-#include "app/drawing/direction.h"
+#include "app/document/direction.h"
 
 #include <QCoreApplication>
 

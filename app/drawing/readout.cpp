@@ -2,7 +2,7 @@
 #include "app/drawing/readout.h"
 
 #include "app/base/numbers.h"
-#include "app/drawing/direction.h"
+#include "app/document/direction.h"
 
 #include <QCoreApplication>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/drawing/direction.h"
+#include "app/document/direction.h"
 #include "ui/canvas/controller.h"
 #include "ui/canvas/window_offer.h"
 #include "ui/editing/keeping.h"

@@ -11,6 +11,7 @@
 #include "app/commands/set_style.h"
 #include "app/commands/set_window.h"
 #include "app/commands/set_windows.h"
+#include "app/commands/transform_objects.h"
 
 #include <algorithm>
 #include <array>
@@ -95,6 +96,18 @@ private:
         const app::Point size{factor(), factor()};
         return new app::ResizeObjects(document_, some(), {{0, 0}, {1, 1}}, {corner, corner + size});
     }
+    app::UndoCommand* transform()
+    {
+        const auto factor = [&] { return std::array{-1.0, 0.5, 2.0}[random_.below(3)]; };
+        const app::Point about = random_.point();
+        const std::array maps{
+            app::rotation(15.0 * double(random_.below(24)), about),
+            app::scaling({factor(), factor()}, about),
+            app::horizontalSkew(10, about),
+        };
+        return new app::TransformObjects(document_, some(), maps[random_.below(maps.size())],
+                                         app::StrokeScaling(random_.below(2)), "Transform");
+    }
     app::UndoCommand* restyle()
     {
         const app::Style style = random_.style();
@@ -128,7 +141,7 @@ private:
         const app::Containers& tree = now().containers();
         const app::ContainerId id = container();
         const bool last = tree.parentOf(id) == 0 && tree.childrenOf(0).size() == 1;
-        if (last || tree[id].kind != app::Container::Kind::Layer || random_.below(4) > 0)
+        if (last || tree[id].kind != app::Container::Kind::Layer || random_.below(2) > 0)
             return nullptr;
         return new app::RemoveLayer(document_, id);
     }
@@ -159,6 +172,7 @@ inline const std::vector<RandomCommands::Maker> RandomCommands::makers{
          return new app::MoveObjects(r.document_, r.some(), r.random_.point());
      }},
     {"resize-objects", [](RandomCommands& r) { return r.resize(); }},
+    {"transform-objects", [](RandomCommands& r) { return r.transform(); }},
     {"set-style", [](RandomCommands& r) { return r.restyle(); }},
     {"set-window",
      [](RandomCommands& r) -> app::UndoCommand* {
