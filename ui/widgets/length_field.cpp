@@ -20,6 +20,7 @@ namespace ui {
 namespace {
 
 constexpr double limit = 1e9;
+constexpr int keptDecimals = 12; // of a typed number; fewer are shown
 
 /// If a number does not fit, shows its beginning with an ellipsis, because a cut number would look
 /// like another number. Scrolls while it has the focus.
@@ -102,10 +103,16 @@ void LengthField::show(double length, app::Unit unit, double millimetresPerUnit)
     const QSignalBlocker quiet(this);
     unit_ = unit;
     millimetresPerUnit_ = millimetresPerUnit;
-    setDecimals(app::infoOf(unit).decimals);
+    setDecimals(keptDecimals);
     setSingleStep(unit == app::Unit::Inch ? 0.125 : unit == app::Unit::Cm ? 0.1 : 1);
     setValue(app::inUnit(length, unit, millimetresPerUnit));
     shown_ = value();
+}
+
+void LengthField::showNothing()
+{
+    const QSignalBlocker quiet(this);
+    lineEdit()->clear();
 }
 
 QString LengthField::seenText() const { return static_cast<NumberEdit*>(lineEdit())->seen(); }
@@ -148,12 +155,14 @@ QValidator::State LengthField::validate(QString& text, int&) const
 
 double LengthField::valueFromText(const QString& text) const
 {
+    if (text == textFromValue(value())) // the text shows fewer decimals
+        return value();
     return typed(text).value.value_or(shown_);
 }
 
 QString LengthField::textFromValue(double value) const
 {
-    QString number = app::numberText(value, decimals());
+    QString number = app::numberText(value, app::infoOf(unit_).decimals);
     if (suffix_ == Suffix::None)
         return number;
     const auto suffix = app::infoOf(unit_).suffix;

@@ -24,6 +24,7 @@ public:
 
     /// `length` in user units; emits no signal.
     void show(double length, app::Unit unit, double millimetresPerUnit);
+    void showNothing(); ///< an empty field, for what has no such length
     void stepBy(int steps) override;
     /// The visible text; ends with an ellipsis if the number does not fit completely.
     QString seenText() const;

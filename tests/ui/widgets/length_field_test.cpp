@@ -23,6 +23,7 @@ private slots:
         QTest::newRow("a unit") << "1in" << 25.4;
         QTest::newRow("a product") << "3*25mm" << 75.0;
         QTest::newRow("a typographic sum") << QString::fromUtf8("1,010 − 5 × 2") << 1000.0;
+        QTest::newRow("more decimals than are shown") << "25.123456789" << 25.123456789;
         QTest::newRow("its own text") << QString::fromUtf8("−1,234.50") << -1234.5;
     }
     void expressionsAreEvaluated()
@@ -35,6 +36,19 @@ private slots:
             QCOMPARE(field.edited.size(), 1);
             QCOMPARE(field.edited[0][0].toDouble(), length);
             QVERIFY(field.refused.isEmpty());
+        }
+    }
+    void enteringTheFieldDoesNotRoundItsNumber()
+    {
+        for (const Qt::Key end : {Qt::Key_Return, Qt::Key_Tab}) {
+            Field field;
+            field->show(33.333333, app::Unit::Mm, 1);
+            QCOMPARE(field->text(), "33.33");
+            field->setFocus();
+            field->selectAll();
+            field.type("33.33", end); // what it shows
+            QCOMPARE(field.edited.size(), 0);
+            QCOMPARE(field->value(), 33.333333);
         }
     }
     void invalidLengthsAreRefusedWithAMessage_data()
