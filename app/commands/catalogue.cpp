@@ -26,6 +26,7 @@ std::span<const CommandKind> commandKinds()
         MoveObjects::row,
         ResizeObjects::row,
         TransformObjects::row,
+        CopyObjects::row,
         SetStyle::row,
         SetWindow::row,
         SetWindows::row,

@@ -18,6 +18,22 @@ Path mapped(const Path& path, const AffineMap& map)
     return Path(subpaths);
 }
 
+void transform(Path& path, Recipe& recipe, const AffineMap& map)
+{
+    recipe = mapped(recipe, map);
+    // A rotated outline would begin at another corner.
+    const auto outline = map.placement() ? std::nullopt : outlineOf(recipe);
+    path = outline ? Path(std::span(&*outline, 1)) : mapped(path, map);
+}
+
+/// Shares the particulars of objects without a recipe.
+void transform(ObjectRow& object, const AffineMap& map)
+{
+    Recipe none;
+    const bool hasRecipe = object.particulars->recipe.index() != 0;
+    transform(object.path, hasRecipe ? object.particulars.own().recipe : none, map);
+}
+
 void scaleStroke(Style& style, double scale)
 {
     style.width *= scale;
@@ -40,18 +56,34 @@ Edit transformed(const Document& document, const ObjectRanges& objects, const Af
 
 } // namespace
 
-void transform(ObjectRow& object, const AffineMap& map)
+TransformObjects::TransformObjects(EditedDocument& document, const ObjectRanges& objects,
+                                   std::span<const AffineMap> maps, const QString& text)
+    : EditCommand(row, document,
+                  changed(document.now(), objects,
+                          [map = maps.begin()](ObjectRow& object, StyleTable&) mutable {
+                              transform(object, *map++);
+                          }),
+                  text)
 {
-    const Recipe& old = object.particulars->recipe;
-    if (old.index() == 0) {
-        object.path = mapped(object.path, map);
-        return;
-    }
-    Recipe recipe = mapped(old, map);
-    // A rotated outline would begin at another corner.
-    const auto outline = map.placement() ? std::nullopt : outlineOf(recipe);
-    object.path = outline ? Path(std::span(&*outline, 1)) : mapped(object.path, map);
-    object.particulars.own().recipe = std::move(recipe);
+}
+
+CopyObjects::CopyObjects(EditedDocument& document, Edit copying, const QString& text)
+    : EditCommand(row, document, std::move(copying), text)
+{
+}
+
+Edit copying(const Document& document, const ObjectRanges& objects, std::span<const AffineMap> maps)
+{
+    std::vector<PendingObject> copies;
+    copies.reserve(objects.size() * maps.size());
+    for (const AffineMap& map : maps)
+        for (const std::size_t i : objects) {
+            Object copy = document.objects()[i].copy();
+            copy.particulars.id.clear(); // ids are unique
+            transform(copy.path, copy.particulars.recipe, map);
+            copies.push_back({std::move(copy), document.containers().containerOf(i)});
+        }
+    return adding(document, copies);
 }
 
 TransformObjects::TransformObjects(EditedDocument& document, const ObjectRanges& objects,

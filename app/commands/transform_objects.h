@@ -17,9 +17,22 @@ public:
     /// The map must be finite.
     TransformObjects(EditedDocument& document, const ObjectRanges& objects, const AffineMap& map,
                      StrokeScaling strokes, const QString& text, Merging merging = Merging::Never);
+    /// A map for each object, in their order. Strokes keep their widths.
+    TransformObjects(EditedDocument& document, const ObjectRanges& objects,
+                     std::span<const AffineMap> maps, const QString& text);
 };
 
-/// The path of the object after the map, and what remains of its recipe.
-void transform(ObjectRow& object, const AffineMap& map);
+/// Adds a copy of each object for each map, in one step.
+class CopyObjects : public EditCommand {
+public:
+    static constexpr CommandKind row{"copy-objects", "Adds transformed copies of objects"};
+
+    CopyObjects(EditedDocument& document, Edit copying, const QString& text);
+};
+
+/// The edit that adds the copies, each on top of its original's container and without its id. All
+/// copies of one map are in the order of the objects.
+Edit copying(const Document& document, const ObjectRanges& objects,
+             std::span<const AffineMap> maps);
 
 } // namespace app

@@ -27,8 +27,9 @@ Point ofLength(const Point& vector, double length)
     return glm::normalize(vector / largest) * length;
 }
 
-Point endOfLengthAndAngle(const Point& from, const Point& pointer, const Held& held)
+Point endOfLengthAndAngle(const GestureStart& start, const Point& pointer, const Held& held)
 {
+    const Point& from = start.from;
     const auto& [length, angle] = held;
     const Point vector = pointer - from;
     if (!angle)
@@ -44,8 +45,9 @@ double endOfSide(double from, double pointer, double side)
 }
 
 template <bool square, bool centre>
-Point endOfBox(const Point& from, const Point& pointer, const Held& held)
+Point endOfBox(const GestureStart& start, const Point& pointer, const Held& held)
 {
+    const Point& from = start.from;
     constexpr double share = centre ? 0.5 : 1; // of a side, from where the gesture begins
     Held sides = held;
     if constexpr (square) {
@@ -63,26 +65,53 @@ Point endOfBox(const Point& from, const Point& pointer, const Held& held)
 template <bool square, bool centre>
 GestureMeasure boxMeasure()
 {
-    return {{{{tr("Width"), Quantity::Length}, {tr("Height"), Quantity::Length}}},
-            [](const Point& from, const Point& to) -> std::array<double, 2> {
-                const Point size = glm::abs(to - from) * (centre ? 2.0 : 1.0);
+    return {{{tr("Width"), Quantity::Length}, {tr("Height"), Quantity::Length}},
+            [](const GestureStart& start, const Point& to) -> std::array<double, 2> {
+                const Point size = glm::abs(to - start.from) * (centre ? 2.0 : 1.0);
                 return {size.x, size.y};
             },
             endOfBox<square, centre>,
-            true};
+            GestureMeasure::Points::Relative};
+}
+
+template <int axis, bool centre>
+GestureMeasure sideMeasure()
+{
+    constexpr double share = centre ? 0.5 : 1;
+    return {{{axis == 0 ? tr("Width") : tr("Height"), Quantity::Length}},
+            [](const GestureStart& start, const Point& to) -> std::array<double, 2> {
+                return {std::abs(to[axis] - start.from[axis]) / share, 0};
+            },
+            [](const GestureStart& start, const Point& pointer, const Held& held) {
+                Point end = pointer;
+                if (held[0])
+                    end[axis] = endOfSide(start.from[axis], pointer[axis], *held[0] * share);
+                return end;
+            },
+            GestureMeasure::Points::Refused};
 }
 
 } // namespace
 
+const GestureMeasure& sideLength(int axis, Anchor anchor)
+{
+    static const std::array measures{sideMeasure<0, false>(), sideMeasure<1, false>(),
+                                     sideMeasure<0, true>(), sideMeasure<1, true>()};
+    return measures[std::size_t(axis) + (anchor == Anchor::Centre ? 2 : 0)];
+}
+
 const GestureMeasure& lengthAndAngle()
 {
     static const GestureMeasure measure{
-        {{{tr("Length"), Quantity::Length}, {tr("Angle"), Quantity::Angle}}},
-        [](const Point& from, const Point& to) -> std::array<double, 2> {
-            return {glm::length(to - from), degreesOf(to - from)};
+        {{tr("Length"), Quantity::Length}, {tr("Angle"), Quantity::Angle}},
+        [](const GestureStart& start, const Point& to) -> std::array<double, 2> {
+            return {glm::length(to - start.from), degreesOf(to - start.from)};
         },
         endOfLengthAndAngle,
-        true};
+        GestureMeasure::Points::Relative,
+        [](const GestureStart& start, const Point& pointer) {
+            return turnedToStep(start.from, pointer);
+        }};
     return measure;
 }
 
@@ -97,25 +126,27 @@ const GestureMeasure& widthAndHeight(Proportion proportion, Anchor anchor)
 const GestureMeasure& position()
 {
     static const GestureMeasure measure{
-        {{{tr("X"), Quantity::Coordinate}, {tr("Y"), Quantity::Coordinate}}},
-        [](const Point& from, const Point& to) -> std::array<double, 2> {
-            return {to.x - from.x, to.y - from.y};
+        {{tr("X"), Quantity::Coordinate}, {tr("Y"), Quantity::Coordinate}},
+        [](const GestureStart& start, const Point& to) -> std::array<double, 2> {
+            return {to.x - start.from.x, to.y - start.from.y};
         },
-        [](const Point& from, const Point& pointer, const Held& held) {
-            return Point(held[0] ? from.x + *held[0] : pointer.x,
-                         held[1] ? from.y + *held[1] : pointer.y);
+        [](const GestureStart& start, const Point& pointer, const Held& held) {
+            return Point(held[0] ? start.from.x + *held[0] : pointer.x,
+                         held[1] ? start.from.y + *held[1] : pointer.y);
         },
-        false};
+        GestureMeasure::Points::Absolute};
     return measure;
 }
 
-std::optional<std::size_t> firstZeroLength(const GestureMeasure& measure, const Point& from,
-                                           const Point& to)
+std::optional<std::size_t> firstZero(const GestureMeasure& measure, const GestureStart& start,
+                                     const Point& to)
 {
-    const auto values = measure.values(from, to);
-    for (std::size_t i = 0; i < values.size(); ++i)
-        if (measure.fields[i].quantity == Quantity::Length && values[i] == 0)
+    const auto values = measure.values(start, to);
+    for (std::size_t i = 0; i < measure.fields.size(); ++i) {
+        const Quantity quantity = measure.fields[i].quantity;
+        if ((quantity == Quantity::Length || quantity == Quantity::Factor) && values[i] == 0)
             return i;
+    }
     return std::nullopt;
 }
 

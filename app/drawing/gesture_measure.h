@@ -1,48 +1,62 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/drawing/typed_entry.h"
 #include "app/view/handles.h"
 
 #include <QString>
 
 #include <array>
+#include <limits>
 #include <optional>
+#include <vector>
 
 namespace app {
-
-/// The kind of a number of a gesture.
-enum class Quantity : std::uint8_t { Length, Angle, Coordinate };
 
 /// The two numbers of a gesture; nothing: the pointer decides.
 using Held = std::array<std::optional<double>, 2>;
 
-/// One way to measure a gesture that leads from one point to another by two numbers: length and
-/// angle, width and height, x and y. Lengths are in user units, angles in degrees.
+/// Where a gesture begins.
+struct GestureStart {
+    Point from;      ///< what stays: the first point, or the pivot
+    Point pointer{}; ///< where the pointer was; only rotating, scaling and skewing refer to it
+    friend bool operator==(const GestureStart&, const GestureStart&) = default;
+};
+
+/// One way to measure a gesture by one or two numbers: length and angle, width and height, x and y,
+/// an angle alone. Lengths are in user units, angles in degrees.
 struct GestureMeasure {
     struct Field {
         QString name;
         Quantity quantity;
+        double most = std::numeric_limits<double>::infinity(); ///< of the number without its sign
     };
-    std::array<Field, 2> fields;
-    std::array<double, 2> (*values)(const Point& from, const Point& to);
+    std::vector<Field> fields; ///< one or two
+    std::array<double, 2> (*values)(const GestureStart& start, const Point& to);
     /// The end whose numbers are those that are held, exactly, and otherwise the pointer's.
-    Point (*end)(const Point& from, const Point& pointer, const Held& held);
-    /// Whether a typed "10,20" counts from `from`; false: from the origin of coordinates.
-    bool relative;
+    Point (*end)(const GestureStart& start, const Point& pointer, const Held& held);
+    /// What a typed "10,20" is.
+    enum class Points : std::uint8_t { Relative, Absolute, Refused };
+    Points points;
+    /// The pointer's place for a number that is a multiple of 15°; null: no number is an angle.
+    Point (*toStep)(const GestureStart& start, const Point& pointer) = nullptr;
 };
 
-/// For lines and moves. A held angle keeps the end on its ray.
+/// For lines and moves; the end is that of the line, or of the point that is moved. A held angle
+/// keeps the end on its ray.
 const GestureMeasure& lengthAndAngle();
 /// For shapes dragged from corner to corner. A positive width or height goes to the pointer's side,
 /// a negative one to the left or up. Square: both are the held one, otherwise the longer one.
 /// Centre: the gesture begins in the middle of the shape.
 const GestureMeasure& widthAndHeight(Proportion proportion = Proportion::Free,
                                      Anchor anchor = Anchor::Opposite);
+/// For a side of a rectangle that is dragged; `axis` 0: the width, 1: the height.
+const GestureMeasure& sideLength(int axis, Anchor anchor);
 /// For a first point, measured from the origin of coordinates.
 const GestureMeasure& position();
 
-/// The number of the first length that is 0, so that nothing is drawn. Coordinates may be 0.
-std::optional<std::size_t> firstZeroLength(const GestureMeasure& measure, const Point& from,
-                                           const Point& to);
+/// The number of the first length or factor that is 0, so that nothing would remain.
+std::optional<std::size_t> firstZero(const GestureMeasure& measure, const GestureStart& start,
+                                     const Point& to);
 
 } // namespace app

@@ -17,17 +17,22 @@ QString tr(const char* text) { return QCoreApplication::translate("Readout", tex
 
 QString Readout::number(std::size_t field, const Point& end) const
 {
-    const double value = gauge_.measure->values(gauge_.from, end)[field];
-    if (gauge_.measure->fields[field].quantity == Quantity::Angle)
+    const double value =
+        held_[field] ? *held_[field] : gauge_.measure->values(gauge_.start, end)[field];
+    const Quantity quantity = gauge_.measure->fields[field].quantity;
+    if (quantity == Quantity::Angle)
         return tr("%1°").arg(numberText(value, 1));
+    if (quantity == Quantity::Factor)
+        return tr("%1 %").arg(numberText(value * 100, 1));
     return lengthText(value, gauge_.scale.unit, gauge_.scale.millimetresPerUnit);
 }
 
 bool Readout::follow(const Gauge& gauge)
 {
-    const auto& [one, two] = gauge_.measure->fields;
-    const auto& [newOne, newTwo] = gauge.measure->fields;
-    if (gauge.from != gauge_.from || newOne.name != one.name || newTwo.name != two.name)
+    const auto& now = gauge_.measure->fields;
+    const auto& next = gauge.measure->fields;
+    const auto sameName = [](const auto& a, const auto& b) { return a.name == b.name; };
+    if (gauge.start != gauge_.start || !std::ranges::equal(now, next, sameName))
         return false;
     gauge_ = gauge;
     return true;
@@ -41,8 +46,7 @@ void Readout::activate(std::size_t field)
 
 Result<Entry> Readout::entry() const
 {
-    const bool isAngle = gauge_.measure->fields[active_].quantity == Quantity::Angle;
-    return readEntry(fields_[active_].text, isAngle, gauge_.scale);
+    return readEntry(fields_[active_].text, gauge_.measure->fields[active_].quantity, gauge_.scale);
 }
 
 void Readout::type(const QString& text)
@@ -63,6 +67,7 @@ void Readout::release()
         held_ = {};
     }
     target_.reset();
+    repeat_.reset();
     held_[active_].reset();
     fields_[active_] = {};
     for (std::size_t field = 0; field < fields_.size(); ++field) // typed here as a whole
@@ -83,6 +88,7 @@ void Readout::releaseTyped()
             fields_[field] = {};
         }
     target_.reset();
+    repeat_.reset();
     error_.clear();
 }
 
@@ -98,38 +104,57 @@ bool Readout::refuse(const QString& sentence)
     return false;
 }
 
-Point Readout::pointOf(const PointEntry& entry) const
-{
-    const bool relative =
-        entry.origin == PointEntry::Origin::Relative
-        || (entry.origin == PointEntry::Origin::Usual && gauge_.measure->relative);
-    return entry.point + (relative ? gauge_.from : gauge_.origin);
-}
-
 bool Readout::hold(const Entry& entry)
 {
-    const auto holdNumber = [this](std::size_t field, double value) {
-        held_[field] = value;
-        fields_[field].state = State::Typed;
-    };
     if (const auto* number = std::get_if<NumberEntry>(&entry)) {
-        holdNumber(active_, number->value);
-    } else if (const auto* point = std::get_if<PointEntry>(&entry)) {
-        target_ = pointOf(*point);
-    } else {
-        const auto& polar = std::get<PolarEntry>(entry);
-        const bool hasAngle = gauge_.measure->fields[1].quantity == Quantity::Angle;
-        if (!polar.length && !hasAngle)
+        const GestureMeasure::Field& field = gauge_.measure->fields[active_];
+        if (std::abs(number->value) > field.most)
             return refuse(
-                tr("An angle alone has no meaning here. Type a length before it: 30<45."));
-        if (!hasAngle) {
-            target_ = gauge_.from + directionOf(polar.angle) * *polar.length;
-        } else {
-            if (polar.length)
-                holdNumber(0, *polar.length);
-            holdNumber(1, polar.angle);
-        }
+                tr("%1 must be from −%2 to %2.").arg(field.name, numberText(field.most, 0)));
+        holdNumber(active_, number->value);
+        return true;
     }
+    if (const auto* repeat = std::get_if<RepeatEntry>(&entry)) {
+        if (!gauge_.repeats)
+            return refuse(tr("There are no copies to repeat here. Type a number."));
+        repeat_ = *repeat;
+        return true;
+    }
+    if (gauge_.measure->points == GestureMeasure::Points::Refused)
+        return refuse(tr("A point has no meaning here. Type one number."));
+    if (const auto* point = std::get_if<PointEntry>(&entry))
+        return holdPoint(*point);
+    return holdPolar(std::get<PolarEntry>(entry));
+}
+
+void Readout::holdNumber(std::size_t field, double value)
+{
+    held_[field] = value;
+    fields_[field].state = State::Typed;
+}
+
+bool Readout::holdPoint(const PointEntry& entry)
+{
+    const bool relative = entry.origin == PointEntry::Origin::Relative
+                          || (entry.origin == PointEntry::Origin::Usual
+                              && gauge_.measure->points == GestureMeasure::Points::Relative);
+    target_ = entry.point + (relative ? gauge_.start.from : gauge_.origin);
+    return true;
+}
+
+bool Readout::holdPolar(const PolarEntry& entry)
+{
+    const auto& fields = gauge_.measure->fields;
+    const bool hasAngle = fields.size() > 1 && fields[1].quantity == Quantity::Angle;
+    if (!entry.length && !hasAngle)
+        return refuse(tr("An angle alone has no meaning here. Type a length before it: 30<45."));
+    if (!hasAngle) {
+        target_ = gauge_.start.from + directionOf(entry.angle) * *entry.length;
+        return true;
+    }
+    if (entry.length)
+        holdNumber(0, *entry.length);
+    holdNumber(1, entry.angle);
     return true;
 }
 
@@ -137,12 +162,15 @@ bool Readout::lock()
 {
     if (!take())
         return false;
-    if (held_[active_] == 0 && gauge_.measure->fields[active_].quantity == Quantity::Length)
+    const Quantity quantity = gauge_.measure->fields[active_].quantity;
+    if (held_[active_] == 0 && (quantity == Quantity::Length || quantity == Quantity::Factor))
         return refuseZero(active_);
     for (Field& field : fields_)
         if (target_ || field.state == State::Typed)
             field = {State::Locked, {}};
     fields_[active_].text.clear();
+    if (gauge_.measure->fields.size() == 1)
+        return true;
     const bool onlyOther = fields_[1 - active_].state == State::Locked
                            && fields_[active_].state == State::Free; // "<45"
     activate(onlyOther ? active_ : 1 - active_);
@@ -153,7 +181,7 @@ bool Readout::accept(const Point& pointer)
 {
     if (!take())
         return false;
-    const auto zero = firstZeroLength(*gauge_.measure, gauge_.from, end(pointer));
+    const auto zero = firstZero(*gauge_.measure, gauge_.start, end(pointer));
     return !zero || refuseZero(*zero);
 }
 
@@ -174,8 +202,28 @@ bool Readout::refuseZero(std::size_t field)
 
 Point Readout::end(const Point& pointer) const
 {
-    return target_ ? *target_
-                   : gauge_.measure->end(gauge_.from, gauge_.aim.value_or(pointer), held_);
+    if (target_)
+        return *target_;
+    const Point aim = gauge_.aim ? gauge_.aim->point : pointer + gauge_.shift;
+    return gauge_.measure->end(gauge_.start, aim, held_);
+}
+
+GestureEnd Readout::result(const Point& pointer) const
+{
+    GestureEnd result{end(pointer), {}, repeat_};
+    const bool typed = target_ || held_[0] || held_[1];
+    result.numbers = gauge_.aim && !typed ? gauge_.aim->numbers
+                                          : gauge_.measure->values(gauge_.start, result.point);
+    for (std::size_t field = 0; field < held_.size() && !target_; ++field)
+        result.numbers[field] = held_[field].value_or(result.numbers[field]);
+    return result;
+}
+
+Point Readout::toStep(const Point& pointer) const
+{
+    return gauge_.measure->toStep
+               ? gauge_.measure->toStep(gauge_.start, pointer + gauge_.shift) - gauge_.shift
+               : pointer;
 }
 
 } // namespace app

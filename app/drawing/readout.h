@@ -6,13 +6,22 @@
 
 namespace app {
 
+/// How a gesture ends.
+struct GestureEnd {
+    Point point;
+    std::array<double, 2> numbers;
+    std::optional<RepeatEntry> repeat{};
+};
+
 /// How the numbers of a gesture are measured.
 struct Gauge {
     const GestureMeasure* measure = nullptr;
-    Point from;   ///< where the gesture begins
+    GestureStart start;
     Point origin; ///< of absolute coordinates
     Scale scale{};
-    std::optional<Point> aim{}; ///< steers instead of the pointer
+    std::optional<GestureEnd> aim{}; ///< holds instead of the pointer, as far as nothing is typed
+    Point shift{0, 0};               ///< from the pointer to the point that it moves
+    bool repeats = false;            ///< whether "5x" and "5/" have a meaning
 };
 
 /// The two numbers beside the pointer during a gesture, and what is typed into them. A number that
@@ -53,8 +62,12 @@ public:
     /// not.
     bool accept(const Point& pointer);
 
-    /// Where the gesture ends.
+    /// Where the gesture ends, if the pointer is there.
     Point end(const Point& pointer) const;
+    /// The same with its numbers: exactly those that hold, the others measured.
+    GestureEnd result(const Point& pointer) const;
+    /// The pointer's place for a multiple of 15°; the same place if no number is an angle.
+    Point toStep(const Point& pointer) const;
 
 private:
     struct Field {
@@ -66,12 +79,15 @@ private:
     bool hold(const Entry& entry);
     bool refuseZero(std::size_t field);
     bool refuse(const QString& sentence);
-    Point pointOf(const PointEntry& entry) const;
+    bool holdPoint(const PointEntry& entry);
+    bool holdPolar(const PolarEntry& entry);
+    void holdNumber(std::size_t field, double value);
 
     Gauge gauge_;
     std::array<Field, 2> fields_;
     Held held_;
     std::optional<Point> target_; ///< a typed point
+    std::optional<RepeatEntry> repeat_;
     std::size_t active_ = 0;
     QString error_;
 };

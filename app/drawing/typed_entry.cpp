@@ -6,6 +6,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace app {
 namespace {
 
@@ -31,12 +33,47 @@ public:
     {
         const QString typed = text.trimmed();
         text.remove(u'°');
-        const auto degrees = typedLength(text, {}, locale_);
+        const auto degrees = plainNumber(text);
         if (!degrees)
             return refuse(tr("“%1” is not an angle: %2.").arg(typed, degrees.error));
         if (!(std::abs(*degrees.value) <= limit))
             return refuse(tr("“%1” is too large.").arg(typed));
         return *degrees.value;
+    }
+    std::optional<double> factor(QString text)
+    {
+        const QString typed = text.trimmed();
+        const bool percent = typed.endsWith(u'%');
+        const auto factor = plainNumber(text.remove(u'%'));
+        if (!factor)
+            return refuse(tr("“%1” is not a factor: %2.").arg(typed, factor.error));
+        if (!(std::abs(*factor.value) <= limit))
+            return refuse(tr("“%1” is too large.").arg(typed));
+        return *factor.value / (percent ? 100 : 1);
+    }
+    std::optional<double> number(const QString& text, Quantity quantity)
+    {
+        return quantity == Quantity::Angle    ? angle(text)
+               : quantity == Quantity::Factor ? factor(text)
+                                              : length(text);
+    }
+    static bool isRepeat(const QString& text)
+    {
+        return text.size() > 1 && (text.endsWith(u'x') || text.endsWith(u'/'));
+    }
+    std::optional<Entry> repeat(const QString& text)
+    {
+        constexpr int most = 10'000;
+        bool whole = false;
+        const int count = locale_.toInt(text.chopped(1).trimmed(), &whole);
+        if (!whole || count < 1 || count > most) {
+            refuse(tr("“%1” is not a number of copies: type a whole number from 1 to %2 before "
+                      "the %3.")
+                       .arg(text, locale_.toString(most), text.right(1)));
+            return std::nullopt;
+        }
+        return RepeatEntry{count,
+                           text.endsWith(u'x') ? RepeatEntry::How::Times : RepeatEntry::How::Parts};
     }
     std::optional<Entry> polar(const QString& text, PointEntry::Origin origin)
     {
@@ -77,6 +114,13 @@ public:
     const QString& error() const { return error_; }
 
 private:
+    /// A number, which may be a sum, without a unit.
+    Result<double> plainNumber(const QString& text) const
+    {
+        if (std::ranges::any_of(text, [](QChar c) { return c.isLetter(); }))
+            return Result<double>::failure(tr("type a number without a unit"));
+        return typedLength(text, {}, locale_);
+    }
     std::nullopt_t refuse(const QString& sentence)
     {
         error_ = sentence;
@@ -90,7 +134,7 @@ private:
 
 } // namespace
 
-Result<Entry> readEntry(const QString& typed, bool isAngle, const Scale& scale,
+Result<Entry> readEntry(const QString& typed, Quantity quantity, const Scale& scale,
                         const QLocale& locale)
 {
     EntryReader reader(scale, locale);
@@ -108,7 +152,9 @@ Result<Entry> readEntry(const QString& typed, bool isAngle, const Scale& scale,
         entry = reader.point(text, origin, *separator);
     else if (origin != PointEntry::Origin::Usual)
         entry = reader.point(text, origin, u',');
-    else if (const auto number = isAngle ? reader.angle(text) : reader.length(text))
+    else if (reader.isRepeat(text))
+        entry = reader.repeat(text);
+    else if (const auto number = reader.number(text, quantity))
         entry = NumberEntry{*number};
     return entry ? Result<Entry>::of(*entry) : Result<Entry>::failure(reader.error());
 }

@@ -9,6 +9,9 @@
 
 namespace app {
 
+/// The kind of a number of a gesture. A factor is 1.5 or 150%.
+enum class Quantity : std::uint8_t { Length, Angle, Coordinate, Factor };
+
 /// A number for the field in which it is typed.
 struct NumberEntry {
     double value;
@@ -25,12 +28,19 @@ struct PolarEntry {
     std::optional<double> length;
     double angle;
 };
-using Entry = std::variant<NumberEntry, PointEntry, PolarEntry>;
+/// "5x": the same step five times. "5/": five equal parts of it.
+struct RepeatEntry {
+    enum class How : std::uint8_t { Times, Parts };
+    int count;
+    How how;
+    friend bool operator==(const RepeatEntry&, const RepeatEntry&) = default;
+};
+using Entry = std::variant<NumberEntry, PointEntry, PolarEntry, RepeatEntry>;
 
 /// Reads what a person typed during a gesture. Lengths may have units and be sums ("10+5", "1in")
 /// and become user units; angles are degrees, with or without "°". Where the locale's decimal point
 /// is a comma, only ";" separates coordinates. The error is one sentence.
-Result<Entry> readEntry(const QString& text, bool isAngle, const Scale& scale,
+Result<Entry> readEntry(const QString& text, Quantity quantity, const Scale& scale,
                         const QLocale& locale = {});
 
 } // namespace app

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/commands/history.h"
+#include "app/commands/transform_objects.h"
 #include "app/comparison/live_differences.h"
 #include "app/document/object_ranges.h"
 #include "app/exactness/live_exactness.h"
@@ -35,6 +36,12 @@ struct Pen {
     ContainerId layer = 0; ///< Session ensures that it is one of the document's layers
 };
 
+/// How commands on the selection work: not part of the document.
+struct ArrangeOptions {
+    StrokeScaling strokes = StrokeScaling::Keep; ///< when objects are scaled
+    std::string_view ground = "to-selection";      ///< key of what objects are aligned to
+};
+
 /// One open drawing with the whole state of an editor window, without a screen.
 class Session : public QObject {
     Q_OBJECT
@@ -58,6 +65,7 @@ public:
     Microscope microscope;                        ///< one line, step by step
     Course course{microscope};                    ///< the lesson in progress, if any
     Pen pen;
+    ArrangeOptions arrange;
 
     const Document& now() const { return document.now(); }
 

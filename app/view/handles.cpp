@@ -25,6 +25,15 @@ std::span<const Handle> handles()
     return all;
 }
 
+Point placeOf(Handle handle, const clipping::Window& rectangle)
+{
+    const auto along = [](int side, double min, double max) {
+        return side < 0 ? min : side > 0 ? max : min + (max - min) * 0.5;
+    };
+    return {along(handle.x, rectangle.min.x, rectangle.max.x),
+            along(handle.y, rectangle.min.y, rectangle.max.y)};
+}
+
 std::vector<PlacedHandle> placedHandles(const clipping::Window& rectangle, const View& view)
 {
     const Point min = view.toScreen(rectangle.min), max = view.toScreen(rectangle.max);

@@ -32,6 +32,9 @@ std::vector<PlacedHandle> placedHandles(const clipping::Window& rectangle, const
 std::optional<Handle> handleAt(const Point& screen, const clipping::Window& rectangle,
                                const View& view, double reach = 12);
 
+/// The place of a handle in the drawing; of the whole rectangle: its centre.
+Point placeOf(Handle handle, const clipping::Window& rectangle);
+
 enum class Proportion : std::uint8_t { Free, Kept, Square };
 enum class Anchor : std::uint8_t { Opposite, Centre };
 

@@ -11,7 +11,8 @@ Canvas::Parts::Parts(app::Session& session, Backend wish, Canvas& canvas)
     : controller(session),
       choice(chooseBackend(wish, wish == Backend::Raster ? GlProbe{} : probeGl())),
       corner(controller, &canvas), top(controller, Qt::Horizontal, &canvas),
-      left(controller, Qt::Vertical, &canvas), panes(session.variant()), readout(controller, &canvas)
+      left(controller, Qt::Vertical, &canvas), panes(session.variant()),
+      readout(controller, &canvas)
 {
 }
 
@@ -68,6 +69,7 @@ std::optional<app::PendingObject> Canvas::pendingObject() const
     return parts_->controller.pendingObject();
 }
 void Canvas::setSnapping(app::SnapTo to) { parts_->controller.setSnapping(to); }
+void Canvas::transform(const app::Transformation& kind) { parts_->controller.transform(kind); }
 void Canvas::fitDrawing() { parts_->controller.fitDrawing(); }
 void Canvas::fitSelection() { parts_->controller.fitSelection(); }
 void Canvas::fitWindow() { parts_->controller.fitWindow(); }

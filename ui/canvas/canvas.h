@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/comparison/panes.h"
+#include "app/drawing/transformation.h"
 #include "app/session/session.h"
 #include "app/view/snap.h"
 #include "app/view/view.h"
@@ -54,6 +55,8 @@ public:
     std::optional<app::PendingObject> pendingObject() const; ///< what endGesture() would keep now
 
     void setSnapping(app::SnapTo to);
+    /// Moves, rotates, scales or skews the selection by the pointer and by typed numbers.
+    void transform(const app::Transformation& kind);
 
     void fitDrawing();   ///< the page and everything that is drawn
     void fitSelection(); ///< the drawing if nothing is selected

@@ -69,10 +69,13 @@ public:
     /// Where the pointer would end the gesture, if nothing were typed.
     app::Point aim() const;
     void typeNumber(const QString& text); ///< replaces the text of the active field
-    void lockNumber();    ///< and goes on to the other field
+    void lockNumber();                    ///< and goes on to the other field
     void releaseNumber(); ///< gives the active field back to the pointer, and stops typing
     void acceptNumber();  ///< ends the gesture, or its current step, with these numbers
     void stopTyping();
+
+    /// Moves, rotates, scales or skews the selection with the Select tool, from the keyboard.
+    void transform(const app::Transformation& kind);
 
     void fitDrawing();
     void fitSelection();
@@ -148,10 +151,12 @@ private:
     bool keyRelease(QKeyEvent& event);
     bool navigationKey(const QKeyEvent& event);
     bool toolKey(const QKeyEvent& event);
+    bool transformKey(const QKeyEvent& event);
     bool beginsTyping(const QKeyEvent& event) const;
     void beginTyping(const QKeyEvent& event);
     bool releaseLocked();
     void steer();
+    void steer(Pointer& pointer) const;
     void followGauge();
     bool arrow(const QKeyEvent& event);
     bool escape();

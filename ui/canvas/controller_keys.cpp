@@ -54,8 +54,10 @@ bool Controller::keyPress(QKeyEvent& event)
     }
     bool used = false;
     withTool([&] { used = tool_->key(event, bench_); });
+    if (used)
+        steer(); // the key may have changed what is measured
     return used || (event.key() == Qt::Key_Escape && escape()) || arrow(event)
-           || navigationKey(event) || toolKey(event);
+           || navigationKey(event) || toolKey(event) || transformKey(event);
 }
 
 bool Controller::keyRelease(QKeyEvent& event)
@@ -135,6 +137,18 @@ bool Controller::navigationKey(const QKeyEvent& event)
     else
         return false;
     return true;
+}
+
+bool Controller::transformKey(const QKeyEvent& event)
+{
+    if (!has(event, Qt::NoModifier))
+        return false;
+    for (const app::Transformation& kind : app::transformations())
+        if (event.key() == kind.letter.unicode()) {
+            transform(kind);
+            return true;
+        }
+    return false;
 }
 
 bool Controller::toolKey(const QKeyEvent& event)

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/document/direction.h"
 #include "ui/canvas/controller.h"
 #include "ui/canvas/window_offer.h"
 #include "ui/editing/keeping.h"
@@ -24,11 +23,11 @@ Pointer Controller::pointerAt(const QPointF& screen, Qt::MouseButtons buttons,
         snap_ = app::snap(raw, radius, near, firstWindow(session_.now().windows()), to);
     }
     app::Point position = snap_ ? snap_->point : raw;
-    if (readout_ && readout_->gauge().measure == &app::lengthAndAngle()
-        && modifiers & Qt::ShiftModifier)
-        position = app::turnedToStep(readout_->gauge().from, position);
-    const app::Point end = readout_ ? readout_->end(position) : position;
-    return {end, raw, at, buttons, modifiers, position};
+    if (readout_ && modifiers & Qt::ShiftModifier)
+        position = readout_->toStep(position);
+    Pointer pointer{position, raw, at, buttons, modifiers, position};
+    steer(pointer);
+    return pointer;
 }
 
 QRectF Controller::offeredHandle() const

@@ -28,7 +28,8 @@ bool Controller::beginsTyping(const QKeyEvent& event) const
 /// Digits that follow a drawn object change it, until the next action.
 void Controller::beginTyping(const QKeyEvent& event)
 {
-    if (!tool_->busy() && event.text() != QStringLiteral("#"))
+    const bool firstPoint = tool_->draws() && event.text() == QStringLiteral("#");
+    if (!tool_->busy() && !firstPoint)
         withTool([&] { tool_->reopen(bench_); });
     typing_ = true;
     if (event.key() == Qt::Key_Tab)
@@ -67,10 +68,23 @@ void Controller::acceptNumber()
         emit readoutChanged();
         return;
     }
-    const app::Point end = readout_->end(aim());
+    const app::GestureEnd end = readout_->result(aim());
     stopTyping();
     readout_.reset();
     withTool([&] { tool_->accept(end, bench_); });
+    steer();
+}
+
+void Controller::transform(const app::Transformation& kind)
+{
+    if (session_.selection().empty()) {
+        emit session_.refused(kind.needs);
+        return;
+    }
+    setTool("select");
+    const app::Point middle = view().toDrawing(view().size * 0.5);
+    const Pointer pointer = pointer_.value_or(Pointer{.position = middle, .raw = middle});
+    withTool([&] { tool_->transform(kind, pointer, bench_); });
     steer();
 }
 
@@ -100,14 +114,24 @@ bool Controller::releaseLocked()
 
 app::Point Controller::aim() const
 {
-    return pointer_ ? pointer_->steered : readout_ ? readout_->gauge().from : app::Point(0);
+    return pointer_ ? pointer_->steered : readout_ ? readout_->gauge().start.from : app::Point(0);
+}
+
+/// Holds the pointer at what is typed.
+void Controller::steer(Pointer& pointer) const
+{
+    if (!readout_)
+        return;
+    const app::GestureEnd end = readout_->result(pointer.steered);
+    pointer.position = end.point;
+    pointer.numbers = end.numbers;
 }
 
 /// Lets the tool follow what is typed, as if the pointer had moved.
 void Controller::steer()
 {
     if (readout_ && pointer_) {
-        pointer_->position = readout_->end(pointer_->steered);
+        steer(*pointer_);
         withTool([&] { tool_->move(*pointer_, bench_); });
     }
     emit readoutChanged();

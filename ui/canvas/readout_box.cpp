@@ -23,9 +23,8 @@ ReadoutBox::ReadoutBox(Controller& controller, QWidget* parent)
     auto* row = new QHBoxLayout;
     row->setContentsMargins(8, 1, 8, cellHeight - fieldHeight - 1); // the frame, the underline
     row->setSpacing(5);
+    cells_[1].name->setContentsMargins(2 * besideRule, 0, 0, 0);
     for (const Cell& cell : cells_) {
-        if (&cell != &cells_.front())
-            row->addSpacing(2 * besideRule);
         row->addWidget(cell.name);
         row->addWidget(cell.lock);
         row->addWidget(cell.field);
@@ -71,6 +70,7 @@ void ReadoutBox::setSurface(QWidget* surface)
 
 void ReadoutBox::follow()
 {
+    using State = app::Readout::State;
     const auto& readout = controller_.readout();
     const bool shown = surface_ && controller_.showsReadout();
     if (!shown || !controller_.typing())
@@ -78,8 +78,14 @@ void ReadoutBox::follow()
     if (!shown)
         return hide();
     const app::Point end = readout->end(controller_.aim());
-    for (std::size_t number = 0; number < cells_.size(); ++number)
-        showNumber(number, end);
+    for (std::size_t number = 0; number < cells_.size(); ++number) {
+        const bool used = number < readout->gauge().measure->fields.size();
+        cells_[number].name->setVisible(used);
+        cells_[number].field->setVisible(used);
+        cells_[number].lock->setVisible(used && readout->state(number) == State::Locked);
+        if (used)
+            showNumber(number, end);
+    }
     error_->setText(readout->error());
     error_->setVisible(!readout->error().isEmpty());
     place();
@@ -94,7 +100,6 @@ void ReadoutBox::showNumber(std::size_t number, const app::Point& end)
     const Cell& cell = cells_[number];
     const bool open = controller_.typing() && readout.active() == number;
     cell.name->setText(readout.gauge().measure->fields[number].name);
-    cell.lock->setVisible(readout.state(number) == app::Readout::State::Locked);
     if (open && cell.field->text() == readout.typed(number))
         return; // the caret stays where it is
     const QString text = open || !readout.typed(number).isEmpty() ? readout.typed(number)
@@ -109,9 +114,9 @@ void ReadoutBox::place()
 {
     adjustSize();
     const auto& pointer = controller_.pointer();
-    const app::Point at = pointer
-                              ? pointer->screen
-                              : controller_.view().toScreen(controller_.readout()->gauge().from);
+    const app::Point at =
+        pointer ? pointer->screen
+                : controller_.view().toScreen(controller_.readout()->gauge().start.from);
     const int below = belowPointer + (controller_.snapped() ? snapLabelHeight : 0);
     QPoint place(int(at.x) + besidePointer, int(at.y) + below);
     if (place.x() + width() > surface_->width())
@@ -201,8 +206,10 @@ void ReadoutBox::paintEvent(QPaintEvent*)
     painter.setPen(QPen(look.border, 1));
     painter.setBrush(look.base);
     painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
-    const int between = cells_[1].name->x() - besideRule - 1;
-    painter.drawLine(QPointF(between + 0.5, 1), QPointF(between + 0.5, cellHeight));
+    if (!cells_[1].name->isHidden()) {
+        const int between = cells_[1].name->x() + besideRule - 1;
+        painter.drawLine(QPointF(between + 0.5, 1), QPointF(between + 0.5, cellHeight));
+    }
     if (!controller_.typing() || !controller_.readout())
         return;
     const QRect field = cells_[controller_.readout()->active()].field->geometry();

@@ -72,8 +72,9 @@ public:
         return corners_.empty() ? gaugeOfStart(bench)
                                 : gaugeFrom(corners_.back(), app::lengthAndAngle(), bench);
     }
-    void accept(const app::Point& point, Workbench&) override
+    void accept(const app::GestureEnd& end, Workbench&) override
     {
+        const app::Point point = end.point;
         if (corners_.empty() || point != corners_.back())
             add(point);
     }

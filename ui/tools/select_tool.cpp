@@ -1,24 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/numbers.h"
-#include "app/commands/move_objects.h"
 #include "app/commands/remove_objects.h"
-#include "app/commands/resize_objects.h"
 #include "app/session/first_traced_line.h"
+#include "ui/tools/box_resize.h"
 #include "ui/tools/shape_drawing.h"
+#include "ui/tools/transform_gesture.h"
 #include "ui/tools/window_gesture.h"
 
 #include <QCoreApplication>
 
-#include <glm/common.hpp>
-
-#include <cmath>
+#include <glm/geometric.hpp>
 
 namespace ui {
 namespace {
 
-constexpr double boxReach = 8; // pixels
-// Limit of previewed segments while a selection is dragged.
-constexpr std::size_t mostPreviewed = 4000;
+constexpr double boxReach = 8;                       // pixels
+constexpr double aboveBox = 28;                      // pixels, from the box to the rotation handle
+constexpr double pivotReach = 6, leastForPivot = 72; // pixels
 
 /// Selects objects by clicks and boxes, and drags them; also drags the clip window by its handles
 /// and outline.
@@ -37,12 +35,28 @@ public:
     void cancel(Workbench& bench) override
     {
         gesture_.cancel(bench);
+        transform_.cancel(bench);
+        resize_.cancel();
         drag_ = Drag::None;
     }
-    bool busy() const override { return gesture_.going() || drag_ != Drag::None; }
+    bool busy() const override
+    {
+        return gesture_.going() || transform_.going() || drag_ != Drag::None;
+    }
+    bool transform(const app::Transformation& kind, const Pointer& pointer,
+                   Workbench& bench) override;
+    std::optional<app::Gauge> gauge(const Workbench& bench) const override
+    {
+        return resize_.going() ? resize_.gauge(bench) : transform_.gauge(bench);
+    }
+    void accept(const app::GestureEnd& end, Workbench& bench) override;
+    void reopen(Workbench& bench) override { transform_.reopen(bench); }
 
     QCursor cursor(const Workbench& bench) const override;
-    app::SnapTo snapsTo() const override { return app::SnapTo::Nothing; }
+    app::SnapTo snapsTo() const override
+    {
+        return drag_ == Drag::Pivot ? app::SnapTo::All : app::SnapTo::Nothing;
+    }
     bool showsHandles() const override { return true; }
     std::optional<app::Handle> hoveredHandle() const override { return hoveredHandle_; }
     std::optional<std::size_t> hoveredSegment() const override { return hoveredSegment_; }
@@ -50,32 +64,38 @@ public:
     void paint(QPainter& painter, const Workbench& bench) const override;
 
 private:
-    enum class Drag : std::uint8_t { None, Press, Box, Selection };
+    enum class Drag : std::uint8_t { None, Press, Box, Resize, Transform, Pivot };
+    enum class Mark : std::uint8_t { None, Rotation, Pivot };
 
     void forgetHovered()
     {
         hoveredHandle_.reset();
         boxHandle_.reset();
         hoveredSegment_.reset();
+        mark_ = Mark::None;
     }
     void light(const Pointer& pointer, Workbench& bench);
     void click(const Pointer& pointer, Workbench& bench);
     void selectBox(const Pointer& pointer, Workbench& bench);
     void startDrag(Workbench& bench);
-    void finishDrag(Workbench& bench);
-    app::Point offset() const { return to_.raw - from_.raw; }
-    clipping::Window target() const; ///< the selection's bounds after the drag
+    void start(const app::Transformation& kind, const app::Point& pointer, Workbench& bench);
+    app::Point pivot(const Workbench& bench) const;
+    Mark markAt(const Pointer& pointer, const Workbench& bench) const;
+    void paintPivot(QPainter& painter, const Workbench& bench) const;
     void paintBox(QPainter& painter, const Workbench& bench) const;
     void paintBounds(QPainter& painter, const Workbench& bench,
                      const clipping::Window& bounds) const;
-    void paintMoved(QPainter& painter, const Workbench& bench) const;
 
     WindowGesture gesture_;
+    TransformGesture transform_;
+    BoxResize resize_;
     std::optional<app::Handle> hoveredHandle_;
     /// Dragged or hovered handle of the selection's bounding box.
     std::optional<app::Handle> boxHandle_;
     std::optional<std::size_t> hoveredSegment_; ///< hovered segment of the scene
-    clipping::Window bounds_{};                 ///< the selection's bounds when the drag began
+    Mark mark_ = Mark::None;                    ///< hovered
+    std::optional<app::Point> pivot_;           ///< empty: the middle of the selection
+    app::ObjectRanges pivotOf_;                 ///< the selection to which it belongs
     Drag drag_ = Drag::None;
     Pointer from_{}, to_{};
 };
@@ -92,14 +112,50 @@ void SelectTool::light(const Pointer& pointer, Workbench& bench)
     const auto window = bench.session.clipWindow();
     hoveredHandle_ = window ? app::handleAt(pointer.screen, *window, bench.view) : std::nullopt;
     const auto box = hoveredHandle_ ? std::nullopt : boxAround(bench.session);
-    boxHandle_ = box ? app::handleAt(pointer.screen, *box, bench.view, boxReach) : std::nullopt;
-    hoveredSegment_ = hoveredHandle_ || boxHandle_
+    mark_ = box ? markAt(pointer, bench) : Mark::None;
+    boxHandle_ = box && mark_ == Mark::None
+                     ? app::handleAt(pointer.screen, *box, bench.view, boxReach)
+                     : std::nullopt;
+    hoveredSegment_ = hoveredHandle_ || boxHandle_ || mark_ != Mark::None
                           ? std::nullopt
                           : bench.picking.nearest(pointer.raw, bench.inDrawing(reach));
 }
 
+app::Point SelectTool::pivot(const Workbench& bench) const
+{
+    if (pivot_ && pivotOf_ == bench.session.selection())
+        return *pivot_;
+    const auto bounds = bench.session.selectionBounds().value_or(clipping::Window{});
+    return app::placeOf(app::Handle{}, bounds);
+}
+
+/// The place of the rotation handle on the screen.
+app::Point rotationHandle(const clipping::Window& box, const app::View& view)
+{
+    return view.toScreen(app::placeOf({0, -1}, box)) - app::Point(0, aboveBox);
+}
+
+SelectTool::Mark SelectTool::markAt(const Pointer& pointer, const Workbench& bench) const
+{
+    const auto box = boxAround(bench.session);
+    if (!box)
+        return Mark::None;
+    if (glm::distance(pointer.screen, rotationHandle(*box, bench.view)) <= boxReach)
+        return Mark::Rotation;
+    const app::Point size = bench.view.toScreen(box->max) - bench.view.toScreen(box->min);
+    // A pivot in a small object would be in the way of moving it.
+    const bool shown = pivot_ || std::max(size.x, size.y) >= leastForPivot;
+    const app::Point at = bench.view.toScreen(pivot(bench));
+    return shown && glm::distance(pointer.screen, at) <= pivotReach ? Mark::Pivot : Mark::None;
+}
+
 void SelectTool::press(const Pointer& pointer, Workbench& bench)
 {
+    if (transform_.going() && !transform_.corrects()) {
+        transform_.proceed(pointer);
+        return transform_.finish(bench);
+    }
+    transform_.end(bench);
     light(pointer, bench);
     if (hoveredHandle_) {
         gesture_.start(*hoveredHandle_, pointer, bench.session.window());
@@ -111,16 +167,18 @@ void SelectTool::press(const Pointer& pointer, Workbench& bench)
 
 void SelectTool::move(const Pointer& pointer, Workbench& bench)
 {
-    if (gesture_.going()) {
-        gesture_.proceed(pointer, bench);
-        return;
-    }
-    if (drag_ == Drag::None) {
-        light(pointer, bench);
-        return;
-    }
     to_ = pointer;
-    if (drag_ == Drag::Press && dragged(from_.screen, pointer))
+    if (gesture_.going())
+        gesture_.proceed(pointer, bench);
+    else if (resize_.going())
+        resize_.proceed(pointer);
+    else if (transform_.going())
+        transform_.proceed(pointer);
+    else if (drag_ == Drag::Pivot)
+        pivot_ = pointer.position;
+    else if (drag_ == Drag::None)
+        light(pointer, bench);
+    else if (drag_ == Drag::Press && dragged(from_.screen, pointer))
         startDrag(bench);
 }
 
@@ -129,37 +187,51 @@ void SelectTool::move(const Pointer& pointer, Workbench& bench)
 void SelectTool::startDrag(Workbench& bench)
 {
     const app::Session& session = bench.session;
+    if (mark_ == Mark::Rotation)
+        return start(*app::findTransformation("rotate"), from_.raw, bench);
+    if (mark_ == Mark::Pivot) {
+        pivotOf_ = session.selection();
+        drag_ = Drag::Pivot;
+        return;
+    }
+    if (boxHandle_.value_or(app::Handle{}) != app::Handle{}) {
+        drag_ = Drag::Resize;
+        return resize_.start(*boxHandle_, *boxAround(session), from_);
+    }
     const auto area = bench.picking.areaAt(from_.raw);
     const bool inSelection = area && session.selection().contains(*area);
-    drag_ = hoveredSegment_ || boxHandle_ || inSelection ? Drag::Selection : Drag::Box;
+    if (!hoveredSegment_ && !boxHandle_ && !inSelection) {
+        drag_ = Drag::Box;
+        return;
+    }
     if (hoveredSegment_
         && !session.selection().contains(session.scene.lines().objectOf(*hoveredSegment_)))
         click(from_, bench);
-    bounds_ = session.selectionBounds().value_or(clipping::Window{});
+    start(*app::findTransformation("move"), from_.raw, bench);
 }
 
-clipping::Window SelectTool::target() const
+void SelectTool::start(const app::Transformation& kind, const app::Point& pointer, Workbench& bench)
 {
-    const auto proportion =
-        to_.modifiers & Qt::ShiftModifier ? app::Proportion::Kept : app::Proportion::Free;
-    return app::dragged(bounds_, boxHandle_.value_or(app::Handle{}), offset(), proportion,
-                        anchorOf(to_.modifiers));
+    drag_ = Drag::Transform;
+    transform_.start(kind, pivot(bench), pointer, bench);
 }
 
-// Keeps the inspected line if the drag has only changed its coordinates.
-void SelectTool::finishDrag(Workbench& bench)
+/// Begins a transformation that follows the pointer without a button.
+bool SelectTool::transform(const app::Transformation& kind, const Pointer& pointer,
+                           Workbench& bench)
 {
-    app::Session& session = bench.session;
-    const auto inspected = session.inspected();
-    const std::size_t lines = session.scene.lines().size();
-    if (boxHandle_.value_or(app::Handle{}) == app::Handle{})
-        session.history.push(new app::MoveObjects(session.document, session.selection(), offset()));
-    else
-        session.history.push(
-            new app::ResizeObjects(session.document, session.selection(), bounds_, target()));
-    // Otherwise a curve has been divided into other lines.
-    if (session.scene.lines().size() == lines)
-        session.inspect(inspected);
+    if (busy() && !transform_.going())
+        return true; // a drag goes on
+    cancel(bench);
+    forgetHovered();
+    transform_.start(kind, pivot(bench), pointer.raw, bench);
+    return true;
+}
+
+void SelectTool::accept(const app::GestureEnd& end, Workbench& bench)
+{
+    drag_ = Drag::None;
+    resize_.going() ? resize_.accept(end, bench) : transform_.accept(end, bench);
 }
 
 void SelectTool::release(const Pointer& pointer, Workbench& bench)
@@ -168,14 +240,20 @@ void SelectTool::release(const Pointer& pointer, Workbench& bench)
         gesture_.finish(pointer, bench);
         return;
     }
-    to_ = pointer;
     const Drag drag = std::exchange(drag_, Drag::None);
+    if (drag == Drag::None)
+        return;
+    drag_ = drag;
+    move(pointer, bench);
+    drag_ = Drag::None;
     if (drag == Drag::Press)
         click(from_, bench);
     else if (drag == Drag::Box)
         selectBox(pointer, bench);
-    else if (drag == Drag::Selection)
-        finishDrag(bench);
+    else if (drag == Drag::Resize)
+        resize_.finish(bench);
+    else if (drag == Drag::Transform)
+        transform_.finish(bench);
     hoveredSegment_.reset();
 }
 
@@ -221,6 +299,14 @@ void SelectTool::selectBox(const Pointer& pointer, Workbench& bench)
 bool SelectTool::key(QKeyEvent& event, Workbench& bench)
 {
     app::Session& session = bench.session;
+    if (transform_.key(event))
+        return true;
+    const bool enter = event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
+    if (enter && transform_.going()) {
+        drag_ = Drag::None;
+        transform_.finish(bench);
+        return true;
+    }
     if ((event.key() != Qt::Key_Delete && event.key() != Qt::Key_Backspace)
         || session.selection().empty() || busy())
         return false;
@@ -233,6 +319,8 @@ bool SelectTool::key(QKeyEvent& event, Workbench& bench)
 QString SelectTool::hint(const Workbench& bench) const
 {
     const app::Session& session = bench.session;
+    if (const QString hint = transform_.hint(bench); !hint.isEmpty())
+        return hint;
     if (hoveredSegment_ && *hoveredSegment_ < session.scene.lines().size() && drag_ == Drag::None) {
         const app::Containers& containers = session.now().containers();
         const auto layer = containers.layerOf(session.scene.lines().objectOf(*hoveredSegment_));
@@ -242,8 +330,9 @@ QString SelectTool::hint(const Workbench& bench) const
             .arg(app::countText(*hoveredSegment_ + 1), containers[layer].name);
     }
     if (!session.selection().empty())
-        return QCoreApplication::translate(
-                   "Tools", "%1 selected. Dragging or the arrow keys move, Delete removes.")
+        return QCoreApplication::translate("Tools",
+                                           "%1 selected. Drag or arrow keys: move. G, O, K: move, "
+                                           "rotate, scale by numbers. Delete: remove.")
             .arg(app::countText(session.selection().size()));
     if (const auto line = session.inspected())
         return QCoreApplication::translate(
@@ -256,19 +345,46 @@ QCursor SelectTool::cursor(const Workbench&) const
 {
     if (hoveredHandle_ || gesture_.going())
         return cursorOf(hoveredHandle_.value_or(app::Handle{}));
+    if (mark_ != Mark::None)
+        return Qt::PointingHandCursor;
     if (boxHandle_)
         return cursorOf(*boxHandle_);
-    return drag_ == Drag::Selection ? Qt::SizeAllCursor : Qt::ArrowCursor;
+    return transform_.going() ? Qt::SizeAllCursor : Qt::ArrowCursor;
 }
 
 void SelectTool::paint(QPainter& painter, const Workbench& bench) const
 {
     if (drag_ == Drag::Box)
         paintBox(painter, bench);
-    if (drag_ == Drag::Selection)
-        paintMoved(painter, bench);
-    if (const auto bounds = boxAround(bench.session))
-        paintBounds(painter, bench, drag_ == Drag::Selection ? target() : *bounds);
+    if (resize_.going())
+        resize_.paint(painter, bench);
+    transform_.paint(painter, bench);
+    if (const auto bounds = boxAround(bench.session)) {
+        if (!transform_.going())
+            paintBounds(painter, bench, resize_.going() ? resize_.target() : *bounds);
+        if (!resize_.going())
+            paintPivot(painter, bench);
+    }
+}
+
+/// A circle with a cross, and the rotation handle on its stalk.
+void SelectTool::paintPivot(QPainter& painter, const Workbench& bench) const
+{
+    const auto box = *boxAround(bench.session);
+    const QPointF at = bench.onScreen(pivot(bench));
+    painter.setPen(QPen(bench.look.selection, 1));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(at, 4, 4);
+    painter.drawLine(at - QPointF(7, 0), at + QPointF(7, 0));
+    painter.drawLine(at - QPointF(0, 7), at + QPointF(0, 7));
+    if (transform_.going())
+        return;
+    const app::Point handle = rotationHandle(box, bench.view);
+    const QPointF top = bench.onScreen(app::placeOf({0, -1}, box));
+    painter.drawLine(top - QPointF(0, 4), QPointF(handle.x, handle.y + 4));
+    painter.setPen(QPen(bench.look.selection, 1.5));
+    painter.setBrush(bench.look.paper);
+    painter.drawEllipse(QPointF(handle.x, handle.y), 4, 4);
 }
 
 void SelectTool::paintBox(QPainter& painter, const Workbench& bench) const
@@ -292,23 +408,6 @@ void SelectTool::paintBounds(QPainter& painter, const Workbench& bench,
     painter.setBrush(bench.look.paper);
     for (const app::PlacedHandle& placed : app::placedHandles(box, bench.view))
         painter.drawEllipse(QPointF(placed.screen.x, placed.screen.y), 4, 4);
-}
-
-void SelectTool::paintMoved(QPainter& painter, const Workbench& bench) const
-{
-    const app::SceneLines& all = bench.session.scene.lines();
-    const app::Placement where = app::fitting(bounds_, target());
-    const auto at = [&](const app::Point& p) { return bench.onScreen(where(p)); };
-    std::vector<QLineF> lines;
-    for (const std::size_t shape : bench.session.selection()) {
-        if (lines.size() >= mostPreviewed)
-            break;
-        const auto end = all.firstLineOf(shape + 1);
-        for (auto i = all.firstLineOf(shape); i < end && lines.size() < mostPreviewed; ++i)
-            lines.emplace_back(at(all[i].a), at(all[i].b));
-    }
-    painter.setPen(QPen(bench.look.selection, 1.5));
-    painter.drawLines(lines.data(), int(lines.size()));
 }
 
 } // namespace

@@ -57,13 +57,13 @@ app::Gauge gaugeFrom(const app::Point& from, const app::GestureMeasure& measure,
 {
     const app::Page& page = bench.session.now().page();
     const app::Unit unit = bench.session.display().unit;
-    return {&measure, from, app::originOf(page, unit), {unit, page.millimetresPerUnit()}};
+    return {&measure, {from}, app::originOf(page, unit), {unit, page.millimetresPerUnit()}};
 }
 
 app::Gauge gaugeOfStart(const Workbench& bench)
 {
     app::Gauge gauge = gaugeFrom({}, app::position(), bench);
-    gauge.from = gauge.origin;
+    gauge.start.from = gauge.origin;
     return gauge;
 }
 

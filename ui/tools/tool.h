@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/drawing/readout.h"
+#include "app/drawing/transformation.h"
 #include "app/session/session.h"
 #include "app/view/handles.h"
 #include "app/view/picking.h"
@@ -28,6 +28,7 @@ struct Pointer {
     Qt::MouseButtons buttons;
     Qt::KeyboardModifiers modifiers;
     app::Point steered; ///< in the drawing, after snapping
+    std::array<double, 2> numbers{}; ///< of the gesture, as the readout shows them
 };
 
 /// What a tool works on. A tool changes the document only by pushing commands on session.history;
@@ -87,11 +88,14 @@ public:
 
     /// Which numbers may be typed now, and what they refer to; empty: none.
     virtual std::optional<app::Gauge> gauge(const Workbench&) const { return std::nullopt; }
-    /// Ends the gesture, or its current step, at a typed point.
-    virtual void accept(const app::Point&, Workbench&) {}
+    /// Ends the gesture, or its current step, with typed numbers.
+    virtual void accept(const app::GestureEnd&, Workbench&) {}
     /// Goes on with the last gesture in place of what it has drawn, so that typed numbers change
     /// it. Does nothing if anything else has happened since.
     virtual void reopen(Workbench&) {}
+
+    /// Begins to move, rotate, scale or skew the selection. False: the tool cannot.
+    virtual bool transform(const app::Transformation&, const Pointer&, Workbench&) { return false; }
 
     virtual QCursor cursor(const Workbench&) const { return Qt::CrossCursor; }
     virtual app::SnapTo snapsTo() const { return app::SnapTo::All; }

@@ -48,24 +48,24 @@ std::optional<app::Gauge> TwoPointTool::gauge(const Workbench& bench) const
     if (!gesture_)
         return gaugeOfStart(bench);
     app::Gauge gauge = gaugeFrom(gesture_->from, measure(gesture_->modifiers), bench);
-    gauge.aim = last_.end();
+    if (last_.isOpen())
+        gauge.aim = app::GestureEnd{done_.to, {}};
     return gauge;
 }
 
-void TwoPointTool::accept(const app::Point& point, Workbench& bench)
+void TwoPointTool::accept(const app::GestureEnd& end, Workbench& bench)
 {
     if (!gesture_)
-        return begin(point, bench);
-    moveEnd(point, bench);
+        return begin(end.point, bench);
+    moveEnd(end.point, bench);
     last_.isOpen() ? finish(bench) : finishByClick(bench);
 }
 
 void TwoPointTool::reopen(Workbench& bench)
 {
-    const auto last = last_.reopen(bench);
-    if (!last)
+    if (!last_.reopen(bench))
         return;
-    gesture_ = last;
+    gesture_ = done_;
     follow(*gesture_, bench);
 }
 
@@ -90,8 +90,7 @@ void TwoPointTool::moveEnd(const app::Point& to, Workbench& bench)
 
 bool TwoPointTool::isEmpty() const
 {
-    return app::firstZeroLength(measure(gesture_->modifiers), gesture_->from, gesture_->to)
-        .has_value();
+    return app::firstZero(measure(gesture_->modifiers), {gesture_->from}, gesture_->to).has_value();
 }
 
 void TwoPointTool::add(Workbench& bench)
@@ -105,9 +104,9 @@ void TwoPointTool::finish(Workbench& bench)
         return; // the gesture goes on
     last_.discard();
     add(bench);
-    const Gesture done = *gesture_;
+    done_ = *gesture_;
     cancel(bench);
-    last_.remember(done, bench);
+    last_.remember(bench);
 }
 
 } // namespace ui

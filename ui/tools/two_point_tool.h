@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/tools/last_drawn.h"
+#include "ui/tools/last_step.h"
 #include "ui/tools/shape_drawing.h"
 
 namespace ui {
@@ -17,12 +17,15 @@ public:
     bool busy() const override { return gesture_.has_value(); }
     bool draws() const override { return true; }
     std::optional<app::Gauge> gauge(const Workbench& bench) const override;
-    void accept(const app::Point& point, Workbench& bench) override;
+    void accept(const app::GestureEnd& end, Workbench& bench) override;
     void reopen(Workbench& bench) override;
     void paint(QPainter& painter, const Workbench& bench) const override;
 
 protected:
-    using Gesture = LastDrawn::Gesture;
+    struct Gesture {
+        app::Point from, to;
+        Qt::KeyboardModifiers modifiers;
+    };
 
     virtual const app::GestureMeasure& measure(Qt::KeyboardModifiers modifiers) const = 0;
     virtual app::Subpath path(const Gesture& gesture) const = 0;
@@ -43,7 +46,8 @@ private:
     void finish(Workbench& bench);
 
     std::optional<app::Point> pressed_; ///< on the screen; empty: the button is up
-    LastDrawn last_;
+    LastStep last_;
+    Gesture done_{}; ///< the gesture of that step
 };
 
 } // namespace ui

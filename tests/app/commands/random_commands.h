@@ -96,7 +96,7 @@ private:
         const app::Point size{factor(), factor()};
         return new app::ResizeObjects(document_, some(), {{0, 0}, {1, 1}}, {corner, corner + size});
     }
-    app::UndoCommand* transform()
+    app::AffineMap map()
     {
         const auto factor = [&] { return std::array{-1.0, 0.5, 2.0}[random_.below(3)]; };
         const app::Point about = random_.point();
@@ -105,8 +105,20 @@ private:
             app::scaling({factor(), factor()}, about),
             app::horizontalSkew(10, about),
         };
-        return new app::TransformObjects(document_, some(), maps[random_.below(maps.size())],
+        return maps[random_.below(maps.size())];
+    }
+    app::UndoCommand* transform()
+    {
+        return new app::TransformObjects(document_, some(), map(),
                                          app::StrokeScaling(random_.below(2)), "Transform");
+    }
+    app::UndoCommand* copy()
+    {
+        const std::vector maps{map(), map()};
+        const app::ObjectRanges chosen = some();
+        if (chosen.empty() || now().objects().size() > 3000)
+            return nullptr;
+        return new app::CopyObjects(document_, app::copying(now(), chosen, maps), "Copy");
     }
     app::UndoCommand* restyle()
     {
@@ -173,6 +185,7 @@ inline const std::vector<RandomCommands::Maker> RandomCommands::makers{
      }},
     {"resize-objects", [](RandomCommands& r) { return r.resize(); }},
     {"transform-objects", [](RandomCommands& r) { return r.transform(); }},
+    {"copy-objects", [](RandomCommands& r) { return r.copy(); }},
     {"set-style", [](RandomCommands& r) { return r.restyle(); }},
     {"set-window",
      [](RandomCommands& r) -> app::UndoCommand* {

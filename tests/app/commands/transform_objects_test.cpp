@@ -40,8 +40,8 @@ private slots:
         History history;
         const Document before = document.now();
         const AffineMap map = rotation(90, {0, 0});
-        history.push(new TransformObjects(document, ObjectRanges{0, 1}, map, StrokeScaling::Keep,
-                                          "Rotate"));
+        history.push(
+            new TransformObjects(document, ObjectRanges{0, 1}, map, StrokeScaling::Keep, "Rotate"));
         const Subpath turned = document.now().objects()[0].path().subpaths().front();
         QCOMPARE(turned.segments[0].control1, Point(5, -10));
         QCOMPARE(turned.segments[0].to, Point(0, -30));
@@ -71,17 +71,35 @@ private slots:
         const Object circle = document.now().objects()[1].copy();
         QVERIFY(makes(circle.particulars.recipe, circle.path.subpaths()));
     }
+    void copiesAreAddedForEachMap()
+    {
+        Object original = made({{{0, 0}, {{{10, 0}}}, false}});
+        original.particulars.id = "a";
+        EditedDocument document(drawing({original, made({{{7, 7}, {{{8, 8}}}, false}})}));
+        History history;
+        const std::vector maps{translation({0, 5}), rotation(90, {0, 0})};
+        history.push(
+            new CopyObjects(document, copying(document.now(), ObjectRanges{0}, maps), "Copy"));
+        const Objects& all = document.now().objects();
+        QCOMPARE(all.size(), std::size_t(4));
+        QVERIFY(all[0].copy() == original);
+        QCOMPARE(all[2].singleLine()->b, Point(10, 5));
+        QCOMPARE(all[3].singleLine()->b, Point(0, -10));
+        QVERIFY(all[2].particulars().id.isEmpty());
+        history.undo();
+        QCOMPARE(document.now().objects().size(), std::size_t(2));
+    }
     void strokesScaleOnlyByChoice()
     {
         EditedDocument document(drawing({made({{{0, 0}, {{{10, 0}}}, false}})}));
         History history;
         const AffineMap map = scaling({4, 9}, {0, 0});
         const auto style = [&] { return document.now().objects()[0].copy().style; };
-        history.push(new TransformObjects(document, ObjectRanges{0}, map, StrokeScaling::Keep,
-                                          "Scale"));
+        history.push(
+            new TransformObjects(document, ObjectRanges{0}, map, StrokeScaling::Keep, "Scale"));
         QCOMPARE(style().width, 2);
-        history.push(new TransformObjects(document, ObjectRanges{0}, map, StrokeScaling::Scale,
-                                          "Scale"));
+        history.push(
+            new TransformObjects(document, ObjectRanges{0}, map, StrokeScaling::Scale, "Scale"));
         QCOMPARE(style().width, 12); // the mean factor is 6
         QCOMPARE(style().dashes, (std::vector<double>{18, 6}));
     }

@@ -13,7 +13,7 @@ class ReadoutTest : public QObject {
 
     static Readout readout(const GestureMeasure& measure, const Point& from = {100, 50})
     {
-        return Readout({&measure, from, {7, 9}, {Unit::Mm, 1}});
+        return Readout({&measure, {from}, {7, 9}, {Unit::Mm, 1}});
     }
     static double distance(const Point& a, const Point& b) { return glm::distance(a, b); }
 
@@ -83,9 +83,9 @@ private slots:
     void decimalCommaSeparatesBySemicolonOnly()
     {
         const QLocale german(QLocale::German);
-        const auto number = readEntry("10,5", false, {Unit::Mm, 1}, german);
+        const auto number = readEntry("10,5", Quantity::Length, {Unit::Mm, 1}, german);
         QVERIFY(number && std::get<NumberEntry>(*number.value).value == 10.5);
-        const auto point = readEntry("10,5;-3", false, {Unit::Mm, 1}, german);
+        const auto point = readEntry("10,5;-3", Quantity::Length, {Unit::Mm, 1}, german);
         QVERIFY(point && std::get<PointEntry>(*point.value).point == Point(10.5, -3));
     }
     void widthAndHeightGoToThePointersSide()
@@ -119,10 +119,10 @@ private slots:
         gauge.measure = &widthAndHeight(Proportion::Square);
         QVERIFY(box.follow(gauge));
         QCOMPARE(box.end({500, 500}), Point(120, 70));
-        gauge.aim = Point(0, 0);
+        gauge.aim = GestureEnd{{0, 0}, {}};
         QVERIFY(box.follow(gauge));
         QCOMPARE(box.end({500, 500}), Point(80, 30));
-        gauge.from = {1, 1};
+        gauge.start.from = {1, 1};
         QVERIFY(!box.follow(gauge));
         gauge = box.gauge();
         gauge.measure = &lengthAndAngle();

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/affine_map.h"
+#include "app/drawing/readout.h"
+
+#include <span>
+#include <string_view>
+
+// How a gesture moves, rotates, scales or skews the selected objects about a pivot.
+
+namespace app {
+
+/// The axis along which a transformation acts.
+enum class Axis : std::uint8_t { Both, X, Y };
+
+/// One kind of transformation. A gesture of it begins with the pivot at `GestureStart::from`.
+struct Transformation {
+    std::string_view key; ///< "rotate"
+    QChar letter;         ///< the key that begins it
+    QString name;         ///< "Rotate": in menus
+    QString undoText;     ///< "Rotate selection"
+    QString needs;        ///< the sentence if nothing is selected
+    const GestureMeasure& (*measure)(Axis axis);
+    /// What the gesture does if it is done `times` times, or a part of it.
+    AffineMap (*map)(const GestureStart& start, const GestureEnd& end, Axis axis, double times);
+    /// The pivot follows the gesture. Otherwise it stays, and the pointer's first place counts.
+    bool movesPivot = false;
+};
+
+// THE CATALOGUE. To add a kind: write its measure and map, and add its row.
+std::span<const Transformation> transformations();
+const Transformation* findTransformation(std::string_view key);
+
+} // namespace app

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/drawing/transformation_measures.h"
+
+#include "app/document/direction.h"
+
+#include <QCoreApplication>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <cmath>
+
+namespace app {
+namespace {
+
+using Points = GestureMeasure::Points;
+
+constexpr double step = 15, mostSkew = 89; // degrees
+
+QString tr(const char* text) { return QCoreApplication::translate("GestureMeasure", text); }
+
+template <int axis>
+GestureMeasure wayAlong(const QString& name)
+{
+    return {{{name, Quantity::Coordinate}},
+            [](const GestureStart& start, const Point& to) -> std::array<double, 2> {
+                return {to[axis] - start.from[axis], 0};
+            },
+            [](const GestureStart& start, const Point& pointer, const Held& held) {
+                Point end = start.from;
+                end[axis] = held[0] ? start.from[axis] + *held[0] : pointer[axis];
+                return end;
+            },
+            Points::Relative};
+}
+
+double angleBetween(const GestureStart& start, const Point& to)
+{
+    const double turned = degreesOf(to - start.from) - degreesOf(start.pointer - start.from);
+    return std::remainder(turned, 360);
+}
+
+Point turned(const GestureStart& start, double degrees)
+{
+    return rotation(degrees, start.from)(start.pointer);
+}
+
+/// The quotient of two vectors along a direction; 1 if the first one has no length.
+double quotient(const Point& old, const Point& now)
+{
+    const double square = glm::dot(old, old);
+    if (square == 0)
+        return 1;
+    const double factor = glm::length(now) / std::sqrt(square);
+    return glm::dot(old, now) < 0 ? -factor : factor;
+}
+
+template <Axis axis>
+GestureMeasure scalingAlong()
+{
+    const auto values = [](const GestureStart& start, const Point& to) -> std::array<double, 2> {
+        const Point only(axis == Axis::Y ? 0 : 1, axis == Axis::X ? 0 : 1);
+        return {quotient((start.pointer - start.from) * only, (to - start.from) * only), 0};
+    };
+    const auto end = [](const GestureStart& start, const Point& pointer, const Held& held) {
+        return held[0] ? start.from + (start.pointer - start.from) * *held[0] : pointer;
+    };
+    const QString name = axis == Axis::X   ? tr("Scale X")
+                         : axis == Axis::Y ? tr("Scale Y")
+                                           : tr("Scale");
+    return {{{name, Quantity::Factor}}, values, end, Points::Refused};
+}
+
+/// `along`: the coordinate in which points move.
+template <int along>
+GestureMeasure skewAlong(const QString& name)
+{
+    const auto values = [](const GestureStart& start, const Point& to) -> std::array<double, 2> {
+        const double height =
+            along == 0 ? start.from.y - start.pointer.y : start.pointer.x - start.from.x;
+        const double way = along == 0 ? to.x - start.pointer.x : start.pointer.y - to.y;
+        if (height == 0)
+            return {0, 0};
+        return {std::clamp(glm::degrees(std::atan(way / height)), -mostSkew, mostSkew), 0};
+    };
+    const auto end = [](const GestureStart& start, const Point& pointer, const Held& held) {
+        if (!held[0])
+            return pointer;
+        return along == 0 ? horizontalSkew(*held[0], start.from)(start.pointer)
+                          : verticalSkew(*held[0], start.from)(start.pointer);
+    };
+    return {{{name, Quantity::Angle, mostSkew}}, values, end, Points::Refused};
+}
+
+} // namespace
+
+const GestureMeasure& moveMeasure(Axis axis)
+{
+    static const GestureMeasure x = wayAlong<0>(tr("X")), y = wayAlong<1>(tr("Y"));
+    return axis == Axis::X ? x : axis == Axis::Y ? y : lengthAndAngle();
+}
+
+const GestureMeasure& rotationMeasure(Axis)
+{
+    static const GestureMeasure measure{
+        {{tr("Angle"), Quantity::Angle}},
+        [](const GestureStart& start, const Point& to) -> std::array<double, 2> {
+            return {angleBetween(start, to), 0};
+        },
+        [](const GestureStart& start, const Point& pointer, const Held& held) {
+            return held[0] ? turned(start, *held[0]) : pointer;
+        },
+        Points::Refused,
+        [](const GestureStart& start, const Point& pointer) {
+            return turned(start, std::round(angleBetween(start, pointer) / step) * step);
+        }};
+    return measure;
+}
+
+const GestureMeasure& scalingMeasure(Axis axis)
+{
+    static const GestureMeasure both = scalingAlong<Axis::Both>(), x = scalingAlong<Axis::X>(),
+                                y = scalingAlong<Axis::Y>();
+    return axis == Axis::X ? x : axis == Axis::Y ? y : both;
+}
+
+const GestureMeasure& skewMeasure(Axis axis)
+{
+    static const GestureMeasure x = skewAlong<0>(tr("Skew X")), y = skewAlong<1>(tr("Skew Y"));
+    return axis == Axis::Y ? y : x;
+}
+
+} // namespace app

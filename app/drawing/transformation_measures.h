@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/drawing/transformation.h"
+
+namespace app {
+
+/// Length and angle of the way; along an axis, only the way on it.
+const GestureMeasure& moveMeasure(Axis axis);
+/// The angle about the pivot from where the pointer was to where it is.
+const GestureMeasure& rotationMeasure(Axis axis);
+/// The pointer's distance from the pivot, divided by that at the start; negative on the other side.
+const GestureMeasure& scalingMeasure(Axis axis);
+/// The angle by which the lines across the axis lean, below 90°.
+const GestureMeasure& skewMeasure(Axis axis);
+
+} // namespace app

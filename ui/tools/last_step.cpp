@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tools/last_step.h"
+
+namespace ui {
+namespace {
+
+int stepsDone(const Workbench& bench)
+{
+    return bench.session.history.forgotten() + bench.session.history.index();
+}
+
+} // namespace
+
+void LastStep::remember(const Workbench& bench)
+{
+    steps_ = stepsDone(bench);
+    open_ = false;
+}
+
+bool LastStep::canReopen(const Workbench& bench) const
+{
+    const app::History& history = bench.session.history;
+    return !open_ && steps_ == stepsDone(bench) && !history.canRedo() && history.canUndo();
+}
+
+bool LastStep::reopen(Workbench& bench)
+{
+    if (!canReopen(bench))
+        return false;
+    bench.session.history.undo();
+    open_ = true;
+    return true;
+}
+
+void LastStep::restore(Workbench& bench)
+{
+    if (std::exchange(open_, false))
+        bench.session.history.redo();
+}
+
+} // namespace ui

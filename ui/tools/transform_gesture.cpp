@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tools/transform_gesture.h"
+
+#include "app/commands/move_objects.h"
+#include "app/commands/transform_objects.h"
+#include "ui/tools/shape_drawing.h"
+
+#include <QCoreApplication>
+
+namespace ui {
+namespace {
+
+constexpr std::size_t mostPreviewed = 4000;   // lines, while the selection is dragged
+constexpr std::size_t mostCopied = 1'000'000; // objects in one step
+
+QString tr(const char* text) { return QCoreApplication::translate("Tools", text); }
+
+} // namespace
+
+void TransformGesture::start(const app::Transformation& kind, const app::Point& pivot,
+                             const app::Point& pointer, const Workbench& bench)
+{
+    last_.forget();
+    now_ = State{&kind,
+                 {pivot, kind.movesPivot ? pivot : pointer},
+                 kind.movesPivot ? pivot - pointer : app::Point(0),
+                 bench.session.selection(),
+                 {}};
+    now_->end = atRest(*now_);
+}
+
+/// The end of a gesture that has changed nothing yet.
+app::GestureEnd TransformGesture::atRest(const State& state)
+{
+    return {state.start.pointer,
+            state.kind->measure(state.axis).values(state.start, state.start.pointer)};
+}
+
+void TransformGesture::proceed(const Pointer& pointer)
+{
+    if (now_)
+        now_->end = {pointer.position, pointer.numbers, now_->end.repeat};
+}
+
+void TransformGesture::finish(Workbench& bench)
+{
+    if (now_)
+        accept(now_->end, bench);
+}
+
+void TransformGesture::accept(const app::GestureEnd& end, Workbench& bench)
+{
+    State state = now_ ? *now_ : done_;
+    const auto repeat = state.end.repeat;
+    state.end = end;
+    if (!end.repeat)
+        state.end.repeat = repeat;
+    if (isNothing(state)) { // the last step, if it is open, stays undone
+        last_.discard();
+        return TransformGesture::end(bench);
+    }
+    if (!push(state, bench))
+        return cancel(bench);
+    now_.reset();
+    last_.discard();
+    last_.remember(bench);
+    done_ = std::move(state);
+}
+
+void TransformGesture::cancel(Workbench& bench)
+{
+    now_.reset();
+    last_.restore(bench);
+}
+
+void TransformGesture::end(Workbench& bench)
+{
+    cancel(bench);
+    last_.forget();
+}
+
+/// The maps of the objects that the step makes: one for each copy.
+std::vector<app::AffineMap> TransformGesture::maps(const State& state)
+{
+    const app::RepeatEntry repeat =
+        state.end.repeat.value_or(app::RepeatEntry{1, app::RepeatEntry::How::Times});
+    const double part = repeat.how == app::RepeatEntry::How::Parts ? 1.0 / repeat.count : 1;
+    std::vector<app::AffineMap> maps;
+    for (int i = 1; i <= (state.copies ? repeat.count : 1); ++i)
+        maps.push_back(state.kind->map(state.start, state.end, state.axis, i * part));
+    return maps;
+}
+
+bool TransformGesture::isNothing(const State& state)
+{
+    const app::AffineMap map = maps(state).front();
+    return map == app::AffineMap{.from = map.from, .to = map.from};
+}
+
+// Keeps the inspected line if the step only changes its coordinates.
+bool TransformGesture::push(const State& state, Workbench& bench) const
+{
+    app::Session& session = bench.session;
+    const auto all = maps(state);
+    const auto isUsable = [](const app::AffineMap& map) {
+        return map.isFinite() && map.scale() > 0;
+    };
+    if (!std::ranges::all_of(all, isUsable))
+        return false;
+    if (all.size() * state.objects.size() > mostCopied) {
+        emit session.refused(tr("These would be too many objects. Make fewer copies, or select "
+                                "fewer objects."));
+        return false;
+    }
+    const auto inspected = session.inspected();
+    const std::size_t lines = session.scene.lines().size();
+    if (state.copies) {
+        app::Edit edit = app::copying(session.now(), state.objects, all);
+        app::ObjectRanges added = app::addedBy(edit.splices);
+        session.history.push(
+            new app::CopyObjects(session.document, std::move(edit), tr("Copy selection")));
+        session.select(std::move(added));
+    } else if (state.kind->movesPivot) {
+        session.history.push(new app::MoveObjects(session.document, state.objects, all.front().to));
+    } else {
+        session.history.push(new app::TransformObjects(session.document, state.objects, all.front(),
+                                                       session.arrange.strokes,
+                                                       state.kind->undoText));
+    }
+    if (session.scene.lines().size() == lines)
+        session.inspect(inspected);
+    return true;
+}
+
+bool TransformGesture::key(const QKeyEvent& event)
+{
+    if (!now_ || event.modifiers() & ~Qt::KeypadModifier)
+        return false;
+    const auto hold = [this](app::Axis axis) {
+        now_->axis = now_->axis == axis ? app::Axis::Both : axis;
+        now_->end = atRest(*now_);
+        return true;
+    };
+    if (event.key() == Qt::Key_X)
+        return hold(app::Axis::X);
+    if (event.key() == Qt::Key_Y)
+        return hold(app::Axis::Y);
+    if (event.key() == Qt::Key_C)
+        return now_->copies = !now_->copies, true;
+    return false;
+}
+
+std::optional<app::Gauge> TransformGesture::gauge(const Workbench& bench) const
+{
+    if (!now_ && !last_.canReopen(bench))
+        return std::nullopt;
+    const State& state = now_ ? *now_ : done_;
+    app::Gauge gauge = gaugeFrom(state.start.from, state.kind->measure(state.axis), bench);
+    gauge.start = state.start;
+    gauge.shift = state.shift;
+    gauge.repeats = state.copies;
+    if (!now_ || last_.isOpen())
+        gauge.aim = done_.end;
+    return gauge;
+}
+
+void TransformGesture::reopen(Workbench& bench)
+{
+    if (!last_.reopen(bench))
+        return;
+    bench.session.select(done_.objects);
+    now_ = done_;
+}
+
+QString TransformGesture::hint(const Workbench& bench) const
+{
+    if (now_ && now_->kind->movesPivot)
+        return tr("Type a length, Tab, an angle, or x,y; Enter. X, Y: along an axis. C: copy. "
+                  "Esc: cancel.");
+    if (now_)
+        return tr("Type a number, Enter. X, Y: along an axis. C: copy. Shift: 15° steps. Esc: "
+                  "cancel.");
+    if (last_.canReopen(bench) && done_.copies)
+        return tr("Type another number, or 5x for five copies, 5/ to divide the way; Enter.");
+    if (last_.canReopen(bench))
+        return tr("Type another number to change this step; Enter.");
+    return {};
+}
+
+void TransformGesture::paint(QPainter& painter, const Workbench& bench) const
+{
+    if (!now_)
+        return;
+    for (const app::AffineMap& map : maps(*now_))
+        paintMapped(painter, bench, map);
+    if (now_->kind->movesPivot)
+        return;
+    painter.setPen(QPen(bench.look.selection, 1, Qt::DashLine));
+    painter.drawLine(bench.onScreen(now_->start.from), bench.onScreen(now_->end.point));
+}
+
+void paintMapped(QPainter& painter, const Workbench& bench, const app::AffineMap& map)
+{
+    const app::SceneLines& all = bench.session.scene.lines();
+    const auto at = [&](const app::Point& p) { return bench.onScreen(map(p)); };
+    std::vector<QLineF> lines;
+    for (const std::size_t shape : bench.session.selection()) {
+        if (lines.size() >= mostPreviewed)
+            break;
+        const auto end = all.firstLineOf(shape + 1);
+        for (auto i = all.firstLineOf(shape); i < end && lines.size() < mostPreviewed; ++i)
+            lines.emplace_back(at(all[i].a), at(all[i].b));
+    }
+    painter.setPen(QPen(bench.look.selection, 1.5));
+    painter.drawLines(lines.data(), int(lines.size()));
+}
+
+} // namespace ui

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/object_ranges.h"
+#include "app/drawing/transformation.h"
+#include "ui/tools/last_step.h"
+
+namespace ui {
+
+/// Moves, rotates, scales or skews the selection, or copies of it, by a drag or from a key. Typed
+/// numbers hold, and change what was just done.
+class TransformGesture {
+public:
+    /// `pointer`: where the pointer is, in the drawing.
+    void start(const app::Transformation& kind, const app::Point& pivot, const app::Point& pointer,
+               const Workbench& bench);
+    bool going() const { return now_.has_value(); }
+    bool corrects() const { return last_.isOpen(); } ///< the last step is open again
+    void proceed(const Pointer& pointer);
+    void finish(Workbench& bench);
+    void accept(const app::GestureEnd& end, Workbench& bench);
+    void cancel(Workbench& bench);
+    void end(Workbench& bench); ///< cancels, and forgets the last step
+    /// X and Y hold an axis, C makes copies; a second press takes it back.
+    bool key(const QKeyEvent& event);
+
+    std::optional<app::Gauge> gauge(const Workbench& bench) const;
+    void reopen(Workbench& bench);
+    QString hint(const Workbench& bench) const; ///< empty: nothing to say
+    void paint(QPainter& painter, const Workbench& bench) const;
+
+private:
+    struct State {
+        const app::Transformation* kind;
+        app::GestureStart start;
+        app::Point shift; ///< from the pointer to the point that it moves
+        app::ObjectRanges objects;
+        app::GestureEnd end;
+        app::Axis axis = app::Axis::Both;
+        bool copies = false;
+    };
+    static std::vector<app::AffineMap> maps(const State& state);
+    static bool isNothing(const State& state); ///< nothing would move
+    static app::GestureEnd atRest(const State& state);
+    bool push(const State& state, Workbench& bench) const;
+
+    std::optional<State> now_;
+    State done_{}; ///< the gesture of the last step
+    LastStep last_;
+};
+
+/// Paints the lines of the selection as the map would make them.
+void paintMapped(QPainter& painter, const Workbench& bench, const app::AffineMap& map);
+
+} // namespace ui
