@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/arrange_selection.h"
+
+#include "app/scene/bounds.h"
+
+#include <QCoreApplication>
+
+#include <array>
+
+namespace app {
+namespace {
+
+constexpr std::size_t mostAdded = 1'000'000; // objects in one step
+
+QString tr(const char* text) { return QCoreApplication::translate("Arrange", text); }
+
+/// The objects of the outermost group around an object that is selected as a whole.
+ObjectRange unitAt(std::size_t object, const Session& session)
+{
+    const Containers& tree = session.now().containers();
+    ObjectRange unit{object, object + 1};
+    for (ContainerId id = tree.containerOf(object); id != 0; id = tree.parentOf(id)) {
+        const ObjectRange range = tree.rangeOf(id);
+        const bool whole = common(session.selection(), ObjectRanges(range)).size() == range.size();
+        if (tree[id].kind != Container::Kind::Group || !whole)
+            break;
+        unit = range;
+    }
+    return unit;
+}
+
+std::vector<clipping::Window> boxesOf(std::span<const ArrangedUnit> units)
+{
+    std::vector<clipping::Window> boxes;
+    for (const ArrangedUnit& unit : units)
+        boxes.push_back(unit.box);
+    return boxes;
+}
+
+const ArrangedUnit& lastOf(std::span<const ArrangedUnit> units, const Session& session)
+{
+    if (const auto line = session.inspected()) {
+        const std::size_t object = session.scene.lines().objectOf(*line);
+        for (const ArrangedUnit& unit : units)
+            if (unit.objects.contains(object))
+                return unit;
+    }
+    return units.back();
+}
+
+/// One map for each unit.
+void push(Session& session, std::span<const ArrangedUnit> units, std::span<const AffineMap> maps,
+          const QString& text)
+{
+    ObjectRanges objects;
+    std::vector<AffineMap> each; // units ascend, so the maps are in the order of the objects
+    bool changes = false;
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        objects = united(objects, units[i].objects);
+        each.insert(each.end(), units[i].objects.size(), maps[i]);
+        changes = changes || maps[i] != AffineMap{.from = maps[i].from, .to = maps[i].from};
+    }
+    if (changes)
+        session.history.push(new TransformObjects(session.document, objects, each, text));
+}
+
+std::vector<AffineMap> translations(std::span<const Point> ways)
+{
+    std::vector<AffineMap> maps;
+    for (const Point& way : ways)
+        maps.push_back(translation(way));
+    return maps;
+}
+
+} // namespace
+
+std::span<const AlignmentGround> alignmentGrounds()
+{
+    using Box = std::optional<clipping::Window>;
+    using Units = std::span<const ArrangedUnit>;
+    static const std::array all{
+        AlignmentGround{"to-selection", tr("To the &selection"),
+                        [](const Session& session, Units) { return session.selectionBounds(); }},
+        AlignmentGround{
+            "to-last", tr("To the object clicked &last"),
+            [](const Session& session, Units units) { return Box(lastOf(units, session).box); }},
+        AlignmentGround{
+            "to-page", tr("To the &page"),
+            [](const Session& session, Units) { return Box(session.now().page().rectangle()); }},
+        AlignmentGround{"to-window", tr("To the &clip window"),
+                        [](const Session& session, Units) { return session.clipWindow(); }},
+    };
+    return all;
+}
+
+std::vector<ArrangedUnit> arrangedUnits(const Session& session)
+{
+    std::vector<ArrangedUnit> units;
+    std::size_t next = 0; // after the last unit
+    for (const std::size_t object : session.selection()) {
+        if (object < next)
+            continue;
+        const ObjectRange range = unitAt(object, session);
+        next = range.end;
+        ObjectRanges objects(range);
+        if (const auto box = boundsOf(session.scene.lines(), objects))
+            units.push_back({std::move(objects), *box});
+    }
+    return units;
+}
+
+void align(Session& session, int axis, AlignTo side)
+{
+    const auto units = arrangedUnits(session);
+    const auto grounds = alignmentGrounds();
+    const auto ground = std::ranges::find(grounds, session.arrange.ground, &AlignmentGround::key);
+    if (units.empty() || ground == grounds.end())
+        return;
+    const auto to = ground->box(session, units);
+    if (!to)
+        emit session.refused(tr("There is no clip window to align to. Draw one, or choose "
+                                "something else in Object > Align."));
+    else
+        push(session, units, translations(aligned(boxesOf(units), *to, axis, side)),
+             tr("Align selection"));
+}
+
+void spreadEvenly(Session& session, int axis)
+{
+    const auto units = arrangedUnits(session);
+    push(session, units, translations(spread(boxesOf(units), axis)), tr("Spread selection"));
+}
+
+void makeSameSize(Session& session, bool width, bool height)
+{
+    const auto units = arrangedUnits(session);
+    if (units.size() < 2)
+        return;
+    const clipping::Window model = lastOf(units, session).box;
+    push(session, units, sameSize(boxesOf(units), model, width, height), tr("Make same size"));
+}
+
+bool repeatSelection(Session& session, std::span<const AffineMap> maps, const QString& undoText)
+{
+    const ObjectRanges& originals = session.selection();
+    if (maps.empty() || originals.empty())
+        return true;
+    if (maps.size() > mostAdded / originals.size())
+        return false;
+    Edit edit = copying(session.now(), originals, maps);
+    const ObjectRanges added = addedBy(edit.splices);
+    session.history.push(new CopyObjects(session.document, std::move(edit), undoText));
+    session.select(united(session.selection(), added));
+    return true;
+}
+
+} // namespace app

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/drawing/arrange.h"
+#include "app/session/session.h"
+
+namespace app {
+
+/// A selected object, or a selected group as a whole.
+struct ArrangedUnit {
+    ObjectRanges objects;
+    clipping::Window box;
+};
+
+/// The selection as units, from bottom to top, without objects that have no lines. A group is a
+/// unit if all its objects are selected.
+std::vector<ArrangedUnit> arrangedUnits(const Session& session);
+
+/// What selected objects are aligned to: one row of a catalogue.
+struct AlignmentGround {
+    std::string_view key;
+    QString name; ///< "To &page"
+    /// Empty: there is none now.
+    std::optional<clipping::Window> (*box)(const Session& session,
+                                           std::span<const ArrangedUnit> units);
+};
+std::span<const AlignmentGround> alignmentGrounds();
+
+// Each is one undo step. Without enough units, or if nothing changes, they do nothing.
+/// Aligns to the ground that session.arrange names.
+void align(Session& session, int axis, AlignTo side);
+void spreadEvenly(Session& session, int axis);
+void makeSameSize(Session& session, bool width, bool height);
+/// Adds transformed copies of the selection, and selects them with the originals. False: there
+/// would be too many objects.
+bool repeatSelection(Session& session, std::span<const AffineMap> maps, const QString& undoText);
+
+} // namespace app

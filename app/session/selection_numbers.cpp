@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/selection_numbers.h"
+
+#include "app/commands/move_objects.h"
+#include "app/document/direction.h"
+#include "app/view/place.h"
+
+#include <QCoreApplication>
+
+#include <glm/geometric.hpp>
+
+#include <array>
+#include <cmath>
+
+namespace app {
+namespace {
+
+using Number = std::optional<double>;
+using Map = std::optional<AffineMap>;
+using Frame = SelectionFrame;
+
+QString tr(const char* text) { return QCoreApplication::translate("SelectionNumbers", text); }
+
+/// The only selected object, if it is a line.
+std::optional<clipping::Segment> onlyLine(const Session& session)
+{
+    const ObjectRanges& selection = session.selection();
+    if (selection.size() != 1)
+        return std::nullopt;
+    return session.now().objects()[selection.first()].singleLine();
+}
+
+std::optional<Point> reference(const Session& session, const Frame& frame)
+{
+    const auto& box = session.selectionBounds();
+    return box ? std::optional(placeOf(frame.reference, *box)) : std::nullopt;
+}
+
+template <int axis>
+Number place(const Session& session, const Frame& frame)
+{
+    const auto at = reference(session, frame);
+    const Point origin = originOf(session.now().page(), session.display().unit);
+    return at ? Number((*at)[axis] - origin[axis]) : std::nullopt;
+}
+
+template <int axis>
+Map moveTo(const Session& session, const Frame& frame, double value)
+{
+    const auto old = place<axis>(session, frame);
+    Point by(0);
+    by[axis] = value - old.value_or(value);
+    return old ? Map(translation(by)) : std::nullopt;
+}
+
+template <int axis>
+Number side(const Session& session, const Frame&)
+{
+    const auto& box = session.selectionBounds();
+    return box ? Number(box->max[axis] - box->min[axis]) : std::nullopt;
+}
+
+template <int axis>
+Map resizeTo(const Session& session, const Frame& frame, double value)
+{
+    const auto old = side<axis>(session, frame);
+    if (!old || *old == 0 || !(value > 0))
+        return std::nullopt;
+    Point factors(1);
+    factors[axis] = value / *old;
+    if (frame.keepsRatio)
+        factors = Point(factors[axis]);
+    return scaling(factors, *reference(session, frame));
+}
+
+/// Only a line has a direction; of everything else the angle is the turn that is typed.
+Number angle(const Session& session, const Frame&)
+{
+    if (const auto line = onlyLine(session))
+        return degreesOf(line->b - line->a);
+    return session.selectionBounds() ? Number(0) : std::nullopt;
+}
+
+Map turnTo(const Session& session, const Frame& frame, double value)
+{
+    const auto at = reference(session, frame);
+    if (!at)
+        return std::nullopt;
+    if (const auto line = onlyLine(session))
+        return rotation(value - degreesOf(line->b - line->a), line->a);
+    return rotation(value, *at);
+}
+
+/// Of all lines and chords together.
+Number length(const Session& session, const Frame&)
+{
+    if (session.selection().empty())
+        return std::nullopt;
+    const SceneLines& lines = session.scene.lines();
+    double sum = 0;
+    for (const std::size_t object : session.selection())
+        for (auto i = lines.firstLineOf(object); i < lines.firstLineOf(object + 1); ++i)
+            sum += glm::distance(lines[i].a, lines[i].b);
+    return sum;
+}
+
+Map lengthenTo(const Session& session, const Frame& frame, double value)
+{
+    const auto old = length(session, frame);
+    if (!old || *old == 0 || !(value > 0))
+        return std::nullopt;
+    const auto line = onlyLine(session);
+    return scaling(Point(value / *old), line ? line->a : *reference(session, frame));
+}
+
+} // namespace
+
+std::span<const SelectionNumber> selectionNumbers()
+{
+    static const std::array all{
+        SelectionNumber{"x", tr("X"), tr("X"), Quantity::Coordinate, place<0>, moveTo<0>},
+        SelectionNumber{"y", tr("Y"), tr("Y"), Quantity::Coordinate, place<1>, moveTo<1>},
+        SelectionNumber{"w", tr("W"), tr("Width"), Quantity::Length, side<0>, resizeTo<0>},
+        SelectionNumber{"h", tr("H"), tr("Height"), Quantity::Length, side<1>, resizeTo<1>},
+        SelectionNumber{"angle", tr("∠"), tr("Angle"), Quantity::Angle, angle, turnTo},
+        SelectionNumber{"length", tr("L"), tr("Length"), Quantity::Length, length, lengthenTo},
+    };
+    return all;
+}
+
+std::optional<QString> setSelectionNumber(Session& session, const SelectionNumber& number,
+                                          const SelectionFrame& frame, double value,
+                                          Merging merging)
+{
+    const Map map = number.map(session, frame, value);
+    if (!map || !map->isFinite() || !(map->scale() > 0))
+        return tr("%1 cannot become %2: the selection has no extent in this direction, or the "
+                  "number is not above 0.")
+            .arg(number.name)
+            .arg(value);
+    if (*map == AffineMap{.from = map->from, .to = map->from})
+        return std::nullopt;
+    const QString text = tr("Set %1").arg(number.name.toLower());
+    session.history.push(new TransformObjects(session.document, session.selection(), *map,
+                                              session.arrange.strokes, text, merging));
+    return std::nullopt;
+}
+
+} // namespace app
