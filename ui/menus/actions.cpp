@@ -21,6 +21,7 @@ MenuInfo fileMenu();
 MenuInfo editMenu();
 MenuInfo viewMenu();
 MenuInfo drawMenu();
+MenuInfo objectMenu();
 MenuInfo clipMenu();
 MenuInfo compareMenu();
 MenuInfo learnMenu();
@@ -30,8 +31,9 @@ MenuInfo helpMenu();
 // THE CATALOGUE. To add a command: add its row in the file of its menu.
 std::span<const MenuInfo> menus()
 {
-    static const std::array all{fileMenu(),    editMenu(),  viewMenu(),     drawMenu(), clipMenu(),
-                                compareMenu(), learnMenu(), settingsMenu(), helpMenu()};
+    static const std::array all{fileMenu(),     editMenu(), viewMenu(),    drawMenu(),
+                                objectMenu(),   clipMenu(), compareMenu(), learnMenu(),
+                                settingsMenu(), helpMenu()};
     return all;
 }
 
@@ -48,7 +50,7 @@ QAction* makeAction(MainWindow& window, OtherWindows& others, const ActionInfo& 
         action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
         window.canvas().addAction(action);
     }
-    action->setCheckable(row.checked != nullptr);
+    action->setCheckable(bool(row.checked));
     QObject::connect(action, &QAction::triggered, &window, [&window, &others, &row] {
         if (row.show)
             (others.*row.show)();

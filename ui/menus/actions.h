@@ -5,6 +5,7 @@
 #include <QMainWindow>
 #include <QString>
 
+#include <functional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -30,10 +31,10 @@ struct ActionInfo {
     QList<QKeySequence> keys = {};
     ShortcutScope scope = ShortcutScope::Window;
     std::string_view icon = {};
-    void (*run)(MainWindow& window) = nullptr;
-    void (OtherWindows::*show)() = nullptr;              ///< instead of run
-    bool (*enabled)(const MainWindow& window) = nullptr; ///< null: always
-    bool (*checked)(const MainWindow& window) = nullptr; ///< null: not checkable
+    std::function<void(MainWindow& window)> run = nullptr;
+    void (OtherWindows::*show)() = nullptr;                          ///< instead of run
+    std::function<bool(const MainWindow& window)> enabled = nullptr; ///< null: always
+    std::function<bool(const MainWindow& window)> checked = nullptr; ///< null: not checkable
     std::string_view group = {}; ///< exclusive: one of its actions is checked; empty: none
     /// Why it is disabled, and what to do first; its disabled shortcut shows this too.
     QString needs = {};

@@ -5,6 +5,7 @@
 #include "ui/docks/difference_panel.h"
 #include "ui/docks/exactness_panel.h"
 #include "ui/docks/line_panel.h"
+#include "ui/docks/selection_panel.h"
 #include "ui/docks/window_panel.h"
 #include "ui/window/main_window.h"
 #include "ui/window/panel_layout.h"
@@ -32,6 +33,9 @@ void MainWindow::connectPanels()
     connect(panels_.exactness, &ExactnessPanel::entered, canvas_, focusCanvas);
     connect(panels_.window, &WindowPanel::refused, strip_, &MessageStrip::refuse);
     connect(panels_.window, &WindowPanel::taken, strip_, &MessageStrip::withdrawRefusal);
+    connect(panels_.selection, &SelectionPanel::entered, canvas_, focusCanvas);
+    connect(panels_.selection, &SelectionPanel::refused, strip_, &MessageStrip::refuse);
+    connect(panels_.selection, &SelectionPanel::taken, strip_, &MessageStrip::withdrawRefusal);
     connect(panels_.costMap, &CostMapPanel::told, this, &MainWindow::tell);
     const auto look = [this](const clipping::Window& place) {
         canvas_->go(app::lookingAt(canvas_->view(), place, session_.window()));

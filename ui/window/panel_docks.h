@@ -10,12 +10,13 @@ struct PanelDocks {
     Dock* start;     ///< in front until a drawing is opened or changed
     Dock* algorithm; ///< always at the top of the stack, with a place of its own
     Dock* window;
+    Dock* selection;
     Dock* line; ///< small until a line is inspected
     Dock* layers;
     QList<Dock*> wide; ///< the comparison panels: above the others, in a wider column
 
     /// The working panels from top to bottom.
-    QList<Dock*> stack() const { return {algorithm, window, line, layers}; }
+    QList<Dock*> stack() const { return {algorithm, window, selection, line, layers}; }
     QList<Dock*> narrow() const { return QList<Dock*>{start} + stack(); }
     QList<Dock*> all() const { return narrow() + wide; }
 };

@@ -8,6 +8,7 @@
 #include "ui/docks/exactness_panel.h"
 #include "ui/docks/layers_panel.h"
 #include "ui/docks/line_panel.h"
+#include "ui/docks/selection_panel.h"
 #include "ui/docks/start_panel.h"
 #include "ui/docks/window_panel.h"
 
@@ -23,13 +24,14 @@ QString tr(const char* text) { return QCoreApplication::translate("Panels", text
 
 Panels::Panels(app::Session& session)
     : start(new StartPanel), algorithm(new AlgorithmPanel(session)),
-      window(new WindowPanel(session)), line(new LinePanel(session)),
-      layers(new LayersPanel(session)), compare(new ComparePanel(session)),
-      difference(new DifferencePanel(session)), costMap(new CostMapPanel(session)),
-      exactness(new ExactnessPanel(session)),
+      window(new WindowPanel(session)), selection(new SelectionPanel(session)),
+      line(new LinePanel(session)), layers(new LayersPanel(session)),
+      compare(new ComparePanel(session)), difference(new DifferencePanel(session)),
+      costMap(new CostMapPanel(session)), exactness(new ExactnessPanel(session)),
       docks{.start = new Dock("start", tr("Start"), start),
             .algorithm = new Dock("algorithm", tr("Algorithm"), algorithm),
             .window = new Dock("window", tr("Clip window"), window),
+            .selection = new Dock("selection", tr("Selection"), selection),
             .line = new Dock("line", tr("Line"), line),
             .layers = new Dock("layers", tr("Layers"), layers),
             .wide = {new Dock("compare", tr("Compare"), compare),
@@ -42,6 +44,7 @@ Panels::Panels(app::Session& session)
                          dock->setRemark(remark);
                          dock->setName(title);
                      });
+    QObject::connect(selection, &SelectionPanel::titled, docks.selection, &Dock::setRemark);
     QObject::connect(docks.wide.front(), &QDockWidget::visibilityChanged, compare,
                      &ComparePanel::setWatched);
 }

@@ -16,6 +16,7 @@ class DifferencePanel;
 class ExactnessPanel;
 class LayersPanel;
 class LinePanel;
+class SelectionPanel;
 class StartPanel;
 class WindowPanel;
 
@@ -26,6 +27,7 @@ struct Panels {
     StartPanel* start;
     AlgorithmPanel* algorithm;
     WindowPanel* window;
+    SelectionPanel* selection;
     LinePanel* line;
     LayersPanel* layers;
     ComparePanel* compare;

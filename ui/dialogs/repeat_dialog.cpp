@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dialogs/repeat_dialog.h"
+
+#include "app/base/numbers.h"
+#include "app/session/arrange_selection.h"
+#include "app/view/handles.h"
+#include "app/view/place.h"
+#include "ui/look/look.h"
+#include "ui/widgets/length_field.h"
+#include "ui/widgets/segments.h"
+
+#include <QDialogButtonBox>
+#include <QFormLayout>
+
+namespace ui {
+namespace {
+
+constexpr int most = 10'000;   // rows, columns, copies
+constexpr double usualGap = 3; // mm on paper
+
+QSpinBox* makeCount(const QString& name, int least, int value)
+{
+    auto* field = new QSpinBox;
+    field->setRange(least, most);
+    field->setValue(value);
+    field->setAccessibleName(name);
+    field->setFixedHeight(space::fieldHeight);
+    return field;
+}
+
+} // namespace
+
+RepeatDialog::RepeatDialog(app::Session& session, QWidget* parent)
+    : QDialog(parent), session_(session),
+      box_(session.selectionBounds().value_or(clipping::Window{})),
+      kind_(new Segments(tr("Arrangement"), {tr("Rows and columns"), tr("Around a point")})),
+      pages_(new QStackedWidget), rows_(makeCount(tr("Rows"), 1, 4)),
+      columns_(makeCount(tr("Columns"), 1, 5)), count_(makeCount(tr("Number"), 2, 6)),
+      result_(new QLabel), gap_(usualGap / session.now().page().millimetresPerUnit()),
+      centre_(app::placeOf(app::Handle{}, box_))
+{
+    setWindowTitle(tr("Repeat selection"));
+    setObjectName(QStringLiteral("repeat-dialog"));
+    kind_->choose(0);
+    connect(kind_, &Segments::picked, pages_, &QStackedWidget::setCurrentIndex);
+    connect(kind_, &Segments::picked, this, &RepeatDialog::follow);
+    pages_->addWidget(makeGrid());
+    pages_->addWidget(makeCircle());
+    for (QSpinBox* field : {rows_, columns_, count_})
+        connect(field, &QSpinBox::valueChanged, this, &RepeatDialog::follow);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    repeat_ = buttons->addButton(tr("&Repeat"), QDialogButtonBox::AcceptRole);
+    repeat_->setDefault(true);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    result_->setForegroundRole(QPalette::PlaceholderText);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(space::betweenGroups, space::betweenGroups, space::betweenGroups,
+                               space::betweenGroups);
+    column->setSpacing(space::betweenGroups);
+    column->addWidget(kind_);
+    column->addWidget(pages_);
+    column->addWidget(result_);
+    column->addWidget(buttons);
+    follow();
+}
+
+LengthField* RepeatDialog::makeField(const QString& name, double length)
+{
+    auto* field = new LengthField(name, LengthField::Range::Any, LengthField::Suffix::Unit);
+    field->show(length, session_.display().unit, session_.now().page().millimetresPerUnit());
+    connect(field, &LengthField::refused, result_, &QLabel::setText);
+    return field;
+}
+
+QWidget* RepeatDialog::makeGrid()
+{
+    across_ = makeField(tr("Gap between columns"), gap_.x);
+    down_ = makeField(tr("Gap between rows"), gap_.y);
+    const auto keep = [this](double& kept) {
+        return [this, &kept](double length) {
+            kept = length;
+            follow();
+        };
+    };
+    connect(across_, &LengthField::edited, this, keep(gap_.x));
+    connect(down_, &LengthField::edited, this, keep(gap_.y));
+    auto* page = new QWidget;
+    auto* form = new QFormLayout(page);
+    form->setContentsMargins(0, 0, 0, 0);
+    form->addRow(tr("&Rows"), rows_);
+    form->addRow(tr("&Columns"), columns_);
+    form->addRow(tr("Gap between colu&mns"), across_);
+    form->addRow(tr("Gap between ro&ws"), down_);
+    return page;
+}
+
+QWidget* RepeatDialog::makeCircle()
+{
+    const app::Point origin = app::originOf(session_.now().page(), session_.display().unit);
+    x_ = makeField(tr("Centre X"), centre_.x - origin.x);
+    y_ = makeField(tr("Centre Y"), centre_.y - origin.y);
+    angle_ = new LengthField(tr("Angle"), LengthField::Range::Any, LengthField::Suffix::None);
+    angle_->show(degrees_, app::Unit::User, 1);
+    connect(x_, &LengthField::edited, this, [this, origin](double x) {
+        centre_.x = x + origin.x;
+        follow();
+    });
+    connect(y_, &LengthField::edited, this, [this, origin](double y) {
+        centre_.y = y + origin.y;
+        follow();
+    });
+    connect(angle_, &LengthField::edited, this, [this](double degrees) {
+        degrees_ = degrees;
+        follow();
+    });
+    auto* page = new QWidget;
+    auto* form = new QFormLayout(page);
+    form->setContentsMargins(0, 0, 0, 0);
+    form->addRow(tr("&Number, with the original"), count_);
+    form->addRow(tr("&Angle in all, in degrees"), angle_);
+    form->addRow(tr("Centre &X"), x_);
+    form->addRow(tr("Centre &Y"), y_);
+    return page;
+}
+
+std::vector<app::AffineMap> RepeatDialog::maps() const
+{
+    if (kind_->chosen() == 1)
+        return app::circle(count_->value(), degrees_, centre_);
+    return app::grid(rows_->value(), columns_->value(), box_.max - box_.min + gap_);
+}
+
+void RepeatDialog::follow()
+{
+    const double copies =
+        kind_->chosen() == 1 ? count_->value() : double(rows_->value()) * double(columns_->value());
+    const bool fits = copies * double(session_.selection().size()) <= 1e6;
+    repeat_->setEnabled(fits);
+    result_->setText(fits ? tr("%1 in all, with the original").arg(app::countText(copies))
+                          : tr("These would be too many objects. Make fewer copies."));
+}
+
+void RepeatDialog::accept()
+{
+    app::repeatSelection(session_, maps(), tr("Repeat selection"));
+    QDialog::accept();
+}
+
+} // namespace ui

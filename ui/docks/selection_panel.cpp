@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/selection_panel.h"
+
+#include "app/base/numbers.h"
+#include "app/session/arrange_selection.h"
+#include "ui/editing/transforming.h"
+#include "ui/look/look.h"
+#include "ui/look/look_icon.h"
+#include "ui/widgets/length_field.h"
+#include "ui/widgets/reference_point.h"
+
+#include <QGridLayout>
+
+namespace ui {
+namespace {
+
+constexpr int leastFieldWidth = 72;
+
+/// "3 objects selected"; empty: nothing is.
+QString remarkOn(const app::ObjectRanges& selection)
+{
+    const auto tr = [](const char* text) { return SelectionPanel::tr(text); };
+    return selection.empty()       ? tr("nothing selected")
+           : selection.size() == 1 ? tr("1 object")
+                                   : tr("%1 objects").arg(app::countText(selection.size()));
+}
+
+} // namespace
+
+SelectionPanel::SelectionPanel(app::Session& session, QWidget* parent)
+    : QWidget(parent), session_(session), reference_(new ReferencePoint), chain_(new QToolButton)
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(space::dockMargin, space::dockMargin, space::dockMargin,
+                               space::dockMargin);
+    column->setSpacing(space::labelToField);
+    column->addLayout(makeNumbers());
+    column->addLayout(makeButtons());
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    soon_.setSingleShot(true);
+    connect(&soon_, &QTimer::timeout, this, &SelectionPanel::follow);
+    const auto follow = [this] { soon_.start(0); };
+    connect(&session, &app::Session::selectionChanged, this, follow);
+    connect(&session, &app::Session::displayChanged, this, follow);
+    connect(&session.document, &app::EditedDocument::changed, this, follow);
+    connect(reference_, &ReferencePoint::changed, this, follow);
+    this->follow();
+}
+
+QLayout* SelectionPanel::makeNumbers()
+{
+    using Range = LengthField::Range;
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(space::labelToField);
+    grid->setVerticalSpacing(6);
+    for (const app::SelectionNumber& number : app::selectionNumbers()) {
+        const bool isLength = number.quantity == app::Quantity::Length;
+        auto* field = new LengthField(number.name, isLength ? Range::NotNegative : Range::Any,
+                                      LengthField::Suffix::None);
+        field->setToolTip(number.name);
+        field->setMinimumWidth(leastFieldWidth);
+        auto* label = new QLabel(number.label);
+        label->setForegroundRole(QPalette::PlaceholderText);
+        label->setBuddy(field);
+        // Pairs: X over Y, W over H, the angle beside the length.
+        const int i = int(fields_.size()), pair = i / 2;
+        const int row = pair < 2 ? i % 2 : 2, at = pair < 2 ? pair : i % 2;
+        grid->addWidget(label, row, 2 * at);
+        grid->addWidget(field, row, 2 * at + 1);
+        connect(
+            field, &LengthField::edited, this,
+            [this, &number](double value, app::Merging merging) { edit(number, value, merging); });
+        connect(field, &LengthField::entered, this, &SelectionPanel::entered);
+        connect(field, &LengthField::refused, this, &SelectionPanel::refused);
+        connect(field, &LengthField::taken, this, &SelectionPanel::taken);
+        fields_.push_back(field);
+        needSelection_.insert(needSelection_.end(), {label, field});
+    }
+    chain_->setIcon(icon("chain"));
+    chain_->setCheckable(true);
+    chain_->setAutoRaise(true);
+    chain_->setToolTip(tr("Keep the ratio of width to height"));
+    chain_->setAccessibleName(chain_->toolTip());
+    needSelection_.insert(needSelection_.end(), {reference_, chain_});
+    grid->addWidget(reference_, 0, 4, 2, 1, Qt::AlignCenter);
+    grid->addWidget(chain_, 2, 4, Qt::AlignCenter);
+    grid->setColumnStretch(1, 1);
+    grid->setColumnStretch(3, 1);
+    return grid;
+}
+
+QToolButton* SelectionPanel::makeButton(std::string_view key, const QString& text,
+                                        std::function<void(app::Session&)> run)
+{
+    auto* button = new QToolButton;
+    button->setIcon(icon(key));
+    button->setAutoRaise(true);
+    button->setToolTip(text);
+    button->setAccessibleName(text);
+    connect(button, &QToolButton::clicked, this, [this, run = std::move(run)] { run(session_); });
+    needSelection_.push_back(button);
+    return button;
+}
+
+QLayout* SelectionPanel::makeButtons()
+{
+    using app::AlignTo, app::Session;
+    const auto align = [this](std::string_view key, const QString& text, int axis, AlignTo side) {
+        return makeButton(key, text, [axis, side](Session& s) { app::align(s, axis, side); });
+    };
+    const auto turn = [this](std::string_view key, const QString& text, Turn how) {
+        return makeButton(key, text, [how](Session& s) { turnSelection(s, how); });
+    };
+    const auto spread = [this](std::string_view key, const QString& text, int axis) {
+        auto* button = makeButton(key, text, [axis](Session& s) { app::spreadEvenly(s, axis); });
+        needSeveral_.push_back(button);
+        return button;
+    };
+    auto* grid = new QGridLayout;
+    grid->setSpacing(2);
+    const std::vector<QWidget*> buttons{
+        align("align-left", tr("Align left sides"), 0, AlignTo::Least),
+        align("align-centre", tr("Align middles, side by side"), 0, AlignTo::Middle),
+        align("align-right", tr("Align right sides"), 0, AlignTo::Most),
+        align("align-top", tr("Align tops"), 1, AlignTo::Least),
+        align("align-middle", tr("Align middles, one above the other"), 1, AlignTo::Middle),
+        align("align-bottom", tr("Align bottoms"), 1, AlignTo::Most),
+        turn("flip-horizontal", tr("Flip horizontally (Shift+H)"), Turn::FlipAcross),
+        turn("flip-vertical", tr("Flip vertically (Shift+V)"), Turn::FlipDown),
+        turn("rotate-left", tr("Rotate 90° left (Shift+O)"), Turn::Left),
+        turn("rotate-right", tr("Rotate 90° right (Alt+Shift+O)"), Turn::Right),
+        spread("spread-horizontally", tr("Spread evenly across"), 0),
+        spread("spread-vertically", tr("Spread evenly down"), 1),
+    };
+    for (std::size_t i = 0; i < buttons.size(); ++i)
+        grid->addWidget(buttons[i], int(i / 6), int(i % 6));
+    grid->setColumnStretch(6, 1);
+    return grid;
+}
+
+app::SelectionFrame SelectionPanel::frame() const
+{
+    return {reference_->chosen(), chain_->isChecked()};
+}
+
+void SelectionPanel::follow()
+{
+    const app::ObjectRanges& selection = session_.selection();
+    for (QWidget* widget : needSelection_)
+        widget->setEnabled(!selection.empty());
+    for (QWidget* widget : needSeveral_)
+        widget->setEnabled(selection.size() > 2);
+    const double size = session_.now().page().millimetresPerUnit();
+    const auto numbers = app::selectionNumbers();
+    for (std::size_t i = 0; i < fields_.size(); ++i) {
+        const auto value = numbers[i].value(session_, frame());
+        const bool isAngle = numbers[i].quantity == app::Quantity::Angle;
+        const app::Unit unit = isAngle ? app::Unit::User : session_.display().unit;
+        fields_[i]->show(value.value_or(0), unit, isAngle ? 1 : size);
+        if (!value)
+            fields_[i]->showNothing();
+    }
+    emit titled(remarkOn(selection));
+}
+
+void SelectionPanel::edit(const app::SelectionNumber& number, double value, app::Merging merging)
+{
+    if (const auto error = app::setSelectionNumber(session_, number, frame(), value, merging))
+        emit refused(*error);
+    soon_.start(0);
+}
+
+} // namespace ui
