@@ -15,6 +15,7 @@ namespace app {
 
 constexpr double mostCellsPerSide = 512; // more cells cost more to fill than they save
 constexpr double mostCellsCrossed = 16;  // by a segment, on average: long segments need fewer cells
+constexpr std::size_t ahead = 16;        // segments fetched before they are needed
 constexpr double rounding = 1e-12;       // above the rounding errors of positions
 
 static_assert(SceneBlock::mostSegments - 1 <= std::numeric_limits<std::uint16_t>::max());
@@ -34,6 +35,20 @@ static bool isFinite(const clipping::Segment& s)
     return zero == Point(0);
 }
 
+// Whether the segment's box or its infinite line is farther away than `reach`. Cheaper than the
+// distance: without division and root.
+static bool isBeside(const clipping::Segment& s, const Point& point, const Point& reach)
+{
+    if (std::max(s.a.x, s.b.x) < point.x - reach.x || std::min(s.a.x, s.b.x) > point.x + reach.x
+        || std::max(s.a.y, s.b.y) < point.y - reach.y || std::min(s.a.y, s.b.y) > point.y + reach.y)
+        return true;
+    const Point along = s.b - s.a, to = point - s.a;
+    const double slack = rounding * (std::abs(along.x) + std::abs(along.y));
+    const double least = (std::max(reach.x, reach.y) + slack) * (1 + 1e-6);
+    const double area = along.x * to.y - along.y * to.x;
+    return area * area > least * least * glm::dot(along, along);
+}
+
 BlockGrid::BlockGrid(std::span<const clipping::Segment> segments)
 {
     lay(segments);
@@ -48,19 +63,36 @@ BlockGrid::BlockGrid(std::span<const clipping::Segment> segments)
         visit(segments[i], [&](std::size_t cell) { segments_[next[cell]++] = std::uint16_t(i); });
 }
 
-void BlockGrid::findNear(std::span<const clipping::Segment> segments, const Point& point,
-                         double radius, std::size_t first, std::vector<std::size_t>& found) const
+bool BlockGrid::findNear(std::span<const clipping::Segment> segments, const Point& point,
+                         double radius, std::size_t first, std::vector<std::size_t>& found,
+                         std::size_t most) const
 {
     const auto before = std::ptrdiff_t(found.size());
+    const auto tidy = [&] { // a segment is in several cells
+        std::sort(found.begin() + before, found.end());
+        found.erase(std::unique(found.begin() + before, found.end()), found.end());
+    };
+    std::size_t full = most; // tidying at every number would take long
     const Point reach = radius + (glm::abs(point) + radius) * rounding;
     const Cells cells = cellsOf(point - reach, point + reach);
     for (std::size_t y = cells.y0; y <= cells.y1; ++y)
         for (std::size_t x = cells.x0; x <= cells.x1; ++x)
-            for (auto i = start_[y * columns_ + x]; i < start_[y * columns_ + x + 1]; ++i)
-                if (distance(point, segments[segments_[i]]) <= radius)
-                    found.push_back(first + segments_[i]);
-    std::sort(found.begin() + before, found.end());
-    found.erase(std::unique(found.begin() + before, found.end()), found.end());
+            for (auto i = start_[y * columns_ + x]; i < start_[y * columns_ + x + 1]; ++i) {
+                if (i + ahead < segments_.size())
+                    __builtin_prefetch(&segments[segments_[i + ahead]]);
+                const auto& segment = segments[segments_[i]];
+                if (isBeside(segment, point, reach) || distance(point, segment) > radius)
+                    continue;
+                found.push_back(first + segments_[i]);
+                if (found.size() <= full)
+                    continue;
+                tidy();
+                if (found.size() > most)
+                    return false;
+                full = found.size() + most;
+            }
+    tidy();
+    return found.size() <= most;
 }
 
 // Chooses the cell size: long segments need fewer cells.

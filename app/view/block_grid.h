@@ -4,6 +4,7 @@
 #include "app/document/subpath.h"
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -16,8 +17,10 @@ public:
     explicit BlockGrid(std::span<const clipping::Segment> segments);
 
     /// Appends the numbers, plus `first`, of the segments within `radius` of the point, ascending.
-    void findNear(std::span<const clipping::Segment> segments, const Point& point, double radius,
-                  std::size_t first, std::vector<std::size_t>& found) const;
+    /// False: it stopped because `found` would have more than `most` numbers.
+    bool findNear(std::span<const clipping::Segment> segments, const Point& point, double radius,
+                  std::size_t first, std::vector<std::size_t>& found,
+                  std::size_t most = std::numeric_limits<std::size_t>::max()) const;
 
 private:
     struct Cells {

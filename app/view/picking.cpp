@@ -5,26 +5,48 @@
 #include "app/view/objects_in.h"
 
 #include <algorithm>
+#include <limits>
 #include <unordered_map>
 
 namespace app {
 
+constexpr int mostHalvings = 10; // of the radius, in a crowd
+
 std::vector<std::size_t> Picking::near(const Point& point, double radius) const
 {
+    std::vector<std::size_t> found;
+    find(point, radius, std::numeric_limits<std::size_t>::max(), found);
+    return found;
+}
+
+std::vector<std::size_t> Picking::near(const Point& point, double radius, std::size_t most) const
+{
+    std::vector<std::size_t> found;
+    for (int i = 0; i < mostHalvings && !find(point, radius, most, found); ++i)
+        radius /= 2;
+    found.resize(std::min(found.size(), most));
+    return found;
+}
+
+// False: it stopped because there are more lines.
+bool Picking::find(const Point& point, double radius, std::size_t most,
+                   std::vector<std::size_t>& found) const
+{
     follow();
+    found.clear();
     const double reach = radius * (1 + 1e-6);
     const clipping::Window around{point - reach, point + reach};
-    std::vector<std::size_t> found;
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
         Block& block = blocks_[i];
         if (block.block->segments.empty() || isOutside(block.around, around))
             continue;
         if (!block.grid)
             block.grid.emplace(block.block->segments);
-        block.grid->findNear(block.block->segments, point, radius,
-                             scene_.lines().runs()[i].firstLine, found);
+        if (!block.grid->findNear(block.block->segments, point, radius,
+                                  scene_.lines().runs()[i].firstLine, found, most))
+            return false;
     }
-    return found;
+    return true;
 }
 
 std::optional<std::size_t> Picking::nearest(const Point& point, double radius) const

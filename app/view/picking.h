@@ -19,6 +19,10 @@ public:
     /// All lines within `radius` of the point, ascending.
     std::vector<std::size_t> near(const Point& point, double radius) const;
 
+    /// The same, but at most `most` lines: in a crowd the radius is halved until it has so few, and
+    /// if a tiny radius has more, some of these.
+    std::vector<std::size_t> near(const Point& point, double radius, std::size_t most) const;
+
     /// The nearest such line whose object is pickable; of equally near lines the topmost.
     std::optional<std::size_t> nearest(const Point& point, double radius) const;
 
@@ -39,6 +43,8 @@ private:
         std::optional<BlockGrid> grid{};
     };
     void follow() const;
+    bool find(const Point& point, double radius, std::size_t most,
+              std::vector<std::size_t>& found) const;
 
     const EditedDocument& document_;
     const Scene& scene_;

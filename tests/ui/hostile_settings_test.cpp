@@ -26,6 +26,8 @@ class HostileSettingsTest : public QObject {
                 "ownLayout",
                 "layout",
                 "panes",
+                "snapKinds",
+                "snap",
                 "windowDragged",
                 "recent",
                 "compareForms",

@@ -2,6 +2,7 @@
 #include "ui/bars/option_bar.h"
 
 #include "app/commands/set_style.h"
+#include "ui/bars/snap_choice.h"
 #include "ui/editing/keeping.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
@@ -22,7 +23,7 @@ namespace ui {
 
 namespace {
 
-constexpr int steps = 4, narrowSnapping = 104;
+constexpr int steps = 3;
 
 /// A square in the stroke's own colour; struck through for no stroke.
 QIcon strokeColourIcon(const std::optional<app::Colour>& colour, const Look& look)
@@ -60,7 +61,7 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas)
     : QToolBar(tr("Tool options")), session_(session), strokeColour_(new QToolButton),
       width_(new LengthField(tr("Stroke width"), LengthField::Range::NotNegative,
                              LengthField::Suffix::Unit)),
-      dashes_(new ToolList), magnet_(new QLabel), snapping_(new ToolList),
+      dashes_(new ToolList), snapping_(new SnapChoice(canvas)),
       keep_(new Segments(tr("Keep"), {tr("Inside"), tr("Outside")})),
       removed_(new Segments(tr("Removed part"), {tr("Ghosted"), tr("Hidden"), tr("Shown")})),
       panes_(new Segments(tr("Panes"), {tr("1"), tr("2"), tr("4"), tr("All")})),
@@ -74,12 +75,11 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas)
     addStroke();
     const auto focusCanvas = [&canvas] { canvas.setFocus(); };
     connect(width_, &LengthField::entered, &canvas, focusCanvas);
-    for (const ToolList* list : {dashes_, snapping_})
-        connect(list, &ToolList::done, &canvas, focusCanvas);
+    connect(dashes_, &ToolList::done, &canvas, focusCanvas);
     connect(width_, &LengthField::refused, this, &OptionBar::refused);
     connect(width_, &LengthField::taken, this, &OptionBar::taken);
     addSeparator();
-    addSnapping(canvas);
+    addWidget(snapping_);
     addSeparator();
     addClipping();
     addSeparator();
@@ -125,25 +125,6 @@ void OptionBar::addStroke()
         const auto& pattern = dashPatterns()[std::size_t(index)];
         restyle([&](app::Style& style) { style.dashes = scaled(pattern, style.width); },
                 tr("Dashes"), app::Merging::WithLast);
-    });
-}
-
-void OptionBar::addSnapping(Canvas& canvas)
-{
-    magnet_->setToolTip(tr("Snapping (hold Ctrl to suspend it)"));
-    ToolList* const choice = snapping_;
-    choice->setAccessibleName(tr("Snapping"));
-    choice->setToolTip(magnet_->toolTip());
-    choice->setFixedHeight(space::fieldHeight);
-    choice->addItem(tr("Ends, middles, window"), int(app::SnapTo::All));
-    choice->addItem(tr("Ends"), int(app::SnapTo::Ends));
-    choice->addItem(tr("Middles"), int(app::SnapTo::Middles));
-    choice->addItem(tr("Window edges"), int(app::SnapTo::WindowEdges));
-    choice->addItem(tr("Nothing"), int(app::SnapTo::Nothing));
-    addWidget(magnet_);
-    addWidget(choice);
-    connect(choice, &QComboBox::activated, &canvas, [&canvas, choice](int index) {
-        canvas.setSnapping(app::SnapTo(choice->itemData(index).toInt()));
     });
 }
 
@@ -240,8 +221,7 @@ void OptionBar::arrange(int step)
     export_->setToolButtonStyle(step < 1 ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
     for (QAction* action : actions())
         if (captions_.contains(qobject_cast<QLabel*>(widgetForAction(action))))
-            action->setVisible(step < 3);
-    snapping_->setMaximumWidth(step < 2 ? QWIDGETSIZE_MAX : narrowSnapping);
+            action->setVisible(step < 2);
 }
 
 void OptionBar::changeEvent(QEvent* event)
@@ -255,7 +235,6 @@ void OptionBar::changeEvent(QEvent* event)
 void OptionBar::paintIcons()
 {
     const Look& look = lookOf(palette());
-    magnet_->setPixmap(icon("snap").pixmap(QSize(18, 18), devicePixelRatioF()));
     for (int i = 0; i < dashes_->count(); ++i)
         dashes_->setItemIcon(i, dashIcon(dashPatterns()[std::size_t(i)], look.text));
     followStyle();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/view/snap.h"
 #include "ui/canvas/canvas.h"
 
 #include <QLabel>
@@ -12,11 +11,12 @@ namespace ui {
 
 class LengthField;
 class Segments;
+class SnapChoice;
 class ToolList;
 
 /// The bar across the top: undo, redo, the stroke of selected or new objects, snapping, the side
 /// that is kept and how the removed part is shown, panes, export. If it is narrow, it first drops
-/// the export button's text, then narrows the snapping list, then drops captions.
+/// the export button's text, then captions.
 class OptionBar : public QToolBar {
     Q_OBJECT
 
@@ -38,7 +38,6 @@ protected:
 
 private:
     void addStroke();
-    void addSnapping(Canvas& canvas);
     void addClipping();
     void addPanes(Canvas& canvas);
     void addExport();
@@ -56,8 +55,7 @@ private:
     QToolButton* strokeColour_;
     LengthField* width_;
     ToolList* dashes_;
-    QLabel* magnet_;
-    ToolList* snapping_;
+    SnapChoice* snapping_;
     Segments *keep_, *removed_, *panes_;
     QList<QLabel*> captions_;
     QToolButton* export_;

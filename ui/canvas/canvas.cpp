@@ -68,8 +68,19 @@ std::optional<app::PendingObject> Canvas::pendingObject() const
 {
     return parts_->controller.pendingObject();
 }
-void Canvas::setSnapping(app::SnapTo to) { parts_->controller.setSnapping(to); }
 void Canvas::transform(const app::Transformation& kind) { parts_->controller.transform(kind); }
+app::SnapTo Canvas::snapping() const { return parts_->controller.snapping(); }
+void Canvas::setSnapping(app::SnapTo to)
+{
+    parts_->controller.setSnapping(to);
+    emit snappingChanged();
+}
+bool Canvas::snaps() const { return parts_->controller.snaps(); }
+void Canvas::switchSnapping(bool on)
+{
+    parts_->controller.switchSnapping(on);
+    emit snappingChanged();
+}
 void Canvas::fitDrawing() { parts_->controller.fitDrawing(); }
 void Canvas::fitSelection() { parts_->controller.fitSelection(); }
 void Canvas::fitWindow() { parts_->controller.fitWindow(); }

@@ -4,7 +4,7 @@
 #include "app/comparison/panes.h"
 #include "app/drawing/transformation.h"
 #include "app/session/session.h"
-#include "app/view/snap.h"
+#include "app/view/snapping/snap_to.h"
 #include "app/view/view.h"
 #include "ui/canvas/backend.h"
 #include "ui/canvas/frame_times.h"
@@ -54,7 +54,11 @@ public:
     void endGesture();
     std::optional<app::PendingObject> pendingObject() const; ///< what endGesture() would keep now
 
+    /// The kinds of places that the pointer snaps to, while snapping is on.
+    app::SnapTo snapping() const;
     void setSnapping(app::SnapTo to);
+    bool snaps() const; ///< whether snapping is on
+    void switchSnapping(bool on);
     /// Moves, rotates, scales or skews the selection by the pointer and by typed numbers.
     void transform(const app::Transformation& kind);
 
@@ -86,7 +90,8 @@ signals:
     /// The effect of undo() and redo(), or the object being drawn, has changed.
     void stepsChanged();
     void viewChanged();
-    void panesChanged(); ///< the panes' number, variants or active pane have changed
+    void snappingChanged(); ///< the kinds, or whether it is on
+    void panesChanged();    ///< the panes' number, variants or active pane have changed
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -13,7 +13,9 @@ constexpr int growthTold = 100; // milliseconds
 Controller::Controller(app::Session& session, QObject* parent)
     : QObject(parent), session_(session), picking_(session.document, session.scene),
       textBoxes_(session.scene), shown_(session.display()),
-      look_(lookOf(QGuiApplication::palette())), bench_{session_, toolView_, picking_, look_}
+      look_(lookOf(QGuiApplication::palette())), bench_{session_, toolView_, picking_,
+                                                        look_,    snapper_,  snapNow_},
+      snapper_(session.document, session.scene, picking_)
 {
     setTool(tools().front().key);
     growing_.setSingleShot(true);
@@ -64,6 +66,20 @@ void Controller::followDisplay()
         outdate();
     else
         emit changed();
+}
+
+void Controller::setSnapping(app::SnapTo to)
+{
+    snapTo_ = to;
+    switchSnapping(snaps_);
+}
+
+void Controller::switchSnapping(bool on)
+{
+    snaps_ = on;
+    snapNow_ = on ? snapTo_ : app::SnapTo::Nothing;
+    snap_.reset();
+    emit changed();
 }
 
 void Controller::setLook(const Look& look)

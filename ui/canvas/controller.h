@@ -3,7 +3,7 @@
 
 #include "app/comparison/panes.h"
 #include "app/view/picture.h"
-#include "app/view/snap.h"
+#include "app/view/snapping/snapper.h"
 #include "ui/canvas/navigation.h"
 #include "ui/canvas/text_boxes.h"
 #include "ui/tools/tool.h"
@@ -51,7 +51,11 @@ public:
     const app::View& view() const { return navigation_.view(); }
     const Look& look() const { return look_; }
     void setLook(const Look& look);
-    void setSnapping(app::SnapTo to) { snapTo_ = to; }
+    /// The kinds of places that the pointer snaps to, while snapping is on.
+    app::SnapTo snapping() const { return snapTo_; }
+    void setSnapping(app::SnapTo to);
+    bool snaps() const { return snaps_; } ///< whether snapping is on
+    void switchSnapping(bool on);
 
     void setTool(std::string_view key);
     const ToolInfo& toolInfo() const { return *toolInfo_; }
@@ -66,6 +70,9 @@ public:
     const std::optional<app::Readout>& readout() const { return readout_; }
     bool typing() const { return typing_; } ///< a field of the readout is open
     bool showsReadout() const;
+    /// The box that shows the numbers, in logical pixels; empty: hidden.
+    const QRectF& readoutPlace() const { return readoutPlace_; }
+    void setReadoutPlace(const QRectF& place) { readoutPlace_ = place; }
     /// Where the pointer would end the gesture, if nothing were typed.
     app::Point aim() const;
     void typeNumber(const QString& text); ///< replaces the text of the active field
@@ -160,6 +167,7 @@ private:
     void followGauge();
     bool arrow(const QKeyEvent& event);
     bool escape();
+    std::optional<app::Snap> snapAt(const app::Point& raw, Qt::KeyboardModifiers modifiers) const;
     Pointer pointerAt(const QPointF& screen, Qt::MouseButtons buttons,
                       Qt::KeyboardModifiers modifiers);
     /// The part of what stepsChanged() reports that a tool can change.
@@ -183,10 +191,14 @@ private:
     Workbench bench_;
     const ToolInfo* toolInfo_ = nullptr;
     std::unique_ptr<Tool> tool_;
-    app::SnapTo snapTo_ = app::SnapTo::All;
+    app::Snapper snapper_;
+    app::SnapTo snapTo_ = app::SnapTo::usual();
+    bool snaps_ = true;
+    app::SnapTo snapNow_ = snapTo_; ///< Nothing while snapping is off
     std::optional<Pointer> pointer_;
     std::optional<app::Readout> readout_;
     bool typing_ = false;
+    QRectF readoutPlace_;
     std::optional<app::Snap> snap_;
     std::optional<QPointF> panningFrom_;
     bool space_ = false;

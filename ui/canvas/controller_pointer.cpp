@@ -7,21 +7,26 @@
 
 namespace ui {
 
-constexpr double snapReach = 8; // pixels
+// Ctrl suspends snapping.
+std::optional<app::Snap> Controller::snapAt(const app::Point& raw,
+                                            Qt::KeyboardModifiers modifiers) const
+{
+    const app::SnapTo to = tool_->snapsTo() & snapNow_;
+    if (to == app::SnapTo::Nothing || modifiers & Qt::ControlModifier)
+        return std::nullopt;
+    app::SnapQuery query{raw, bench_.inDrawing(snapReach), to};
+    if (readout_ && readout_->gauge().measure == &app::lengthAndAngle())
+        query.from = readout_->gauge().from;
+    if (tool_->busy())
+        query.seen = view().visible();
+    return snapper_.at(query);
+}
 
 Pointer Controller::pointerAt(const QPointF& screen, Qt::MouseButtons buttons,
                               Qt::KeyboardModifiers modifiers)
 {
     const app::Point at(screen.x(), screen.y()), raw = view().toDrawing(at);
-    snap_.reset();
-    const auto to = app::SnapTo(std::uint8_t(tool_->snapsTo()) & std::uint8_t(snapTo_));
-    if (to != app::SnapTo::Nothing && !(modifiers & Qt::ControlModifier)) {
-        std::vector<clipping::Segment> near;
-        const double radius = bench_.inDrawing(snapReach);
-        for (const std::size_t line : picking_.near(raw, radius))
-            near.push_back(session_.scene.lines()[line]);
-        snap_ = app::snap(raw, radius, near, firstWindow(session_.now().windows()), to);
-    }
+    snap_ = snapAt(raw, modifiers);
     app::Point position = snap_ ? snap_->point : raw;
     if (readout_ && modifiers & Qt::ShiftModifier)
         position = readout_->toStep(position);

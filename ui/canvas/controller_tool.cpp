@@ -52,7 +52,11 @@ QCursor Controller::cursor() const
         return Qt::OpenHandCursor;
     if (pointer_ && offeredHandle().contains(pointer_->screen.x, pointer_->screen.y))
         return Qt::PointingHandCursor;
-    return mayDraw() ? tool_->cursor(bench_) : Qt::ForbiddenCursor;
+    if (!mayDraw())
+        return Qt::ForbiddenCursor;
+    const QCursor own = tool_->cursor(bench_);
+    return snap_ && own.shape() == Qt::CrossCursor ? Qt::BlankCursor
+                                                   : own; // the marker replaces it
 }
 
 void Controller::withTool(const std::function<void()>& call)

@@ -3,9 +3,8 @@
 
 #include "ui/canvas/difference_overlay.h"
 #include "ui/canvas/seen_overlay.h"
+#include "ui/canvas/snap_marker.h"
 #include "ui/canvas/window_overlay.h"
-
-#include <QCoreApplication>
 
 #include <glm/common.hpp>
 
@@ -90,26 +89,6 @@ void paintInspected(QPainter& painter, const Controller& controller, const Pane&
         paintEnd(painter, controller, piece[0].segment.b, clipping::cutEdgeOfB(piece[0].cut));
 }
 
-void paintSnap(QPainter& painter, const Controller& controller)
-{
-    if (!controller.snapped() || !controller.pointer())
-        return;
-    const QPointF at = controller.bench().onScreen(controller.snapped()->point);
-    const auto what = controller.snapped()->what;
-    const char* const word = what == app::SnapTo::Ends ? QT_TRANSLATE_NOOP("Canvas", "end")
-                             : what == app::SnapTo::Middles
-                                 ? QT_TRANSLATE_NOOP("Canvas", "middle")
-                                 : QT_TRANSLATE_NOOP("Canvas", "window edge");
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(controller.look().selection, 1.5));
-    painter.drawEllipse(at, 6, 6);
-    const QString text = QCoreApplication::translate("Canvas", word);
-    QRectF ground = QFontMetricsF(painter.font()).boundingRect(text).adjusted(-3, -1, 3, 1);
-    ground.moveTopLeft(at + QPointF(10, 8));
-    painter.fillRect(ground, controller.pageColour());
-    painter.drawText(ground, Qt::AlignCenter, text);
-}
-
 } // namespace
 
 void paintPaper(QPainter& painter, const Controller& controller)
@@ -144,8 +123,8 @@ void paintOverlay(QPainter& painter, const Controller& controller, const Pane& p
     painter.save();
     controller.tool().paint(painter, controller.bench());
     painter.restore();
-    if (pane.active && controller.tool().snapsTo() != app::SnapTo::Nothing)
-        paintSnap(painter, controller);
+    if (pane.active)
+        paintSnapMarker(painter, controller);
 }
 
 } // namespace ui

@@ -10,7 +10,7 @@
 namespace ui {
 namespace {
 
-constexpr int besidePointer = 16, belowPointer = 15, snapLabelHeight = 20;
+constexpr int besidePointer = 16, belowPointer = 15;
 constexpr int cellHeight = 28, fieldHeight = 24, fieldWidth = 84, besideRule = 6;
 
 } // namespace
@@ -75,8 +75,10 @@ void ReadoutBox::follow()
     const bool shown = surface_ && controller_.showsReadout();
     if (!shown || !controller_.typing())
         giveBackKeyboard();
-    if (!shown)
+    if (!shown) {
+        controller_.setReadoutPlace({});
         return hide();
+    }
     const app::Point end = readout->end(controller_.aim());
     for (std::size_t number = 0; number < cells_.size(); ++number) {
         const bool used = number < readout->gauge().measure->fields.size();
@@ -117,14 +119,14 @@ void ReadoutBox::place()
     const app::Point at =
         pointer ? pointer->screen
                 : controller_.view().toScreen(controller_.readout()->gauge().start.from);
-    const int below = belowPointer + (controller_.snapped() ? snapLabelHeight : 0);
-    QPoint place(int(at.x) + besidePointer, int(at.y) + below);
+    QPoint place(int(at.x) + besidePointer, int(at.y) + belowPointer);
     if (place.x() + width() > surface_->width())
         place.setX(int(at.x) - besidePointer - width());
     if (place.y() + height() > surface_->height())
         place.setY(int(at.y) - belowPointer - height());
     place.setX(std::clamp(place.x(), 0, std::max(0, surface_->width() - width())));
     place.setY(std::clamp(place.y(), 0, std::max(0, surface_->height() - height())));
+    controller_.setReadoutPlace(QRectF(place, size()));
     move(surface_->mapTo(parentWidget(), place));
 }
 

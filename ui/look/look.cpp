@@ -26,6 +26,10 @@ const Look light{.dark = false,
                  .warning = 0x6E4600,
                  .warningGround = 0xFFF1CC,
                  .good = 0x1B6A3F,
+                 .guide = 0x086661,
+                 .guideGround = 0xDDF1EF,
+                 .grid = 0xEDEFF2,
+                 .gridMajor = 0xDDE1E6,
                  .ghost = 0.32};
 
 const Look dark{.dark = true,
@@ -49,6 +53,10 @@ const Look dark{.dark = true,
                 .warning = 0xFFD479,
                 .warningGround = 0x3A3118,
                 .good = 0x7BD3A0,
+                .guide = 0x4CC9BF,
+                .guideGround = 0x1F3B3A,
+                .grid = 0x26282C,
+                .gridMajor = 0x303338,
                 .ghost = 0.34};
 
 } // namespace

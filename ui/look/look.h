@@ -21,6 +21,8 @@ struct Look {
     QColor hover;
     QColor differs; ///< differing lines, which are always also thicker and counted in words
     QColor warning, warningGround, good;
+    QColor guide, guideGround; ///< snapping, smart guides and distances; the ground of their words
+    QColor grid, gridMajor;
     double ghost; ///< opacity of the removed part, 0 to 1
 };
 

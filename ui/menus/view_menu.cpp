@@ -119,6 +119,13 @@ MenuInfo viewMenu()
                 },
                 {},
                 {
+                    .key = "snap",
+                    .text = tr("Snappin&g"),
+                    .keys = {K("F5")},
+                    .run = [](MainWindow& w) { w.canvas().switchSnapping(!w.canvas().snaps()); },
+                    .checked = [](const MainWindow& w) { return w.canvas().snaps(); },
+                },
+                {
                     .key = "as-printed",
                     .text = tr("Show colours as prin&ted"),
                     .run = [](MainWindow& w) { toggle(w, &app::Display::asPrinted); },

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/microscope/line_drag.h"
 
-#include "app/view/snap.h"
+#include "app/view/snapping/snapper.h"
 
 #include <QLineF>
 
@@ -68,8 +68,7 @@ app::Point handPoint(const app::FigureFrame& frame, const clipping::Window& wind
     app::Point point(rounded(free.x, step), rounded(free.y, step));
     if (snapping == Snapping::Off)
         return point;
-    if (const auto near =
-            app::snap(free, snapReach * perPixel(frame), {}, window, app::SnapTo::WindowEdges)) {
+    if (const auto near = app::snapToEdges(free, snapReach * perPixel(frame), window)) {
         point.x = near->point.x == free.x ? point.x : near->point.x;
         point.y = near->point.y == free.y ? point.y : near->point.y;
     }

@@ -5,7 +5,7 @@
 #include "app/session/session.h"
 #include "app/view/handles.h"
 #include "app/view/picking.h"
-#include "app/view/snap.h"
+#include "app/view/snapping/snapper.h"
 #include "app/view/view.h"
 #include "ui/look/look.h"
 
@@ -38,6 +38,8 @@ struct Workbench {
     app::View& view;
     const app::Picking& picking;
     const Look& look;
+    const app::Snapper& snapper;
+    const app::SnapTo& snapTo; ///< the kinds that are on; Nothing: snapping is off
 
     QPointF onScreen(const app::Point& p) const
     {
@@ -46,11 +48,17 @@ struct Workbench {
     }
     /// Converts a length from screen pixels to drawing units.
     double inDrawing(double pixels) const { return pixels / view.zoom; }
+
+    /// How far a thing goes that is dragged by `by`, and what it snaps to on the way: by its own
+    /// points and edges, not to the objects `without`. Ctrl suspends snapping.
+    app::MovedSnap moved(const app::OwnPoints& own, const app::Point& by,
+                         Qt::KeyboardModifiers modifiers, const app::ObjectRanges& without = {},
+                         app::SnapTo allowed = app::SnapTo::All) const;
 };
 
-/// In logical pixels: how near to a line the pointer hits it, and how far it must move to start a
-/// drag.
-constexpr double reach = 6, dragDistance = 3;
+/// In logical pixels: how near to a line the pointer hits it, how far it must move to start a drag,
+/// and how near it must be to snap.
+constexpr double reach = 6, dragDistance = 3, snapReach = 8;
 
 /// How far an arrow key moves objects, in drawing units: 1 mm on paper, with Shift 10 mm.
 double nudge(const Workbench& bench, Qt::KeyboardModifiers modifiers);
@@ -99,6 +107,8 @@ public:
 
     virtual QCursor cursor(const Workbench&) const { return Qt::CrossCursor; }
     virtual app::SnapTo snapsTo() const { return app::SnapTo::All; }
+    /// Where the thing that is being moved snaps; null: nothing is moved.
+    virtual const app::MovedSnap* snapped() const { return nullptr; }
     virtual bool showsHandles() const { return false; } ///< the clip window's handles
     /// The hovered handle of the clip window, which a press would drag.
     virtual std::optional<app::Handle> hoveredHandle() const { return std::nullopt; }

@@ -41,10 +41,7 @@ public:
     {
         return hoveredHandle_ ? cursorOf(*hoveredHandle_) : Qt::CrossCursor;
     }
-    app::SnapTo snapsTo() const override
-    {
-        return app::SnapTo(std::uint8_t(app::SnapTo::Ends) | std::uint8_t(app::SnapTo::Middles));
-    }
+    app::SnapTo snapsTo() const override { return app::SnapTo::All.without("window"); }
     bool showsHandles() const override { return true; }
     std::optional<app::Handle> hoveredHandle() const override { return hoveredHandle_; }
 

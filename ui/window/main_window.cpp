@@ -40,6 +40,7 @@ MainWindow::MainWindow(Backend backend, QWidget* parent)
     connectFiles();
     connectSession();
     rememberPanes();
+    rememberSnapping();
     limitHistory();
     restorePlace(*this, placeKey(), usual, minimumSize());
     panelLayout_->restore();

@@ -108,6 +108,7 @@ private:
     static QString placeKey() { return QStringLiteral("geometry"); } ///< in the settings
     void showTitle();
     void rememberPanes();
+    void rememberSnapping();
     void limitHistory();
 
     app::Session session_;

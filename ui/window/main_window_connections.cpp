@@ -43,6 +43,17 @@ void MainWindow::rememberPanes()
     });
 }
 
+void MainWindow::rememberSnapping()
+{
+    canvas_->setSnapping(app::SnapTo::fromText(QSettings().value("snapKinds").toString()));
+    canvas_->switchSnapping(QSettings().value("snap", true).toBool());
+    connect(canvas_, &Canvas::snappingChanged, this, [this] {
+        QSettings().setValue("snapKinds", canvas_->snapping().text());
+        QSettings().setValue("snap", canvas_->snaps());
+        refreshActions();
+    });
+}
+
 // The message is shown once per drawing, and after the command's own message, which would replace
 // it.
 void MainWindow::limitHistory()

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/view/snapping/kinds.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+namespace app {
+
+std::span<const SnapKind> snapKinds()
+{
+    // THE CATALOGUE. To add a kind: write its file, declare it in kinds.h, and add its row here.
+    static const std::array all{ends(),          middles(),       centres(),     intersections(),
+                                perpendicular(), onPath(),        windowEdges(), pageEdges(),
+                                alignmentKind(), drawnAlignment()};
+    return all;
+}
+
+const SnapKind& snapKind(std::string_view key)
+{
+    const auto found = std::ranges::find(snapKinds(), key, &SnapKind::key);
+    assert(found != snapKinds().end());
+    return *found;
+}
+
+QString snapText(const char* text) { return QCoreApplication::translate("Snap", text); }
+
+} // namespace app

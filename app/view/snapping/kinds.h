@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/view/snapping/snap_offers.h"
+#include "app/view/snapping/snap_surroundings.h"
+
+// The rows of the catalogue, each in the file of its name. For these files and the catalogue only.
+
+namespace app {
+
+SnapKind ends();
+SnapKind middles();
+SnapKind centres();
+SnapKind intersections();
+SnapKind perpendicular();
+SnapKind onPath();
+SnapKind windowEdges();
+SnapKind pageEdges();
+SnapKind alignmentKind();
+SnapKind drawnAlignment();
+
+/// Names and words, translated.
+QString snapText(const char* text);
+
+} // namespace app

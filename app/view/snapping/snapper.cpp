@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/view/snapping/snapper.h"
+
+#include "app/view/snapping/places.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+namespace {
+
+constexpr std::size_t leastLines = 32, mostAligned = 1500, mostPoints = 20'000, mostCurves = 200;
+
+bool isNear(const SnapSurroundings& near, const Point& min, const Point& max)
+{
+    const Point least = near.pointer - near.radius, most = near.pointer + near.radius;
+    return min.x <= most.x && min.y <= most.y && max.x >= least.x && max.y >= least.y;
+}
+
+void addLine(const clipping::Segment& line, SnapSurroundings& near)
+{
+    if (isNear(near, glm::min(line.a, line.b), glm::max(line.a, line.b)))
+        near.lines.push_back(line);
+}
+
+void addCurve(const Bezier& c, SnapSurroundings& near)
+{
+    const Point min = glm::min(glm::min(c.from, c.to), glm::min(c.control1, c.control2));
+    const Point max = glm::max(glm::max(c.from, c.to), glm::max(c.control1, c.control2));
+    if (near.curves.size() < mostCurves && isNear(near, min, max))
+        near.curves.push_back(c);
+}
+
+/// Adds the lines and curves of a path that are near.
+void addPath(const Path& path, SnapSurroundings& near)
+{
+    for (const Subpath& subpath : path.subpaths()) {
+        Point from = subpath.start;
+        for (const PathSegment& segment : subpath.segments) {
+            if (segment.curved)
+                addCurve({from, segment.control1, segment.control2, segment.to}, near);
+            else
+                addLine({from, segment.to}, near);
+            from = segment.to;
+        }
+        if (subpath.closed && from != subpath.start)
+            addLine({from, subpath.start}, near);
+    }
+}
+
+clipping::Window boundsOf(const SceneLines& lines, std::size_t first, std::size_t count)
+{
+    clipping::Window box{lines[first].a, lines[first].a};
+    lines.forEachPart(first, first + count, [&](std::size_t run, std::size_t from, std::size_t to) {
+        for (const auto& line : lines.runs()[run].segments.subspan(from, to - from))
+            box = {glm::min(box.min, glm::min(line.a, line.b)),
+                   glm::max(box.max, glm::max(line.a, line.b))};
+    });
+    return box;
+}
+
+struct CornersOf {
+    std::vector<Point> operator()(const RectangleShape& shape) const
+    {
+        const auto& [min, max] = shape.box;
+        std::vector<Point> corners{min, {max.x, min.y}, max, {min.x, max.y}};
+        if (shape.angle == 0)
+            return corners;
+        const Point centre = (min + max) * 0.5;
+        const double sine = std::sin(shape.angle), cosine = std::cos(shape.angle);
+        for (Point& corner : corners) {
+            const Point by = corner - centre;
+            corner = centre + Point(by.x * cosine - by.y * sine, by.x * sine + by.y * cosine);
+        }
+        return corners;
+    }
+    std::vector<Point> operator()(const PolygonShape& shape) const { return shape.corners; }
+};
+
+} // namespace
+
+std::vector<clipping::Segment> edgesOf(const ClipWindows& windows)
+{
+    std::vector<clipping::Segment> edges;
+    for (const ClipWindow& window : windows.list) {
+        if (!window.visible)
+            continue;
+        const auto corners = std::visit(CornersOf(), window.shape);
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            edges.push_back({corners[i], corners[(i + 1) % corners.size()]});
+    }
+    return edges;
+}
+
+std::vector<clipping::Segment> edgesOf(const clipping::Window& rectangle)
+{
+    ClipWindows one;
+    one.list.push_back({.shape = RectangleShape{rectangle}});
+    return edgesOf(one);
+}
+
+std::optional<Snap> snapToEdges(const Point& pointer, double radius, const clipping::Window& window)
+{
+    SnapSurroundings near{pointer, radius};
+    near.windowEdges = edgesOf(window);
+    SnapOffers offers(pointer, radius);
+    offers.begin(snapKind("window"));
+    snapKind("window").find(near, offers);
+    return offers.best();
+}
+
+SnapOffers Snapper::offers(const SnapQuery& query) const
+{
+    const SnapSurroundings near = around(query);
+    SnapOffers offers(query.pointer, query.radius);
+    for (const SnapKind& kind : snapKinds())
+        if (query.to.has(kind) && kind.find) {
+            offers.begin(kind);
+            kind.find(near, offers);
+        }
+    return offers;
+}
+
+std::optional<Snap> Snapper::at(const SnapQuery& query) const
+{
+    const SnapOffers found = offers(query);
+    if (found.best() && found.rank() != SnapRank::Grid)
+        return found.best();
+    if (!query.to.has("drawn-alignment") || !query.seen)
+        return found.best();
+    const Alignment alignment = aligned({query.pointer, query.pointer}, query);
+    if (alignment.lines.empty())
+        return found.best();
+    return Snap{query.pointer + alignment.by, &snapKind("drawn-alignment"), false, alignment.lines};
+}
+
+MovedSnap Snapper::moved(const OwnPoints& own, const Point& by, SnapQuery query) const
+{
+    query.mostLines =
+        std::max(leastLines, query.mostLines / std::max(own.points.size(), std::size_t(1)));
+    MovedSnap best{by};
+    SnapRank rank = SnapRank::Grid;
+    double distance = 0;
+    for (const Point& point : own.points) {
+        query.pointer = point + by;
+        const SnapOffers found = offers(query);
+        const bool better = !best.place || found.rank() < rank
+                            || (found.rank() == rank && found.distance() < distance);
+        if (!found.best() || !better)
+            continue;
+        best = {found.best()->point - point, found.best()};
+        rank = found.rank();
+        distance = found.distance();
+    }
+    if (best.place && rank != SnapRank::Grid)
+        return best;
+    if (!query.to.has("alignment") || !query.seen)
+        return best;
+    const Alignment alignment = aligned({own.bounds.min + by, own.bounds.max + by}, query);
+    if (!alignment.lines.empty())
+        best = {by + alignment.by, std::nullopt, alignment.lines};
+    return best;
+}
+
+Alignment Snapper::aligned(const clipping::Window& box, const SnapQuery& query) const
+{
+    return align(box, boxesAround((box.min + box.max) * 0.5, query), query.radius);
+}
+
+// The boxes to align with. In a crowd only those of the nearest lines.
+std::vector<clipping::Window> Snapper::boxesAround(const Point& centre,
+                                                   const SnapQuery& query) const
+{
+    const SceneLines& lines = scene_.lines();
+    const auto& [min, max] = *query.seen;
+    std::vector<clipping::Window> boxes;
+    std::size_t known = 0, looked = 0; // the first object that is not known; lines
+    const double reach = glm::distance(centre, (min + max) * 0.5) + glm::distance(min, max) / 2;
+    for (const std::size_t line : picking_.near(centre, reach, mostAligned)) {
+        if (line < lines.firstLineOf(known))
+            continue;
+        const std::size_t object = lines.objectOf(line);
+        known = object + 1;
+        const std::size_t first = lines.firstLineOf(object),
+                          count = lines.firstLineOf(known) - first;
+        if (query.without.contains(object) || looked + count > mostPoints)
+            continue;
+        looked += count;
+        const clipping::Window box = boundsOf(lines, first, count);
+        if (box.max.x >= min.x && box.max.y >= min.y && box.min.x <= max.x && box.min.y <= max.y)
+            boxes.push_back(box);
+    }
+    if (query.from)
+        boxes.push_back({*query.from, *query.from});
+    if (query.to.has("page"))
+        boxes.push_back(document_.now().page().rectangle());
+    if (query.to.has("window"))
+        for (const ClipWindow& window : document_.now().windows().list)
+            if (const auto box = axisAlignedBox(window.shape); box && window.visible)
+                boxes.push_back(*box);
+    return boxes;
+}
+
+SnapSurroundings Snapper::around(const SnapQuery& query) const
+{
+    SnapSurroundings near{query.pointer, query.radius, query.from};
+    addLines(query, near);
+    if (query.to.has("centres"))
+        near.centres = centres_.near(query.pointer, query.radius, query.without);
+    if (query.to.has("window"))
+        near.windowEdges = edgesOf(document_.now().windows());
+    if (query.to.has("page"))
+        near.pageEdges = edgesOf(document_.now().page().rectangle());
+    return near;
+}
+
+void Snapper::addLines(const SnapQuery& query, SnapSurroundings& near) const
+{
+    const SceneLines& lines = scene_.lines();
+    const Objects& objects = document_.now().objects();
+    std::size_t points = 0; // of curved objects
+    std::optional<std::size_t> last;
+    bool straight = false;
+    for (const std::size_t line : picking_.near(query.pointer, query.radius, query.mostLines)) {
+        const std::size_t object = lines.objectOf(line);
+        if (query.without.contains(object))
+            continue;
+        near.chords.push_back(lines[line]);
+        if (object != last) {
+            last = object;
+            const Path path = objects[object].path();
+            straight = path.straight();
+            if (!straight && points + path.pointCount() <= mostPoints) {
+                points += path.pointCount();
+                addPath(path, near);
+            }
+        }
+        if (straight)
+            near.lines.push_back(lines[line]);
+    }
+}
+
+} // namespace app

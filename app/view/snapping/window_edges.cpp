@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/view/snapping/kinds.h"
+#include "app/view/snapping/places.h"
+
+namespace app {
+
+SnapKind windowEdges()
+{
+    static constexpr clipping::Segment window[]{{{-1, -1}, {1, -1}},
+                                                {{1, -1}, {1, 1}},
+                                                {{1, 1}, {-1, 1}},
+                                                {{-1, 1}, {-1, -1}},
+                                                {{-1, 0.2}, {1, -0.4}}};
+    return {.key = "window",
+            .name = snapText("Window edges and corners"),
+            .word = snapText("window edge"),
+            .cornerWord = snapText("window corner"),
+            .rank = SnapRank::Along,
+            .glyph = window,
+            .find = [](const SnapSurroundings& near, SnapOffers& offers) {
+                for (const auto& edge : near.windowEdges) {
+                    offers.addCorner(edge.a);
+                    offers.add(nearestOn(edge, near.pointer));
+                }
+            }};
+}
+
+} // namespace app

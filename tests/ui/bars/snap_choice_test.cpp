@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QMenu>
+#include <QToolButton>
+
+#include "tests/ui/test_window.h"
+
+namespace ui {
+
+// Snapping in the bar across the top, by mouse and keys.
+class SnapChoiceTest : public QObject {
+    Q_OBJECT
+
+    struct Bar {
+        Bar() { t.show(); }
+        QToolButton* kinds() { return t.window->findChild<QToolButton*>("snap-kinds"); }
+        QToolButton* magnet()
+        {
+            for (auto* button : t.window->findChildren<QToolButton*>())
+                if (button->accessibleName() == "Snap")
+                    return button;
+            return nullptr;
+        }
+        QMenu* menu() { return kinds()->menu(); }
+        QPoint placeOf(const char* kind)
+        {
+            return menu()->actionGeometry(menu()->findChild<QAction*>(kind)).center();
+        }
+        bool has(const char* kind) { return t.window->canvas().snapping().has(kind); }
+
+        TestWindow t;
+    };
+
+private slots:
+    void theButtonSaysHowManyKindsAreOn()
+    {
+        Bar bar;
+        const auto all = app::snapKinds().size(), on = app::SnapTo::usual().size();
+        QVERIFY(on < all);
+        QCOMPARE(bar.kinds()->text(), QStringLiteral("%1 of %2 kinds").arg(on).arg(all));
+        QVERIFY(bar.magnet()->isChecked() && bar.kinds()->isEnabled());
+    }
+    void theMenuStaysOpenWhileKindsAreTicked()
+    {
+        Bar bar;
+        QTimer::singleShot(0, bar.menu(), [&] {
+            QVERIFY(bar.menu()->isVisible());
+            for (const char* kind : {"ends", "on-path"}) {
+                const bool before = bar.has(kind);
+                QTest::mouseClick(bar.menu(), Qt::LeftButton, {}, bar.placeOf(kind));
+                QCOMPARE(bar.has(kind), !before);
+                QVERIFY(bar.menu()->isVisible());
+            }
+            bar.menu()->setActiveAction(bar.menu()->findChild<QAction*>("ends"));
+            QTest::keyClick(bar.menu(), Qt::Key_Space);
+            QVERIFY(bar.has("ends") && bar.menu()->isVisible());
+            QTest::keyClick(bar.menu(), Qt::Key_Escape);
+            QVERIFY(!bar.menu()->isVisible());
+        });
+        QTest::mouseClick(bar.kinds(), Qt::LeftButton);
+        QVERIFY(bar.has("ends") && bar.has("on-path"));
+        QCOMPARE(bar.t.window->focusWidget(), bar.t.drawingArea());
+    }
+    void theButtonAndF5SwitchSnapping()
+    {
+        Bar bar;
+        QTest::mouseClick(bar.magnet(), Qt::LeftButton);
+        QVERIFY(!bar.t.window->canvas().snaps() && !bar.kinds()->isEnabled());
+        QTest::keyClick(bar.t.drawingArea(), Qt::Key_F5);
+        QVERIFY(bar.t.window->canvas().snaps() && bar.magnet()->isChecked());
+        QVERIFY(bar.t.action("snap")->isChecked());
+    }
+    void theChoiceIsRemembered()
+    {
+        Bar bar;
+        bar.menu()->findChild<QAction*>("middles")->trigger();
+        QTest::mouseClick(bar.magnet(), Qt::LeftButton);
+        const auto next = windowWithMenus();
+        QVERIFY(!next->canvas().snaps());
+        QCOMPARE(next->canvas().snapping(), app::SnapTo::usual().without("middles"));
+    }
+};
+
+} // namespace ui
+
+QTEST_MAIN(ui::SnapChoiceTest)
+#include "snap_choice_test.moc"

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/canvas/canvas.h"
+
+#include <QToolButton>
+
+namespace ui {
+
+class TickingMenu;
+
+/// Switches snapping, and chooses the kinds of places that the pointer snaps to.
+class SnapChoice : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SnapChoice(Canvas& canvas);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void addKinds();
+    void follow();
+    void paintIcons();
+
+    Canvas& canvas_;
+    QToolButton *switch_, *kinds_;
+    TickingMenu* menu_;
+};
+
+} // namespace ui
