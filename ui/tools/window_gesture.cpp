@@ -19,17 +19,41 @@ void WindowGesture::startNew(const Pointer& pointer)
     state_ = State{{1, 1}, pointer, pointer, std::nullopt};
 }
 
-void WindowGesture::follow(const Pointer& pointer)
+void WindowGesture::follow(const Pointer& pointer, const Workbench& bench)
 {
     if (!state_)
         return;
     state_->to = pointer;
     state_->drags |= dragged(state_->from.screen, pointer);
+    if (moves())
+        state_->moved = moved(bench);
+}
+
+// With Shift the window keeps to one axis, also where it would snap beside it.
+app::MovedSnap WindowGesture::moved(const Workbench& bench) const
+{
+    app::Point by = state_->to.raw - state_->from.raw;
+    const bool straight = state_->to.modifiers & Qt::ShiftModifier;
+    const int fixed = std::abs(by.x) >= std::abs(by.y) ? 1 : 0;
+    if (straight)
+        by[fixed] = 0;
+    app::MovedSnap moved = bench.moved(app::ownPointsOf(*state_->start), by, state_->to.modifiers,
+                                       {}, app::SnapTo::All.without("window"));
+    if (straight && moved.by[fixed] != 0) {
+        moved = {moved.by};
+        moved.by[fixed] = 0;
+    }
+    return moved;
+}
+
+const app::MovedSnap* WindowGesture::snapped() const
+{
+    return moves() && state_->drags ? &state_->moved : nullptr;
 }
 
 void WindowGesture::proceed(const Pointer& pointer, Workbench& bench)
 {
-    follow(pointer);
+    follow(pointer, bench);
     bench.session.setPreview(preview());
 }
 
@@ -42,7 +66,7 @@ void WindowGesture::cancel(Workbench& bench)
 // The preview ends after the command, so that the window does not jump back in between.
 void WindowGesture::finish(const Pointer& pointer, Workbench& bench)
 {
-    follow(pointer);
+    follow(pointer, bench);
     const auto result = window();
     state_.reset();
     if (result && result != app::firstWindow(bench.session.now().windows()))
@@ -60,17 +84,14 @@ std::optional<clipping::Window> WindowGesture::window() const
                             anchorOf(modifiers));
     // The pointer is rarely exactly on the handle, so the handle moves by as much as the pointer,
     // or to the snap point.
-    app::Point by = state_->to.raw - state_->from.raw;
-    const bool moving = state_->handle == app::Handle{};
+    app::Point by = moves() ? state_->moved.by : state_->to.raw - state_->from.raw;
     const bool snapped = state_->to.position != state_->to.raw;
-    if (!moving && snapped)
+    if (!moves() && snapped)
         for (int axis = 0; axis < 2; ++axis) {
             const int side = axis == 0 ? state_->handle.x : state_->handle.y;
             const auto& start = *state_->start;
             by[axis] = state_->to.position[axis] - (side < 0 ? start.min[axis] : start.max[axis]);
         }
-    if (moving && modifiers & Qt::ShiftModifier)
-        by = std::abs(by.x) >= std::abs(by.y) ? app::Point(by.x, 0) : app::Point(0, by.y);
     const auto proportion =
         modifiers & Qt::ShiftModifier ? app::Proportion::Kept : app::Proportion::Free;
     return app::dragged(*state_->start, state_->handle, by, proportion, anchorOf(modifiers));
@@ -81,9 +102,8 @@ app::Preview WindowGesture::preview() const
     const auto now = window();
     if (!now)
         return {};
-    const bool moving = state_->start && state_->handle == app::Handle{};
     return {.window = now,
-            .drag = moving ? app::Preview::Drag::Moving : app::Preview::Drag::Sizing};
+            .drag = moves() ? app::Preview::Drag::Moving : app::Preview::Drag::Sizing};
 }
 
 Qt::CursorShape cursorOf(app::Handle handle)

@@ -16,9 +16,13 @@ public:
     void cancel(Workbench& bench);
 
     bool going() const { return state_.has_value(); }
+    /// Where the moved window snaps; null: it is not moved.
+    const app::MovedSnap* snapped() const;
 
 private:
-    void follow(const Pointer& pointer);
+    void follow(const Pointer& pointer, const Workbench& bench);
+    app::MovedSnap moved(const Workbench& bench) const;
+    bool moves() const { return state_ && state_->start && state_->handle == app::Handle{}; }
     /// Nothing until the pointer has moved far enough for a drag.
     std::optional<clipping::Window> window() const;
     app::Preview preview() const;
@@ -28,6 +32,7 @@ private:
         Pointer from, to;
         std::optional<clipping::Window> start; ///< empty: a new window
         bool drags = false;
+        app::MovedSnap moved{}; ///< if the whole window is moved
     };
     std::optional<State> state_;
 };

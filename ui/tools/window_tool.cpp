@@ -42,6 +42,7 @@ public:
         return hoveredHandle_ ? cursorOf(*hoveredHandle_) : Qt::CrossCursor;
     }
     app::SnapTo snapsTo() const override { return app::SnapTo::All.without("window"); }
+    const app::MovedSnap* snapped() const override { return gesture_.snapped(); }
     bool showsHandles() const override { return true; }
     std::optional<app::Handle> hoveredHandle() const override { return hoveredHandle_; }
 
