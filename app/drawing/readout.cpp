@@ -92,6 +92,8 @@ void Readout::releaseTyped()
     error_.clear();
 }
 
+bool Readout::holds() const { return target_ || held_[0] || held_[1]; }
+
 bool Readout::isLocked() const
 {
     return std::ranges::any_of(fields_,
@@ -211,8 +213,7 @@ Point Readout::end(const Point& pointer) const
 GestureEnd Readout::result(const Point& pointer) const
 {
     GestureEnd result{end(pointer), {}, repeat_};
-    const bool typed = target_ || held_[0] || held_[1];
-    result.numbers = gauge_.aim && !typed ? gauge_.aim->numbers
+    result.numbers = gauge_.aim && !holds() ? gauge_.aim->numbers
                                           : gauge_.measure->values(gauge_.start, result.point);
     for (std::size_t field = 0; field < held_.size() && !target_; ++field)
         result.numbers[field] = held_[field].value_or(result.numbers[field]);

@@ -53,6 +53,7 @@ public:
     void release();
     /// Gives back what is typed but not locked.
     void releaseTyped();
+    bool holds() const; ///< a number or a point, typed or locked
     /// Whether a number or a point is locked.
     bool isLocked() const;
     /// Locks the active field at what is typed, and goes on to the other one, or to the only one

@@ -125,6 +125,7 @@ void Controller::steer(Pointer& pointer) const
     const app::GestureEnd end = readout_->result(pointer.steered);
     pointer.position = end.point;
     pointer.numbers = end.numbers;
+    pointer.held = readout_->holds();
 }
 
 /// Lets the tool follow what is typed, as if the pointer had moved.

@@ -57,6 +57,10 @@ public:
     {
         return drag_ == Drag::Pivot ? app::SnapTo::All : app::SnapTo::Nothing;
     }
+    const app::MovedSnap* snapped() const override
+    {
+        return transform_.going() ? transform_.snapped() : gesture_.snapped();
+    }
     bool showsHandles() const override { return true; }
     std::optional<app::Handle> hoveredHandle() const override { return hoveredHandle_; }
     std::optional<std::size_t> hoveredSegment() const override { return hoveredSegment_; }
@@ -152,7 +156,7 @@ SelectTool::Mark SelectTool::markAt(const Pointer& pointer, const Workbench& ben
 void SelectTool::press(const Pointer& pointer, Workbench& bench)
 {
     if (transform_.going() && !transform_.corrects()) {
-        transform_.proceed(pointer);
+        transform_.proceed(pointer, bench);
         return transform_.finish(bench);
     }
     transform_.end(bench);
@@ -173,7 +177,7 @@ void SelectTool::move(const Pointer& pointer, Workbench& bench)
     else if (resize_.going())
         resize_.proceed(pointer);
     else if (transform_.going())
-        transform_.proceed(pointer);
+        transform_.proceed(pointer, bench);
     else if (drag_ == Drag::Pivot)
         pivot_ = pointer.position;
     else if (drag_ == Drag::None)

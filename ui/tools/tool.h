@@ -29,6 +29,7 @@ struct Pointer {
     Qt::KeyboardModifiers modifiers;
     app::Point steered; ///< in the drawing, after snapping
     std::array<double, 2> numbers{}; ///< of the gesture, as the readout shows them
+    bool held = false;               ///< something is typed or locked
 };
 
 /// What a tool works on. A tool changes the document only by pushing commands on session.history;

@@ -26,7 +26,13 @@ void TransformGesture::start(const app::Transformation& kind, const app::Point& 
                  kind.movesPivot ? pivot - pointer : app::Point(0),
                  bench.session.selection(),
                  {}};
+    now_->pressed = pointer;
     now_->end = atRest(*now_);
+    const app::Session& session = bench.session;
+    if (kind.movesPivot)
+        now_->own =
+            app::ownPointsOf(session.now(), session.scene.lines(), session.selection(),
+                             session.selectionBounds().value_or(clipping::Window{}), pointer);
 }
 
 /// The end of a gesture that has changed nothing yet.
@@ -36,10 +42,24 @@ app::GestureEnd TransformGesture::atRest(const State& state)
             state.kind->measure(state.axis).values(state.start, state.start.pointer)};
 }
 
-void TransformGesture::proceed(const Pointer& pointer)
+void TransformGesture::proceed(const Pointer& pointer, const Workbench& bench)
 {
-    if (now_)
-        now_->end = {pointer.position, pointer.numbers, now_->end.repeat};
+    if (!now_)
+        return;
+    now_->end = {pointer.position, pointer.numbers, now_->end.repeat};
+    now_->snap.reset();
+    const bool steps = pointer.modifiers & Qt::ShiftModifier;
+    if (now_->kind->movesPivot && now_->axis == app::Axis::Both && !pointer.held && !steps)
+        snap(pointer, bench);
+}
+
+/// A moved selection snaps by its own points and edges.
+void TransformGesture::snap(const Pointer& pointer, const Workbench& bench)
+{
+    now_->snap =
+        bench.moved(now_->own, pointer.raw - now_->pressed, pointer.modifiers, now_->objects);
+    now_->end.point = now_->start.from + now_->snap->by;
+    now_->end.numbers = now_->kind->measure(now_->axis).values(now_->start, now_->end.point);
 }
 
 void TransformGesture::finish(Workbench& bench)
@@ -161,6 +181,8 @@ std::optional<app::Gauge> TransformGesture::gauge(const Workbench& bench) const
     gauge.repeats = state.copies;
     if (!now_ || last_.isOpen())
         gauge.aim = done_.end;
+    else if (now_->snap)
+        gauge.aim = now_->end;
     return gauge;
 }
 

@@ -16,7 +16,9 @@ public:
                const Workbench& bench);
     bool going() const { return now_.has_value(); }
     bool corrects() const { return last_.isOpen(); } ///< the last step is open again
-    void proceed(const Pointer& pointer);
+    void proceed(const Pointer& pointer, const Workbench& bench);
+    /// What a moved selection snaps to; null: it is not moved.
+    const app::MovedSnap* snapped() const { return now_ && now_->snap ? &*now_->snap : nullptr; }
     void finish(Workbench& bench);
     void accept(const app::GestureEnd& end, Workbench& bench);
     void cancel(Workbench& bench);
@@ -38,10 +40,14 @@ private:
         app::GestureEnd end;
         app::Axis axis = app::Axis::Both;
         bool copies = false;
+        app::Point pressed{}; ///< where the pointer was
+        app::OwnPoints own{}; ///< of the selection, if it is moved
+        std::optional<app::MovedSnap> snap{};
     };
     static std::vector<app::AffineMap> maps(const State& state);
     static bool isNothing(const State& state); ///< nothing would move
     static app::GestureEnd atRest(const State& state);
+    void snap(const Pointer& pointer, const Workbench& bench);
     bool push(const State& state, Workbench& bench) const;
 
     std::optional<State> now_;
