@@ -2,6 +2,7 @@
 #include "app/commands/catalogue.h"
 
 #include "app/commands/add_objects.h"
+#include "app/commands/change_paths.h"
 #include "app/commands/crop_to_window.h"
 #include "app/commands/move_objects.h"
 #include "app/commands/remove_objects.h"
@@ -27,6 +28,7 @@ std::span<const CommandKind> commandKinds()
         ResizeObjects::row,
         TransformObjects::row,
         CopyObjects::row,
+        ChangePaths::row,
         SetStyle::row,
         SetWindow::row,
         SetWindows::row,

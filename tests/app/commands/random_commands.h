@@ -3,6 +3,7 @@
 
 #include "app/commands/add_objects.h"
 #include "app/commands/catalogue.h"
+#include "app/commands/change_paths.h"
 #include "app/commands/crop_to_window.h"
 #include "app/commands/move_objects.h"
 #include "app/commands/remove_objects.h"
@@ -120,6 +121,14 @@ private:
             return nullptr;
         return new app::CopyObjects(document_, app::copying(now(), chosen, maps), "Copy");
     }
+    // Some objects take the path of another one; a few lose it and are removed.
+    app::UndoCommand* changePaths()
+    {
+        std::vector<app::ChangedPath> paths;
+        for (const std::size_t object : some())
+            paths.push_back({object, random_.below(20) == 0 ? app::Path() : random_.object().path});
+        return new app::ChangePaths(document_, paths, "Nodes");
+    }
     app::UndoCommand* restyle()
     {
         const app::Style style = random_.style();
@@ -186,6 +195,7 @@ inline const std::vector<RandomCommands::Maker> RandomCommands::makers{
     {"resize-objects", [](RandomCommands& r) { return r.resize(); }},
     {"transform-objects", [](RandomCommands& r) { return r.transform(); }},
     {"copy-objects", [](RandomCommands& r) { return r.copy(); }},
+    {"change-paths", [](RandomCommands& r) { return r.changePaths(); }},
     {"set-style", [](RandomCommands& r) { return r.restyle(); }},
     {"set-window",
      [](RandomCommands& r) -> app::UndoCommand* {
