@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/nodes/node_steps.h"
+
+#include "app/nodes/end_joining.h"
+#include "app/nodes/node_deletion.h"
+#include "app/nodes/node_segments.h"
+#include "app/nodes/node_types.h"
+#include "app/nodes/subpath_edits.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+
+namespace app {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("NodeSteps", text); }
+
+QString always(const NodeSummary&) { return {}; }
+
+QString endsHaveNoType(const NodeSummary& nodes)
+{
+    return nodes.selected > nodes.selectedEnds
+               ? QString()
+               : tr("An end of an open path has only one handle. Select a node between two "
+                    "segments.");
+}
+
+QString noSegment() { return tr("There is no segment at the selected nodes."); }
+
+template <NodeType type>
+bool setType(OwnedPaths& paths, double)
+{
+    return setTypes(paths.path, type);
+}
+
+/// Deletion and splitting change the number of subpaths, so each object is changed on its own.
+template <bool (*change)(NodePath&)>
+bool ofEach(OwnedPaths& paths, double)
+{
+    OwnedPaths changed;
+    bool any = false;
+    for (std::size_t first = 0; first < paths.owners.size();) {
+        const std::size_t owner = paths.owners[first];
+        NodePath own;
+        for (; first < paths.owners.size() && paths.owners[first] == owner; ++first)
+            own.push_back(std::move(paths.path[first]));
+        any |= change(own);
+        changed.owners.insert(changed.owners.end(), own.size(), owner);
+        std::ranges::move(own, std::back_inserter(changed.path));
+    }
+    paths = std::move(changed);
+    return any;
+}
+
+/// Calls `change` for the subpaths with selected nodes, or for all if no node is selected.
+template <class Change>
+bool ofChosen(NodePath& path, const Change& change)
+{
+    const bool all = selectedCount(path) == 0;
+    bool any = false;
+    for (NodeSubpath& subpath : path)
+        if (all || std::ranges::any_of(subpath.nodes, &Node::selected))
+            any |= change(subpath);
+    return any;
+}
+
+bool reverseChosen(OwnedPaths& paths, double)
+{
+    return ofChosen(paths.path, [](NodeSubpath& subpath) {
+        reverse(subpath);
+        return true;
+    });
+}
+
+bool closeChosen(OwnedPaths& paths, double) { return ofChosen(paths.path, close); }
+
+bool openChosen(OwnedPaths& paths, double)
+{
+    return ofChosen(paths.path, [](NodeSubpath& subpath) {
+        const auto at = std::ranges::find_if(subpath.nodes, &Node::selected);
+        const bool any = at != subpath.nodes.end();
+        return open(subpath, any ? std::size_t(at - subpath.nodes.begin()) : 0);
+    });
+}
+
+std::array<NodeStep, 12> allSteps()
+{
+    return {
+        NodeStep{"corner-nodes", tr("Make nodes &corners"), tr("Make nodes corners"), true,
+                 endsHaveNoType, setType<NodeType::Corner>},
+        NodeStep{"smooth-nodes", tr("Make nodes &smooth"), tr("Make nodes smooth"), true,
+                 endsHaveNoType, setType<NodeType::Smooth>},
+        NodeStep{"symmetric-nodes", tr("Make nodes s&ymmetric"), tr("Make nodes symmetric"), true,
+                 endsHaveNoType, setType<NodeType::Symmetric>},
+        NodeStep{"straighten-segments", tr("Make segments &lines"), tr("Make segments lines"), true,
+                 [](const NodeSummary& nodes) {
+                     return nodes.curved > 0     ? QString()
+                            : nodes.straight > 0 ? tr("The segments are straight already.")
+                                                 : noSegment();
+                 },
+                 [](OwnedPaths& paths, double) { return makeStraight(paths.path); }},
+        NodeStep{"curve-segments", tr("Make segments c&urves"), tr("Make segments curves"), true,
+                 [](const NodeSummary& nodes) {
+                     return nodes.straight > 0 ? QString()
+                            : nodes.curved > 0 ? tr("The segments are curves already.")
+                                               : noSegment();
+                 },
+                 [](OwnedPaths& paths, double) { return makeCurved(paths.path); }},
+        NodeStep{"add-nodes", tr("&Add nodes in the middle"), tr("Add nodes"), true,
+                 [](const NodeSummary& nodes) {
+                     return nodes.straight + nodes.curved > 0 ? QString() : noSegment();
+                 },
+                 [](OwnedPaths& paths, double) { return insertInChosen(paths.path); }},
+        NodeStep{"delete-nodes", tr("&Delete nodes"), tr("Delete nodes"), true, always,
+                 ofEach<deleteSelected>},
+        NodeStep{"split-path", tr("&Split path at nodes"), tr("Split path"), true,
+                 [](const NodeSummary& nodes) {
+                     return nodes.selected > nodes.selectedEnds
+                                ? QString()
+                                : tr("The path ends here already. Select a node between two "
+                                     "segments.");
+                 },
+                 ofEach<splitAtSelected>},
+        NodeStep{"join-ends", tr("&Join ends"), tr("Join ends"), false,
+                 [](const NodeSummary& nodes) {
+                     return nodes.open > 0 ? QString()
+                                           : tr("The path is closed: it has no ends to join.");
+                 },
+                 [](OwnedPaths& paths, double tolerance) {
+                     return joinEnds(paths.path, paths.owners, tolerance) > 0;
+                 },
+                 tr("No two ends lie within %1 mm of each other. Select two ends with the tool "
+                    "Nodes to join them by a line.")
+                     .arg(joiningMillimetres)},
+        NodeStep{"close-path", tr("Cl&ose path"), tr("Close path"), false,
+                 [](const NodeSummary& nodes) {
+                     return nodes.open > 0 ? QString() : tr("The path is closed already.");
+                 },
+                 closeChosen, tr("The path is closed already.")},
+        NodeStep{"open-path", tr("O&pen path"), tr("Open path"), false,
+                 [](const NodeSummary& nodes) {
+                     return nodes.closed > 0 ? QString() : tr("The path is open already.");
+                 },
+                 openChosen, tr("The path is open already.")},
+        NodeStep{"reverse-path", tr("&Reverse path"), tr("Reverse path"), false, always,
+                 reverseChosen},
+    };
+}
+
+} // namespace
+
+std::span<const NodeStep> nodeSteps()
+{
+    // THE CATALOGUE. To add a step: add its row to allSteps(), and its row in
+    // ui/menus/object_menu.cpp.
+    static const std::array all = allSteps();
+    return all;
+}
+
+const NodeStep& nodeStep(std::string_view key)
+{
+    return *std::ranges::find(nodeSteps(), key, &NodeStep::key);
+}
+
+} // namespace app

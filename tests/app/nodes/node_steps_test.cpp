@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/nodes/node_steps.h"
+
+#include <QTest>
+
+#include <set>
+
+#include "tests/app/nodes/shapes.h"
+#include "tests/not_empty.h"
+
+class NodeStepsTest : public QObject {
+    Q_OBJECT
+
+    static QString refusal(const char* key, const app::NodePath& path)
+    {
+        return app::nodeStep(key).refusal(app::summaryOf(path));
+    }
+
+private slots:
+    void everyStepHasANameAndChangesAnOpenCurveOrSaysWhyNot()
+    {
+        std::set<std::string_view> keys;
+        for (const app::NodeStep& step : notEmpty(app::nodeSteps())) {
+            QVERIFY(keys.insert(step.key).second);
+            QVERIFY(!step.name.isEmpty() && !step.done.isEmpty());
+            app::OwnedPaths paths{{nodesOf({{0, 0},
+                                            {{{60, 0}, {20, -40}, {60, -10}, true},
+                                             {{120, 10}, {80, 0}, {100, 60}, true}},
+                                            false})},
+                                  {0}};
+            paths.path[0].nodes[1].selected = true;
+            const app::NodePath before = paths.path;
+            const QString why = step.refusal(app::summaryOf(paths.path));
+            const bool done = why.isEmpty() && step.change(paths, 1);
+            if (done)
+                QVERIFY2(paths.path != before || step.key == "corner-nodes", step.key.data());
+            else
+                QVERIFY2((why + step.refused).endsWith('.'), step.key.data());
+            QCOMPARE(paths.owners.size(), paths.path.size());
+            QVERIFY(app::isFinite(paths.path));
+        }
+    }
+    void theSummaryCountsWhatStepsNeed()
+    {
+        app::NodePath path{nodesOf(wave()), nodesOf(circle(5)), polyline({{1, 1}})};
+        app::NodeSummary none = app::summaryOf(path);
+        QVERIFY(none.nodes == 8 && none.selected == 0 && none.open == 1 && none.closed == 1);
+        QVERIFY(!none.only && none.curved + none.straight == 0);
+        path[0].nodes[0].selected = true;
+        const app::NodeSummary one = app::summaryOf(path);
+        QVERIFY(one.selected == 1 && one.selectedEnds == 1 && one.curved == 1);
+        QVERIFY((*one.only == app::NodeAddress{0, 0}));
+        path[1].nodes[1].selected = path[1].nodes[2].selected = true;
+        const app::NodeSummary more = app::summaryOf(path);
+        QVERIFY(more.selected == 3 && !more.only && more.curved == 1);
+    }
+    void whatIsImpossibleIsSaidInOneSentence()
+    {
+        app::NodePath end{nodesOf(wave())};
+        end[0].nodes[0].selected = true;
+        for (const char* key : {"smooth-nodes", "split-path", "open-path", "curve-segments"})
+            QVERIFY2(refusal(key, end).endsWith('.'), key);
+        QVERIFY(refusal("straighten-segments", end).isEmpty());
+        app::NodePath round{nodesOf(circle(5))};
+        for (const char* key : {"join-ends", "close-path"})
+            QVERIFY2(refusal(key, round).endsWith('.'), key);
+        QVERIFY(refusal("open-path", round).isEmpty());
+    }
+    void deletingAndSplittingKeepEachObjectsSubpaths()
+    {
+        app::OwnedPaths paths{{nodesOf(wave()), nodesOf(circle(5)), nodesOf(wave())}, {3, 7, 7}};
+        paths.path[0].nodes[1].selected = paths.path[2].nodes[1].selected = true;
+        app::OwnedPaths split = paths;
+        QVERIFY(app::nodeStep("split-path").change(split, 1));
+        QCOMPARE(split.owners, (std::vector<std::size_t>{3, 3, 7, 7, 7}));
+        app::selectAll(std::span(paths.path).first(1), true);
+        QVERIFY(app::nodeStep("delete-nodes").change(paths, 1));
+        QCOMPARE(paths.owners, (std::vector<std::size_t>{7, 7}));
+    }
+    void closingConcernsTheSelectedSubpathsOrAll()
+    {
+        app::OwnedPaths paths{{nodesOf(wave()), nodesOf(wave())}, {0, 1}};
+        app::OwnedPaths all = paths;
+        QVERIFY(app::nodeStep("close-path").change(all, 1));
+        QVERIFY(all.path[0].closed && all.path[1].closed);
+        paths.path[1].nodes[0].selected = true;
+        QVERIFY(app::nodeStep("close-path").change(paths, 1));
+        QVERIFY(!paths.path[0].closed && paths.path[1].closed);
+    }
+};
+
+QTEST_APPLESS_MAIN(NodeStepsTest)
+#include "node_steps_test.moc"
