@@ -10,6 +10,7 @@
 #include "app/lessons/course.h"
 #include "app/scene/compared_window.h"
 #include "app/scene/scene.h"
+#include "app/session/node_editing.h"
 #include "app/session/preview.h"
 #include "app/view/removed_part.h"
 
@@ -64,6 +65,7 @@ public:
     LiveExactness exactness{document, scene};     ///< how exact an algorithm is, while shown
     Microscope microscope;                        ///< one line, step by step
     Course course{microscope};                    ///< the lesson in progress, if any
+    NodeEditing nodes{*this};                     ///< of the selected objects
     Pen pen;
     ArrangeOptions arrange;
 
