@@ -32,7 +32,8 @@ bool Readout::follow(const Gauge& gauge)
     const auto& now = gauge_.measure->fields;
     const auto& next = gauge.measure->fields;
     const auto sameName = [](const auto& a, const auto& b) { return a.name == b.name; };
-    if (gauge.start != gauge_.start || !std::ranges::equal(now, next, sameName))
+    if (gauge.start != gauge_.start || gauge.relativeTo != gauge_.relativeTo
+        || !std::ranges::equal(now, next, sameName))
         return false;
     gauge_ = gauge;
     return true;
@@ -140,7 +141,8 @@ bool Readout::holdPoint(const PointEntry& entry)
     const bool relative = entry.origin == PointEntry::Origin::Relative
                           || (entry.origin == PointEntry::Origin::Usual
                               && gauge_.measure->points == GestureMeasure::Points::Relative);
-    target_ = entry.point + (relative ? gauge_.start.from : gauge_.origin);
+    target_ =
+        entry.point + (relative ? gauge_.relativeTo.value_or(gauge_.start.from) : gauge_.origin);
     return true;
 }
 
@@ -151,7 +153,8 @@ bool Readout::holdPolar(const PolarEntry& entry)
     if (!entry.length && !hasAngle)
         return refuse(tr("An angle alone has no meaning here. Type a length before it: 30<45."));
     if (!hasAngle) {
-        target_ = gauge_.start.from + directionOf(entry.angle) * *entry.length;
+        target_ = gauge_.relativeTo.value_or(gauge_.start.from)
+                  + directionOf(entry.angle) * *entry.length;
         return true;
     }
     if (entry.length)
@@ -214,7 +217,7 @@ GestureEnd Readout::result(const Point& pointer) const
 {
     GestureEnd result{end(pointer), {}, repeat_};
     result.numbers = gauge_.aim && !holds() ? gauge_.aim->numbers
-                                          : gauge_.measure->values(gauge_.start, result.point);
+                                            : gauge_.measure->values(gauge_.start, result.point);
     for (std::size_t field = 0; field < held_.size() && !target_; ++field)
         result.numbers[field] = held_[field].value_or(result.numbers[field]);
     return result;

@@ -19,9 +19,10 @@ struct Gauge {
     GestureStart start;
     Point origin; ///< of absolute coordinates
     Scale scale{};
-    std::optional<GestureEnd> aim{}; ///< holds instead of the pointer, as far as nothing is typed
-    Point shift{0, 0};               ///< from the pointer to the point that it moves
-    bool repeats = false;            ///< whether "5x" and "5/" have a meaning
+    std::optional<GestureEnd> aim{};   ///< holds instead of the pointer, as far as nothing is typed
+    std::optional<Point> relativeTo{}; ///< "@10,20", "30<45"; empty: to start.from
+    Point shift{0, 0};                 ///< from the pointer to the point that it moves
+    bool repeats = false;              ///< whether "5x" and "5/" have a meaning
 };
 
 /// The two numbers beside the pointer during a gesture, and what is typed into them. A number that

@@ -49,6 +49,23 @@ private slots:
         QVERIFY(std::abs(distance(line.end({-20, 18}), {100, 50}) - 3450) < 1e-9);
         QCOMPARE(line.number(0, line.end({-20, 18})), "3450.00\u00a0mm");
     }
+    void coordinatesOfANodeAreAbsoluteAndRelativeOnesCountFromIt()
+    {
+        Gauge gauge{&position(), {7, 9}, {7, 9}, {Unit::Mm, 1}};
+        gauge.aim = gauge.relativeTo = Point(100, 50);
+        Readout node(gauge);
+        QCOMPARE(node.end({1, 1}), Point(100, 50)); // the pointer does not matter
+        for (const auto& [text, end] : {std::pair{"10,20", Point(17, 29)},
+                                        {"#10,20", {17, 29}},
+                                        {"@10,20", {110, 70}},
+                                        {"30<90", {100, 20}},
+                                        {"10", {17, 50}}}) {
+            node.type(text);
+            QVERIFY2(distance(node.end({1, 1}), end) < 1e-12, text);
+        }
+        gauge.relativeTo = Point(17, 50);
+        QVERIFY(!node.follow(gauge)); // another node: what is typed does not hold for it
+    }
     void heldAngleKeepsTheEndOnItsRay()
     {
         Readout line = readout(lengthAndAngle());
