@@ -91,6 +91,12 @@ const NodeSummary& NodeEditing::summary() const
     return *summary_;
 }
 
+std::uint64_t NodeEditing::revision() const
+{
+    path();
+    return revision_;
+}
+
 std::size_t NodeEditing::objectOf(std::size_t subpath) const
 {
     path();
@@ -115,6 +121,7 @@ void NodeEditing::read() const
     if (std::exchange(objects_, std::move(objects)) == objects_)
         carryOver(paths);
     outdated_ = false;
+    ++revision_;
     summary_.reset();
 }
 

@@ -29,6 +29,8 @@ public:
     const NodePath& path() const;
     const NodeSummary& summary() const;
     bool someSelected() const { return shown_ && summary().selected > 0; }
+    /// Increases whenever nodes are read again: their addresses may then mean other nodes.
+    std::uint64_t revision() const;
     std::size_t objectOf(std::size_t subpath) const; ///< the object that a subpath belongs to
 
     /// `change` changes which nodes are selected, and nothing else.
@@ -69,6 +71,7 @@ private:
     Session& session_;
     bool shown_ = false, applying_ = false;
     mutable bool outdated_ = true;
+    mutable std::uint64_t revision_ = 0;
     mutable OwnedPaths read_;                  ///< owners are numbers of objects
     mutable std::vector<std::size_t> objects_; ///< that were read
     mutable std::optional<NodeSummary> summary_;

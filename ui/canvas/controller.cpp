@@ -26,6 +26,11 @@ Controller::Controller(app::Session& session, QObject* parent)
     connect(&session, &app::Session::selectionChanged, this, &Controller::outdate);
     connect(&session, &app::Session::inspectedChanged, this, &Controller::changed);
     connect(&session, &app::Session::previewChanged, this, &Controller::changed);
+    connect(&session.nodes, &app::NodeEditing::changed, this, [this] {
+        followGauge();
+        emit hintChanged();
+        emit changed();
+    });
     connect(&session.differences, &app::LiveDifferences::changed, this, &Controller::renew);
     connect(&session.exactness, &app::LiveExactness::changed, this, &Controller::renew);
     connect(&session, &app::Session::loaded, this, [this] {

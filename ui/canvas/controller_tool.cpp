@@ -2,6 +2,8 @@
 #include "ui/canvas/controller.h"
 #include "ui/tools/shape_drawing.h"
 
+#include <utility>
+
 // The current tool.
 
 namespace ui {
@@ -11,10 +13,13 @@ void Controller::setTool(std::string_view key)
     const ToolInfo* info = findTool(key);
     if (!info || info == toolInfo_)
         return;
-    if (tool_)
+    if (tool_) {
         tool_->end(bench_);
+        tool_->putAway(bench_);
+    }
     tool_ = info->make();
     toolInfo_ = info;
+    tool_->takeUp(bench_);
     snap_.reset();
     typing_ = false;
     readout_.reset(); // the numbers were for the other tool
@@ -64,6 +69,8 @@ void Controller::withTool(const std::function<void()>& call)
     const QString before = hint();
     const Steps stepsBefore = steps();
     call();
+    if (!bench_.nextTool.empty())
+        setTool(std::exchange(bench_.nextTool, {}));
     navigation_.go(toolView_);
     followGauge();
     if (hint() != before)

@@ -59,8 +59,11 @@ QAction* makeAction(MainWindow& window, OtherWindows& others, const ActionInfo& 
         window.refreshActions();
     });
     const auto refresh = [action, &row, &window] {
-        action->setEnabled(!row.enabled || row.enabled(window));
-        action->setStatusTip(action->isEnabled() ? QString() : row.needs);
+        const QString why = row.refusal ? row.refusal(window) : QString();
+        action->setEnabled(why.isEmpty() && (!row.enabled || row.enabled(window)));
+        action->setStatusTip(action->isEnabled() ? QString() : row.refusal ? why : row.needs);
+        if (row.refusal)
+            action->setToolTip(why);
         if (row.checked)
             action->setChecked(row.checked(window));
     };
@@ -91,6 +94,13 @@ void addRow(MainWindow& window, OtherWindows& others, const ActionInfo& row, QMe
     }
 }
 
+QMenu* addSubmenu(QMenu& menu, const QString& title)
+{
+    QMenu* submenu = menu.addMenu(title);
+    submenu->setToolTipsVisible(true); // which say why commands are disabled
+    return submenu;
+}
+
 } // namespace
 
 void addMenus(MainWindow& window)
@@ -106,7 +116,7 @@ void addMenus(MainWindow& window)
             if (row.submenu.isEmpty())
                 submenu = nullptr;
             else if (!submenu || submenu->title() != row.submenu)
-                submenu = menu->addMenu(row.submenu);
+                submenu = addSubmenu(*menu, row.submenu);
             addRow(window, *others, row, submenu ? *submenu : *menu, groups);
         }
     }

@@ -39,6 +39,8 @@ struct ActionInfo {
     /// Why it is disabled, and what to do first; its disabled shortcut shows this too.
     QString needs = {};
     QString submenu = {}; ///< the title of the submenu that holds the command; empty: none
+    /// Instead of `enabled` and `needs`: why it is disabled now, in one sentence; empty: it is not.
+    std::function<QString(const MainWindow& window)> refusal = nullptr;
     /// Fills the submenu that this row is, from another catalogue (algorithms, panels …).
     void (*fill)(MainWindow& window, QMenu& menu) = nullptr;
     /// Puts the new action in a bar, too.

@@ -33,6 +33,25 @@ void pasteOrWarn(MainWindow& window)
         window.tell({Message::Kind::Warning, nothingToPaste()});
 }
 
+/// With the tool Nodes, the selected nodes are meant.
+void deleteNodesOrObjects(MainWindow& window)
+{
+    app::NodeEditing& nodes = window.session().nodes;
+    if (nodes.someSelected())
+        nodes.run(app::nodeStep("delete-nodes"));
+    else
+        deleteSelection(window.session());
+}
+
+void selectAllNodesOrObjects(MainWindow& window)
+{
+    app::Session& session = window.session();
+    if (session.nodes.shown() && !session.selection().empty())
+        session.nodes.selectAll(true);
+    else
+        selectAll(session);
+}
+
 struct StepEntry {
     const char* key;
     QString verb;
@@ -126,7 +145,7 @@ MenuInfo editMenu()
                     .keys = {K(Qt::Key_Delete), K(Qt::Key_Backspace)},
                     .scope = ShortcutScope::Canvas,
                     .icon = "bin",
-                    .run = [](MainWindow& w) { deleteSelection(w.session()); },
+                    .run = deleteNodesOrObjects,
                     .enabled = someSelected,
                     .needs = nothingSelected(),
                 },
@@ -135,7 +154,7 @@ MenuInfo editMenu()
                     .key = "select-all",
                     .text = tr("Select &all"),
                     .keys = keys(K::SelectAll),
-                    .run = [](MainWindow& w) { selectAll(w.session()); },
+                    .run = selectAllNodesOrObjects,
                     .enabled =
                         [](const MainWindow& w) { return !w.session().now().objects().empty(); },
                 },

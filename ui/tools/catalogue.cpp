@@ -10,6 +10,7 @@ namespace ui {
 
 // Each is defined in the file of its name, KEY_tool.cpp.
 std::unique_ptr<Tool> makeSelectTool();
+std::unique_ptr<Tool> makeNodesTool();
 std::unique_ptr<Tool> makeHandTool();
 std::unique_ptr<Tool> makeZoomTool();
 std::unique_ptr<Tool> makeLineTool();
@@ -28,6 +29,10 @@ std::span<const ToolInfo> tools()
                  tr("Click a line to select it, or drag a box around objects. Shift adds to the "
                     "selection."),
                  QKeySequence("V"), makeSelectTool},
+        ToolInfo{"nodes", tr("Nodes"),
+                 tr("Click a path to show its nodes. Drag nodes, handles and segments; double "
+                    "click on the path adds a node."),
+                 QKeySequence("N"), makeNodesTool},
         ToolInfo{"hand", tr("Hand"), tr("Drag to move the view."), QKeySequence("H"), makeHandTool},
         ToolInfo{"zoom", tr("Zoom"),
                  tr("Drag a rectangle to zoom to it. Click to zoom in, Alt+click to zoom out."),

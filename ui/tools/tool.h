@@ -41,6 +41,8 @@ struct Workbench {
     const Look& look;
     const app::Snapper& snapper;
     const app::SnapTo& snapTo; ///< the kinds that are on; Nothing: snapping is off
+    /// The key of the tool to go on with, which replaces this one after the call; empty: this one.
+    std::string_view nextTool{};
 
     QPointF onScreen(const app::Point& p) const
     {
@@ -70,6 +72,8 @@ double nudge(const Workbench& bench, Qt::KeyboardModifiers modifiers);
 class Tool {
 public:
     virtual ~Tool() = default;
+    virtual void takeUp(Workbench&) {}  ///< the tool was chosen
+    virtual void putAway(Workbench&) {} ///< another tool is chosen; after end()
     virtual void press(const Pointer&, Workbench&) {}
     virtual void move(const Pointer&, Workbench&) {} ///< also without a button, for hovering
     virtual void release(const Pointer&, Workbench&) {}
@@ -111,6 +115,7 @@ public:
     /// Where the thing that is being moved snaps; null: nothing is moved.
     virtual const app::MovedSnap* snapped() const { return nullptr; }
     virtual bool showsHandles() const { return false; } ///< the clip window's handles
+    virtual bool movesEnds() const { return false; }    ///< of the inspected line (end_drag.h)
     /// The hovered handle of the clip window, which a press would drag.
     virtual std::optional<app::Handle> hoveredHandle() const { return std::nullopt; }
     /// The hovered segment, which a press would select.

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/menus/actions.h"
+
+// Parts of the menu Object.
+
+namespace ui {
+
+std::vector<ActionInfo> arrangementRows(); ///< align, spread, make same size
+std::vector<ActionInfo> pathRows();        ///< the steps that edit nodes
+
+} // namespace ui
