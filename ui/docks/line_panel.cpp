@@ -54,7 +54,7 @@ LinePanel::LinePanel(app::Session& session, QWidget* parent)
     steps_->setPalette(quiet);
     microscope_->setIconSize({16, 16});
     microscope_->setToolTip(
-        tr("Show how this line is clipped, step by step (F2, or double-click the line)"));
+        tr("Show how this line is clipped, step by step (F2)"));
     connect(microscope_, &QPushButton::clicked, this, &LinePanel::microscopeWanted);
     auto* looking = new QHBoxLayout;
     looking->setContentsMargins(space::dockMargin, 0, space::dockMargin, 0);

@@ -27,7 +27,7 @@ std::span<const ToolInfo> tools()
     static const std::array all{
         ToolInfo{"select", tr("Select"),
                  tr("Click a line to select it, or drag a box around objects. Shift adds to the "
-                    "selection."),
+                    "selection. Double click shows nodes."),
                  QKeySequence("V"), makeSelectTool},
         ToolInfo{"nodes", tr("Nodes"),
                  tr("Click a path to show its nodes. Drag nodes, handles and segments; double "

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/numbers.h"
 #include "app/commands/remove_objects.h"
-#include "app/session/first_traced_line.h"
 #include "ui/tools/box_resize.h"
 #include "ui/tools/shape_drawing.h"
 #include "ui/tools/transform_gesture.h"
@@ -261,14 +260,16 @@ void SelectTool::release(const Pointer& pointer, Workbench& bench)
     hoveredSegment_.reset();
 }
 
-/// Opens the line in the microscope.
+/// Shows the nodes of a path.
 void SelectTool::doubleClick(const Pointer& pointer, Workbench& bench)
 {
     const auto segment = bench.picking.nearest(pointer.raw, bench.inDrawing(reach));
-    if (!segment)
+    const auto object = segment ? std::optional(bench.session.scene.lines().objectOf(*segment))
+                                : bench.picking.areaAt(pointer.raw);
+    if (!object)
         return press(pointer, bench);
-    bench.session.inspect(segment);
-    bench.session.microscope.open(app::tracedLineOf(bench.session, *segment));
+    bench.session.select({*object});
+    bench.nextTool = "nodes";
 }
 
 void SelectTool::click(const Pointer& pointer, Workbench& bench)
@@ -328,9 +329,8 @@ QString SelectTool::hint(const Workbench& bench) const
     if (hoveredSegment_ && *hoveredSegment_ < session.scene.lines().size() && drag_ == Drag::None) {
         const app::Containers& containers = session.now().containers();
         const auto layer = containers.layerOf(session.scene.lines().objectOf(*hoveredSegment_));
-        return QCoreApplication::translate(
-                   "Tools",
-                   "Line %1 in %2. Click selects it, Shift+click adds it, dragging moves it.")
+        return QCoreApplication::translate("Tools", "Line %1 in %2. Click selects it, dragging "
+                                                    "moves it, double click shows its nodes.")
             .arg(app::countText(*hoveredSegment_ + 1), containers[layer].name);
     }
     if (!session.selection().empty())

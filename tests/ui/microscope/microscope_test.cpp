@@ -402,7 +402,7 @@ private slots:
         QVERIFY(!again->findChild<QDockWidget*>("layers")->isHidden());
         QVERIFY(again->findChild<QDockWidget*>("line")->isHidden());
     }
-    void theLinePanelAndADoubleClickOpenTheMicroscope()
+    void theLinePanelAndF2OpenTheMicroscopeButADoubleClickShowsNodes()
     {
         TestWindow t;
         t.open(t.twoLines());
@@ -419,6 +419,11 @@ private slots:
         t.window->canvas().fitDrawing();
         const app::Point at = t.window->canvas().view().toScreen({30, 50});
         QTest::mouseDClick(t.drawingArea(), Qt::LeftButton, {}, QPoint(int(at.x), int(at.y)));
+        QVERIFY(!t.window->session().microscope.isOpen());
+        QCOMPARE(t.window->canvas().tool(), std::string_view("nodes"));
+        t.window->canvas().setTool("select");
+        QTest::mouseClick(t.drawingArea(), Qt::LeftButton, {}, QPoint(int(at.x), int(at.y)));
+        QTest::keyClick(t.drawingArea(), Qt::Key_F2);
         QVERIFY(t.window->session().microscope.isOpen());
         QCOMPARE(t.window->drawnLine().line(), std::size_t(0));
     }

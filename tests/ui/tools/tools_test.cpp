@@ -365,7 +365,7 @@ private slots:
         };
         for (int twice = 0; twice < 2; ++twice) {
             doubleClick();
-            QVERIFY(!session.microscope.isOpen());
+            QCOMPARE(stage.canvas->tool(), std::string_view("select"));
             QCOMPARE(session.selection(), app::ObjectRanges{0});
             QCOMPARE(session.clipWindow(), std::optional(session.now().page().rectangle()));
             QCOMPARE(session.history.count(), 1);
@@ -375,7 +375,7 @@ private slots:
         stage.click({100, 121}); // the next click is the tool's
         QCOMPARE(session.selection(), app::ObjectRanges{1});
         doubleClick();
-        QVERIFY(session.microscope.isOpen());
+        QCOMPARE(stage.canvas->tool(), std::string_view("nodes"));
     }
 
     void theSnapMarkDisappearsAfterTheDrag()
