@@ -5,6 +5,7 @@
 #include "ui/canvas/seen_overlay.h"
 #include "ui/canvas/snap_marker.h"
 #include "ui/canvas/window_overlay.h"
+#include "ui/tools/end_drag.h"
 
 #include <glm/common.hpp>
 
@@ -81,8 +82,10 @@ void paintInspected(QPainter& painter, const Controller& controller, const Pane&
         drawLine(painter, controller, piece[0].segment, casing);
         drawLine(painter, controller, piece[0].segment, QPen(blue, 3, Qt::SolidLine, Qt::FlatCap));
     }
-    paintEnd(painter, controller, whole.a, clipping::Edge::None);
-    paintEnd(painter, controller, whole.b, clipping::Edge::None);
+    if (controller.tool().movesEnds() && lineWithHandles(session)) {
+        paintEnd(painter, controller, whole.a, clipping::Edge::None);
+        paintEnd(painter, controller, whole.b, clipping::Edge::None);
+    }
     if (visible && clipping::cutEdgeOfA(piece[0].cut) != clipping::Edge::None)
         paintEnd(painter, controller, piece[0].segment.a, clipping::cutEdgeOfA(piece[0].cut));
     if (visible && clipping::cutEdgeOfB(piece[0].cut) != clipping::Edge::None)

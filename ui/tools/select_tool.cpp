@@ -2,6 +2,7 @@
 #include "app/base/numbers.h"
 #include "app/commands/remove_objects.h"
 #include "ui/tools/box_resize.h"
+#include "ui/tools/end_drag.h"
 #include "ui/tools/shape_drawing.h"
 #include "ui/tools/transform_gesture.h"
 #include "ui/tools/window_gesture.h"
@@ -34,19 +35,22 @@ public:
     void cancel(Workbench& bench) override
     {
         gesture_.cancel(bench);
+        end_.cancel(bench);
         transform_.cancel(bench);
         resize_.cancel();
         drag_ = Drag::None;
     }
     bool busy() const override
     {
-        return gesture_.going() || transform_.going() || drag_ != Drag::None;
+        return gesture_.going() || end_.going() || transform_.going() || drag_ != Drag::None;
     }
     bool transform(const app::Transformation& kind, const Pointer& pointer,
                    Workbench& bench) override;
     std::optional<app::Gauge> gauge(const Workbench& bench) const override
     {
-        return resize_.going() ? resize_.gauge(bench) : transform_.gauge(bench);
+        return end_.going()      ? end_.gauge(bench)
+               : resize_.going() ? resize_.gauge(bench)
+                                 : transform_.gauge(bench);
     }
     void accept(const app::GestureEnd& end, Workbench& bench) override;
     void reopen(Workbench& bench) override { transform_.reopen(bench); }
@@ -54,13 +58,14 @@ public:
     QCursor cursor(const Workbench& bench) const override;
     app::SnapTo snapsTo() const override
     {
-        return drag_ == Drag::Pivot ? app::SnapTo::All : app::SnapTo::Nothing;
+        return end_.going() || drag_ == Drag::Pivot ? app::SnapTo::All : app::SnapTo::Nothing;
     }
     const app::MovedSnap* snapped() const override
     {
         return transform_.going() ? transform_.snapped() : gesture_.snapped();
     }
     bool showsHandles() const override { return true; }
+    bool movesEnds() const override { return true; }
     std::optional<app::Handle> hoveredHandle() const override { return hoveredHandle_; }
     std::optional<std::size_t> hoveredSegment() const override { return hoveredSegment_; }
     QString hint(const Workbench& bench) const override;
@@ -73,6 +78,7 @@ private:
     void forgetHovered()
     {
         hoveredHandle_.reset();
+        hoveredEnd_.reset();
         boxHandle_.reset();
         hoveredSegment_.reset();
         mark_ = Mark::None;
@@ -92,6 +98,8 @@ private:
     WindowGesture gesture_;
     TransformGesture transform_;
     BoxResize resize_;
+    EndDrag end_;
+    std::optional<EndDrag::End> hoveredEnd_;
     std::optional<app::Handle> hoveredHandle_;
     /// Dragged or hovered handle of the selection's bounding box.
     std::optional<app::Handle> boxHandle_;
@@ -114,6 +122,7 @@ void SelectTool::light(const Pointer& pointer, Workbench& bench)
 {
     const auto window = bench.session.clipWindow();
     hoveredHandle_ = window ? app::handleAt(pointer.screen, *window, bench.view) : std::nullopt;
+    hoveredEnd_ = hoveredHandle_ ? std::nullopt : EndDrag::endAt(pointer.screen, bench);
     const auto box = hoveredHandle_ ? std::nullopt : boxAround(bench.session);
     mark_ = box ? markAt(pointer, bench) : Mark::None;
     boxHandle_ = box && mark_ == Mark::None
@@ -164,6 +173,8 @@ void SelectTool::press(const Pointer& pointer, Workbench& bench)
         gesture_.start(*hoveredHandle_, pointer, bench.session.window());
         return;
     }
+    if (hoveredEnd_ && !(pointer.modifiers & Qt::ShiftModifier))
+        return end_.start(*hoveredEnd_, pointer, bench);
     from_ = to_ = pointer;
     drag_ = Drag::Press;
 }
@@ -173,6 +184,8 @@ void SelectTool::move(const Pointer& pointer, Workbench& bench)
     to_ = pointer;
     if (gesture_.going())
         gesture_.proceed(pointer, bench);
+    else if (end_.going())
+        end_.proceed(pointer, bench);
     else if (resize_.going())
         resize_.proceed(pointer);
     else if (transform_.going())
@@ -234,6 +247,8 @@ bool SelectTool::transform(const app::Transformation& kind, const Pointer& point
 void SelectTool::accept(const app::GestureEnd& end, Workbench& bench)
 {
     drag_ = Drag::None;
+    if (end_.going())
+        return end_.accept(end.point, bench);
     resize_.going() ? resize_.accept(end, bench) : transform_.accept(end, bench);
 }
 
@@ -241,6 +256,11 @@ void SelectTool::release(const Pointer& pointer, Workbench& bench)
 {
     if (gesture_.going()) {
         gesture_.finish(pointer, bench);
+        return;
+    }
+    if (end_.going()) {
+        if (!end_.finish(pointer, bench))
+            click(pointer, bench);
         return;
     }
     const Drag drag = std::exchange(drag_, Drag::None);
@@ -326,6 +346,10 @@ QString SelectTool::hint(const Workbench& bench) const
     const app::Session& session = bench.session;
     if (const QString hint = transform_.hint(bench); !hint.isEmpty())
         return hint;
+    if (hoveredEnd_ || end_.going())
+        return QCoreApplication::translate(
+            "Tools",
+            "Drag the end of the line. While dragging, type a length, Tab, an angle, Enter.");
     if (hoveredSegment_ && *hoveredSegment_ < session.scene.lines().size() && drag_ == Drag::None) {
         const app::Containers& containers = session.now().containers();
         const auto layer = containers.layerOf(session.scene.lines().objectOf(*hoveredSegment_));
@@ -353,11 +377,12 @@ QCursor SelectTool::cursor(const Workbench&) const
         return Qt::PointingHandCursor;
     if (boxHandle_)
         return cursorOf(*boxHandle_);
-    return transform_.going() ? Qt::SizeAllCursor : Qt::ArrowCursor;
+    return hoveredEnd_ || end_.going() || transform_.going() ? Qt::SizeAllCursor : Qt::ArrowCursor;
 }
 
 void SelectTool::paint(QPainter& painter, const Workbench& bench) const
 {
+    end_.paint(painter, bench);
     if (drag_ == Drag::Box)
         paintBox(painter, bench);
     if (resize_.going())
