@@ -11,7 +11,7 @@
 namespace ui {
 namespace {
 
-constexpr double nodeSize = 9, handleSize = 7, hoverGrowth = 2; // pixels
+constexpr double nodeSize = 9, handleSize = 7, growth = 2, margin = 1.75; // pixels
 constexpr double arrowLength = 14, arrowHead = 4, arrowOffset = 13;
 constexpr std::size_t mostShapes = 2000, mostArrows = 200, mostSegments = 4000;
 constexpr int cell = 6;            // pixels: of very many nodes, one in each cell
@@ -48,7 +48,7 @@ public:
                 continue;
             const bool under = hovered.handle && hovered.handle->node == handle.node
                                && hovered.handle->side == handle.side;
-            const double radius = handleSize / 2 + (under ? hoverGrowth / 2 : 0);
+            const double radius = handleSize / 2 + (under ? growth / 2 : 0);
             painter_.setPen(QPen(blue(), 1.25));
             painter_.setBrush(handle.neighbours ? bench_.look.paper : blue());
             painter_.drawEllipse(at, radius, radius);
@@ -101,21 +101,30 @@ private:
         return QLineF(bench_.onScreen(part->a), bench_.onScreen(part->b));
     }
 
+    /// With a margin of paper, which sets it off from the line.
     void node(const app::Node& node, bool hovered)
     {
         const QPointF at = bench_.onScreen(node.at);
-        const double half = (nodeSize + (hovered ? hoverGrowth : 0)) / 2;
+        const double half = (nodeSize + (hovered || node.selected ? growth : 0)) / 2;
+        painter_.setPen(Qt::NoPen);
+        painter_.setBrush(bench_.look.paper);
+        shape(node.type, at, half + margin);
         painter_.setPen(QPen(blue(), 1.5));
         painter_.setBrush(node.selected ? blue() : bench_.look.paper);
-        if (node.type == app::NodeType::Corner)
-            painter_.drawRect(
-                QRectF(at - QPointF(half - 0.5, half - 0.5), at + QPointF(half - 0.5, half - 0.5)));
-        else if (node.type == app::NodeType::Smooth)
-            painter_.drawEllipse(at, half, half);
+        shape(node.type, at, half);
+    }
+    void shape(app::NodeType type, const QPointF& at, double half)
+    {
+        if (type == app::NodeType::Smooth)
+            return painter_.drawEllipse(at, half, half);
+        if (type == app::NodeType::Symmetric)
+            half += 1.5; // a diamond as large as the others
+        const QPointF right(half, 0), down(0, half);
+        if (type == app::NodeType::Symmetric)
+            painter_.drawPolygon(QPolygonF{at - down, at + right, at + down, at - right});
         else
-            painter_.drawPolygon(QPolygonF{at + QPointF(0, -half - 1.5),
-                                           at + QPointF(half + 1.5, 0), at + QPointF(0, half + 1.5),
-                                           at + QPointF(-half - 1.5, 0)});
+            painter_.drawPolygon(QPolygonF{at - right - down, at + right - down, at + right + down,
+                                           at - right + down});
     }
     void dots(const app::NodePath& path, const std::vector<app::NodeAddress>& visible)
     {
