@@ -71,7 +71,9 @@ GestureMeasure boxMeasure()
                 return {size.x, size.y};
             },
             endOfBox<square, centre>,
-            GestureMeasure::Points::Relative};
+            GestureMeasure::Points::Relative,
+            nullptr,
+            square};
 }
 
 template <int axis, bool centre>

@@ -40,6 +40,7 @@ struct GestureMeasure {
     Points points;
     /// The pointer's place for a number that is a multiple of 15°; null: no number is an angle.
     Point (*toStep)(const GestureStart& start, const Point& pointer) = nullptr;
+    bool equal = false; ///< both numbers are the same one
 };
 
 /// For lines and moves; the end is that of the line, or of the point that is moved. A held angle

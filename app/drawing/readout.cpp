@@ -209,8 +209,15 @@ Point Readout::end(const Point& pointer) const
 {
     if (target_)
         return *target_;
-    const Point aim = gauge_.aim ? gauge_.aim->point : pointer + gauge_.shift;
-    return gauge_.measure->end(gauge_.start, aim, held_);
+    if (!gauge_.aim)
+        return gauge_.measure->end(gauge_.start, pointer + gauge_.shift, held_);
+    if (!holds())
+        return gauge_.aim->point;
+    Held held = held_; // what is not typed stays as it was
+    for (std::size_t field = 0; field < held.size(); ++field)
+        if (!held[field] && !gauge_.measure->equal)
+            held[field] = gauge_.aim->numbers[field];
+    return gauge_.measure->end(gauge_.start, gauge_.aim->point, held);
 }
 
 GestureEnd Readout::result(const Point& pointer) const

@@ -19,7 +19,7 @@ struct Gauge {
     GestureStart start;
     Point origin; ///< of absolute coordinates
     Scale scale{};
-    std::optional<GestureEnd> aim{};   ///< holds instead of the pointer, as far as nothing is typed
+    std::optional<GestureEnd> aim{};   ///< stays, instead of the pointer, where nothing is typed
     std::optional<Point> relativeTo{}; ///< "@10,20", "30<45"; empty: to start.from
     Point shift{0, 0};                 ///< from the pointer to the point that it moves
     bool repeats = false;              ///< whether "5x" and "5/" have a meaning

@@ -16,7 +16,7 @@ std::optional<app::Snap> Controller::snapAt(const app::Point& raw,
         return std::nullopt;
     app::SnapQuery query{raw, bench_.inDrawing(snapReach), to};
     if (readout_ && readout_->gauge().measure == &app::lengthAndAngle())
-        query.from = readout_->gauge().from;
+        query.from = readout_->gauge().start.from;
     if (tool_->busy())
         query.seen = view().visible();
     return snapper_.at(query);

@@ -83,7 +83,8 @@ void Controller::transform(const app::Transformation& kind)
     }
     setTool("select");
     const app::Point middle = view().toDrawing(view().size * 0.5);
-    const Pointer pointer = pointer_.value_or(Pointer{.position = middle, .raw = middle});
+    const Pointer pointer =
+        pointer_.value_or(Pointer{middle, middle, view().toScreen(middle), {}, {}, middle});
     withTool([&] { tool_->transform(kind, pointer, bench_); });
     steer();
 }

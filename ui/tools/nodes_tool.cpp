@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/numbers.h"
 #include "app/commands/remove_objects.h"
-#include "app/drawing/direction.h"
+#include "app/document/direction.h"
 #include "ui/tools/node_painter.h"
 #include "ui/tools/shape_drawing.h"
 
@@ -46,7 +46,7 @@ public:
     bool busy() const override { return drag_ != Drag::None; }
 
     std::optional<app::Gauge> gauge(const Workbench& bench) const override;
-    void accept(const app::Point& point, Workbench& bench) override;
+    void accept(const app::GestureEnd& end, Workbench& bench) override;
 
     QCursor cursor(const Workbench&) const override
     {
@@ -355,12 +355,14 @@ std::optional<app::Gauge> NodesTool::gauge(const Workbench& bench) const
     if (!only)
         return std::nullopt;
     app::Gauge gauge = atPosition(nodeOf(*only, bench).at);
-    gauge.aim = nodeOf(*only, bench).at;
+    const app::Point at = nodeOf(*only, bench).at;
+    gauge.aim = app::GestureEnd{at, gauge.measure->values(gauge.start, at)};
     return gauge;
 }
 
-void NodesTool::accept(const app::Point& point, Workbench& bench)
+void NodesTool::accept(const app::GestureEnd& end, Workbench& bench)
 {
+    const app::Point point = end.point;
     if (outdated(bench))
         return cancel(bench);
     if (preview_) {

@@ -3,6 +3,7 @@
 #include "app/commands/remove_objects.h"
 #include "ui/tools/box_resize.h"
 #include "ui/tools/end_drag.h"
+#include "ui/tools/pivot_marks.h"
 #include "ui/tools/shape_drawing.h"
 #include "ui/tools/transform_gesture.h"
 #include "ui/tools/window_gesture.h"
@@ -14,9 +15,7 @@
 namespace ui {
 namespace {
 
-constexpr double boxReach = 8;                       // pixels
-constexpr double aboveBox = 28;                      // pixels, from the box to the rotation handle
-constexpr double pivotReach = 6, leastForPivot = 72; // pixels
+constexpr double boxReach = 8; // pixels
 
 /// Selects objects by clicks and boxes, and drags them; also drags the clip window by its handles
 /// and outline.
@@ -73,7 +72,7 @@ public:
 
 private:
     enum class Drag : std::uint8_t { None, Press, Box, Resize, Transform, Pivot };
-    enum class Mark : std::uint8_t { None, Rotation, Pivot };
+    using Mark = PivotMarks::Mark;
 
     void forgetHovered()
     {
@@ -88,9 +87,6 @@ private:
     void selectBox(const Pointer& pointer, Workbench& bench);
     void startDrag(Workbench& bench);
     void start(const app::Transformation& kind, const app::Point& pointer, Workbench& bench);
-    app::Point pivot(const Workbench& bench) const;
-    Mark markAt(const Pointer& pointer, const Workbench& bench) const;
-    void paintPivot(QPainter& painter, const Workbench& bench) const;
     void paintBox(QPainter& painter, const Workbench& bench) const;
     void paintBounds(QPainter& painter, const Workbench& bench,
                      const clipping::Window& bounds) const;
@@ -105,8 +101,7 @@ private:
     std::optional<app::Handle> boxHandle_;
     std::optional<std::size_t> hoveredSegment_; ///< hovered segment of the scene
     Mark mark_ = Mark::None;                    ///< hovered
-    std::optional<app::Point> pivot_;           ///< empty: the middle of the selection
-    app::ObjectRanges pivotOf_;                 ///< the selection to which it belongs
+    PivotMarks marks_;
     Drag drag_ = Drag::None;
     Pointer from_{}, to_{};
 };
@@ -114,8 +109,7 @@ private:
 // A single line has no bounding box; it shows its ends instead.
 std::optional<clipping::Window> boxAround(const app::Session& session)
 {
-    const bool single = session.selection().size() == 1 && session.inspected();
-    return single ? std::nullopt : session.selectionBounds();
+    return lineWithHandles(session) ? std::nullopt : session.selectionBounds();
 }
 
 void SelectTool::light(const Pointer& pointer, Workbench& bench)
@@ -124,41 +118,13 @@ void SelectTool::light(const Pointer& pointer, Workbench& bench)
     hoveredHandle_ = window ? app::handleAt(pointer.screen, *window, bench.view) : std::nullopt;
     hoveredEnd_ = hoveredHandle_ ? std::nullopt : EndDrag::endAt(pointer.screen, bench);
     const auto box = hoveredHandle_ ? std::nullopt : boxAround(bench.session);
-    mark_ = box ? markAt(pointer, bench) : Mark::None;
+    mark_ = hoveredHandle_ || hoveredEnd_ ? Mark::None : marks_.at(pointer.screen, bench);
     boxHandle_ = box && mark_ == Mark::None
                      ? app::handleAt(pointer.screen, *box, bench.view, boxReach)
                      : std::nullopt;
     hoveredSegment_ = hoveredHandle_ || boxHandle_ || mark_ != Mark::None
                           ? std::nullopt
                           : bench.picking.nearest(pointer.raw, bench.inDrawing(reach));
-}
-
-app::Point SelectTool::pivot(const Workbench& bench) const
-{
-    if (pivot_ && pivotOf_ == bench.session.selection())
-        return *pivot_;
-    const auto bounds = bench.session.selectionBounds().value_or(clipping::Window{});
-    return app::placeOf(app::Handle{}, bounds);
-}
-
-/// The place of the rotation handle on the screen.
-app::Point rotationHandle(const clipping::Window& box, const app::View& view)
-{
-    return view.toScreen(app::placeOf({0, -1}, box)) - app::Point(0, aboveBox);
-}
-
-SelectTool::Mark SelectTool::markAt(const Pointer& pointer, const Workbench& bench) const
-{
-    const auto box = boxAround(bench.session);
-    if (!box)
-        return Mark::None;
-    if (glm::distance(pointer.screen, rotationHandle(*box, bench.view)) <= boxReach)
-        return Mark::Rotation;
-    const app::Point size = bench.view.toScreen(box->max) - bench.view.toScreen(box->min);
-    // A pivot in a small object would be in the way of moving it.
-    const bool shown = pivot_ || std::max(size.x, size.y) >= leastForPivot;
-    const app::Point at = bench.view.toScreen(pivot(bench));
-    return shown && glm::distance(pointer.screen, at) <= pivotReach ? Mark::Pivot : Mark::None;
 }
 
 void SelectTool::press(const Pointer& pointer, Workbench& bench)
@@ -191,7 +157,7 @@ void SelectTool::move(const Pointer& pointer, Workbench& bench)
     else if (transform_.going())
         transform_.proceed(pointer, bench);
     else if (drag_ == Drag::Pivot)
-        pivot_ = pointer.position;
+        marks_.put(pointer.position, bench);
     else if (drag_ == Drag::None)
         light(pointer, bench);
     else if (drag_ == Drag::Press && dragged(from_.screen, pointer))
@@ -206,7 +172,6 @@ void SelectTool::startDrag(Workbench& bench)
     if (mark_ == Mark::Rotation)
         return start(*app::findTransformation("rotate"), from_.raw, bench);
     if (mark_ == Mark::Pivot) {
-        pivotOf_ = session.selection();
         drag_ = Drag::Pivot;
         return;
     }
@@ -229,7 +194,7 @@ void SelectTool::startDrag(Workbench& bench)
 void SelectTool::start(const app::Transformation& kind, const app::Point& pointer, Workbench& bench)
 {
     drag_ = Drag::Transform;
-    transform_.start(kind, pivot(bench), pointer, bench);
+    transform_.start(kind, marks_.pivot(bench), pointer, bench);
 }
 
 /// Begins a transformation that follows the pointer without a button.
@@ -240,7 +205,7 @@ bool SelectTool::transform(const app::Transformation& kind, const Pointer& point
         return true; // a drag goes on
     cancel(bench);
     forgetHovered();
-    transform_.start(kind, pivot(bench), pointer.raw, bench);
+    transform_.start(kind, marks_.pivot(bench), pointer.raw, bench);
     return true;
 }
 
@@ -317,14 +282,19 @@ void SelectTool::selectBox(const Pointer& pointer, Workbench& bench)
     auto found = bench.picking.objectsIn(app::between(from_.raw, pointer.raw), how);
     if (pointer.modifiers & Qt::ShiftModifier)
         found = united(found, bench.session.selection());
+    const bool one = found.size() == 1;
+    const std::size_t object = one ? found.first() : 0;
     bench.session.select(std::move(found));
-    bench.session.inspect(std::nullopt);
+    // As if it had been clicked.
+    const bool isLine = one && bench.session.now().objects()[object].singleLine();
+    bench.session.inspect(isLine ? std::optional(bench.session.scene.lines().firstLineOf(object))
+                                 : std::nullopt);
 }
 
 bool SelectTool::key(QKeyEvent& event, Workbench& bench)
 {
     app::Session& session = bench.session;
-    if (transform_.key(event))
+    if (transform_.key(event, bench))
         return true;
     const bool enter = event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
     if (enter && transform_.going()) {
@@ -388,32 +358,11 @@ void SelectTool::paint(QPainter& painter, const Workbench& bench) const
     if (resize_.going())
         resize_.paint(painter, bench);
     transform_.paint(painter, bench);
-    if (const auto bounds = boxAround(bench.session)) {
-        if (!transform_.going())
-            paintBounds(painter, bench, resize_.going() ? resize_.target() : *bounds);
-        if (!resize_.going())
-            paintPivot(painter, bench);
-    }
-}
-
-/// A circle with a cross, and the rotation handle on its stalk.
-void SelectTool::paintPivot(QPainter& painter, const Workbench& bench) const
-{
-    const auto box = *boxAround(bench.session);
-    const QPointF at = bench.onScreen(pivot(bench));
-    painter.setPen(QPen(bench.look.selection, 1));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawEllipse(at, 4, 4);
-    painter.drawLine(at - QPointF(7, 0), at + QPointF(7, 0));
-    painter.drawLine(at - QPointF(0, 7), at + QPointF(0, 7));
-    if (transform_.going())
-        return;
-    const app::Point handle = rotationHandle(box, bench.view);
-    const QPointF top = bench.onScreen(app::placeOf({0, -1}, box));
-    painter.drawLine(top - QPointF(0, 4), QPointF(handle.x, handle.y + 4));
-    painter.setPen(QPen(bench.look.selection, 1.5));
-    painter.setBrush(bench.look.paper);
-    painter.drawEllipse(QPointF(handle.x, handle.y), 4, 4);
+    const auto box = boxAround(bench.session);
+    if (box && !transform_.going())
+        paintBounds(painter, bench, resize_.going() ? resize_.target() : *box);
+    if (!resize_.going() && !end_.going() && !transform_.going())
+        marks_.paint(painter, bench);
 }
 
 void SelectTool::paintBox(QPainter& painter, const Workbench& bench) const

@@ -3,6 +3,7 @@
 
 #include "app/commands/move_objects.h"
 #include "app/commands/transform_objects.h"
+#include "ui/tools/pivot_marks.h"
 #include "ui/tools/shape_drawing.h"
 
 #include <QCoreApplication>
@@ -26,7 +27,7 @@ void TransformGesture::start(const app::Transformation& kind, const app::Point& 
                  kind.movesPivot ? pivot - pointer : app::Point(0),
                  bench.session.selection(),
                  {}};
-    now_->pressed = pointer;
+    now_->pressed = now_->last = pointer;
     now_->end = atRest(*now_);
     const app::Session& session = bench.session;
     if (kind.movesPivot)
@@ -48,6 +49,7 @@ void TransformGesture::proceed(const Pointer& pointer, const Workbench& bench)
         return;
     now_->end = {pointer.position, pointer.numbers, now_->end.repeat};
     now_->snap.reset();
+    now_->last = pointer.raw;
     const bool steps = pointer.modifiers & Qt::ShiftModifier;
     if (now_->kind->movesPivot && now_->axis == app::Axis::Both && !pointer.held && !steps)
         snap(pointer, bench);
@@ -152,7 +154,20 @@ bool TransformGesture::push(const State& state, Workbench& bench) const
     return true;
 }
 
-bool TransformGesture::key(const QKeyEvent& event)
+/// Puts the pivot where the pointer is, or at the place that it snaps to.
+bool TransformGesture::putPivot(const Workbench& bench)
+{
+    if (now_->kind->movesPivot)
+        return false;
+    app::OwnPoints one;
+    one.points = {now_->last};
+    one.bounds = {now_->last, now_->last};
+    now_->start.from = now_->last + bench.moved(one, {0, 0}, {}).by;
+    now_->end = atRest(*now_);
+    return true;
+}
+
+bool TransformGesture::key(const QKeyEvent& event, const Workbench& bench)
 {
     if (!now_ || event.modifiers() & ~Qt::KeypadModifier)
         return false;
@@ -165,6 +180,8 @@ bool TransformGesture::key(const QKeyEvent& event)
         return hold(app::Axis::X);
     if (event.key() == Qt::Key_Y)
         return hold(app::Axis::Y);
+    if (event.key() == Qt::Key_P)
+        return putPivot(bench);
     if (event.key() == Qt::Key_C)
         return now_->copies = !now_->copies, true;
     return false;
@@ -200,7 +217,8 @@ QString TransformGesture::hint(const Workbench& bench) const
         return tr("Type a length, Tab, an angle, or x,y; Enter. X, Y: along an axis. C: copy. "
                   "Esc: cancel.");
     if (now_)
-        return tr("Type a number, Enter. X, Y: along an axis. C: copy. Shift: 15° steps. Esc: "
+        return tr("Type a number, Enter. X, Y: along an axis. P: pivot here. C: copy. Shift: 15° "
+                  "steps. Esc: "
                   "cancel.");
     if (last_.canReopen(bench) && done_.copies)
         return tr("Type another number, or 5x for five copies, 5/ to divide the way; Enter.");
@@ -217,8 +235,10 @@ void TransformGesture::paint(QPainter& painter, const Workbench& bench) const
         paintMapped(painter, bench, map);
     if (now_->kind->movesPivot)
         return;
+    const QPointF pivot = bench.onScreen(now_->start.from);
     painter.setPen(QPen(bench.look.selection, 1, Qt::DashLine));
-    painter.drawLine(bench.onScreen(now_->start.from), bench.onScreen(now_->end.point));
+    painter.drawLine(pivot, bench.onScreen(now_->end.point));
+    PivotMarks::paintPivot(painter, pivot, bench.look);
 }
 
 void paintMapped(QPainter& painter, const Workbench& bench, const app::AffineMap& map)

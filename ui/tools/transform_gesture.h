@@ -23,8 +23,9 @@ public:
     void accept(const app::GestureEnd& end, Workbench& bench);
     void cancel(Workbench& bench);
     void end(Workbench& bench); ///< cancels, and forgets the last step
-    /// X and Y hold an axis, C makes copies; a second press takes it back.
-    bool key(const QKeyEvent& event);
+    /// X and Y hold an axis, C makes copies; a second press takes it back. P puts the pivot under
+    /// the pointer.
+    bool key(const QKeyEvent& event, const Workbench& bench);
 
     std::optional<app::Gauge> gauge(const Workbench& bench) const;
     void reopen(Workbench& bench);
@@ -40,13 +41,14 @@ private:
         app::GestureEnd end;
         app::Axis axis = app::Axis::Both;
         bool copies = false;
-        app::Point pressed{}; ///< where the pointer was
-        app::OwnPoints own{}; ///< of the selection, if it is moved
+        app::Point pressed{}, last{}; ///< where the pointer was at first, and is
+        app::OwnPoints own{};         ///< of the selection, if it is moved
         std::optional<app::MovedSnap> snap{};
     };
     static std::vector<app::AffineMap> maps(const State& state);
     static bool isNothing(const State& state); ///< nothing would move
     static app::GestureEnd atRest(const State& state);
+    bool putPivot(const Workbench& bench);
     void snap(const Pointer& pointer, const Workbench& bench);
     bool push(const State& state, Workbench& bench) const;
 

@@ -49,7 +49,7 @@ std::optional<app::Gauge> TwoPointTool::gauge(const Workbench& bench) const
         return gaugeOfStart(bench);
     app::Gauge gauge = gaugeFrom(gesture_->from, measure(gesture_->modifiers), bench);
     if (last_.isOpen())
-        gauge.aim = app::GestureEnd{done_.to, {}};
+        gauge.aim = app::GestureEnd{done_.to, gauge.measure->values(gauge.start, done_.to)};
     return gauge;
 }
 

@@ -51,8 +51,9 @@ private slots:
     }
     void coordinatesOfANodeAreAbsoluteAndRelativeOnesCountFromIt()
     {
-        Gauge gauge{&position(), {7, 9}, {7, 9}, {Unit::Mm, 1}};
-        gauge.aim = gauge.relativeTo = Point(100, 50);
+        Gauge gauge{&position(), {{7, 9}}, {7, 9}, {Unit::Mm, 1}};
+        gauge.relativeTo = Point(100, 50);
+        gauge.aim = GestureEnd{{100, 50}, {93, 41}};
         Readout node(gauge);
         QCOMPARE(node.end({1, 1}), Point(100, 50)); // the pointer does not matter
         for (const auto& [text, end] : {std::pair{"10,20", Point(17, 29)},
@@ -127,6 +128,23 @@ private slots:
         QCOMPARE(centred.end({0, 60}), Point(90, 60));
         QCOMPARE(centred.number(0, {90, 60}), "20.00\u00a0mm");
         QCOMPARE(centred.number(1, {90, 60}), "20.00\u00a0mm");
+    }
+    void correctionKeepsWhatIsNotTyped()
+    {
+        Gauge gauge = readout(lengthAndAngle()).gauge();
+        gauge.aim = GestureEnd{{160, 50}, {60, 0}};
+        Readout line(gauge);
+        QCOMPARE(line.end({3, 4}), Point(160, 50));
+        line.type("<90");
+        QCOMPARE(line.end({3, 4}), Point(100, -10));
+        line.type("20");
+        QCOMPARE(line.end({3, 4}), Point(120, 50));
+        gauge.measure = &widthAndHeight(Proportion::Square);
+        gauge.aim = GestureEnd{{160, 110}, {60, 60}};
+        Readout square(gauge);
+        square.activate(1);
+        square.type("10");
+        QCOMPARE(square.end({3, 4}), Point(110, 60));
     }
     void sameGestureKeepsWhatIsTyped()
     {

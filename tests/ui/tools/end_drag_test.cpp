@@ -63,8 +63,8 @@ private slots:
     void aSideOfAShapeHasNoHandles()
     {
         Hand hand({shape({corner()})});
-        hand.click({60, 20});
-        hand.drag({100, 20}, {110, 40});
+        hand.click({40, 20});
+        hand.drag({40, 20}, {50, 40});
         QVERIFY(glm::distance(hand.path().segments[0].to - hand.path().start, app::Point(80, 0))
                 < 1e-9); // the whole object moved
     }

@@ -158,12 +158,19 @@ private slots:
     void pivotIsMovedAndTurnedAbout()
     {
         Hand hand;
-        hand.drag({30, 30}, {95, 60}); // a box around the line: with a pivot
-        hand.canvas->setSnapping(app::SnapTo::Ends);
-        hand.drag({60, 50}, {80, 50});
+        hand.click({20, 90}, Qt::ShiftModifier); // both lines: from (10, 50) to (80, 90)
+        hand.drag({45, 70}, {80, 50});           // the middle of the box to the end of a line
         hand.move({60, 70});
         hand.type("o90\n");
         QVERIFY(hand.is(0, {80, 90}, {80, 50}));
+    }
+    void pivotIsPutUnderThePointerByAKey()
+    {
+        Hand hand;
+        hand.type("o");
+        hand.move({80.4, 50});
+        hand.type("p180\n");
+        QVERIFY(hand.is(0, {120, 50}, {80, 50}));
     }
     void rotationHandleTurns()
     {

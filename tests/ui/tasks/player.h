@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/tools/tool.h"
+
+#include <QLineEdit>
+#include <QMenu>
+
+#include <glm/geometric.hpp>
+
+#include <functional>
+#include <vector>
+
+#include "tests/ui/test_window.h"
+
+// Plays a task as a person would: with the keyboard and the mouse in the editor's window. Nothing
+// here changes a drawing in another way; the session is only read, at the end.
+
+namespace tasks {
+
+/// What is drawn: all points of each path in order, also control points.
+struct Drawn {
+    std::vector<app::Point> points;
+    bool closed = false;
+};
+using Table = std::vector<Drawn>;
+
+class Player {
+public:
+    Player()
+    {
+        window_.show();
+        auto& canvas = window_.window->canvas();
+        canvas.settle();
+    }
+
+    void key(const QString& sequence)
+    {
+        const QKeyCombination pressed = QKeySequence(sequence)[0];
+        QTest::keyClick(receiver(), pressed.key(), pressed.keyboardModifiers());
+    }
+    void type(const char* text)
+    {
+        for (const char* c = text; *c; ++c)
+            QTest::keyClick(receiver(), *c);
+    }
+    void move(const app::Point& p, Qt::MouseButtons buttons = {}, Qt::KeyboardModifiers with = {})
+    {
+        const QPointF at = screen(p);
+        QMouseEvent event(QEvent::MouseMove, at, area().mapToGlobal(at), Qt::NoButton, buttons,
+                          with);
+        QApplication::sendEvent(&area(), &event);
+    }
+    void click(const app::Point& p, Qt::KeyboardModifiers with = {})
+    {
+        move(p, {}, with);
+        QTest::mouseClick(&area(), Qt::LeftButton, with, screen(p).toPoint());
+    }
+    void doubleClick(const app::Point& p)
+    {
+        click(p);
+        QTest::mouseDClick(&area(), Qt::LeftButton, {}, screen(p).toPoint());
+    }
+    void drag(const app::Point& from, const app::Point& to, Qt::KeyboardModifiers with = {})
+    {
+        move(from, {}, with);
+        QTest::mousePress(&area(), Qt::LeftButton, with, screen(from).toPoint());
+        for (const double part : {0.3, 0.7, 1.0})
+            move(from + (to - from) * part, Qt::LeftButton, with);
+        QTest::mouseRelease(&area(), Qt::LeftButton, with, screen(to).toPoint());
+    }
+
+    Table drawn() const
+    {
+        Table table;
+        const app::Objects& all = window_.window->session().now().objects();
+        all.forEach(0, all.size(), [&](std::size_t, const app::ObjectView& object) {
+            for (const app::Subpath& path : object.path().subpaths())
+                table.push_back(drawn(path));
+        });
+        return table;
+    }
+
+private:
+    QWidget* receiver() const
+    {
+        if (QWidget* popup = QApplication::activePopupWidget())
+            return popup;
+        if (QWidget* modal = QApplication::activeModalWidget())
+            return modal->focusWidget() ? modal->focusWidget() : modal;
+        QWidget* focused = window_.window->focusWidget();
+        return focused ? focused : window_.drawingArea();
+    }
+    QWidget& area() const { return *window_.drawingArea(); }
+    QPointF screen(const app::Point& p) const
+    {
+        const app::Point s = window_.window->canvas().view().toScreen(p);
+        return QPointF(std::round(s.x), std::round(s.y));
+    }
+    static Drawn drawn(const app::Subpath& path)
+    {
+        Drawn drawn{{path.start}, path.closed};
+        for (const app::PathSegment& s : path.segments) {
+            if (s.curved)
+                drawn.points.insert(drawn.points.end(), {s.control1, s.control2});
+            drawn.points.push_back(s.to);
+        }
+        return drawn;
+    }
+
+    ui::TestWindow window_;
+};
+
+/// One thing that a person does.
+struct Step {
+    QString what;
+    std::function<void(Player&)> play;
+};
+using Steps = std::vector<Step>;
+
+inline Step key(const QString& sequence)
+{
+    return {sequence, [sequence](Player& player) { player.key(sequence); }};
+}
+inline Step type(const char* text)
+{
+    return {QString::fromUtf8(text), [text](Player& player) { player.type(text); }};
+}
+inline Step enter() { return key("Return"); }
+inline Step tab() { return key("Tab"); }
+inline Step move(const app::Point& p)
+{
+    return {"move", [p](Player& player) { player.move(p); }};
+}
+inline Step click(const app::Point& p, Qt::KeyboardModifiers with = {})
+{
+    return {"click", [p, with](Player& player) { player.click(p, with); }};
+}
+inline Step doubleClick(const app::Point& p)
+{
+    return {"double click", [p](Player& player) { player.doubleClick(p); }};
+}
+inline Step drag(const app::Point& from, const app::Point& to, Qt::KeyboardModifiers with = {})
+{
+    return {"drag", [from, to, with](Player& player) { player.drag(from, to, with); }};
+}
+
+inline bool same(const Table& a, const Table& b)
+{
+    constexpr double most = 1e-9;
+    const auto near = [](const app::Point& p, const app::Point& q) {
+        return glm::distance(p, q) <= most;
+    };
+    return std::ranges::equal(a, b, [&](const Drawn& one, const Drawn& two) {
+        return one.closed == two.closed && std::ranges::equal(one.points, two.points, near);
+    });
+}
+
+inline QString text(const Table& table)
+{
+    QString text;
+    for (const Drawn& path : table) {
+        for (const app::Point& p : path.points)
+            text += QString("(%1, %2) ").arg(p.x, 0, 'g', 12).arg(p.y, 0, 'g', 12);
+        text += path.closed ? "closed\n" : "\n";
+    }
+    return text;
+}
+
+inline Table played(const Steps& steps, std::optional<std::size_t> without = {})
+{
+    Player player;
+    for (std::size_t i = 0; i < steps.size(); ++i)
+        if (i != without)
+            steps[i].play(player);
+    return player.drawn();
+}
+
+/// Plays the task, and plays it again without each of its steps, which must not give the same.
+inline void check(const Steps& steps, const Table& expected)
+{
+    const Table all = played(steps);
+    QVERIFY2(same(all, expected), qPrintable("\n" + text(all) + "instead of\n" + text(expected)));
+    for (std::size_t i = 0; i < steps.size(); ++i)
+        QVERIFY2(!same(played(steps, i), expected),
+                 qPrintable(QString("step %1 (%2) is not needed").arg(i + 1).arg(steps[i].what)));
+}
+
+} // namespace tasks
