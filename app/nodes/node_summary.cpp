@@ -17,6 +17,7 @@ NodeSummary summaryOf(const NodePath& path)
             if (subpath.nodes[i].selected) {
                 ++summary.selected;
                 summary.selectedEnds += subpath.isEnd(i);
+                ++summary.types[std::size_t(subpath.nodes[i].type)];
                 summary.only = NodeAddress{s, i};
             }
     }

@@ -11,13 +11,22 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("ObjectMenu", text); }
 
-/// The row of a step of the catalogue.
-ActionInfo nodeStep(const app::NodeStep& step, const QKeySequence& shortcut)
+constexpr std::size_t types = 3; // of nodes: the first steps, in the order of app::NodeType
+
+/// Whether all selected nodes have this type.
+bool hasType(const MainWindow& window, std::size_t type)
 {
-    return {
+    const app::NodeEditing& nodes = window.session().nodes;
+    return nodes.someSelected() && nodes.summary().types[type] == nodes.summary().selected;
+}
+
+/// The row of a step of the catalogue.
+ActionInfo nodeStep(std::size_t number, const QKeySequence& shortcut)
+{
+    const app::NodeStep& step = app::nodeSteps()[number];
+    ActionInfo row{
         .key = step.key,
         .text = step.name,
-        .keys = shortcut.isEmpty() ? QList<QKeySequence>() : QList<QKeySequence>{shortcut},
         .scope = ShortcutScope::Canvas,
         .run =
             [&step](MainWindow& w) {
@@ -27,19 +36,33 @@ ActionInfo nodeStep(const app::NodeStep& step, const QKeySequence& shortcut)
         .submenu = tr("&Path"),
         .refusal = [&step](const MainWindow& w) { return w.session().nodes.refusal(step); },
     };
+    if (!shortcut.isEmpty())
+        row.keys = {shortcut};
+    if (number < types)
+        row.checked = [number](const MainWindow& w) { return hasType(w, number); };
+    return row;
 }
 
 } // namespace
 
 std::vector<ActionInfo> pathRows()
 {
-    // In the order of the steps; the key of Edit > Delete deletes nodes, too.
-    const std::array shortcuts{"Shift+C", "Shift+S", "Shift+Y", "Shift+L", "Shift+U", "Ins",
-                               "",        "Shift+B", "Shift+J", "",        "",        "Shift+R"};
-    const auto steps = app::nodeSteps();
+    // In the order of the steps. The key of Edit > Delete deletes nodes, too.
+    struct Row {
+        const char* shortcut;
+        bool beginsGroup = false;
+    };
+    const std::array shortcuts{
+        Row{"Shift+C"}, Row{"Shift+S"},   Row{"Shift+Y"}, Row{"Shift+L", true},
+        Row{"Shift+U"}, Row{"Ins", true}, Row{""},        Row{"Shift+B", true},
+        Row{"Shift+J"}, Row{""},          Row{""},        Row{"Shift+R"}};
     std::vector<ActionInfo> rows;
-    for (std::size_t i = 0; i < steps.size(); ++i)
-        rows.push_back(nodeStep(steps[i], QKeySequence(i < shortcuts.size() ? shortcuts[i] : "")));
+    for (std::size_t i = 0; i < app::nodeSteps().size(); ++i) {
+        const Row row = i < shortcuts.size() ? shortcuts[i] : Row{""};
+        if (row.beginsGroup)
+            rows.push_back({.submenu = tr("&Path")}); // a separator
+        rows.push_back(nodeStep(i, QKeySequence(row.shortcut)));
+    }
     return rows;
 }
 

@@ -31,7 +31,7 @@ class MenusTest : public QObject {
     {
         QStringList entries;
         for (const ActionInfo& row : info.rows)
-            if (row.text.isEmpty())
+            if (row.text.isEmpty() && row.submenu.isEmpty())
                 entries << QStringLiteral("-");
             else if (row.submenu.isEmpty())
                 entries << (row.fill ? row.text : app::latin(row.key));
@@ -85,6 +85,20 @@ private slots:
         QCOMPARE(panes->title(), "Pan&es");
         QCOMPARE(entriesOf(*panes), QStringList({"panes-1", "panes-2", "panes-4", "panes-all",
                                                  "next-pane", "previous-pane", "close-pane"}));
+    }
+
+    void theStepsOfNodesAreInASubmenuInGroups()
+    {
+        const TestWindow t;
+        const QMenu* path = menuOf(t, "&Object")->actions().front()->menu();
+        QVERIFY(path && path->toolTipsVisible());
+        QStringList wanted;
+        for (const app::NodeStep& step : notEmpty(app::nodeSteps()))
+            wanted << app::latin(step.key);
+        QStringList entries = entriesOf(*path);
+        QCOMPARE(entries.mid(0, 4), wanted.mid(0, 3) << QStringLiteral("-"));
+        entries.removeAll(QStringLiteral("-"));
+        QCOMPARE(entries, wanted); // each in the menu
     }
 
     void theToolsAreGroupedAsInTheirCatalogue()

@@ -346,7 +346,10 @@ private slots:
         Hand::key(Qt::Key_N);
         QVERIFY(smooth->toolTip().contains("Tab"));
         hand.click({100, 20});
-        QVERIFY(smooth->isEnabled() && smooth->toolTip() != smooth->statusTip() + "x");
+        QVERIFY(smooth->isEnabled() && !smooth->isChecked());
+        QVERIFY(hand.t.action("corner-nodes")->isChecked());
+        smooth->trigger();
+        QVERIFY(smooth->isChecked() && !hand.t.action("corner-nodes")->isChecked());
         hand.t.action("close-path")->trigger();
         QVERIFY(!join->isEnabled() && join->toolTip().contains("closed"));
         QVERIFY(!hand.t.action("close-path")->isEnabled());
