@@ -101,6 +101,16 @@ public:
         return marks_.bytesNotIn(other.marks_) + table_.bytesNotIn(other.table_);
     }
 
+    /// The whole tree as plain data.
+    struct Parts {
+        std::vector<ContainerMark> marks{};  ///< in painting order, with those of the document
+        std::vector<Container> containers{}; ///< ascending by id
+        ContainerId nextId = 1;
+    };
+    Parts parts() const;
+    /// The tree of those parts, with the same ids; empty if they are no tree as described above.
+    static std::optional<Containers> of(const Parts& parts);
+
     /// Compares containers, ids, numbers of objects and order.
     friend bool operator==(const Containers& a, const Containers& b);
 

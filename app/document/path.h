@@ -18,6 +18,14 @@ namespace app {
 /// points.
 class Path {
 public:
+    /// The stored form: `points`, `sizes` and `kinds` are packed as `path_storage.h` describes.
+    struct Parts {
+        Placement placement{};
+        std::span<const Point> points{};
+        std::span<const std::uint32_t> sizes{};
+        std::span<const std::uint8_t> kinds{};
+    };
+
     Path() = default;                             ///< without subpaths
     explicit Path(const clipping::Segment& line); ///< a single point if a and b are the same bits
     explicit Path(std::span<const Subpath> subpaths);
@@ -34,6 +42,13 @@ public:
     bool straight() const;          ///< whether it has no curves
     bool hasArea() const;           ///< whether a subpath has a curve or several lines
     HeapPart heapPart() const;      ///< the heap block of its points
+    /// The stored form, for files that must restore later roundings as well. Empty for a single
+    /// line or point, and without subpaths. The spans are valid as long as this path.
+    std::optional<Parts> parts() const;
+    /// The path of that stored form; empty if the parts do not fit together.
+    static std::optional<Path> of(const Parts& parts);
+    /// A path with the same stored points and another placement; not for single lines.
+    Path withPlacement(const Placement& placement) const;
 
     /// The path moved by `where`: its points are transformed by its own placement and then by
     /// `where`. O(1). A single line is recalculated; it becomes a point if its ends then coincide.
