@@ -9,13 +9,26 @@
 
 namespace app {
 
+/// How the objects that an edit adds follow from those that it replaces, one for one. It lets a
+/// journal record the step without the objects.
+struct Derivation {
+    enum class How : std::uint8_t {
+        Unknown,
+        Placed,  ///< `changed` with place() and `where` makes them (move_objects.h)
+        Restyled ///< only their styles differ
+    };
+    How how = How::Unknown;
+    Placement where{};
+};
+
 /// A command that consists of one edit of the document. It stores the next edit to apply: after
 /// redo(), the edit that undoes it.
 class EditCommand : public UndoCommand {
 public:
     EditCommand(const CommandKind& kind, EditedDocument& document, Edit edit, const QString& text,
-                Merging merging = Merging::Never)
-        : UndoCommand(kind, text, merging), document_(document), next_(std::move(edit))
+                Merging merging = Merging::Never, const Derivation& derivation = {})
+        : UndoCommand(kind, text, merging), document_(document), next_(std::move(edit)),
+          derivation_(derivation)
     {
     }
 
@@ -24,6 +37,11 @@ public:
     /// Merges if both commands replace objects at the same places, or if both change only the clip
     /// windows. Undoing this command then undoes both.
     bool mergeWith(const UndoCommand& next) final;
+    const Edit& next() const { return next_; }
+    const Derivation& derivation() const
+    {
+        return derivation_;
+    } ///< of the edit that redo() applies
     std::size_t bytes() const final { return heapBlock(sizeof *this) + editBytes_; }
 
 private:
@@ -31,6 +49,7 @@ private:
 
     EditedDocument& document_;
     Edit next_;
+    Derivation derivation_;
     std::size_t editBytes_ = 0;
 };
 

@@ -4,6 +4,7 @@
 #include "app/base/heap_bytes.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace app {
@@ -13,7 +14,9 @@ void History::push(UndoCommand* command)
     std::unique_ptr<UndoCommand> done(command);
     done->redo();
     const auto now = clock_();
-    if (lastPush_ && now - *lastPush_ < mergingTime && joinsLast(*done)) {
+    const bool joins = lastPush_ && now - *lastPush_ < mergingTime && joinsLast(*done);
+    emit pushed(*done, joins);
+    if (joins) {
         measure(steps_.back());
         notify(false, forgetOldest());
     } else {
@@ -131,8 +134,15 @@ void History::endClean()
 {
     const bool wasClean = isClean();
     clean_ = std::exchange(cleanNext_, std::nullopt);
+    emit cleanIndexChanged();
     if (wasClean != isClean())
         emit cleanChanged(!wasClean);
+}
+
+void History::setCleanIndex(int index)
+{
+    cleanNext_ = index;
+    endClean();
 }
 
 void History::resetClean()
@@ -140,6 +150,7 @@ void History::resetClean()
     const bool wasClean = isClean();
     clean_.reset();
     lastPush_.reset();
+    emit cleanIndexChanged();
     if (wasClean)
         emit cleanChanged(false);
 }
@@ -154,6 +165,27 @@ void History::clear()
     clean_ = 0;
     cleanNext_.reset();
     notify(wasClean);
+}
+
+void History::restore(std::vector<std::unique_ptr<UndoCommand>> commands, int index,
+                      std::optional<int> clean)
+{
+    assert(index >= 0 && index <= int(commands.size()));
+    const bool wasClean = isClean();
+    steps_.clear();
+    lastPush_.reset();
+    cleanNext_.reset();
+    bytes_ = 0;
+    forgotten_ = 0;
+    for (auto& command : commands) {
+        steps_.push_back({std::move(command)});
+        measure(steps_.back());
+    }
+    index_ = index;
+    clean_ = clean;
+    const int gone = forgetOldest();
+    emit restored();
+    notify(wasClean, gone);
 }
 
 void History::setLimit(std::size_t bytes)

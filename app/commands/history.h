@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace app {
 
@@ -51,7 +52,17 @@ public:
     void beginClean();
     void endClean();
     void resetClean(); ///< no step leads back to a clean state any more
-    void clear();      ///< forgets all steps, for a new document, which is clean
+    /// Makes the state at that index() the clean one, for a history that is being restored.
+    void setCleanIndex(int index);
+    /// The index() at which the document is clean; empty: no step leads to a clean state.
+    std::optional<int> cleanIndex() const { return clean_; }
+    void clear(); ///< forgets all steps, for a new document, which is clean
+
+    const UndoCommand& command(int step) const { return *steps_[std::size_t(step)].command; }
+    /// Replaces all steps, for a document that was restored together with them. The first `index`
+    /// commands are done: their next call is undo().
+    void restore(std::vector<std::unique_ptr<UndoCommand>> commands, int index,
+                 std::optional<int> clean);
 
     /// The memory of all steps. If a new step or a new limit makes it exceed the limit, the oldest
     /// done steps are forgotten. The newest step always stays, whatever its size. Undo forgets no
@@ -65,6 +76,11 @@ public:
     void setClock(Clock clock) { clock_ = std::move(clock); }
 
 signals:
+    /// The command was just done, before the history counts it; `joined`: it is part of the last
+    /// step.
+    void pushed(const app::UndoCommand& command, bool joined);
+    void restored();          ///< after restore()
+    void cleanIndexChanged(); ///< by a save or resetClean(); not by steps, which lead away from it
     void indexChanged(int index); ///< after every change of the steps
     void cleanChanged(bool clean);
     void forgot(int steps); ///< the `steps` oldest can no longer be undone

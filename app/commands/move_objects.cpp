@@ -19,7 +19,8 @@ MoveObjects::MoveObjects(EditedDocument& document, const ObjectRanges& objects, 
                           [&](ObjectRow& object, StyleTable&) {
                               place(object, {{1, 1}, by});
                           }),
-                  QCoreApplication::translate("Commands", "Move selection"), merging)
+                  QCoreApplication::translate("Commands", "Move selection"), merging,
+                  {Derivation::How::Placed, {{1, 1}, by}})
 {
 }
 

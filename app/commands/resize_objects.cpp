@@ -28,15 +28,27 @@ Path fitted(const Path& path, const clipping::Window& from, const clipping::Wind
     return Path(subpaths);
 }
 
+// Otherwise rounding moves the corner.
+bool keepsCorner(const clipping::Window& from, const clipping::Window& to)
+{
+    return fitting(from, to)(from.min) == to.min;
+}
+
+Derivation derivationOf(const clipping::Window& from, const clipping::Window& to)
+{
+    return keepsCorner(from, to) ? Derivation{Derivation::How::Placed, fitting(from, to)}
+                                 : Derivation{};
+}
+
 Edit resized(const Document& document, const ObjectRanges& objects, const clipping::Window& from,
              const clipping::Window& to)
 {
     const Placement where = fitting(from, to);
-    const bool keepsCorner = where(from.min) == to.min; // otherwise rounding moves the corner
+    const bool placed = keepsCorner(from, to);
     return changed(document, objects, [&](ObjectRow& object, StyleTable&) {
-        Path path = keepsCorner ? Path() : fitted(object.path, from, to);
+        Path path = placed ? Path() : fitted(object.path, from, to);
         place(object, where);
-        if (!keepsCorner)
+        if (!placed)
             object.path = std::move(path);
     });
 }
@@ -46,7 +58,8 @@ Edit resized(const Document& document, const ObjectRanges& objects, const clippi
 ResizeObjects::ResizeObjects(EditedDocument& document, const ObjectRanges& objects,
                              const clipping::Window& from, const clipping::Window& to)
     : EditCommand(row, document, resized(document.now(), objects, from, to),
-                  QCoreApplication::translate("Commands", "Resize selection"))
+                  QCoreApplication::translate("Commands", "Resize selection"), Merging::Never,
+                  derivationOf(from, to))
 {
 }
 

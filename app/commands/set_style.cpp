@@ -17,7 +17,7 @@ void StyleChanges::operator()(ObjectRow& object, StyleTable& styles)
 SetStyle::SetStyle(EditedDocument& document, const ObjectRanges& objects,
                    const std::function<void(Style&)>& change, const QString& text, Merging merging)
     : EditCommand(row, document, changed(document.now(), objects, StyleChanges(change)), text,
-                  merging)
+                  merging, {Derivation::How::Restyled})
 {
 }
 
