@@ -4,6 +4,8 @@
 #include "app/base/replace_file.h"
 #include "app/base/write_all.h"
 #include "app/formats/svg/writer.h"
+#include "app/recovery/journal_folder.h"
+#include "app/session/samples.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -58,6 +60,14 @@ std::optional<Leftover> described(const QString& file)
     return Leftover{file, {text(1), text(2), time(3)}, time(4), nullptr};
 }
 
+bool unchangedSample(const JournalState& state, const QString& journal)
+{
+    if (state.origin.sample.isEmpty() || state.inHand)
+        return false;
+    const auto found = replayed(journal);
+    return found && isUnchangedSample(state.origin.sample, found->document);
+}
+
 /// Claims it by a lock file that names the owning process; the lock of an ended process is taken
 /// over.
 bool claim(Leftover& leftover)
@@ -68,6 +78,27 @@ bool claim(Leftover& leftover)
         return false;
     leftover.claim = std::move(lock);
     return true;
+}
+
+/// Removes journals without unsaved changes.
+std::vector<Leftover> claimJournals(const QString& folder)
+{
+    std::vector<Leftover> all;
+    for (const QFileInfo& info :
+         QDir(folder).entryInfoList({QStringLiteral("*.journal")}, QDir::Dirs))
+        if (auto lock = lockJournal(info.filePath())) {
+            Leftover leftover{info.filePath(), {}, lastWritten(info.filePath()), std::move(lock)};
+            const auto state = journalState(leftover.file);
+            const bool nothing = state ? !state->unsaved() || unchangedSample(*state, leftover.file)
+                                       : !hasBase(leftover.file);
+            if (nothing) {
+                discard(leftover);
+                continue;
+            }
+            leftover.origin = state ? state->origin.origin : Origin{info.fileName(), {}, {}};
+            all.push_back(std::move(leftover));
+        }
+    return all;
 }
 
 } // namespace
@@ -120,7 +151,7 @@ QString newLeftoverFile(const QString& folder)
 
 std::vector<Leftover> claimLeftovers(const QString& folder)
 {
-    std::vector<Leftover> all;
+    std::vector<Leftover> all = claimJournals(folder);
     for (const QFileInfo& info :
          QDir(folder).entryInfoList({QStringLiteral("*.svg")}, QDir::Files | QDir::Readable))
         if (auto leftover = described(info.filePath()); leftover && claim(*leftover))
@@ -131,14 +162,20 @@ std::vector<Leftover> claimLeftovers(const QString& folder)
 
 void discard(Leftover& leftover)
 {
-    QFile::remove(leftover.file);
-    leftover.claim.reset();
+    if (isJournal(leftover.file)) {
+        leftover.claim.reset(); // its lock is in the folder
+        QDir(leftover.file).removeRecursively();
+    } else {
+        QFile::remove(leftover.file);
+        leftover.claim.reset();
+    }
 }
 
 QString setAside(Leftover& leftover)
 {
     QString aside = leftover.file + QStringLiteral(".unreadable");
     QFile::remove(aside);
+    QDir(aside).removeRecursively();
     QFile::rename(leftover.file, aside);
     leftover.claim.reset();
     return aside;

@@ -10,8 +10,9 @@
 #include <optional>
 #include <vector>
 
-// Drawings that were unsaved when the program ended: one SVG file each, which any program opens,
-// with a processing instruction after the drawing that holds its origin.
+// Drawings that were unsaved when the program ended. Each is a journal (journal.h) or, if its
+// journal could not be written, one SVG file, which any program opens, with a processing
+// instruction after the drawing that holds its origin.
 
 namespace app {
 
@@ -25,7 +26,7 @@ struct Origin {
 
 /// A leftover drawing, claimed by this process while it runs: no other process offers it.
 struct Leftover {
-    QString file;
+    QString file; ///< or the folder of a journal
     Origin origin;
     QDateTime ended; ///< when the program was ended
     std::shared_ptr<QLockFile> claim;

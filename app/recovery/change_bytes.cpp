@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/recovery/change_bytes.h"
+
+#include "app/commands/move_objects.h"
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+using How = Derivation::How;
+
+// Whether the splices replace objects one for one.
+bool exchanges(std::span<const Splice> splices)
+{
+    return std::ranges::all_of(splices, [](const Splice& s) { return s.removed == s.added; });
+}
+
+Objects addedObjects(const Document& now, std::span<const Splice> splices)
+{
+    Objects added = now.objects().slice(0, 0);
+    for (const Splice& s : inverse(splices))
+        added.append(now.objects().slice(s.first, s.removed));
+    return added;
+}
+
+std::size_t sizeOf(std::span<const Splice> splices)
+{
+    std::size_t size = 0;
+    for (const Splice& s : splices)
+        size += s.added;
+    return size;
+}
+
+// The styles that are used, and one index for all objects or one for each.
+void writeStyles(ByteWriter& out, const Document& now, std::span<const Splice> splices)
+{
+    std::vector<StyleIndex> used;
+    std::vector<std::uint32_t> each;
+    std::unordered_map<StyleIndex, std::uint32_t> numbers;
+    StyleIndex last = 0; // neighbours often have the same style
+    std::uint32_t number = 0;
+    each.reserve(sizeOf(splices));
+    for (const Splice& s : splices)
+        now.objects().forEach(s.first, s.added, [&](std::size_t, const ObjectView& object) {
+            const StyleIndex style = object.styleIndex();
+            if (used.empty() || style != last) {
+                const auto [at, isNew] = numbers.try_emplace(style, std::uint32_t(used.size()));
+                if (isNew)
+                    used.push_back(style);
+                number = at->second;
+                last = style;
+            }
+            each.push_back(number);
+        });
+    out.putCount(used.size());
+    for (const StyleIndex style : used)
+        writeStyle(out, now.styles()[style]);
+    out.putList(std::span(each).first(used.size() == 1 ? 1 : each.size()));
+}
+
+std::optional<Edit> readStyles(ByteReader& in, const Document& document,
+                               std::span<const Splice> splices)
+{
+    std::vector<Style> styles;
+    for (std::size_t left = in.count(1); left > 0 && in.ok(); --left)
+        styles.push_back(readStyle(in));
+    const auto each = in.list<std::uint32_t>();
+    in.require(each.size() == sizeOf(splices) || each.size() == 1);
+    for (const std::uint32_t style : each)
+        in.require(style < styles.size());
+    if (!in.ok())
+        return std::nullopt;
+    std::vector<StyleIndex> indices;
+    std::size_t next = 0;
+    return changed(document, addedBy(splices), [&](ObjectRow& object, StyleTable& table) {
+        if (indices.empty())
+            for (const Style& style : styles)
+                indices.push_back(table.indexOf(style));
+        object.style = indices[each[each.size() == 1 ? 0 : next++]];
+    });
+}
+
+} // namespace
+
+void writeChange(ByteWriter& out, const EditCommand& command, const Document& now)
+{
+    const Edit& back = command.next();
+    const std::vector<Splice> splices = inverse(back.splices);
+    const bool plain = !back.containers && !back.windows && !back.page && exchanges(splices);
+    const How how = plain ? command.derivation().how : How::Unknown;
+    out.put(how);
+    writeSplices(out, splices);
+    if (how == How::Placed) {
+        out.put(command.derivation().where);
+    } else if (how == How::Restyled) {
+        writeStyles(out, now, splices);
+    } else {
+        Edit rest;
+        if (back.containers)
+            rest.containers = now.containers();
+        if (back.windows)
+            rest.windows = now.windows();
+        if (back.page)
+            rest.page = now.page();
+        ObjectBytes().write(out, addedObjects(now, splices));
+        writeSetting(out, rest);
+    }
+}
+
+std::optional<Change> readChange(ByteReader& in, const Document& document)
+{
+    const How how = in.choice(How::Restyled);
+    std::vector<Splice> splices = readSplices(in);
+    std::uint64_t end = 0;
+    for (const Splice& s : splices) {
+        in.require(s.first >= end && (how == How::Unknown || s.removed == s.added));
+        end = std::uint64_t(s.first) + s.removed;
+    }
+    in.require(end <= document.objects().size());
+    if (!in.ok())
+        return std::nullopt;
+
+    Change change{{}, {how}};
+    if (how == How::Placed) {
+        const auto where = change.derivation.where = in.get<Placement>();
+        change.edit = changed(document, addedBy(splices),
+                              [&](ObjectRow& object, StyleTable&) { place(object, where); });
+    } else if (how == How::Restyled) {
+        auto edit = readStyles(in, document, splices);
+        if (!edit)
+            return std::nullopt;
+        change.edit = std::move(*edit);
+    } else {
+        change.edit.objects = document.objects().slice(0, 0);
+        ObjectReader().read(in, change.edit.objects);
+        readSetting(in, change.edit);
+    }
+    change.edit.splices = std::move(splices);
+    if (!in.ok() || !in.atEnd() || !fits(change.edit, document))
+        return std::nullopt;
+    return change;
+}
+
+} // namespace app

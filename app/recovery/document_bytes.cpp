@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/recovery/document_bytes.h"
+
+namespace app {
+namespace {
+
+void writeLength(ByteWriter& out, const Length& length)
+{
+    out.put(length.value);
+    out.put(std::uint8_t(length.unit));
+}
+
+Length readLength(ByteReader& in)
+{
+    const auto value = in.get<double>();
+    return {value, in.choice(Unit::Percent)};
+}
+
+void writePage(ByteWriter& out, const Page& page)
+{
+    out.put(page.min);
+    out.put(page.size);
+    writeLength(out, page.width);
+    writeLength(out, page.height);
+}
+
+Page readPage(ByteReader& in)
+{
+    Page page;
+    page.min = in.get<Point>();
+    page.size = in.get<Point>();
+    page.width = readLength(in);
+    page.height = readLength(in);
+    return page;
+}
+
+void writeWindows(ByteWriter& out, const ClipWindows& windows)
+{
+    out.putCount(windows.list.size());
+    for (const ClipWindow& window : windows.list) {
+        out.put(window.name);
+        const auto* polygon = std::get_if<PolygonShape>(&window.shape);
+        out.put(std::uint8_t(polygon != nullptr));
+        if (polygon)
+            out.putList(polygon->corners);
+        else
+            out.put(std::get<RectangleShape>(window.shape));
+        out.put(std::uint8_t(window.operation));
+        out.put(std::uint8_t(window.visible));
+    }
+    out.put(std::uint8_t(windows.keep));
+}
+
+ClipWindows readWindows(ByteReader& in)
+{
+    ClipWindows windows;
+    const std::size_t count = in.count(1);
+    in.require(count <= ClipWindows::most);
+    for (std::size_t i = 0; i < count && in.ok(); ++i) {
+        ClipWindow& window = windows.list.emplace_back();
+        window.name = in.text();
+        if (in.flag())
+            window.shape = PolygonShape{in.list<glm::dvec2>()};
+        else
+            window.shape = in.get<RectangleShape>();
+        window.operation = in.choice(WindowOperation::Intersect);
+        window.visible = in.flag();
+    }
+    windows.keep = in.choice(Keep::Outside);
+    return windows;
+}
+
+void writeContainers(ByteWriter& out, const Containers& containers)
+{
+    const Containers::Parts parts = containers.parts();
+    out.putList(parts.marks);
+    out.put(parts.nextId);
+    out.putCount(parts.containers.size());
+    for (const Container& container : parts.containers) {
+        out.put(container.id);
+        out.put(std::uint8_t(container.kind));
+        for (const QString* const text :
+             {&container.name, &container.svgId, &container.title, &container.description})
+            out.put(*text);
+        out.put(std::uint8_t(container.visible));
+        out.put(std::uint8_t(container.locked));
+    }
+}
+
+std::optional<Containers> readContainers(ByteReader& in)
+{
+    Containers::Parts parts;
+    parts.marks = in.list<ContainerMark>();
+    parts.nextId = in.get<ContainerId>();
+    for (std::size_t left = in.count(1); left > 0 && in.ok(); --left) {
+        Container& container = parts.containers.emplace_back();
+        container.id = in.get<ContainerId>();
+        container.kind = in.choice(Container::Kind::Group);
+        for (QString* const text :
+             {&container.name, &container.svgId, &container.title, &container.description})
+            *text = in.text();
+        container.visible = in.flag();
+        container.locked = in.flag();
+    }
+    auto containers = in.ok() ? Containers::of(parts) : std::nullopt;
+    in.require(containers.has_value());
+    return containers;
+}
+
+} // namespace
+
+void writeDocument(ByteWriter& out, const Document& document, ObjectBytes& objects)
+{
+    writePage(out, document.page());
+    const About& about = document.about();
+    for (const QString* const text :
+         {&about.id, &about.comments, &about.title, &about.description, &about.metadata})
+        out.put(*text);
+    objects.write(out, document.objects());
+    writeContainers(out, document.containers());
+    writeWindows(out, document.windows());
+}
+
+std::optional<Document> readDocument(ByteReader& in, ObjectReader& objects)
+{
+    DocumentParts parts;
+    parts.page = readPage(in);
+    About& about = parts.about;
+    for (QString* const text :
+         {&about.id, &about.comments, &about.title, &about.description, &about.metadata})
+        *text = in.text();
+    objects.read(in, parts.objects);
+    auto containers = readContainers(in);
+    parts.windows = readWindows(in);
+    if (!in.ok() || containers->objects() != parts.objects.size())
+        return std::nullopt;
+    parts.containers = std::move(*containers);
+    return Document(std::move(parts));
+}
+
+void writeSplices(ByteWriter& out, std::span<const Splice> splices) { out.putList(splices); }
+
+std::vector<Splice> readSplices(ByteReader& in) { return in.list<Splice>(); }
+
+void writeSetting(ByteWriter& out, const Edit& edit)
+{
+    out.put(std::uint8_t(edit.containers.has_value()));
+    if (edit.containers)
+        writeContainers(out, *edit.containers);
+    out.put(std::uint8_t(edit.windows.has_value()));
+    if (edit.windows)
+        writeWindows(out, *edit.windows);
+    out.put(std::uint8_t(edit.page.has_value()));
+    if (edit.page)
+        writePage(out, *edit.page);
+}
+
+void readSetting(ByteReader& in, Edit& edit)
+{
+    if (in.flag())
+        edit.containers = readContainers(in);
+    if (in.flag())
+        edit.windows = readWindows(in);
+    if (in.flag())
+        edit.page = readPage(in);
+}
+
+void writeEdit(ByteWriter& out, const Edit& edit, ObjectBytes& objects)
+{
+    writeSplices(out, edit.splices);
+    objects.write(out, edit.objects);
+    writeSetting(out, edit);
+}
+
+std::optional<Edit> readEdit(ByteReader& in, ObjectReader& objects, const Objects& styles)
+{
+    Edit edit;
+    edit.splices = readSplices(in);
+    edit.objects = styles.slice(0, 0);
+    objects.read(in, edit.objects);
+    readSetting(in, edit);
+    return in.ok() ? std::optional(std::move(edit)) : std::nullopt;
+}
+
+bool fits(const Edit& edit, const Document& document)
+{
+    const std::uint64_t size = document.objects().size();
+    std::uint64_t at = 0, removed = 0, added = 0;
+    for (const Splice& s : edit.splices) {
+        if (s.first < at)
+            return false;
+        at = std::uint64_t(s.first) + s.removed;
+        removed += s.removed;
+        added += s.added;
+    }
+    if (at > size || added != edit.objects.size())
+        return false;
+    const std::uint64_t after = size - removed + added;
+    return edit.containers ? edit.containers->objects() == after
+                           : document.containers().objects() == after;
+}
+
+} // namespace app

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/recovery/journal_base.h"
+#include "app/recovery/journal_thread.h"
+
+#include <QDeadlineTimer>
+#include <QLockFile>
+#include <QObject>
+
+#include <atomic>
+#include <semaphore>
+#include <vector>
+
+namespace app {
+
+class LogFile;
+
+/// Keeps every finished step of an open document on disk: when push, undo or redo returns, the
+/// step is in a file of the system, which outlives the process; another thread puts it on the disk
+/// within a second, for a loss of power. A step costs one write of some bytes (change_bytes.h).
+///
+/// The file begins with a base: the drawing with its history. When the replay of all later records
+/// would take long, a thread writes a new base. A base holds the newest steps that use at most
+/// 32 MB; older steps cannot be undone after a recovery.
+///
+/// If the disk is full, `failed` is emitted once, drawing goes on, and the journal tries to start
+/// again with a new base.
+class Journal : public QObject {
+    Q_OBJECT
+
+public:
+    struct Limits {
+        std::size_t history = 32'000'000; ///< bytes of memory that the steps in a base use
+        double replay = 0.3;              ///< seconds, estimated
+    };
+
+    /// Starts at once, with a journal in `above`. Follows the document when another one is loaded.
+    Journal(const EditedDocument& document, const History& history, QString above);
+    Journal(const EditedDocument& document, const History& history, QString above,
+            const Limits& limits);
+    /// Leaves the files for the next start. Waits for a base that is being written.
+    ~Journal() override;
+    void discard(); ///< removes the files: there is nothing to recover. The last call.
+
+    void setOrigin(const JournalOrigin& origin);
+    /// The object being drawn, or none. The last step of a recovered drawing.
+    void setInHand(std::optional<PendingObject> object);
+
+    QString folder() const { return folder_; }
+    /// Whether every step so far is in the files; any thread may ask.
+    bool complete() const { return complete_; }
+    /// Blocks until no base is being written, for tests.
+    void wait();
+
+signals:
+    void failed(const QString& sentence); ///< steps can no longer be recorded
+    void written();                       ///< the first base of a document is on the disk
+
+private:
+    struct Opening;
+
+    void begin();
+    bool startGeneration();
+    void noteBase(const QString& error);
+    void renew();
+    bool opened();
+    void append(std::string frame, double replayTime);
+    void appendLater(std::string frame);
+    void fail(const QString& reason);
+    void say();
+    void notePush(const UndoCommand& command, bool joined);
+    void noteIndex(int index);
+    void noteClean();
+    void noteLoad(const DocumentChange& change);
+    JournalBase base();
+    StepNumber number(int index) const;
+    double timeBetween(int from, int to) const;
+
+    const EditedDocument& document_;
+    const History& history_;
+    const QString above_;
+    const Limits limits_;
+    QString folder_;
+    std::shared_ptr<QLockFile> claim_;
+    std::shared_ptr<Opening> opening_; ///< the first generation, until it is known to be in place
+    std::shared_ptr<LogFile> log_;     ///< null: not open yet, or failed
+    int generation_ = 0;
+    bool writingBase_ = false;
+    std::uint64_t nextRecord_ = 0;
+    double replayTime_ = 0;          ///< of the records since the last base, estimated in seconds
+    StepNumber firstKept_ = 0;       ///< the first step of the last base
+    int index_ = 0;                  ///< of the history, as far as recorded
+    bool pushing_ = false;           ///< between History::pushed and indexChanged
+    bool beyondBase_ = false;        ///< undone more than the last base can undo
+    QString failure_;                ///< why records are not appended
+    bool said_ = false;              ///< failed() was emitted, and no base has succeeded since
+    QDeadlineTimer nextAttempt_;     ///< after a failure
+    std::vector<std::string> later_; ///< records that wait until the log is open
+    JournalOrigin origin_;
+    std::optional<PendingObject> inHand_;
+    std::atomic<bool> complete_ = true;
+    LogSync sync_;
+    JobThread jobs_; ///< last: it ends before its data
+};
+
+} // namespace app

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/recovery/journal_records.h"
+
+namespace app {
+namespace {
+
+ByteWriter started(RecordKind kind)
+{
+    ByteWriter out = startedFrame();
+    out.put(kind);
+    return out;
+}
+
+} // namespace
+
+ByteWriter startedFrame()
+{
+    ByteWriter out;
+    out.bytes().resize(frameHeader);
+    return out;
+}
+
+void writeOrigin(ByteWriter& out, const JournalOrigin& origin)
+{
+    out.put(origin.origin.name);
+    out.put(origin.origin.path);
+    const QDateTime& time = origin.origin.fileTime;
+    out.put(std::uint8_t(time.isValid()));
+    out.put(std::int64_t(time.isValid() ? time.toMSecsSinceEpoch() : 0));
+    out.put(origin.sample);
+}
+
+JournalOrigin readOrigin(ByteReader& in)
+{
+    JournalOrigin origin;
+    origin.origin.name = in.text();
+    origin.origin.path = in.text();
+    const bool timed = in.flag();
+    const auto time = in.get<std::int64_t>();
+    if (timed)
+        origin.origin.fileTime = QDateTime::fromMSecsSinceEpoch(time);
+    origin.sample = in.text();
+    return origin;
+}
+
+void writeClean(ByteWriter& out, std::optional<StepNumber> clean)
+{
+    out.put(std::uint8_t(clean.has_value()));
+    out.put(clean.value_or(0));
+}
+
+std::optional<StepNumber> readClean(ByteReader& in)
+{
+    const bool some = in.flag();
+    const auto clean = in.get<StepNumber>();
+    return some && in.ok() ? std::optional(clean) : std::nullopt;
+}
+
+std::string stepRecord(const EditCommand& done, const Document& now, bool joined)
+{
+    ByteWriter out = started(joined ? RecordKind::Joined : RecordKind::Step);
+    const std::string_view key = done.kind().key;
+    out.putList(key);
+    out.put(done.text());
+    writeChange(out, done, now);
+    return std::move(out.bytes());
+}
+
+std::string indexRecord(StepNumber index)
+{
+    ByteWriter out = started(RecordKind::Index);
+    out.put(index);
+    return std::move(out.bytes());
+}
+
+std::string cleanRecord(std::optional<StepNumber> clean)
+{
+    ByteWriter out = started(RecordKind::Clean);
+    writeClean(out, clean);
+    return std::move(out.bytes());
+}
+
+std::string originRecord(const JournalOrigin& origin)
+{
+    ByteWriter out = started(RecordKind::Origin);
+    writeOrigin(out, origin);
+    return std::move(out.bytes());
+}
+
+std::string inHandRecord(const std::optional<PendingObject>& object)
+{
+    ByteWriter out = started(RecordKind::InHand);
+    out.put(std::uint8_t(object.has_value()));
+    if (object) {
+        out.put(object->into);
+        ObjectBytes().write(out, object->object);
+    }
+    return std::move(out.bytes());
+}
+
+bool JournalState::follow(std::string_view record)
+{
+    ByteReader in(record);
+    switch (in.choice(RecordKind::InHand)) {
+    case RecordKind::Step:
+        if (clean && *clean > index)
+            clean.reset(); // that state was undone and can no longer be redone
+        ++index;
+        inHand = false;
+        break;
+    case RecordKind::Joined:
+        inHand = false;
+        break;
+    case RecordKind::Index:
+        index = in.get<StepNumber>();
+        break;
+    case RecordKind::Clean:
+        clean = readClean(in);
+        break;
+    case RecordKind::Origin:
+        origin = readOrigin(in);
+        break;
+    case RecordKind::InHand:
+        inHand = in.flag();
+        break;
+    }
+    return in.ok();
+}
+
+} // namespace app

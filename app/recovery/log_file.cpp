@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/recovery/log_file.h"
+
+#include "app/base/replace_file.h"
+#include "app/base/write_all.h"
+
+#include <QFile>
+#include <QtGlobal>
+
+#if defined(Q_OS_UNIX)
+#include <cerrno>
+#include <fcntl.h>
+#include <unistd.h>
+#endif
+
+namespace app {
+
+#if defined(Q_OS_UNIX)
+
+namespace {
+
+constexpr int onlyUser = 0600;
+
+QString reason() { return qt_error_string(errno); }
+
+bool writeAt(int file, std::string_view bytes)
+{
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(file, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR)
+            continue;
+        if (written <= 0)
+            return false;
+        bytes.remove_prefix(std::size_t(written));
+    }
+    return true;
+}
+
+} // namespace
+
+std::shared_ptr<LogFile> LogFile::create(const QString& path, std::string_view bytes,
+                                         QString& error)
+{
+    const QByteArray name = QFile::encodeName(path);
+    const int file =
+        ::open(name.constData(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, onlyUser);
+    if (file < 0) {
+        error = reason();
+        return nullptr;
+    }
+    std::shared_ptr<LogFile> log(new LogFile(file));
+    if (const auto wrong = log->append(bytes)) {
+        error = *wrong;
+        ::unlink(name.constData());
+        return nullptr;
+    }
+    return log;
+}
+
+LogFile::~LogFile() { ::close(file_); }
+
+std::optional<QString> LogFile::append(std::string_view bytes)
+{
+    if (!writeAt(file_, bytes)) {
+        const QString why = reason();
+        [[maybe_unused]] const int cut = ::ftruncate(file_, off_t(size_)); // a torn end is ignored
+        return why;
+    }
+    size_ += bytes.size();
+    return std::nullopt;
+}
+
+void LogFile::sync() { ::fdatasync(file_); }
+
+#else
+
+std::shared_ptr<LogFile> LogFile::create(const QString&, std::string_view, QString& error)
+{
+    error = QStringLiteral("not supported");
+    return nullptr;
+}
+LogFile::~LogFile() = default;
+std::optional<QString> LogFile::append(std::string_view) { return QString(); }
+void LogFile::sync() {}
+
+#endif
+
+std::optional<QString> writeWhole(const QString& path, std::string_view bytes)
+{
+    const auto error = replaceFile(path, [&](QIODevice& out) -> std::optional<QString> {
+        return writeAll(out, bytes) ? std::nullopt : std::optional(out.errorString());
+    });
+    if (!error)
+        QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner);
+    return error;
+}
+
+} // namespace app

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include <memory>
+#include <optional>
+#include <string_view>
+
+namespace app {
+
+/// The log of a journal, open for appending. One thread appends; any other may sync.
+class LogFile {
+public:
+    /// A new file, which only the user can read, with these bytes. Null, with the reason in
+    /// `error`, if there is no room or no permission.
+    static std::shared_ptr<LogFile> create(const QString& path, std::string_view bytes,
+                                           QString& error);
+    ~LogFile();
+    LogFile(const LogFile&) = delete;
+    LogFile& operator=(const LogFile&) = delete;
+
+    /// Appends all bytes with one call of the system, or none. Returns nothing, or the reason.
+    std::optional<QString> append(std::string_view bytes);
+    void sync(); ///< returns when all appended bytes are on the disk
+
+private:
+    explicit LogFile(int file) : file_(file) {}
+
+    const int file_;
+    std::size_t size_ = 0;
+};
+
+/// Writes a file, which only the user can read, completely or not at all, and puts it on the disk.
+/// Returns nothing, or the reason.
+std::optional<QString> writeWhole(const QString& path, std::string_view bytes);
+
+} // namespace app

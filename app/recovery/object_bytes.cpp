@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/recovery/object_bytes.h"
+
+namespace app {
+namespace {
+
+enum class Kind : std::uint8_t { Empty, Line, Own, Shared };
+
+void writeColour(ByteWriter& out, const std::optional<Colour>& colour)
+{
+    out.put(std::uint8_t(colour.has_value()));
+    out.put(colour.value_or(Colour{}));
+}
+
+std::optional<Colour> readColour(ByteReader& in)
+{
+    const bool some = in.flag();
+    const auto colour = in.get<Colour>();
+    return some ? std::optional(colour) : std::nullopt;
+}
+
+struct WriteRecipe {
+    ByteWriter& out;
+    void operator()(std::monostate) const {}
+    void operator()(const RectangleRecipe& r) const { out.put(r); }
+    void operator()(const EllipseRecipe& r) const { out.put(r); }
+    void operator()(const StarRecipe& r) const { out.put(r); }
+    void operator()(const TextRecipe& r) const
+    {
+        out.put(r.text);
+        out.put(r.font);
+        out.put(r.size);
+        out.put(r.at);
+    }
+};
+
+Recipe readRecipe(ByteReader& in)
+{
+    switch (in.get<std::uint8_t>()) {
+    case 0:
+        return {};
+    case 1:
+        return in.get<RectangleRecipe>();
+    case 2:
+        return in.get<EllipseRecipe>();
+    case 3:
+        return in.get<StarRecipe>();
+    case 4: {
+        TextRecipe text;
+        text.text = in.text();
+        text.font = in.text();
+        text.size = in.get<double>();
+        text.at = in.get<Point>();
+        return text;
+    }
+    default:
+        in.fail();
+        return {};
+    }
+}
+
+void writeParticulars(ByteWriter& out, const Particulars& particulars)
+{
+    const bool some = !(particulars == Particulars{});
+    out.put(std::uint8_t(some));
+    if (!some)
+        return;
+    out.put(particulars.id);
+    out.put(particulars.title);
+    out.put(particulars.description);
+    out.put(std::uint8_t(particulars.recipe.index()));
+    std::visit(WriteRecipe{out}, particulars.recipe);
+}
+
+Shared<Particulars> readParticulars(ByteReader& in)
+{
+    if (!in.flag())
+        return noParticulars();
+    Particulars particulars;
+    particulars.id = in.text();
+    particulars.title = in.text();
+    particulars.description = in.text();
+    particulars.recipe = readRecipe(in);
+    return Shared(std::move(particulars));
+}
+
+/// The styles that objects use, in the order of their first use.
+struct UsedStyles {
+    explicit UsedStyles(const Objects& objects)
+    {
+        for (const Shared<ObjectBlock>& block : objects.blocks())
+            for (const StyleIndex style : block->styles)
+                if (numbers.try_emplace(style, std::uint32_t(list.size())).second)
+                    list.push_back(style);
+    }
+    std::unordered_map<StyleIndex, std::uint32_t> numbers;
+    std::vector<StyleIndex> list;
+};
+
+} // namespace
+
+void writeStyle(ByteWriter& out, const Style& style)
+{
+    writeColour(out, style.stroke);
+    writeColour(out, style.fill);
+    for (const double number : {style.width, style.miterLimit, style.dashOffset})
+        out.put(number);
+    out.putList(style.dashes);
+    out.put(std::uint8_t(style.cap));
+    out.put(std::uint8_t(style.join));
+    out.put(std::uint8_t(style.fillRule));
+}
+
+Style readStyle(ByteReader& in)
+{
+    Style style;
+    style.stroke = readColour(in);
+    style.fill = readColour(in);
+    for (double* const number : {&style.width, &style.miterLimit, &style.dashOffset})
+        *number = in.get<double>();
+    style.dashes = in.list<double>();
+    style.cap = in.choice(Cap::Square);
+    style.join = in.choice(Join::Bevel);
+    style.fillRule = in.choice(FillRule::EvenOdd);
+    return style;
+}
+
+void ObjectBytes::writePath(ByteWriter& out, const Path& path)
+{
+    if (const auto line = path.singleLine()) {
+        out.put(Kind::Line);
+        out.put(*line);
+        return;
+    }
+    const auto parts = path.parts();
+    if (!parts) {
+        out.put(Kind::Empty);
+        return;
+    }
+    const auto [at, isNew] = known_.try_emplace(parts->points.data(), std::uint32_t(known_.size()));
+    out.put(isNew ? Kind::Own : Kind::Shared);
+    out.put(parts->placement);
+    if (!isNew) {
+        out.put(at->second);
+        return;
+    }
+    kept_.push_back(path);
+    out.putList(parts->points);
+    out.putList(parts->sizes);
+    out.putList(parts->kinds);
+}
+
+Path ObjectReader::path(ByteReader& in)
+{
+    const Kind kind = in.choice(Kind::Shared);
+    if (kind == Kind::Empty)
+        return {};
+    if (kind == Kind::Line)
+        return Path(in.get<clipping::Segment>());
+    const auto placement = in.get<Placement>();
+    if (kind == Kind::Shared) {
+        const auto number = in.get<std::uint32_t>();
+        in.require(number < known_.size());
+        return in.ok() ? known_[number].withPlacement(placement) : Path();
+    }
+    const auto points = in.list<Point>();
+    const auto sizes = in.list<std::uint32_t>();
+    const auto kinds = in.list<std::uint8_t>();
+    const auto path = Path::of({placement, points, sizes, kinds});
+    in.require(path.has_value());
+    if (!path || !in.ok())
+        return {};
+    known_.push_back(*path);
+    return *path;
+}
+
+void ObjectBytes::write(ByteWriter& out, const Objects& objects)
+{
+    const UsedStyles styles(objects);
+    out.putCount(styles.list.size());
+    for (const StyleIndex style : styles.list)
+        writeStyle(out, objects.styles()[style]);
+    out.putCount(objects.blocks().size());
+    for (const Shared<ObjectBlock>& shared : objects.blocks()) {
+        const ObjectBlock& block = *shared;
+        out.put(std::uint8_t(block.paths.empty()));
+        if (block.paths.empty()) {
+            out.putList(block.lines);
+        } else {
+            out.putCount(block.paths.size());
+            for (const Path& path : block.paths)
+                writePath(out, path);
+        }
+        out.putCount(block.styles.size());
+        for (const StyleIndex style : block.styles)
+            out.put(styles.numbers.at(style));
+        out.putList(block.hidden);
+        out.putCount(block.particulars.size());
+        for (const Shared<Particulars>& particulars : block.particulars)
+            writeParticulars(out, *particulars);
+    }
+}
+
+void ObjectReader::read(ByteReader& in, Objects& to)
+{
+    std::vector<StyleIndex> styles;
+    for (std::size_t left = in.count(1); left > 0; --left)
+        if (const Style style = readStyle(in); in.ok())
+            styles.push_back(to.styles().indexOf(style));
+    for (std::size_t left = in.count(1); left > 0 && in.ok(); --left) {
+        std::vector<clipping::Segment> lines;
+        std::vector<Path> paths;
+        if (in.flag())
+            lines = in.list<clipping::Segment>();
+        else
+            for (std::size_t more = in.count(1); more > 0 && in.ok(); --more)
+                paths.push_back(path(in));
+        const std::size_t size = lines.size() + paths.size();
+        auto styleOf = in.list<std::uint32_t>();
+        const auto hidden = in.list<std::uint8_t>();
+        std::vector<Shared<Particulars>> particulars;
+        for (std::size_t more = in.count(1); more > 0 && in.ok(); --more)
+            particulars.push_back(readParticulars(in));
+        const auto fits = [&](const auto& column) {
+            return column.empty() || column.size() == size;
+        };
+        in.require(size > 0 && (styleOf.size() == 1 || styleOf.size() == size) && fits(hidden)
+                   && fits(particulars));
+        for (const std::uint32_t style : styleOf)
+            in.require(style < styles.size());
+        for (std::size_t i = 0; i < size && in.ok(); ++i) {
+            const StyleIndex style = styles[styleOf[styleOf.size() == 1 ? 0 : i]];
+            const bool usual = (hidden.empty() || !hidden[i]) && particulars.empty();
+            if (usual && paths.empty())
+                to.appendLine(lines[i], style);
+            else
+                to.append(ObjectRow{paths.empty() ? Path(lines[i]) : paths[i], style,
+                                    !hidden.empty() && hidden[i] != 0,
+                                    particulars.empty() ? noParticulars() : particulars[i]});
+        }
+    }
+}
+
+void ObjectBytes::write(ByteWriter& out, const Object& object)
+{
+    writePath(out, object.path);
+    writeStyle(out, object.style);
+    out.put(std::uint8_t(object.hidden));
+    writeParticulars(out, object.particulars);
+}
+
+Object ObjectReader::object(ByteReader& in)
+{
+    Object object;
+    object.path = path(in);
+    object.style = readStyle(in);
+    object.hidden = in.flag();
+    object.particulars = *readParticulars(in);
+    return object;
+}
+
+} // namespace app

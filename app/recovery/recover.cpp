@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/recovery/recover.h"
+
+#include "app/formats/format.h"
+#include "app/recovery/journal_folder.h"
+
+#include <QCoreApplication>
+
+namespace app {
+
+Result<Recovered> recover(const Leftover& leftover)
+{
+    using Found = Result<Recovered>;
+    if (isJournal(leftover.file)) {
+        if (auto found = replayed(leftover.file))
+            return Found::of(std::move(*found));
+        return Found::failure(
+            QCoreApplication::translate("recovery", "Its journal is damaged at the start."));
+    }
+    auto read = readFile(leftover.file, &formats().front());
+    if (!read)
+        return Found::failure(read.error);
+    Recovered found;
+    found.document = std::move(read.value->document);
+    found.history.clean.reset();
+    found.origin.origin = leftover.origin;
+    return Found::of(std::move(found));
+}
+
+} // namespace app
