@@ -25,6 +25,16 @@ void EditCommand::exchange()
     next_ = std::move(back);
 }
 
+void EditCommand::measure()
+{
+    Edit nothing;
+    if (next_.containers)
+        nothing.containers.emplace();
+    if (next_.windows)
+        nothing.windows.emplace();
+    editBytes_ = next_.bytesNotIn(nothing);
+}
+
 bool EditCommand::mergeWith(const UndoCommand& next)
 {
     return samePlaces(next_, static_cast<const EditCommand&>(next).next_);

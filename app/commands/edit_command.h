@@ -38,6 +38,8 @@ public:
     /// windows. Undoing this command then undoes both.
     bool mergeWith(const UndoCommand& next) final;
     const Edit& next() const { return next_; }
+    /// Counts all memory of the edit, for a command that is restored without redo().
+    void measure();
     const Derivation& derivation() const
     {
         return derivation_;

@@ -13,7 +13,8 @@ namespace app {
 namespace {
 
 // Seconds that the replay of records takes, on a slow machine.
-constexpr double timeOfRecord = 20e-6, timeOfObject = 0.1e-6, timeOfByte = 10e-9;
+constexpr double timeOfRecord = 20e-6, timeOfObject = 0.1e-6, timeOfContainer = 0.4e-6,
+                 timeOfByte = 10e-9;
 constexpr std::chrono::seconds pauseAfterFailure{10};
 
 double timeOf(const Edit& edit)
@@ -21,7 +22,8 @@ double timeOf(const Edit& edit)
     double objects = 0;
     for (const Splice& s : edit.splices)
         objects += s.removed + s.added;
-    return timeOfRecord + timeOfObject * objects;
+    const double containers = edit.containers ? double(edit.containers->size()) : 0;
+    return timeOfRecord + timeOfObject * objects + timeOfContainer * containers;
 }
 
 const EditCommand& editOf(const UndoCommand& command)

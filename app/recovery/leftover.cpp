@@ -163,7 +163,8 @@ std::vector<Leftover> claimLeftovers(const QString& folder)
 void discard(Leftover& leftover)
 {
     if (isJournal(leftover.file)) {
-        leftover.claim.reset(); // its lock is in the folder
+        if (leftover.claim)
+            leftover.claim->unlock(); // the lock is in the folder
         QDir(leftover.file).removeRecursively();
     } else {
         QFile::remove(leftover.file);
@@ -176,6 +177,8 @@ QString setAside(Leftover& leftover)
     QString aside = leftover.file + QStringLiteral(".unreadable");
     QFile::remove(aside);
     QDir(aside).removeRecursively();
+    if (leftover.claim && isJournal(leftover.file))
+        leftover.claim->unlock(); // the lock is in the folder
     QFile::rename(leftover.file, aside);
     leftover.claim.reset();
     return aside;

@@ -28,7 +28,7 @@ struct Origin {
 struct Leftover {
     QString file; ///< or the folder of a journal
     Origin origin;
-    QDateTime ended; ///< when the program was ended
+    QDateTime ended; ///< when the program was ended; of a journal, when its last step was done
     std::shared_ptr<QLockFile> claim;
 };
 

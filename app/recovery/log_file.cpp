@@ -5,12 +5,14 @@
 #include "app/base/write_all.h"
 
 #include <QFile>
+#include <QFileInfo>
 #include <QtGlobal>
 
 #if defined(Q_OS_UNIX)
 #include <cerrno>
 #include <fcntl.h>
 #include <unistd.h>
+#include <utility>
 #endif
 
 namespace app {
@@ -48,7 +50,7 @@ std::shared_ptr<LogFile> LogFile::create(const QString& path, std::string_view b
         error = reason();
         return nullptr;
     }
-    std::shared_ptr<LogFile> log(new LogFile(file));
+    std::shared_ptr<LogFile> log(new LogFile(file, path));
     if (const auto wrong = log->append(bytes)) {
         error = *wrong;
         ::unlink(name.constData());
@@ -70,7 +72,21 @@ std::optional<QString> LogFile::append(std::string_view bytes)
     return std::nullopt;
 }
 
-void LogFile::sync() { ::fdatasync(file_); }
+void LogFile::sync()
+{
+    ::fdatasync(file_);
+    if (std::exchange(named_, true))
+        return;
+    const QString folder = QFileInfo(path_).path();
+    for (const QString& each : {folder, QFileInfo(folder).path()}) {
+        const int open =
+            ::open(QFile::encodeName(each).constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+        if (open < 0)
+            continue;
+        ::fsync(open);
+        ::close(open);
+    }
+}
 
 #else
 

@@ -22,12 +22,15 @@ public:
 
     /// Appends all bytes with one call of the system, or none. Returns nothing, or the reason.
     std::optional<QString> append(std::string_view bytes);
-    void sync(); ///< returns when all appended bytes are on the disk
+    /// Returns when all appended bytes are on the disk, and the names of the file and its folder.
+    void sync();
 
 private:
-    explicit LogFile(int file) : file_(file) {}
+    LogFile(int file, QString path) : file_(file), path_(std::move(path)) {}
 
     const int file_;
+    const QString path_;
+    bool named_ = false; ///< the names are on the disk
     std::size_t size_ = 0;
 };
 

@@ -27,9 +27,12 @@ RecordedHistory recorded(const History& history, std::size_t mostBytes)
 void restore(History& history, EditedDocument& document, RecordedHistory recorded)
 {
     std::vector<std::unique_ptr<UndoCommand>> commands;
-    for (RecordedHistory::Step& step : recorded.steps)
-        commands.push_back(
-            std::make_unique<EditCommand>(*step.kind, document, std::move(step.next), step.text));
+    for (RecordedHistory::Step& step : recorded.steps) {
+        auto command =
+            std::make_unique<EditCommand>(*step.kind, document, std::move(step.next), step.text);
+        command->measure();
+        commands.push_back(std::move(command));
+    }
     history.restore(std::move(commands), recorded.index, recorded.clean);
 }
 

@@ -11,12 +11,23 @@ void UnsavedWork::tell(Document document)
     document_ = std::move(document);
 }
 
+bool UnsavedWork::unsaved() const
+{
+    const std::lock_guard reading(lock_);
+    return unsaved(edited_.snapshot());
+}
+
+bool UnsavedWork::unsaved(const app::Document& document) const
+{
+    return document_.inHand
+           || (document_.changed && !isUnchangedSample(document_.sample, document));
+}
+
 UnsavedWork::Written UnsavedWork::write() const
 {
     const std::lock_guard reading(lock_);
     app::Document document = edited_.snapshot();
-    const bool changed = document_.changed && !isUnchangedSample(document_.sample, document);
-    if (!changed && !document_.inHand)
+    if (!unsaved(document))
         return {};
     if (document_.inHand) {
         document = withOwnStyles(document); // keeps the edited document's styles

@@ -4,6 +4,8 @@
 #include "app/document/edited_document.h"
 #include "app/recovery/leftover.h"
 
+#include <mutex>
+
 namespace app {
 
 /// The work that would be lost if the program ended now. The editing thread updates it; any thread
@@ -22,6 +24,7 @@ public:
     };
     void tell(Document document);
 
+    bool unsaved() const; ///< whether there is any
     /// Writes unsaved work, if any, to the document's file.
     struct Written {
         bool unsaved = false;
@@ -30,6 +33,8 @@ public:
     Written write() const;
 
 private:
+    bool unsaved(const app::Document& document) const;
+
     const EditedDocument& edited_;
     Document document_;
     mutable std::mutex lock_;

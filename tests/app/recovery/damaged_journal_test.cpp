@@ -32,6 +32,7 @@ struct Copy {
     }
     static void write(const QString& path, const QByteArray& bytes)
     {
+        QFile::remove(path); // replacing contents would wait for the disk
         QFile file(path);
         if (file.open(QIODevice::WriteOnly))
             file.write(bytes);

@@ -290,6 +290,16 @@ private slots:
             return new AddObjects(document, document.now().objects().slice(0, count / 2),
                                   document.now().containers().childrenOf(0)[0], "Add");
         });
+        Containers tree = document.now().containers();
+        for (int i = 0; i < 2000; ++i)
+            tree = *tree.inserted({.name = QString::number(i)}, tree.childrenOf(0)[0], 0, {0, 0});
+        history.push(new SetContainers(document, tree, "Layers"));
+        print("add a line among 2,000 layers", [&] {
+            Objects objects = document.now().objects().slice(0, 0);
+            objects.append(Object{Path({{0, 0}, {1, 1}}), {}});
+            return new AddObjects(document, objects, document.now().containers().childrenOf(0)[0],
+                                  "Add");
+        });
         clock.start();
         history.undo();
         qInfo("undo: %.3f ms", double(appending) / 1e6);
