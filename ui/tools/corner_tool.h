@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/tools/two_point_tool.h"
+#include "ui/tools/two_points.h"
 
 namespace ui {
 

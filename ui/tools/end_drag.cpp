@@ -16,7 +16,7 @@ constexpr double endReach = 8; // pixels
 
 std::optional<clipping::Segment> lineWithHandles(const app::Session& session)
 {
-    if (!session.inspected())
+    if (!session.inspected() || session.selection().size() > 1)
         return std::nullopt;
     const std::size_t object = session.scene.lines().objectOf(*session.inspected());
     const auto line = session.now().objects()[object].singleLine();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/tools/two_point_tool.h"
+#include "ui/tools/two_points.h"
 
 namespace ui {
 
