@@ -108,7 +108,7 @@ bool Controller::handle(QEvent& event)
     case QEvent::NativeGesture:
         return navigation_.gesture(static_cast<QNativeGestureEvent&>(event));
     case QEvent::ShortcutOverride:
-        return beginsTyping(static_cast<QKeyEvent&>(event)) && (event.accept(), true);
+        return takesKey(static_cast<QKeyEvent&>(event)) && (event.accept(), true);
     case QEvent::KeyPress:
         return keyPress(static_cast<QKeyEvent&>(event));
     case QEvent::KeyRelease:

@@ -57,7 +57,7 @@ public:
     bool snaps() const { return snaps_; } ///< whether snapping is on
     void switchSnapping(bool on);
 
-    void setTool(std::string_view key);
+    void setTool(std::string_view key); ///< the current tool begins anew
     const ToolInfo& toolInfo() const { return *toolInfo_; }
     const Tool& tool() const { return *tool_; }
     const Workbench& bench() const { return bench_; }
@@ -160,6 +160,11 @@ private:
     bool toolKey(const QKeyEvent& event);
     bool transformKey(const QKeyEvent& event);
     bool beginsTyping(const QKeyEvent& event) const;
+    /// Whether the canvas has a use for the key before the shortcut of a command.
+    bool takesKey(const QKeyEvent& event) const
+    {
+        return tool_->wants(event) || beginsTyping(event);
+    }
     void beginTyping(const QKeyEvent& event);
     bool releaseLocked();
     void steer();

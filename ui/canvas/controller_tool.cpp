@@ -11,7 +11,7 @@ namespace ui {
 void Controller::setTool(std::string_view key)
 {
     const ToolInfo* info = findTool(key);
-    if (!info || info == toolInfo_)
+    if (!info)
         return;
     if (tool_) {
         tool_->end(bench_);

@@ -81,7 +81,8 @@ void Controller::transform(const app::Transformation& kind)
         emit session_.refused(kind.needs);
         return;
     }
-    setTool("select");
+    if (toolInfo_->key != "select")
+        setTool("select");
     const app::Point middle = view().toDrawing(view().size * 0.5);
     const Pointer pointer =
         pointer_.value_or(Pointer{middle, middle, view().toScreen(middle), {}, {}, middle});

@@ -48,7 +48,8 @@ RepeatDialog::RepeatDialog(app::Session& session, QWidget* parent)
     pages_->addWidget(makeCircle());
     for (QSpinBox* field : {rows_, columns_, count_})
         connect(field, &QSpinBox::valueChanged, this, &RepeatDialog::follow);
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    auto* buttons = new QDialogButtonBox;
+    buttons->addButton(tr("Cancel"), QDialogButtonBox::RejectRole);
     repeat_ = buttons->addButton(tr("&Repeat"), QDialogButtonBox::AcceptRole);
     repeat_->setDefault(true);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -58,7 +59,7 @@ RepeatDialog::RepeatDialog(app::Session& session, QWidget* parent)
     column->setContentsMargins(space::betweenGroups, space::betweenGroups, space::betweenGroups,
                                space::betweenGroups);
     column->setSpacing(space::betweenGroups);
-    column->addWidget(kind_);
+    column->addWidget(kind_, 0, Qt::AlignLeft);
     column->addWidget(pages_);
     column->addWidget(result_);
     column->addWidget(buttons);

@@ -31,6 +31,7 @@ public:
             forgetHovered();
     }
     bool key(QKeyEvent& event, Workbench& bench) override;
+    bool wants(const QKeyEvent& event) const override { return transform_.wants(event); }
     void cancel(Workbench& bench) override
     {
         gesture_.cancel(bench);

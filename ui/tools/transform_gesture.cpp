@@ -167,9 +167,16 @@ bool TransformGesture::putPivot(const Workbench& bench)
     return true;
 }
 
+bool TransformGesture::wants(const QKeyEvent& event) const
+{
+    static constexpr std::array keys{Qt::Key_X, Qt::Key_Y, Qt::Key_C, Qt::Key_P};
+    return now_ && !(event.modifiers() & ~Qt::KeypadModifier)
+           && std::ranges::find(keys, event.key()) != keys.end();
+}
+
 bool TransformGesture::key(const QKeyEvent& event, const Workbench& bench)
 {
-    if (!now_ || event.modifiers() & ~Qt::KeypadModifier)
+    if (!wants(event))
         return false;
     const auto hold = [this](app::Axis axis) {
         now_->axis = now_->axis == axis ? app::Axis::Both : axis;
@@ -182,9 +189,8 @@ bool TransformGesture::key(const QKeyEvent& event, const Workbench& bench)
         return hold(app::Axis::Y);
     if (event.key() == Qt::Key_P)
         return putPivot(bench);
-    if (event.key() == Qt::Key_C)
-        return now_->copies = !now_->copies, true;
-    return false;
+    now_->copies = !now_->copies;
+    return true;
 }
 
 std::optional<app::Gauge> TransformGesture::gauge(const Workbench& bench) const

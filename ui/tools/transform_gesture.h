@@ -26,6 +26,7 @@ public:
     /// X and Y hold an axis, C makes copies; a second press takes it back. P puts the pivot under
     /// the pointer.
     bool key(const QKeyEvent& event, const Workbench& bench);
+    bool wants(const QKeyEvent& event) const;
 
     std::optional<app::Gauge> gauge(const Workbench& bench) const;
     void reopen(Workbench& bench);

@@ -41,8 +41,8 @@ private slots:
     void stairs()
     {
         check({key("P"), type("0,0"), enter(), type("0,-17"), enter(), type("29,0"), enter(),
-               key("V"), click({10, -17}), key("G"), key("C"), type("29,-17"),
-               enter(), type("6x"), enter()},
+               key("V"), click({10, -17}), key("G"), key("C"), type("29,-17"), enter(), type("6x"),
+               enter()},
               [] {
                   Table steps;
                   for (int i = 0; i < 7; ++i) {

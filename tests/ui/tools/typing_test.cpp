@@ -189,6 +189,16 @@ private slots:
         QCOMPARE(hand.count(), std::size_t(2));
         QVERIFY(near(hand.lastLine().a, {50, 70}) && near(hand.lastLine().b, {90, 70}));
     }
+    void toolChosenAgainBeginsAnew()
+    {
+        Hand hand("rectangle");
+        hand.move({20, 30});
+        hand.type("#10,10\n20\t30\n");
+        hand.canvas->setTool("rectangle");
+        hand.type("50,60\n7\t8\n"); // not the corner of the first one
+        QCOMPARE(hand.count(), std::size_t(2));
+        QVERIFY(same(hand.lastBox().min, {50, 60}) && same(hand.lastBox().max, {57, 68}));
+    }
     void halfOfAFirstPointIsForgottenWithItsField()
     {
         Hand hand("rectangle");

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/tasks/player.h"
+
+using namespace tasks;
+
+// Tasks of README.md about moving, rotating, scaling and arranging.
+class TransformsTest : public QObject {
+    Q_OBJECT
+
+    static Table boxes(std::initializer_list<clipping::Window> boxes)
+    {
+        Table table;
+        for (const clipping::Window& w : boxes)
+            table.push_back({{w.min, {w.max.x, w.min.y}, w.max, {w.min.x, w.max.y}}, true});
+        return table;
+    }
+    /// Draws a rectangle from a typed corner.
+    static void rectangle(Steps& steps, const char* corner, const char* width, const char* height)
+    {
+        const Steps more{key("R"), type(corner), enter(), type(width),
+                         tab(),    type(height), enter()};
+        steps.insert(steps.end(), more.begin(), more.end());
+    }
+
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void sheetBorder()
+    {
+        check({key("R"), type("10,10"), enter(), type("190"), tab(), type("277"), enter()},
+              boxes({{{10, 10}, {200, 287}}}));
+    }
+    void star()
+    {
+        const double step = std::numbers::pi / 6;
+        Table rays;
+        for (int i = 0; i < 6; ++i) {
+            const app::Point arm(20 * std::cos(i * step), -20 * std::sin(i * step));
+            rays.push_back({{app::Point(60, 50) - arm, app::Point(60, 50) + arm}});
+        }
+        check({key("L"), type("40,50"), enter(), type("40"), tab(), type("0.0"), enter(), key("V"),
+               click({50, 50}), key("O"), key("C"), type("30"), enter(), type("5x"), enter()},
+              rays);
+    }
+    void turnedGroup()
+    {
+        Steps steps;
+        rectangle(steps, "40,50", "30", "20");
+        const Steps more{key("V"), click({48, 50}), key("O"), move({40.3, 50.3}),
+                         key("P"), type("33.5"),    enter()};
+        steps.insert(steps.end(), more.begin(), more.end());
+        const double angle = glm::radians(33.5);
+        const app::Point across(std::cos(angle), -std::sin(angle)),
+            down(std::sin(angle), std::cos(angle));
+        const app::Point corner(40, 50);
+        check(steps, {{{corner, corner + across * 30.0, corner + across * 30.0 + down * 20.0,
+                        corner + down * 20.0},
+                       true}});
+    }
+    void labels()
+    {
+        Steps steps;
+        rectangle(steps, "10,10", "30", "15");
+        const Steps more{key("V"), click({20, 10}), key("Ctrl+Shift+D"), enter()};
+        steps.insert(steps.end(), more.begin(), more.end());
+        Table labels;
+        for (int row = 0; row < 4; ++row)
+            for (int column = 0; column < 5; ++column) {
+                const app::Point at(10 + 33 * column, 10 + 18 * row);
+                labels.push_back(
+                    {{at, at + app::Point(30, 0), at + app::Point(30, 15), at + app::Point(0, 15)},
+                     true});
+            }
+        check(steps, labels);
+    }
+    void nudged()
+    {
+        check({key("L"), type("40,50"), enter(), type("20,0"), enter(), key("V"), click({50, 50}),
+               key("Right"), key("Shift+Down"), key("Up")},
+              {{{{41, 59}, {61, 59}}}});
+    }
+    void skewedRoof()
+    {
+        Steps steps;
+        rectangle(steps, "40,50", "30", "20");
+        const Steps more{key("V"), click({48, 50}), key("J"), type("20"), enter()};
+        steps.insert(steps.end(), more.begin(), more.end());
+        const double lean = 10 * std::tan(glm::radians(20.0));
+        check(steps,
+              {{{{40 + lean, 50}, {70 + lean, 50}, {70 - lean, 70}, {40 - lean, 70}}, true}});
+    }
+    void mirroredHalf()
+    {
+        const Table halves{{{{40, 50}, {60, 50}, {60, 70}}}, {{{80, 50}, {60, 50}, {60, 70}}}};
+        check({key("P"), type("40,50"), enter(), type("20,0"), enter(), type("0,20"), enter(),
+               key("V"), click({48, 50}), key("K"), key("X"), key("C"), move({60.2, 55}), key("P"),
+               type("-1"), enter()},
+              halves);
+    }
+    void aligned()
+    {
+        Steps steps;
+        rectangle(steps, "10,10", "30", "10");
+        rectangle(steps, "22,30", "20", "10");
+        rectangle(steps, "60,60", "10", "10");
+        const Steps more{key("V"),   key("Ctrl+A"), key("Alt+O"),
+                         type("al"), key("Alt+O"),  type("pv")};
+        steps.insert(steps.end(), more.begin(), more.end());
+        check(steps, boxes({{{10, 10}, {40, 20}}, {{10, 35}, {30, 45}}, {{10, 60}, {20, 70}}}));
+    }
+};
+
+QTEST_MAIN(TransformsTest)
+#include "transforms_test.moc"
