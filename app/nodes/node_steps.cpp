@@ -95,14 +95,16 @@ std::array<NodeStep, 12> allSteps()
                  endsHaveNoType, setType<NodeType::Smooth>},
         NodeStep{"symmetric-nodes", tr("Make nodes s&ymmetric"), tr("Make nodes symmetric"), true,
                  endsHaveNoType, setType<NodeType::Symmetric>},
-        NodeStep{"straighten-segments", tr("Make segments &lines"), tr("Make segments lines"), true,
+        NodeStep{"straighten-segments", tr("Turn segments into &lines"),
+                 tr("Turn segments into lines"), true,
                  [](const NodeSummary& nodes) {
                      return nodes.curved > 0     ? QString()
                             : nodes.straight > 0 ? tr("The segments are straight already.")
                                                  : noSegment();
                  },
                  [](OwnedPaths& paths, double) { return makeStraight(paths.path); }},
-        NodeStep{"curve-segments", tr("Make segments c&urves"), tr("Make segments curves"), true,
+        NodeStep{"curve-segments", tr("Turn segments into c&urves"),
+                 tr("Turn segments into curves"), true,
                  [](const NodeSummary& nodes) {
                      return nodes.straight > 0 ? QString()
                             : nodes.curved > 0 ? tr("The segments are curves already.")

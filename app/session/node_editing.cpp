@@ -7,27 +7,49 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <utility>
 
 namespace app {
 namespace {
 
-/// The paths whose geometry differs, as a command takes them.
-std::vector<ChangedPath> differing(const Document& document,
-                                   const std::vector<std::size_t>& objects, const OwnedPaths& paths)
+bool sameShape(std::span<const NodeSubpath> a, std::span<const NodeSubpath> b)
+{
+    const auto sameNode = [](const Node& p, const Node& q) {
+        return p.at == q.at && p.in == q.in && p.out == q.out && p.curved == q.curved;
+    };
+    return std::ranges::equal(a, b, [&](const NodeSubpath& p, const NodeSubpath& q) {
+        return p.closed == q.closed && std::ranges::equal(p.nodes, q.nodes, sameNode);
+    });
+}
+
+/// The subpaths of one object after the other.
+class EachObject {
+public:
+    explicit EachObject(const OwnedPaths& paths) : paths_(paths) {}
+    std::span<const NodeSubpath> of(std::size_t object)
+    {
+        const std::size_t first = next_;
+        while (next_ < paths_.owners.size() && paths_.owners[next_] == object)
+            ++next_;
+        return std::span(paths_.path).subspan(first, next_ - first);
+    }
+
+private:
+    const OwnedPaths& paths_;
+    std::size_t next_ = 0;
+};
+
+/// The objects whose shape differs, with their new paths.
+std::vector<ChangedPath> differing(const std::vector<std::size_t>& objects,
+                                   const OwnedPaths& before, const OwnedPaths& after)
 {
     std::vector<ChangedPath> changed;
-    std::size_t first = 0;
+    EachObject old(before), now(after);
     for (const std::size_t object : objects) {
-        std::size_t end = first;
-        while (end < paths.owners.size() && paths.owners[end] == object)
-            ++end;
-        const Path before = document.objects()[object].path();
-        const auto own = std::span(paths.path).subspan(first, end - first);
-        // A closed path may hold its closing line twice; that alone is no change.
-        if (subpathsOf(nodesOf(before.subpaths())) != subpathsOf(own))
-            changed.push_back({object, Path(subpathsOf(own))});
-        first = end;
+        const auto subpaths = now.of(object);
+        if (!sameShape(old.of(object), subpaths))
+            changed.push_back({object, Path(subpathsOf(subpaths))});
     }
     return changed;
 }
@@ -192,9 +214,11 @@ QString NodeEditing::whyNotEditable(const OwnedPaths& paths) const
 bool NodeEditing::apply(OwnedPaths paths, const QString& done, Merging merging)
 {
     path();
+    if (paths.owners.size() != paths.path.size())
+        return false; // made from nodes that have changed since
     if (const QString why = whyNotEditable(paths); !why.isEmpty())
         return refuse(why);
-    const std::vector<ChangedPath> changes = differing(session_.now(), objects_, paths);
+    const std::vector<ChangedPath> changes = differing(objects_, read_, paths);
     std::vector<std::size_t> objects = objects_;
     applying_ = true;
     if (!changes.empty())

@@ -2,6 +2,7 @@
 #include "ui/tools/end_drag.h"
 
 #include "app/commands/change_paths.h"
+#include "ui/tools/line_on_screen.h"
 #include "ui/tools/shape_drawing.h"
 
 #include <QCoreApplication>
@@ -106,7 +107,8 @@ void EndDrag::paint(QPainter& painter, const Workbench& bench) const
     if (!moved_)
         return;
     painter.setPen(QPen(bench.look.selection, 1.5));
-    painter.drawLine(bench.onScreen(now_.a), bench.onScreen(now_.b));
+    if (const auto line = lineOnScreen(now_, bench))
+        painter.drawLine(*line);
 }
 
 } // namespace ui

@@ -3,6 +3,7 @@
 
 #include "app/document/flatten.h"
 #include "app/nodes/node_types.h"
+#include "ui/tools/line_on_screen.h"
 
 #include <QSet>
 
@@ -38,10 +39,10 @@ public:
     }
     void handles(const app::NodePath& path, const HoveredNode& hovered)
     {
-        for (const app::ShownHandle& handle : app::shownHandles(path)) {
+        for (const app::ShownHandle& handle : handlesOf(path, bench_)) {
             const app::Point& from = path[handle.node.subpath].nodes[handle.node.node].at;
             painter_.setPen(QPen(blue(), 1));
-            if (const auto line = lineOnScreen({from, handle.at}))
+            if (const auto line = lineOnScreen({from, handle.at}, bench_))
                 painter_.drawLine(*line);
             const QPointF at = bench_.onScreen(handle.at);
             if (!seen(at))
@@ -89,18 +90,6 @@ private:
         const auto part = [](double v) { return quint64(std::floor(v / cell) + 1e6); };
         return part(at.x()) << 32 | part(at.y());
     }
-    /// Clipped to the canvas, because painters fail with huge numbers.
-    std::optional<QLineF> lineOnScreen(const clipping::Segment& line) const
-    {
-        static const auto clip = clipping::algorithms().front().corrected.clip;
-        const double room = beyond / bench_.view.zoom;
-        const clipping::Window window = bench_.view.visible();
-        const auto part = clip(line, {window.min - room, window.max + room});
-        if (!part)
-            return std::nullopt;
-        return QLineF(bench_.onScreen(part->a), bench_.onScreen(part->b));
-    }
-
     /// With a margin of paper, which sets it off from the line.
     void node(const app::Node& node, bool hovered)
     {
@@ -175,7 +164,7 @@ private:
                      chordError / bench_.view.zoom, chords);
         QList<QLineF> lines;
         for (const app::Chord& chord : chords)
-            if (const auto line = lineOnScreen(chord.segment))
+            if (const auto line = lineOnScreen(chord.segment, bench_))
                 lines << *line;
         painter_.drawLines(lines);
     }
@@ -185,6 +174,12 @@ private:
 };
 
 } // namespace
+
+std::vector<app::ShownHandle> handlesOf(const app::NodePath& path, const Workbench& bench)
+{
+    return bench.session.nodes.summary().selected > 0 ? app::shownHandles(path)
+                                                      : std::vector<app::ShownHandle>{};
+}
 
 void paintNodes(QPainter& painter, const Workbench& bench, const app::NodePath& path,
                 const HoveredNode& hovered)

@@ -12,6 +12,9 @@ struct HoveredNode {
     std::optional<app::ShownHandle> handle{};
 };
 
+/// The handles that are shown; faster for long paths without selected nodes.
+std::vector<app::ShownHandle> handlesOf(const app::NodePath& path, const Workbench& bench);
+
 /// Paints the visible nodes: corners as squares, smooth ones as circles, symmetric ones as
 /// diamonds, selected ones filled; handles of selected nodes; an arrow at the start of each
 /// subpath. Of very many nodes only so many are painted that they do not lie on each other.

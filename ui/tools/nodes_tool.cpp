@@ -109,7 +109,7 @@ HoveredNode NodesTool::nodeUnder(const Pointer& pointer, const Workbench& bench)
     double nearest =
         node ? glm::distance(path[node->subpath].nodes[node->node].at, pointer.raw) : radius;
     HoveredNode found{node, {}};
-    for (const app::ShownHandle& handle : app::shownHandles(path))
+    for (const app::ShownHandle& handle : handlesOf(path, bench))
         if (const double apart = glm::distance(handle.at, pointer.raw); apart < nearest) {
             nearest = apart;
             found = {{}, handle};
@@ -383,10 +383,15 @@ QString NodesTool::hint(const Workbench& bench) const
         return tr("%1 nodes. Click one, drag a box, or press Tab. Double click on the path adds "
                   "one.")
             .arg(app::countText(nodes.nodes));
-    if (nodes.only)
-        return tr("1 of %1 nodes. Drag it, or type x,y. Delete keeps the shape; Shift+C, S, Y: "
-                  "corner, smooth, symmetric.")
-            .arg(app::countText(nodes.nodes));
+    if (nodes.only) {
+        const app::Gauge gauge = gaugeOfStart(bench);
+        const app::Point at = nodeOf(*nodes.only, bench).at - gauge.origin;
+        const auto number = [&](double value) {
+            return app::lengthText(value, gauge.scale.unit, gauge.scale.millimetresPerUnit);
+        };
+        return tr("1 of %1 nodes, at x %2, y %3. Drag it, or type x,y. Delete keeps the shape.")
+            .arg(app::countText(nodes.nodes), number(at.x), number(at.y));
+    }
     return tr("%1 of %2 nodes. Dragging or the arrow keys move them; Delete keeps the shape.")
         .arg(app::countText(nodes.selected), app::countText(nodes.nodes));
 }
