@@ -65,19 +65,24 @@ BlockGrid::BlockGrid(std::span<const clipping::Segment> segments)
 
 bool BlockGrid::findNear(std::span<const clipping::Segment> segments, const Point& point,
                          double radius, std::size_t first, std::vector<std::size_t>& found,
-                         std::size_t most) const
+                         NearLimits& limits) const
 {
     const auto before = std::ptrdiff_t(found.size());
     const auto tidy = [&] { // a segment is in several cells
         std::sort(found.begin() + before, found.end());
         found.erase(std::unique(found.begin() + before, found.end()), found.end());
+        return found.size() <= limits.found;
     };
-    std::size_t full = most; // tidying at every number would take long
+    std::size_t full = limits.found; // tidying at every number would take long
     const Point reach = radius + (glm::abs(point) + radius) * rounding;
     const Cells cells = cellsOf(point - reach, point + reach);
     for (std::size_t y = cells.y0; y <= cells.y1; ++y)
-        for (std::size_t x = cells.x0; x <= cells.x1; ++x)
-            for (auto i = start_[y * columns_ + x]; i < start_[y * columns_ + x + 1]; ++i) {
+        for (std::size_t x = cells.x0; x <= cells.x1; ++x) {
+            const std::size_t cell = y * columns_ + x;
+            const std::size_t looks =
+                std::min<std::size_t>(limits.looks, start_[cell + 1] - start_[cell]);
+            limits.looks -= looks;
+            for (std::size_t i = start_[cell]; i < start_[cell] + looks; ++i) {
                 if (i + ahead < segments_.size())
                     __builtin_prefetch(&segments[segments_[i + ahead]]);
                 const auto& segment = segments[segments_[i]];
@@ -86,13 +91,12 @@ bool BlockGrid::findNear(std::span<const clipping::Segment> segments, const Poin
                 found.push_back(first + segments_[i]);
                 if (found.size() <= full)
                     continue;
-                tidy();
-                if (found.size() > most)
+                if (!tidy())
                     return false;
-                full = found.size() + most;
+                full = found.size() + limits.found;
             }
-    tidy();
-    return found.size() <= most;
+        }
+    return tidy();
 }
 
 // Chooses the cell size: long segments need fewer cells.

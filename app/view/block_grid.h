@@ -10,6 +10,12 @@
 
 namespace app {
 
+/// How much a search may find, and how many segments it may look at.
+struct NearLimits {
+    std::size_t found = std::numeric_limits<std::size_t>::max();
+    std::size_t looks = std::numeric_limits<std::size_t>::max();
+};
+
 /// Finds the segments of a scene block by position, with a uniform grid.
 class BlockGrid {
 public:
@@ -17,10 +23,10 @@ public:
     explicit BlockGrid(std::span<const clipping::Segment> segments);
 
     /// Appends the numbers, plus `first`, of the segments within `radius` of the point, ascending.
-    /// False: it stopped because `found` would have more than `most` numbers.
+    /// Stops after looking at `limits.looks` segments, which it counts down. False: it stopped
+    /// because `found` would have more than `limits.found` numbers.
     bool findNear(std::span<const clipping::Segment> segments, const Point& point, double radius,
-                  std::size_t first, std::vector<std::size_t>& found,
-                  std::size_t most = std::numeric_limits<std::size_t>::max()) const;
+                  std::size_t first, std::vector<std::size_t>& found, NearLimits& limits) const;
 
 private:
     struct Cells {

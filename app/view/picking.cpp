@@ -15,21 +15,26 @@ constexpr int mostHalvings = 10; // of the radius, in a crowd
 std::vector<std::size_t> Picking::near(const Point& point, double radius) const
 {
     std::vector<std::size_t> found;
-    find(point, radius, std::numeric_limits<std::size_t>::max(), found);
+    NearLimits none;
+    find(point, radius, none, found);
     return found;
 }
 
-std::vector<std::size_t> Picking::near(const Point& point, double radius, std::size_t most) const
+std::vector<std::size_t> Picking::near(const Point& point, double radius, NearLimits limits) const
 {
-    std::vector<std::size_t> found;
-    for (int i = 0; i < mostHalvings && !find(point, radius, most, found); ++i)
+    std::vector<std::size_t> found, before; // before: in the larger circle, which has too many
+    for (int i = 0; i < mostHalvings && !find(point, radius, limits, found); ++i) {
         radius /= 2;
-    found.resize(std::min(found.size(), most));
+        before.swap(found);
+    }
+    if (limits.looks == 0 && found.size() < before.size())
+        found.swap(before);
+    found.resize(std::min(found.size(), limits.found));
     return found;
 }
 
 // False: it stopped because there are more lines.
-bool Picking::find(const Point& point, double radius, std::size_t most,
+bool Picking::find(const Point& point, double radius, NearLimits& limits,
                    std::vector<std::size_t>& found) const
 {
     follow();
@@ -43,7 +48,7 @@ bool Picking::find(const Point& point, double radius, std::size_t most,
         if (!block.grid)
             block.grid.emplace(block.block->segments);
         if (!block.grid->findNear(block.block->segments, point, radius,
-                                  scene_.lines().runs()[i].firstLine, found, most))
+                                  scene_.lines().runs()[i].firstLine, found, limits))
             return false;
     }
     return true;

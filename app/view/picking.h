@@ -19,9 +19,9 @@ public:
     /// All lines within `radius` of the point, ascending.
     std::vector<std::size_t> near(const Point& point, double radius) const;
 
-    /// The same, but at most `most` lines: in a crowd the radius is halved until it has so few, and
-    /// if a tiny radius has more, some of these.
-    std::vector<std::size_t> near(const Point& point, double radius, std::size_t most) const;
+    /// The same within limits: in a crowd the radius is halved until it has few enough lines. If a
+    /// tiny radius has too many, or too many lines must be looked at, some are found.
+    std::vector<std::size_t> near(const Point& point, double radius, NearLimits limits) const;
 
     /// The nearest such line whose object is pickable; of equally near lines the topmost.
     std::optional<std::size_t> nearest(const Point& point, double radius) const;
@@ -43,7 +43,7 @@ private:
         std::optional<BlockGrid> grid{};
     };
     void follow() const;
-    bool find(const Point& point, double radius, std::size_t most,
+    bool find(const Point& point, double radius, NearLimits& limits,
               std::vector<std::size_t>& found) const;
 
     const EditedDocument& document_;

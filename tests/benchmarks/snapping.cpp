@@ -17,6 +17,7 @@ namespace {
 using app::Point;
 using Random = std::mt19937_64;
 constexpr int queries = 300;
+const clipping::Window screen{{0, 0}, {1280, 800}};
 const app::Page page{{0, 0}, {1280, 800}, {1280, app::Unit::Px}, {800, app::Unit::Px}};
 
 /// In milliseconds; what others do on the machine does not count.
@@ -45,6 +46,13 @@ clipping::Segment heap(Random& random)
     return {Point(640, 400) - by, Point(640, 400) + by};
 }
 
+void report(const char* name, double zoom, const char* what, const std::vector<double>& times,
+            std::size_t found)
+{
+    std::printf("%s, zoom %g, %s: median %.3f ms, maximum %.3f ms, found %zu of %d\n", name, zoom,
+                what, median(times), *std::ranges::max_element(times), found, queries);
+}
+
 void measure(const char* name, std::size_t count, clipping::Segment (*line)(Random&), double zoom)
 {
     Random random(1);
@@ -62,19 +70,28 @@ void measure(const char* name, std::size_t count, clipping::Segment (*line)(Rand
     for (int i = -1; i < queries; ++i) {
         const Point pointer = line == heap ? Point(640.3, 400.2) : somewhere(random);
         const double start = processorTime();
-        const app::SnapQuery query{.pointer = pointer,
-                                   .radius = 8 / zoom,
-                                   .from = Point(20, 30),
-                                   .seen = clipping::Window{{0, 0}, {1280, 800}}};
-        found += snapper.at(query).has_value();
+        const app::SnapQuery query{
+            .pointer = pointer, .radius = 8 / zoom, .from = Point(20, 30), .seen = screen};
+        const bool one = snapper.at(query).has_value();
         const double took = processorTime() - start;
-        if (i >= 0) // the first one builds the index
+        if (i >= 0) { // the first one builds the index
             times.push_back(took);
-        else
+            found += one;
+        } else
             std::printf("%s, zoom %g: first query %.1f ms\n", name, zoom, took);
     }
-    std::printf("%s, zoom %g: median %.3f ms, maximum %.3f ms, found %zu of %d\n", name, zoom,
-                median(times), *std::ranges::max_element(times), found, queries);
+    report(name, zoom, "pointer", times, found);
+    times.clear();
+    found = 0;
+    const auto own = app::ownPointsOf({{0, 0}, {60, 40}});
+    for (int i = 0; i < queries; ++i) {
+        const Point by = line == heap ? Point(640.3, 400.2) : somewhere(random);
+        const app::SnapQuery query{.pointer = {}, .radius = 8 / zoom, .seen = screen};
+        const double start = processorTime();
+        found += snapper.moved(own, by, query).place.has_value();
+        times.push_back(processorTime() - start);
+    }
+    report(name, zoom, "moved box", times, found);
 }
 
 } // namespace

@@ -8,7 +8,7 @@
 namespace app {
 namespace {
 
-constexpr std::size_t mostPaired = 120; // 7,140 pairs
+constexpr std::size_t mostPaired = 100; // 4,950 pairs
 
 /// The nearest lines, chords and edges.
 std::vector<clipping::Segment> nearest(const SnapSurroundings& near)

@@ -12,7 +12,8 @@
 namespace app {
 namespace {
 
-constexpr std::size_t leastLines = 32, mostAligned = 1500, mostPoints = 20'000, mostCurves = 200;
+constexpr std::size_t leastLines = 32, mostLooks = 50'000, mostAligned = 1500, mostPoints = 20'000,
+                      mostCurves = 200;
 
 bool isNear(const SnapSurroundings& near, const Point& min, const Point& max)
 {
@@ -139,8 +140,8 @@ std::optional<Snap> Snapper::at(const SnapQuery& query) const
 
 MovedSnap Snapper::moved(const OwnPoints& own, const Point& by, SnapQuery query) const
 {
-    query.mostLines =
-        std::max(leastLines, query.mostLines / std::max(own.points.size(), std::size_t(1)));
+    const std::size_t count = std::max(own.points.size(), std::size_t(1));
+    query.limits = {std::max(leastLines, query.limits.found / count), mostLooks / count};
     MovedSnap best{by};
     SnapRank rank = SnapRank::Grid;
     double distance = 0;
@@ -179,7 +180,7 @@ std::vector<clipping::Window> Snapper::boxesAround(const Point& centre,
     std::vector<clipping::Window> boxes;
     std::size_t known = 0, looked = 0; // the first object that is not known; lines
     const double reach = glm::distance(centre, (min + max) * 0.5) + glm::distance(min, max) / 2;
-    for (const std::size_t line : picking_.near(centre, reach, mostAligned)) {
+    for (const std::size_t line : picking_.near(centre, reach, {mostAligned, mostLooks})) {
         if (line < lines.firstLineOf(known))
             continue;
         const std::size_t object = lines.objectOf(line);
@@ -224,7 +225,7 @@ void Snapper::addLines(const SnapQuery& query, SnapSurroundings& near) const
     std::size_t points = 0; // of curved objects
     std::optional<std::size_t> last;
     bool straight = false;
-    for (const std::size_t line : picking_.near(query.pointer, query.radius, query.mostLines)) {
+    for (const std::size_t line : picking_.near(query.pointer, query.radius, query.limits)) {
         const std::size_t object = lines.objectOf(line);
         if (query.without.contains(object))
             continue;

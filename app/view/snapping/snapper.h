@@ -19,7 +19,7 @@ struct SnapQuery {
     ObjectRanges without{};      ///< objects that are not snapped to
     /// The part of the drawing that is seen: its objects are aligned with. Empty: with none.
     std::optional<clipping::Window> seen{};
-    std::size_t mostLines = 1000;
+    NearLimits limits{600, 150'000};
 };
 
 /// How something is moved as a whole, after snapping.
@@ -30,8 +30,8 @@ struct MovedSnap {
 };
 
 /// Finds the place in a drawing that the pointer snaps to. The time is bounded whatever is under
-/// the pointer: at most 1,000 lines count, the nearest ones (Picking::near), and of those with
-/// curves objects of together 20,000 points and 200 curves; the nearest 120 lines are intersected.
+/// the pointer: at most 600 lines count, the nearest ones (Picking::near), and of those with
+/// curves objects of together 20,000 points and 200 curves; the nearest 100 lines are intersected.
 class Snapper {
 public:
     Snapper(const EditedDocument& document, const Scene& scene, const Picking& picking)

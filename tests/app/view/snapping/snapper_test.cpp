@@ -157,7 +157,7 @@ private slots:
         for (int i = 0; i < 100'000; ++i)
             objects.push_back(lineFrom({10, 10}, {10 + i * 1e-4, 20}));
         const SnapStage stage(objects);
-        QCOMPARE(stage.picking.near({10, 10}, 3, 1000).size(), std::size_t(1000));
+        QCOMPARE(stage.picking.near({10, 10}, 3, app::NearLimits{1000}).size(), std::size_t(1000));
         QCOMPARE(stage.textAt({10.5, 10.5}, "ends intersections on-path"), "10 10 end");
     }
 };
