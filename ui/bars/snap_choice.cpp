@@ -4,25 +4,16 @@
 #include "app/base/latin.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
-#include "ui/look/snap_glyph.h"
 #include "ui/widgets/ticking_menu.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 
 namespace ui {
 namespace {
 
-QIcon glyphIcon(const app::SnapKind& kind, const QColor& colour)
+QString countText(std::size_t on, std::size_t all)
 {
-    QPixmap picture(32, 32);
-    picture.setDevicePixelRatio(2);
-    picture.fill(Qt::transparent);
-    QPainter painter(&picture);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(colour, 1.25, Qt::SolidLine, Qt::RoundCap));
-    paintGlyph(painter, kind, {3, 3, 10, 10});
-    return picture;
+    return SnapChoice::tr("%1 of %2 kinds").arg(on).arg(all);
 }
 
 } // namespace
@@ -46,6 +37,7 @@ SnapChoice::SnapChoice(Canvas& canvas)
     kinds_->setObjectName(QStringLiteral("snap-kinds"));
     kinds_->setProperty("framed", true);
     kinds_->setFixedHeight(space::fieldHeight);
+    kinds_->setFixedWidth(kinds_->fontMetrics().horizontalAdvance(countText(10, 10)) + 36);
     kinds_->setPopupMode(QToolButton::InstantPopup);
     kinds_->setToolTip(tr("Choose the kinds of places to snap to"));
     kinds_->setMenu(menu_);
@@ -54,7 +46,6 @@ SnapChoice::SnapChoice(Canvas& canvas)
     connect(&canvas, &Canvas::snappingChanged, this, &SnapChoice::follow);
     connect(menu_, &QMenu::aboutToHide, &canvas, [&canvas] { canvas.setFocus(); });
     follow();
-    paintIcons();
 }
 
 void SnapChoice::addKinds()
@@ -75,24 +66,10 @@ void SnapChoice::follow()
     const app::SnapTo now = canvas_.snapping();
     switch_->setChecked(canvas_.snaps());
     kinds_->setEnabled(canvas_.snaps());
-    kinds_->setText(tr("%1 of %2 kinds").arg(now.size()).arg(app::snapKinds().size()));
+    kinds_->setText(countText(now.size(), app::snapKinds().size()));
     kinds_->setAccessibleName(kinds_->text());
     for (const app::SnapKind& kind : app::snapKinds())
         menu_->findChild<QAction*>(app::latin(kind.key))->setChecked(now.has(kind));
-}
-
-void SnapChoice::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange)
-        paintIcons();
-}
-
-void SnapChoice::paintIcons()
-{
-    for (const app::SnapKind& kind : app::snapKinds())
-        menu_->findChild<QAction*>(app::latin(kind.key))
-            ->setIcon(glyphIcon(kind, lookOf(palette()).guide));
 }
 
 } // namespace ui

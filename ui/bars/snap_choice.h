@@ -16,13 +16,9 @@ class SnapChoice : public QWidget {
 public:
     explicit SnapChoice(Canvas& canvas);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void addKinds();
     void follow();
-    void paintIcons();
 
     Canvas& canvas_;
     QToolButton *switch_, *kinds_;

@@ -3,7 +3,6 @@
 
 #include "app/base/numbers.h"
 #include "app/view/snapping/marker_place.h"
-#include "ui/look/snap_glyph.h"
 
 #include <glm/common.hpp>
 
@@ -11,6 +10,15 @@ namespace ui {
 namespace {
 
 constexpr double ring = 10, glyph = 9, room = 6, height = 20, gapHeight = 18; // pixels
+
+void paintGlyph(QPainter& painter, const app::SnapKind& kind, const QRectF& square)
+{
+    const auto at = [&](const app::Point& p) {
+        return square.center() + QPointF(p.x * square.width() / 2, p.y * square.height() / 2);
+    };
+    for (const auto& stroke : kind.glyph)
+        painter.drawLine(at(stroke.a), at(stroke.b));
+}
 
 QSizeF labelSize(const QPainter& painter, const QString& word)
 {

@@ -14,6 +14,8 @@ namespace ui {
 
 namespace {
 
+constexpr int chevronWidth = 22;
+
 bool has(const QStyleOption& option, QStyle::StateFlag flag) { return option.state & flag; }
 
 /// Paints a rounded field or button: its background, and a border that becomes the focus ring.
@@ -255,6 +257,22 @@ void LookStyle::drawControl(ControlElement element, const QStyleOption* option, 
     }
 }
 
+/// A framed button with a menu has a chevron, as lists have.
+void LookStyle::drawMenuButton(const QStyleOptionToolButton& button, QPainter& painter,
+                               const QWidget* widget) const
+{
+    drawButton(painter, button);
+    const bool enabled = has(button, State_Enabled);
+    const Look& look = lookOf(button.palette);
+    QRect arrow = button.rect;
+    arrow.setLeft(arrow.right() - chevronWidth);
+    drawChevron(painter, arrow, enabled ? look.muted : look.border, 1);
+    QStyleOptionToolButton label = button;
+    label.features = QStyleOptionToolButton::None;
+    label.rect.setRight(arrow.left());
+    drawControl(CE_ToolButtonLabel, &label, &painter, widget);
+}
+
 void LookStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
                                    QPainter* painter, const QWidget* widget) const
 {
@@ -272,6 +290,10 @@ void LookStyle::drawComplexControl(ComplexControl control, const QStyleOptionCom
         drawField(*painter, *option, option->rect);
         drawChevron(*painter, subControlRect(CC_ComboBox, option, SC_ComboBoxArrow, widget), mark,
                     1);
+    } else if (const auto* button = qstyleoption_cast<const QStyleOptionToolButton*>(option);
+               button && button->features & QStyleOptionToolButton::HasMenu && widget
+               && widget->property("framed").toBool()) {
+        drawMenuButton(*button, *painter, widget);
     } else {
         QProxyStyle::drawComplexControl(control, option, painter, widget);
     }

@@ -25,6 +25,10 @@ public:
                            const QWidget* widget) const override;
     int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                   QStyleHintReturn* answer) const override;
+
+private:
+    void drawMenuButton(const QStyleOptionToolButton& button, QPainter& painter,
+                        const QWidget* widget) const;
 };
 
 } // namespace ui
