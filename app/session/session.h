@@ -12,6 +12,7 @@
 #include "app/scene/scene.h"
 #include "app/session/node_editing.h"
 #include "app/session/preview.h"
+#include "app/view/grid.h"
 #include "app/view/removed_part.h"
 
 #include <concepts>
@@ -28,6 +29,7 @@ struct Display {
     bool overlay = false;    ///< the algorithm's view of the plane, over the drawing
     bool asPrinted = false;  ///< dark theme: the true page and stroke colours
     bool presenting = false; ///< for a projector: strokes twice as wide, clearly visible ghosts
+    Grid grid{};             ///< under the drawing
     friend bool operator==(const Display&, const Display&) = default;
 };
 

@@ -28,6 +28,7 @@ class HostileSettingsTest : public QObject {
                 "panes",
                 "snapKinds",
                 "snap",
+                "grid",
                 "windowDragged",
                 "recent",
                 "compareForms",

@@ -2,6 +2,7 @@
 #include "ui/bars/option_bar.h"
 
 #include "app/commands/set_style.h"
+#include "ui/bars/grid_choice.h"
 #include "ui/bars/snap_choice.h"
 #include "ui/editing/keeping.h"
 #include "ui/look/look.h"
@@ -23,7 +24,7 @@ namespace ui {
 
 namespace {
 
-constexpr int steps = 3;
+constexpr int steps = 4;
 
 /// A square in the stroke's own colour; struck through for no stroke.
 QIcon strokeColourIcon(const std::optional<app::Colour>& colour, const Look& look)
@@ -61,7 +62,7 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas)
     : QToolBar(tr("Tool options")), session_(session), strokeColour_(new QToolButton),
       width_(new LengthField(tr("Stroke width"), LengthField::Range::NotNegative,
                              LengthField::Suffix::Unit)),
-      dashes_(new ToolList), snapping_(new SnapChoice(canvas)),
+      dashes_(new ToolList), snapping_(new SnapChoice(canvas)), grid_(new GridChoice(session)),
       keep_(new Segments(tr("Keep"), {tr("Inside"), tr("Outside")})),
       removed_(new Segments(tr("Removed part"), {tr("Ghosted"), tr("Hidden"), tr("Shown")})),
       panes_(new Segments(tr("Panes"), {tr("1"), tr("2"), tr("4"), tr("All")})),
@@ -74,12 +75,15 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas)
     addSeparator();
     addStroke();
     const auto focusCanvas = [&canvas] { canvas.setFocus(); };
-    connect(width_, &LengthField::entered, &canvas, focusCanvas);
     connect(dashes_, &ToolList::done, &canvas, focusCanvas);
-    connect(width_, &LengthField::refused, this, &OptionBar::refused);
-    connect(width_, &LengthField::taken, this, &OptionBar::taken);
     addSeparator();
     addWidget(snapping_);
+    addWidget(grid_);
+    for (LengthField* field : {width_, &grid_->spacing()}) {
+        connect(field, &LengthField::entered, &canvas, focusCanvas);
+        connect(field, &LengthField::refused, this, &OptionBar::refused);
+        connect(field, &LengthField::taken, this, &OptionBar::taken);
+    }
     addSeparator();
     addClipping();
     addSeparator();
@@ -222,6 +226,7 @@ void OptionBar::arrange(int step)
     for (QAction* action : actions())
         if (captions_.contains(qobject_cast<QLabel*>(widgetForAction(action))))
             action->setVisible(step < 2);
+    grid_->showSpacing(step < 3);
 }
 
 void OptionBar::changeEvent(QEvent* event)

@@ -9,6 +9,7 @@
 
 namespace ui {
 
+class GridChoice;
 class LengthField;
 class Segments;
 class SnapChoice;
@@ -16,7 +17,7 @@ class ToolList;
 
 /// The bar across the top: undo, redo, the stroke of selected or new objects, snapping, the side
 /// that is kept and how the removed part is shown, panes, export. If it is narrow, it first drops
-/// the export button's text, then captions.
+/// the export button's text, then captions, then the grid's spacing.
 class OptionBar : public QToolBar {
     Q_OBJECT
 
@@ -29,8 +30,8 @@ public:
     void setExport(QAction& exportCut);
 
 signals:
-    void refused(const QString& sentence); ///< the typed stroke width is not a length
-    void taken();                          ///< the stroke width is valid again
+    void refused(const QString& sentence); ///< a typed length is not one
+    void taken();                          ///< the length is valid again
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -56,6 +57,7 @@ private:
     LengthField* width_;
     ToolList* dashes_;
     SnapChoice* snapping_;
+    GridChoice* grid_;
     Segments *keep_, *removed_, *panes_;
     QList<QLabel*> captions_;
     QToolButton* export_;

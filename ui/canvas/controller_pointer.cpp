@@ -3,6 +3,8 @@
 #include "ui/canvas/window_offer.h"
 #include "ui/editing/keeping.h"
 
+#include <glm/geometric.hpp>
+
 // The pointer over the canvas.
 
 namespace ui {
@@ -17,6 +19,7 @@ std::optional<app::Snap> Controller::snapAt(const app::Point& raw,
     app::SnapQuery query{raw, bench_.inDrawing(snapReach), to};
     if (readout_ && readout_->gauge().measure == &app::lengthAndAngle())
         query.from = readout_->gauge().start.from;
+    query.grid = bench_.grid();
     if (tool_->busy())
         query.seen = view().visible();
     return snapper_.at(query);
@@ -30,6 +33,8 @@ Pointer Controller::pointerAt(const QPointF& screen, Qt::MouseButtons buttons,
     app::Point position = snap_ ? snap_->point : raw;
     if (readout_ && modifiers & Qt::ShiftModifier)
         position = readout_->toStep(position);
+    if (snap_ && glm::distance(position, snap_->point) > bench_.inDrawing(0.1))
+        snap_.reset(); // with Shift the line does not lead there
     Pointer pointer{position, raw, at, buttons, modifiers, position};
     steer(pointer);
     return pointer;

@@ -2,6 +2,7 @@
 #include "ui/canvas/overlay.h"
 
 #include "ui/canvas/difference_overlay.h"
+#include "ui/canvas/grid_paint.h"
 #include "ui/canvas/seen_overlay.h"
 #include "ui/canvas/snap_marker.h"
 #include "ui/canvas/window_overlay.h"
@@ -108,6 +109,7 @@ void paintPaper(QPainter& painter, const Controller& controller)
     painter.fillRect(QRectF(0, 0, view.size.x, view.size.y), controller.look().canvas);
     painter.fillRect(sheet.adjusted(-pixel, -pixel, pixel, pixel), controller.look().border);
     painter.fillRect(sheet, controller.pageColour());
+    paintGrid(painter, controller);
 }
 
 void paintOverlay(QPainter& painter, const Controller& controller, const Pane& pane)

@@ -48,6 +48,37 @@ void addThemes(MainWindow& window, QMenu& menu)
     }
 }
 
+void changeGrid(MainWindow& window, const std::function<void(app::Grid&)>& change)
+{
+    window.session().changeDisplay([&](app::Display& display) { change(display.grid); });
+}
+
+template <app::Grid::Marks marks>
+ActionInfo marksRow(std::string_view key, const QString& text)
+{
+    return {
+        .key = key,
+        .text = text,
+        .run = [](MainWindow& w) { changeGrid(w, [](app::Grid& grid) { grid.marks = marks; }); },
+        .checked = [](const MainWindow& w) { return w.session().display().grid.marks == marks; },
+        .group = "grid-marks",
+        .submenu = tr("Gri&d looks")};
+}
+
+template <app::Grid::Pattern pattern>
+ActionInfo patternRow(std::string_view key, const QString& text)
+{
+    return {
+        .key = key,
+        .text = text,
+        .run =
+            [](MainWindow& w) { changeGrid(w, [](app::Grid& grid) { grid.pattern = pattern; }); },
+        .checked =
+            [](const MainWindow& w) { return w.session().display().grid.pattern == pattern; },
+        .group = "grid-pattern",
+        .submenu = tr("Gri&d looks")};
+}
+
 void addPanels(MainWindow& window, QMenu& menu) { menu.addActions(window.panelToggles()); }
 
 } // namespace
@@ -125,6 +156,23 @@ MenuInfo viewMenu()
                     .run = [](MainWindow& w) { w.canvas().switchSnapping(!w.canvas().snaps()); },
                     .checked = [](const MainWindow& w) { return w.canvas().snaps(); },
                 },
+                {
+                    .key = "grid",
+                    .text = tr("Show g&rid"),
+                    .keys = {K("Shift+F5")},
+                    .icon = "grid",
+                    .run =
+                        [](MainWindow& w) {
+                            changeGrid(w, [](app::Grid& g) { g.shown = !g.shown; });
+                        },
+                    .checked = [](const MainWindow& w) { return w.session().display().grid.shown; },
+                },
+                marksRow<app::Grid::Marks::Lines>("grid-lines", tr("&Lines")),
+                marksRow<app::Grid::Marks::Dots>("grid-dots", tr("&Dots")),
+                patternRow<app::Grid::Pattern::Square>("grid-square", tr("&Square")),
+                patternRow<app::Grid::Pattern::Diagonal>("grid-diagonal", tr("Di&agonal, 45°")),
+                patternRow<app::Grid::Pattern::Isometric>("grid-isometric", tr("&Isometric, 30°")),
+                {},
                 {
                     .key = "as-printed",
                     .text = tr("Show colours as prin&ted"),

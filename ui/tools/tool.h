@@ -52,6 +52,9 @@ struct Workbench {
     /// Converts a length from screen pixels to drawing units.
     double inDrawing(double pixels) const { return pixels / view.zoom; }
 
+    /// The points of the grid; empty: it is hidden.
+    std::optional<app::GridPoints> grid() const;
+
     /// How far a thing goes that is dragged by `by`, and what it snaps to on the way: by its own
     /// points and edges, not to the objects `without`. Ctrl suspends snapping.
     app::MovedSnap moved(const app::OwnPoints& own, const app::Point& by,

@@ -3,6 +3,13 @@
 
 namespace ui {
 
+std::optional<app::GridPoints> Workbench::grid() const
+{
+    const app::Grid& grid = session.display().grid;
+    return grid.shown ? std::optional(app::gridPoints(grid, session.now().page(), view.zoom))
+                      : std::nullopt;
+}
+
 app::MovedSnap Workbench::moved(const app::OwnPoints& own, const app::Point& by,
                                 Qt::KeyboardModifiers modifiers, const app::ObjectRanges& without,
                                 app::SnapTo allowed) const
@@ -15,7 +22,8 @@ app::MovedSnap Workbench::moved(const app::OwnPoints& own, const app::Point& by,
                           .radius = inDrawing(snapReach),
                           .to = to,
                           .without = without,
-                          .seen = view.visible()});
+                          .seen = view.visible(),
+                          .grid = grid()});
 }
 
 } // namespace ui

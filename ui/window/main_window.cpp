@@ -41,6 +41,7 @@ MainWindow::MainWindow(Backend backend, QWidget* parent)
     connectSession();
     rememberPanes();
     rememberSnapping();
+    rememberGrid();
     limitHistory();
     restorePlace(*this, placeKey(), usual, minimumSize());
     panelLayout_->restore();

@@ -109,6 +109,7 @@ private:
     void showTitle();
     void rememberPanes();
     void rememberSnapping();
+    void rememberGrid();
     void limitHistory();
 
     app::Session session_;

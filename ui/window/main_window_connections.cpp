@@ -55,6 +55,20 @@ void MainWindow::rememberSnapping()
     });
 }
 
+void MainWindow::rememberGrid()
+{
+    session_.changeDisplay([](app::Display& display) {
+        display.grid = app::Grid::fromText(QSettings().value("grid").toString());
+    });
+    connect(&session_, &app::Session::displayChanged, this,
+            [this, saved = session_.display().grid]() mutable {
+                if (session_.display().grid == saved)
+                    return;
+                saved = session_.display().grid;
+                QSettings().setValue("grid", saved.text());
+            });
+}
+
 // The message is shown once per drawing, and after the command's own message, which would replace
 // it.
 void MainWindow::limitHistory()

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/document/bezier.h"
-#include "clipping/geometry.h"
+#include "app/view/grid.h"
 
 #include <optional>
 #include <vector>
@@ -19,6 +19,7 @@ struct SnapSurroundings {
     std::vector<clipping::Segment> chords{}; ///< all lines, and the chords of the curves
     std::vector<Point> centres{};
     std::vector<clipping::Segment> windowEdges{}, pageEdges{};
+    std::optional<GridPoints> grid{};
 };
 
 } // namespace app

@@ -208,6 +208,7 @@ std::vector<clipping::Window> Snapper::boxesAround(const Point& centre,
 SnapSurroundings Snapper::around(const SnapQuery& query) const
 {
     SnapSurroundings near{query.pointer, query.radius, query.from};
+    near.grid = query.grid;
     addLines(query, near);
     if (query.to.has("centres"))
         near.centres = centres_.near(query.pointer, query.radius, query.without);

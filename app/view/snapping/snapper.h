@@ -19,6 +19,7 @@ struct SnapQuery {
     ObjectRanges without{};      ///< objects that are not snapped to
     /// The part of the drawing that is seen: its objects are aligned with. Empty: with none.
     std::optional<clipping::Window> seen{};
+    std::optional<GridPoints> grid{}; ///< the grid, if it is shown
     NearLimits limits{600, 150'000};
 };
 

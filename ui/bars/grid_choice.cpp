@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/bars/grid_choice.h"
+
+#include "ui/look/look.h"
+#include "ui/look/look_icon.h"
+#include "ui/widgets/length_field.h"
+
+#include <QHBoxLayout>
+
+namespace ui {
+
+GridChoice::GridChoice(app::Session& session)
+    : session_(session), switch_(new QToolButton),
+      spacing_(new LengthField(tr("Grid spacing"), LengthField::Range::NotNegative,
+                               LengthField::Suffix::Unit))
+{
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(4);
+    row->addWidget(switch_);
+    row->addWidget(spacing_);
+    switch_->setIcon(icon("grid"));
+    switch_->setIconSize({18, 18});
+    switch_->setFixedSize(space::toolButton, space::toolButton);
+    switch_->setCheckable(true);
+    switch_->setAutoRaise(true);
+    switch_->setAccessibleName(tr("Grid"));
+    switch_->setToolTip(tr("Show the grid, and snap to it (Shift+F5)"));
+    spacing_->setToolTip(tr("Grid spacing on paper"));
+    spacing_->setFixedWidth(spacing_->fontMetrics().horizontalAdvance(QStringLiteral("000.00 mm"))
+                            + 28);
+    connect(switch_, &QToolButton::clicked, this, [this](bool on) {
+        session_.changeDisplay([on](app::Display& display) { display.grid.shown = on; });
+    });
+    connect(spacing_, &LengthField::edited, this, &GridChoice::setSpacing);
+    connect(&session, &app::Session::displayChanged, this, &GridChoice::follow);
+    connect(&session.document, &app::EditedDocument::changed, this, &GridChoice::follow);
+    follow();
+}
+
+void GridChoice::showSpacing(bool shown) { spacing_->setVisible(shown); }
+
+void GridChoice::setSpacing(double length)
+{
+    const double millimetres = length * session_.now().page().millimetresPerUnit();
+    if (millimetres >= app::Grid::least && millimetres <= app::Grid::most)
+        session_.changeDisplay([&](app::Display& display) {
+            display.grid.shown = true;
+            display.grid.spacing = millimetres;
+        });
+    follow();
+}
+
+void GridChoice::follow()
+{
+    const app::Display& display = session_.display();
+    const double unit = session_.now().page().millimetresPerUnit();
+    switch_->setChecked(display.grid.shown);
+    spacing_->show(display.grid.spacing / unit, display.unit, unit);
+}
+
+} // namespace ui
