@@ -100,13 +100,10 @@ void Journal::begin()
             opening->error = *wrong;
         else
             opening->log = LogFile::create(logFile(folder, 1), logHeader(0), opening->error);
-        const bool ready = opening->log != nullptr;
         opening->inPlace.release();
-        const auto deliver = [this, folder, opening, ready] {
+        const auto deliver = [this, folder] {
             if (folder == folder_)
                 opened();
-            if (folder == folder_ && ready)
-                emit written();
         };
         QMetaObject::invokeMethod(this, deliver, Qt::QueuedConnection);
     });

@@ -48,6 +48,8 @@ public:
     void setInHand(std::optional<PendingObject> object);
 
     QString folder() const { return folder_; }
+    /// Waits until the document is on the disk; returns whether it is.
+    bool ready() { return opened(); }
     /// Whether every step so far is in the files; any thread may ask.
     bool complete() const { return complete_; }
     /// Blocks until no base is being written, for tests.
@@ -55,7 +57,6 @@ public:
 
 signals:
     void failed(const QString& sentence); ///< steps can no longer be recorded
-    void written();                       ///< the first base of a document is on the disk
 
 private:
     struct Opening;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <atomic>
 #include <functional>
+#include <limits>
 
 namespace app {
 namespace {
@@ -27,10 +28,16 @@ std::vector<int> generations(const QString& folder)
     return all;
 }
 
-std::string contents(const QString& path)
+constexpr qint64 mostHeader = 1 << 20; // bytes; long enough for any path
+
+std::string contents(const QString& path, qint64 most = std::numeric_limits<qint64>::max())
 {
     QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
+    if (!file.open(QIODevice::ReadOnly))
+        return {};
+    std::string bytes(std::size_t(std::min(most, file.size())), '\0');
+    bytes.resize(std::size_t(std::max<qint64>(0, file.read(bytes.data(), qint64(bytes.size())))));
+    return bytes;
 }
 
 // Calls follow(record) for each record from number `next` on, in this log and the following ones,
@@ -112,7 +119,7 @@ bool hasBase(const QString& folder) { return !generations(folder).empty(); }
 std::optional<JournalState> journalState(const QString& folder)
 {
     for (const int generation : generations(folder)) {
-        const std::string bytes = contents(baseFile(folder, generation));
+        const std::string bytes = contents(baseFile(folder, generation), mostHeader);
         auto header = readBaseHeader(bytes);
         if (!header)
             continue;
