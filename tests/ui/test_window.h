@@ -53,7 +53,8 @@ public:
     Answer saveChanges(const QString&) override { return ++asked, answer; }
     bool saveAsNewFile(const std::vector<app::Loss>&) override { return asNewFile; }
     void showLosses(const QString&, const std::vector<app::Loss>&) override {}
-    bool overwriteChanged(const QString&) override { return false; }
+    ChangedFile changedFile = ChangedFile::Cancel;
+    ChangedFile aboutChangedFile(const QString&) override { return changedFile; }
 };
 
 /// A window as the editor makes it.

@@ -180,11 +180,15 @@ Questions::LeftoverAnswer Questions::aboutLeftovers(const std::vector<app::Lefto
     return askAboutLeftovers(window_, leftovers);
 }
 
-bool Questions::overwriteChanged(const QString& path)
+Questions::ChangedFile Questions::aboutChangedFile(const QString& path)
 {
-    return ask(window_, tr("%1 was changed by another program.").arg(QFileInfo(path).fileName()),
-               tr("Overwriting it replaces those changes."), {tr("Overwrite file")}, Usual::Cancel)
-           == 0;
+    const int verb = ask(
+        window_, tr("%1 was changed by another program.").arg(QFileInfo(path).fileName()),
+        tr("Overwriting it replaces those changes. Reloading it gives up your unsaved changes."),
+        {tr("Overwrite file"), tr("Reload file")}, Usual::Cancel);
+    return verb == 0   ? ChangedFile::Overwrite
+           : verb == 1 ? ChangedFile::Reload
+                       : ChangedFile::Cancel;
 }
 
 } // namespace ui

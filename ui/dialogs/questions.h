@@ -45,8 +45,9 @@ public:
     /// Saving would make the losses of an import permanent; true: save as a new file.
     virtual bool saveAsNewFile(const std::vector<app::Loss>& losses);
     virtual void showLosses(const QString& name, const std::vector<app::Loss>& losses);
-    /// Another program changed the file after it was opened; true: overwrite it.
-    virtual bool overwriteChanged(const QString& path);
+    /// Another program changed the file after it was opened. Reload gives up the unsaved changes.
+    enum class ChangedFile : std::uint8_t { Overwrite, Reload, Cancel };
+    virtual ChangedFile aboutChangedFile(const QString& path);
 
     /// Earlier runs ended before these drawings were saved: what to do with one of them.
     struct LeftoverAnswer {

@@ -65,9 +65,13 @@ void Files::saveNow(const Answer& saved)
         return questions_->saveAsNewFile(session_.losses()) ? askPath(saved) : saved(false);
     const bool changedElsewhere =
         QFileInfo::exists(path) && QFileInfo(path).lastModified() != seen_;
-    if (changedElsewhere && !questions_->overwriteChanged(path))
-        return saved(false);
-    write(path, saved);
+    using Changed = Questions::ChangedFile;
+    const auto answer = changedElsewhere ? questions_->aboutChangedFile(path) : Changed::Overwrite;
+    if (answer == Changed::Overwrite)
+        return write(path, saved);
+    saved(false);
+    if (answer == Changed::Reload)
+        background_.inTurn([this, path](const Turn& turn) { read(path, turn); });
 }
 
 // Only the native format holds a whole drawing; another format would lose parts of it.
@@ -86,14 +90,19 @@ void Files::askPath(const Answer& saved)
 
 void Files::write(const QString& path, const Answer& saved)
 {
+    const bool deleted = path == session_.path() && seen_.isValid() && !QFileInfo::exists(path);
     background_.run(
         tr("Saving %1…").arg(QFileInfo(path).fileName()),
         [document = session_.beginSaving(), path](const app::Follower& follower) {
             return app::save(document, path, follower.stop);
         },
-        [this, path, saved](const std::optional<app::Saved>& written) {
+        [this, path, saved, deleted](const std::optional<app::Saved>& written) {
             noteSaved(written.value(), path);
-            saved(written->end == app::Saved::End::Written);
+            const bool done = written->end == app::Saved::End::Written;
+            if (done && deleted)
+                emit told({Message::Kind::Done, tr("%1 had been deleted; it was saved again.")
+                                                    .arg(QFileInfo(path).fileName())});
+            saved(done);
         },
         InBackground::Cancel::Stops);
 }

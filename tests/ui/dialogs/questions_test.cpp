@@ -48,10 +48,10 @@ private slots:
         QCOMPARE(answeredByReturn([&] { answer = questions.overwriteFiles({"/a/b.svg"}, 2); }),
                  "Cancel");
         QVERIFY(!answer);
-        answer = true;
-        QCOMPARE(answeredByReturn([&] { answer = questions.overwriteChanged("/a/b.svg"); }),
+        auto changed = Questions::ChangedFile::Overwrite;
+        QCOMPARE(answeredByReturn([&] { changed = questions.aboutChangedFile("/a/b.svg"); }),
                  "Cancel");
-        QVERIFY(!answer);
+        QCOMPARE(changed, Questions::ChangedFile::Cancel);
         answer = true;
         QCOMPARE(answeredByReturn([&] { answer = questions.trustLibrary("/a/b.so"); }), "Cancel");
         QVERIFY(!answer);
