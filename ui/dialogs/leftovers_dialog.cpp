@@ -2,12 +2,14 @@
 #include "ui/dialogs/leftovers_dialog.h"
 
 #include "app/session/recent_files.h"
+#include "ui/dialogs/leftover_picture.h"
 #include "ui/look/look.h"
 #include "ui/widgets/keep_choice.h"
 
 #include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
@@ -21,7 +23,7 @@ namespace {
 
 using Verb = Questions::LeftoverAnswer::Verb;
 
-constexpr int mostRows = 6, listWidth = 440;
+constexpr int listWidth = 340;
 
 QString tr(const char* text) { return QCoreApplication::translate("LeftoversDialog", text); }
 
@@ -38,7 +40,7 @@ QTreeWidget* makeList(const std::vector<app::Leftover>& leftovers)
     list->setAccessibleName(tr("Unsaved drawings"));
     list->setRootIsDecorated(false);
     list->setUniformRowHeights(true);
-    list->setHeaderLabels({tr("Drawing"), tr("Ended")});
+    list->setHeaderLabels({tr("Drawing"), tr("Last change")});
     list->header()->setStretchLastSection(false);
     list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
@@ -49,9 +51,6 @@ QTreeWidget* makeList(const std::vector<app::Leftover>& leftovers)
     }
     list->setCurrentItem(list->topLevelItem(0));
     keepChoice(*list);
-    const int rows = std::min(mostRows, int(leftovers.size()));
-    list->setFixedHeight(list->header()->sizeHint().height() + std::max(rows, 2) * space::rowHeight
-                         + 4);
     return list;
 }
 
@@ -70,11 +69,21 @@ Questions::LeftoverAnswer askAboutLeftovers(QWidget& window,
     column->addWidget(sentence);
     auto* list = makeList(leftovers);
     list->setMinimumWidth(listWidth);
-    column->addWidget(list);
+    auto* picture = new LeftoverPicture;
+    list->setFixedHeight(picture->height());
+    const auto showCurrent = [=, &leftovers](QTreeWidgetItem* current) {
+        picture->showPicture(leftovers[std::size_t(list->indexOfTopLevelItem(current))]);
+    };
+    QObject::connect(list, &QTreeWidget::currentItemChanged, picture, showCurrent);
+    showCurrent(list->currentItem());
+    auto* row = new QHBoxLayout;
+    row->addWidget(list, 1);
+    row->addWidget(picture);
+    column->addLayout(row);
     auto* buttons = new QDialogButtonBox;
     auto* recover = buttons->addButton(tr("Recover drawing"), QDialogButtonBox::AcceptRole);
     auto* discard = buttons->addButton(tr("Discard drawing"), QDialogButtonBox::DestructiveRole);
-    buttons->addButton(tr("Not Now"), QDialogButtonBox::RejectRole);
+    buttons->addButton(tr("Keep for later"), QDialogButtonBox::RejectRole);
     recover->setDefault(true);
     column->addWidget(buttons);
     Verb verb = Verb::Later;

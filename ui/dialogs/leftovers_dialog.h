@@ -5,8 +5,8 @@
 
 namespace ui {
 
-/// Shows a list of the drawings that earlier runs left unsaved, with the buttons Recover, Discard
-/// and Not Now.
+/// Shows the drawings that earlier runs left unsaved, with their times and a picture of the current
+/// one, and the buttons Recover, Discard and Keep for later.
 Questions::LeftoverAnswer askAboutLeftovers(QWidget& window,
                                             const std::vector<app::Leftover>& leftovers);
 

@@ -21,7 +21,8 @@ using Verb = Questions::LeftoverAnswer::Verb;
 
 Recovery::Recovery(MainWindow& window, QString folder)
     : window_(window), folder_(std::move(folder)), file_(app::newLeftoverFile(folder_)),
-      work_(window.session().document)
+      work_(window.session().document),
+      journal_(window.session().document, window.session().history, folder_)
 {
     const app::Session& session = window.session();
     connect(&session, &app::Session::fileChanged, this, &Recovery::forgetRecovered);
@@ -29,6 +30,7 @@ Recovery::Recovery(MainWindow& window, QString folder)
     connect(&session.history, &app::History::cleanChanged, this, &Recovery::tell);
     connect(&window.files(), &Files::nameChanged, this, &Recovery::tell);
     connect(&window.canvas(), &Canvas::stepsChanged, this, &Recovery::tell);
+    connect(&journal_, &app::Journal::failed, &window.session(), &app::Session::refused);
     tell();
     watch_.emplace([this](int signal) { keep(signal); });
 }
@@ -36,23 +38,31 @@ Recovery::Recovery(MainWindow& window, QString folder)
 Recovery::~Recovery()
 {
     watch_.reset();
-    if (recovered_)
-        app::discard(*recovered_);
+    journal_.discard();
+    discardRecovered();
 }
 
 void Recovery::tell()
 {
     const Files& files = window_.files();
-    work_.tell({file_, files.origin(), files.sample(), !window_.session().history.isClean(),
-                window_.canvas().pendingObject()});
+    const auto inHand = window_.canvas().pendingObject();
+    journal_.setOrigin({files.origin(), files.sample()});
+    journal_.setInHand(inHand);
+    work_.tell(
+        {file_, files.origin(), files.sample(), !window_.session().history.isClean(), inHand});
 }
 
 /// Discards the leftover when its drawing is saved or replaced by another.
 void Recovery::forgetRecovered()
 {
-    if (!recovered_ || !window_.session().history.isClean())
-        return;
-    app::discard(*recovered_);
+    if (window_.session().history.isClean())
+        discardRecovered();
+}
+
+void Recovery::discardRecovered()
+{
+    if (recovered_)
+        app::discard(*recovered_);
     recovered_.reset();
 }
 
@@ -63,7 +73,8 @@ void Recovery::keep(int signal) const
         std::fprintf(stderr, "clearcut: %s. %s\n", strsignal(signal), qPrintable(sentence));
     };
     try {
-        const auto written = work_.write();
+        const auto written =
+            journal_.complete() ? app::UnsavedWork::Written{work_.unsaved()} : work_.write();
         if (written.error)
             say(tr("The unsaved drawing is lost: %1").arg(*written.error));
         else if (written.unsaved)
@@ -105,7 +116,8 @@ void Recovery::recover(const app::Leftover& chosen, const std::function<void()>&
         if (!recovered)
             return otherwise();
         self->recovered_ = chosen;
-        self->file_ = chosen.file;
+        if (self->journal_.ready()) // it has its own copy
+            self->discardRecovered();
         self->tell();
     };
     window_.files().mayClose([=, self = QPointer(this)](bool mayReplace) {

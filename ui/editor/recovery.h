@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/recovery/journal.h"
 #include "app/recovery/signal_watch.h"
 #include "app/recovery/unsaved_work.h"
 
@@ -14,9 +15,10 @@ namespace ui {
 
 class MainWindow;
 
-/// Writes unsaved work when a signal ends the program, and offers work that earlier runs left. Must
-/// be destroyed before its window. Its destructor deletes the recovered leftover, which is by then
-/// saved or given up.
+/// Keeps a journal of the drawing, and offers work that earlier runs left. If the journal could not
+/// be written (full disk), a signal that ends the program has the drawing written as SVG. Must be
+/// destroyed before its window. Its destructor deletes the journal and the recovered leftover: the
+/// drawing is by then saved or given up.
 class Recovery : public QObject {
     Q_OBJECT
 
@@ -33,13 +35,15 @@ private:
     void recover(const app::Leftover& chosen, const std::function<void()>& otherwise);
     void tell();
     void forgetRecovered();
+    void discardRecovered();
     void keep(int signal) const;
 
     MainWindow& window_;
     QString folder_;
     QString file_; ///< where unsaved work is written; the signal watch gets it through work_
     app::UnsavedWork work_;
-    std::optional<app::Leftover> recovered_; ///< until it is saved
+    app::Journal journal_;
+    std::optional<app::Leftover> recovered_; ///< until it is saved, or in the journal
     std::optional<app::SignalWatch> watch_;
 };
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/cut/cut.h"
-#include "app/recovery/leftover.h"
+#include "app/recovery/recover.h"
 #include "app/session/recent_files.h"
 #include "app/session/samples.h"
 #include "app/session/save.h"
@@ -41,8 +41,8 @@ public:
     void exportCut();
     void crop(); ///< undoable
     void mayClose(const Answer& answer);
-    /// Opens a drawing that an earlier run left, marked as unsaved; false: cancelled, or its file
-    /// was unreadable and has been set aside.
+    /// Opens a drawing that an earlier run left, with its history, marked as unsaved; false:
+    /// cancelled, or its file was unreadable and has been set aside.
     void recover(const app::Leftover& leftover, const Answer& recovered);
 
     bool busy() const { return background_.busy(); }
@@ -74,7 +74,7 @@ private:
     void read(const QString& path, const Turn& turn);
     void show(app::Imported imported, const QString& path, const QString& title);
     void tellLosses();
-    void showRecovered(app::Imported imported, const app::Origin& origin);
+    void showRecovered(app::Recovered recovered, const app::Origin& origin);
     void setAside(app::Leftover leftover, const QString& error);
 
     // Parts of a turn that their answer holds.

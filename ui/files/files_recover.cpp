@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/files/files.h"
 
+#include <QFileInfo>
+
 namespace ui {
 
 void Files::recover(const app::Leftover& leftover, const Answer& recovered)
 {
-    using Read = app::Result<app::Imported>;
+    using Read = app::Result<app::Recovered>;
     background_.inTurn([this, leftover, recovered](const Turn& turn) {
         background_.run(
             tr("Recovering %1…").arg(leftover.origin.name),
-            [file = leftover.file](const app::Follower&) {
-                return app::readFile(file, &app::formats().front());
-            },
+            [leftover](const app::Follower&) { return app::recover(leftover); },
             [this, leftover, recovered, turn](std::optional<Read> read) {
                 if (read && *read)
                     showRecovered(std::move(*read->value), leftover.origin);
@@ -23,11 +23,18 @@ void Files::recover(const app::Leftover& leftover, const Answer& recovered)
     });
 }
 
-void Files::showRecovered(app::Imported imported, const app::Origin& origin)
+// Undo may lead back to the saved state, but only if the file is still as it was saved.
+void Files::showRecovered(app::Recovered recovered, const app::Origin& origin)
 {
-    show(std::move(imported), origin.path, origin.path.isEmpty() ? origin.name : QString());
+    app::RecordedHistory& history = recovered.history;
+    const bool sameFile =
+        origin.path.isEmpty() || QFileInfo(origin.path).lastModified() == origin.fileTime;
+    if (!sameFile || history.clean == history.index)
+        history.clean.reset();
+    show({std::move(recovered.document), {}}, origin.path,
+         origin.path.isEmpty() ? origin.name : QString());
     seen_ = origin.fileTime;
-    session_.history.resetClean(); // mark as unsaved
+    app::restore(session_.history, session_.document, std::move(history));
     emit told({Message::Kind::Done, tr("Recovered %1. Save it to keep it.").arg(origin.name)});
 }
 

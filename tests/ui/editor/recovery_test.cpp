@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/unfinished.h"
-#include "app/recovery/leftover.h"
+#include "app/recovery/recover.h"
+#include "ui/dialogs/leftover_picture.h"
 #include "ui/editor/editor.h"
 #include "ui/files/files.h"
 #include "ui/window/main_window.h"
@@ -99,6 +100,20 @@ void press(const QString& verb)
             return button->click();
 }
 
+/// Whether the picture in the dialog shows the horizontal line in the middle of the page.
+bool showsDrawing(const QDialog& dialog)
+{
+    const QImage picture = dialog.findChild<ui::LeftoverPicture*>()->grab().toImage();
+    for (int y = picture.height() / 2 - 3; y < picture.height() / 2 + 3; ++y) {
+        int dark = 0;
+        for (int x = 1; x < picture.width() - 1; ++x)
+            dark += picture.pixelColor(x, y).lightness() < 120;
+        if (dark > picture.width() / 2)
+            return true;
+    }
+    return false;
+}
+
 void sayDrawing(const MainWindow& window)
 {
     say(QString("%1 shapes, %2, %3")
@@ -113,7 +128,7 @@ std::atomic<bool> diskHangs = false; ///< at the next file
 
 qsizetype filesLeft()
 {
-    return QDir(app::leftoverFolder()).entryList({"*.svg"}, QDir::Files).size();
+    return QDir(app::leftoverFolder()).entryList({"*.journal"}, QDir::Dirs).size();
 }
 
 void when(const std::function<bool()>& so, const std::function<void()>& then)
@@ -178,6 +193,21 @@ const std::map<QString, Scenario>& scenarios()
              sayOffer();
              recover(w, [&w] { sayDrawing(w), ready(); });
          }},
+        {"recover and undo",
+         [](MainWindow& w) {
+             recover(w, [&w] {
+                 say("undo " + w.session().history.undoText());
+                 w.findChild<QAction*>("undo")->trigger();
+                 sayDrawing(w);
+                 w.findChild<QAction*>("redo")->trigger();
+                 sayDrawing(w), ready();
+             });
+         }},
+        {"look at the picture",
+         [](MainWindow&) {
+             when([] { return offer() && showsDrawing(*offer()); },
+                  [] { say("picture shown"), ready(); });
+         }},
         {"recover and draw", [](MainWindow& w) { recover(w, [&w] { drawLine(w), ready(); }); }},
         {"recover and save",
          [](MainWindow& w) {
@@ -194,7 +224,7 @@ const std::map<QString, Scenario>& scenarios()
              press("Discard drawing");
              when([count] { return filesLeft() < count; }, ready);
          }},
-        {"not now", [](MainWindow&) { sayOffer(), press("Not Now"), ready(); }},
+        {"not now", [](MainWindow&) { sayOffer(), press("Keep for later"), ready(); }},
     };
     return all;
 }
@@ -251,6 +281,8 @@ private slots:
         QTest::addColumn<int>("shapes");
         for (const int signal : {SIGTERM, SIGHUP, SIGINT})
             QTest::addRow("a line, %s", strsignal(signal)) << "draw" << signal << 2;
+        for (const char* const killed : {"draw", "polyline", "busy", "dialog"})
+            QTest::addRow("%s, killed", killed) << killed << SIGKILL << 2;
         QTest::addRow("a polyline in hand") << "polyline" << SIGTERM << 2;
         QTest::addRow("while it is busy") << "busy" << SIGTERM << 2;
         QTest::addRow("while it saves") << "saving" << SIGTERM << 2;
@@ -277,7 +309,7 @@ private slots:
         QCOMPARE(left.size(), std::size_t(1));
         QCOMPARE(left[0].origin.name, "plan.svg");
         QCOMPARE(left[0].origin.path, home.drawing());
-        const auto sheet = app::sheetOf(app::readFile(left[0].file).value->document);
+        const auto sheet = app::sheetOf(app::recover(left[0]).value->document);
         QCOMPARE(int(sheet.shapes.size()), shapes);
         if (scenario == "polyline")
             QCOMPARE(sheet.shapes.back().paths[0].segments.size(), std::size_t(2));
@@ -322,7 +354,7 @@ private slots:
             QCOMPARE(editor.endedBy(SIGTERM), SIGTERM); // one file, the newer work
             const auto left = app::claimLeftovers(home.leftovers());
             QCOMPARE(left.size(), std::size_t(1));
-            QCOMPARE(app::sheetOf(app::readFile(left[0].file).value->document).shapes.size(),
+            QCOMPARE(app::sheetOf(app::recover(left[0]).value->document).shapes.size(),
                      std::size_t(3));
         }
         {
@@ -337,6 +369,42 @@ private slots:
         QVERIFY(editor.waitsUntilReady());
         QVERIFY2(editor.said.contains("offers 0"), qPrintable(editor.said));
         QCOMPARE(editor.endedBy(SIGTERM), SIGTERM);
+    }
+    void theOfferShowsAPicture()
+    {
+        const Home home;
+        QVERIFY(leave(home, "draw"));
+        Editor editor(home, "look at the picture", {});
+        QVERIFY2(editor.waitsUntilReady(), qPrintable(editor.said));
+        QVERIFY(editor.said.contains("picture shown"));
+    }
+    void undoLeadsBackToTheSavedFile()
+    {
+        const Home home;
+        const QByteArray saved = contents(home.drawing());
+        QVERIFY(leave(home, "draw", SIGKILL));
+        Editor editor(home, "recover and undo", {});
+        QVERIFY2(editor.waitsUntilReady(), qPrintable(editor.said));
+        QVERIFY2(editor.said.contains("undo Draw line\n1 shapes, plan.svg, saved\n"
+                                      "2 shapes, plan.svg, not saved"),
+                 qPrintable(editor.said));
+        QCOMPARE(contents(home.drawing()), saved);
+    }
+    void anUntitledDrawingIsRecoveredToo()
+    {
+        const Home home;
+        {
+            Editor editor(home, "draw", {});
+            QVERIFY(editor.waitsUntilReady());
+            QCOMPARE(editor.endedBy(SIGKILL), SIGKILL);
+        }
+        const auto left = app::claimLeftovers(home.leftovers());
+        QCOMPARE(left.size(), std::size_t(1));
+        QVERIFY(left[0].origin.path.isEmpty());
+        QVERIFY(!left[0].origin.name.isEmpty());
+        const auto found = app::recover(left[0]);
+        QVERIFY(found);
+        QCOMPARE(found.value->history.index, 1);
     }
     void severalDrawingsAreOfferedTogetherWithoutGarbage()
     {
@@ -463,10 +531,10 @@ private:
         QFile file(path);
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     }
-    static bool leave(const Home& home, const QString& scenario)
+    static bool leave(const Home& home, const QString& scenario, int signal = SIGTERM)
     {
         Editor editor(home, scenario, {home.drawing()});
-        return editor.waitsUntilReady() && editor.endedBy(SIGTERM) == SIGTERM;
+        return editor.waitsUntilReady() && editor.endedBy(signal) == signal;
     }
 };
 
