@@ -14,6 +14,27 @@ class TransformsTest : public QObject {
             table.push_back({{w.min, {w.max.x, w.min.y}, w.max, {w.min.x, w.max.y}}, true});
         return table;
     }
+    /// Four Bézier curves from the right, clockwise on screen.
+    static Drawn circle(const app::Point& centre, double radius)
+    {
+        const double k = 0.5522847498307936 * radius, r = radius;
+        Drawn drawn{{}, true};
+        for (const app::Point& p : std::initializer_list<app::Point>{{r, 0},
+                                                                     {r, k},
+                                                                     {k, r},
+                                                                     {0, r},
+                                                                     {-k, r},
+                                                                     {-r, k},
+                                                                     {-r, 0},
+                                                                     {-r, -k},
+                                                                     {-k, -r},
+                                                                     {0, -r},
+                                                                     {k, -r},
+                                                                     {r, -k},
+                                                                     {r, 0}})
+            drawn.points.push_back(centre + p);
+        return drawn;
+    }
     /// Draws a rectangle from a typed corner.
     static void rectangle(Steps& steps, const char* corner, const char* width, const char* height)
     {
@@ -56,6 +77,30 @@ private slots:
         check(steps, {{{corner, corner + across * 30.0, corner + across * 30.0 + down * 20.0,
                         corner + down * 20.0},
                        true}});
+    }
+    void holeCircle()
+    {
+        Steps steps{key("E"), type("10,10"),    enter(), type("80"),  tab(), type("80"),  enter(),
+                    key("E"), type("46.7,6.7"), enter(), type("6.6"), tab(), type("6.6"), enter()};
+        const Steps more{key("V"), click({50, 6.7}), key("O"), move({50.3, 50.2}), key("P"),
+                         key("C"), type("60"),       enter(),  type("5x"),         enter()};
+        steps.insert(steps.end(), more.begin(), more.end());
+        Table circles{circle({50, 50}, 40)};
+        for (int i = 0; i < 6; ++i) {
+            const double angle = glm::radians(90.0 + 60 * i);
+            circles.push_back(circle({50 + 40 * std::cos(angle), 50 - 40 * std::sin(angle)}, 3.3));
+        }
+        check(steps, circles);
+    }
+    void sameSize()
+    {
+        Steps steps;
+        rectangle(steps, "10,10", "30", "10");
+        rectangle(steps, "10,40", "12", "5");
+        rectangle(steps, "60,60", "25", "8");
+        const Steps more{key("V"), key("Ctrl+A"), key("Alt+O"), type("zw")};
+        steps.insert(steps.end(), more.begin(), more.end());
+        check(steps, boxes({{{10, 10}, {35, 20}}, {{10, 40}, {35, 45}}, {{60, 60}, {85, 68}}}));
     }
     void labels()
     {

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/document_builder.h"
+#include "app/session/selection_numbers.h"
+
+#include <QTest>
+
+#include <glm/geometric.hpp>
+
+using namespace app;
+
+class SelectionNumbersTest : public QObject {
+    Q_OBJECT
+
+    static Object made(const Subpath& path)
+    {
+        return {.path = Path(std::span(&path, 1)), .style = {.stroke = Colour{}, .width = 1}};
+    }
+    /// A box from (10, 20) to (40, 30), and a line from (5, 5) to (8, 1): 5 long at 53.13°.
+    struct Drawing : Session {
+        Drawing()
+        {
+            DocumentBuilder builder;
+            builder.open({.name = "Drawing"});
+            builder.add(made({{10, 20}, {{{40, 20}}, {{40, 30}}, {{10, 30}}}, true}));
+            builder.add(made({{5, 5}, {{{8, 1}}}, false}));
+            builder.close();
+            load({builder.take({}), {}});
+            changeDisplay([](Display& display) { display.unit = Unit::User; });
+        }
+        static const SelectionNumber& number(std::string_view key)
+        {
+            return *std::ranges::find(selectionNumbers(), key, &SelectionNumber::key);
+        }
+        double value(std::string_view key, const SelectionFrame& frame = {}) const
+        {
+            return number(key).value(*this, frame).value();
+        }
+        std::optional<QString> set(std::string_view key, double value,
+                                   const SelectionFrame& frame = {})
+        {
+            return setSelectionNumber(*this, number(key), frame, value);
+        }
+        clipping::Segment line() const { return *now().objects()[1].singleLine(); }
+    };
+    static bool near(double a, double b) { return std::abs(a - b) < 1e-9; }
+
+private slots:
+    void numbersAreThoseOfTheBox()
+    {
+        Drawing drawing;
+        drawing.select({0});
+        QCOMPARE(drawing.value("x"), 10);
+        QCOMPARE(drawing.value("y"), 20);
+        QCOMPARE(drawing.value("x", {{1, 1}}), 40);
+        QCOMPARE(drawing.value("y", {{0, 0}}), 25);
+        QCOMPARE(drawing.value("w"), 30);
+        QCOMPARE(drawing.value("h"), 10);
+        QCOMPARE(drawing.value("angle"), 0);
+        QCOMPARE(drawing.value("length"), 80);
+        drawing.select({});
+        for (const SelectionNumber& number : selectionNumbers())
+            QVERIFY(!number.value(drawing, {}));
+    }
+    void everyNumberCanBeSet()
+    {
+        for (const SelectionNumber& number : selectionNumbers()) {
+            Drawing drawing;
+            drawing.select({1}); // a line has all of them
+            const auto error = setSelectionNumber(drawing, number, {}, 7);
+            QVERIFY2(!error, number.key.data());
+            QVERIFY2(near(drawing.value(number.key), 7), number.key.data());
+            QCOMPARE(drawing.history.count(), 1);
+            drawing.history.undo();
+            QCOMPARE(drawing.line(), (clipping::Segment{{5, 5}, {8, 1}}));
+        }
+    }
+    void referencePointStays()
+    {
+        Drawing drawing;
+        drawing.select({0});
+        QVERIFY(!drawing.set("w", 60, {{1, 0}}));
+        QCOMPARE(drawing.value("x"), -20);
+        QVERIFY(!drawing.set("h", 20, {{0, 0}}));
+        QCOMPARE(drawing.value("y"), 15);
+        QVERIFY(!drawing.set("w", 30, {{-1, -1}, true}));
+        QCOMPARE(drawing.value("h"), 10);
+    }
+    void lineTurnsAndGrowsFromItsStart()
+    {
+        Drawing drawing;
+        drawing.select({1});
+        QVERIFY(near(drawing.value("length"), 5));
+        QVERIFY(!drawing.set("angle", 90));
+        QVERIFY(glm::distance(drawing.line().b, Point(5, 0)) < 1e-12);
+        QVERIFY(!drawing.set("length", 3450));
+        QCOMPARE(drawing.line().a, Point(5, 5));
+        QVERIFY(glm::distance(drawing.line().b, Point(5, -3445)) < 1e-9);
+    }
+    void whatIsImpossibleIsSaid()
+    {
+        Drawing drawing;
+        drawing.select({0});
+        for (const double wrong : {0.0, -3.0, std::numeric_limits<double>::quiet_NaN()}) {
+            const auto error = drawing.set("w", wrong);
+            QVERIFY(error && error->endsWith(u'.'));
+        }
+        QVERIFY(drawing.set("x", std::numeric_limits<double>::infinity()));
+        drawing.select({1});
+        QVERIFY(!drawing.set("angle", 0));
+        QVERIFY(drawing.set("h", 5)); // a horizontal line has no height
+        QCOMPARE(drawing.history.count(), 1);
+        QVERIFY(!drawing.set("x", drawing.value("x")));
+        QCOMPARE(drawing.history.count(), 1); // nothing has changed
+    }
+};
+
+QTEST_GUILESS_MAIN(SelectionNumbersTest)
+#include "selection_numbers_test.moc"

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/selection_panel.h"
+#include "ui/widgets/length_field.h"
+#include "ui/widgets/reference_point.h"
+
+#include <QLineEdit>
+
+#include "tests/ui/test_window.h"
+
+using namespace ui;
+
+// Numbers of the selection, typed in its panel.
+class SelectionPanelTest : public QObject {
+    Q_OBJECT
+
+    struct Panel : TestWindow {
+        Panel()
+        {
+            open(file("two.svg",
+                      "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='100mm' "
+                      "viewBox='0 0 100 100'>"
+                      "<path stroke='black' d='M20 30L60 30L60 50L20 50Z'/>"
+                      "<path stroke='black' d='M10 80L30 80'/></svg>"));
+            show();
+            window->raisePanel("selection");
+            session().select({0});
+            settle();
+        }
+        static void settle() { QTest::qWait(20); } // the panel follows after the events
+        app::Session& session() const { return window->session(); }
+        LengthField* field(const QString& name) const
+        {
+            for (LengthField* field : panel().findChildren<LengthField*>())
+                if (field->accessibleName() == name)
+                    return field;
+            return nullptr;
+        }
+        SelectionPanel& panel() const { return *window->findChild<SelectionPanel*>(); }
+        void type(const QString& name, const QString& text) const
+        {
+            field(name)->setFocus();
+            field(name)->selectAll();
+            QTest::keyClicks(field(name), text);
+            QTest::keyClick(field(name), Qt::Key_Return);
+            settle();
+        }
+    };
+
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void typedWidthResizesTheSelection()
+    {
+        Panel t;
+        const double before = t.field("Width")->value();
+        QVERIFY(before > 0);
+        t.type("Width", QString::number(before * 2));
+        QVERIFY(std::abs(t.field("Width")->value() - before * 2) < 1e-9);
+        QCOMPARE(t.session().history.count(), 1);
+        QVERIFY(t.window->canvas().focusProxy()->hasFocus()); // the canvas goes on
+        t.window->canvas().undo();
+        Panel::settle();
+        QVERIFY(std::abs(t.field("Width")->value() - before) < 1e-9);
+    }
+    void nothingSelectedLeavesEverythingInItsPlaceDisabled()
+    {
+        Panel t;
+        const QSize size = t.panel().size();
+        t.session().select({});
+        Panel::settle();
+        QCOMPARE(t.panel().size(), size);
+        QVERIFY(!t.field("Width")->isEnabled());
+        QVERIFY(t.field("Width")->text().isEmpty());
+        t.session().select({0, 1});
+        Panel::settle();
+        QVERIFY(t.field("Width")->isEnabled() && !t.field("Width")->text().isEmpty());
+    }
+    void referencePointIsChosenByMouseAndKeys()
+    {
+        Panel t;
+        auto* point = t.panel().findChild<ReferencePoint*>();
+        const double x = t.field("X")->value();
+        QTest::mouseClick(point, Qt::LeftButton, {}, {point->width() - 5, point->height() - 5});
+        QCOMPARE(point->chosen(), (app::Handle{1, 1}));
+        Panel::settle();
+        QVERIFY(t.field("X")->value() > x);
+        QTest::keyClick(point, Qt::Key_Left);
+        QTest::keyClick(point, Qt::Key_Up);
+        QCOMPARE(point->chosen(), (app::Handle{0, 0}));
+    }
+    void impossibleNumberIsRefusedWithASentence()
+    {
+        Panel t;
+        t.session().select({1});
+        Panel::settle();
+        const double before = t.field("Height")->value();
+        t.type("Height", "5"); // a horizontal line
+        QVERIFY(t.window->message().endsWith(u'.'));
+        QCOMPARE(t.field("Height")->value(), before);
+        QCOMPARE(t.session().history.count(), 0);
+    }
+    void buttonsArrangeAndNameTheirShortcuts()
+    {
+        Panel t;
+        for (auto* button : t.panel().findChildren<QToolButton*>())
+            QVERIFY(!button->toolTip().isEmpty() && !button->icon().isNull());
+        auto* rotate = [&]() -> QToolButton* {
+            for (auto* button : t.panel().findChildren<QToolButton*>())
+                if (button->toolTip().contains("Shift+O"))
+                    return button;
+            return nullptr;
+        }();
+        const double width = t.field("Width")->value();
+        rotate->click();
+        Panel::settle();
+        QVERIFY(std::abs(t.field("Height")->value() - width) < 1e-9);
+    }
+};
+
+QTEST_MAIN(SelectionPanelTest)
+#include "selection_panel_test.moc"
