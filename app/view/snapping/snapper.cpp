@@ -142,28 +142,33 @@ MovedSnap Snapper::moved(const OwnPoints& own, const Point& by, SnapQuery query)
 {
     const std::size_t count = std::max(own.points.size(), std::size_t(1));
     query.limits = {std::max(leastLines, query.limits.found / count), mostLooks / count};
-    MovedSnap best{by};
-    SnapRank rank = SnapRank::Grid;
-    double distance = 0;
+    std::optional<SnapOffers> best;
+    Point to = by;
     for (const Point& point : own.points) {
         query.pointer = point + by;
         const SnapOffers found = offers(query);
-        const bool better = !best.place || found.rank() < rank
-                            || (found.rank() == rank && found.distance() < distance);
+        const bool better =
+            !best || found.rank() < best->rank()
+            || (found.rank() == best->rank() && found.distance() < best->distance());
         if (!found.best() || !better)
             continue;
-        best = {found.best()->point - point, found.best()};
-        rank = found.rank();
-        distance = found.distance();
+        best = found;
+        to = found.best()->point - point;
     }
-    if (best.place && rank != SnapRank::Grid)
-        return best;
-    if (!query.to.has("alignment") || !query.seen)
-        return best;
-    const Alignment alignment = aligned({own.bounds.min + by, own.bounds.max + by}, query);
-    if (!alignment.lines.empty())
-        best = {by + alignment.by, std::nullopt, alignment.lines};
-    return best;
+    if (best && best->rank() != SnapRank::Grid)
+        return {to, best->best()};
+    const bool aligns = query.to.has("alignment") && query.seen;
+    const clipping::Window bounds{own.bounds.min + by, own.bounds.max + by};
+    const Alignment alignment = aligns ? aligned(bounds, query) : Alignment{};
+    if (alignment.lines.empty())
+        return {to, best ? best->best() : std::nullopt};
+    Point aligned = by + alignment.by;
+    const bool square = query.grid && query.grid->u.y == 0 && query.grid->v.x == 0;
+    if (best && square && alignment.lines.size() == 1) { // the grid decides the other axis
+        const int other = 1 - alignment.lines.front().axis;
+        aligned[other] = to[other];
+    }
+    return {aligned, std::nullopt, alignment.lines};
 }
 
 Alignment Snapper::aligned(const clipping::Window& box, const SnapQuery& query) const

@@ -85,6 +85,16 @@ private slots:
         elsewhere.seen = clipping::Window{{0, 0}, {90, 90}}; // without the line
         QVERIFY(stage.snapper.moved(own, {122, 50}, elsewhere).lines.empty());
     }
+    void theGridDecidesTheAxisThatIsNotAligned()
+    {
+        const SnapStage stage({lineFrom({101, 300}, {301, 320})});
+        const auto own = app::ownPointsOf({{0, 0}, {20, 11}});
+        app::SnapQuery asked = query("alignment");
+        asked.to = asked.to.with("grid");
+        asked.grid = app::GridPoints{{0, 0}, {10, 0}, {0, 10}};
+        QCOMPARE(stage.snapper.moved(own, {62, 52}, asked).by, Point(60, 50));
+        QCOMPARE(stage.snapper.moved(own, {102, 52}, asked).by, Point(101, 50));
+    }
     void thePointerIsAlignedTooWhereNothingIsNear()
     {
         const SnapStage stage({lineFrom({100, 300}, {140, 320})});
