@@ -24,7 +24,7 @@ namespace ui {
 
 namespace {
 
-constexpr int steps = 4;
+constexpr int steps = 5;
 
 /// A square in the stroke's own colour; struck through for no stroke.
 QIcon strokeColourIcon(const std::optional<app::Colour>& colour, const Look& look)
@@ -227,6 +227,7 @@ void OptionBar::arrange(int step)
         if (captions_.contains(qobject_cast<QLabel*>(widgetForAction(action))))
             action->setVisible(step < 2);
     grid_->showSpacing(step < 3);
+    snapping_->showKinds(step < 4);
 }
 
 void OptionBar::changeEvent(QEvent* event)

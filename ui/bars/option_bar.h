@@ -17,7 +17,8 @@ class ToolList;
 
 /// The bar across the top: undo, redo, the stroke of selected or new objects, snapping, the side
 /// that is kept and how the removed part is shown, panes, export. If it is narrow, it first drops
-/// the export button's text, then captions, then the grid's spacing.
+/// the export button's text, then captions, then the grid's spacing, then the list of kinds to snap
+/// to.
 class OptionBar : public QToolBar {
     Q_OBJECT
 

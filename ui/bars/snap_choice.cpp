@@ -33,6 +33,9 @@ SnapChoice::SnapChoice(Canvas& canvas)
     switch_->setCheckable(true);
     switch_->setAutoRaise(true);
     switch_->setAccessibleName(tr("Snap"));
+    switch_->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(switch_, &QWidget::customContextMenuRequested, this,
+            [this](const QPoint& at) { menu_->popup(switch_->mapToGlobal(at)); });
     switch_->setToolTip(tr("Snap to places of the drawing (F5). Hold Ctrl to suspend it."));
     kinds_->setObjectName(QStringLiteral("snap-kinds"));
     kinds_->setProperty("framed", true);
@@ -47,6 +50,8 @@ SnapChoice::SnapChoice(Canvas& canvas)
     connect(menu_, &QMenu::aboutToHide, &canvas, [&canvas] { canvas.setFocus(); });
     follow();
 }
+
+void SnapChoice::showKinds(bool shown) { kinds_->setVisible(shown); }
 
 void SnapChoice::addKinds()
 {

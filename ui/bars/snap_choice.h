@@ -16,6 +16,9 @@ class SnapChoice : public QWidget {
 public:
     explicit SnapChoice(Canvas& canvas);
 
+    /// Where there is no room for the list of kinds, a right click on the magnet opens it.
+    void showKinds(bool shown);
+
 private:
     void addKinds();
     void follow();

@@ -60,6 +60,16 @@ private slots:
         QVERIFY(bar.has("ends") && bar.has("on-path"));
         QCOMPARE(bar.t.window->focusWidget(), bar.t.drawingArea());
     }
+    void aNarrowBarKeepsTheMagnetWhichHasTheList()
+    {
+        Bar bar;
+        bar.t.window->resize(1024, 640);
+        QVERIFY(bar.magnet()->isVisible());
+        QVERIFY(!bar.kinds()->isVisible());
+        QTimer::singleShot(0, bar.menu(), [&] { bar.menu()->close(); });
+        emit bar.magnet()->customContextMenuRequested({4, 4});
+        QVERIFY(bar.menu()->isVisible());
+    }
     void theButtonAndF5SwitchSnapping()
     {
         Bar bar;
