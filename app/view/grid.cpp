@@ -15,7 +15,8 @@ namespace app {
 namespace {
 
 constexpr double leastApart = 10; // pixels
-constexpr int coarser = 5;        // also: every fifth line is major
+constexpr double mostMultiple = 1e15;
+constexpr int coarser = 5; // also: every fifth line is major
 constexpr std::size_t mostDots = 100'000;
 const QString shownWord = QStringLiteral("shown");
 const std::array patterns{QStringLiteral("square"), QStringLiteral("diagonal"),
@@ -24,7 +25,8 @@ const std::array marks{QStringLiteral("lines"), QStringLiteral("dots")};
 
 double cross(const Point& u, const Point& v) { return u.x * v.y - u.y * v.x; }
 
-/// The smallest and the largest multiple of `across` by which lines along `along` meet the window.
+/// The smallest and the largest multiple of `across` by which lines along `along` meet the window;
+/// none, if they are too large to count.
 std::array<double, 2> multiples(const GridPoints& grid, const Point& along, const Point& across,
                                 const clipping::Window& window)
 {
@@ -34,7 +36,9 @@ std::array<double, 2> multiples(const GridPoints& grid, const Point& along, cons
         const double k = cross(along, corner - grid.origin) / cross(along, across);
         range = {std::min(range[0], k), std::max(range[1], k)};
     }
-    return {std::ceil(range[0]), std::floor(range[1])};
+    const bool countable = range[0] > -mostMultiple && range[1] < mostMultiple;
+    return countable ? std::array{std::ceil(range[0]), std::floor(range[1])}
+                     : std::array{0.0, -1.0};
 }
 
 void addLines(const GridPoints& grid, const Point& along, const Point& across,
@@ -101,9 +105,10 @@ Point GridPoints::nearest(const Point& point) const
 GridPoints gridPoints(const Grid& grid, const Page& page, double zoom)
 {
     double step = grid.spacing / page.millimetresPerUnit();
-    if (std::isfinite(step * zoom) && step * zoom > 0)
-        while (step * zoom < leastApart)
-            step *= coarser;
+    if (!(step * zoom > 0 && std::isfinite(step)))
+        step = leastApart / zoom; // units of an absurd size
+    while (step * zoom < leastApart)
+        step *= coarser;
     const double half = step / 2, long_ = step * std::sqrt(0.75), diagonal = step * std::sqrt(0.5);
     switch (grid.pattern) {
     case Grid::Pattern::Diagonal:

@@ -73,6 +73,18 @@ private slots:
             QVERIFY(app::gridDots({}, page, zoom, screen).size() < 12'000);
         }
     }
+    void absurdPagesAndZoomsEnd()
+    {
+        for (const double size : {1e-300, 1e-9, 1e9, 1e20, 1e300})
+            for (const double zoom : {1e-9, 1.0, 1e9}) {
+                const app::Page huge{
+                    {-size, size}, {size, size}, {200, app::Unit::Mm}, {100, app::Unit::Mm}};
+                const Point corner = huge.min + huge.size - 1.0;
+                const clipping::Window screen{corner, corner + Point(1300, 800) / zoom};
+                QVERIFY(app::gridLines({}, huge, zoom, screen).size() < 1000);
+                QVERIFY(app::gridDots({}, huge, zoom, screen).size() <= 100'000);
+            }
+    }
     void everyDotIsOnALineOfEachDirection_data() { addPatterns(); }
     void everyDotIsOnALineOfEachDirection()
     {
