@@ -7,6 +7,8 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include <ctime>
+
 #include "tests/app/commands/random_commands.h"
 #include "tests/app/recovery/recorded_drawing.h"
 
@@ -95,7 +97,7 @@ private slots:
                                 {std::size_t(history), replay});
         RandomScript script(drawing.document, drawing.history, 2);
         int shorter = 0;
-        for (int i = 1; i <= 3000; ++i) {
+        for (int i = 1; i <= 1500; ++i) {
             script.act();
             if (i % 10 == 0)
                 QCoreApplication::processEvents();
@@ -179,10 +181,10 @@ private slots:
             drawing.history.undo();
         drawing.journal.wait();
         QVERIFY(!QFile::exists(baseFile(folder.path(), 1)));
-        QElapsedTimer clock;
-        clock.start();
+        const std::clock_t start = std::clock();
         const auto found = replayed(folder.path());
-        qInfo("recovered in %lld ms", clock.elapsed());
+        qInfo("recovered in %.0f ms of processor time",
+              1e3 * double(std::clock() - start) / CLOCKS_PER_SEC);
         QVERIFY(svgOf(found->document) == svgOf(drawing.document.now()));
         QVERIFY(found->history.steps.size() > 60);
         QCOMPARE(int(found->history.steps.size()) - found->history.index, 10);
