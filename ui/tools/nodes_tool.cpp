@@ -7,6 +7,7 @@
 
 #include <QCoreApplication>
 
+#include <array>
 #include <utility>
 
 namespace ui {
@@ -83,7 +84,8 @@ private:
     void startDrag(Workbench& bench);
     void follow(const app::Point& to, Workbench& bench);
     void push(Workbench& bench);
-    void click(const Pointer& pointer, Workbench& bench);
+    void choose(std::span<const app::NodeAddress> chosen, Workbench& bench);
+    void click(Workbench& bench);
     void clickObject(const Pointer& pointer, Workbench& bench);
     void selectBox(const Pointer& pointer, Workbench& bench);
     bool arrow(const QKeyEvent& event, Workbench& bench);
@@ -174,7 +176,7 @@ void NodesTool::startDrag(Workbench& bench)
         const bool together =
             of.nodes[segment].selected && of.nodes[(segment + 1) % of.nodes.size()].selected;
         if (!curved && !together)
-            click(from_, bench);
+            click(bench);
     }
     if (drag_ != Drag::Box)
         preview_ = nodes.path();
@@ -219,7 +221,7 @@ void NodesTool::release(const Pointer& pointer, Workbench& bench)
     if (outdated(bench))
         return cancel(bench);
     if (drag_ == Drag::Press)
-        click(from_, bench);
+        click(bench);
     else if (drag_ == Drag::Box)
         selectBox(pointer, bench);
     else if (preview_) {
@@ -241,29 +243,32 @@ void NodesTool::doubleClick(const Pointer& pointer, Workbench& bench)
         press(pointer, bench);
 }
 
-void NodesTool::click(const Pointer& pointer, Workbench& bench)
+/// With Shift, these nodes are selected beside the others; a single one is deselected again.
+void NodesTool::choose(std::span<const app::NodeAddress> chosen, Workbench& bench)
 {
-    const bool adds = pointer.modifiers & Qt::ShiftModifier;
-    const auto choose = [&](const std::vector<app::NodeAddress>& chosen, bool toggles) {
-        bench.session.nodes.select([&](app::NodePath& path) {
-            if (!adds)
-                app::selectAll(path, false);
-            for (const auto& [subpath, node] : chosen) {
-                bool& selected = path[subpath].nodes[node].selected;
-                selected = !toggles || !selected;
-            }
-        });
-    };
+    const bool adds = from_.modifiers & Qt::ShiftModifier;
+    bench.session.nodes.select([&](app::NodePath& path) {
+        if (!adds)
+            app::selectAll(path, false);
+        for (const auto& [subpath, node] : chosen) {
+            bool& selected = path[subpath].nodes[node].selected;
+            selected = chosen.size() > 1 || !selected;
+        }
+    });
+}
+
+void NodesTool::click(Workbench& bench)
+{
     if (const auto& node = grabbed_.point.node)
-        choose({*node}, adds);
-    else if (grabbed_.point.handle)
+        return choose(std::array{*node}, bench);
+    if (grabbed_.point.handle)
         return;
-    else if (grabbed_.segment) {
-        const auto [subpath, segment] = grabbed_.segment->segment;
-        const std::size_t count = bench.session.nodes.path()[subpath].nodes.size();
-        choose({{subpath, segment}, {subpath, (segment + 1) % count}}, false);
-    } else
-        clickObject(pointer, bench);
+    if (!grabbed_.segment)
+        return clickObject(from_, bench);
+    const auto [subpath, segment] = grabbed_.segment->segment;
+    const std::size_t count = bench.session.nodes.path()[subpath].nodes.size();
+    choose(std::array<app::NodeAddress, 2>{{{subpath, segment}, {subpath, (segment + 1) % count}}},
+           bench);
 }
 
 /// Shows the nodes of another object. Beside all objects, first nodes are deselected, then objects.
