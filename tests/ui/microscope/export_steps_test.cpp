@@ -35,7 +35,7 @@ class ExportStepsTest : public QObject {
     void write(const app::TraceFormat& format)
     {
         exports_->write(format, trace());
-        QTRY_VERIFY(!exports_->busy());
+        QTRY_VERIFY_WITH_TIMEOUT(!exports_->busy(), 60000);
     }
 
 private slots:
