@@ -25,7 +25,7 @@ class SelectionNumbersTest : public QObject {
             builder.add(made({{5, 5}, {{{8, 1}}}, false}));
             builder.close();
             load({builder.take({}), {}});
-            changeDisplay([](Display& display) { display.unit = Unit::User; });
+            changeDisplay([](app::Display& display) { display.unit = Unit::User; });
         }
         static const SelectionNumber& number(std::string_view key)
         {
