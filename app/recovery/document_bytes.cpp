@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/recovery/document_bytes.h"
 
+// A structured binding names all members of what is written: a new member does not compile here
+// until it is written and read, too.
+
 namespace app {
 namespace {
 
@@ -18,10 +21,11 @@ Length readLength(ByteReader& in)
 
 void writePage(ByteWriter& out, const Page& page)
 {
-    out.put(page.min);
-    out.put(page.size);
-    writeLength(out, page.width);
-    writeLength(out, page.height);
+    const auto& [min, size, width, height] = page;
+    out.put(min);
+    out.put(size);
+    writeLength(out, width);
+    writeLength(out, height);
 }
 
 Page readPage(ByteReader& in)
@@ -36,19 +40,20 @@ Page readPage(ByteReader& in)
 
 void writeWindows(ByteWriter& out, const ClipWindows& windows)
 {
-    out.putCount(windows.list.size());
-    for (const ClipWindow& window : windows.list) {
-        out.put(window.name);
-        const auto* polygon = std::get_if<PolygonShape>(&window.shape);
+    const auto& [list, keep] = windows;
+    out.putCount(list.size());
+    for (const auto& [name, shape, operation, visible] : list) {
+        out.put(name);
+        const auto* polygon = std::get_if<PolygonShape>(&shape);
         out.put(std::uint8_t(polygon != nullptr));
         if (polygon)
             out.putList(polygon->corners);
         else
-            out.put(std::get<RectangleShape>(window.shape));
-        out.put(std::uint8_t(window.operation));
-        out.put(std::uint8_t(window.visible));
+            out.put(std::get<RectangleShape>(shape));
+        out.put(std::uint8_t(operation));
+        out.put(std::uint8_t(visible));
     }
-    out.put(std::uint8_t(windows.keep));
+    out.put(std::uint8_t(keep));
 }
 
 ClipWindows readWindows(ByteReader& in)
@@ -76,14 +81,14 @@ void writeContainers(ByteWriter& out, const Containers& containers)
     out.putList(parts.marks);
     out.put(parts.nextId);
     out.putCount(parts.containers.size());
-    for (const Container& container : parts.containers) {
-        out.put(container.id);
-        out.put(std::uint8_t(container.kind));
-        for (const QString* const text :
-             {&container.name, &container.svgId, &container.title, &container.description})
+    for (const auto& [id, kind, name, svgId, title, description, visible, locked] :
+         parts.containers) {
+        out.put(id);
+        out.put(std::uint8_t(kind));
+        for (const QString* const text : {&name, &svgId, &title, &description})
             out.put(*text);
-        out.put(std::uint8_t(container.visible));
-        out.put(std::uint8_t(container.locked));
+        out.put(std::uint8_t(visible));
+        out.put(std::uint8_t(locked));
     }
 }
 
@@ -112,9 +117,8 @@ std::optional<Containers> readContainers(ByteReader& in)
 void writeDocument(ByteWriter& out, const Document& document, ObjectBytes& objects)
 {
     writePage(out, document.page());
-    const About& about = document.about();
-    for (const QString* const text :
-         {&about.id, &about.comments, &about.title, &about.description, &about.metadata})
+    const auto& [id, comments, title, description, metadata] = document.about();
+    for (const QString* const text : {&id, &comments, &title, &description, &metadata})
         out.put(*text);
     objects.write(out, document.objects());
     writeContainers(out, document.containers());
@@ -124,17 +128,17 @@ void writeDocument(ByteWriter& out, const Document& document, ObjectBytes& objec
 std::optional<Document> readDocument(ByteReader& in, ObjectReader& objects)
 {
     DocumentParts parts;
-    parts.page = readPage(in);
-    About& about = parts.about;
+    auto& [page, about, objectsOf, containersOf, windows] = parts;
+    page = readPage(in);
     for (QString* const text :
          {&about.id, &about.comments, &about.title, &about.description, &about.metadata})
         *text = in.text();
-    objects.read(in, parts.objects);
+    objects.read(in, objectsOf);
     auto containers = readContainers(in);
-    parts.windows = readWindows(in);
-    if (!in.ok() || containers->objects() != parts.objects.size())
+    windows = readWindows(in);
+    if (!in.ok() || containers->objects() != objectsOf.size())
         return std::nullopt;
-    parts.containers = std::move(*containers);
+    containersOf = std::move(*containers);
     return Document(std::move(parts));
 }
 
@@ -167,8 +171,9 @@ void readSetting(ByteReader& in, Edit& edit)
 
 void writeEdit(ByteWriter& out, const Edit& edit, ObjectBytes& objects)
 {
-    writeSplices(out, edit.splices);
-    objects.write(out, edit.objects);
+    const auto& [splices, added, containers, windows, page] = edit;
+    writeSplices(out, splices);
+    objects.write(out, added);
     writeSetting(out, edit);
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/recovery/object_bytes.h"
 
+// A structured binding names all members of what is written: a new member does not compile here
+// until it is written and read, too.
+
 namespace app {
 namespace {
 
@@ -27,15 +30,17 @@ struct WriteRecipe {
     void operator()(const StarRecipe& r) const { out.put(r); }
     void operator()(const TextRecipe& r) const
     {
-        out.put(r.text);
-        out.put(r.font);
-        out.put(r.size);
-        out.put(r.at);
+        const auto& [text, font, size, at] = r;
+        out.put(text);
+        out.put(font);
+        out.put(size);
+        out.put(at);
     }
 };
 
 Recipe readRecipe(ByteReader& in)
 {
+    static_assert(std::variant_size_v<Recipe> == 5);
     switch (in.get<std::uint8_t>()) {
     case 0:
         return {};
@@ -65,11 +70,12 @@ void writeParticulars(ByteWriter& out, const Particulars& particulars)
     out.put(std::uint8_t(some));
     if (!some)
         return;
-    out.put(particulars.id);
-    out.put(particulars.title);
-    out.put(particulars.description);
-    out.put(std::uint8_t(particulars.recipe.index()));
-    std::visit(WriteRecipe{out}, particulars.recipe);
+    const auto& [id, title, description, recipe] = particulars;
+    out.put(id);
+    out.put(title);
+    out.put(description);
+    out.put(std::uint8_t(recipe.index()));
+    std::visit(WriteRecipe{out}, recipe);
 }
 
 Shared<Particulars> readParticulars(ByteReader& in)
@@ -101,14 +107,15 @@ struct UsedStyles {
 
 void writeStyle(ByteWriter& out, const Style& style)
 {
-    writeColour(out, style.stroke);
-    writeColour(out, style.fill);
-    for (const double number : {style.width, style.miterLimit, style.dashOffset})
+    const auto& [stroke, fill, width, miterLimit, dashOffset, dashes, cap, join, fillRule] = style;
+    writeColour(out, stroke);
+    writeColour(out, fill);
+    for (const double number : {width, miterLimit, dashOffset})
         out.put(number);
-    out.putList(style.dashes);
-    out.put(std::uint8_t(style.cap));
-    out.put(std::uint8_t(style.join));
-    out.put(std::uint8_t(style.fillRule));
+    out.putList(dashes);
+    out.put(std::uint8_t(cap));
+    out.put(std::uint8_t(join));
+    out.put(std::uint8_t(fillRule));
 }
 
 Style readStyle(ByteReader& in)
@@ -182,21 +189,21 @@ void ObjectBytes::write(ByteWriter& out, const Objects& objects)
         writeStyle(out, objects.styles()[style]);
     out.putCount(objects.blocks().size());
     for (const Shared<ObjectBlock>& shared : objects.blocks()) {
-        const ObjectBlock& block = *shared;
-        out.put(std::uint8_t(block.paths.empty()));
-        if (block.paths.empty()) {
-            out.putList(block.lines);
+        const auto& [lines, paths, styleOf, hidden, particularsOf, points] = *shared;
+        out.put(std::uint8_t(paths.empty()));
+        if (paths.empty()) {
+            out.putList(lines);
         } else {
-            out.putCount(block.paths.size());
-            for (const Path& path : block.paths)
+            out.putCount(paths.size());
+            for (const Path& path : paths)
                 writePath(out, path);
         }
-        out.putCount(block.styles.size());
-        for (const StyleIndex style : block.styles)
+        out.putCount(styleOf.size());
+        for (const StyleIndex style : styleOf)
             out.put(styles.numbers.at(style));
-        out.putList(block.hidden);
-        out.putCount(block.particulars.size());
-        for (const Shared<Particulars>& particulars : block.particulars)
+        out.putList(hidden);
+        out.putCount(particularsOf.size());
+        for (const Shared<Particulars>& particulars : particularsOf)
             writeParticulars(out, *particulars);
     }
 }
@@ -243,10 +250,11 @@ void ObjectReader::read(ByteReader& in, Objects& to)
 
 void ObjectBytes::write(ByteWriter& out, const Object& object)
 {
-    writePath(out, object.path);
-    writeStyle(out, object.style);
-    out.put(std::uint8_t(object.hidden));
-    writeParticulars(out, object.particulars);
+    const auto& [path, style, particulars, hidden] = object;
+    writePath(out, path);
+    writeStyle(out, style);
+    out.put(std::uint8_t(hidden));
+    writeParticulars(out, particulars);
 }
 
 Object ObjectReader::object(ByteReader& in)
