@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/recovery/object_bytes.h"
 
+#include <algorithm>
+
 // A structured binding names all members of what is written: a new member does not compile here
 // until it is written and read, too.
 
@@ -208,43 +210,59 @@ void ObjectBytes::write(ByteWriter& out, const Objects& objects)
     }
 }
 
+/// The columns of a block as they were read.
+struct ObjectReader::Columns {
+    std::vector<clipping::Segment> lines{};
+    std::vector<Path> paths{};
+    std::vector<std::uint32_t> styles{};
+    std::vector<std::uint8_t> hidden{};
+    std::vector<Shared<Particulars>> particulars{};
+
+    std::size_t size() const { return lines.size() + paths.size(); }
+    bool fit(std::size_t knownStyles) const
+    {
+        const auto fits = [&](const auto& column) {
+            return column.empty() || column.size() == size();
+        };
+        return size() > 0 && (styles.size() == 1 || styles.size() == size()) && fits(hidden)
+               && fits(particulars) && std::ranges::all_of(styles, [&](std::uint32_t style) {
+                      return style < knownStyles;
+                  });
+    }
+    ObjectRow row(std::size_t i, std::span<const StyleIndex> known) const
+    {
+        return {paths.empty() ? Path(lines[i]) : paths[i],
+                known[styles[styles.size() == 1 ? 0 : i]], !hidden.empty() && hidden[i] != 0,
+                particulars.empty() ? noParticulars() : particulars[i]};
+    }
+};
+
+ObjectReader::Columns ObjectReader::columns(ByteReader& in)
+{
+    Columns columns;
+    if (in.flag())
+        columns.lines = in.list<clipping::Segment>();
+    else
+        for (std::size_t left = in.count(1); left > 0 && in.ok(); --left)
+            columns.paths.push_back(path(in));
+    columns.styles = in.list<std::uint32_t>();
+    columns.hidden = in.list<std::uint8_t>();
+    for (std::size_t left = in.count(1); left > 0 && in.ok(); --left)
+        columns.particulars.push_back(readParticulars(in));
+    return columns;
+}
+
 void ObjectReader::read(ByteReader& in, Objects& to)
 {
     std::vector<StyleIndex> styles;
-    for (std::size_t left = in.count(1); left > 0; --left)
+    for (std::size_t left = in.count(1); left > 0 && in.ok(); --left)
         if (const Style style = readStyle(in); in.ok())
             styles.push_back(to.styles().indexOf(style));
     for (std::size_t left = in.count(1); left > 0 && in.ok(); --left) {
-        std::vector<clipping::Segment> lines;
-        std::vector<Path> paths;
-        if (in.flag())
-            lines = in.list<clipping::Segment>();
-        else
-            for (std::size_t more = in.count(1); more > 0 && in.ok(); --more)
-                paths.push_back(path(in));
-        const std::size_t size = lines.size() + paths.size();
-        auto styleOf = in.list<std::uint32_t>();
-        const auto hidden = in.list<std::uint8_t>();
-        std::vector<Shared<Particulars>> particulars;
-        for (std::size_t more = in.count(1); more > 0 && in.ok(); --more)
-            particulars.push_back(readParticulars(in));
-        const auto fits = [&](const auto& column) {
-            return column.empty() || column.size() == size;
-        };
-        in.require(size > 0 && (styleOf.size() == 1 || styleOf.size() == size) && fits(hidden)
-                   && fits(particulars));
-        for (const std::uint32_t style : styleOf)
-            in.require(style < styles.size());
-        for (std::size_t i = 0; i < size && in.ok(); ++i) {
-            const StyleIndex style = styles[styleOf[styleOf.size() == 1 ? 0 : i]];
-            const bool usual = (hidden.empty() || !hidden[i]) && particulars.empty();
-            if (usual && paths.empty())
-                to.appendLine(lines[i], style);
-            else
-                to.append(ObjectRow{paths.empty() ? Path(lines[i]) : paths[i], style,
-                                    !hidden.empty() && hidden[i] != 0,
-                                    particulars.empty() ? noParticulars() : particulars[i]});
-        }
+        const Columns block = columns(in);
+        in.require(block.fit(styles.size()));
+        for (std::size_t i = 0; i < block.size() && in.ok(); ++i)
+            to.append(block.row(i, styles));
     }
 }
 

@@ -30,7 +30,9 @@ public:
     Object object(ByteReader& in);
 
 private:
+    struct Columns;
     Path path(ByteReader& in);
+    Columns columns(ByteReader& in);
 
     std::vector<Path> known_;
 };
