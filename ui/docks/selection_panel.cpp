@@ -31,8 +31,8 @@ SelectionPanel::SelectionPanel(app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session), reference_(new ReferencePoint), chain_(new QToolButton)
 {
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(space::dockMargin, space::dockMargin, space::dockMargin,
-                               space::dockMargin);
+    column->setContentsMargins(space::dockMargin, space::labelToField, space::dockMargin,
+                               space::labelToField);
     column->setSpacing(space::labelToField);
     column->addLayout(makeNumbers());
     column->addLayout(makeButtons());
@@ -95,6 +95,7 @@ QToolButton* SelectionPanel::makeButton(std::string_view key, const QString& tex
     auto* button = new QToolButton;
     button->setIcon(icon(key));
     button->setAutoRaise(true);
+    button->setFixedSize(space::fieldHeight, space::fieldHeight);
     button->setToolTip(text);
     button->setAccessibleName(text);
     connect(button, &QToolButton::clicked, this, [this, run = std::move(run)] { run(session_); });

@@ -10,7 +10,7 @@ using namespace ui;
 
 namespace {
 
-const QStringList stack{"algorithm", "window", "line", "layers"};
+const QStringList stack{"algorithm", "window", "selection", "line", "layers"};
 
 /// Where the panels in front are.
 QMap<QString, QRect> places(const PlainWindow& plain)
@@ -37,7 +37,7 @@ private slots:
         plain.window.resize(1280, 700);
         plain.layout->fitWindow();
         QCOMPARE(plain.inFront(), QStringList("algorithm"));
-        QCOMPARE(plain.window.tabifiedDockWidgets(plain.docks.algorithm).size(), 4);
+        QCOMPARE(plain.window.tabifiedDockWidgets(plain.docks.algorithm).size(), 5);
         QTRY_VERIFY(plain.docks.algorithm->titleBarWidget()->height() == 0); // the tab is the title
     }
     void panelsThatAreTooHighShareTheLowestPlace()

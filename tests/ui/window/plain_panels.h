@@ -63,8 +63,13 @@ private:
 
 public:
     QMainWindow window;
-    PanelDocks docks{plain("start"), plain("algorithm"), plain("window"),
-                     plain("line"),  plain("layers"),    {plain("compare"), plain("difference")}};
+    PanelDocks docks{plain("start"),
+                     plain("algorithm"),
+                     plain("window"),
+                     plain("selection"),
+                     plain("line"),
+                     plain("layers"),
+                     {plain("compare"), plain("difference")}};
     bool inspecting = false;
     std::unique_ptr<PanelLayout> layout;
 };
