@@ -3,6 +3,7 @@
 
 #include "app/base/heap_bytes.h"
 #include "app/commands/undo_command.h"
+#include "app/document/affine_map.h"
 #include "app/document/edited_document.h"
 
 #include <functional>
@@ -14,11 +15,13 @@ namespace app {
 struct Derivation {
     enum class How : std::uint8_t {
         Unknown,
-        Placed,  ///< `changed` with place() and `where` makes them (move_objects.h)
-        Restyled ///< only their styles differ
+        Placed,   ///< `changed` with place() and `where` makes them (move_objects.h)
+        Restyled, ///< only their styles differ
+        Mapped    ///< `changed` with transform() and `map` makes them (transform_objects.h)
     };
     How how = How::Unknown;
     Placement where{};
+    AffineMap map{};
 };
 
 /// A command that consists of one edit of the document. It stores the next edit to apply: after

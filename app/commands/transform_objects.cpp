@@ -26,14 +26,6 @@ void transform(Path& path, Recipe& recipe, const AffineMap& map)
     path = outline ? Path(std::span(&*outline, 1)) : mapped(path, map);
 }
 
-/// Shares the particulars of objects without a recipe.
-void transform(ObjectRow& object, const AffineMap& map)
-{
-    Recipe none;
-    const bool hasRecipe = object.particulars->recipe.index() != 0;
-    transform(object.path, hasRecipe ? object.particulars.own().recipe : none, map);
-}
-
 void scaleStroke(Style& style, double scale)
 {
     style.width *= scale;
@@ -54,7 +46,21 @@ Edit transformed(const Document& document, const ObjectRanges& objects, const Af
     });
 }
 
+Derivation derivation(const AffineMap& map, StrokeScaling strokes)
+{
+    return strokes == StrokeScaling::Keep ? Derivation{Derivation::How::Mapped, {}, map}
+                                          : Derivation{};
+}
+
 } // namespace
+
+/// Shares the particulars of objects without a recipe.
+void transform(ObjectRow& object, const AffineMap& map)
+{
+    Recipe none;
+    const bool hasRecipe = object.particulars->recipe.index() != 0;
+    transform(object.path, hasRecipe ? object.particulars.own().recipe : none, map);
+}
 
 TransformObjects::TransformObjects(EditedDocument& document, const ObjectRanges& objects,
                                    std::span<const AffineMap> maps, const QString& text)
@@ -89,7 +95,8 @@ Edit copying(const Document& document, const ObjectRanges& objects, std::span<co
 TransformObjects::TransformObjects(EditedDocument& document, const ObjectRanges& objects,
                                    const AffineMap& map, StrokeScaling strokes, const QString& text,
                                    Merging merging)
-    : EditCommand(row, document, transformed(document.now(), objects, map, strokes), text, merging)
+    : EditCommand(row, document, transformed(document.now(), objects, map, strokes), text, merging,
+                  derivation(map, strokes))
 {
 }
 

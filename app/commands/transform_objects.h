@@ -22,6 +22,9 @@ public:
                      std::span<const AffineMap> maps, const QString& text);
 };
 
+/// The path of the object after the map, and what remains of its recipe.
+void transform(ObjectRow& object, const AffineMap& map);
+
 /// Adds a copy of each object for each map, in one step.
 class CopyObjects : public EditCommand {
 public:

@@ -2,6 +2,7 @@
 #include "app/recovery/change_bytes.h"
 
 #include "app/commands/move_objects.h"
+#include "app/commands/transform_objects.h"
 
 #include <algorithm>
 
@@ -93,6 +94,8 @@ void writeChange(ByteWriter& out, const EditCommand& command, const Document& no
     writeSplices(out, splices);
     if (how == How::Placed) {
         out.put(command.derivation().where);
+    } else if (how == How::Mapped) {
+        out.put(command.derivation().map);
     } else if (how == How::Restyled) {
         writeStyles(out, now, splices);
     } else {
@@ -110,7 +113,7 @@ void writeChange(ByteWriter& out, const EditCommand& command, const Document& no
 
 std::optional<Change> readChange(ByteReader& in, const Document& document)
 {
-    const How how = in.choice(How::Restyled);
+    const How how = in.choice(How::Mapped);
     std::vector<Splice> splices = readSplices(in);
     std::uint64_t end = 0;
     for (const Splice& s : splices) {
@@ -126,6 +129,10 @@ std::optional<Change> readChange(ByteReader& in, const Document& document)
         const auto where = change.derivation.where = in.get<Placement>();
         change.edit = changed(document, addedBy(splices),
                               [&](ObjectRow& object, StyleTable&) { place(object, where); });
+    } else if (how == How::Mapped) {
+        const auto map = change.derivation.map = in.get<AffineMap>();
+        change.edit = changed(document, addedBy(splices),
+                              [&](ObjectRow& object, StyleTable&) { transform(object, map); });
     } else if (how == How::Restyled) {
         auto edit = readStyles(in, document, splices);
         if (!edit)

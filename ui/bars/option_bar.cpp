@@ -37,7 +37,7 @@ QIcon strokeColourIcon(const std::optional<app::Colour>& colour, const Look& loo
     painter.fillRect(square, colour
                                  ? QColor(colour->red, colour->green, colour->blue, colour->alpha)
                                  : look.base);
-    painter.setPen(look.border);
+    painter.setPen(look.control); // black on a dark bar, too
     painter.drawRect(square.adjusted(0, 0, -1, -1));
     if (!colour)
         painter.drawLine(square.bottomLeft(), square.topRight());

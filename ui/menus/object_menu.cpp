@@ -48,7 +48,7 @@ ActionInfo repeat()
 {
     return {
         .key = "repeat",
-        .text = tr("Repeat in ro&ws or around a point…"),
+        .text = tr("Repeat in rows or aroun&d a point…"),
         .keys = {QKeySequence("Ctrl+Shift+D")},
         .run =
             [](MainWindow& w) {
