@@ -46,7 +46,7 @@ Edit transformed(const Document& document, const ObjectRanges& objects, const Af
     });
 }
 
-Derivation derivation(const AffineMap& map, StrokeScaling strokes)
+Derivation derivedBy(const AffineMap& map, StrokeScaling strokes)
 {
     return strokes == StrokeScaling::Keep ? Derivation{Derivation::How::Mapped, {}, map}
                                           : Derivation{};
@@ -96,7 +96,7 @@ TransformObjects::TransformObjects(EditedDocument& document, const ObjectRanges&
                                    const AffineMap& map, StrokeScaling strokes, const QString& text,
                                    Merging merging)
     : EditCommand(row, document, transformed(document.now(), objects, map, strokes), text, merging,
-                  derivation(map, strokes))
+                  derivedBy(map, strokes))
 {
 }
 

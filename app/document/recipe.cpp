@@ -9,6 +9,8 @@
 namespace app {
 namespace {
 
+constexpr double rounding = 1e-9; // relative to the size
+
 bool alike(const Point& scale) { return std::abs(scale.x) == std::abs(scale.y); }
 
 struct Placed {
@@ -68,9 +70,11 @@ struct Turned {
         if (swapsAxes)
             return EllipseRecipe{map(r.centre),
                                  {r.radii.y * std::abs(map.y.x), r.radii.x * std::abs(map.x.y)}};
-        if (r.radii.x != r.radii.y || !keepsShape)
+        const double radius = (r.radii.x + r.radii.y) / 2;
+        const bool isCircle = std::abs(r.radii.x - r.radii.y) <= rounding * radius;
+        if (!isCircle || !keepsShape)
             return {};
-        return EllipseRecipe{map(r.centre), r.radii * map.scale()};
+        return EllipseRecipe{map(r.centre), Point(radius * map.scale())};
     }
     Recipe operator()(const StarRecipe& r) const
     {

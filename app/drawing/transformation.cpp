@@ -13,27 +13,27 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("Transformation", text); }
 
-AffineMap move(const GestureStart& start, const GestureEnd& end, Axis, double times)
+AffineMap move(const GestureStart& start, const GestureEnd& end, Along, double times)
 {
     return translation((end.point - start.from) * times);
 }
 
-AffineMap rotate(const GestureStart& start, const GestureEnd& end, Axis, double times)
+AffineMap rotate(const GestureStart& start, const GestureEnd& end, Along, double times)
 {
     return rotation(end.numbers[0] * times, start.from);
 }
 
-AffineMap scale(const GestureStart& start, const GestureEnd& end, Axis axis, double times)
+AffineMap scale(const GestureStart& start, const GestureEnd& end, Along axis, double times)
 {
     const double factor = std::pow(end.numbers[0], times);
-    return scaling({axis == Axis::Y ? 1 : factor, axis == Axis::X ? 1 : factor}, start.from);
+    return scaling({axis == Along::Y ? 1 : factor, axis == Along::X ? 1 : factor}, start.from);
 }
 
-AffineMap skew(const GestureStart& start, const GestureEnd& end, Axis axis, double times)
+AffineMap skew(const GestureStart& start, const GestureEnd& end, Along axis, double times)
 {
     const double degrees = end.numbers[0] * times;
-    return axis == Axis::Y ? verticalSkew(degrees, start.from)
-                           : horizontalSkew(degrees, start.from);
+    return axis == Along::Y ? verticalSkew(degrees, start.from)
+                            : horizontalSkew(degrees, start.from);
 }
 
 } // namespace

@@ -12,7 +12,7 @@
 namespace app {
 
 /// The axis along which a transformation acts.
-enum class Axis : std::uint8_t { Both, X, Y };
+enum class Along : std::uint8_t { Both, X, Y };
 
 /// One kind of transformation. A gesture of it begins with the pivot at `GestureStart::from`.
 struct Transformation {
@@ -21,9 +21,9 @@ struct Transformation {
     QString name;         ///< "Rotate": in menus
     QString undoText;     ///< "Rotate selection"
     QString needs;        ///< the sentence if nothing is selected
-    const GestureMeasure& (*measure)(Axis axis);
+    const GestureMeasure& (*measure)(Along axis);
     /// What the gesture does if it is done `times` times, or a part of it.
-    AffineMap (*map)(const GestureStart& start, const GestureEnd& end, Axis axis, double times);
+    AffineMap (*map)(const GestureStart& start, const GestureEnd& end, Along axis, double times);
     /// The pivot follows the gesture. Otherwise it stays, and the pointer's first place counts.
     bool movesPivot = false;
 };

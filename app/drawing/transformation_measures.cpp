@@ -55,19 +55,19 @@ double quotient(const Point& old, const Point& now)
     return glm::dot(old, now) < 0 ? -factor : factor;
 }
 
-template <Axis axis>
+template <Along axis>
 GestureMeasure scalingAlong()
 {
     const auto values = [](const GestureStart& start, const Point& to) -> std::array<double, 2> {
-        const Point only(axis == Axis::Y ? 0 : 1, axis == Axis::X ? 0 : 1);
+        const Point only(axis == Along::Y ? 0 : 1, axis == Along::X ? 0 : 1);
         return {quotient((start.pointer - start.from) * only, (to - start.from) * only), 0};
     };
     const auto end = [](const GestureStart& start, const Point& pointer, const Held& held) {
         return held[0] ? start.from + (start.pointer - start.from) * *held[0] : pointer;
     };
-    const QString name = axis == Axis::X   ? tr("Scale X")
-                         : axis == Axis::Y ? tr("Scale Y")
-                                           : tr("Scale");
+    const QString name = axis == Along::X   ? tr("Scale X")
+                         : axis == Along::Y ? tr("Scale Y")
+                                            : tr("Scale");
     return {{{name, Quantity::Factor}}, values, end, Points::Refused};
 }
 
@@ -94,13 +94,13 @@ GestureMeasure skewAlong(const QString& name)
 
 } // namespace
 
-const GestureMeasure& moveMeasure(Axis axis)
+const GestureMeasure& moveMeasure(Along axis)
 {
     static const GestureMeasure x = wayAlong<0>(tr("X")), y = wayAlong<1>(tr("Y"));
-    return axis == Axis::X ? x : axis == Axis::Y ? y : lengthAndAngle();
+    return axis == Along::X ? x : axis == Along::Y ? y : lengthAndAngle();
 }
 
-const GestureMeasure& rotationMeasure(Axis)
+const GestureMeasure& rotationMeasure(Along)
 {
     static const GestureMeasure measure{
         {{tr("Angle"), Quantity::Angle}},
@@ -117,17 +117,17 @@ const GestureMeasure& rotationMeasure(Axis)
     return measure;
 }
 
-const GestureMeasure& scalingMeasure(Axis axis)
+const GestureMeasure& scalingMeasure(Along axis)
 {
-    static const GestureMeasure both = scalingAlong<Axis::Both>(), x = scalingAlong<Axis::X>(),
-                                y = scalingAlong<Axis::Y>();
-    return axis == Axis::X ? x : axis == Axis::Y ? y : both;
+    static const GestureMeasure both = scalingAlong<Along::Both>(), x = scalingAlong<Along::X>(),
+                                y = scalingAlong<Along::Y>();
+    return axis == Along::X ? x : axis == Along::Y ? y : both;
 }
 
-const GestureMeasure& skewMeasure(Axis axis)
+const GestureMeasure& skewMeasure(Along axis)
 {
     static const GestureMeasure x = skewAlong<0>(tr("Skew X")), y = skewAlong<1>(tr("Skew Y"));
-    return axis == Axis::Y ? y : x;
+    return axis == Along::Y ? y : x;
 }
 
 } // namespace app

@@ -6,12 +6,12 @@
 namespace app {
 
 /// Length and angle of the way; along an axis, only the way on it.
-const GestureMeasure& moveMeasure(Axis axis);
+const GestureMeasure& moveMeasure(Along axis);
 /// The angle about the pivot from where the pointer was to where it is.
-const GestureMeasure& rotationMeasure(Axis axis);
+const GestureMeasure& rotationMeasure(Along axis);
 /// The pointer's distance from the pivot, divided by that at the start; negative on the other side.
-const GestureMeasure& scalingMeasure(Axis axis);
+const GestureMeasure& scalingMeasure(Along axis);
 /// The angle by which the lines across the axis lean, below 90°.
-const GestureMeasure& skewMeasure(Axis axis);
+const GestureMeasure& skewMeasure(Along axis);
 
 } // namespace app

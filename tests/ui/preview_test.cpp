@@ -78,7 +78,8 @@ struct Desk : TestWindow {
     /// The shown texts of X, Y, W and H.
     std::array<double, 4> numbers() const
     {
-        return {fields[0]->value(), fields[1]->value(), fields[2]->value(), fields[3]->value()};
+        const auto seen = [&](int i) { return std::round(fields[i]->value() * 100) / 100; };
+        return {seen(0), seen(1), seen(2), seen(3)};
     }
     /// The numbers of a clip window, rounded like the fields.
     std::array<double, 4> numbersOf(const clipping::Window& w) const

@@ -167,7 +167,7 @@ void SelectionPanel::follow()
 void SelectionPanel::edit(const app::SelectionNumber& number, double value, app::Merging merging)
 {
     if (const auto error = app::setSelectionNumber(session_, number, frame(), value, merging))
-        emit refused(*error);
+        emit session_.refused(*error);
     soon_.start(0);
 }
 

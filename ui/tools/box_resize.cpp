@@ -68,7 +68,7 @@ const app::GestureMeasure& BoxResize::measure() const
 {
     const auto [x, y] = now_->handle;
     if (now_->modifiers & Qt::ShiftModifier)
-        return app::scalingMeasure(app::Axis::Both);
+        return app::scalingMeasure(app::Along::Both);
     const app::Anchor anchor = anchorOf(now_->modifiers);
     return x != 0 && y != 0 ? app::widthAndHeight(app::Proportion::Free, anchor)
                             : app::sideLength(x != 0 ? 0 : 1, anchor);

@@ -51,7 +51,7 @@ void TransformGesture::proceed(const Pointer& pointer, const Workbench& bench)
     now_->snap.reset();
     now_->last = pointer.raw;
     const bool steps = pointer.modifiers & Qt::ShiftModifier;
-    if (now_->kind->movesPivot && now_->axis == app::Axis::Both && !pointer.held && !steps)
+    if (now_->kind->movesPivot && now_->axis == app::Along::Both && !pointer.held && !steps)
         snap(pointer, bench);
 }
 
@@ -178,15 +178,15 @@ bool TransformGesture::key(const QKeyEvent& event, const Workbench& bench)
 {
     if (!wants(event))
         return false;
-    const auto hold = [this](app::Axis axis) {
-        now_->axis = now_->axis == axis ? app::Axis::Both : axis;
+    const auto hold = [this](app::Along axis) {
+        now_->axis = now_->axis == axis ? app::Along::Both : axis;
         now_->end = atRest(*now_);
         return true;
     };
     if (event.key() == Qt::Key_X)
-        return hold(app::Axis::X);
+        return hold(app::Along::X);
     if (event.key() == Qt::Key_Y)
-        return hold(app::Axis::Y);
+        return hold(app::Along::Y);
     if (event.key() == Qt::Key_P)
         return putPivot(bench);
     now_->copies = !now_->copies;

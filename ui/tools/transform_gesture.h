@@ -40,7 +40,7 @@ private:
         app::Point shift; ///< from the pointer to the point that it moves
         app::ObjectRanges objects;
         app::GestureEnd end;
-        app::Axis axis = app::Axis::Both;
+        app::Along axis = app::Along::Both;
         bool copies = false;
         app::Point pressed{}, last{}; ///< where the pointer was at first, and is
         app::OwnPoints own{};         ///< of the selection, if it is moved

@@ -112,11 +112,14 @@ void Arrangement::shareHeight(const Situation& situation)
 {
     if (tabs_ > 0)
         return shareHeightAbove(*docks_.stack()[docks_.stack().size() - tabs_]);
-    const int algorithm = wantedHeight(docks_.algorithm), window = wantedHeight(docks_.window);
-    const int rest = std::max(leastRest, window_.height() - barsAndSeparators - algorithm - window);
+    const int algorithm = wantedHeight(docks_.algorithm), window = wantedHeight(docks_.window),
+              selection = wantedHeight(docks_.selection);
+    const int rest =
+        std::max(leastRest, window_.height() - barsAndSeparators - algorithm - window - selection);
     const int line = situation.inspecting ? rest * 11 / 20 : emptyLine;
-    window_.resizeDocks({docks_.algorithm, docks_.window, docks_.line, docks_.layers},
-                        {algorithm, window, line, rest - line}, Qt::Vertical);
+    window_.resizeDocks(
+        {docks_.algorithm, docks_.window, docks_.selection, docks_.line, docks_.layers},
+        {algorithm, window, selection, line, rest - line}, Qt::Vertical);
 }
 
 /// `lower` holds the place of the lowest panels.
@@ -125,7 +128,7 @@ void Arrangement::shareHeightAbove(Dock& lower)
     QList<QDockWidget*> docks;
     QList<int> heights;
     int rest = window_.height() - barsHeight;
-    for (Dock* dock : {docks_.algorithm, docks_.window}) {
+    for (Dock* dock : {docks_.algorithm, docks_.window, docks_.selection}) {
         if (dock == &lower)
             break;
         docks << dock;

@@ -32,8 +32,8 @@ public:
 
     /// Places all panels in the fitting form. Closed comparison panels stay closed.
     void place(const Situation& situation);
-    /// Shares the column's height among the panels of a stack: algorithm and clip window get what
-    /// they need, line and layers the rest.
+    /// Shares the column's height among the panels of a stack: algorithm, clip window and selection get
+    /// what they need, line and layers the rest.
     void shareHeight(const Situation& situation);
 
 private:

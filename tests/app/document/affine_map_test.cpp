@@ -70,6 +70,8 @@ private slots:
         QVERIFY(mapped(box, quarter) == Recipe(RectangleRecipe{{2, -11}, {20, 10}, 3}));
         QVERIFY(mapped(oval, quarter) == Recipe(EllipseRecipe{{2, -1}, {4, 3}}));
         QVERIFY(mapped(circle, some).index() == circle.index());
+        const Recipe drawn = EllipseRecipe{{1, 2}, {53.3 - 50, (13.3 - 6.7) / 2}}; // rounded
+        QVERIFY(mapped(drawn, some).index() == drawn.index());
         QVERIFY(mapped(star, some).index() == star.index());
         for (const Recipe& lost : {box, oval, text})
             QVERIFY(mapped(lost, some).index() == 0);

@@ -14,7 +14,7 @@ class TransformationTest : public QObject {
 
     /// A gesture about (100, 50) that began with the pointer at (110, 50).
     struct Gesture {
-        explicit Gesture(const char* key, Axis along = Axis::Both)
+        explicit Gesture(const char* key, Along along = Along::Both)
             : kind(*findTransformation(key)), axis(along),
               readout({&kind.measure(axis), {{100, 50}, {110, 50}}, {7, 9}, {Unit::Mm, 1}})
         {
@@ -27,7 +27,7 @@ class TransformationTest : public QObject {
                          : AffineMap{{0, 0}, {0, 0}};
         }
         const Transformation& kind;
-        Axis axis;
+        Along axis;
         Readout readout;
     };
     static bool near(const Point& a, const Point& b) { return glm::distance(a, b) < 1e-9; }
@@ -53,20 +53,20 @@ private slots:
         QCOMPARE(Gesture("rotate").map("90", {1, 2})(p), Point(100, 30));
         QCOMPARE(Gesture("scale").map("2", {1, 2})(Point(103, 54)), Point(106, 58));
         QCOMPARE(Gesture("scale").map("150%", {1, 2})(p), Point(130, 50));
-        QCOMPARE(Gesture("scale", Axis::X).map("-1", {1, 2})(Point(103, 54)), Point(97, 54));
+        QCOMPARE(Gesture("scale", Along::X).map("-1", {1, 2})(Point(103, 54)), Point(97, 54));
         QVERIFY(near(Gesture("skew").map("45", {1, 2})(Point(100, 40)), {110, 40}));
-        QVERIFY(near(Gesture("skew", Axis::Y).map("45", {1, 2})(Point(110, 50)), {110, 40}));
+        QVERIFY(near(Gesture("skew", Along::Y).map("45", {1, 2})(Point(110, 50)), {110, 40}));
         QCOMPARE(Gesture("move").map("10,20", {1, 2})(p), Point(130, 70));
         QCOMPARE(Gesture("move").map("#10,20", {1, 2})(Point(100, 50)), Point(17, 29));
-        QCOMPARE(Gesture("move", Axis::Y).map("-5", {1, 2})(p), Point(120, 45));
+        QCOMPARE(Gesture("move", Along::Y).map("-5", {1, 2})(p), Point(120, 45));
     }
     void pointerDecidesWhatIsNotTyped()
     {
         QVERIFY(near(Gesture("rotate").map("", {100, 40})(Point(120, 50)), {100, 30}));
         QCOMPARE(Gesture("scale").map("", {125, 50})(Point(102, 50)), Point(105, 50));
         QCOMPARE(Gesture("scale").map("", {90, 50})(Point(102, 50)), Point(98, 50));
-        QCOMPARE(Gesture("move", Axis::X).map("", {130, 99})(Point(0, 0)), Point(30, 0));
-        QCOMPARE(Gesture("scale", Axis::Y).map("", {500, 99})(Point(0, 0)), Point(0, 0));
+        QCOMPARE(Gesture("move", Along::X).map("", {130, 99})(Point(0, 0)), Point(30, 0));
+        QCOMPARE(Gesture("scale", Along::Y).map("", {500, 99})(Point(0, 0)), Point(0, 0));
     }
     void stepsOfAnAngle()
     {

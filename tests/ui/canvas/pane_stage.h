@@ -36,6 +36,7 @@ public:
     {
         show(count);
         canvas->fitDrawing();
+        canvas->setSnapping(app::SnapTo::Nothing);
     }
     void show(std::size_t count)
     {

@@ -90,7 +90,7 @@ private slots:
     void theStepsOfNodesAreInASubmenuInGroups()
     {
         const TestWindow t;
-        const QMenu* path = menuOf(t, "&Object")->actions().front()->menu();
+        const QMenu* path = menuOf(t, "&Object")->actions().back()->menu();
         QVERIFY(path && path->toolTipsVisible());
         QStringList wanted;
         for (const app::NodeStep& step : notEmpty(app::nodeSteps()))

@@ -41,7 +41,7 @@ private slots:
     void deletedNode()
     {
         check({key("P"), type("10,10"), enter(), type("20,0"), enter(), type("20,0"), enter(),
-               key("N"), click({30, 10}), key("Delete")},
+               key("V"), click({20, 10}), key("N"), click({30, 10}), key("Delete")},
               {{{{10, 10}, {50, 10}}}});
     }
     void fourLinesJoined()
@@ -49,7 +49,7 @@ private slots:
         check({key("L"), type("10,10"), enter(), type("30,0"), enter(), type("0,20"), enter(),
                type("-30,0"), enter(), type("0,-20"), enter(), key("V"), key("Ctrl+A"),
                key("Shift+J")},
-              {{{{10, 10}, {40, 10}, {40, 30}, {10, 30}}, true}});
+              {{{{10, 30}, {10, 10}, {40, 10}, {40, 30}}, true}});
     }
 };
 

@@ -56,11 +56,11 @@ private slots:
         const double step = std::numbers::pi / 6;
         Table rays;
         for (int i = 0; i < 6; ++i) {
-            const app::Point arm(20 * std::cos(i * step), -20 * std::sin(i * step));
+            const app::Point arm(-20 * std::sin(i * step), -20 * std::cos(i * step));
             rays.push_back({{app::Point(60, 50) - arm, app::Point(60, 50) + arm}});
         }
-        check({key("L"), type("40,50"), enter(), type("40"), tab(), type("0.0"), enter(), key("V"),
-               click({50, 50}), key("O"), key("C"), type("30"), enter(), type("5x"), enter()},
+        check({key("L"), type("60,70"), enter(), type("40"), tab(), type("90"), enter(), key("V"),
+               click({60, 60}), key("O"), key("C"), type("30"), enter(), type("5x"), enter()},
               rays);
     }
     void turnedGroup()
