@@ -40,17 +40,15 @@ private slots:
     }
     void stairs()
     {
-        check({key("P"), type("0,0"), enter(), type("0,-17"), enter(), type("29,0"), enter(),
-               key("V"), click({10, -17}), key("G"), key("C"), type("29,-17"), enter(), type("6x"),
-               enter()},
-              [] {
-                  Table steps;
-                  for (int i = 0; i < 7; ++i) {
-                      const app::Point at(29 * i, -17 * i);
-                      steps.push_back({{at, at + app::Point(0, -17), at + app::Point(29, -17)}});
-                  }
-                  return steps;
-              }());
+        Table steps;
+        for (int i = 0; i < 7; ++i) {
+            const app::Point at(20 + 290 * i, 190 - 170 * i);
+            steps.push_back({{at, at + app::Point(0, -170), at + app::Point(290, -170)}});
+        }
+        check({key("P"), type("20,190"), enter(), type("0,-170"), enter(), type("290,0"), enter(),
+               key("V"), click({20, 100}), key("G"), key("C"), type("290,-170"), enter(),
+               type("6x"), enter()},
+              steps);
     }
 };
 

@@ -11,7 +11,7 @@ class NodesTest : public QObject {
     {
         return {key("R"), type("10,10"), enter(), type("40"), tab(), type("20"), enter(), key("V")};
     }
-    static Steps joined(Steps first, const Steps& then)
+    static Steps both(Steps first, const Steps& then)
     {
         first.insert(first.end(), then.begin(), then.end());
         return first;
@@ -28,23 +28,17 @@ private slots:
     }
     void insertedNode()
     {
-        check(joined(rectangle(),
-                     {doubleClick({20, 10}), doubleClick({20, 10}), type("30,-2"), enter()}),
+        check(both(rectangle(),
+                   {doubleClick({20, 10}), doubleClick({20, 10}), type("30,-2"), enter()}),
               {{{{10, 10}, {30, -2}, {50, 10}, {50, 30}, {10, 30}}, true}});
     }
     void split()
     {
-        check(joined(rectangle(), {doubleClick({20, 10}), click({10, 10}),
-                                   click({50, 30}, Qt::ShiftModifier), key("Shift+B")}),
+        check(both(rectangle(), {doubleClick({20, 10}), click({10, 10}),
+                                 click({50, 30}, Qt::ShiftModifier), key("Shift+B")}),
               {{{{10, 10}, {50, 10}, {50, 30}}}, {{{50, 30}, {10, 30}, {10, 10}}}});
     }
-    void deletedNode()
-    {
-        check({key("P"), type("10,10"), enter(), type("20,0"), enter(), type("20,0"), enter(),
-               key("V"), click({20, 10}), key("N"), click({30, 10}), key("Delete")},
-              {{{{10, 10}, {50, 10}}}});
-    }
-    void fourLinesJoined()
+    void joined()
     {
         check({key("L"), type("10,10"), enter(), type("30,0"), enter(), type("0,20"), enter(),
                type("-30,0"), enter(), type("0,-20"), enter(), key("V"), key("Ctrl+A"),

@@ -63,21 +63,6 @@ private slots:
                click({60, 60}), key("O"), key("C"), type("30"), enter(), type("5x"), enter()},
               rays);
     }
-    void turnedGroup()
-    {
-        Steps steps;
-        rectangle(steps, "40,50", "30", "20");
-        const Steps more{key("V"), click({48, 50}), key("O"), move({40.3, 50.3}),
-                         key("P"), type("33.5"),    enter()};
-        steps.insert(steps.end(), more.begin(), more.end());
-        const double angle = glm::radians(33.5);
-        const app::Point across(std::cos(angle), -std::sin(angle)),
-            down(std::sin(angle), std::cos(angle));
-        const app::Point corner(40, 50);
-        check(steps, {{{corner, corner + across * 30.0, corner + across * 30.0 + down * 20.0,
-                        corner + down * 20.0},
-                       true}});
-    }
     void holeCircle()
     {
         Steps steps{key("E"), type("10,10"),    enter(), type("80"),  tab(), type("80"),  enter(),
@@ -97,10 +82,14 @@ private slots:
         Steps steps;
         rectangle(steps, "10,10", "30", "10");
         rectangle(steps, "10,40", "12", "5");
+        rectangle(steps, "60,10", "40", "12");
         rectangle(steps, "60,60", "25", "8");
-        const Steps more{key("V"), key("Ctrl+A"), key("Alt+O"), type("zw")};
+        const Steps more{key("V"), key("Ctrl+A"), key("Alt+O"), type("z"), type("w")};
         steps.insert(steps.end(), more.begin(), more.end());
-        check(steps, boxes({{{10, 10}, {35, 20}}, {{10, 40}, {35, 45}}, {{60, 60}, {85, 68}}}));
+        check(steps, boxes({{{10, 10}, {35, 20}},
+                            {{10, 40}, {35, 45}},
+                            {{60, 10}, {85, 22}},
+                            {{60, 60}, {85, 68}}}));
     }
     void labels()
     {
@@ -120,9 +109,12 @@ private slots:
     }
     void nudged()
     {
-        check({key("L"), type("40,50"), enter(), type("20,0"), enter(), key("V"), click({50, 50}),
-               key("Right"), key("Shift+Down"), key("Up")},
-              {{{{41, 59}, {61, 59}}}});
+        Steps steps;
+        for (const char* corner : {"40,50", "80,50", "40,90"})
+            rectangle(steps, corner, "20", "10");
+        const Steps more{key("V"), key("Ctrl+A"), key("Right"), key("Shift+Down"), key("Up")};
+        steps.insert(steps.end(), more.begin(), more.end());
+        check(steps, boxes({{{41, 59}, {61, 69}}, {{81, 59}, {101, 69}}, {{41, 99}, {61, 109}}}));
     }
     void skewedRoof()
     {
@@ -145,13 +137,21 @@ private slots:
     void aligned()
     {
         Steps steps;
-        rectangle(steps, "10,10", "30", "10");
-        rectangle(steps, "22,30", "20", "10");
-        rectangle(steps, "60,60", "10", "10");
-        const Steps more{key("V"),   key("Ctrl+A"), key("Alt+O"),
-                         type("al"), key("Alt+O"),  type("pv")};
+        // Eight squares on a staircase with growing steps, the first and last at 10 and 150.
+        for (const char* corner :
+             {"10,10", "14,15", "20,30", "30,45", "40,70", "60,95", "80,130", "100,150"})
+            rectangle(steps, corner, "10", "10");
+        const Steps more{key("V"),  key("Ctrl+A"), key("Alt+O"), type("a"),
+                         type("l"), key("Alt+O"),  type("p"),    type("v")};
         steps.insert(steps.end(), more.begin(), more.end());
-        check(steps, boxes({{{10, 10}, {40, 20}}, {{10, 35}, {30, 45}}, {{10, 60}, {20, 70}}}));
+        Table table;
+        for (int i = 0; i < 8; ++i) {
+            const app::Point at(10, 10 + 20 * i);
+            table.push_back(
+                {{at, at + app::Point(10, 0), at + app::Point(10, 10), at + app::Point(0, 10)},
+                 true});
+        }
+        check(steps, table);
     }
 };
 
