@@ -21,8 +21,10 @@ Path mapped(const Path& path, const AffineMap& map)
 void transform(Path& path, Recipe& recipe, const AffineMap& map)
 {
     recipe = mapped(recipe, map);
-    // A rotated outline would begin at another corner.
-    const auto outline = map.placement() ? std::nullopt : outlineOf(recipe);
+    // A rotated or mirrored outline would begin at another corner.
+    const auto where = map.placement();
+    const bool turns = !where || where->scale.x < 0 || where->scale.y < 0;
+    const auto outline = turns ? outlineOf(recipe) : std::nullopt;
     path = outline ? Path(std::span(&*outline, 1)) : mapped(path, map);
 }
 

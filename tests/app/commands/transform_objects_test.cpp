@@ -62,6 +62,15 @@ private slots:
             QVERIFY(object.particulars.recipe.index() != 0);
             QVERIFY(makes(object.particulars.recipe, object.path.subpaths()));
         }
+        for (const AffineMap& map : {rotation(180, {3, 4}), scaling({-1, 1}, {3, 4})}) {
+            history.push(new TransformObjects(document, ObjectRanges{0, 1}, map,
+                                              StrokeScaling::Keep, "Turn"));
+            for (const std::size_t i : {0, 1}) {
+                const Object object = document.now().objects()[i].copy();
+                QVERIFY(makes(object.particulars.recipe, object.path.subpaths()));
+            }
+            history.undo();
+        }
         const auto box =
             std::get<RectangleRecipe>(document.now().objects()[0].copy().particulars.recipe);
         QVERIFY(near(box.corner, {20, -40}) && near(box.size, {5, 30}));

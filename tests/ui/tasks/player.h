@@ -41,8 +41,13 @@ public:
     }
     void type(const char* text)
     {
-        for (const char* c = text; *c; ++c)
+        for (const char* c = text; *c; ++c) {
+            const QWidget* menu = QApplication::activePopupWidget();
             QTest::keyClick(receiver(), *c);
+            if (menu) // a submenu opens some milliseconds after its key
+                (void)QTest::qWaitFor([menu] { return QApplication::activePopupWidget() != menu; },
+                                      200);
+        }
     }
     void move(const app::Point& p, Qt::MouseButtons buttons = {}, Qt::KeyboardModifiers with = {})
     {
@@ -145,26 +150,37 @@ inline Step drag(const app::Point& from, const app::Point& to, Qt::KeyboardModif
     return {"drag", [from, to, with](Player& player) { player.drag(from, to, with); }};
 }
 
-inline bool same(const Table& a, const Table& b)
+inline bool same(const Drawn& a, const Drawn& b)
 {
     constexpr double most = 1e-9;
     const auto near = [](const app::Point& p, const app::Point& q) {
         return glm::distance(p, q) <= most;
     };
-    return std::ranges::equal(a, b, [&](const Drawn& one, const Drawn& two) {
-        return one.closed == two.closed && std::ranges::equal(one.points, two.points, near);
-    });
+    return a.closed == b.closed && std::ranges::equal(a.points, b.points, near);
+}
+inline bool same(const Table& a, const Table& b)
+{
+    return std::ranges::equal(a, b, [](const Drawn& p, const Drawn& q) { return same(p, q); });
 }
 
-inline QString text(const Table& table)
+inline QString text(const Drawn& path)
 {
     QString text;
-    for (const Drawn& path : table) {
-        for (const app::Point& p : path.points)
-            text += QString("(%1, %2) ").arg(p.x, 0, 'g', 12).arg(p.y, 0, 'g', 12);
-        text += path.closed ? "closed\n" : "\n";
-    }
-    return text;
+    for (const app::Point& p : path.points)
+        text += QString("(%1, %2) ").arg(p.x, 0, 'g', 12).arg(p.y, 0, 'g', 12);
+    return text + (path.closed ? "closed" : "");
+}
+/// The first path that is not as expected.
+inline QString difference(const Table& drawn, const Table& expected)
+{
+    if (drawn.size() != expected.size())
+        return QString("%1 paths instead of %2").arg(drawn.size()).arg(expected.size());
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+        if (!same(drawn[i], expected[i]))
+            return QString("path %1: %2\ninstead of %3")
+                .arg(i + 1)
+                .arg(text(drawn[i]), text(expected[i]));
+    return {};
 }
 
 inline Table played(const Steps& steps, std::optional<std::size_t> without = {})
@@ -180,7 +196,7 @@ inline Table played(const Steps& steps, std::optional<std::size_t> without = {})
 inline void check(const Steps& steps, const Table& expected)
 {
     const Table all = played(steps);
-    QVERIFY2(same(all, expected), qPrintable("\n" + text(all) + "instead of\n" + text(expected)));
+    QVERIFY2(same(all, expected), qPrintable(difference(all, expected)));
     for (std::size_t i = 0; i < steps.size(); ++i)
         QVERIFY2(!same(played(steps, i), expected),
                  qPrintable(QString("step %1 (%2) is not needed").arg(i + 1).arg(steps[i].what)));

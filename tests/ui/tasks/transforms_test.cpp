@@ -77,20 +77,6 @@ private slots:
         }
         check(steps, circles);
     }
-    void sameSize()
-    {
-        Steps steps;
-        rectangle(steps, "10,10", "30", "10");
-        rectangle(steps, "10,40", "12", "5");
-        rectangle(steps, "60,10", "40", "12");
-        rectangle(steps, "60,60", "25", "8");
-        const Steps more{key("V"), key("Ctrl+A"), key("Alt+O"), type("z"), type("w")};
-        steps.insert(steps.end(), more.begin(), more.end());
-        check(steps, boxes({{{10, 10}, {35, 20}},
-                            {{10, 40}, {35, 45}},
-                            {{60, 10}, {85, 22}},
-                            {{60, 60}, {85, 68}}}));
-    }
     void labels()
     {
         Steps steps;
@@ -112,7 +98,7 @@ private slots:
         Steps steps;
         for (const char* corner : {"40,50", "80,50", "40,90"})
             rectangle(steps, corner, "20", "10");
-        const Steps more{key("V"), key("Ctrl+A"), key("Right"), key("Shift+Down"), key("Up")};
+        const Steps more{key("Ctrl+A"), key("Right"), key("Shift+Down"), key("Up")};
         steps.insert(steps.end(), more.begin(), more.end());
         check(steps, boxes({{{41, 59}, {61, 69}}, {{81, 59}, {101, 69}}, {{41, 99}, {61, 109}}}));
     }
@@ -133,25 +119,6 @@ private slots:
                key("V"), click({48, 50}), key("K"), key("X"), key("C"), move({60.2, 55}), key("P"),
                type("-1"), enter()},
               halves);
-    }
-    void aligned()
-    {
-        Steps steps;
-        // Eight squares on a staircase with growing steps, the first and last at 10 and 150.
-        for (const char* corner :
-             {"10,10", "14,15", "20,30", "30,45", "40,70", "60,95", "80,130", "100,150"})
-            rectangle(steps, corner, "10", "10");
-        const Steps more{key("V"),  key("Ctrl+A"), key("Alt+O"), type("a"),
-                         type("l"), key("Alt+O"),  type("p"),    type("v")};
-        steps.insert(steps.end(), more.begin(), more.end());
-        Table table;
-        for (int i = 0; i < 8; ++i) {
-            const app::Point at(10, 10 + 20 * i);
-            table.push_back(
-                {{at, at + app::Point(10, 0), at + app::Point(10, 10), at + app::Point(0, 10)},
-                 true});
-        }
-        check(steps, table);
     }
 };
 
