@@ -37,6 +37,8 @@ void BoxResize::accept(const app::GestureEnd& end, Workbench& bench)
     now_->end = end;
     const clipping::Window from = now_->bounds, to = target();
     now_.reset();
+    if (session.selection().empty())
+        return; // removed meanwhile
     const auto inspected = session.inspected();
     const std::size_t lines = session.scene.lines().size();
     session.history.push(new app::ResizeObjects(session.document, session.selection(), from, to));

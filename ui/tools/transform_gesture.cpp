@@ -127,8 +127,8 @@ bool TransformGesture::push(const State& state, Workbench& bench) const
     const auto isUsable = [](const app::AffineMap& map) {
         return map.isFinite() && map.scale() > 0;
     };
-    if (!std::ranges::all_of(all, isUsable))
-        return false;
+    if (!std::ranges::all_of(all, isUsable) || session.selection() != state.objects)
+        return false; // or a command has removed objects meanwhile
     if (all.size() * state.objects.size() > mostCopied) {
         emit session.refused(tr("These would be too many objects. Make fewer copies, or select "
                                 "fewer objects."));

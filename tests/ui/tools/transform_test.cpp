@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/remove_objects.h"
+
 #include <QLineEdit>
 #include <QSignalSpy>
 
@@ -192,6 +194,28 @@ private slots:
         hand.type("140\t20\n");
         hand.release({90, 95});
         QVERIFY(hand.is(0, {70, 50}, {150, 50}) && hand.is(1, {10, 70}, {50, 70}));
+    }
+    void whatIsRemovedDuringAGestureStaysRemoved()
+    {
+        for (const char* keys : {"g", "o"}) {
+            Hand hand;
+            hand.type(keys);
+            hand.move({70, 65});
+            hand.session.history.push(
+                new app::RemoveObjects(hand.session.document, hand.session.selection()));
+            hand.type("30\n");
+            QCOMPARE(hand.count(), std::size_t(1));
+            QCOMPARE(hand.session.history.count(), 1);
+        }
+        Hand hand;
+        hand.click({20, 90}, Qt::ShiftModifier);
+        hand.press({80, 90});
+        hand.move({90, 95}, Qt::LeftButton);
+        hand.session.history.push(
+            new app::RemoveObjects(hand.session.document, hand.session.selection()));
+        hand.release({95, 95});
+        QCOMPARE(hand.count(), std::size_t(0));
+        QCOMPARE(hand.session.history.count(), 1);
     }
     void nothingSelectedIsSaid()
     {
