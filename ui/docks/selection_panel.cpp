@@ -14,7 +14,7 @@
 namespace ui {
 namespace {
 
-constexpr int leastFieldWidth = 72;
+constexpr int leastFieldWidth = 72, betweenRows = 4;
 
 /// "3 objects selected"; empty: nothing is.
 QString remarkOn(const app::ObjectRanges& selection)
@@ -33,7 +33,7 @@ SelectionPanel::SelectionPanel(app::Session& session, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(space::dockMargin, space::labelToField, space::dockMargin,
                                space::labelToField);
-    column->setSpacing(space::labelToField);
+    column->setSpacing(betweenRows);
     column->addLayout(makeNumbers());
     column->addLayout(makeButtons());
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
@@ -52,7 +52,7 @@ QLayout* SelectionPanel::makeNumbers()
     using Range = LengthField::Range;
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(space::labelToField);
-    grid->setVerticalSpacing(6);
+    grid->setVerticalSpacing(betweenRows);
     for (const app::SelectionNumber& number : app::selectionNumbers()) {
         const bool isLength = number.quantity == app::Quantity::Length;
         auto* field = new LengthField(number.name, isLength ? Range::NotNegative : Range::Any,
