@@ -14,6 +14,13 @@ constexpr std::size_t mostAdded = 1'000'000; // objects in one step
 
 QString tr(const char* text) { return QCoreApplication::translate("Arrange", text); }
 
+/// Whether all objects of the range are in the set: one of its ranges then holds them.
+bool holds(const ObjectRanges& set, const ObjectRange& range)
+{
+    const auto after = std::ranges::upper_bound(set.ranges(), range.first, {}, &ObjectRange::first);
+    return after != set.ranges().begin() && std::prev(after)->end >= range.end;
+}
+
 /// The objects of the outermost group around an object that is selected as a whole.
 ObjectRange unitAt(std::size_t object, const Session& session)
 {
@@ -21,8 +28,7 @@ ObjectRange unitAt(std::size_t object, const Session& session)
     ObjectRange unit{object, object + 1};
     for (ContainerId id = tree.containerOf(object); id != 0; id = tree.parentOf(id)) {
         const ObjectRange range = tree.rangeOf(id);
-        const bool whole = common(session.selection(), ObjectRanges(range)).size() == range.size();
-        if (tree[id].kind != Container::Kind::Group || !whole)
+        if (tree[id].kind != Container::Kind::Group || !holds(session.selection(), range))
             break;
         unit = range;
     }
@@ -56,7 +62,8 @@ void push(Session& session, std::span<const ArrangedUnit> units, std::span<const
     std::vector<AffineMap> each; // units ascend, so the maps are in the order of the objects
     bool changes = false;
     for (std::size_t i = 0; i < units.size(); ++i) {
-        objects = united(objects, units[i].objects);
+        for (const ObjectRange& range : units[i].objects.ranges())
+            objects.insert(range);
         each.insert(each.end(), units[i].objects.size(), maps[i]);
         changes = changes || maps[i] != AffineMap{.from = maps[i].from, .to = maps[i].from};
     }
@@ -74,20 +81,20 @@ std::vector<AffineMap> translations(std::span<const Point> ways)
 
 } // namespace
 
-std::span<const AlignmentGround> alignmentGrounds()
+std::span<const AlignmentTarget> alignmentTargets()
 {
     using Box = std::optional<clipping::Window>;
     using Units = std::span<const ArrangedUnit>;
     static const std::array all{
-        AlignmentGround{"to-selection", tr("To the &selection"),
+        AlignmentTarget{"to-selection", tr("To the &selection"),
                         [](const Session& session, Units) { return session.selectionBounds(); }},
-        AlignmentGround{
+        AlignmentTarget{
             "to-last", tr("To the object clicked &last"),
             [](const Session& session, Units units) { return Box(lastOf(units, session).box); }},
-        AlignmentGround{
+        AlignmentTarget{
             "to-page", tr("To the &page"),
             [](const Session& session, Units) { return Box(session.now().page().rectangle()); }},
-        AlignmentGround{"to-window", tr("To the &clip window"),
+        AlignmentTarget{"to-window", tr("To the &clip window"),
                         [](const Session& session, Units) { return session.clipWindow(); }},
     };
     return all;
@@ -112,8 +119,8 @@ std::vector<ArrangedUnit> arrangedUnits(const Session& session)
 void align(Session& session, int axis, AlignTo side)
 {
     const auto units = arrangedUnits(session);
-    const auto grounds = alignmentGrounds();
-    const auto ground = std::ranges::find(grounds, session.arrange.ground, &AlignmentGround::key);
+    const auto grounds = alignmentTargets();
+    const auto ground = std::ranges::find(grounds, session.arrange.ground, &AlignmentTarget::key);
     if (units.empty() || ground == grounds.end())
         return;
     const auto to = ground->box(session, units);
@@ -128,6 +135,10 @@ void align(Session& session, int axis, AlignTo side)
 void spreadEvenly(Session& session, int axis)
 {
     const auto units = arrangedUnits(session);
+    if (units.size() < 3) {
+        emit session.refused(tr("Select at least three objects to spread: the outer two stay."));
+        return;
+    }
     push(session, units, translations(spread(boxesOf(units), axis)), tr("Spread selection"));
 }
 

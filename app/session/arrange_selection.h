@@ -17,14 +17,14 @@ struct ArrangedUnit {
 std::vector<ArrangedUnit> arrangedUnits(const Session& session);
 
 /// What selected objects are aligned to: one row of a catalogue.
-struct AlignmentGround {
+struct AlignmentTarget {
     std::string_view key;
     QString name; ///< "To &page"
     /// Empty: there is none now.
     std::optional<clipping::Window> (*box)(const Session& session,
                                            std::span<const ArrangedUnit> units);
 };
-std::span<const AlignmentGround> alignmentGrounds();
+std::span<const AlignmentTarget> alignmentTargets();
 
 // Each is one undo step. Without enough units, or if nothing changes, they do nothing.
 /// Aligns to the ground that session.arrange names.

@@ -134,10 +134,9 @@ std::optional<QString> setSelectionNumber(Session& session, const SelectionNumbe
 {
     const Map map = number.map(session, frame, value);
     if (!map || !map->isFinite() || !(map->scale() > 0))
-        return tr("%1 cannot become %2: the selection has no extent in this direction, or the "
+        return tr("%1 cannot be set to this: the selection has no extent in this direction, or the "
                   "number is not above 0.")
-            .arg(number.name)
-            .arg(value);
+            .arg(number.name);
     if (*map == AffineMap{.from = map->from, .to = map->from})
         return std::nullopt;
     const QString text = tr("Set %1").arg(number.name.toLower());

@@ -167,6 +167,7 @@ private:
     }
     void beginTyping(const QKeyEvent& event);
     bool releaseLocked();
+    void cancelGesture();
     void steer();
     void steer(Pointer& pointer) const;
     void followGauge();

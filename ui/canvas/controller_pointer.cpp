@@ -31,7 +31,7 @@ Pointer Controller::pointerAt(const QPointF& screen, Qt::MouseButtons buttons,
     const app::Point at(screen.x(), screen.y()), raw = view().toDrawing(at);
     snap_ = snapAt(raw, modifiers);
     app::Point position = snap_ ? snap_->point : raw;
-    if (readout_ && modifiers & Qt::ShiftModifier)
+    if (readout_ && tool_->busy() && modifiers & Qt::ShiftModifier)
         position = readout_->toStep(position);
     if (snap_ && glm::distance(position, snap_->point) > bench_.inDrawing(0.1))
         snap_.reset(); // with Shift the line does not lead there

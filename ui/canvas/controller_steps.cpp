@@ -19,9 +19,17 @@ void Controller::undo()
     if (tool_->canTakeBack())
         withTool([&] { tool_->takeBack(bench_); });
     else if (tool_->busy())
-        withTool([&] { tool_->cancel(bench_); });
+        cancelGesture();
     else
         session_.history.undo();
+}
+
+void Controller::cancelGesture()
+{
+    if (typing_)
+        stopTyping();
+    if (tool_->busy())
+        withTool([&] { tool_->cancel(bench_); });
 }
 
 void Controller::redo()

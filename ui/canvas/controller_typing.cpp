@@ -7,9 +7,11 @@ namespace ui {
 namespace {
 
 /// The text with which typing begins; empty: the key types no number.
-QString firstTyped(const QKeyEvent& event)
+QString firstTyped(const QKeyEvent& event, bool points)
 {
-    static const QString first = QStringLiteral("0123456789.,-+<@#(");
+    // Shift+2 and Shift+3 fit the view, unless a point can begin here.
+    const QString first =
+        points ? QStringLiteral("0123456789.,-+<@#(") : QStringLiteral("0123456789.,-+<(");
     const auto others =
         ~Qt::KeyboardModifiers(Qt::ShiftModifier | Qt::KeypadModifier | Qt::GroupSwitchModifier);
     if (event.text().size() != 1 || (event.modifiers() & others))
@@ -21,8 +23,12 @@ QString firstTyped(const QKeyEvent& event)
 
 bool Controller::beginsTyping(const QKeyEvent& event) const
 {
+    if (!readout_ || !mayDraw())
+        return false;
     const bool tab = tool_->busy() && event.key() == Qt::Key_Tab && !event.modifiers();
-    return readout_ && mayDraw() && (tab || !firstTyped(event).isEmpty());
+    const auto points = readout_->gauge().measure->points;
+    const bool point = tool_->busy() || points == app::GestureMeasure::Points::Absolute;
+    return tab || !firstTyped(event, point).isEmpty();
 }
 
 /// Digits that follow a drawn object change it, until the next action.
@@ -34,7 +40,7 @@ void Controller::beginTyping(const QKeyEvent& event)
     typing_ = true;
     if (event.key() == Qt::Key_Tab)
         readout_->activate(1);
-    typeNumber(firstTyped(event));
+    typeNumber(firstTyped(event, true));
     emit typingBegan();
 }
 
@@ -69,7 +75,7 @@ void Controller::acceptNumber()
         return;
     }
     const app::GestureEnd end = readout_->result(aim());
-    stopTyping();
+    typing_ = false;
     readout_.reset();
     withTool([&] { tool_->accept(end, bench_); });
     steer();
@@ -93,6 +99,8 @@ void Controller::transform(const app::Transformation& kind)
 void Controller::stopTyping()
 {
     typing_ = false;
+    if (tool_->corrects()) // a correction ends with its field
+        withTool([&] { tool_->cancel(bench_); });
     if (readout_ && !tool_->busy())
         readout_->releaseTyped(); // nothing is shown that it could hold
     steer();
@@ -122,7 +130,7 @@ app::Point Controller::aim() const
 /// Holds the pointer at what is typed.
 void Controller::steer(Pointer& pointer) const
 {
-    if (!readout_)
+    if (!readout_ || (!tool_->busy() && !readout_->holds()))
         return;
     const app::GestureEnd end = readout_->result(pointer.steered);
     pointer.position = end.point;

@@ -144,8 +144,8 @@ void RepeatDialog::follow()
 
 void RepeatDialog::accept()
 {
-    app::repeatSelection(session_, maps(), tr("Repeat selection"));
-    QDialog::accept();
+    if (app::repeatSelection(session_, maps(), tr("Repeat selection")))
+        QDialog::accept();
 }
 
 } // namespace ui

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int leastFieldWidth = 72, betweenRows = 4;
 
-/// "3 objects selected"; empty: nothing is.
+/// "3 objects"
 QString remarkOn(const app::ObjectRanges& selection)
 {
     const auto tr = [](const char* text) { return SelectionPanel::tr(text); };

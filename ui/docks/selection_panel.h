@@ -14,7 +14,6 @@ namespace ui {
 
 class LengthField;
 class ReferencePoint;
-class UnitBox;
 
 /// The selection in numbers, and what arranges it. With nothing selected everything stays in its
 /// place, disabled. Each edit is one undo step.

@@ -36,7 +36,7 @@ ActionInfo aligned(std::string_view key, const QString& text, int axis, app::Ali
     return row;
 }
 
-ActionInfo alignTo(const app::AlignmentGround& ground)
+ActionInfo alignTo(const app::AlignmentTarget& ground)
 {
     return {
         .key = ground.key,
@@ -63,7 +63,7 @@ std::vector<ActionInfo> arrangementRows()
         aligned("align-middle", tr("M&iddles, one above the other"), 1, AlignTo::Middle),
         aligned("align-bottom", tr("&Bottoms"), 1, AlignTo::Most),
     };
-    for (const app::AlignmentGround& ground : app::alignmentGrounds())
+    for (const app::AlignmentTarget& ground : app::alignmentTargets())
         rows.push_back(alignTo(ground));
     const auto add = [&](ActionInfo row) { rows.push_back(std::move(row)); };
     add(arrange(

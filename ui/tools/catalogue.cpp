@@ -38,7 +38,7 @@ std::span<const ToolInfo> tools()
                  tr("Drag a rectangle to zoom to it. Click to zoom in, Alt+click to zoom out."),
                  QKeySequence("Z"), makeZoomTool},
         ToolInfo{"line", tr("Line"), tr("Click from point to point, or drag. Type a length, Tab, an angle, Enter. Shift: 15° "
-                    "steps, Ctrl: no snapping."),
+                    "steps, Ctrl: no snapping. Esc: end."),
                  QKeySequence("L"), makeLineTool, ToolInfo::Group::New},
         ToolInfo{"polyline", tr("Polyline"),
                  tr("Click to place corners, or type a length, Tab, an angle, Enter. Ctrl+Z removes "

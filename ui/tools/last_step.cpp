@@ -15,6 +15,11 @@ void LastStep::remember(const Workbench& bench)
 {
     steps_ = stepsDone(bench);
     open_ = false;
+    QObject::disconnect(others_);
+    others_ = QObject::connect(&bench.session.history, &app::History::pushed, [this] {
+        steps_.reset(); // as many steps may be other steps
+        open_ = false;
+    });
 }
 
 bool LastStep::canReopen(const Workbench& bench) const

@@ -9,6 +9,11 @@ namespace ui {
 /// with other numbers.
 class LastStep {
 public:
+    LastStep() = default;
+    ~LastStep() { QObject::disconnect(others_); }
+    LastStep(const LastStep&) = delete;
+    LastStep& operator=(const LastStep&) = delete;
+
     void remember(const Workbench& bench); ///< the history's last step
     void forget() { steps_.reset(); }
     /// Whether nothing else has happened since.
@@ -22,6 +27,7 @@ public:
 private:
     std::optional<int> steps_; ///< the number of steps done after it
     bool open_ = false;
+    QMetaObject::Connection others_; ///< to steps of others
 };
 
 } // namespace ui

@@ -22,9 +22,10 @@ app::Point rotationHandle(const clipping::Window& box, const app::View& view)
 
 app::Point PivotMarks::pivot(const Workbench& bench) const
 {
-    if (pivot_ && selection_ == bench.session.selection())
-        return *pivot_;
     const auto bounds = bench.session.selectionBounds().value_or(clipping::Window{});
+    const bool same = bounds.min == bounds_.min && bounds.max == bounds_.max;
+    if (pivot_ && same && selection_ == bench.session.selection())
+        return *pivot_;
     return app::placeOf(app::Handle{}, bounds);
 }
 
@@ -32,6 +33,7 @@ void PivotMarks::put(const app::Point& pivot, const Workbench& bench)
 {
     pivot_ = pivot;
     selection_ = bench.session.selection();
+    bounds_ = bench.session.selectionBounds().value_or(clipping::Window{});
 }
 
 /// In a line and in small objects it would be in the way of moving them.

@@ -23,7 +23,8 @@ private:
     bool isShown(const Workbench& bench) const;
 
     std::optional<app::Point> pivot_; ///< empty: the middle of the selection
-    app::ObjectRanges selection_;     ///< the one to which it belongs
+    app::ObjectRanges selection_;     ///< the one to which it belongs,
+    clipping::Window bounds_{};       ///< as it was
 };
 
 } // namespace ui

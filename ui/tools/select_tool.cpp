@@ -54,6 +54,7 @@ public:
     }
     void accept(const app::GestureEnd& end, Workbench& bench) override;
     void reopen(Workbench& bench) override { transform_.reopen(bench); }
+    bool corrects() const override { return transform_.corrects(); }
 
     QCursor cursor(const Workbench& bench) const override;
     app::SnapTo snapsTo() const override
@@ -229,12 +230,10 @@ void SelectTool::release(const Pointer& pointer, Workbench& bench)
             click(pointer, bench);
         return;
     }
-    const Drag drag = std::exchange(drag_, Drag::None);
-    if (drag == Drag::None)
+    if (drag_ == Drag::None)
         return;
-    drag_ = drag;
-    move(pointer, bench);
-    drag_ = Drag::None;
+    move(pointer, bench); // it may begin the drag
+    const Drag drag = std::exchange(drag_, Drag::None);
     if (drag == Drag::Press)
         click(from_, bench);
     else if (drag == Drag::Box)

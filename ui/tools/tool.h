@@ -27,7 +27,7 @@ struct Pointer {
     app::Point screen;   ///< logical pixels of the canvas
     Qt::MouseButtons buttons;
     Qt::KeyboardModifiers modifiers;
-    app::Point steered; ///< in the drawing, after snapping
+    app::Point steered;              ///< in the drawing, after snapping
     std::array<double, 2> numbers{}; ///< of the gesture, as the readout shows them
     bool held = false;               ///< something is typed or locked
 };
@@ -111,6 +111,7 @@ public:
     /// Goes on with the last gesture in place of what it has drawn, so that typed numbers change
     /// it. Does nothing if anything else has happened since.
     virtual void reopen(Workbench&) {}
+    virtual bool corrects() const { return false; } ///< a finished gesture is open again
 
     /// Begins to move, rotate, scale or skew the selection. False: the tool cannot.
     virtual bool transform(const app::Transformation&, const Pointer&, Workbench&) { return false; }

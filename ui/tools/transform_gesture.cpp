@@ -11,7 +11,6 @@
 namespace ui {
 namespace {
 
-constexpr std::size_t mostPreviewed = 4000;   // lines, while the selection is dragged
 constexpr std::size_t mostCopied = 1'000'000; // objects in one step
 
 QString tr(const char* text) { return QCoreApplication::translate("Tools", text); }
@@ -72,7 +71,9 @@ void TransformGesture::finish(Workbench& bench)
 
 void TransformGesture::accept(const app::GestureEnd& end, Workbench& bench)
 {
-    State state = now_ ? *now_ : done_;
+    if (!now_)
+        return;
+    State state = *now_;
     const auto repeat = state.end.repeat;
     state.end = end;
     if (!end.repeat)
@@ -127,9 +128,14 @@ bool TransformGesture::push(const State& state, Workbench& bench) const
     const auto isUsable = [](const app::AffineMap& map) {
         return map.isFinite() && map.scale() > 0;
     };
-    if (!std::ranges::all_of(all, isUsable) || session.selection() != state.objects)
-        return false; // or a command has removed objects meanwhile
-    if (all.size() * state.objects.size() > mostCopied) {
+    if (session.selection() != state.objects)
+        return false; // a command has removed objects meanwhile
+    if (!std::ranges::all_of(all, isUsable)) {
+        emit session.refused(tr("These numbers leave nothing of the selection, or make it too "
+                                "large. Type others."));
+        return false;
+    }
+    if (state.copies && all.size() * state.objects.size() > mostCopied) {
         emit session.refused(tr("These would be too many objects. Make fewer copies, or select "
                                 "fewer objects."));
         return false;
@@ -170,7 +176,7 @@ bool TransformGesture::putPivot(const Workbench& bench)
 bool TransformGesture::wants(const QKeyEvent& event) const
 {
     static constexpr std::array keys{Qt::Key_X, Qt::Key_Y, Qt::Key_C, Qt::Key_P};
-    return now_ && !(event.modifiers() & ~Qt::KeypadModifier)
+    return now_ && !corrects() && !(event.modifiers() & ~Qt::KeypadModifier)
            && std::ranges::find(keys, event.key()) != keys.end();
 }
 
@@ -237,8 +243,10 @@ void TransformGesture::paint(QPainter& painter, const Workbench& bench) const
 {
     if (!now_)
         return;
-    for (const app::AffineMap& map : maps(*now_))
-        paintMapped(painter, bench, map);
+    const auto all = maps(*now_);
+    const std::size_t most = std::max<std::size_t>(1, mostPreviewed / all.size());
+    for (std::size_t i = 0; i < std::min(all.size(), mostPreviewed); ++i)
+        paintMapped(painter, bench, all[i], most);
     if (now_->kind->movesPivot)
         return;
     const QPointF pivot = bench.onScreen(now_->start.from);
@@ -247,16 +255,17 @@ void TransformGesture::paint(QPainter& painter, const Workbench& bench) const
     PivotMarks::paintPivot(painter, pivot, bench.look);
 }
 
-void paintMapped(QPainter& painter, const Workbench& bench, const app::AffineMap& map)
+void paintMapped(QPainter& painter, const Workbench& bench, const app::AffineMap& map,
+                 std::size_t most)
 {
     const app::SceneLines& all = bench.session.scene.lines();
     const auto at = [&](const app::Point& p) { return bench.onScreen(map(p)); };
     std::vector<QLineF> lines;
     for (const std::size_t shape : bench.session.selection()) {
-        if (lines.size() >= mostPreviewed)
+        if (lines.size() >= most)
             break;
         const auto end = all.firstLineOf(shape + 1);
-        for (auto i = all.firstLineOf(shape); i < end && lines.size() < mostPreviewed; ++i)
+        for (auto i = all.firstLineOf(shape); i < end && lines.size() < most; ++i)
             lines.emplace_back(at(all[i].a), at(all[i].b));
     }
     painter.setPen(QPen(bench.look.selection, 1.5));

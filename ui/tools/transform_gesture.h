@@ -58,7 +58,10 @@ private:
     LastStep last_;
 };
 
-/// Paints the lines of the selection as the map would make them.
-void paintMapped(QPainter& painter, const Workbench& bench, const app::AffineMap& map);
+constexpr std::size_t mostPreviewed = 4000; // lines
+
+/// Paints lines of the selection as the map would make them, at most so many.
+void paintMapped(QPainter& painter, const Workbench& bench, const app::AffineMap& map,
+                 std::size_t most = mostPreviewed);
 
 } // namespace ui

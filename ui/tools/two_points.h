@@ -19,6 +19,7 @@ public:
     std::optional<app::Gauge> gauge(const Workbench& bench) const override;
     void accept(const app::GestureEnd& end, Workbench& bench) override;
     void reopen(Workbench& bench) override;
+    bool corrects() const override { return last_.isOpen(); }
     void paint(QPainter& painter, const Workbench& bench) const override;
 
 protected:

@@ -73,7 +73,7 @@ private slots:
     }
     void everyGroundIsAlignedTo()
     {
-        for (const AlignmentGround& ground : alignmentGrounds()) {
+        for (const AlignmentTarget& ground : alignmentTargets()) {
             Drawing drawing;
             drawing.history.push(new SetWindow(drawing.document, {{5, 6}, {7, 8}}));
             drawing.arrange.ground = ground.key;

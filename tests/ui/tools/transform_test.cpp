@@ -195,6 +195,41 @@ private slots:
         hand.release({90, 95});
         QVERIFY(hand.is(0, {70, 50}, {150, 50}) && hand.is(1, {10, 70}, {50, 70}));
     }
+    void digitDoesNotUndoAnotherStep()
+    {
+        Hand hand;
+        hand.type("g10,0\n");
+        hand.canvas->undo();
+        hand.session.history.push(
+            new app::RemoveObjects(hand.session.document, app::ObjectRanges{1})); // as many steps
+        hand.key(Qt::Key_5);
+        QVERIFY(!qobject_cast<QLineEdit*>(Hand::focused()));
+        QCOMPARE(hand.count(), std::size_t(1));
+        QVERIFY(hand.is(0, {40, 50}, {80, 50}));
+    }
+    void correctionEndsWithItsField()
+    {
+        Hand hand;
+        hand.type("g10,0\n");
+        hand.type("5"); // the step is open
+        QTest::keyClick(Hand::focused(), Qt::Key_Escape);
+        QVERIFY(hand.is(0, {50, 50}, {90, 50}));
+        hand.type("5");
+        hand.canvas->undo(); // cancels the correction
+        QVERIFY(hand.is(0, {50, 50}, {90, 50}));
+        hand.key(Qt::Key_Return);
+        QVERIFY(hand.is(0, {50, 50}, {90, 50}));
+        QCOMPARE(hand.session.history.count(), 1);
+    }
+    void pointerIsFreeAfterADrag()
+    {
+        Hand hand;
+        hand.drag({45, 50}, {65, 50});
+        QSignalSpy moved(hand.canvas.get(), &ui::Canvas::pointerMoved);
+        hand.move({20, 20});
+        const auto at = moved.last()[0].value<std::optional<app::Point>>();
+        QVERIFY(at && near(*at, {20, 20}));
+    }
     void whatIsRemovedDuringAGestureStaysRemoved()
     {
         for (const char* keys : {"g", "o"}) {
