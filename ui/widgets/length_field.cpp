@@ -186,9 +186,9 @@ void LengthField::keyPressEvent(QKeyEvent* event)
     }
     const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     const bool fits = !enters || takesTyped();
-    if (!fits)
-        return event->accept(); // a dialog must not take the old number
     QDoubleSpinBox::keyPressEvent(event);
+    if (!fits)
+        event->accept(); // a dialog must not close with the old number
     if (enters && fits) {
         emit taken();
         emit entered();

@@ -82,6 +82,20 @@ private slots:
             QCOMPARE(field.entered.size(), 0);
         }
     }
+    void enterOnARefusedTextDoesNotReachTheDialog()
+    {
+        Field field;
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field.operator->(), "10+");
+        QKeyEvent enter(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier);
+        QApplication::sendEvent(field.operator->(), &enter);
+        QVERIFY(enter.isAccepted());
+        QCOMPARE(field.refused.size(), 1);
+        QKeyEvent again(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier);
+        QApplication::sendEvent(field.operator->(), &again); // the last number is back
+        QVERIFY(!again.isAccepted());
+    }
     void aLongNumberShowsItsBeginning()
     {
         Field field;
