@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/arrange_selection.h"
 
+#include "app/commands/add_objects.h"
+#include "app/document/editable.h"
 #include "app/scene/bounds.h"
 
 #include <QCoreApplication>
@@ -80,6 +82,20 @@ std::vector<AffineMap> translations(std::span<const Point> ways)
 }
 
 } // namespace
+
+ObjectRanges justAdded(const Session& session)
+{
+    const History& history = session.history;
+    if (!history.canUndo())
+        return {};
+    const UndoCommand& last = history.command(history.index() - 1);
+    if (last.kind().key != AddObjects::row.key && last.kind().key != CopyObjects::row.key)
+        return {};
+    ObjectRanges added;
+    for (const Splice& s : static_cast<const EditCommand&>(last).next().splices) // undoes it
+        added.insert(ObjectRange{s.first, std::size_t(s.first) + s.removed});
+    return common(added, editableObjects(session.now()));
+}
 
 std::span<const AlignmentTarget> alignmentTargets()
 {

@@ -16,6 +16,9 @@ struct ArrangedUnit {
 /// unit if all its objects are selected.
 std::vector<ArrangedUnit> arrangedUnits(const Session& session);
 
+/// The objects that the last step has added, as far as they may be edited; empty: it added none.
+ObjectRanges justAdded(const Session& session);
+
 /// What selected objects are aligned to: one row of a catalogue.
 struct AlignmentTarget {
     std::string_view key;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/arrange_selection.h"
 #include "ui/canvas/controller.h"
 
 // Typed numbers, which make a gesture exact.
@@ -83,6 +84,9 @@ void Controller::acceptNumber()
 
 void Controller::transform(const app::Transformation& kind)
 {
+    endGesture();
+    if (session_.selection().empty())
+        session_.select(app::justAdded(session_));
     if (session_.selection().empty()) {
         emit session_.refused(kind.needs);
         return;

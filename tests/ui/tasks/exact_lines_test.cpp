@@ -46,8 +46,7 @@ private slots:
             steps.push_back({{at, at + app::Point(0, -170), at + app::Point(290, -170)}});
         }
         check({key("P"), type("20,190"), enter(), type("0,-170"), enter(), type("290,0"), enter(),
-               key("V"), click({20, 100}), key("G"), key("C"), type("290,-170"), enter(),
-               type("6x"), enter()},
+               key("G"), key("C"), type("290,-170"), enter(), type("6x"), enter()},
               steps);
     }
 };

@@ -59,16 +59,16 @@ private slots:
             const app::Point arm(-20 * std::sin(i * step), -20 * std::cos(i * step));
             rays.push_back({{app::Point(60, 50) - arm, app::Point(60, 50) + arm}});
         }
-        check({key("L"), type("60,70"), enter(), type("40"), tab(), type("90"), enter(), key("V"),
-               click({60, 60}), key("O"), key("C"), type("30"), enter(), type("5x"), enter()},
+        check({key("L"), type("60,70"), enter(), type("40"), tab(), type("90"), enter(), key("O"),
+               key("C"), type("30"), enter(), type("5x"), enter()},
               rays);
     }
     void holeCircle()
     {
         Steps steps{key("E"), type("10,10"),    enter(), type("80"),  tab(), type("80"),  enter(),
                     key("E"), type("46.7,6.7"), enter(), type("6.6"), tab(), type("6.6"), enter()};
-        const Steps more{key("V"), click({50, 6.7}), key("O"), move({50.3, 50.2}), key("P"),
-                         key("C"), type("60"),       enter(),  type("5x"),         enter()};
+        const Steps more{key("O"), move({50.3, 50.2}), key("P"), key("C"), type("60"),
+                         enter(),  type("5x"),         enter()};
         steps.insert(steps.end(), more.begin(), more.end());
         Table circles{circle({50, 50}, 40)};
         for (int i = 0; i < 6; ++i) {
@@ -106,7 +106,7 @@ private slots:
     {
         Steps steps;
         rectangle(steps, "40,50", "30", "20");
-        const Steps more{key("V"), click({48, 50}), key("J"), type("20"), enter()};
+        const Steps more{key("J"), type("20"), enter()};
         steps.insert(steps.end(), more.begin(), more.end());
         const double lean = 10 * std::tan(glm::radians(20.0));
         check(steps,
@@ -116,8 +116,7 @@ private slots:
     {
         const Table halves{{{{40, 50}, {60, 50}, {60, 70}}}, {{{80, 50}, {60, 50}, {60, 70}}}};
         check({key("P"), type("40,50"), enter(), type("20,0"), enter(), type("0,20"), enter(),
-               key("V"), click({48, 50}), key("K"), key("X"), key("C"), move({60.2, 55}), key("P"),
-               type("-1"), enter()},
+               key("K"), key("X"), key("C"), move({60.2, 55}), key("P"), type("-1"), enter()},
               halves);
     }
 };

@@ -252,6 +252,18 @@ private slots:
         QCOMPARE(hand.count(), std::size_t(0));
         QCOMPARE(hand.session.history.count(), 1);
     }
+    void whatWasJustDrawnIsTransformedWithoutSelectingIt()
+    {
+        Hand hand;
+        hand.session.select({});
+        hand.canvas->setTool("line");
+        hand.type("10,20\n30,0\n");
+        hand.key(Qt::Key_Return);
+        hand.type("g0,7\n");
+        QCOMPARE(hand.count(), std::size_t(3));
+        QVERIFY(hand.is(2, {10, 27}, {40, 27}));
+        QVERIFY(hand.is(0, {40, 50}, {80, 50}));
+    }
     void nothingSelectedIsSaid()
     {
         Hand hand;
