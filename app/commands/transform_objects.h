@@ -25,6 +25,8 @@ public:
 /// The path of the object after the map, and what remains of its recipe.
 void transform(ObjectRow& object, const AffineMap& map);
 
+constexpr std::size_t mostCopied = 1'000'000; ///< objects that one step may add
+
 /// Adds a copy of each object for each map, in one step.
 class CopyObjects : public EditCommand {
 public:

@@ -12,8 +12,6 @@
 namespace app {
 namespace {
 
-constexpr std::size_t mostAdded = 1'000'000; // objects in one step
-
 QString tr(const char* text) { return QCoreApplication::translate("Arrange", text); }
 
 /// Whether all objects of the range are in the set: one of its ranges then holds them.
@@ -135,11 +133,11 @@ std::vector<ArrangedUnit> arrangedUnits(const Session& session)
 void align(Session& session, int axis, AlignTo side)
 {
     const auto units = arrangedUnits(session);
-    const auto grounds = alignmentTargets();
-    const auto ground = std::ranges::find(grounds, session.arrange.ground, &AlignmentTarget::key);
-    if (units.empty() || ground == grounds.end())
+    const auto targets = alignmentTargets();
+    const auto target = std::ranges::find(targets, session.arrange.alignTo, &AlignmentTarget::key);
+    if (units.empty() || target == targets.end())
         return;
-    const auto to = ground->box(session, units);
+    const auto to = target->box(session, units);
     if (!to)
         emit session.refused(tr("There is no clip window to align to. Draw one, or choose "
                                 "something else in Object > Align."));
@@ -172,7 +170,7 @@ bool repeatSelection(Session& session, std::span<const AffineMap> maps, const QS
     const ObjectRanges& originals = session.selection();
     if (maps.empty() || originals.empty())
         return true;
-    if (maps.size() > mostAdded / originals.size())
+    if (maps.size() > mostCopied / originals.size())
         return false;
     Edit edit = copying(session.now(), originals, maps);
     const ObjectRanges added = addedBy(edit.splices);

@@ -30,7 +30,7 @@ struct AlignmentTarget {
 std::span<const AlignmentTarget> alignmentTargets();
 
 // Each is one undo step. Without enough units, or if nothing changes, they do nothing.
-/// Aligns to the ground that session.arrange names.
+/// Aligns to what session.arrange names.
 void align(Session& session, int axis, AlignTo side);
 void spreadEvenly(Session& session, int axis);
 void makeSameSize(Session& session, bool width, bool height);

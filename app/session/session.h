@@ -42,7 +42,7 @@ struct Pen {
 /// How commands on the selection work: not part of the document.
 struct ArrangeOptions {
     StrokeScaling strokes = StrokeScaling::Keep; ///< when objects are scaled
-    std::string_view ground = "to-selection";      ///< key of what objects are aligned to
+    std::string_view alignTo = "to-selection";   ///< key of what objects are aligned to
 };
 
 /// One open drawing with the whole state of an editor window, without a screen.

@@ -2,8 +2,7 @@
 #include "ui/docks/selection_panel.h"
 
 #include "app/base/numbers.h"
-#include "app/session/arrange_selection.h"
-#include "ui/editing/transforming.h"
+#include "app/session/arrangements.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/widgets/length_field.h"
@@ -14,7 +13,7 @@
 namespace ui {
 namespace {
 
-constexpr int leastFieldWidth = 72, betweenRows = 4;
+constexpr int leastFieldWidth = 72, betweenRows = 4, buttonsInRow = 6;
 
 /// "3 objects"
 QString remarkOn(const app::ObjectRanges& selection)
@@ -39,7 +38,10 @@ SelectionPanel::SelectionPanel(app::Session& session, QWidget* parent)
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     soon_.setSingleShot(true);
     connect(&soon_, &QTimer::timeout, this, &SelectionPanel::follow);
-    const auto follow = [this] { soon_.start(0); };
+    const auto follow = [this] {
+        if (isVisible())
+            soon_.start(0);
+    };
     connect(&session, &app::Session::selectionChanged, this, follow);
     connect(&session, &app::Session::displayChanged, this, follow);
     connect(&session.document, &app::EditedDocument::changed, this, follow);
@@ -89,53 +91,29 @@ QLayout* SelectionPanel::makeNumbers()
     return grid;
 }
 
-QToolButton* SelectionPanel::makeButton(std::string_view key, const QString& text,
-                                        std::function<void(app::Session&)> run)
+QToolButton* SelectionPanel::makeButton(const app::Arrangement& how)
 {
     auto* button = new QToolButton;
-    button->setIcon(icon(key));
+    button->setIcon(icon(how.key));
     button->setAutoRaise(true);
     button->setFixedSize(space::fieldHeight, space::fieldHeight);
-    button->setToolTip(text);
-    button->setAccessibleName(text);
-    connect(button, &QToolButton::clicked, this, [this, run = std::move(run)] { run(session_); });
-    needSelection_.push_back(button);
+    button->setToolTip(how.shortcut.isEmpty() ? how.name : how.name + " (" + how.shortcut + ")");
+    button->setAccessibleName(button->toolTip());
+    connect(button, &QToolButton::clicked, this, [this, &how] { how.run(session_); });
     return button;
 }
 
 QLayout* SelectionPanel::makeButtons()
 {
-    using app::AlignTo, app::Session;
-    const auto align = [this](std::string_view key, const QString& text, int axis, AlignTo side) {
-        return makeButton(key, text, [axis, side](Session& s) { app::align(s, axis, side); });
-    };
-    const auto turn = [this](std::string_view key, const QString& text, Turn how) {
-        return makeButton(key, text, [how](Session& s) { turnSelection(s, how); });
-    };
-    const auto spread = [this](std::string_view key, const QString& text, int axis) {
-        auto* button = makeButton(key, text, [axis](Session& s) { app::spreadEvenly(s, axis); });
-        needSeveral_.push_back(button);
-        return button;
-    };
     auto* grid = new QGridLayout;
     grid->setSpacing(2);
-    const std::vector<QWidget*> buttons{
-        align("align-left", tr("Align left sides"), 0, AlignTo::Least),
-        align("align-centre", tr("Align middles, side by side"), 0, AlignTo::Middle),
-        align("align-right", tr("Align right sides"), 0, AlignTo::Most),
-        align("align-top", tr("Align tops"), 1, AlignTo::Least),
-        align("align-middle", tr("Align middles, one above the other"), 1, AlignTo::Middle),
-        align("align-bottom", tr("Align bottoms"), 1, AlignTo::Most),
-        turn("flip-horizontal", tr("Flip horizontally (Shift+H)"), Turn::FlipAcross),
-        turn("flip-vertical", tr("Flip vertically (Shift+V)"), Turn::FlipDown),
-        turn("rotate-left", tr("Rotate 90° left (Shift+O)"), Turn::Left),
-        turn("rotate-right", tr("Rotate 90° right (Alt+Shift+O)"), Turn::Right),
-        spread("spread-horizontally", tr("Spread evenly across"), 0),
-        spread("spread-vertically", tr("Spread evenly down"), 1),
-    };
-    for (std::size_t i = 0; i < buttons.size(); ++i)
-        grid->addWidget(buttons[i], int(i / 6), int(i % 6));
-    grid->setColumnStretch(6, 1);
+    for (const app::Arrangement& how : app::arrangements())
+        if (how.button) {
+            const int i = int(buttons_.size());
+            buttons_.push_back({makeButton(how), how.least});
+            grid->addWidget(buttons_.back().first, i / buttonsInRow, i % buttonsInRow);
+        }
+    grid->setColumnStretch(buttonsInRow, 1);
     return grid;
 }
 
@@ -144,13 +122,19 @@ app::SelectionFrame SelectionPanel::frame() const
     return {reference_->chosen(), chain_->isChecked()};
 }
 
+void SelectionPanel::showEvent(QShowEvent* event)
+{
+    follow();
+    QWidget::showEvent(event);
+}
+
 void SelectionPanel::follow()
 {
     const app::ObjectRanges& selection = session_.selection();
     for (QWidget* widget : needSelection_)
         widget->setEnabled(!selection.empty());
-    for (QWidget* widget : needSeveral_)
-        widget->setEnabled(selection.size() > 2);
+    for (const auto& [button, least] : buttons_)
+        button->setEnabled(selection.size() >= least);
     const double size = session_.now().page().millimetresPerUnit();
     const auto numbers = app::selectionNumbers();
     for (std::size_t i = 0; i < fields_.size(); ++i) {

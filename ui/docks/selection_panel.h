@@ -10,6 +10,10 @@
 
 #include <vector>
 
+namespace app {
+struct Arrangement;
+}
+
 namespace ui {
 
 class LengthField;
@@ -32,8 +36,8 @@ signals:
 private:
     QLayout* makeNumbers();
     QLayout* makeButtons();
-    QToolButton* makeButton(std::string_view icon, const QString& text,
-                            std::function<void(app::Session&)> run);
+    QToolButton* makeButton(const app::Arrangement& how);
+    void showEvent(QShowEvent* event) override;
     app::SelectionFrame frame() const;
     void follow();
     void edit(const app::SelectionNumber& number, double value, app::Merging merging);
@@ -42,7 +46,8 @@ private:
     std::vector<LengthField*> fields_; ///< in the order of app::selectionNumbers()
     ReferencePoint* reference_;
     QToolButton* chain_; ///< checked: W and H keep their ratio
-    std::vector<QWidget*> needSelection_, needSeveral_;
+    std::vector<QWidget*> needSelection_;
+    std::vector<std::pair<QToolButton*, std::size_t>> buttons_; ///< with the least selection
     QTimer soon_; ///< merges several changes in one event into one update
 };
 

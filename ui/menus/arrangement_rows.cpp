@@ -1,83 +1,83 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/arrange_selection.h"
+#include "app/session/arrangements.h"
 #include "ui/menus/object_rows.h"
 #include "ui/window/main_window.h"
 
 #include <QCoreApplication>
 
+#include <array>
+
 namespace ui {
 
 namespace {
 
+using Kind = app::Arrangement::Kind;
+
 QString tr(const char* text) { return QCoreApplication::translate("ObjectMenu", text); }
 
-bool severalSelected(const MainWindow& window) { return window.session().selection().size() > 1; }
+/// Why it cannot run; in the order of the least number of objects, from 1.
+QString needsOf(const app::Arrangement& how)
+{
+    const std::array needs{tr("Nothing is selected. Select an object first."),
+                           tr("Select several objects first."),
+                           tr("Select at least three objects first: the outer two stay.")};
+    return needs.at(how.least - 1);
+}
 
-ActionInfo arrange(std::string_view key, const QString& text,
-                   std::function<void(app::Session&)> run, const QString& submenu)
+ActionInfo arrange(const app::Arrangement& how)
+{
+    ActionInfo row{
+        .key = how.key,
+        .text = how.text,
+        .run = [&how](MainWindow& w) { how.run(w.session()); },
+        .enabled =
+            [&how](const MainWindow& w) { return w.session().selection().size() >= how.least; },
+        .needs = needsOf(how),
+        .submenu = how.submenu,
+    };
+    if (!how.shortcut.isEmpty()) {
+        row.keys = {QKeySequence(how.shortcut)};
+        row.scope = ShortcutScope::Canvas;
+    }
+    return row;
+}
+
+ActionInfo alignTo(const app::AlignmentTarget& target, const QString& submenu)
 {
     return {
-        .key = key,
-        .text = text,
-        .run = [run = std::move(run)](MainWindow& w) { run(w.session()); },
-        .enabled = severalSelected,
-        .needs = tr("Select several objects first."),
+        .key = target.key,
+        .text = target.name,
+        .run = [&target](MainWindow& w) { w.session().arrange.alignTo = target.key; },
+        .checked =
+            [&target](const MainWindow& w) { return w.session().arrange.alignTo == target.key; },
+        .group = "align-to",
         .submenu = submenu,
     };
 }
 
-ActionInfo aligned(std::string_view key, const QString& text, int axis, app::AlignTo side)
+std::vector<ActionInfo> rowsOf(Kind kind)
 {
-    ActionInfo row = arrange(
-        key, text, [axis, side](app::Session& s) { app::align(s, axis, side); }, tr("&Align"));
-    // One object can be aligned to the page.
-    row.enabled = [](const MainWindow& w) { return !w.session().selection().empty(); };
-    row.needs = tr("Nothing is selected. Select an object first.");
-    return row;
-}
-
-ActionInfo alignTo(const app::AlignmentTarget& ground)
-{
-    return {
-        .key = ground.key,
-        .text = ground.name,
-        .run = [&ground](MainWindow& w) { w.session().arrange.ground = ground.key; },
-        .checked =
-            [&ground](const MainWindow& w) { return w.session().arrange.ground == ground.key; },
-        .group = "align-to",
-        .submenu = tr("&Align"),
-    };
+    std::vector<ActionInfo> rows;
+    for (const app::Arrangement& how : app::arrangements())
+        if (how.kind == kind)
+            rows.push_back(arrange(how));
+    return rows;
 }
 
 } // namespace
 
+std::vector<ActionInfo> turnRows() { return rowsOf(Kind::Turn); }
+
 std::vector<ActionInfo> arrangementRows()
 {
-    using app::AlignTo, app::Session;
-    const QString spread = tr("S&pread evenly"), size = tr("Make same si&ze");
-    std::vector<ActionInfo> rows{
-        aligned("align-left", tr("&Left sides"), 0, AlignTo::Least),
-        aligned("align-centre", tr("&Middles, side by side"), 0, AlignTo::Middle),
-        aligned("align-right", tr("&Right sides"), 0, AlignTo::Most),
-        aligned("align-top", tr("&Tops"), 1, AlignTo::Least),
-        aligned("align-middle", tr("M&iddles, one above the other"), 1, AlignTo::Middle),
-        aligned("align-bottom", tr("&Bottoms"), 1, AlignTo::Most),
-    };
-    for (const app::AlignmentTarget& ground : app::alignmentTargets())
-        rows.push_back(alignTo(ground));
-    const auto add = [&](ActionInfo row) { rows.push_back(std::move(row)); };
-    add(arrange(
-        "spread-horizontally", tr("&Horizontally"), [](Session& s) { app::spreadEvenly(s, 0); },
-        spread));
-    add(arrange(
-        "spread-vertically", tr("&Vertically"), [](Session& s) { app::spreadEvenly(s, 1); },
-        spread));
-    add(arrange(
-        "same-width", tr("&Width"), [](Session& s) { app::makeSameSize(s, true, false); }, size));
-    add(arrange(
-        "same-height", tr("&Height"), [](Session& s) { app::makeSameSize(s, false, true); }, size));
-    add(arrange(
-        "same-size", tr("&Both"), [](Session& s) { app::makeSameSize(s, true, true); }, size));
+    std::vector<ActionInfo> rows = rowsOf(Kind::Align);
+    const QString align = rows.front().submenu;
+    for (const app::AlignmentTarget& target : app::alignmentTargets())
+        rows.push_back(alignTo(target, align));
+    for (const Kind kind : {Kind::Spread, Kind::SameSize})
+        for (ActionInfo& row : rowsOf(kind))
+            rows.push_back(std::move(row));
     return rows;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/drawing/transformation.h"
 #include "ui/dialogs/repeat_dialog.h"
-#include "ui/editing/transforming.h"
 #include "ui/menus/object_rows.h"
 #include "ui/window/main_window.h"
 
@@ -28,19 +27,6 @@ ActionInfo begin(const app::Transformation& kind)
         .run = [&kind](MainWindow& w) { w.canvas().transform(kind); },
         .enabled = someSelected,
         .needs = kind.needs,
-    };
-}
-
-ActionInfo turn(std::string_view key, const QString& text, const QKeySequence& shortcut, Turn turn)
-{
-    return {
-        .key = key,
-        .text = text,
-        .keys = {shortcut},
-        .scope = ShortcutScope::Canvas,
-        .run = [turn](MainWindow& w) { turnSelection(w.session(), turn); },
-        .enabled = someSelected,
-        .needs = nothingSelected(),
     };
 }
 
@@ -83,24 +69,17 @@ ActionInfo scaleStrokes()
 
 MenuInfo objectMenu()
 {
-    using K = QKeySequence;
     MenuInfo menu{.title = tr("&Object")};
+    const auto add = [&menu](const std::vector<ActionInfo>& rows) {
+        menu.rows.insert(menu.rows.end(), rows.begin(), rows.end());
+    };
     for (const app::Transformation& kind : app::transformations())
         menu.rows.push_back(begin(kind));
-    const std::vector<ActionInfo> more{
-        {},
-        turn("rotate-left", tr("Rotate 90° &left"), K("Shift+O"), Turn::Left),
-        turn("rotate-right", tr("Rotate 90° r&ight"), K("Alt+Shift+O"), Turn::Right),
-        turn("flip-horizontal", tr("Flip &horizontally"), K("Shift+H"), Turn::FlipAcross),
-        turn("flip-vertical", tr("Flip &vertically"), K("Shift+V"), Turn::FlipDown),
-        scaleStrokes(),
-        {},
-        repeat(),
-    };
-    menu.rows.insert(menu.rows.end(), more.begin(), more.end());
-    menu.rows.push_back({});
-    for (const auto& rows : {arrangementRows(), pathRows()})
-        menu.rows.insert(menu.rows.end(), rows.begin(), rows.end());
+    menu.rows.emplace_back();
+    add(turnRows());
+    add({scaleStrokes(), {}, repeat(), {}});
+    add(arrangementRows());
+    add(pathRows());
     return menu;
 }
 

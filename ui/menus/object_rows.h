@@ -7,6 +7,7 @@
 
 namespace ui {
 
+std::vector<ActionInfo> turnRows();        ///< rotate by 90°, flip
 std::vector<ActionInfo> arrangementRows(); ///< align, spread, make same size
 std::vector<ActionInfo> pathRows();        ///< the steps that edit nodes
 

@@ -3,6 +3,7 @@
 #include "app/document/document_builder.h"
 #include "app/scene/bounds.h"
 #include "app/session/arrange_selection.h"
+#include "app/session/arrangements.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -71,26 +72,51 @@ private slots:
         QCOMPARE(drawing.history.count(), 1);
         QCOMPARE(drawing.selection().size(), std::size_t(4));
     }
-    void everyGroundIsAlignedTo()
+    void everyTargetIsAlignedTo()
     {
-        for (const AlignmentTarget& ground : alignmentTargets()) {
+        for (const AlignmentTarget& target : alignmentTargets()) {
             Drawing drawing;
             drawing.history.push(new SetWindow(drawing.document, {{5, 6}, {7, 8}}));
-            drawing.arrange.ground = ground.key;
+            drawing.arrange.alignTo = target.key;
             drawing.select({0, 3});
             align(drawing, 1, AlignTo::Least);
-            const double top = ground.key == "to-last"     ? 20
-                               : ground.key == "to-window" ? 6
-                               : ground.key == "to-page"   ? drawing.now().page().rectangle().min.y
+            const double top = target.key == "to-last"     ? 20
+                               : target.key == "to-window" ? 6
+                               : target.key == "to-page"   ? drawing.now().page().rectangle().min.y
                                                            : 0;
             QCOMPARE(drawing.at(0).min.y, top);
             QCOMPARE(drawing.at(3).min.y, top);
         }
     }
+    void everyArrangementIsOneStepThatChangesSomething()
+    {
+        for (const Arrangement& how : arrangements()) {
+            Drawing drawing;
+            drawing.select({0, 1, 3}); // the middle one lies off the middle
+            const Document before = drawing.now();
+            how.run(drawing);
+            QVERIFY2(drawing.history.count() == 1, how.key.data());
+            QVERIFY2(drawing.now().objects() != before.objects(), how.key.data());
+            drawing.history.undo();
+            QVERIFY2(drawing.now().objects() == before.objects(), how.key.data());
+        }
+    }
+    void turnsKeepTheMiddle()
+    {
+        for (const Arrangement& how : arrangements()) {
+            if (how.kind != Arrangement::Kind::Turn)
+                continue;
+            Drawing drawing;
+            const clipping::Window before = *drawing.selectionBounds();
+            how.run(drawing);
+            const clipping::Window after = *drawing.selectionBounds();
+            QCOMPARE(after.min + after.max, before.min + before.max);
+        }
+    }
     void missingClipWindowIsSaid()
     {
         Drawing drawing;
-        drawing.arrange.ground = "to-window";
+        drawing.arrange.alignTo = "to-window";
         QSignalSpy refused(&drawing, &Session::refused);
         align(drawing, 0, AlignTo::Least);
         QCOMPARE(refused.count(), 1);

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/arrangements.h"
+
+#include "app/session/arrange_selection.h"
+#include "app/view/handles.h"
+
+#include <QCoreApplication>
+
+namespace app {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("Arrange", text); }
+
+/// Transforms the selection; `map` takes its middle.
+template <typename Map>
+void turn(Session& session, Map map, const QString& undoText)
+{
+    if (const auto bounds = session.selectionBounds())
+        session.history.push(new TransformObjects(session.document, session.selection(),
+                                                  map(placeOf(Handle{}, *bounds)),
+                                                  StrokeScaling::Keep, undoText));
+}
+
+template <int degrees>
+void rotate(Session& session)
+{
+    const auto map = [](const Point& middle) { return rotation(degrees, middle); };
+    turn(session, map, tr("Rotate selection"));
+}
+
+template <int x, int y>
+void flip(Session& session)
+{
+    const auto map = [](const Point& middle) { return scaling({x, y}, middle); };
+    turn(session, map, tr("Flip selection"));
+}
+
+template <int axis, AlignTo side>
+void alignOn(Session& session)
+{
+    align(session, axis, side);
+}
+template <int axis>
+void spreadOn(Session& session)
+{
+    spreadEvenly(session, axis);
+}
+template <bool width, bool height>
+void sameSizeOn(Session& session)
+{
+    makeSameSize(session, width, height);
+}
+
+} // namespace
+
+std::span<const Arrangement> arrangements()
+{
+    using enum Arrangement::Kind;
+    const QString aligns = tr("&Align"), spreads = tr("S&pread evenly"),
+                  sizes = tr("Make same si&ze");
+    // THE CATALOGUE, in the order of the buttons.
+    static const std::vector<Arrangement> all{
+        {.kind = Align,
+         .key = "align-left",
+         .text = tr("&Left sides"),
+         .name = tr("Align left sides"),
+         .submenu = aligns,
+         .run = alignOn<0, AlignTo::Least>},
+        {.kind = Align,
+         .key = "align-centre",
+         .text = tr("&Middles, side by side"),
+         .name = tr("Align middles, side by side"),
+         .submenu = aligns,
+         .run = alignOn<0, AlignTo::Middle>},
+        {.kind = Align,
+         .key = "align-right",
+         .text = tr("&Right sides"),
+         .name = tr("Align right sides"),
+         .submenu = aligns,
+         .run = alignOn<0, AlignTo::Most>},
+        {.kind = Align,
+         .key = "align-top",
+         .text = tr("&Tops"),
+         .name = tr("Align tops"),
+         .submenu = aligns,
+         .run = alignOn<1, AlignTo::Least>},
+        {.kind = Align,
+         .key = "align-middle",
+         .text = tr("M&iddles, one above the other"),
+         .name = tr("Align middles, one above the other"),
+         .submenu = aligns,
+         .run = alignOn<1, AlignTo::Middle>},
+        {.kind = Align,
+         .key = "align-bottom",
+         .text = tr("&Bottoms"),
+         .name = tr("Align bottoms"),
+         .submenu = aligns,
+         .run = alignOn<1, AlignTo::Most>},
+        {.kind = Turn,
+         .key = "rotate-left",
+         .text = tr("Rotate 90° &left"),
+         .name = tr("Rotate 90° left"),
+         .shortcut = "Shift+O",
+         .run = rotate<90>},
+        {.kind = Turn,
+         .key = "rotate-right",
+         .text = tr("Rotate 90° r&ight"),
+         .name = tr("Rotate 90° right"),
+         .shortcut = "Alt+Shift+O",
+         .run = rotate<-90>},
+        {.kind = Turn,
+         .key = "flip-horizontal",
+         .text = tr("Flip &horizontally"),
+         .name = tr("Flip horizontally"),
+         .shortcut = "Shift+H",
+         .run = flip<-1, 1>},
+        {.kind = Turn,
+         .key = "flip-vertical",
+         .text = tr("Flip &vertically"),
+         .name = tr("Flip vertically"),
+         .shortcut = "Shift+V",
+         .run = flip<1, -1>},
+        {.kind = Spread,
+         .key = "spread-horizontally",
+         .text = tr("&Horizontally"),
+         .name = tr("Spread evenly across"),
+         .submenu = spreads,
+         .least = 3,
+         .run = spreadOn<0>},
+        {.kind = Spread,
+         .key = "spread-vertically",
+         .text = tr("&Vertically"),
+         .name = tr("Spread evenly down"),
+         .submenu = spreads,
+         .least = 3,
+         .run = spreadOn<1>},
+        {.kind = SameSize,
+         .key = "same-width",
+         .text = tr("&Width"),
+         .name = tr("Make same width"),
+         .submenu = sizes,
+         .least = 2,
+         .button = false,
+         .run = sameSizeOn<true, false>},
+        {.kind = SameSize,
+         .key = "same-height",
+         .text = tr("&Height"),
+         .name = tr("Make same height"),
+         .submenu = sizes,
+         .least = 2,
+         .button = false,
+         .run = sameSizeOn<false, true>},
+        {.kind = SameSize,
+         .key = "same-size",
+         .text = tr("&Both"),
+         .name = tr("Make same size"),
+         .submenu = sizes,
+         .least = 2,
+         .button = false,
+         .run = sameSizeOn<true, true>},
+    };
+    return all;
+}
+
+} // namespace app
