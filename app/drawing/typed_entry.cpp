@@ -63,13 +63,12 @@ public:
     }
     std::optional<Entry> repeat(const QString& text)
     {
-        constexpr int most = 10'000;
         bool whole = false;
         const int count = locale_.toInt(text.chopped(1).trimmed(), &whole);
-        if (!whole || count < 1 || count > most) {
+        if (!whole || count < 1 || count > mostCopies) {
             refuse(tr("“%1” is not a number of copies: type a whole number from 1 to %2 before "
                       "the %3.")
-                       .arg(text, locale_.toString(most), text.right(1)));
+                       .arg(text, locale_.toString(mostCopies), text.right(1)));
             return std::nullopt;
         }
         return RepeatEntry{count,

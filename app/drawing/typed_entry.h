@@ -28,6 +28,8 @@ struct PolarEntry {
     std::optional<double> length;
     double angle;
 };
+constexpr int mostCopies = 10'000; ///< that can be asked for at once
+
 /// "5x": the same step five times. "5/": five equal parts of it.
 struct RepeatEntry {
     enum class How : std::uint8_t { Times, Parts };

@@ -2,6 +2,7 @@
 #include "ui/dialogs/repeat_dialog.h"
 
 #include "app/base/numbers.h"
+#include "app/drawing/typed_entry.h"
 #include "app/session/arrange_selection.h"
 #include "app/view/handles.h"
 #include "app/view/place.h"
@@ -15,13 +16,12 @@
 namespace ui {
 namespace {
 
-constexpr int most = 10'000;   // rows, columns, copies
 constexpr double usualGap = 3; // mm on paper
 
 QSpinBox* makeCount(const QString& name, int least, int value)
 {
     auto* field = new QSpinBox;
-    field->setRange(least, most);
+    field->setRange(least, app::mostCopies);
     field->setValue(value);
     field->setAccessibleName(name);
     field->setFixedHeight(space::fieldHeight);

@@ -11,8 +11,6 @@
 namespace ui {
 namespace {
 
-constexpr std::size_t mostCopied = 1'000'000; // objects in one step
-
 QString tr(const char* text) { return QCoreApplication::translate("Tools", text); }
 
 } // namespace
@@ -120,7 +118,6 @@ bool TransformGesture::isNothing(const State& state)
     return map == app::AffineMap{.from = map.from, .to = map.from};
 }
 
-// Keeps the inspected line if the step only changes its coordinates.
 bool TransformGesture::push(const State& state, Workbench& bench) const
 {
     app::Session& session = bench.session;
@@ -135,13 +132,11 @@ bool TransformGesture::push(const State& state, Workbench& bench) const
                                 "large. Type others."));
         return false;
     }
-    if (state.copies && all.size() * state.objects.size() > mostCopied) {
+    if (state.copies && all.size() * state.objects.size() > app::mostCopied) {
         emit session.refused(tr("These would be too many objects. Make fewer copies, or select "
                                 "fewer objects."));
         return false;
     }
-    const auto inspected = session.inspected();
-    const std::size_t lines = session.scene.lines().size();
     if (state.copies) {
         app::Edit edit = app::copying(session.now(), state.objects, all);
         app::ObjectRanges added = app::addedBy(edit.splices);
@@ -149,53 +144,58 @@ bool TransformGesture::push(const State& state, Workbench& bench) const
             new app::CopyObjects(session.document, std::move(edit), tr("Copy selection")));
         session.select(std::move(added));
     } else if (state.kind->movesPivot) {
-        session.history.push(new app::MoveObjects(session.document, state.objects, all.front().to));
+        pushKeepingInspected(session,
+                             new app::MoveObjects(session.document, state.objects, all.front().to));
     } else {
-        session.history.push(new app::TransformObjects(session.document, state.objects, all.front(),
-                                                       session.arrange.strokes,
-                                                       state.kind->undoText));
+        pushKeepingInspected(
+            session, new app::TransformObjects(session.document, state.objects, all.front(),
+                                               session.arrange.strokes, state.kind->undoText));
     }
-    if (session.scene.lines().size() == lines)
-        session.inspect(inspected);
     return true;
 }
 
+/// Holds an axis, or frees it again.
+void TransformGesture::hold(app::Along axis)
+{
+    now_->axis = now_->axis == axis ? app::Along::Both : axis;
+    now_->end = atRest(*now_);
+}
+
 /// Puts the pivot where the pointer is, or at the place that it snaps to.
-bool TransformGesture::putPivot(const Workbench& bench)
+void TransformGesture::putPivot(const Workbench& bench)
 {
     if (now_->kind->movesPivot)
-        return false;
+        return;
     app::OwnPoints one;
     one.points = {now_->last};
     one.bounds = {now_->last, now_->last};
     now_->start.from = now_->last + bench.moved(one, {0, 0}, {}).by;
     now_->end = atRest(*now_);
-    return true;
+}
+
+const TransformGesture::Letter* TransformGesture::letterOf(const QKeyEvent& event)
+{
+    static const std::array letters{
+        Letter{Qt::Key_X, [](auto& gesture, auto&) { gesture.hold(app::Along::X); }},
+        Letter{Qt::Key_Y, [](auto& gesture, auto&) { gesture.hold(app::Along::Y); }},
+        Letter{Qt::Key_C, [](auto& gesture, auto&) { gesture.now_->copies ^= true; }},
+        Letter{Qt::Key_P, [](auto& gesture, auto& bench) { gesture.putPivot(bench); }},
+    };
+    const auto found = std::ranges::find(letters, event.key(), &Letter::key);
+    const bool alone = !(event.modifiers() & ~Qt::KeypadModifier);
+    return alone && found != letters.end() ? &*found : nullptr;
 }
 
 bool TransformGesture::wants(const QKeyEvent& event) const
 {
-    static constexpr std::array keys{Qt::Key_X, Qt::Key_Y, Qt::Key_C, Qt::Key_P};
-    return now_ && !corrects() && !(event.modifiers() & ~Qt::KeypadModifier)
-           && std::ranges::find(keys, event.key()) != keys.end();
+    return now_ && !corrects() && letterOf(event);
 }
 
 bool TransformGesture::key(const QKeyEvent& event, const Workbench& bench)
 {
     if (!wants(event))
         return false;
-    const auto hold = [this](app::Along axis) {
-        now_->axis = now_->axis == axis ? app::Along::Both : axis;
-        now_->end = atRest(*now_);
-        return true;
-    };
-    if (event.key() == Qt::Key_X)
-        return hold(app::Along::X);
-    if (event.key() == Qt::Key_Y)
-        return hold(app::Along::Y);
-    if (event.key() == Qt::Key_P)
-        return putPivot(bench);
-    now_->copies = !now_->copies;
+    letterOf(event)->press(*this, bench);
     return true;
 }
 

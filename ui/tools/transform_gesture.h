@@ -49,7 +49,14 @@ private:
     static std::vector<app::AffineMap> maps(const State& state);
     static bool isNothing(const State& state); ///< nothing would move
     static app::GestureEnd atRest(const State& state);
-    bool putPivot(const Workbench& bench);
+    /// A key of the gesture.
+    struct Letter {
+        int key;
+        void (*press)(TransformGesture& gesture, const Workbench& bench);
+    };
+    static const Letter* letterOf(const QKeyEvent& event); ///< null: it is another key
+    void hold(app::Along axis);
+    void putPivot(const Workbench& bench);
     void snap(const Pointer& pointer, const Workbench& bench);
     bool push(const State& state, Workbench& bench) const;
 
