@@ -30,7 +30,6 @@ void BoxResize::finish(Workbench& bench)
         accept(now_->end, bench);
 }
 
-// Keeps the inspected line if the drag only changes its coordinates.
 void BoxResize::accept(const app::GestureEnd& end, Workbench& bench)
 {
     app::Session& session = bench.session;
@@ -39,12 +38,8 @@ void BoxResize::accept(const app::GestureEnd& end, Workbench& bench)
     now_.reset();
     if (session.selection().empty())
         return; // removed meanwhile
-    const auto inspected = session.inspected();
-    const std::size_t lines = session.scene.lines().size();
-    session.history.push(new app::ResizeObjects(session.document, session.selection(), from, to));
-    // Otherwise a curve has been divided into other lines.
-    if (session.scene.lines().size() == lines)
-        session.inspect(inspected);
+    pushKeepingInspected(session,
+                         new app::ResizeObjects(session.document, session.selection(), from, to));
 }
 
 app::Point BoxResize::fixed() const

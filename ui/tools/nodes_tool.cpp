@@ -3,9 +3,12 @@
 #include "app/commands/remove_objects.h"
 #include "app/document/direction.h"
 #include "ui/tools/node_painter.h"
+#include "ui/tools/picking_marks.h"
 #include "ui/tools/shape_drawing.h"
 
 #include <QCoreApplication>
+
+#include <glm/geometric.hpp>
 
 #include <array>
 #include <utility>
@@ -275,9 +278,7 @@ void NodesTool::click(Workbench& bench)
 void NodesTool::clickObject(const Pointer& pointer, Workbench& bench)
 {
     app::Session& session = bench.session;
-    const auto line = bench.picking.nearest(pointer.raw, bench.inDrawing(reach));
-    const auto object = line ? std::optional(session.scene.lines().objectOf(*line))
-                             : bench.picking.areaAt(pointer.raw);
+    const auto object = pickedAt(pointer.raw, bench).object;
     const bool adds = pointer.modifiers & Qt::ShiftModifier;
     if (object && !session.selection().contains(*object)) {
         auto selection = adds ? session.selection() : app::ObjectRanges{};
@@ -411,13 +412,8 @@ void NodesTool::paint(QPainter& painter, const Workbench& bench) const
         paintChangedSegments(painter, bench, path, dragged);
     }
     paintNodes(painter, bench, path, preview_ ? HoveredNode{} : hovered_);
-    if (drag_ != Drag::Box)
-        return;
-    QColor tint = bench.look.selection;
-    tint.setAlphaF(0.08F);
-    painter.setBrush(tint);
-    painter.setPen(QPen(bench.look.selection, 1));
-    painter.drawRect(QRectF(bench.onScreen(from_.raw), bench.onScreen(to_.raw)).normalized());
+    if (drag_ == Drag::Box)
+        paintSelectionBox(painter, bench, from_.raw, to_.raw);
 }
 
 } // namespace

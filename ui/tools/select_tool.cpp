@@ -3,6 +3,7 @@
 #include "app/commands/remove_objects.h"
 #include "ui/tools/box_resize.h"
 #include "ui/tools/end_drag.h"
+#include "ui/tools/picking_marks.h"
 #include "ui/tools/pivot_marks.h"
 #include "ui/tools/shape_drawing.h"
 #include "ui/tools/transform_gesture.h"
@@ -44,7 +45,7 @@ public:
     {
         return gesture_.going() || end_.going() || transform_.going() || drag_ != Drag::None;
     }
-    bool transform(const app::Transformation& kind, const Pointer& pointer,
+    void transform(const app::Transformation& kind, const Pointer& pointer,
                    Workbench& bench) override;
     std::optional<app::Gauge> gauge(const Workbench& bench) const override
     {
@@ -84,12 +85,12 @@ private:
         hoveredSegment_.reset();
         mark_ = Mark::None;
     }
-    void light(const Pointer& pointer, Workbench& bench);
+    void lookUnder(const Pointer& pointer, Workbench& bench);
     void click(const Pointer& pointer, Workbench& bench);
+    app::Picking::Box how(const Pointer& pointer) const;
     void selectBox(const Pointer& pointer, Workbench& bench);
     void startDrag(Workbench& bench);
     void start(const app::Transformation& kind, const app::Point& pointer, Workbench& bench);
-    void paintBox(QPainter& painter, const Workbench& bench) const;
     void paintBounds(QPainter& painter, const Workbench& bench,
                      const clipping::Window& bounds) const;
 
@@ -114,7 +115,7 @@ std::optional<clipping::Window> boxAround(const app::Session& session)
     return lineWithHandles(session) ? std::nullopt : session.selectionBounds();
 }
 
-void SelectTool::light(const Pointer& pointer, Workbench& bench)
+void SelectTool::lookUnder(const Pointer& pointer, Workbench& bench)
 {
     const auto window = bench.session.clipWindow();
     hoveredHandle_ = window ? app::handleAt(pointer.screen, *window, bench.view) : std::nullopt;
@@ -136,7 +137,7 @@ void SelectTool::press(const Pointer& pointer, Workbench& bench)
         return transform_.finish(bench);
     }
     transform_.end(bench);
-    light(pointer, bench);
+    lookUnder(pointer, bench);
     if (hoveredHandle_) {
         gesture_.start(*hoveredHandle_, pointer, bench.session.window());
         return;
@@ -161,7 +162,7 @@ void SelectTool::move(const Pointer& pointer, Workbench& bench)
     else if (drag_ == Drag::Pivot)
         marks_.put(pointer.position, bench);
     else if (drag_ == Drag::None)
-        light(pointer, bench);
+        lookUnder(pointer, bench);
     else if (drag_ == Drag::Press && dragged(from_.screen, pointer))
         startDrag(bench);
 }
@@ -200,15 +201,14 @@ void SelectTool::start(const app::Transformation& kind, const app::Point& pointe
 }
 
 /// Begins a transformation that follows the pointer without a button.
-bool SelectTool::transform(const app::Transformation& kind, const Pointer& pointer,
+void SelectTool::transform(const app::Transformation& kind, const Pointer& pointer,
                            Workbench& bench)
 {
     if (busy() && !transform_.going())
-        return true; // a drag goes on
+        return; // a drag goes on
     cancel(bench);
     forgetHovered();
     transform_.start(kind, marks_.pivot(bench), pointer.raw, bench);
-    return true;
 }
 
 void SelectTool::accept(const app::GestureEnd& end, Workbench& bench)
@@ -248,9 +248,7 @@ void SelectTool::release(const Pointer& pointer, Workbench& bench)
 /// Shows the nodes of a path.
 void SelectTool::doubleClick(const Pointer& pointer, Workbench& bench)
 {
-    const auto segment = bench.picking.nearest(pointer.raw, bench.inDrawing(reach));
-    const auto object = segment ? std::optional(bench.session.scene.lines().objectOf(*segment))
-                                : bench.picking.areaAt(pointer.raw);
+    const auto object = pickedAt(pointer.raw, bench).object;
     if (!object)
         return press(pointer, bench);
     bench.session.select({*object});
@@ -260,26 +258,28 @@ void SelectTool::doubleClick(const Pointer& pointer, Workbench& bench)
 void SelectTool::click(const Pointer& pointer, Workbench& bench)
 {
     app::Session& session = bench.session;
-    const auto segment = bench.picking.nearest(pointer.raw, bench.inDrawing(reach));
-    const auto shape = segment ? std::optional(session.scene.lines().objectOf(*segment))
-                               : bench.picking.areaAt(pointer.raw);
+    const auto [segment, object] = pickedAt(pointer.raw, bench);
     const bool adds = pointer.modifiers & Qt::ShiftModifier;
     auto selection = adds ? session.selection() : app::ObjectRanges{};
     bool chosen = segment.has_value();
-    if (shape && !selection.insert(*shape)) {
-        selection.erase(*shape);
+    if (object && !selection.insert(*object)) {
+        selection.erase(*object);
         chosen = false;
     }
     session.select(std::move(selection));
     session.inspect(chosen ? segment : std::nullopt);
 }
 
-// Dragged from left to right the box selects what it contains, from right to left what it touches.
+/// Dragged from left to right the box selects what it contains, from right to left what it touches.
+app::Picking::Box SelectTool::how(const Pointer& pointer) const
+{
+    return pointer.screen.x >= from_.screen.x ? app::Picking::Box::Contains
+                                              : app::Picking::Box::Touches;
+}
+
 void SelectTool::selectBox(const Pointer& pointer, Workbench& bench)
 {
-    const auto how = pointer.screen.x >= from_.screen.x ? app::Picking::Box::Contains
-                                                        : app::Picking::Box::Touches;
-    auto found = bench.picking.objectsIn(app::between(from_.raw, pointer.raw), how);
+    auto found = bench.picking.objectsIn(app::between(from_.raw, pointer.raw), how(pointer));
     if (pointer.modifiers & Qt::ShiftModifier)
         found = united(found, bench.session.selection());
     const bool one = found.size() == 1;
@@ -354,7 +354,8 @@ void SelectTool::paint(QPainter& painter, const Workbench& bench) const
 {
     end_.paint(painter, bench);
     if (drag_ == Drag::Box)
-        paintBox(painter, bench);
+        paintSelectionBox(painter, bench, from_.raw, to_.raw,
+                          how(to_) == app::Picking::Box::Touches ? Qt::DashLine : Qt::SolidLine);
     if (resize_.going())
         resize_.paint(painter, bench);
     transform_.paint(painter, bench);
@@ -363,16 +364,6 @@ void SelectTool::paint(QPainter& painter, const Workbench& bench) const
         paintBounds(painter, bench, resize_.going() ? resize_.target() : *box);
     if (!resize_.going() && !end_.going() && !transform_.going())
         marks_.paint(painter, bench);
-}
-
-void SelectTool::paintBox(QPainter& painter, const Workbench& bench) const
-{
-    const bool touches = to_.screen.x < from_.screen.x;
-    QColor tint = bench.look.selection;
-    tint.setAlphaF(0.08F);
-    painter.setBrush(tint);
-    painter.setPen(QPen(bench.look.selection, 1, touches ? Qt::DashLine : Qt::SolidLine));
-    painter.drawRect(QRectF(bench.onScreen(from_.raw), bench.onScreen(to_.raw)).normalized());
 }
 
 // Paints the selection's bounding box with round handles at its corners and sides.

@@ -29,6 +29,15 @@ void draw(Workbench& bench, std::vector<app::Subpath> paths, const QString& undo
         new app::AddObjects(session.document, objects, session.pen.layer, undoText));
 }
 
+void pushKeepingInspected(app::Session& session, app::UndoCommand* step)
+{
+    const auto inspected = session.inspected();
+    const std::size_t lines = session.scene.lines().size();
+    session.history.push(step);
+    if (session.scene.lines().size() == lines) // otherwise a curve has been divided differently
+        session.inspect(inspected);
+}
+
 void preview(QPainter& painter, const Workbench& bench, const app::Subpath& path)
 {
     QPainterPath outline(bench.onScreen(path.start));

@@ -113,8 +113,8 @@ public:
     virtual void reopen(Workbench&) {}
     virtual bool corrects() const { return false; } ///< a finished gesture is open again
 
-    /// Begins to move, rotate, scale or skew the selection. False: the tool cannot.
-    virtual bool transform(const app::Transformation&, const Pointer&, Workbench&) { return false; }
+    /// Begins to move, rotate, scale or skew the selection, if the tool can.
+    virtual void transform(const app::Transformation&, const Pointer&, Workbench&) {}
 
     virtual QCursor cursor(const Workbench&) const { return Qt::CrossCursor; }
     virtual app::SnapTo snapsTo() const { return app::SnapTo::All; }
