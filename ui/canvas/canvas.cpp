@@ -61,6 +61,7 @@ bool Canvas::canUndo() const { return parts_->controller.canUndo(); }
 bool Canvas::canRedo() const { return parts_->controller.canRedo(); }
 void Canvas::undo() { parts_->controller.undo(); }
 void Canvas::redo() { parts_->controller.redo(); }
+void Canvas::goToStep(int index) { parts_->controller.goToStep(index); }
 QString Canvas::undoText() const { return parts_->controller.undoText(); }
 QString Canvas::redoText() const { return parts_->controller.redoText(); }
 void Canvas::endGesture() { parts_->controller.endGesture(); }

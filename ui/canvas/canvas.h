@@ -48,6 +48,7 @@ public:
     bool canRedo() const;
     void undo();
     void redo();
+    void goToStep(int index); ///< undoes or redoes until so many steps are done; ends the gesture
     QString undoText() const; ///< the name of that step
     QString redoText() const;
     /// Ends the gesture and keeps what is complete, so that the document is as it is seen.

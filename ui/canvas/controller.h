@@ -103,6 +103,7 @@ public:
     bool canRedo() const;
     void undo();
     void redo();
+    void goToStep(int index);
     QString undoText() const; ///< the name of that step
     QString redoText() const;
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/controller.h"
 
+#include <algorithm>
+
 // Undo and redo, which act on the tool during a gesture of several steps.
 
 namespace ui {
@@ -38,6 +40,12 @@ void Controller::redo()
         withTool([&] { tool_->putBack(bench_); });
     else if (!tool_->busy())
         session_.history.redo();
+}
+
+void Controller::goToStep(int index)
+{
+    endGesture();
+    session_.history.setIndex(std::min(index, session_.history.count()));
 }
 
 QString Controller::undoText() const

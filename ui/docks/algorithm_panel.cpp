@@ -119,6 +119,14 @@ void AlgorithmPanel::follow()
                                       .arg(QLatin1StringView(used.algorithm->name)));
     (used.form == clipping::Form::Published ? published_ : corrected_)->setChecked(true);
     outdate();
+    emit titled(title());
+}
+
+QString AlgorithmPanel::title() const
+{
+    const app::Variant used = session_.variant();
+    const QString name = QLatin1StringView(used.algorithm->name);
+    return used.form == clipping::Form::Published ? tr("%1, as published").arg(name) : name;
 }
 
 void AlgorithmPanel::paintVerdict()

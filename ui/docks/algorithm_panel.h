@@ -20,11 +20,13 @@ class AlgorithmPanel : public QWidget {
 public:
     explicit AlgorithmPanel(app::Session& session, QWidget* parent = nullptr);
 
-    void compare(); ///< compares at once
+    void compare();        ///< compares at once
+    QString title() const; ///< the algorithm and its form: "Skala, as published"
     QString verdict() const { return verdict_->text(); }
     const std::vector<app::Disagreement>& disagreements() const { return disagreements_; }
 
 signals:
+    void titled(const QString& title);
     void aboutWanted(const clipping::Algorithm& algorithm); ///< asks for its page
 
 protected:

@@ -3,6 +3,7 @@
 
 #include "app/base/latin.h"
 #include "ui/docks/dock_title.h"
+#include "ui/look/look.h"
 
 namespace ui {
 
@@ -21,7 +22,38 @@ Dock::Dock(std::string_view key, const QString& title, QWidget* body, QWidget* p
 
 void Dock::setName(const QString& name) { title_->setName(name); }
 
-void Dock::setRemark(const QString& remark) { title_->setRemark(remark); }
+void Dock::setRemark(const QString& remark)
+{
+    remark_ = remark;
+    showFolded();
+}
+
+void Dock::setFoldable(bool foldable)
+{
+    title_->setFoldable(foldable);
+    connect(title_, &DockTitle::foldWanted, this, &Dock::foldWanted);
+}
+
+void Dock::setFolded(bool folded)
+{
+    folded_ = folded;
+    showFolded();
+}
+
+void Dock::setFoldedRemark(const QString& remark)
+{
+    foldedRemark_ = remark;
+    showFolded();
+}
+
+void Dock::showFolded()
+{
+    const bool onlyTitle = folded_ && titleBarWidget() == title_;
+    title_->setRemark(onlyTitle ? foldedRemark_ : remark_);
+    title_->showFolded(onlyTitle);
+    widget()->setVisible(!onlyTitle);
+    setMaximumHeight(onlyTitle ? space::dockTitleHeight : QWIDGETSIZE_MAX);
+}
 
 void Dock::setTitle(Title where)
 {
@@ -32,6 +64,7 @@ void Dock::setTitle(Title where)
     setTitleBarWidget(wanted);
     other->hide();
     wanted->show();
+    showFolded();
 }
 
 } // namespace ui

@@ -22,15 +22,28 @@ public:
     /// The muted text after the name.
     void setRemark(const QString& remark);
 
+    /// A folded panel is only its title bar, unless its tab is the title.
+    void setFoldable(bool foldable); ///< with a button in the title bar
+    void setFolded(bool folded);
+    bool isFolded() const { return folded_; }
+    void setFoldedRemark(const QString& remark); ///< while it is folded, in place of the remark
+
     enum class Title : std::uint8_t { Shown, InTab };
     void setTitle(Title where);
 
     /// Whether another tab of its place is in front of it. Qt moves such docks off the screen.
     bool isBehind() const { return x() < 0 && !isFloating(); }
 
+signals:
+    void foldWanted(bool folded);
+
 private:
+    void showFolded();
+
     DockTitle* title_;
     QWidget* noTitle_;
+    QString remark_, foldedRemark_;
+    bool folded_ = false;
 };
 
 } // namespace ui

@@ -13,12 +13,18 @@ namespace ui {
 
 DockTitle::DockTitle(QDockWidget& dock)
     : QWidget(&dock), dock_(dock), name_(new QLabel(dock.windowTitle())), remark_(new QLabel),
-      row_(new QHBoxLayout(this))
+      row_(new QHBoxLayout(this)), chevron_(new QToolButton)
 {
     name_->setFont(semiBold(font()));
     remark_->setForegroundRole(QPalette::PlaceholderText);
     row_->setContentsMargins(space::dockMargin, 0, 4, 0);
     row_->setSpacing(2);
+    chevron_->setAutoRaise(true);
+    chevron_->setFixedSize(18, 18);
+    chevron_->hide();
+    connect(chevron_, &QToolButton::clicked, this,
+            [this] { emit foldWanted(chevron_->arrowType() == Qt::DownArrow); });
+    row_->addWidget(chevron_);
     row_->addWidget(name_);
     row_->addSpacing(6);
     row_->addWidget(remark_, 1);
@@ -37,6 +43,15 @@ DockTitle::DockTitle(QDockWidget& dock)
 void DockTitle::setName(const QString& name) { name_->setText(name); }
 
 void DockTitle::setRemark(const QString& remark) { remark_->setText(remark); }
+
+void DockTitle::setFoldable(bool foldable) { chevron_->setVisible(foldable); }
+
+void DockTitle::showFolded(bool folded)
+{
+    chevron_->setArrowType(folded ? Qt::RightArrow : Qt::DownArrow);
+    chevron_->setToolTip(folded ? tr("Unfold this panel") : tr("Fold this panel"));
+    chevron_->setAccessibleName(chevron_->toolTip());
+}
 
 void DockTitle::addButton(QAction* action)
 {

@@ -19,8 +19,14 @@ public:
     void setName(const QString& name);
     void setRemark(const QString& remark);
 
+    void setFoldable(bool foldable); ///< with a button at the left
+    void showFolded(bool folded);
+
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
+
+signals:
+    void foldWanted(bool folded);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -33,6 +39,7 @@ private:
     QDockWidget& dock_;
     QLabel *name_, *remark_;
     QHBoxLayout* row_;
+    QToolButton* chevron_;
     QList<QToolButton*> buttons_;
 };
 

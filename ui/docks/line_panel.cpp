@@ -29,10 +29,13 @@ LinePanel::LinePanel(app::Session& session, QWidget* parent)
     nothing_->setForegroundRole(QPalette::PlaceholderText);
     nothing_->setContentsMargins(space::dockMargin, space::dockMargin, space::dockMargin, 0);
     nothing_->setWordWrap(true);
+    nothing_->setAlignment(Qt::AlignTop);
     grid_->setContentsMargins(space::dockMargin, 6, space::dockMargin, 0);
     grid_->setHorizontalSpacing(space::labelToField + 2);
     grid_->setVerticalSpacing(3);
     grid_->setColumnStretch(AfterColumn, 1);
+    for (const int row : {Verdict, Header, From, To, VisibleA, VisibleB})
+        grid_->setRowMinimumHeight(row, fontMetrics().height());
     verdict_->setFont(semiBold(captionFont(font())));
     verdict_->setForegroundRole(QPalette::Link);
     verdict_->setWordWrap(true);
@@ -48,22 +51,21 @@ LinePanel::LinePanel(app::Session& session, QWidget* parent)
     steps_->setFrameShape(QFrame::NoFrame);
     steps_->setFont(captionFont(font()));
     steps_->setAccessibleName(tr("Steps"));
-    steps_->setMinimumHeight(leastSteps * QFontMetrics(steps_->font()).lineSpacing() + 10);
+    steps_->setMinimumHeight(QFontMetrics(steps_->font()).lineSpacing() + 10);
     QPalette quiet = steps_->palette();
     quiet.setColor(QPalette::Base, Qt::transparent);
     steps_->setPalette(quiet);
     microscope_->setIconSize({16, 16});
-    microscope_->setToolTip(
-        tr("Show how this line is clipped, step by step (F2)"));
+    microscope_->setToolTip(tr("Show how this line is clipped, step by step (F2)"));
     connect(microscope_, &QPushButton::clicked, this, &LinePanel::microscopeWanted);
     auto* looking = new QHBoxLayout;
     looking->setContentsMargins(space::dockMargin, 0, space::dockMargin, 0);
     looking->addWidget(microscope_);
     looking->addStretch();
-    auto* column = new QVBoxLayout(this);
+    auto* ofLine = new QWidget;
+    auto* column = new QVBoxLayout(ofLine);
     column->setContentsMargins(0, 0, 0, space::labelToField);
     column->setSpacing(6);
-    column->addWidget(nothing_);
     column->addWidget(table_);
     column->addLayout(looking);
     auto* steps = new QHBoxLayout; // the text's own margin is 4
@@ -71,6 +73,11 @@ LinePanel::LinePanel(app::Session& session, QWidget* parent)
     steps->addWidget(steps_);
     column->addLayout(steps, 1);
     column->addStretch();
+    // One above the other, so that the panel needs the same height with and without a line.
+    pages_ = new QStackedLayout(this);
+    pages_->addWidget(nothing_);
+    pages_->addWidget(ofLine);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
 
     soon_.setSingleShot(true);
     soon_.setInterval(30);
@@ -87,6 +94,13 @@ LinePanel::LinePanel(app::Session& session, QWidget* parent)
     show();
 }
 
+QSize LinePanel::minimumSizeHint() const
+{
+    const int lines = Cost + 2 + leastSteps; // the verdict may need two, and the cost
+    return {QWidget::minimumSizeHint().width(),
+            lines * (fontMetrics().lineSpacing() + 3) + microscope_->sizeHint().height() + 24};
+}
+
 void LinePanel::showNow()
 {
     if (!soon_.isActive())
@@ -99,10 +113,7 @@ void LinePanel::show()
 {
     const auto inspected = session_.inspected();
     const bool some = inspected && *inspected < session_.scene.lines().size();
-    nothing_->setVisible(!some);
-    table_->setVisible(some);
-    microscope_->setVisible(some);
-    steps_->setVisible(some);
+    pages_->setCurrentIndex(some ? 1 : 0);
     if (some)
         showLine(app::inspect(session_, *inspected));
     else

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QStackedLayout>
 #include <QTimer>
 
 namespace ui {
@@ -21,6 +22,8 @@ public:
 
     QString verdict() const { return verdict_->text(); } ///< including the algorithm's name
     QString steps() const { return steps_->toPlainText(); }
+    /// The same for every line, so that no panel moves when another line is selected.
+    QSize minimumSizeHint() const override;
     void showNow(); ///< performs a pending update at once
 
 signals:
@@ -35,6 +38,7 @@ private:
 
     app::Session& session_;
     QLabel* nothing_;
+    QStackedLayout* pages_; ///< `nothing_`, and a line
     QWidget* table_;
     QGridLayout* grid_;
     QLabel *verdict_, *cost_;

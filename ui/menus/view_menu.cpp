@@ -3,6 +3,7 @@
 #include "ui/microscope/microscope_page.h"
 #include "ui/microscope/microscope_view.h"
 #include "ui/window/main_window.h"
+#include "ui/window/workspaces.h"
 
 #include <QActionGroup>
 #include <QApplication>
@@ -79,6 +80,23 @@ ActionInfo patternRow(std::string_view key, const QString& text)
         .submenu = tr("Gri&d looks")};
 }
 
+std::vector<ActionInfo> workspaceRows()
+{
+    std::vector<ActionInfo> rows;
+    for (const Workspace& workspace : workspaces()) {
+        rows.push_back({
+            .key = workspace.key,
+            .text = workspace.name,
+            .keys = {QKeySequence(QStringLiteral("Ctrl+Alt+%1").arg(rows.size() + 1))},
+            .run = [&workspace](MainWindow& w) { w.choose(workspace); },
+            .checked = [&workspace](const MainWindow& w) { return &w.workspace() == &workspace; },
+            .group = "workspace",
+            .submenu = tr("Wor&kspace"),
+        });
+    }
+    return rows;
+}
+
 void addPanels(MainWindow& window, QMenu& menu) { menu.addActions(window.panelToggles()); }
 
 } // namespace
@@ -87,7 +105,7 @@ void addPanels(MainWindow& window, QMenu& menu) { menu.addActions(window.panelTo
 MenuInfo viewMenu()
 {
     using K = QKeySequence;
-    return {
+    MenuInfo menu{
         .title = tr("&View"),
         .rows =
             {
@@ -212,6 +230,9 @@ MenuInfo viewMenu()
                 },
             },
     };
+    for (ActionInfo& row : workspaceRows())
+        menu.rows.push_back(std::move(row));
+    return menu;
 }
 
 } // namespace ui

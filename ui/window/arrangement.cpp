@@ -17,11 +17,9 @@ namespace {
 // Logical pixels.
 constexpr int wide = 1200, high = 780; // below these sizes: narrow panels; tabs instead of a stack
 constexpr int usualWidth = 336, startWidth = 396, widest = 572;
-constexpr int separator = 4;   // between two panels
-constexpr int barsHeight = 90; // menus, option bar and status bar, before they are laid out
-constexpr int barsAndSeparators = 120;
-constexpr int emptyLine = 90;   // the height of the panel Line without a line
-constexpr int leastRest = 160;  // for line and layers together
+constexpr int separator = 4;    // between two panels
+constexpr int barsHeight = 90;  // menus, option bar and status bar, before they are laid out
+constexpr int leastRest = 160;  // for the panels that grow with the window
 constexpr int leastBelow = 190; // for the panels below a comparison panel
 
 int wantedHeight(const Dock* dock)
@@ -31,7 +29,14 @@ int wantedHeight(const Dock* dock)
 
 int leastHeight(const Dock* dock)
 {
-    return dock->widget()->minimumSizeHint().height() + space::dockTitleHeight + separator;
+    const int body = dock->isFolded() ? 0 : dock->widget()->minimumSizeHint().height();
+    return body + space::dockTitleHeight + separator;
+}
+
+/// Lists take what the panels of fixed height leave.
+bool grows(const Dock* dock)
+{
+    return dock->widget()->sizePolicy().verticalPolicy() & QSizePolicy::ExpandFlag;
 }
 
 } // namespace
@@ -53,7 +58,7 @@ int Arrangement::neededTabs() const
     const int room =
         window_.isVisible() ? window_.centralWidget()->height() : window_.height() - barsHeight;
     std::vector<int> needed;
-    for (const Dock* dock : docks_.stack())
+    for (const Dock* dock : column_)
         needed.push_back(leastHeight(dock));
     return lowerTabs(needed, room);
 }
@@ -61,20 +66,27 @@ int Arrangement::neededTabs() const
 void Arrangement::place(const Situation& situation)
 {
     form_ = fitting(situation);
+    column_ = docks_.named(situation.workspace->column);
+    docks_.algorithm->setFolded(form_ == Form::Stacked && situation.folded);
     tabs_ = form_ == Form::Stacked ? neededTabs() : 0;
     for (Dock* dock : docks_.all()) {
         dock->setFloating(false);
         window_.removeDockWidget(dock);
     }
     addDocks(situation);
-    docks_.window->raise();
-    Dock* const front = form_ == Form::StartInFront ? docks_.start
-                        : situation.wide.empty()    ? docks_.algorithm
-                                                    : situation.wide.last();
+    Dock* const second = column_[1];
+    second->raise();
+    if (tabs_ > 0)
+        column_[column_.size() - tabs_]->raise();
+    Dock* const front = form_ == Form::StartInFront                         ? docks_.start
+                        : !situation.wide.empty()                           ? situation.wide.last()
+                        : form_ == Form::Tabs && situation.workspace->folds ? second
+                                                                            : docks_.algorithm;
     front->raise();
-    window_.resizeDocks({docks_.algorithm}, {columnWidth(situation)}, Qt::Horizontal);
+    window_.resizeDocks({form_ == Form::StartInFront ? docks_.start : docks_.algorithm},
+                        {columnWidth(situation)}, Qt::Horizontal);
     if (form_ == Form::Stacked)
-        shareHeight(situation);
+        shareHeight();
     else if (!situation.wide.empty())
         shareHeightWithWide(*situation.wide.last());
 }
@@ -82,18 +94,16 @@ void Arrangement::place(const Situation& situation)
 void Arrangement::addDocks(const Situation& situation)
 {
     const bool allTabs = form_ != Form::Stacked;
-    // No line is selected yet, or Start is finished.
-    Dock* const hidden = form_ == Form::StartInFront ? docks_.line : docks_.start;
-    const QList<Dock*> stack = docks_.stack();
+    QList<Dock*> docks = situation.wide;
+    if (form_ == Form::StartInFront)
+        docks << docks_.start;
     Dock* last = nullptr;
-    for (Dock* dock : situation.wide + docks_.narrow()) {
-        if (dock == hidden && !allTabs)
-            continue; // not even behind another panel, whose title would then be in a tab
-        if (dock == docks_.window && !situation.wide.empty())
+    for (Dock* dock : docks + column_) {
+        if (dock == column_[1] && !situation.wide.empty())
             last = nullptr; // the panels from here on are below
         window_.addDockWidget(Qt::RightDockWidgetArea, dock);
-        dock->setVisible(dock != hidden);
-        const bool lower = stack.indexOf(dock) > stack.size() - tabs_; // except the first of them
+        dock->show();
+        const bool lower = column_.indexOf(dock) > column_.size() - tabs_; // except the first
         if ((allTabs || lower) && last)
             window_.tabifyDockWidget(last, dock);
         last = dock;
@@ -108,34 +118,25 @@ int Arrangement::columnWidth(const Situation& situation) const
     return width < wide ? narrowest : situation.starting ? startWidth : usualWidth;
 }
 
-void Arrangement::shareHeight(const Situation& situation)
-{
-    if (tabs_ > 0)
-        return shareHeightAbove(*docks_.stack()[docks_.stack().size() - tabs_]);
-    const int algorithm = wantedHeight(docks_.algorithm), window = wantedHeight(docks_.window),
-              selection = wantedHeight(docks_.selection);
-    const int rest =
-        std::max(leastRest, window_.height() - barsAndSeparators - algorithm - window - selection);
-    const int line = situation.inspecting ? rest * 11 / 20 : emptyLine;
-    window_.resizeDocks(
-        {docks_.algorithm, docks_.window, docks_.selection, docks_.line, docks_.layers},
-        {algorithm, window, selection, line, rest - line}, Qt::Vertical);
-}
-
-/// `lower` holds the place of the lowest panels.
-void Arrangement::shareHeightAbove(Dock& lower)
+/// The panels of fixed height get what they need, the others share the rest.
+void Arrangement::shareHeight()
 {
     QList<QDockWidget*> docks;
     QList<int> heights;
+    QList<qsizetype> growing;
     int rest = window_.height() - barsHeight;
-    for (Dock* dock : {docks_.algorithm, docks_.window, docks_.selection}) {
-        if (dock == &lower)
-            break;
-        docks << dock;
-        heights << wantedHeight(dock);
-        rest -= heights.last();
+    for (qsizetype i = 0; i <= column_.size() - std::max(tabs_, 1); ++i) {
+        const Dock* dock = column_[i];
+        docks << column_[i];
+        heights << (dock->isFolded() ? space::dockTitleHeight : wantedHeight(dock));
+        if (grows(dock) || (tabs_ > 0 && i == column_.size() - tabs_))
+            growing << i;
+        else
+            rest -= heights.last() + separator;
     }
-    window_.resizeDocks(docks << &lower, heights << std::max(leastRest, rest), Qt::Vertical);
+    for (const qsizetype i : growing)
+        heights[i] = std::max(leastRest, rest) / int(growing.size());
+    window_.resizeDocks(docks, heights, Qt::Vertical);
 }
 
 /// The front panel gets the height it needs, as long as some is left for those below.
@@ -143,7 +144,7 @@ void Arrangement::shareHeightWithWide(Dock& front)
 {
     const int all = window_.centralWidget()->height();
     const int above = std::min(wantedHeight(&front), all - leastBelow);
-    window_.resizeDocks({&front, docks_.window}, {above, all - above}, Qt::Vertical);
+    window_.resizeDocks({&front, column_[1]}, {above, all - above}, Qt::Vertical);
 }
 
 } // namespace ui

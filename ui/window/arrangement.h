@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/window/panel_docks.h"
+#include "ui/window/workspaces.h"
 
 class QMainWindow;
 
@@ -9,14 +10,15 @@ namespace ui {
 
 /// What decides how the program arranges the panels, apart from the window's size.
 struct Situation {
+    const Workspace* workspace;
     bool starting;          ///< the panel Start is wanted in front
-    bool inspecting;        ///< the panel Line shows a line
+    bool folded;            ///< the panel Algorithm is only a title where it has a place of its own
     QList<Dock*> wide = {}; ///< the visible comparison panels, the newest last
 };
 
-/// Places the panels in a column at the right: one below the other; as tabs in a low window or
-/// below comparison panels; or as tabs with Start in front. In a stack that is too low, the lowest
-/// panels share a place as tabs.
+/// Places the panels of a workspace in a column at the right: one below the other; as tabs in a low
+/// window or below comparison panels; or as tabs with Start in front. In a stack that is too low,
+/// the lowest panels share a place as tabs. Nothing depends on what is selected.
 class Arrangement {
 public:
     enum class Form : std::uint8_t { Stacked, Tabs, StartInFront };
@@ -28,25 +30,23 @@ public:
     Form fitting(const Situation& situation) const;
     /// Whether the number of panels that share a place as tabs fits the window's current height.
     bool tabsFit() const { return neededTabs() == tabs_; }
-    bool hasTabsBelow() const { return tabs_ > 0; } ///< in a stack, the lowest panels are tabs
 
-    /// Places all panels in the fitting form. Closed comparison panels stay closed.
+    /// Places the panels in the fitting form. Closed comparison panels stay closed.
     void place(const Situation& situation);
-    /// Shares the column's height among the panels of a stack: algorithm, clip window and selection get
-    /// what they need, line and layers the rest.
-    void shareHeight(const Situation& situation);
 
 private:
     int neededTabs() const;
+    void choosePanels(const Situation& situation);
     void addDocks(const Situation& situation);
     int columnWidth(const Situation& situation) const;
-    void shareHeightAbove(Dock& lower);
+    void shareHeight();
     void shareHeightWithWide(Dock& front);
 
     QMainWindow& window_;
     PanelDocks docks_;
     Form form_ = Form::Stacked;
-    int tabs_ = 0; ///< how many of the stacked panels share the lowest place
+    QList<Dock*> column_; ///< the workspace's panels, from top to bottom
+    int tabs_ = 0;        ///< how many of the stacked panels share the lowest place
 };
 
 } // namespace ui

@@ -13,8 +13,10 @@
 #include "ui/window/centre.h"
 #include "ui/window/modes.h"
 #include "ui/window/panel_layout.h"
+#include "ui/window/workspace_tabs.h"
 
 #include <QApplication>
+#include <QMenuBar>
 #include <QSettings>
 
 namespace ui {
@@ -80,6 +82,7 @@ void MainWindow::addBars()
     connect(optionBar_, &OptionBar::taken, strip_, &MessageStrip::withdrawRefusal);
     toolBar_ = new ToolBar(session_, *canvas_);
     addToolBar(Qt::LeftToolBarArea, toolBar_);
+    menuBar()->setCornerWidget(new WorkspaceTabs(*panelLayout_));
 }
 
 void MainWindow::addModes()
@@ -130,6 +133,10 @@ void MainWindow::togglePanel(const QString& key) { panelLayout_->toggle(key); }
 bool MainWindow::showsPanel(const QString& key) const { return panelLayout_->shows(key); }
 
 void MainWindow::resetLayout() { panelLayout_->reset(); }
+
+const Workspace& MainWindow::workspace() const { return panelLayout_->workspace(); }
+
+void MainWindow::choose(const Workspace& workspace) { panelLayout_->choose(workspace); }
 
 void MainWindow::showLessons() { modes_->microscope().showLessons(); }
 

@@ -24,6 +24,7 @@ class OptionBar;
 class PanelLayout;
 class StatusBar;
 class ToolBar;
+struct Workspace;
 
 /// The editor's window around one session: bars, canvas and panels. It only assembles them. The
 /// room menus/ adds its commands (`addMenus`) and opens the other windows that it asks for.
@@ -63,6 +64,8 @@ public:
     void togglePanel(const QString& key);
     bool showsPanel(const QString& key) const; ///< possibly behind another tab
     void resetLayout();
+    const Workspace& workspace() const;
+    void choose(const Workspace& workspace);
 
     /// Shows the lessons beside the microscope.
     void showLessons();

@@ -4,6 +4,7 @@
 #include "ui/docks/cost_map_panel.h"
 #include "ui/docks/difference_panel.h"
 #include "ui/docks/exactness_panel.h"
+#include "ui/docks/history_panel.h"
 #include "ui/docks/line_panel.h"
 #include "ui/docks/selection_panel.h"
 #include "ui/docks/window_panel.h"
@@ -17,8 +18,7 @@ namespace ui {
 
 void MainWindow::addPanels()
 {
-    panelLayout_ = std::make_unique<PanelLayout>(
-        *this, panels_.docks, [this] { return session_.inspected().has_value(); });
+    panelLayout_ = std::make_unique<PanelLayout>(*this, panels_.docks);
     connectPanels();
     connectLayout();
 }
@@ -36,6 +36,7 @@ void MainWindow::connectPanels()
     connect(panels_.selection, &SelectionPanel::entered, canvas_, focusCanvas);
     connect(panels_.selection, &SelectionPanel::refused, strip_, &MessageStrip::refuse);
     connect(panels_.selection, &SelectionPanel::taken, strip_, &MessageStrip::withdrawRefusal);
+    connect(panels_.history, &HistoryPanel::stepWanted, canvas_, &Canvas::goToStep);
     connect(panels_.costMap, &CostMapPanel::told, this, &MainWindow::tell);
     const auto look = [this](const clipping::Window& place) {
         canvas_->go(app::lookingAt(canvas_->view(), place, session_.window()));
@@ -59,8 +60,6 @@ void MainWindow::connectLayout()
     connect(panelLayout_.get(), &PanelLayout::aboutToBringBack, panels_.line, &LinePanel::showNow);
     connect(panels_.window, &WindowPanel::resized, panelLayout_.get(), &PanelLayout::fit,
             Qt::QueuedConnection);
-    connect(panels_.line, &LinePanel::titled, panelLayout_.get(),
-            &PanelLayout::makeRoomForLine); // its size is known now
 }
 
 } // namespace ui

@@ -3,6 +3,7 @@
 
 #include "app/settings/seal.h"
 
+#include <QDataStream>
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QSettings>
@@ -12,6 +13,7 @@ namespace ui {
 namespace {
 
 constexpr int version = 1; // of the data of QMainWindow::saveState()
+constexpr auto group = "layouts";
 
 } // namespace
 
@@ -29,22 +31,74 @@ void OwnLayout::notice()
         exists_ = true;
 }
 
-QByteArray OwnLayout::state() const { return window_.saveState(version); }
-
-void OwnLayout::save(const QByteArray& state) const
+QByteArray OwnLayout::state() const
 {
-    QSettings settings;
-    settings.setValue("ownLayout", exists_);
-    if (exists_)
-        settings.setValue("layout", app::sealed(state));
+    QStringList open;
+    for (const QDockWidget* dock : docks())
+        if (!dock->isHidden())
+            open << dock->objectName();
+    QByteArray state;
+    QDataStream stream(&state, QIODevice::WriteOnly);
+    stream << open << window_.saveState(version);
+    return state;
 }
 
-void OwnLayout::restore()
+QList<QDockWidget*> OwnLayout::docks() const
 {
-    const QSettings settings;
-    const auto layout = app::unsealed(settings.value("layout").toByteArray());
-    exists_ =
-        settings.value("ownLayout").toBool() && layout && window_.restoreState(*layout, version);
+    return window_.findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly);
+}
+
+void OwnLayout::keep(const QByteArray& state)
+{
+    if (exists_)
+        layouts_[workspace_] = state;
+    else
+        layouts_.remove(workspace_);
+}
+
+void OwnLayout::show()
+{
+    const auto own = layouts_.constFind(workspace_);
+    exists_ = own != layouts_.cend();
+    if (!exists_)
+        return;
+    QStringList open;
+    QByteArray places;
+    QDataStream stream(*own);
+    stream >> open >> places;
+    exists_ = window_.restoreState(places, version);
+    // It also shows docks that its data do not name.
+    for (QDockWidget* dock : docks())
+        if (exists_ && !open.contains(dock->objectName()))
+            dock->hide();
+}
+
+void OwnLayout::choose(const QString& workspace)
+{
+    keep(state());
+    workspace_ = workspace;
+    show();
+}
+
+void OwnLayout::save(const QByteArray& state)
+{
+    keep(state);
+    QSettings settings;
+    settings.beginGroup(group);
+    settings.remove(QString());
+    for (auto own = layouts_.cbegin(); own != layouts_.cend(); ++own)
+        settings.setValue(own.key(), app::sealed(own.value()));
+}
+
+void OwnLayout::restore(const QString& workspace)
+{
+    QSettings settings;
+    settings.beginGroup(group);
+    for (const QString& key : settings.childKeys())
+        if (const auto layout = app::unsealed(settings.value(key).toByteArray()))
+            layouts_[key] = *layout;
+    workspace_ = workspace;
+    show();
 }
 
 } // namespace ui

@@ -7,18 +7,24 @@ namespace ui {
 
 /// The docks of a window by their part in its layout.
 struct PanelDocks {
-    Dock* start;     ///< in front until a drawing is opened or changed
-    Dock* algorithm; ///< always at the top of the stack, with a place of its own
-    Dock* window;
-    Dock* selection;
-    Dock* line; ///< small until a line is inspected
-    Dock* layers;
-    QList<Dock*> wide; ///< the comparison panels: above the others, in a wider column
+    Dock* start;         ///< in front until a drawing is opened or changed
+    Dock* algorithm;     ///< may be folded
+    QList<Dock*> narrow; ///< the other working panels
+    QList<Dock*> wide;   ///< the comparison panels: above the others, in a wider column
 
-    /// The working panels from top to bottom.
-    QList<Dock*> stack() const { return {algorithm, window, selection, line, layers}; }
-    QList<Dock*> narrow() const { return QList<Dock*>{start} + stack(); }
-    QList<Dock*> all() const { return narrow() + wide; }
+    /// The working panels.
+    QList<Dock*> working() const { return QList<Dock*>{algorithm} + narrow; }
+    QList<Dock*> all() const { return QList<Dock*>{start} + working() + wide; }
+    /// Those with these keys, in their order.
+    QList<Dock*> named(const QStringList& keys) const
+    {
+        QList<Dock*> found;
+        for (const QString& key : keys)
+            for (Dock* dock : all())
+                if (dock->objectName() == key)
+                    found << dock;
+        return found;
+    }
 };
 
 } // namespace ui

@@ -1,18 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/panel_layout.h"
 
+#include "app/base/latin.h"
 #include "ui/window/dock_tabs.h"
 
+#include <QAction>
 #include <QMainWindow>
+#include <QSettings>
 
 #include <utility>
 
 namespace ui {
 
-PanelLayout::PanelLayout(QMainWindow& window, const PanelDocks& docks,
-                         std::function<bool()> inspecting)
-    : window_(window), docks_(docks), inspecting_(std::move(inspecting)), own_(window),
-      arrangement_(window, docks), hiding_(window, docks.all())
+namespace {
+
+const QString workspaceKey = QStringLiteral("workspace"); // in the settings
+
+} // namespace
+
+PanelLayout::PanelLayout(QMainWindow& window, const PanelDocks& docks)
+    : window_(window), docks_(docks), own_(window), arrangement_(window, docks),
+      hiding_(window, docks.all()), workspace_(&findWorkspace({}))
 {
     for (Dock* wide : docks_.wide) {
         wide->hide();
@@ -22,6 +30,8 @@ PanelLayout::PanelLayout(QMainWindow& window, const PanelDocks& docks,
     }
     for (Dock* dock : docks_.all())
         add(*dock);
+    docks_.algorithm->setFoldable(true);
+    connect(docks_.algorithm, &Dock::foldWanted, this, &PanelLayout::fold);
     window.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     window.setDockOptions(QMainWindow::AllowTabbedDocks
                           | QMainWindow::AllowNestedDocks); // no animation
@@ -35,9 +45,14 @@ void PanelLayout::add(Dock& dock)
     own_.watch(dock);
     connect(&dock, &QDockWidget::visibilityChanged, this, &PanelLayout::showTitles,
             Qt::QueuedConnection);
+    // A panel that is not of the workspace has no place to be shown at.
+    connect(dock.toggleViewAction(), &QAction::triggered, this, [this, &dock](bool shown) {
+        if (shown && docks_.working().contains(&dock))
+            bringToFront(dock);
+    });
 }
 
-Situation PanelLayout::situation() const { return {starting_, inspecting_(), openWide_}; }
+Situation PanelLayout::situation() const { return {workspace_, starting_, folded_, openWide_}; }
 
 void PanelLayout::arrange()
 {
@@ -51,23 +66,6 @@ void PanelLayout::arrange()
     const auto quiet = own_.byProgram();
     arrangement_.place(situation());
     showTitles();
-}
-
-void PanelLayout::makeRoomForLine()
-{
-    if (hidden())
-        return;
-    const bool hadLine = std::exchange(hadLine_, inspecting_());
-    if (hadLine || !hadLine_ || own_.exists() || arrangement_.form() != Arrangement::Form::Stacked)
-        return;
-    if (!arrangement_.tabsFit()) {
-        arrange();
-    } else {
-        const auto quiet = own_.byProgram();
-        arrangement_.shareHeight(situation());
-    }
-    if (arrangement_.hasTabsBelow())
-        docks_.line->raise();
 }
 
 void PanelLayout::fit()
@@ -85,11 +83,55 @@ void PanelLayout::fitWindow()
         arrange();
 }
 
+void PanelLayout::choose(const Workspace& workspace)
+{
+    if (hidden())
+        return defer([this, &workspace] { choose(workspace); });
+    if (workspace_ == &workspace && !starting_)
+        return;
+    emit aboutToRaise();
+    starting_ = false;
+    {
+        const auto quiet = own_.byProgram();
+        workspace_ = &workspace;
+        folded_ = workspace.folds;
+        own_.choose(app::latin(workspace.key));
+        if (own_.exists()) {
+            docks_.algorithm->setFolded(folded_);
+        } else {
+            showWide();
+        }
+        for (Dock* dock : docks_.wide)
+            follow(*dock);
+    }
+    arrange();
+    showTitles();
+    emit workspaceChanged();
+    emit changed();
+}
+
+/// Opens the comparison panel of the workspace, and closes the others.
+void PanelLayout::showWide()
+{
+    for (Dock* dock : docks_.wide)
+        dock->setVisible(dock->objectName() == workspace_->wide);
+}
+
+void PanelLayout::fold(bool folded)
+{
+    folded_ = folded;
+    if (own_.exists())
+        docks_.algorithm->setFolded(folded);
+    else
+        arrange();
+}
+
 void PanelLayout::reset()
 {
     if (hidden())
         return defer([this] { reset(); });
     own_.forget();
+    folded_ = workspace_->folds;
     arrange();
 }
 
@@ -113,8 +155,7 @@ void PanelLayout::bringBack()
     }
     before_.clear();
     if (arrangement_.fitting(situation()) != arrangement_.form())
-        arrange();     // the window's size has changed, or Start is finished
-    makeRoomForLine(); // a line may have been inspected meanwhile
+        arrange(); // the window's size has changed, or Start is finished
     fit();
     for (const auto& action : std::exchange(deferred_, {}))
         action();
@@ -127,17 +168,26 @@ void PanelLayout::showTitles()
         refreshTitles(window_, docks_.all());
 }
 
-void PanelLayout::save() const { own_.save(hidden() ? before_ : own_.state()); }
+void PanelLayout::save()
+{
+    own_.save(hidden() ? before_ : own_.state());
+    QSettings().setValue(workspaceKey, app::latin(workspace_->key));
+}
 
 void PanelLayout::restore()
 {
     const auto quiet = own_.byProgram();
-    own_.restore();
-    if (!starting_)
-        docks_.start->hide(); // restoreState() shows docks that its data do not name
+    workspace_ = &findWorkspace(QSettings().value(workspaceKey).toString().toStdString());
+    folded_ = workspace_->folds;
+    own_.restore(app::latin(workspace_->key));
+    if (own_.exists())
+        docks_.algorithm->setFolded(folded_);
+    else
+        showWide();
     for (Dock* dock : docks_.wide)
         follow(*dock);
     arrange();
+    emit workspaceChanged();
 }
 
 } // namespace ui

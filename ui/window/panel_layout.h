@@ -12,16 +12,20 @@ class QAction;
 
 namespace ui {
 
-/// Which panels a window shows, and where. The program arranges them (`Arrangement`) until the
-/// person moves one (`OwnLayout`); a mode without panels hides them all for a while
+/// Which panels a window shows, and where. The program arranges those of the chosen workspace
+/// (`Arrangement`) until the person moves one (`OwnLayout`); a mode without panels hides them all
+/// for a while
 /// (`HiddenPanels`). Meanwhile nothing is rearranged or shown: raise(), toggle() and reset() take
 /// effect, in the order of the calls, when the panels come back.
 class PanelLayout : public QObject {
     Q_OBJECT
 
 public:
-    /// Adds the docks to the window. `inspecting` answers whether the panel Line shows a line.
-    PanelLayout(QMainWindow& window, const PanelDocks& docks, std::function<bool()> inspecting);
+    /// Adds the docks to the window.
+    PanelLayout(QMainWindow& window, const PanelDocks& docks);
+
+    const Workspace& workspace() const { return *workspace_; }
+    void choose(const Workspace& workspace);
 
     QList<QAction*> toggles() const; ///< of all panels except Start, which is shown automatically
     /// Brings a panel to the front, and opens it first if it is a closed comparison panel.
@@ -31,22 +35,22 @@ public:
     bool shows(const QString& key) const; ///< possibly behind another tab
 
     void showStart();
-    void leaveStart();      ///< shows the working panels; nothing happens if Start is not wanted
-    void makeRoomForLine(); ///< the panel Line has another content
-    void fit();             ///< a panel needs another height: other panels may become tabs
-    void fitWindow();       ///< the window has another size
-    void reset();           ///< forgets the person's own layout
+    void leaveStart(); ///< shows the working panels; nothing happens if Start is not wanted
+    void fit();        ///< a panel needs another height: other panels may become tabs
+    void fitWindow();  ///< the window has another size
+    void reset();      ///< forgets the person's own layout
 
     void hideAll();
     void bringBack(); ///< nothing happens if the panels are not hidden
 
-    void save() const; ///< to the settings; if the panels are hidden, the layout before that
-    void restore();    ///< from the settings
+    void save();    ///< to the settings; if the panels are hidden, the layout before that
+    void restore(); ///< from the settings
 
 signals:
     void aboutToRaise();     ///< receivers must hide what covers the panels
     void aboutToBringBack(); ///< each panel needs its final height now
     void changed();          ///< a comparison panel was opened or closed
+    void workspaceChanged();
 
 private:
     void add(Dock& dock);
@@ -56,19 +60,22 @@ private:
     void follow(Dock& wide);
     void showTitles();
     void bringToFront(Dock& narrow);
+    Dock* lowestDocked() const;
     void setOpen(Dock& wide, bool open); ///< an open one is in front
+    void showWide();
+    void fold(bool folded);
     void defer(std::function<void()> action) { deferred_.push_back(std::move(action)); }
 
     QMainWindow& window_;
     PanelDocks docks_;
-    std::function<bool()> inspecting_;
     OwnLayout own_;
     Arrangement arrangement_;
     HiddenPanels hiding_;
     QByteArray before_; ///< the layout before all panels were hidden; empty: they are not
     std::vector<std::function<void()>> deferred_; ///< until the panels come back
     QList<Dock*> openWide_; ///< the visible comparison panels, the newest last
-    bool hadLine_ = false;  ///< a line was inspected when the panels last made room
+    const Workspace* workspace_;
+    bool folded_ = false;   ///< the panel Algorithm is only a title where it has a place of its own
     bool starting_ = false; ///< Start is wanted in front
 };
 

@@ -20,7 +20,7 @@ bool isInFront(const Dock& dock) { return !dock.isHidden() && !dock.isBehind(); 
 QList<QAction*> PanelLayout::toggles() const
 {
     QList<QAction*> toggles;
-    for (const Dock* dock : docks_.stack() + docks_.wide)
+    for (const Dock* dock : docks_.working() + docks_.wide)
         toggles << dock->toggleViewAction();
     return toggles;
 }
@@ -32,7 +32,7 @@ void PanelLayout::raise(const QString& key)
         return showStart();
     if (hidden())
         return defer([this, key] { raise(key); });
-    for (Dock* dock : docks_.narrow())
+    for (Dock* dock : docks_.working() + QList<Dock*>{docks_.start})
         if (dock->objectName() == key)
             bringToFront(*dock);
     for (Dock* dock : docks_.wide)
@@ -42,13 +42,27 @@ void PanelLayout::raise(const QString& key)
 
 void PanelLayout::bringToFront(Dock& narrow)
 {
+    if (&narrow == docks_.algorithm && narrow.isFolded())
+        fold(false);
     const auto quiet = own_.byProgram();
     if (window_.dockWidgetArea(&narrow) == Qt::NoDockWidgetArea) {
         window_.addDockWidget(Qt::RightDockWidgetArea, &narrow);
-        window_.tabifyDockWidget(docks_.algorithm, &narrow);
+        if (Dock* below = lowestDocked())
+            window_.tabifyDockWidget(below, &narrow);
     }
     narrow.show();
     narrow.raise();
+}
+
+/// The last panel of the workspace that is in the column: a further panel shares its place.
+Dock* PanelLayout::lowestDocked() const
+{
+    const QList<Dock*> column = docks_.named(workspace_->column);
+    const auto docked = std::find_if(column.rbegin(), column.rend(), [this](const Dock* dock) {
+        return !dock->isHidden() && !dock->isFloating()
+               && window_.dockWidgetArea(const_cast<Dock*>(dock)) != Qt::NoDockWidgetArea;
+    });
+    return docked == column.rend() ? nullptr : *docked;
 }
 
 void PanelLayout::toggle(const QString& key)

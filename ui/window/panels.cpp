@@ -6,6 +6,7 @@
 #include "ui/docks/cost_map_panel.h"
 #include "ui/docks/difference_panel.h"
 #include "ui/docks/exactness_panel.h"
+#include "ui/docks/history_panel.h"
 #include "ui/docks/layers_panel.h"
 #include "ui/docks/line_panel.h"
 #include "ui/docks/selection_panel.h"
@@ -26,25 +27,30 @@ Panels::Panels(app::Session& session)
     : start(new StartPanel), algorithm(new AlgorithmPanel(session)),
       window(new WindowPanel(session)), selection(new SelectionPanel(session)),
       line(new LinePanel(session)), layers(new LayersPanel(session)),
-      compare(new ComparePanel(session)), difference(new DifferencePanel(session)),
-      costMap(new CostMapPanel(session)), exactness(new ExactnessPanel(session)),
+      history(new HistoryPanel(session.history)), compare(new ComparePanel(session)),
+      difference(new DifferencePanel(session)), costMap(new CostMapPanel(session)),
+      exactness(new ExactnessPanel(session)),
       docks{.start = new Dock("start", tr("Start"), start),
             .algorithm = new Dock("algorithm", tr("Algorithm"), algorithm),
-            .window = new Dock("window", tr("Clip window"), window),
-            .selection = new Dock("selection", tr("Selection"), selection),
-            .line = new Dock("line", tr("Line"), line),
-            .layers = new Dock("layers", tr("Layers"), layers),
+            .narrow = {new Dock("window", tr("Clip window"), window),
+                       new Dock("selection", tr("Selection"), selection),
+                       new Dock("line", tr("Line"), line), new Dock("layers", tr("Layers"), layers),
+                       new Dock("history", tr("History"), history)},
             .wide = {new Dock("compare", tr("Compare"), compare),
                      new Dock("difference", tr("Differences"), difference),
                      new Dock("cost-map", tr("Cost map"), costMap),
                      new Dock("exactness", tr("Exactness"), exactness)}}
 {
-    QObject::connect(line, &LinePanel::titled, docks.line,
-                     [dock = docks.line](const QString& title, const QString& remark) {
+    Dock* const lineDock = docks.named({"line"}).front();
+    QObject::connect(line, &LinePanel::titled, lineDock,
+                     [dock = lineDock](const QString& title, const QString& remark) {
                          dock->setRemark(remark);
                          dock->setName(title);
                      });
-    QObject::connect(selection, &SelectionPanel::titled, docks.selection, &Dock::setRemark);
+    QObject::connect(selection, &SelectionPanel::titled, docks.named({"selection"}).front(),
+                     &Dock::setRemark);
+    QObject::connect(algorithm, &AlgorithmPanel::titled, docks.algorithm, &Dock::setFoldedRemark);
+    docks.algorithm->setFoldedRemark(algorithm->title());
     QObject::connect(docks.wide.front(), &QDockWidget::visibilityChanged, compare,
                      &ComparePanel::setWatched);
 }

@@ -14,6 +14,7 @@ class ComparePanel;
 class CostMapPanel;
 class DifferencePanel;
 class ExactnessPanel;
+class HistoryPanel;
 class LayersPanel;
 class LinePanel;
 class SelectionPanel;
@@ -30,6 +31,7 @@ struct Panels {
     SelectionPanel* selection;
     LinePanel* line;
     LayersPanel* layers;
+    HistoryPanel* history;
     ComparePanel* compare;
     DifferencePanel* difference;
     CostMapPanel* costMap;

@@ -555,7 +555,7 @@ private slots:
         TestWindow t;
         t.open(t.twoLines());
         t.show();
-        t.window->resize(1440, 1200); // room below a list of any number of algorithms
+        t.window->resize(1440, 1400); // room below a list of any number of algorithms
         for (const char* key : {"algorithm", "window", "line", "layers"}) {
             auto* dock = t.window->findChild<QDockWidget*>(key);
             QTRY_VERIFY2(dock->titleBarWidget()->height() > 20, key);

@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QSignalSpy>
+#include <QToolButton>
 
 #include "tests/ui/window/plain_panels.h"
 
@@ -10,6 +11,7 @@ using namespace ui;
 
 namespace {
 
+/// Of the usual workspace, in the order of the docks.
 const QStringList stack{"algorithm", "window", "selection", "line", "layers"};
 
 /// Where the panels in front are.
@@ -37,29 +39,82 @@ private slots:
         plain.window.resize(1280, 700);
         plain.layout->fitWindow();
         QCOMPARE(plain.inFront(), QStringList("algorithm"));
-        QCOMPARE(plain.window.tabifiedDockWidgets(plain.docks.algorithm).size(), 5);
+        QCOMPARE(plain.window.tabifiedDockWidgets(plain.docks.algorithm).size(), 4);
         QTRY_VERIFY(plain.docks.algorithm->titleBarWidget()->height() == 0); // the tab is the title
     }
     void panelsThatAreTooHighShareTheLowestPlace()
     {
         PlainWindow plain;
         plain.show();
-        PlainWindow::panel(*plain.docks.layers).least = 600;
+        PlainWindow::panel(plain.dock("layers")).least = 600;
         plain.layout->fit();
-        QVERIFY(plain.window.tabifiedDockWidgets(plain.docks.layers).contains(plain.docks.line));
+        QVERIFY(
+            plain.window.tabifiedDockWidgets(&plain.dock("layers")).contains(&plain.dock("line")));
         QVERIFY(plain.window.tabifiedDockWidgets(plain.docks.algorithm).empty());
         QVERIFY(plain.inFront().contains("algorithm"));
     }
-    void theFirstLineGetsItsRoom()
+    void everyWorkspaceShowsItsPanels()
+    {
+        for (const Workspace& workspace : workspaces()) {
+            PlainWindow plain;
+            plain.show();
+            plain.layout->choose(workspace);
+            QStringList front = plain.inFront();
+            if (!workspace.wide.isEmpty()) {
+                QVERIFY(front.contains(workspace.wide));
+                QVERIFY(front.contains(workspace.column[1]));
+                continue;
+            }
+            QStringList wanted = workspace.column;
+            front.sort();
+            wanted.sort();
+            QCOMPARE(front, wanted);
+            QCOMPARE(plain.docks.algorithm->isFolded(), workspace.folds);
+        }
+    }
+    void aFoldedPanelIsOnlyItsTitle()
     {
         PlainWindow plain;
         plain.show();
-        const int before = plain.docks.line->height();
-        plain.layout->makeRoomForLine(); // there is none
-        QCOMPARE(plain.docks.line->height(), before);
-        plain.inspecting = true;
-        plain.layout->makeRoomForLine();
-        QTRY_VERIFY(plain.docks.line->height() > 2 * before);
+        plain.layout->choose(findWorkspace("workspace-draw"));
+        QCoreApplication::processEvents();
+        Dock& algorithm = *plain.docks.algorithm;
+        QCOMPARE(algorithm.height(), algorithm.titleBarWidget()->height());
+        QTest::mouseClick(algorithm.titleBarWidget()->findChild<QToolButton*>(), Qt::LeftButton);
+        QVERIFY(!algorithm.isFolded());
+        QTRY_VERIFY(algorithm.height() > 60);
+        plain.layout->choose(findWorkspace("workspace-cut"));
+        plain.layout->choose(findWorkspace("workspace-draw"));
+        QVERIFY(algorithm.isFolded());
+        plain.layout->raise("algorithm"); // somebody asks for it
+        QVERIFY(!algorithm.isFolded());
+    }
+    void aFurtherPanelSharesTheLowestPlace()
+    {
+        PlainWindow plain;
+        plain.show();
+        plain.dock("history").toggleViewAction()->trigger();
+        QVERIFY(plain.inFront().contains("history"));
+        QVERIFY(plain.window.tabifiedDockWidgets(&plain.dock("history"))
+                    .contains(&plain.dock("selection")));
+    }
+    void everyWorkspaceHasItsOwnLayoutAndIsRemembered()
+    {
+        PlainWindow plain;
+        plain.show();
+        const Workspace &draw = findWorkspace("workspace-draw"),
+                        &cut = findWorkspace("workspace-cut");
+        plain.layout->choose(draw);
+        plain.window.addDockWidget(Qt::LeftDockWidgetArea, &plain.dock("layers"));
+        plain.layout->choose(cut);
+        QCOMPARE(plain.window.dockWidgetArea(&plain.dock("layers")), Qt::RightDockWidgetArea);
+        plain.layout->choose(draw);
+        QCOMPARE(plain.window.dockWidgetArea(&plain.dock("layers")), Qt::LeftDockWidgetArea);
+        plain.layout->save();
+        PlainWindow next;
+        QSettings().setValue("workspace", "workspace-draw");
+        next.show();
+        QCOMPARE(&next.layout->workspace(), &draw);
     }
     void startIsInFrontUntilItIsLeft()
     {
@@ -82,7 +137,7 @@ private slots:
         QVERIFY(plain.layout->shows("difference") && !plain.layout->shows("compare"));
         QCOMPARE(plain.inFront(), QStringList({"window", "difference"}));
         QVERIFY(plain.docks.wide[1]->width() > before["algorithm"].width() + 100);
-        QVERIFY(plain.docks.wide[1]->y() < plain.docks.window->y());
+        QVERIFY(plain.docks.wide[1]->y() < plain.dock("window").y());
         plain.layout->toggle("difference");
         QCOMPARE(places(plain), before);
         QCOMPARE(changed.size(), 2);
@@ -129,7 +184,7 @@ private slots:
         plain.show();
         plain.layout->toggle("compare");
         plain.layout->raise("layers");
-        plain.window.resizeDocks({plain.docks.wide[0], plain.docks.layers}, {300, 500},
+        plain.window.resizeDocks({plain.docks.wide[0], &plain.dock("layers")}, {300, 500},
                                  Qt::Vertical);
         QCoreApplication::processEvents();
         const auto before = places(plain);
@@ -148,8 +203,6 @@ private slots:
         plain.layout->reset();
         plain.window.resize(1280, 700);
         plain.layout->fitWindow();
-        plain.inspecting = true;
-        plain.layout->makeRoomForLine();
         QCOMPARE(plain.inFront(), QStringList());
         plain.layout->bringBack();
         QCOMPARE(plain.inFront(), QStringList("start"));
@@ -202,11 +255,11 @@ private slots:
     {
         PlainWindow plain;
         plain.show();
-        plain.window.addDockWidget(Qt::LeftDockWidgetArea, plain.docks.layers);
+        plain.window.addDockWidget(Qt::LeftDockWidgetArea, &plain.dock("layers"));
         plain.layout->hideAll();
         plain.layout->reset();
         plain.layout->bringBack();
-        QCOMPARE(plain.window.dockWidgetArea(plain.docks.layers), Qt::RightDockWidgetArea);
+        QCOMPARE(plain.window.dockWidgetArea(&plain.dock("layers")), Qt::RightDockWidgetArea);
         QCOMPARE(plain.inFront(), stack);
     }
     void startLeftWhileAllAreHiddenShowsNoPanel()
@@ -229,7 +282,7 @@ private slots:
         plain.show();
         bool hidden = false;
         connect(plain.layout.get(), &PanelLayout::aboutToBringBack, this,
-                [&] { hidden = plain.docks.line->isHidden(); });
+                [&] { hidden = plain.dock("line").isHidden(); });
         plain.layout->bringBack();
         QVERIFY(!hidden); // they are not hidden: no signal
         plain.layout->hideAll();
@@ -245,28 +298,27 @@ private slots:
         plain.layout->hideAll();
         plain.layout->bringBack();
         plain.layout->save();
-        QCOMPARE(QSettings().value("ownLayout").toBool(), false);
-        QVERIFY(!QSettings().contains("layout"));
+        QVERIFY(!QSettings().childGroups().contains("layouts"));
     }
     void onesOwnLayoutIsKeptAndSavedAsItWasBeforeThePanelsWereHidden()
     {
         PlainWindow plain;
         plain.show();
-        plain.window.addDockWidget(Qt::LeftDockWidgetArea, plain.docks.layers);
+        plain.window.addDockWidget(Qt::LeftDockWidgetArea, &plain.dock("layers"));
         plain.window.resize(1280, 700);
         plain.layout->fitWindow();
         QCOMPARE(plain.inFront(), stack);
         plain.layout->hideAll();
         plain.layout->save();
-        const QVariant saved = QSettings().value("layout");
+        const QVariant saved = QSettings().value("layouts/workspace-cut");
+        QVERIFY(saved.isValid());
         PlainWindow next; // has other settings
-        QSettings().setValue("ownLayout", true);
-        QSettings().setValue("layout", saved);
+        QSettings().setValue("layouts/workspace-cut", saved);
         next.show();
         QCOMPARE(next.inFront(), stack); // neither Start nor a comparison panel
-        QCOMPARE(next.window.dockWidgetArea(next.docks.layers), Qt::LeftDockWidgetArea);
+        QCOMPARE(next.window.dockWidgetArea(&next.dock("layers")), Qt::LeftDockWidgetArea);
         next.layout->reset();
-        QCOMPARE(next.window.dockWidgetArea(next.docks.layers), Qt::RightDockWidgetArea);
+        QCOMPARE(next.window.dockWidgetArea(&next.dock("layers")), Qt::RightDockWidgetArea);
     }
 };
 

@@ -30,7 +30,7 @@ public:
         QCoreApplication::setOrganizationName("Clearcut");
         QCoreApplication::setApplicationName("Clearcut");
         window.setCentralWidget(new QWidget);
-        layout = std::make_unique<PanelLayout>(window, docks, [this] { return inspecting; });
+        layout = std::make_unique<PanelLayout>(window, docks);
         window.resize(1280, 900);
     }
 
@@ -51,6 +51,7 @@ public:
                 keys << dock->objectName();
         return keys;
     }
+    Dock& dock(const QString& key) const { return *docks.named({key}).front(); }
     static PlainPanel& panel(const Dock& dock) { return static_cast<PlainPanel&>(*dock.widget()); }
 
 private:
@@ -63,14 +64,11 @@ private:
 
 public:
     QMainWindow window;
-    PanelDocks docks{plain("start"),
-                     plain("algorithm"),
-                     plain("window"),
-                     plain("selection"),
-                     plain("line"),
-                     plain("layers"),
-                     {plain("compare"), plain("difference")}};
-    bool inspecting = false;
+    PanelDocks docks{
+        plain("start"),
+        plain("algorithm"),
+        {plain("window"), plain("selection"), plain("line"), plain("layers"), plain("history")},
+        {plain("compare"), plain("difference")}};
     std::unique_ptr<PanelLayout> layout;
 };
 

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/set_window.h"
+#include "ui/window/workspaces.h"
+
+#include <QDockWidget>
+#include <QMenuBar>
+#include <QTabBar>
+
+#include "tests/ui/test_window.h"
+
+using namespace ui;
+
+class WorkspacesTest : public QObject {
+    Q_OBJECT
+
+    static QTabBar& tabs(const TestWindow& t)
+    {
+        return *qobject_cast<QTabBar*>(t.window->menuBar()->cornerWidget());
+    }
+    static void click(const TestWindow& t, int tab)
+    {
+        QTest::mouseClick(&tabs(t), Qt::LeftButton, {}, tabs(t).tabRect(tab).center());
+        QCoreApplication::processEvents();
+    }
+    static QMap<QString, QRect> places(const TestWindow& t)
+    {
+        QMap<QString, QRect> places;
+        for (const auto* dock : t.window->findChildren<QDockWidget*>())
+            if (dock->isVisible() && dock->x() >= 0)
+                places[dock->objectName()] = dock->geometry();
+        return places;
+    }
+
+private slots:
+    void everyPanelOfAWorkspaceExists()
+    {
+        TestWindow t;
+        for (const Workspace& workspace : workspaces()) {
+            QStringList panels = workspace.column;
+            if (!workspace.wide.isEmpty())
+                panels << workspace.wide;
+            for (const QString& key : panels)
+                QVERIFY2(t.window->findChild<QDockWidget*>(key), qPrintable(key));
+        }
+    }
+    void aTabOrAKeyChangesOnlyTheColumn()
+    {
+        TestWindow t;
+        t.open(t.twoLines());
+        t.window->resize(1440, 900);
+        t.show();
+        const app::Document before = t.window->session().now();
+        const double zoom = t.window->canvas().view().zoom;
+        for (int tab = 0; tab < tabs(t).count(); ++tab) {
+            click(t, tab);
+            QCOMPARE(&t.window->workspace(), &workspaces()[std::size_t(tab)]);
+            QCOMPARE(tabs(t).currentIndex(), tab);
+            QTest::keyClick(t.window.get(), Qt::Key_1, Qt::ControlModifier | Qt::AltModifier);
+            QCOMPARE(&t.window->workspace(), &workspaces().front());
+        }
+        QCOMPARE(t.window->session().history.count(), 0);
+        QVERIFY(t.window->session().now().objects() == before.objects());
+        QCOMPARE(t.window->canvas().view().zoom, zoom);
+    }
+    void whatIsSelectedMovesNoPanel()
+    {
+        TestWindow t;
+        t.open(t.twoLines());
+        t.window->resize(1440, 900);
+        t.show();
+        for (int tab = 0; tab < tabs(t).count(); ++tab) {
+            click(t, tab);
+            const auto before = places(t);
+            t.window->session().select({0, 1});
+            t.window->session().inspect(std::size_t(1));
+            QTest::qWait(60); // the panel Line follows after 30 ms
+            QCOMPARE(places(t), before);
+            t.window->session().inspect(std::nullopt);
+            t.window->session().select({});
+            QTest::qWait(60);
+            QCOMPARE(places(t), before);
+        }
+    }
+};
+
+QTEST_MAIN(WorkspacesTest)
+#include "workspaces_test.moc"

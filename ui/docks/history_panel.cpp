@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/history_panel.h"
+
+#include "ui/docks/algorithm_list.h"
+#include "ui/look/look.h"
+
+#include <QPainter>
+#include <QSignalBlocker>
+#include <QStyledItemDelegate>
+
+namespace ui {
+
+namespace {
+
+class StepDelegate final : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override
+    {
+        return {120, space::rowHeight};
+    }
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override
+    {
+        const Look& look = lookOf(option.palette);
+        drawRowGround(*painter, option);
+        QRect box = option.rect.adjusted(space::dockMargin, 0, -space::dockMargin, 0);
+        painter->setPen(look.muted);
+        if (index.data(HistoryModel::SavedRole).toBool()) {
+            const QString saved = HistoryPanel::tr("saved");
+            painter->setFont(captionFont(option.font));
+            painter->drawText(box, Qt::AlignRight | Qt::AlignVCenter, saved);
+            box.setRight(box.right() - painter->fontMetrics().horizontalAdvance(saved) - 6);
+        }
+        painter->setFont(option.font);
+        if (!index.data(HistoryModel::UndoneRole).toBool())
+            painter->setPen(look.text);
+        painter->drawText(
+            box, Qt::AlignVCenter,
+            option.fontMetrics.elidedText(index.data().toString(), Qt::ElideRight, box.width()));
+    }
+};
+
+} // namespace
+
+HistoryPanel::HistoryPanel(const app::History& history, QWidget* parent)
+    : QListView(parent), model_(new HistoryModel(history, this))
+{
+    setModel(model_);
+    setItemDelegate(new StepDelegate(this));
+    setUniformItemSizes(true);
+    setFrameShape(QFrame::NoFrame);
+    setAccessibleName(tr("History"));
+    setToolTip(tr("Click a step to go back or forward to it"));
+    setMinimumHeight(3 * space::rowHeight);
+    connect(model_, &HistoryModel::dataChanged, this, &HistoryPanel::follow);
+    follow();
+}
+
+void HistoryPanel::follow()
+{
+    const QSignalBlocker quiet(this); // what the history did is not wanted again
+    setCurrentIndex(model_->now());
+    scrollTo(model_->now());
+}
+
+void HistoryPanel::currentChanged(const QModelIndex& current, const QModelIndex& previous)
+{
+    QListView::currentChanged(current, previous);
+    if (current.isValid() && current != model_->now())
+        emit stepWanted(current.row());
+}
+
+} // namespace ui

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/workspace_tabs.h"
+
+#include "ui/window/panel_layout.h"
+#include "ui/window/workspaces.h"
+
+#include <QSignalBlocker>
+
+namespace ui {
+
+namespace {
+
+constexpr int tabHeight = 24;
+
+} // namespace
+
+WorkspaceTabs::WorkspaceTabs(PanelLayout& layout, QWidget* parent) : QTabBar(parent)
+{
+    setAccessibleName(tr("Workspace"));
+    setDrawBase(false);
+    setExpanding(false);
+    setFixedHeight(tabHeight);   // that of a menu
+    setFocusPolicy(Qt::NoFocus); // the menu View and Ctrl+Alt+digit serve the keyboard
+    for (const Workspace& workspace : workspaces()) {
+        const int tab = addTab(workspace.name);
+        setTabToolTip(tab,
+                      tr("%1: %2 (Ctrl+Alt+%3)").arg(workspace.name, workspace.tip).arg(tab + 1));
+    }
+    const auto follow = [this, &layout] {
+        const QSignalBlocker quiet(this);
+        setCurrentIndex(int(&layout.workspace() - workspaces().data()));
+    };
+    connect(&layout, &PanelLayout::workspaceChanged, this, follow);
+    connect(this, &QTabBar::tabBarClicked, this, [&layout](int tab) {
+        if (tab >= 0)
+            layout.choose(workspaces()[std::size_t(tab)]);
+    });
+    follow();
+}
+
+} // namespace ui
