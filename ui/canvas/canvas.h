@@ -82,6 +82,9 @@ public:
     /// Waits until the picture is shown in full quality; used by tests and screenshots.
     void settle();
 
+    /// Where the drawing begins, right of and below rulers and headings; in logical pixels.
+    QPoint drawingCorner() const;
+
 signals:
     void frameShown(const ui::FrameTimes& times); ///< the times of the active pane's frame
     /// The pointer's position in the drawing; empty: the pointer has left.

@@ -105,6 +105,11 @@ static double breadthOf(const app::Page& page)
     return width > 0 && height > 0 ? std::clamp(width / height, 0.5, 2.0) : 1;
 }
 
+QPoint Canvas::drawingCorner() const
+{
+    return parts_->widgets.front()->surface().widget().mapTo(this, QPoint());
+}
+
 void Canvas::layOut()
 {
     const QScopedValueRollback quiet(parts_->layingOut, true);

@@ -10,7 +10,7 @@
 
 namespace ui {
 
-/// A message above the canvas; it covers nothing of the drawing.
+/// A message over the upper edge of the drawing, whose view stays as it is.
 struct Message {
     enum class Kind : std::uint8_t { Done, Warning };
     Kind kind = Kind::Warning;

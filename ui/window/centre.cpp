@@ -6,6 +6,7 @@
 #include "ui/widgets/message_strip.h"
 #include "ui/widgets/window_note.h"
 
+#include <QEvent>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -13,22 +14,53 @@
 
 namespace ui {
 
-Centre::Centre(MessageStrip& strip, Canvas& canvas) : pages_(new QStackedWidget), canvas_(canvas)
+Centre::Centre(MessageStrip& strip, Canvas& canvas)
+    : pages_(new QStackedWidget), messages_(new QWidget(this)), canvas_(canvas)
 {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(&strip);
     pages_->addWidget(&canvas);
-    column->addWidget(pages_, 1);
+    column->addWidget(pages_);
+    auto* messages = new QVBoxLayout(messages_);
+    messages->setContentsMargins(0, 0, 0, 0);
+    messages->setSpacing(0);
+    messages->addWidget(&strip);
+    messages_->raise();
+    messages_->installEventFilter(this);
+    connect(&canvas, &Canvas::panesChanged, this, &Centre::placeMessages);
 }
 
 void Centre::addNote(WindowNote& note)
 {
     note_ = &note;
-    static_cast<QVBoxLayout*>(layout())->insertWidget(0, &note);
+    static_cast<QVBoxLayout*>(messages_->layout())->insertWidget(0, &note);
     connect(&note, &WindowNote::learnt, this,
             [this] { std::exchange(note_, nullptr)->deleteLater(); });
+}
+
+void Centre::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    placeMessages();
+}
+
+bool Centre::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::LayoutRequest)
+        placeMessages();
+    return QWidget::eventFilter(watched, event);
+}
+
+void Centre::placeMessages()
+{
+    const QPoint corner = showsCanvas() ? canvas_.drawingCorner() : QPoint();
+    const int across = width() - corner.x();
+    const QLayout& messages = *messages_->layout();
+    const int height = messages.isEmpty()             ? 0
+                       : messages.hasHeightForWidth() ? messages.heightForWidth(across)
+                                                      : messages.sizeHint().height();
+    messages_->setGeometry(corner.x(), corner.y(), across, height);
+    layout()->setContentsMargins(0, showsCanvas() ? 0 : height, 0, 0);
 }
 
 void Centre::setMicroscope(MicroscopePage* page)
@@ -57,6 +89,7 @@ void Centre::show(QWidget& page)
     if (note_)
         note_->setVisible(!microscope);
     pages_->setCurrentWidget(&page);
+    placeMessages();
     for (QLayout* around : {pages_->layout(), layout(), window()->layout()}) {
         around->invalidate();
         around->activate();

@@ -12,8 +12,9 @@ class MessageStrip;
 class MicroscopePage;
 class WindowNote;
 
-/// The middle of the window: the canvas, or the microscope in its place, below the message strip
-/// and, at the first start, a note.
+/// The middle of the window: the canvas, or the microscope in its place, with the message strip
+/// and, at the first start, a note. These lie over the upper edge of the drawing, so that the view
+/// stays when they come and go; the microscope makes room for them.
 class Centre : public QWidget {
     Q_OBJECT
 
@@ -29,10 +30,16 @@ public:
     void showMicroscope();
     bool showsCanvas() const;
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     void show(QWidget& page);
+    void placeMessages();
 
     QStackedWidget* pages_;
+    QWidget* messages_; ///< note and strip
     Canvas& canvas_;
     MicroscopePage* microscope_ = nullptr;
     WindowNote* note_ = nullptr;

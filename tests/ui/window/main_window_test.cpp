@@ -2,6 +2,7 @@
 #include "app/commands/set_style.h"
 #include "app/commands/set_window.h"
 #include "app/lessons/lesson.h"
+#include "app/scene/bounds.h"
 #include "ui/bars/option_bar.h"
 #include "ui/docks/algorithm_panel.h"
 #include "ui/docks/line_panel.h"
@@ -515,7 +516,10 @@ private slots:
             QCoreApplication::processEvents();
             QVERIFY(note->isVisible());
             const QRect canvas = placeOf(t.window->canvas());
-            QVERIFY(!placeOf(*note).intersects(canvas));
+            const auto drawn = *app::boundsOf(t.window->session().scene.lines());
+            const app::Point highest = t.window->canvas().view().toScreen(drawn.min);
+            const int top = canvas.top() + t.window->canvas().drawingCorner().y() + int(highest.y);
+            QVERIFY(placeOf(*note).bottom() < top);
             QVERIFY(note->height() >= note->heightForWidth(note->width()));
             QVERIFY(canvas.height() > size.height() / 2);
         }
@@ -537,6 +541,25 @@ private slots:
         t.action("delete")->trigger();
         t.window->files().startNew();
         QCOMPARE(t.answers->asked, 1);
+    }
+    void aMessageLeavesTheViewAsItIs()
+    {
+        TestWindow t;
+        t.open(t.twoLines());
+        t.show();
+        const auto before = t.window->canvas().view();
+        t.window->tell({Message::Kind::Warning, "Nothing is selected."});
+        QCoreApplication::processEvents();
+        const auto* strip = t.window->findChild<MessageStrip*>();
+        QVERIFY(strip->isVisible() && strip->height() > 20);
+        const Canvas& canvas = t.window->canvas();
+        QCOMPARE(strip->mapToGlobal(QPoint()), canvas.mapToGlobal(canvas.drawingCorner()));
+        QCOMPARE(t.window->canvas().view().zoom, before.zoom);
+        QVERIFY(t.window->canvas().view().toScreen({0, 0}) == before.toScreen({0, 0}));
+        t.window->tell({});
+        QCoreApplication::processEvents();
+        QVERIFY(!strip->isVisible());
+        QVERIFY(t.window->canvas().view().toScreen({0, 0}) == before.toScreen({0, 0}));
     }
     void startIsShownAgain()
     {
