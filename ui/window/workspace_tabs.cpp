@@ -8,18 +8,11 @@
 
 namespace ui {
 
-namespace {
-
-constexpr int tabHeight = 24;
-
-} // namespace
-
 WorkspaceTabs::WorkspaceTabs(PanelLayout& layout, QWidget* parent) : QTabBar(parent)
 {
     setAccessibleName(tr("Workspace"));
     setDrawBase(false);
     setExpanding(false);
-    setFixedHeight(tabHeight);   // that of a menu
     setFocusPolicy(Qt::NoFocus); // the menu View and Ctrl+Alt+digit serve the keyboard
     for (const Workspace& workspace : workspaces()) {
         const int tab = addTab(workspace.name);
@@ -36,6 +29,11 @@ WorkspaceTabs::WorkspaceTabs(PanelLayout& layout, QWidget* parent) : QTabBar(par
             layout.choose(workspaces()[std::size_t(tab)]);
     });
     follow();
+}
+
+QSize WorkspaceTabs::tabSizeHint(int tab) const
+{
+    return {QTabBar::tabSizeHint(tab).width(), fontMetrics().height() + 6};
 }
 
 } // namespace ui

@@ -13,6 +13,9 @@ class WorkspaceTabs : public QTabBar {
 
 public:
     explicit WorkspaceTabs(PanelLayout& layout, QWidget* parent = nullptr);
+
+protected:
+    QSize tabSizeHint(int tab) const override; ///< so low that the menu bar is not higher
 };
 
 } // namespace ui
