@@ -8,6 +8,7 @@
 #include "app/commands/remove_objects.h"
 #include "app/commands/resize_objects.h"
 #include "app/commands/set_containers.h"
+#include "app/commands/set_guides.h"
 #include "app/commands/set_style.h"
 #include "app/commands/set_window.h"
 #include "app/commands/set_windows.h"
@@ -32,6 +33,7 @@ std::span<const CommandKind> commandKinds()
         SetStyle::row,
         SetWindow::row,
         SetWindows::row,
+        SetGuides::row,
         SetContainers::row,
         RemoveLayer::row,
         CropToWindow::row,

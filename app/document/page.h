@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/base/length.h"
+#include "app/document/guide.h"
 #include "app/document/subpath.h"
 
 namespace app {
@@ -12,6 +13,7 @@ struct Page {
     Point min{0, 0};
     Point size{297, 210};
     Length width{297, Unit::Mm}, height{210, Unit::Mm};
+    Guides guides{};
     friend bool operator==(const Page&, const Page&) = default;
 
     /// The size of a user unit in millimetres; 25.4 / 96 (1 px) if the file does not give it.

@@ -21,11 +21,16 @@ Length readLength(ByteReader& in)
 
 void writePage(ByteWriter& out, const Page& page)
 {
-    const auto& [min, size, width, height] = page;
+    const auto& [min, size, width, height, guides] = page;
     out.put(min);
     out.put(size);
     writeLength(out, width);
     writeLength(out, height);
+    out.putCount(guides.list.size());
+    for (const auto& [axis, at] : guides.list) {
+        out.put(std::uint8_t(axis));
+        out.put(at);
+    }
 }
 
 Page readPage(ByteReader& in)
@@ -35,6 +40,10 @@ Page readPage(ByteReader& in)
     page.size = in.get<Point>();
     page.width = readLength(in);
     page.height = readLength(in);
+    for (auto n = in.count(1 + sizeof(double)); n > 0; --n) {
+        const int axis = in.flag() ? 1 : 0;
+        page.guides.list.push_back({axis, in.get<double>()});
+    }
     return page;
 }
 

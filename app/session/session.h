@@ -30,6 +30,7 @@ struct Display {
     bool asPrinted = false;  ///< dark theme: the true page and stroke colours
     bool presenting = false; ///< for a projector: strokes twice as wide, clearly visible ghosts
     Grid grid{};             ///< under the drawing
+    bool guides = true;      ///< are shown
     friend bool operator==(const Display&, const Display&) = default;
 };
 
@@ -69,6 +70,7 @@ public:
     Course course{microscope};                    ///< the lesson in progress, if any
     NodeEditing nodes{*this};                     ///< of the selected objects
     Pen pen;
+    std::optional<std::size_t> guide{}; ///< the number of the chosen guide, which may be gone
     ArrangeOptions arrange;
 
     const Document& now() const { return document.now(); }

@@ -6,6 +6,7 @@
 #include "app/view/snapping/snapper.h"
 #include "ui/canvas/navigation.h"
 #include "ui/canvas/text_boxes.h"
+#include "ui/tools/guide_drag.h"
 #include "ui/tools/tool.h"
 
 #include <QTimer>
@@ -83,6 +84,12 @@ public:
 
     /// Moves, rotates, scales or skews the selection with the Select tool, from the keyboard.
     void transform(const app::Transformation& kind);
+
+    /// A new guide follows the pointer: from a ruler, until it is dropped. `axis` as in app::Guide.
+    void dragGuide(int axis);
+    void moveGuide(const QPointF& screen, Qt::KeyboardModifiers modifiers);
+    void dropGuide();
+    const GuideDrag& guideDrag() const { return guide_; }
 
     void fitDrawing();
     void fitSelection();
@@ -203,6 +210,7 @@ private:
     bool snaps_ = true;
     app::SnapTo snapNow_ = snapTo_; ///< Nothing while snapping is off
     std::optional<Pointer> pointer_;
+    GuideDrag guide_; ///< from a ruler
     std::optional<app::Readout> readout_;
     bool typing_ = false;
     QRectF readoutPlace_;

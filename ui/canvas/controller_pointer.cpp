@@ -20,6 +20,7 @@ std::optional<app::Snap> Controller::snapAt(const app::Point& raw,
     if (readout_ && readout_->gauge().measure == &app::lengthAndAngle())
         query.from = readout_->gauge().start.from;
     query.grid = bench_.grid();
+    query.guides = bench_.guides();
     if (tool_->busy())
         query.seen = view().visible();
     return snapper_.at(query);

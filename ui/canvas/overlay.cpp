@@ -110,6 +110,9 @@ void paintPaper(QPainter& painter, const Controller& controller)
     painter.fillRect(sheet.adjusted(-pixel, -pixel, pixel, pixel), controller.look().border);
     painter.fillRect(sheet, controller.pageColour());
     paintGrid(painter, controller);
+    if (const app::Guides* guides = controller.bench().guides())
+        for (const app::Guide& guide : guides->list)
+            paintGuide(painter, controller.bench(), guide, pixel);
 }
 
 void paintOverlay(QPainter& painter, const Controller& controller, const Pane& pane)
@@ -127,6 +130,8 @@ void paintOverlay(QPainter& painter, const Controller& controller, const Pane& p
     painter.restore();
     painter.save();
     controller.tool().paint(painter, controller.bench());
+    if (controller.guideDrag().going())
+        controller.guideDrag().paint(painter, controller.bench());
     painter.restore();
     if (pane.active)
         paintSnapMarker(painter, controller);

@@ -6,12 +6,14 @@
 #include "app/view/place.h"
 #include "app/view/ruler.h"
 
+#include <QMouseEvent>
+
 #include <cmath>
 
 namespace ui {
 namespace {
 
-constexpr int mostType = 15; // pixels
+constexpr int mostType = 15;                                        // pixels
 constexpr double typeSize = 0.77, numbered = 9, half = 7, fine = 4; // pixels of a tick's length
 
 QFont rulerFont(const QWidget& widget)
@@ -39,10 +41,34 @@ int decimalsOf(std::span<const app::Tick> ticks)
 
 } // namespace
 
-Ruler::Ruler(const Controller& controller, Qt::Orientation orientation, QWidget* parent)
+Ruler::Ruler(Controller& controller, Qt::Orientation orientation, QWidget* parent)
     : QWidget(parent), controller_(controller), orientation_(orientation)
 {
     setAttribute(Qt::WA_OpaquePaintEvent);
+    setObjectName(across() ? "topRuler" : "leftRuler");
+    setCursor(across() ? Qt::SplitVCursor : Qt::SplitHCursor);
+    setToolTip(tr("Drag from here to add a guide"));
+}
+
+void Ruler::mousePressEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton)
+        controller_.dragGuide(across() ? 1 : 0);
+    else
+        event->ignore();
+}
+
+// The drawing begins where the rulers end.
+void Ruler::mouseMoveEvent(QMouseEvent* event)
+{
+    const QPointF inside = across() ? QPointF(0, rulerWidth) : QPointF(rulerWidth, 0);
+    controller_.moveGuide(event->position() - inside, event->modifiers());
+}
+
+void Ruler::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton)
+        controller_.dropGuide();
 }
 
 void Ruler::paintEvent(QPaintEvent*)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/set_guides.h"
 #include "ui/menus/actions.h"
 #include "ui/microscope/microscope_page.h"
 #include "ui/microscope/microscope_view.h"
@@ -184,6 +185,27 @@ MenuInfo viewMenu()
                             changeGrid(w, [](app::Grid& g) { g.shown = !g.shown; });
                         },
                     .checked = [](const MainWindow& w) { return w.session().display().grid.shown; },
+                },
+                {
+                    .key = "guides",
+                    .text = tr("Show guides"),
+                    .keys = {K("Ctrl+F5")},
+                    .run = [](MainWindow& w) { toggle(w, &app::Display::guides); },
+                    .checked = [](const MainWindow& w) { return w.session().display().guides; },
+                },
+                {
+                    .key = "remove-guides",
+                    .text = tr("Remove all guides"),
+                    .run =
+                        [](MainWindow& w) {
+                            w.session().history.push(
+                                new app::SetGuides(w.session().document, {}, tr("Remove guides")));
+                        },
+                    .enabled =
+                        [](const MainWindow& w) {
+                            return !w.session().now().page().guides.list.empty();
+                        },
+                    .needs = tr("The page has no guides. Drag one from a ruler."),
                 },
                 marksRow<app::Grid::Marks::Lines>("grid-lines", tr("&Lines")),
                 marksRow<app::Grid::Marks::Dots>("grid-dots", tr("&Dots")),

@@ -3,6 +3,7 @@
 #include "app/commands/remove_objects.h"
 #include "ui/tools/box_resize.h"
 #include "ui/tools/end_drag.h"
+#include "ui/tools/guide_drag.h"
 #include "ui/tools/picking_marks.h"
 #include "ui/tools/pivot_marks.h"
 #include "ui/tools/shape_drawing.h"
@@ -37,18 +38,22 @@ public:
     {
         gesture_.cancel(bench);
         end_.cancel(bench);
+        guide_.cancel();
         transform_.cancel(bench);
         resize_.cancel();
         drag_ = Drag::None;
     }
     bool busy() const override
     {
-        return gesture_.going() || end_.going() || transform_.going() || drag_ != Drag::None;
+        return gesture_.going() || end_.going() || guide_.going() || transform_.going()
+               || drag_ != Drag::None;
     }
     void transform(const app::Transformation& kind, const Pointer& pointer,
                    Workbench& bench) override;
     std::optional<app::Gauge> gauge(const Workbench& bench) const override
     {
+        if (const auto guide = guide_.gauge(bench))
+            return guide;
         return end_.going()      ? end_.gauge(bench)
                : resize_.going() ? resize_.gauge(bench)
                                  : transform_.gauge(bench);
@@ -60,7 +65,8 @@ public:
     QCursor cursor(const Workbench& bench) const override;
     app::SnapTo snapsTo() const override
     {
-        return end_.going() || drag_ == Drag::Pivot ? app::SnapTo::All : app::SnapTo::Nothing;
+        return end_.going() || guide_.going() || drag_ == Drag::Pivot ? app::SnapTo::All
+                                                                      : app::SnapTo::Nothing;
     }
     const app::MovedSnap* snapped() const override
     {
@@ -81,6 +87,7 @@ private:
     {
         hoveredHandle_.reset();
         hoveredEnd_.reset();
+        hoveredGuide_.reset();
         boxHandle_.reset();
         hoveredSegment_.reset();
         mark_ = Mark::None;
@@ -98,8 +105,10 @@ private:
     TransformGesture transform_;
     BoxResize resize_;
     EndDrag end_;
+    GuideDrag guide_;
     std::optional<EndDrag::End> hoveredEnd_;
     std::optional<app::Handle> hoveredHandle_;
+    std::optional<std::size_t> hoveredGuide_;
     /// Dragged or hovered handle of the selection's bounding box.
     std::optional<app::Handle> boxHandle_;
     std::optional<std::size_t> hoveredSegment_; ///< hovered segment of the scene
@@ -128,6 +137,9 @@ void SelectTool::lookUnder(const Pointer& pointer, Workbench& bench)
     hoveredSegment_ = hoveredHandle_ || boxHandle_ || mark_ != Mark::None
                           ? std::nullopt
                           : bench.picking.nearest(pointer.raw, bench.inDrawing(reach));
+    const bool other = hoveredHandle_ || hoveredEnd_ || boxHandle_ || hoveredSegment_;
+    hoveredGuide_ =
+        other || mark_ != Mark::None ? std::nullopt : GuideDrag::guideAt(pointer.screen, bench);
 }
 
 void SelectTool::press(const Pointer& pointer, Workbench& bench)
@@ -142,6 +154,9 @@ void SelectTool::press(const Pointer& pointer, Workbench& bench)
         gesture_.start(*hoveredHandle_, pointer, bench.session.window());
         return;
     }
+    bench.session.guide.reset();
+    if (hoveredGuide_)
+        return guide_.start(*hoveredGuide_, bench);
     if (hoveredEnd_ && !(pointer.modifiers & Qt::ShiftModifier))
         return end_.start(*hoveredEnd_, pointer, bench);
     from_ = to_ = pointer;
@@ -155,6 +170,8 @@ void SelectTool::move(const Pointer& pointer, Workbench& bench)
         gesture_.proceed(pointer, bench);
     else if (end_.going())
         end_.proceed(pointer, bench);
+    else if (guide_.going())
+        guide_.proceed(pointer);
     else if (resize_.going())
         resize_.proceed(pointer);
     else if (transform_.going())
@@ -216,6 +233,8 @@ void SelectTool::accept(const app::GestureEnd& end, Workbench& bench)
     drag_ = Drag::None;
     if (end_.going())
         return end_.accept(end.point, bench);
+    if (guide_.gauge(bench))
+        return guide_.accept(end.point, bench);
     resize_.going() ? resize_.accept(end, bench) : transform_.accept(end, bench);
 }
 
@@ -225,6 +244,8 @@ void SelectTool::release(const Pointer& pointer, Workbench& bench)
         gesture_.finish(pointer, bench);
         return;
     }
+    if (guide_.going())
+        return guide_.finish(bench);
     if (end_.going()) {
         if (!end_.finish(pointer, bench))
             click(pointer, bench);
@@ -302,8 +323,16 @@ bool SelectTool::key(QKeyEvent& event, Workbench& bench)
         transform_.finish(bench);
         return true;
     }
-    if ((event.key() != Qt::Key_Delete && event.key() != Qt::Key_Backspace)
-        || session.selection().empty() || busy())
+    const bool deletes = event.key() == Qt::Key_Delete || event.key() == Qt::Key_Backspace;
+    if (deletes && GuideDrag::chosen(bench)) {
+        GuideDrag::remove(*session.guide, bench);
+        return true;
+    }
+    if (event.key() == Qt::Key_Escape && session.guide) {
+        session.guide.reset();
+        return true;
+    }
+    if (!deletes || session.selection().empty() || busy())
         return false;
     session.history.push(new app::RemoveObjects(session.document, session.selection()));
     hoveredSegment_.reset();
@@ -320,6 +349,10 @@ QString SelectTool::hint(const Workbench& bench) const
         return QCoreApplication::translate(
             "Tools",
             "Drag the end of the line. While dragging, type a length, Tab, an angle, Enter.");
+    if (hoveredGuide_ || guide_.going() || GuideDrag::chosen(bench))
+        return QCoreApplication::translate(
+            "Tools", "Drag the guide, or click it and type its position. Delete, or dragging it "
+                     "out of the drawing, removes it.");
     if (hoveredSegment_ && *hoveredSegment_ < session.scene.lines().size() && drag_ == Drag::None) {
         const app::Containers& containers = session.now().containers();
         const auto layer = containers.layerOf(session.scene.lines().objectOf(*hoveredSegment_));
@@ -345,6 +378,8 @@ QCursor SelectTool::cursor(const Workbench&) const
         return cursorOf(hoveredHandle_.value_or(app::Handle{}));
     if (mark_ != Mark::None)
         return Qt::PointingHandCursor;
+    if (hoveredGuide_ || guide_.going())
+        return Qt::SizeAllCursor;
     if (boxHandle_)
         return cursorOf(*boxHandle_);
     return hoveredEnd_ || end_.going() || transform_.going() ? Qt::SizeAllCursor : Qt::ArrowCursor;
@@ -353,6 +388,7 @@ QCursor SelectTool::cursor(const Workbench&) const
 void SelectTool::paint(QPainter& painter, const Workbench& bench) const
 {
     end_.paint(painter, bench);
+    guide_.paint(painter, bench);
     if (drag_ == Drag::Box)
         paintSelectionBox(painter, bench, from_.raw, to_.raw,
                           how(to_) == app::Picking::Box::Touches ? Qt::DashLine : Qt::SolidLine);

@@ -55,6 +55,9 @@ struct Workbench {
     /// The points of the grid; empty: it is hidden.
     std::optional<app::GridPoints> grid() const;
 
+    /// The guides of the page; null: they are hidden.
+    const app::Guides* guides() const;
+
     /// How far a thing goes that is dragged by `by`, and what it snaps to on the way: by its own
     /// points and edges, not to the objects `without`. Ctrl suspends snapping.
     app::MovedSnap moved(const app::OwnPoints& own, const app::Point& by,

@@ -10,6 +10,11 @@ std::optional<app::GridPoints> Workbench::grid() const
                       : std::nullopt;
 }
 
+const app::Guides* Workbench::guides() const
+{
+    return session.display().guides ? &session.now().page().guides : nullptr;
+}
+
 app::MovedSnap Workbench::moved(const app::OwnPoints& own, const app::Point& by,
                                 Qt::KeyboardModifiers modifiers, const app::ObjectRanges& without,
                                 app::SnapTo allowed) const
@@ -23,7 +28,8 @@ app::MovedSnap Workbench::moved(const app::OwnPoints& own, const app::Point& by,
                           .to = to,
                           .without = without,
                           .seen = view.visible(),
-                          .grid = grid()});
+                          .grid = grid(),
+                          .guides = guides()});
 }
 
 } // namespace ui

@@ -75,6 +75,12 @@ inline constexpr LossKind layers{QT_TRANSLATE_NOOP("svg", "stack of too many lay
 inline constexpr LossKind windows{QT_TRANSLATE_NOOP("svg", "clip window beyond the first 1,000"),
                                   QT_TRANSLATE_NOOP("svg", "clip windows beyond the first 1,000")};
 
+inline constexpr LossKind guides{QT_TRANSLATE_NOOP("svg", "guide beyond the first 1,000"),
+                                 QT_TRANSLATE_NOOP("svg", "guides beyond the first 1,000")};
+inline constexpr LossKind unreadableGuide{
+    QT_TRANSLATE_NOOP("svg", "guide without a finite x or y"),
+    QT_TRANSLATE_NOOP("svg", "guides without a finite x or y")};
+
 inline constexpr LossKind invertedWindow{
     QT_TRANSLATE_NOOP("svg", "inverted clip window"),
     QT_TRANSLATE_NOOP("svg", "inverted clip windows"), false,

@@ -2,6 +2,7 @@
 #include "app/formats/svg/reader.h"
 
 #include "app/document/page_around.h"
+#include "app/formats/svg/guide_text.h"
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/page.h"
 #include "app/formats/svg/refused.h"
@@ -43,8 +44,9 @@ Imported import(const Tree& tree)
     Report report;
     const RootPage root = readPage(tree);
     Document document = draw(tree, root, report);
-    document.apply(
-        {.windows = readWindows(tree, report), .page = closed(root, document.objects())});
+    Page page = closed(root, document.objects());
+    page.guides = readGuides(tree, report);
+    document.apply({.windows = readWindows(tree, report), .page = std::move(page)});
     imported.drawn = drawnOf(root, document);
     imported.document = std::move(document);
     imported.report = report.losses();

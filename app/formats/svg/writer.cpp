@@ -5,6 +5,7 @@
 #include "app/base/write_all.h"
 #include "app/document/line_colour.h"
 #include "app/formats/svg/attribute_text.h"
+#include "app/formats/svg/guide_text.h"
 #include "app/formats/svg/outline_text.h"
 #include "app/formats/svg/recipe_text.h"
 #include "app/formats/svg/style_text.h"
@@ -84,8 +85,8 @@ private:
         appendLine(about.title);
         appendLine(about.description);
         appendLine(about.metadata);
-        if (const std::string windows = textOf(document_.windows()); !windows.empty())
-            text_.append("<metadata>").append(windows).append("</metadata>\n");
+        if (const std::string own = textOf(document_.windows()) + textOf(page.guides); !own.empty())
+            text_.append("<metadata>").append(own).append("</metadata>\n");
     }
 
     // Appends XML on a line of its own; nothing for an empty text.

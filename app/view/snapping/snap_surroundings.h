@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/document/bezier.h"
+#include "app/document/guide.h"
 #include "app/view/grid.h"
 
 #include <optional>
@@ -19,6 +20,7 @@ struct SnapSurroundings {
     std::vector<clipping::Segment> chords{}; ///< all lines, and the chords of the curves
     std::vector<Point> centres{};
     std::vector<clipping::Segment> windowEdges{}, pageEdges{};
+    std::vector<Guide> guides{};
     std::optional<GridPoints> grid{};
 };
 

@@ -214,6 +214,11 @@ SnapSurroundings Snapper::around(const SnapQuery& query) const
 {
     SnapSurroundings near{query.pointer, query.radius, query.from};
     near.grid = query.grid;
+    if (query.guides)
+        std::ranges::copy_if(
+            query.guides->list, std::back_inserter(near.guides), [&](const Guide& guide) {
+                return std::abs(guide.at - query.pointer[guide.axis]) <= query.radius;
+            });
     addLines(query, near);
     if (query.to.has("centres"))
         near.centres = centres_.near(query.pointer, query.radius, query.without);

@@ -20,6 +20,7 @@ struct SnapQuery {
     /// The part of the drawing that is seen: its objects are aligned with. Empty: with none.
     std::optional<clipping::Window> seen{};
     std::optional<GridPoints> grid{}; ///< the grid, if it is shown
+    const Guides* guides = nullptr;   ///< those of the page, if they are shown
     NearLimits limits{600, 150'000};
 };
 

@@ -9,6 +9,7 @@
 #include "app/commands/remove_objects.h"
 #include "app/commands/resize_objects.h"
 #include "app/commands/set_containers.h"
+#include "app/commands/set_guides.h"
 #include "app/commands/set_style.h"
 #include "app/commands/set_window.h"
 #include "app/commands/set_windows.h"
@@ -200,6 +201,10 @@ inline const std::vector<RandomCommands::Maker> RandomCommands::makers{
     {"set-window",
      [](RandomCommands& r) -> app::UndoCommand* {
          return new app::SetWindow(r.document_, r.rectangle());
+     }},
+    {"set-guides",
+     [](RandomCommands& r) -> app::UndoCommand* {
+         return new app::SetGuides(r.document_, r.random_.guides(), "Guides");
      }},
     {"set-windows", [](RandomCommands& r) { return r.setWindows(); }},
     {"set-containers", [](RandomCommands& r) { return r.setContainers(); }},

@@ -62,6 +62,14 @@ public:
         return {1 + std::abs(number()), unit.unit};
     }
 
+    app::Guides guides()
+    {
+        app::Guides guides;
+        for (auto n = below(3); n > 0; --n)
+            guides.list.push_back({int(below(2)), number()});
+        return guides;
+    }
+
     // As proportionate as the sheet of paper that it is, or open in a direction.
     app::Page page()
     {
@@ -70,6 +78,7 @@ public:
         const auto open = [](const app::Length& l) { return l.unit == app::Unit::Percent; };
         if (!open(page.width) && !open(page.height))
             page.height = {page.width.value * (page.size.y / page.size.x), page.width.unit};
+        page.guides = guides();
         return page;
     }
 

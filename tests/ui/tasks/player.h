@@ -75,6 +75,19 @@ public:
         QTest::mouseRelease(&area(), Qt::LeftButton, with, screen(to).toPoint());
     }
 
+    /// From a ruler to a place in the drawing; `axis` 0: from the ruler at the left.
+    void dragGuide(int axis, const app::Point& to)
+    {
+        auto* ruler = window_.window->findChild<QWidget*>(axis == 0 ? "leftRuler" : "topRuler");
+        const QPoint on = ruler->rect().center();
+        QTest::mousePress(ruler, Qt::LeftButton, {}, on);
+        const QPoint at = ruler->mapFromGlobal(area().mapToGlobal(screen(to).toPoint()));
+        QMouseEvent event(QEvent::MouseMove, at, ruler->mapToGlobal(at), Qt::NoButton,
+                          Qt::LeftButton, {});
+        QApplication::sendEvent(ruler, &event);
+        QTest::mouseRelease(ruler, Qt::LeftButton, {}, at);
+    }
+
     Table drawn() const
     {
         Table table;
@@ -148,6 +161,11 @@ inline Step doubleClick(const app::Point& p)
 inline Step drag(const app::Point& from, const app::Point& to, Qt::KeyboardModifiers with = {})
 {
     return {"drag", [from, to, with](Player& player) { player.drag(from, to, with); }};
+}
+
+inline Step dragGuide(int axis, const app::Point& to)
+{
+    return {"guide", [axis, to](Player& player) { player.dragGuide(axis, to); }};
 }
 
 inline bool same(const Drawn& a, const Drawn& b)

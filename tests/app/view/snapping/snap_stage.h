@@ -47,7 +47,9 @@ struct SnapStage {
         app::SnapTo to = app::SnapTo::Nothing;
         for (const QString& kind : QString(kinds).split(u' ', Qt::SkipEmptyParts))
             to = to.with(kind.toStdString());
-        return snapper.at({pointer, 3, to, from});
+        app::SnapQuery query{pointer, 3, to, from};
+        query.guides = &guides;
+        return snapper.at(query);
     }
     /// The point and the word at it: "10 20 end".
     QString textAt(const app::Point& pointer, const char* kinds,
@@ -65,4 +67,5 @@ struct SnapStage {
     app::Scene scene{document};
     app::Picking picking{document, scene};
     app::Snapper snapper{document, scene, picking};
+    app::Guides guides{};
 };

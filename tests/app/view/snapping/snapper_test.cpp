@@ -45,6 +45,10 @@ private slots:
         row("window", {99, 120}, "100 120 window edge");
         row("window", {101, 101}, "100 100 window corner");
         row("window", {150, 125}, "nothing");
+        row("guide", {121, 77}, "120 77 guide");
+        row("guide", {77, 81}, "77 80 guide");
+        row("guide", {121, 81}, "120 80 crossing of guides");
+        row("guide", {124, 70}, "nothing");
         row("page", {2, 50}, "0 50 page edge");
         row("page", {296, 209}, "297 210 page corner");
     }
@@ -54,10 +58,11 @@ private slots:
         app::Subpath quarter = arc;
         const double k = 0.5522847498307936 * 50;
         quarter.segments.push_back({{200, 350}, {250, 300 + k}, {200 + k, 350}, true});
-        const SnapStage stage({lineFrom({0, 0}, {10, 30}), lineFrom({5, 10}, {30, 10}),
-                               lineFrom({10, 5}, {10, 25}), objectOf(quarter),
-                               objectOf(app::RectangleRecipe{{40, 50}, {40, 20}, 0})},
-                              oneWindow);
+        SnapStage stage({lineFrom({0, 0}, {10, 30}), lineFrom({5, 10}, {30, 10}),
+                         lineFrom({10, 5}, {10, 25}), objectOf(quarter),
+                         objectOf(app::RectangleRecipe{{40, 50}, {40, 20}, 0})},
+                        oneWindow);
+        stage.guides.list = {{0, 120}, {1, 80}};
         QFETCH(QString, kind);
         QFETCH(Point, pointer);
         QTEST(stage.textAt(pointer, kind.toUtf8(), Point(20, 40)), "found");
