@@ -10,6 +10,7 @@
 #include "app/lessons/course.h"
 #include "app/scene/compared_window.h"
 #include "app/scene/scene.h"
+#include "app/session/entered_group.h"
 #include "app/session/node_editing.h"
 #include "app/session/preview.h"
 #include "app/view/grid.h"
@@ -42,7 +43,7 @@ struct Pen {
 /// How commands on the selection work: not part of the document.
 struct ArrangeOptions {
     StrokeScaling strokes = StrokeScaling::Keep; ///< when objects are scaled
-    std::string_view ground = "to-selection";      ///< key of what objects are aligned to
+    std::string_view ground = "to-selection";    ///< key of what objects are aligned to
 };
 
 /// One open drawing with the whole state of an editor window, without a screen.
@@ -68,6 +69,7 @@ public:
     Microscope microscope;                        ///< one line, step by step
     Course course{microscope};                    ///< the lesson in progress, if any
     NodeEditing nodes{*this};                     ///< of the selected objects
+    EnteredGroup entered{*this};                  ///< the group that is being edited, if any
     Pen pen;
     ArrangeOptions arrange;
 
