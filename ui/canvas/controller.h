@@ -84,6 +84,9 @@ public:
     /// Moves, rotates, scales or skews the selection with the Select tool, from the keyboard.
     void transform(const app::Transformation& kind);
 
+    /// Selects the object under a position, unless it is selected already; false: there is none.
+    bool selectAt(const QPointF& screen);
+
     void fitDrawing();
     void fitSelection();
     void fitWindow();

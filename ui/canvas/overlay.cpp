@@ -3,6 +3,7 @@
 
 #include "ui/canvas/difference_overlay.h"
 #include "ui/canvas/grid_paint.h"
+#include "ui/canvas/group_overlay.h"
 #include "ui/canvas/seen_overlay.h"
 #include "ui/canvas/snap_marker.h"
 #include "ui/canvas/window_overlay.h"
@@ -115,6 +116,7 @@ void paintPaper(QPainter& painter, const Controller& controller)
 void paintOverlay(QPainter& painter, const Controller& controller, const Pane& pane)
 {
     painter.setRenderHint(QPainter::Antialiasing);
+    paintEnteredGroup(painter, controller);
     paintHovered(painter, controller);
     paintInspected(painter, controller, pane);
     if (controller.session().display().overlay)

@@ -84,7 +84,8 @@ ActionInfo scaleStrokes()
 MenuInfo objectMenu()
 {
     using K = QKeySequence;
-    MenuInfo menu{.title = tr("&Object")};
+    MenuInfo menu{.title = tr("&Object"), .rows = groupRows()};
+    menu.rows.push_back({});
     for (const app::Transformation& kind : app::transformations())
         menu.rows.push_back(begin(kind));
     const std::vector<ActionInfo> more{
@@ -99,7 +100,7 @@ MenuInfo objectMenu()
     };
     menu.rows.insert(menu.rows.end(), more.begin(), more.end());
     menu.rows.push_back({});
-    for (const auto& rows : {arrangementRows(), pathRows()})
+    for (const auto& rows : {orderRows(), arrangementRows(), pathRows()})
         menu.rows.insert(menu.rows.end(), rows.begin(), rows.end());
     return menu;
 }

@@ -143,7 +143,7 @@ bool TransformGesture::push(const State& state, Workbench& bench) const
     const auto inspected = session.inspected();
     const std::size_t lines = session.scene.lines().size();
     if (state.copies) {
-        app::Edit edit = app::copying(session.now(), state.objects, all);
+        app::Edit edit = app::copying(session.now(), state.objects, all, session.entered.id());
         app::ObjectRanges added = app::addedBy(edit.splices);
         session.history.push(
             new app::CopyObjects(session.document, std::move(edit), tr("Copy selection")));
