@@ -105,21 +105,26 @@ std::optional<Rearranged> movedTo(const Document& document, const ObjectRanges& 
 }
 
 std::optional<Rearranged> movedContainer(const Document& document, ContainerId id,
-                                         ContainerId parent, ContainerId below)
+                                         const ContainerPlace& place, const ObjectRanges& objects)
 {
     const Containers& tree = document.containers();
-    const bool isGroup = tree[id].kind == Container::Kind::Group;
-    const bool intoGroup = parent != 0 && tree[parent].kind == Container::Kind::Group;
-    if (isGroup ? parent == 0 : intoGroup)
+    const auto isGroup = [&](ContainerId of) {
+        return of != 0 && tree[of].kind == Container::Kind::Group;
+    };
+    if (isGroup(id) ? place.parent == 0 : isGroup(place.parent))
         return std::nullopt;
-    for (ContainerId around = parent; around != 0; around = tree.parentOf(around))
+    for (ContainerId around = place.parent; around != 0; around = tree.parentOf(around))
         if (around == id)
             return std::nullopt;
-    TreeDraft draft(document);
+    TreeDraft draft(document, objects);
     std::erase_if(draft.in(tree.parentOf(id)), [&](const TreeItem& item) { return item.id == id; });
-    TreeItems& list = draft.in(parent);
-    const auto at = std::ranges::find(list, below, &TreeItem::id);
-    list.insert(below == 0 || at == list.end() ? list.begin() : at + 1, TreeItem{id});
+    TreeItems& list = draft.in(place.parent);
+    auto at = place.below ? list.begin() : list.end();
+    if (place.below.value_or(0) != 0)
+        if (const auto below = std::ranges::find(list, *place.below, &TreeItem::id);
+            below != list.end())
+            at = below + 1;
+    list.insert(at, TreeItem{id});
     return draft.rearranged();
 }
 

@@ -23,9 +23,17 @@ std::optional<Rearranged> stacked(const Document& document, const ObjectRanges& 
 std::optional<Rearranged> movedTo(const Document& document, const ObjectRanges& objects,
                                   ContainerId entered, ContainerId layer);
 
-/// Puts a layer or group into `parent`, directly above `below`, one of its containers; 0: below
-/// everything else there. Empty also if `parent` cannot hold it, or is in it.
+/// A place in a layer, a group or the document (0).
+struct ContainerPlace {
+    ContainerId parent = 0;
+    /// The container there that is directly below the place; 0: it is below everything else; empty:
+    /// it is above everything else.
+    std::optional<ContainerId> below{};
+};
+/// Puts a layer or group into another place. `objects` are followed. Empty also if the place cannot
+/// hold it, or is in it.
 std::optional<Rearranged> movedContainer(const Document& document, ContainerId id,
-                                         ContainerId parent, ContainerId below);
+                                         const ContainerPlace& place,
+                                         const ObjectRanges& objects = {});
 
 } // namespace app

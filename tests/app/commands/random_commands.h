@@ -177,7 +177,7 @@ private:
             result = app::movedTo(drawing, chosen, 0, drawing.containers().childrenOf(0).front());
             break;
         case 3:
-            result = app::movedContainer(drawing, container(), container(), container());
+            result = app::movedContainer(drawing, container(), {container(), container()});
             break;
         default:
             result = app::stacked(drawing, chosen, 0, app::Stacking(kind - 4), overlaps);

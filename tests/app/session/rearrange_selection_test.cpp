@@ -232,9 +232,9 @@ private slots:
     void aContainerDoesNotMoveIntoItself()
     {
         Drawing drawing;
-        QVERIFY(!movedContainer(drawing.now(), drawing.outer, drawing.inner, 0));
-        QVERIFY(!movedContainer(drawing.now(), drawing.low, drawing.outer, 0));
-        const auto nested = movedContainer(drawing.now(), drawing.low, drawing.high, 0);
+        QVERIFY(!movedContainer(drawing.now(), drawing.outer, {drawing.inner}));
+        QVERIFY(!movedContainer(drawing.now(), drawing.low, {drawing.outer}));
+        const auto nested = movedContainer(drawing.now(), drawing.low, {drawing.high});
         QVERIFY(nested);
         Document document = drawing.now();
         document.apply(nested->edit);
