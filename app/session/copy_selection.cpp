@@ -52,7 +52,7 @@ void duplicateInPlace(Session& session)
 void paste(Session& session, const Document& drawing, PastePlace place)
 {
     const Containers& tree = session.now().containers();
-    const ContainerId into = session.entered.id() ? session.entered.id() : session.pen.layer;
+    const ContainerId into = containerForNew(session);
     if (!tree.shown(into) || tree.locked(into)) {
         emit session.refused(tr("The layer %1 is locked or hidden, so nothing was pasted. Select "
                                 "another layer, or unlock and show this one.")

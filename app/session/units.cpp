@@ -89,6 +89,11 @@ ObjectRanges unitsOf(const Session& session, const ObjectRanges& found, FoundGro
         .in(session.entered.id());
 }
 
+ContainerId containerForNew(const Session& session)
+{
+    return session.entered.id() ? session.entered.id() : session.pen.layer;
+}
+
 ObjectRanges selectableObjects(const Session& session)
 {
     return common(editableObjects(session.now()), ObjectRanges(selectableRange(session)));
@@ -97,6 +102,31 @@ ObjectRanges selectableObjects(const Session& session)
 QString groupName(const Container& group)
 {
     return group.name.isEmpty() ? QCoreApplication::translate("Groups", "Group") : group.name;
+}
+
+bool someGroupSelected(const Session& session)
+{
+    constexpr std::size_t mostLooks = 256;
+    const Containers& tree = session.now().containers();
+    const ObjectRanges& selection = session.selection();
+    std::size_t looks = 0;
+    ContainerId plain = 0; // holds no groups
+    for (const ObjectRange& range : selection.ranges())
+        for (std::size_t i = range.first; i < range.end;) {
+            if (++looks > mostLooks)
+                return true;
+            if (groupAt(session, i) != 0) {
+                if (without(unitAt(session, i), selection).empty())
+                    return true;
+                i = tree.rangeOf(groupAt(session, i)).end;
+                continue;
+            }
+            const ContainerId around = tree.containerOf(i);
+            if (around != plain && tree.childrenOf(around).empty())
+                plain = around;
+            i = around == plain ? tree.rangeOf(around).end : i + 1;
+        }
+    return false;
 }
 
 std::vector<ContainerId> selectedGroups(const Session& session)

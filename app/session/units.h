@@ -15,11 +15,16 @@ ObjectRanges unitAt(const Session& session, std::size_t object);
 /// or not (`Whole`). While a group is entered, objects outside it are left out.
 enum class FoundGroups : std::uint8_t { Whole, Any };
 ObjectRanges unitsOf(const Session& session, const ObjectRanges& found, FoundGroups groups);
+/// Where new objects go: the entered group, or the current layer.
+ContainerId containerForNew(const Session& session);
 /// All objects that may be selected: those of the entered group, or of the drawing.
 ObjectRanges selectableObjects(const Session& session);
 
 QString groupName(const Container& group); ///< for people; "Group" if it has no name
 
+/// Whether a group is selected as a whole. Quick, for menus: of a selection in many pieces, only
+/// some are looked at, and `true` is assumed.
+bool someGroupSelected(const Session& session);
 /// The groups that are selected as a whole, from bottom to top.
 std::vector<ContainerId> selectedGroups(const Session& session);
 

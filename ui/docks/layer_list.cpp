@@ -38,17 +38,23 @@ std::vector<LayerCommand> LayerList::makeCommands()
         };
     };
     const auto someSelected = [this](ContainerId) { return !session_.selection().empty(); };
-    const auto switched = [this](LayerModel::Role role) {
-        return [this, role](ContainerId layer) {
-            const QModelIndex index = layers_->indexOf(layer);
-            layers_->setData(index, !index.data(role).toBool(), role);
+    const auto set = [this](LayerModel::Role role, bool value) {
+        return [this, role, value](ContainerId layer) {
+            layers_->setData(layers_->indexOf(layer), value, role);
+        };
+    };
+    const auto is = [this](LayerModel::Role role, bool value) {
+        return [this, role, value](ContainerId layer) {
+            return layers_->indexOf(layer).data(role).toBool() == value;
         };
     };
     return {
         {tr("Rename"), QKeySequence(Qt::Key_F2),
          [this](ContainerId layer) { edit(layers_->indexOf(layer)); }},
-        {tr("Show or hide"), {}, switched(LayerModel::VisibleRole)},
-        {tr("Lock or unlock"), {}, switched(LayerModel::LockedRole)},
+        {tr("Hide"), {}, set(LayerModel::VisibleRole, false), is(LayerModel::VisibleRole, true)},
+        {tr("Show"), {}, set(LayerModel::VisibleRole, true), is(LayerModel::VisibleRole, false)},
+        {tr("Lock"), {}, set(LayerModel::LockedRole, true), is(LayerModel::LockedRole, false)},
+        {tr("Unlock"), {}, set(LayerModel::LockedRole, false), is(LayerModel::LockedRole, true)},
         {tr("Show only this layer"),
          {},
          [this](ContainerId layer) { app::showOnlyLayer(session_, layer); },
@@ -205,7 +211,7 @@ void LayerList::paintEvent(QPaintEvent* event)
     if (!target_)
         return;
     QPainter painter(viewport());
-    painter.setPen(QPen(lookOf(palette()).accent, 2));
+    painter.setPen(QPen(lookOf(palette()).selection, 2));
     if (target_->inside)
         painter.drawRect(target_->mark.adjusted(1, 1, -2, -2));
     else

@@ -14,30 +14,24 @@ namespace ui {
 namespace {
 
 // THE CATALOGUES. To add a command to a menu: add its key.
-constexpr std::array<std::string_view, 25> onObject{"enter-group",
+constexpr std::array<std::string_view, 19> onObject{"enter-group",
                                                     "leave-group",
                                                     "group",
                                                     "ungroup",
                                                     "",
                                                     "cut",
                                                     "copy",
-                                                    "duplicate",
                                                     "paste",
+                                                    "duplicate",
                                                     "delete",
                                                     "",
-                                                    "to-front",
-                                                    "raise",
-                                                    "lower",
-                                                    "to-back",
-                                                    "",
-                                                    "to-layer-above",
-                                                    "to-layer-below",
-                                                    "",
-                                                    "same-colour",
-                                                    "same-stroke-width",
+                                                    ">to-front",
+                                                    "move-to-layer",
+                                                    ">same-colour",
                                                     "invert-selection",
                                                     "",
                                                     "fit-selection",
+                                                    "find",
                                                     "microscope"};
 constexpr std::array<std::string_view, 14> onNothing{
     "paste",    "paste-in-place", "", "leave-group", "select-all", "select-layer",
@@ -62,6 +56,24 @@ void showAt(QMenu* menu, const QPoint& place)
         menu->popup(place);
 }
 
+/// The action of the menu bar; ">KEY" is the submenu that holds it, "KEY" may also name a submenu.
+QAction* actionOf(const MainWindow& window, std::string_view key)
+{
+    const bool submenu = key.starts_with('>');
+    const QString name = app::latin(submenu ? key.substr(1) : key);
+    auto* action = window.findChild<QAction*>(name);
+    if (action && submenu) {
+        for (const QObject* holder : action->associatedObjects())
+            if (const auto* menu = qobject_cast<const QMenu*>(holder))
+                return action->isEnabled() ? menu->menuAction() : nullptr;
+        return nullptr;
+    }
+    if (action)
+        return action->isEnabled() ? action : nullptr;
+    const auto* menu = window.findChild<QMenu*>(name);
+    return menu ? menu->menuAction() : nullptr;
+}
+
 } // namespace
 
 QMenu* contextMenu(MainWindow& window, std::span<const std::string_view> keys)
@@ -75,8 +87,7 @@ QMenu* contextMenu(MainWindow& window, std::span<const std::string_view> keys)
             if (!separated)
                 menu->addSeparator();
             separated = true;
-        } else if (auto* action = window.findChild<QAction*>(app::latin(key));
-                   action && action->isEnabled()) {
+        } else if (QAction* action = actionOf(window, key)) {
             menu->addAction(action);
             separated = false;
         }

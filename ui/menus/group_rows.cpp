@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/rearrange_selection.h"
+#include "app/session/units.h"
 #include "ui/menus/object_rows.h"
 #include "ui/tools/group_choice.h"
 #include "ui/window/main_window.h"
@@ -11,6 +12,8 @@ namespace ui {
 namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("ObjectMenu", text); }
+
+bool groupSelected(const MainWindow& window) { return app::someGroupSelected(window.session()); }
 
 bool someSelected(const MainWindow& window) { return !window.session().selection().empty(); }
 
@@ -33,7 +36,7 @@ std::vector<ActionInfo> groupRows()
             .text = tr("&Ungroup"),
             .keys = {K("Ctrl+Shift+G")},
             .run = [](MainWindow& w) { app::ungroupSelection(w.session()); },
-            .enabled = someSelected,
+            .enabled = groupSelected,
             .needs = tr("No group is selected. Click a group first."),
         },
         {
@@ -49,7 +52,7 @@ std::vector<ActionInfo> groupRows()
                         enterGroupAt(w.session(),
                                      w.session().now().containers().rangeOf(groups.back()).first);
                 },
-            .enabled = someSelected,
+            .enabled = groupSelected,
             .needs = tr("No group is selected. Click a group first."),
         },
         {

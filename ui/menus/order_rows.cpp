@@ -49,6 +49,7 @@ ActionInfo moveBy(std::string_view key, const QString& text, const QKeySequence&
 /// The layers, each time the menu opens.
 void fillLayers(MainWindow& window, QMenu& menu)
 {
+    menu.setObjectName(QStringLiteral("move-to-layer"));
     const auto refill = [&window, &menu] {
         menu.clear();
         const app::Containers& tree = window.session().now().containers();

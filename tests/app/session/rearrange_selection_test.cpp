@@ -137,7 +137,15 @@ private slots:
         QCOMPARE(unitAt(drawing, 4), (ObjectRanges{2, 3, 4}));
         QCOMPARE(unitsOf(drawing, {1, 2}, FoundGroups::Any), (ObjectRanges{1, 2, 3, 4}));
         QCOMPARE(unitsOf(drawing, {1, 2}, FoundGroups::Whole), (ObjectRanges{1}));
+        drawing.select({0, 1, 2});
+        QVERIFY(!someGroupSelected(drawing));
+        drawing.select({0, 2, 3, 4});
+        QVERIFY(someGroupSelected(drawing));
         drawing.entered.enter(drawing.outer);
+        drawing.select({2, 3});
+        QVERIFY(!someGroupSelected(drawing));
+        drawing.select({4});
+        QVERIFY(someGroupSelected(drawing));
         QCOMPARE(unitAt(drawing, 2), (ObjectRanges{2}));
         QCOMPARE(groupAt(drawing, 4), drawing.inner);
         QCOMPARE(unitsOf(drawing, {0, 2, 4}, FoundGroups::Any), (ObjectRanges{2, 4}));

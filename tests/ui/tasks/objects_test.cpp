@@ -25,9 +25,15 @@ class ObjectsTest : public QObject {
     {
         steps.insert(steps.end(), more.begin(), more.end());
     }
+    static Steps another(const char* corner)
+    {
+        return {type(corner), enter(), type("20"), tab(), type("10"), enter()};
+    }
     static Steps rectangle(const char* corner)
     {
-        return {key("R"), type(corner), enter(), type("20"), tab(), type("10"), enter()};
+        Steps steps{key("R")};
+        add(steps, another(corner));
+        return steps;
     }
 
 private slots:
@@ -38,7 +44,7 @@ private slots:
         Steps steps = rectangle("40,50");
         add(steps, rectangle("80,50"));
         add(steps, {key("Ctrl+A"), key("Ctrl+G")});
-        add(steps, rectangle("40,90"));
+        add(steps, another("40,90"));
         add(steps, {key("V"), click({50, 90}), key("Right"), click({90, 50}), key("O"),
                     move({40.2, 60.2}), key("P"), type("33.5"), enter()});
         const app::Point corner(40, 60);
@@ -65,7 +71,7 @@ private slots:
         Steps steps = rectangle("40,50");
         for (const char* corner : {"80,50", "40,90", "80,90"}) {
             add(steps, {press("Add layer")});
-            add(steps, rectangle(corner));
+            add(steps, another(corner));
         }
         add(steps, {dragRow(list, "Layer 3", "Layer 2"), dragRow(list, "Layer 2", "Drawing"),
                     clickRow(list, "Layer 4"), key("Alt+Down"), clickRow(list, "Layer 2", 18),

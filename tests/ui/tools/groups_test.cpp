@@ -129,6 +129,20 @@ private slots:
         QVERIFY(drawing.isGroup(copy) && copy != drawing.group());
         QCOMPARE(drawing.session.now().containers().rangeOf(copy).size(), std::size_t(2));
     }
+    void newObjectsGoIntoTheEnteredGroup()
+    {
+        Drawing drawing;
+        drawing.doubleClick({50, 40});
+        drawing.key(Qt::Key_R);
+        drawing.drag({120, 30}, {140, 40});
+        QCOMPARE(drawing.session.now().containers().rangeOf(drawing.group()).size(),
+                 std::size_t(3));
+        drawing.key(Qt::Key_Escape);
+        QCOMPARE(drawing.session.entered.id(), app::ContainerId(0));
+        drawing.drag({120, 50}, {140, 60});
+        QCOMPARE(drawing.session.now().containers().rangeOf(drawing.group()).size(),
+                 std::size_t(3));
+    }
     void ungroupIsUndoneAsOneStep()
     {
         Drawing drawing;
@@ -198,15 +212,17 @@ private slots:
             QStringList names;
             auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
             for (const QAction* action : menu ? menu->actions() : QList<QAction*>())
-                names << action->objectName();
+                names << (action->menu() ? action->menu()->objectName() : action->objectName());
             if (menu)
                 menu->close();
             return names;
         };
         const QStringList onGroup = menuAt({50, 40});
         QCOMPARE(drawing.session.selection(), (app::ObjectRanges{1, 2}));
-        QVERIFY(onGroup.contains("ungroup") && onGroup.contains("to-front"));
+        QVERIFY(onGroup.contains("ungroup") && onGroup.contains("move-to-layer"));
         QVERIFY(!onGroup.contains("leave-group"));
+        const QStringList onLine = menuAt({50, 80});
+        QVERIFY(onLine.contains("group") && !onLine.contains("ungroup"));
         const QStringList beside = menuAt({150, 50});
         QVERIFY(beside.contains("paste") && beside.contains("select-all"));
         QVERIFY(!beside.contains("ungroup"));
