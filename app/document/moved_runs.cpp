@@ -90,6 +90,13 @@ bool meets(const ObjectRanges& objects, const ObjectRange& range)
     return above != objects.ranges().end() && above->first < range.end;
 }
 
+ObjectRanges within(const ObjectRanges& objects, const ObjectRange& range)
+{
+    ObjectRanges result;
+    follow(objects, range, range.first, result);
+    return result;
+}
+
 MovedObjects objectsMoved(const Objects& objects, const Objects& added,
                           std::span<const MovedRun> runs, const ObjectRanges& chosen)
 {

@@ -29,7 +29,9 @@ struct MovedObjects {
 MovedObjects objectsMoved(const Objects& objects, const Objects& added,
                           std::span<const MovedRun> runs, const ObjectRanges& chosen);
 
-/// Whether one of the objects is in the range.
+/// Whether one of the objects is in the range. O(log ranges).
 bool meets(const ObjectRanges& objects, const ObjectRange& range);
+/// Those of the objects that are in the range. O(log ranges + ranges of the result).
+ObjectRanges within(const ObjectRanges& objects, const ObjectRange& range);
 
 } // namespace app

@@ -26,7 +26,7 @@ public:
     ObjectRanges in(ContainerId id)
     {
         widen(id);
-        return std::move(found_);
+        return united(without(found_, groupObjects_), chosen_);
     }
 
 private:
@@ -44,16 +44,17 @@ private:
     }
     void choose(const ObjectRange& range)
     {
-        const ObjectRanges unit = common(editable_, ObjectRanges(range));
-        if (groups_ == FoundGroups::Any || without(unit, found_).empty())
-            found_ = united(found_, unit);
-        else
-            found_.erase(range);
+        const ObjectRanges unit = within(editable_, range);
+        groupObjects_.insert(range);
+        if (groups_ == FoundGroups::Any || unit.size() == within(found_, range).size())
+            for (const ObjectRange& part : unit.ranges())
+                chosen_.insert(part);
     }
 
     const Session& session_;
     const Containers& tree_;
-    ObjectRanges editable_, found_;
+    ObjectRanges editable_, found_;      ///< what is found may be edited
+    ObjectRanges groupObjects_, chosen_; ///< of groups: all objects, and those that are selected
     FoundGroups groups_;
 };
 
@@ -80,7 +81,7 @@ ObjectRanges unitAt(const Session& session, std::size_t object)
     if (group == 0)
         return {object};
     const ObjectRange range = session.now().containers().rangeOf(group);
-    return common(editableObjects(session.now()), ObjectRanges(range));
+    return within(editableObjects(session.now()), range);
 }
 
 ObjectRanges unitsOf(const Session& session, const ObjectRanges& found, FoundGroups groups)

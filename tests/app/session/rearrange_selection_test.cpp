@@ -70,6 +70,17 @@ class RearrangeSelectionTest : public QObject {
         return starts;
     }
 
+    // Measured, not judged: a busy machine is slow.
+    static constexpr int many = 100'000;
+    template <class Run>
+    static void timed(const char* what, const Run& run)
+    {
+        QElapsedTimer timer;
+        timer.start();
+        run();
+        qInfo("%s: %lld ms", what, timer.elapsed());
+    }
+
 private slots:
     void aGroupTakesThePlaceOfItsTopmostObject()
     {
@@ -249,10 +260,35 @@ private slots:
         QCOMPARE(document.containers().parentOf(drawing.low), drawing.high);
         QCOMPARE(document.containers().childrenOf(0).size(), std::size_t(1));
     }
-    // Measured, not judged: a busy machine is slow.
+    void manyGroups()
+    {
+        DocumentBuilder builder;
+        builder.open({.name = "layer"});
+        for (int i = 0; i < many / 2; ++i) {
+            builder.open({.kind = Container::Kind::Group});
+            builder.add(line(2 * i));
+            builder.add(line(2 * i + 1));
+            builder.close();
+        }
+        builder.close();
+        Session session;
+        session.load({builder.take({}), {}});
+        const ObjectRanges all = selectableObjects(session);
+        ObjectRanges everyThird;
+        for (std::size_t i = 0; i < many; i += 3)
+            everyThird.insert(i);
+        timed("groups of a box", [&] {
+            QCOMPARE(unitsOf(session, everyThird, FoundGroups::Any).size(), std::size_t(66'668));
+        });
+        timed("whole groups of a box",
+              [&] { QCOMPARE(unitsOf(session, all, FoundGroups::Whole), all); });
+        session.select(unitsOf(session, everyThird, FoundGroups::Any));
+        timed("group two thirds of 50,000 groups", [&] { groupSelection(session); });
+        timed("ungroup", [&] { ungroupSelection(session); });
+        timed("bring to front", [&] { stackSelection(session, Stacking::ToFront); });
+    }
     void manyObjects()
     {
-        constexpr int many = 100'000;
         DocumentBuilder builder;
         builder.open({.name = "layer"});
         for (int i = 0; i < many; ++i)
@@ -260,12 +296,6 @@ private slots:
         builder.close();
         Session session;
         session.load({builder.take({}), {}});
-        const auto timed = [](const char* what, const auto& run) {
-            QElapsedTimer timer;
-            timer.start();
-            run();
-            qInfo("%s: %lld ms", what, timer.elapsed());
-        };
         timed("select all", [&] { session.select(selectableObjects(session)); });
         timed("group all", [&] { groupSelection(session); });
         timed("undo", [&] { session.history.undo(); });
