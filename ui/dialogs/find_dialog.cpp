@@ -18,7 +18,8 @@ FindDialog::FindDialog(app::Session& session, QWidget* parent)
     text_->setObjectName("find");
     text_->setMinimumWidth(260);
     text_->setPlaceholderText(tr("Object, group or layer"));
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    auto* buttons = new QDialogButtonBox;
+    buttons->addButton(tr("Close"), QDialogButtonBox::RejectRole);
     auto* select = buttons->addButton(tr("&Select"), QDialogButtonBox::AcceptRole);
     select->setDefault(true);
     auto* form = new QFormLayout(this);
@@ -27,6 +28,7 @@ FindDialog::FindDialog(app::Session& session, QWidget* parent)
     form->addRow(QString(), result_);
     form->addRow(buttons);
     result_->setText(tr("Part of a name is enough."));
+    text_->setFocus();
     connect(select, &QPushButton::clicked, this, &FindDialog::search);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }

@@ -3,6 +3,7 @@
 #include "app/session/rearrange_selection.h"
 #include "ui/docks/layer_model.h"
 
+#include <QLineEdit>
 #include <QMenu>
 #include <QSignalSpy>
 
@@ -201,6 +202,29 @@ private slots:
         drawing.click({10, 10});
         QCOMPARE(refused.count(), 2);
         QCOMPARE(drawing.session.history.count(), steps);
+    }
+    void objectsAreFoundByName()
+    {
+        Drawing drawing;
+        auto* model = drawing.t.window->findChild<ui::LayerModel*>();
+        model->setData(model->index(0), "Walls", Qt::EditRole);
+        drawing.key(Qt::Key_F, Qt::ControlModifier);
+        QTRY_VERIFY(QApplication::activeModalWidget());
+        auto* field = QApplication::activeModalWidget()->findChild<QLineEdit*>("find");
+        QApplication::activeModalWidget()->activateWindow();
+        QTRY_VERIFY(field->hasFocus());
+        for (const char* c = "wall\n"; *c; ++c)
+            *c == '\n' ? drawing.key(Qt::Key_Return)
+                       : QTest::keyClick(QApplication::focusWidget(), *c);
+        QCOMPARE(drawing.session.selection().size(), std::size_t(4));
+        drawing.key(Qt::Key_Escape);
+        QTRY_VERIFY(!QApplication::activeModalWidget());
+        drawing.t.window->activateWindow();
+        drawing.canvas.setFocus();
+        QTRY_VERIFY(QApplication::focusWidget());
+        drawing.click({50, 20});
+        drawing.key(Qt::Key_I, Qt::ControlModifier);
+        QCOMPARE(drawing.session.selection(), (app::ObjectRanges{1, 2, 3}));
     }
     void theMenuOfTheRightButtonHasWhatApplies()
     {
