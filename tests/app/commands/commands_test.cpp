@@ -36,7 +36,7 @@ class CommandsTest : public QObject {
 private slots:
     void whateverIsDoneCanBeUndoneAndRedone()
     {
-        constexpr int count = 200;
+        constexpr int count = 500;
         for (unsigned round = 0; round < 5; ++round) {
             app::EditedDocument document(app::documentOf(sheet(20)));
             app::History history;
