@@ -3,6 +3,7 @@
 #include "app/session/rearrange_selection.h"
 #include "ui/docks/layer_model.h"
 
+#include <QElapsedTimer>
 #include <QLineEdit>
 #include <QMenu>
 #include <QSignalSpy>
@@ -202,6 +203,41 @@ private slots:
         drawing.click({10, 10});
         QCOMPARE(refused.count(), 2);
         QCOMPARE(drawing.session.history.count(), steps);
+    }
+    // Measured, not judged: a busy machine is slow. With all panels, without painting.
+    void manyObjects()
+    {
+        Drawing drawing;
+        app::DocumentBuilder builder;
+        builder.open({});
+        const auto style = builder.style({.stroke = app::Colour{}});
+        for (int i = 0; i < 100'000; ++i)
+            builder.addLine({{i % 400 * 0.5, i / 400 * 0.4}, {i % 400 * 0.5 + 3, i / 400 * 0.4}},
+                            style);
+        builder.close();
+        drawing.session.load({builder.take({}), {}});
+        drawing.canvas.settle();
+        const auto timed = [&](const char* what, int key, Qt::KeyboardModifiers modifiers = {}) {
+            QElapsedTimer timer;
+            timer.start();
+            drawing.key(key, modifiers);
+            qInfo("%s: %lld ms", what, timer.elapsed());
+        };
+        timed("select all", Qt::Key_A, Qt::ControlModifier);
+        QCOMPARE(drawing.session.selection().size(), std::size_t(100'000));
+        timed("group", Qt::Key_G, Qt::ControlModifier);
+        timed("undo", Qt::Key_Z, Qt::ControlModifier);
+        drawing.key(Qt::Key_Escape);
+        drawing.click({101, 50});
+        QCOMPARE(drawing.session.selection().size(), std::size_t(1));
+        timed("raise", Qt::Key_PageUp);
+        timed("to front", Qt::Key_Home);
+        timed("undo", Qt::Key_Z, Qt::ControlModifier);
+        timed("invert", Qt::Key_I, Qt::ControlModifier);
+        timed("lower", Qt::Key_PageDown);
+        timed("duplicate", Qt::Key_D, Qt::ControlModifier);
+        timed("undo", Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(drawing.session.selection().size(), std::size_t(99'999));
     }
     void objectsAreFoundByName()
     {
