@@ -8,4 +8,7 @@ namespace ui {
 /// Shows which group is entered: a frame with its name; what is outside the frame is paler.
 void paintEnteredGroup(QPainter& painter, const Controller& controller);
 
+/// A thin frame around the group that a click would select.
+void paintHoveredGroup(QPainter& painter, const Controller& controller, std::size_t segment);
+
 } // namespace ui

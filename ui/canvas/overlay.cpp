@@ -43,9 +43,11 @@ void paintHovered(QPainter& painter, const Controller& controller)
 {
     const auto hovered = controller.tool().hoveredSegment();
     const app::SceneLines& lines = controller.session().scene.lines();
-    if (hovered && *hovered < lines.size())
-        drawLine(painter, controller, lines[*hovered],
-                 QPen(controller.look().selection, 1.5, Qt::SolidLine, Qt::RoundCap));
+    if (!hovered || *hovered >= lines.size())
+        return;
+    drawLine(painter, controller, lines[*hovered],
+             QPen(controller.look().selection, 1.5, Qt::SolidLine, Qt::RoundCap));
+    paintHoveredGroup(painter, controller, *hovered);
 }
 
 void paintEnd(QPainter& painter, const Controller& controller, const app::Point& end,
