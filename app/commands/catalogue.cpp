@@ -5,6 +5,7 @@
 #include "app/commands/change_paths.h"
 #include "app/commands/crop_to_window.h"
 #include "app/commands/move_objects.h"
+#include "app/commands/rearrange_objects.h"
 #include "app/commands/remove_objects.h"
 #include "app/commands/resize_objects.h"
 #include "app/commands/set_containers.h"
@@ -30,6 +31,7 @@ std::span<const CommandKind> commandKinds()
         TransformObjects::row,
         CopyObjects::row,
         ChangePaths::row,
+        RearrangeObjects::row,
         SetStyle::row,
         SetWindow::row,
         SetWindows::row,

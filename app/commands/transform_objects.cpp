@@ -2,6 +2,7 @@
 #include "app/commands/transform_objects.h"
 
 #include "app/commands/set_style.h"
+#include "app/document/copies.h"
 #include "app/document/path_points.h"
 #include "app/document/recipe_outline.h"
 
@@ -80,8 +81,14 @@ CopyObjects::CopyObjects(EditedDocument& document, Edit copying, const QString& 
 {
 }
 
-Edit copying(const Document& document, const ObjectRanges& objects, std::span<const AffineMap> maps)
+Edit copying(const Document& document, const ObjectRanges& objects, std::span<const AffineMap> maps,
+             ContainerId entered)
 {
+    std::vector<RowChange> changes;
+    for (const AffineMap& map : maps)
+        changes.emplace_back([&map](ObjectRow& object) { transform(object, map); });
+    if (auto grouped = withCopies(document, objects, entered, changes))
+        return std::move(grouped->edit);
     std::vector<PendingObject> copies;
     copies.reserve(objects.size() * maps.size());
     for (const AffineMap& map : maps)

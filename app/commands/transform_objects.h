@@ -36,8 +36,9 @@ public:
 };
 
 /// The edit that adds the copies, each on top of its original's container and without its id. All
-/// copies of one map are in the order of the objects.
-Edit copying(const Document& document, const ObjectRanges& objects,
-             std::span<const AffineMap> maps);
+/// copies of one map are in the order of the objects. The copy of a group that is chosen as a whole
+/// is a group (TreeDraft), unless the drawing would have too many groups.
+Edit copying(const Document& document, const ObjectRanges& objects, std::span<const AffineMap> maps,
+             ContainerId entered = 0);
 
 } // namespace app

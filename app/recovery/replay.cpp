@@ -51,10 +51,11 @@ bool Replay::followStep(ByteReader& in, RecordKind kind)
     const auto key = in.list<char>();
     const QString text = in.text();
     auto change = readChange(in, now());
-    if (!change || (kind == RecordKind::Joined && !history_.canUndo()))
+    if (!change)
         return false;
     inHand_.reset();
-    if (kind == RecordKind::Joined) // the last step's undo takes back both
+    // The last step's undo takes back both. The base may have left that step out.
+    if (kind == RecordKind::Joined)
         document_.apply(change->edit);
     else
         history_.push(new EditCommand(kindOf({key.data(), key.size()}), document_,

@@ -172,7 +172,7 @@ bool repeatSelection(Session& session, std::span<const AffineMap> maps, const QS
         return true;
     if (maps.size() > mostCopied / originals.size())
         return false;
-    Edit edit = copying(session.now(), originals, maps);
+    Edit edit = copying(session.now(), originals, maps, session.entered.id());
     const ObjectRanges added = addedBy(edit.splices);
     session.history.push(new CopyObjects(session.document, std::move(edit), undoText));
     session.select(united(session.selection(), added));

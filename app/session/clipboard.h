@@ -9,11 +9,13 @@
 
 namespace app {
 
-/// Objects in formats for this and other programs: SVG as image and as text.
-std::unique_ptr<QMimeData> copied(const Document& document, const ObjectRanges& objects);
+/// Objects in formats for this and other programs: SVG as image and as text. Groups are copied if
+/// they are chosen as a whole (TreeDraft).
+std::unique_ptr<QMimeData> copied(const Document& document, const ObjectRanges& objects,
+                                  ContainerId entered = 0);
 
-/// The objects on the clipboard, at their original size on paper, without ids; empty if there are
-/// none.
-Objects pasted(const QMimeData& data, const Page& page);
+/// The drawing on the clipboard, at its original size on paper, without ids of objects; without
+/// objects if there is none.
+Document pasted(const QMimeData& data, const Page& page);
 
 } // namespace app

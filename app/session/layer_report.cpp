@@ -17,13 +17,6 @@ std::span<const StyleIndex> stylesIn(const ObjectBlock& block, std::size_t first
 
 } // namespace
 
-std::size_t linesOf(const Session& session, ContainerId container)
-{
-    const ObjectRange range = session.now().containers().rangeOf(container);
-    const SceneLines& lines = session.scene.lines();
-    return range.empty() ? 0 : lines.firstLineOf(range.end) - lines.firstLineOf(range.first);
-}
-
 std::optional<Colour> strokeColourOf(const Document& document, ContainerId container)
 {
     const Objects& objects = document.objects();

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/session/session.h"
+#include "app/document/document.h"
 
 namespace app {
-
-/// How many of the scene's lines are in a container; none if it is hidden.
-std::size_t linesOf(const Session& session, ContainerId container);
 
 /// The colour that represents a container: that of its first object with a stroke or fill. It is
 /// computed after every edit, so only some thousand styles are examined: objects of one style that

@@ -4,6 +4,7 @@
 #include "app/base/usual_algorithm.h"
 #include "app/document/followed_ranges.h"
 #include "app/scene/bounds.h"
+#include "app/session/selection_memory.h"
 
 #include <algorithm>
 #include <utility>
@@ -14,6 +15,7 @@ Session::Session(QObject* parent) : QObject(parent)
 {
     display_.variant.algorithm = &usualAlgorithm();
     pen.layer = now().containers().childrenOf(0).back();
+    new SelectionMemory(*this); // before say(), which signals the selection that it remembers
     connect(&document, &EditedDocument::changed, this, &Session::say);
     connect(&scene, &Scene::outdated, this, [this] {
         if (inspected_ && *inspected_ >= scene.lines().size())

@@ -10,6 +10,7 @@
 #include "app/lessons/course.h"
 #include "app/scene/compared_window.h"
 #include "app/scene/scene.h"
+#include "app/session/entered_group.h"
 #include "app/session/node_editing.h"
 #include "app/session/preview.h"
 #include "app/view/grid.h"
@@ -69,6 +70,7 @@ public:
     Microscope microscope;                        ///< one line, step by step
     Course course{microscope};                    ///< the lesson in progress, if any
     NodeEditing nodes{*this};                     ///< of the selected objects
+    EnteredGroup entered{*this};                  ///< the group that is being edited, if any
     Pen pen;
     std::optional<std::size_t> guide{}; ///< the number of the chosen guide, which may be gone
     ArrangeOptions arrange;

@@ -67,29 +67,28 @@ private slots:
         ui::setKeep(t.window->session(), app::Keep::Outside);
         QTRY_COMPARE(t.window->status().visibility(), "0 of 2 visible");
     }
-    void repeatedPastesAndDuplicatesAreOffset()
+    void repeatedPastesAreOffset()
     {
-        for (const char* const how : {"paste", "duplicate"}) {
-            TestWindow t;
-            t.open(t.twoLines());
-            t.show();
-            app::Session& session = t.window->session();
-            session.select({0});
-            t.action("copy")->trigger();
-            for (int i = 0; i < 5; ++i) {
-                session.select({0});
-                t.action(how)->trigger();
-            }
-            const auto& shapes = sheetOf(session.document).shapes;
-            QCOMPARE(shapes.size(), std::size_t(6));
-            for (std::size_t i = 1; i < shapes.size(); ++i)
-                QVERIFY2(near(shapes[i].paths[0].start, {0 + 5.0 * double(i), 50 + 5.0 * double(i)},
-                              1e-9),
-                         how);
-            session.history.undo(); // its place is free again
+        TestWindow t;
+        t.open(t.twoLines());
+        t.show();
+        app::Session& session = t.window->session();
+        session.select({0});
+        t.action("copy")->trigger();
+        for (int i = 0; i < 5; ++i)
             t.action("paste")->trigger();
-            QVERIFY(near(shapes.back().paths[0].start, {25, 75}, 1e-9));
-        }
+        const auto start = [&](std::size_t object) {
+            return session.now().objects()[object].path().subpaths()[0].start;
+        };
+        QCOMPARE(session.now().objects().size(), std::size_t(6));
+        for (std::size_t i = 1; i < 6; ++i)
+            QVERIFY(near(start(i), {0 + 5.0 * double(i), 50 + 5.0 * double(i)}, 1e-9));
+        session.history.undo(); // its place is free again
+        t.action("paste")->trigger();
+        QVERIFY(near(start(5), {25, 75}, 1e-9));
+        t.action("paste-in-place")->trigger();
+        QVERIFY(near(start(6), {0, 50}, 1e-9));
+        QCOMPARE(session.selection(), (app::ObjectRanges{6}));
     }
     void theHoverEndsWhenThePointerLeaves()
     {

@@ -82,6 +82,17 @@ void Canvas::switchSnapping(bool on)
     parts_->controller.switchSnapping(on);
     emit snappingChanged();
 }
+bool Canvas::selectAt(const QPoint& position)
+{
+    for (const auto& pane : parts_->widgets) {
+        const QWidget& drawing = pane->surface().widget();
+        const QPoint at = drawing.mapFrom(this, position);
+        if (drawing.isVisible() && drawing.rect().contains(at))
+            return parts_->controller.selectAt(at);
+    }
+    return false;
+}
+
 void Canvas::fitDrawing() { parts_->controller.fitDrawing(); }
 void Canvas::fitSelection() { parts_->controller.fitSelection(); }
 void Canvas::fitWindow() { parts_->controller.fitWindow(); }

@@ -63,6 +63,10 @@ public:
     /// Moves, rotates, scales or skews the selection by the pointer and by typed numbers.
     void transform(const app::Transformation& kind);
 
+    /// Selects what is at a position of the canvas, unless it is selected already, for the menu of
+    /// the right button. False: no object is there.
+    bool selectAt(const QPoint& position);
+
     void fitDrawing();   ///< the page and everything that is drawn
     void fitSelection(); ///< the drawing if nothing is selected
     void fitWindow();

@@ -31,6 +31,7 @@ Controller::Controller(app::Session& session, QObject* parent)
         emit hintChanged();
         emit changed();
     });
+    connect(&session.entered, &app::EnteredGroup::changed, this, &Controller::changed);
     connect(&session.differences, &app::LiveDifferences::changed, this, &Controller::renew);
     connect(&session.exactness, &app::LiveExactness::changed, this, &Controller::renew);
     connect(&session, &app::Session::loaded, this, [this] {

@@ -85,6 +85,9 @@ public:
     /// Moves, rotates, scales or skews the selection with the Select tool, from the keyboard.
     void transform(const app::Transformation& kind);
 
+    /// Selects the object under a position, unless it is selected already; false: there is none.
+    bool selectAt(const QPointF& screen);
+
     /// A new guide follows the pointer: from a ruler, until it is dropped. `axis` as in app::Guide.
     void dragGuide(int axis);
     void moveGuide(const QPointF& screen, Qt::KeyboardModifiers modifiers);

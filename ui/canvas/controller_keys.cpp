@@ -2,6 +2,7 @@
 #include "app/commands/move_objects.h"
 #include "app/commands/set_window.h"
 #include "ui/canvas/controller.h"
+#include "ui/tools/group_choice.h"
 
 #include <array>
 
@@ -70,13 +71,15 @@ bool Controller::keyRelease(QKeyEvent& event)
     return true;
 }
 
-// Backs out one level: first the gesture, then the selection, then the tool.
+// Backs out one level: first the gesture, then the group, then the selection, then the tool.
 bool Controller::escape()
 {
     if (releaseLocked())
         return true;
     if (tool_->busy()) {
         endGesture();
+    } else if (session_.entered.id() != 0) {
+        leaveGroup(session_);
     } else if (!session_.selection().empty() || session_.inspected()) {
         session_.select({});
         session_.inspect(std::nullopt);

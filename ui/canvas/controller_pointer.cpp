@@ -2,6 +2,8 @@
 #include "ui/canvas/controller.h"
 #include "ui/canvas/window_offer.h"
 #include "ui/editing/keeping.h"
+#include "ui/tools/group_choice.h"
+#include "ui/tools/picking_marks.h"
 
 #include <glm/geometric.hpp>
 
@@ -41,6 +43,18 @@ Pointer Controller::pointerAt(const QPointF& screen, Qt::MouseButtons buttons,
     return pointer;
 }
 
+bool Controller::selectAt(const QPointF& screen)
+{
+    endGesture();
+    const Pointer pointer = pointerAt(screen, Qt::NoButton, Qt::NoModifier);
+    const auto [segment, object] = pickedAt(pointer.raw, bench_);
+    if (!object)
+        return false;
+    if (!session_.selection().contains(*object) && choose(object, {}, session_))
+        session_.inspect(segment);
+    return true;
+}
+
 QRectF Controller::offeredHandle() const
 {
     if (clipWindow() || !tool_->showsHandles())
@@ -76,8 +90,10 @@ void Controller::press(QMouseEvent& event)
     if (event.button() != Qt::LeftButton || pressOffer(event))
         return;
     const Pointer pointer = pointerAt(event.position(), event.buttons(), event.modifiers());
-    if (!mayDraw())
+    if (!mayDraw()) {
+        emit session_.refused(hint());
         return;
+    }
     withTool([&] {
         event.type() == QEvent::MouseButtonDblClick ? tool_->doubleClick(pointer, bench_)
                                                     : tool_->press(pointer, bench_);

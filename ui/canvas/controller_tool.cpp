@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/units.h"
 #include "ui/canvas/controller.h"
 #include "ui/tools/shape_drawing.h"
 
@@ -35,7 +36,7 @@ void Controller::setTool(std::string_view key)
 bool Controller::mayDraw() const
 {
     const app::Containers& containers = session_.now().containers();
-    const app::ContainerId layer = session_.pen.layer;
+    const app::ContainerId layer = app::containerForNew(session_);
     return !tool_->draws() || (containers.shown(layer) && !containers.locked(layer));
 }
 
@@ -44,7 +45,7 @@ QString Controller::hint() const
     if (!mayDraw())
         return tr("The layer %1 is locked or hidden. Select another layer, or unlock and show this "
                   "one.")
-            .arg(session_.now().containers()[session_.pen.layer].name);
+            .arg(app::groupName(session_.now().containers()[app::containerForNew(session_)]));
     const QString now = tool_->hint(bench_);
     return now.isEmpty() ? toolInfo_->hint : now;
 }
@@ -91,7 +92,8 @@ std::optional<app::PendingObject> Controller::pendingObject() const
     const auto path = tool_->pendingPath();
     if (!path)
         return std::nullopt;
-    return app::PendingObject{objectOf(session_, std::span(&*path, 1)), session_.pen.layer};
+    return app::PendingObject{objectOf(session_, std::span(&*path, 1)),
+                              app::containerForNew(session_)};
 }
 
 } // namespace ui

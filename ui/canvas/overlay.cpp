@@ -3,6 +3,7 @@
 
 #include "ui/canvas/difference_overlay.h"
 #include "ui/canvas/grid_paint.h"
+#include "ui/canvas/group_overlay.h"
 #include "ui/canvas/seen_overlay.h"
 #include "ui/canvas/snap_marker.h"
 #include "ui/canvas/window_overlay.h"
@@ -42,9 +43,11 @@ void paintHovered(QPainter& painter, const Controller& controller)
 {
     const auto hovered = controller.tool().hoveredSegment();
     const app::SceneLines& lines = controller.session().scene.lines();
-    if (hovered && *hovered < lines.size())
-        drawLine(painter, controller, lines[*hovered],
-                 QPen(controller.look().selection, 1.5, Qt::SolidLine, Qt::RoundCap));
+    if (!hovered || *hovered >= lines.size())
+        return;
+    drawLine(painter, controller, lines[*hovered],
+             QPen(controller.look().selection, 1.5, Qt::SolidLine, Qt::RoundCap));
+    paintHoveredGroup(painter, controller, *hovered);
 }
 
 void paintEnd(QPainter& painter, const Controller& controller, const app::Point& end,
@@ -118,6 +121,7 @@ void paintPaper(QPainter& painter, const Controller& controller)
 void paintOverlay(QPainter& painter, const Controller& controller, const Pane& pane)
 {
     painter.setRenderHint(QPainter::Antialiasing);
+    paintEnteredGroup(painter, controller);
     paintHovered(painter, controller);
     paintInspected(painter, controller, pane);
     if (controller.session().display().overlay)

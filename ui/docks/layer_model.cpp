@@ -3,6 +3,7 @@
 
 #include "app/commands/set_containers.h"
 #include "app/session/layer_report.h"
+#include "app/session/layer_steps.h"
 #include "app/session/limited_steps.h"
 
 #include <QColor>
@@ -69,13 +70,15 @@ QVariant LayerModel::data(const QModelIndex& index, int role) const
     case LockedRole:
         return layer.locked;
     case CountRole:
-        return qulonglong(app::linesOf(session_, id));
+        return qulonglong(session_.now().containers().rangeOf(id).size());
     case DepthRole:
         return session_.now().containers().depthOf(id);
     case Qt::DecorationRole:
         if (const auto strokeColour = app::strokeColourOf(session_.now(), id))
             return QColor(strokeColour->red, strokeColour->green, strokeColour->blue);
         return {};
+    case Qt::ToolTipRole:
+        return tr("Double click: rename. Alt+click on the eye: show only this layer. Drag: move.");
     case Qt::AccessibleTextRole:
         return tr("%1, %2, %3")
             .arg(layer.name, layer.visible ? tr("shown") : tr("hidden"),
@@ -110,6 +113,11 @@ bool LayerModel::setData(const QModelIndex& index, const QVariant& value, int ro
 Qt::ItemFlags LayerModel::flags(const QModelIndex& index) const
 {
     return QAbstractListModel::flags(index) | Qt::ItemIsEditable;
+}
+
+void LayerModel::showOnly(const QModelIndex& index)
+{
+    app::showOnlyLayer(session_, layerOf(index));
 }
 
 bool LayerModel::addLayer()

@@ -25,6 +25,7 @@ public:
     app::ContainerId layerOf(const QModelIndex& index) const;
     QModelIndex indexOf(app::ContainerId layer) const;
 
+    void showOnly(const QModelIndex& index); ///< hides the others, or shows all again
     bool addLayer(); ///< above all others; false: the drawing has too many layers
     bool mayRemove(app::ContainerId layer) const; ///< false for the last layer
     void removeLayer(app::ContainerId layer);     ///< with the layers nested in it

@@ -35,10 +35,10 @@ public:
         const QStyleOptionViewItem option = indented(given, index);
         const bool visible = index.data(LayerModel::VisibleRole).toBool();
         const bool locked = index.data(LayerModel::LockedRole).toBool();
-        const bool hovered = option.state & QStyle::State_MouseOver;
         icon(visible ? "eye" : "eye-closed").paint(painter, eye(option.rect));
-        if (locked || hovered)
-            icon(locked ? "lock" : "unlock").paint(painter, lock(option.rect));
+        icon(locked ? "lock" : "unlock")
+            .paint(painter, lock(option.rect), Qt::AlignCenter,
+                   locked ? QIcon::Normal : QIcon::Disabled);
         const QRect strokeColour(eye(option.rect).right() + 9, option.rect.center().y() - 5, 12,
                                  12);
         if (const auto colour = index.data(Qt::DecorationRole).value<QColor>(); colour.isValid())
@@ -52,7 +52,7 @@ public:
         painter->setFont(captionFont(option.font));
         const QString count = app::countText(index.data(LayerModel::CountRole).toULongLong());
         drawTabular(*painter, option.rect.adjusted(0, 0, -38, 0), Qt::AlignRight | Qt::AlignVCenter,
-                    visible ? count : QStringLiteral("–"));
+                    count);
     }
 
     void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
@@ -67,10 +67,17 @@ public:
         const QStyleOptionViewItem option = indented(given, index);
         if (event->type() != QEvent::MouseButtonRelease)
             return false;
-        const QPoint at = static_cast<QMouseEvent*>(event)->position().toPoint();
+        const auto& mouse = *static_cast<QMouseEvent*>(event);
+        const QPoint at = mouse.position().toPoint();
+        if (mouse.button() != Qt::LeftButton)
+            return false;
+        if (mouse.modifiers() & Qt::AltModifier && hits(eye(option.rect), at)) {
+            static_cast<LayerModel*>(model)->showOnly(index);
+            return true;
+        }
         for (const auto& [box, role] : {std::pair(eye(option.rect), LayerModel::VisibleRole),
                                         std::pair(lock(option.rect), LayerModel::LockedRole)})
-            if (box.adjusted(-4, -4, 4, 4).contains(at))
+            if (hits(box, at))
                 return model->setData(index, !index.data(role).toBool(), role);
         return false;
     }
@@ -83,6 +90,10 @@ private:
         const int depth = index.data(LayerModel::DepthRole).toInt();
         option.rect.adjust(std::min(depth - 1, deepest) * indent, 0, 0, 0);
         return option;
+    }
+    static bool hits(const QRect& icon, const QPoint& at)
+    {
+        return icon.adjusted(-4, -4, 4, 4).contains(at);
     }
     static QRect eye(const QRect& row)
     {
@@ -114,16 +125,10 @@ private:
 
 LayersPanel::LayersPanel(app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session), model_(new LayerModel(session, this)),
-      list_(new QListView), add_(button("plus", tr("Add layer"))),
+      list_(new LayerList(session, model_)), add_(button("plus", tr("Add layer"))),
       remove_(button("bin", tr("Delete layer")))
 {
-    list_->setModel(model_);
     list_->setItemDelegate(new RowPainter(list_));
-    list_->setAccessibleName(tr("Layers"));
-    list_->setFrameShape(QFrame::NoFrame);
-    list_->setMouseTracking(true);
-    list_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
-    list_->viewport()->setAutoFillBackground(false);
     keepChoice(*list_);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 4, 0, 4);

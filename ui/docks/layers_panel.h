@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/docks/layer_model.h"
+#include "ui/docks/layer_list.h"
 
-#include <QListView>
 #include <QToolButton>
 
 namespace ui {
 
-/// The layers: eye, colour, name, number of lines, padlock. New objects go to the selected layer.
+/// The layers: eye, colour, name, number of objects, padlock. New objects go to the selected layer.
 class LayersPanel : public QWidget {
     Q_OBJECT
 
@@ -21,7 +20,7 @@ private:
 
     app::Session& session_;
     LayerModel* model_;
-    QListView* list_;
+    LayerList* list_;
     QToolButton *add_, *remove_;
 };
 

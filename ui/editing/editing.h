@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/session/session.h"
+#include "app/session/copy_selection.h"
 
 namespace ui {
 
@@ -10,11 +10,10 @@ namespace ui {
 void copySelection(const app::Session& session);
 void cutSelection(app::Session& session);
 /// Whether the clipboard held a drawing; if not, `nothingToPaste()` says so.
-bool paste(app::Session& session);
+bool paste(app::Session& session, app::PastePlace place);
 QString nothingToPaste();
-void duplicateSelection(app::Session& session);
 void deleteSelection(app::Session& session);
-/// Selects every object that is visible and not locked.
+/// Selects every object that is visible and not locked, in the entered group if there is one.
 void selectAll(app::Session& session);
 
 } // namespace ui

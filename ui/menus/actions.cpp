@@ -3,6 +3,7 @@
 
 #include "app/base/latin.h"
 #include "ui/look/look_icon.h"
+#include "ui/menus/context_menus.h"
 #include "ui/menus/other_windows.h"
 #include "ui/window/main_window.h"
 
@@ -120,6 +121,7 @@ void addMenus(MainWindow& window)
             addRow(window, *others, row, submenu ? *submenu : *menu, groups);
         }
     }
+    addContextMenus(window);
     window.refreshActions();
 }
 

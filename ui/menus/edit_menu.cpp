@@ -2,7 +2,7 @@
 #include "ui/bars/option_bar.h"
 #include "ui/editing/editing.h"
 #include "ui/look/look_icon.h"
-#include "ui/menus/actions.h"
+#include "ui/menus/edit_rows.h"
 #include "ui/window/main_window.h"
 
 #include <QCoreApplication>
@@ -25,9 +25,9 @@ void withdrawWarning(MainWindow& window)
         window.tell({});
 }
 
-void pasteOrWarn(MainWindow& window)
+void pasteOrWarn(MainWindow& window, app::PastePlace place)
 {
-    if (paste(window.session()))
+    if (paste(window.session(), place))
         withdrawWarning(window);
     else
         window.tell({Message::Kind::Warning, nothingToPaste()});
@@ -97,7 +97,7 @@ void addSteps(MainWindow& window, QMenu& menu)
 MenuInfo editMenu()
 {
     using K = QKeySequence;
-    return {
+    MenuInfo menu{
         .title = tr("&Edit"),
         .rows =
             {
@@ -129,13 +129,19 @@ MenuInfo editMenu()
                     .key = "paste",
                     .text = tr("&Paste"),
                     .keys = keys(K::Paste),
-                    .run = pasteOrWarn,
+                    .run = [](MainWindow& w) { pasteOrWarn(w, app::PastePlace::Offset); },
+                },
+                {
+                    .key = "paste-in-place",
+                    .text = tr("Paste &in place"),
+                    .keys = {K("Ctrl+Alt+V")},
+                    .run = [](MainWindow& w) { pasteOrWarn(w, app::PastePlace::InPlace); },
                 },
                 {
                     .key = "duplicate",
-                    .text = tr("Dup&licate"),
+                    .text = tr("Dup&licate in place"),
                     .keys = {K("Ctrl+D")},
-                    .run = [](MainWindow& w) { duplicateSelection(w.session()); },
+                    .run = [](MainWindow& w) { app::duplicateInPlace(w.session()); },
                     .enabled = someSelected,
                     .needs = nothingSelected(),
                 },
@@ -168,6 +174,9 @@ MenuInfo editMenu()
             },
         .begin = addSteps,
     };
+    for (const ActionInfo& row : selectRows())
+        menu.rows.push_back(row);
+    return menu;
 }
 
 } // namespace ui

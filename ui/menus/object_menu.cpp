@@ -69,15 +69,17 @@ ActionInfo scaleStrokes()
 
 MenuInfo objectMenu()
 {
-    MenuInfo menu{.title = tr("&Object")};
+    MenuInfo menu{.title = tr("&Object"), .rows = groupRows()};
     const auto add = [&menu](const std::vector<ActionInfo>& rows) {
         menu.rows.insert(menu.rows.end(), rows.begin(), rows.end());
     };
+    menu.rows.emplace_back();
     for (const app::Transformation& kind : app::transformations())
         menu.rows.push_back(begin(kind));
     menu.rows.emplace_back();
     add(turnRows());
     add({scaleStrokes(), {}, repeat(), {}});
+    add(orderRows());
     add(arrangementRows());
     add(pathRows());
     return menu;

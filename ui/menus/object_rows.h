@@ -7,6 +7,8 @@
 
 namespace ui {
 
+std::vector<ActionInfo> groupRows();       ///< group, ungroup, enter, leave
+std::vector<ActionInfo> orderRows();       ///< raise, lower, move to layer
 std::vector<ActionInfo> turnRows();        ///< rotate by 90°, flip
 std::vector<ActionInfo> arrangementRows(); ///< align, spread, make same size
 std::vector<ActionInfo> pathRows();        ///< the steps that edit nodes

@@ -27,6 +27,7 @@ void addUnits(MainWindow& window, QMenu& menu)
                 window.session().changeDisplay(
                     [unit](app::Display& display) { display.unit = unit; });
             });
+        action->setObjectName(QStringLiteral("unit-") + app::latin(suffix));
         action->setCheckable(true);
         group->addAction(action);
         QObject::connect(&window, &MainWindow::actionsOutdated, action, [&window, unit, action] {

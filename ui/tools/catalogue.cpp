@@ -26,8 +26,8 @@ std::span<const ToolInfo> tools()
     // THE CATALOGUE. To add a tool: write its file, declare its maker above, and add its row here.
     static const std::array all{
         ToolInfo{"select", tr("Select"),
-                 tr("Click a line to select it, or drag a box around objects. Shift adds to the "
-                    "selection. Double click shows nodes."),
+                 tr("Click an object, or drag a box around objects. Shift adds. Double click shows "
+                    "nodes, or enters a group."),
                  QKeySequence("V"), makeSelectTool},
         ToolInfo{"nodes", tr("Nodes"),
                  tr("Click a path to show its nodes. Drag nodes, handles and segments; double "

@@ -3,6 +3,7 @@
 #include "app/commands/remove_objects.h"
 #include "ui/tools/box_resize.h"
 #include "ui/tools/end_drag.h"
+#include "ui/tools/group_choice.h"
 #include "ui/tools/guide_drag.h"
 #include "ui/tools/picking_marks.h"
 #include "ui/tools/pivot_marks.h"
@@ -266,29 +267,27 @@ void SelectTool::release(const Pointer& pointer, Workbench& bench)
     hoveredSegment_.reset();
 }
 
-/// Shows the nodes of a path.
+/// Enters a group, or shows the nodes of a path; beside all objects it leaves the group.
 void SelectTool::doubleClick(const Pointer& pointer, Workbench& bench)
 {
     const auto object = pickedAt(pointer.raw, bench).object;
+    if (!object && bench.session.entered.id() != 0)
+        return leaveGroup(bench.session);
     if (!object)
         return press(pointer, bench);
+    if (enterGroupAt(bench.session, *object))
+        return;
     bench.session.select({*object});
     bench.nextTool = "nodes";
 }
 
 void SelectTool::click(const Pointer& pointer, Workbench& bench)
 {
-    app::Session& session = bench.session;
     const auto [segment, object] = pickedAt(pointer.raw, bench);
-    const bool adds = pointer.modifiers & Qt::ShiftModifier;
-    auto selection = adds ? session.selection() : app::ObjectRanges{};
-    bool chosen = segment.has_value();
-    if (object && !selection.insert(*object)) {
-        selection.erase(*object);
-        chosen = false;
-    }
-    session.select(std::move(selection));
-    session.inspect(chosen ? segment : std::nullopt);
+    if (!object)
+        refuseLocked(pointer, bench);
+    const bool chosen = choose(object, pointer.modifiers, bench.session);
+    bench.session.inspect(chosen ? segment : std::nullopt);
 }
 
 /// Dragged from left to right the box selects what it contains, from right to left what it touches.
@@ -300,7 +299,10 @@ app::Picking::Box SelectTool::how(const Pointer& pointer) const
 
 void SelectTool::selectBox(const Pointer& pointer, Workbench& bench)
 {
-    auto found = bench.picking.objectsIn(app::between(from_.raw, pointer.raw), how(pointer));
+    auto found = app::unitsOf(
+        bench.session, bench.picking.objectsIn(app::between(from_.raw, pointer.raw), how(pointer)),
+        how(pointer) == app::Picking::Box::Contains ? app::FoundGroups::Whole
+                                                    : app::FoundGroups::Any);
     if (pointer.modifiers & Qt::ShiftModifier)
         found = united(found, bench.session.selection());
     const bool one = found.size() == 1;
@@ -355,7 +357,14 @@ QString SelectTool::hint(const Workbench& bench) const
                      "out of the drawing, removes it.");
     if (hoveredSegment_ && *hoveredSegment_ < session.scene.lines().size() && drag_ == Drag::None) {
         const app::Containers& containers = session.now().containers();
-        const auto layer = containers.layerOf(session.scene.lines().objectOf(*hoveredSegment_));
+        const std::size_t object = session.scene.lines().objectOf(*hoveredSegment_);
+        const auto layer = containers.layerOf(object);
+        if (const app::ContainerId group = app::groupAt(session, object))
+            return QCoreApplication::translate(
+                       "Tools", "%1 of %2 objects in %3. Click selects it, double click enters it, "
+                                "Alt+click selects one object.")
+                .arg(app::groupName(containers[group]),
+                     app::countText(containers.rangeOf(group).size()), containers[layer].name);
         return QCoreApplication::translate("Tools", "Line %1 in %2. Click selects it, dragging "
                                                     "moves it, double click shows its nodes.")
             .arg(app::countText(*hoveredSegment_ + 1), containers[layer].name);

@@ -2,6 +2,7 @@
 #include "ui/tools/shape_drawing.h"
 
 #include "app/commands/add_objects.h"
+#include "app/session/units.h"
 #include "app/view/place.h"
 #include "app/view/visible_colour.h"
 
@@ -26,7 +27,7 @@ void draw(Workbench& bench, std::vector<app::Subpath> paths, const QString& undo
     app::Objects objects = session.now().objects().slice(0, 0);
     objects.append(objectOf(session, paths, std::move(recipe)));
     session.history.push(
-        new app::AddObjects(session.document, objects, session.pen.layer, undoText));
+        new app::AddObjects(session.document, objects, app::containerForNew(session), undoText));
 }
 
 void pushKeepingInspected(app::Session& session, app::UndoCommand* step)

@@ -138,7 +138,7 @@ bool TransformGesture::push(const State& state, Workbench& bench) const
         return false;
     }
     if (state.copies) {
-        app::Edit edit = app::copying(session.now(), state.objects, all);
+        app::Edit edit = app::copying(session.now(), state.objects, all, session.entered.id());
         app::ObjectRanges added = app::addedBy(edit.splices);
         session.history.push(
             new app::CopyObjects(session.document, std::move(edit), tr("Copy selection")));

@@ -19,6 +19,7 @@ void MainWindow::connectSession()
         connect(&session_, signal, this, &MainWindow::refreshActions);
     connect(&session_.document, &app::EditedDocument::changed, this, &MainWindow::refreshActions);
     connect(&session_.nodes, &app::NodeEditing::changed, this, &MainWindow::refreshActions);
+    connect(&session_.entered, &app::EnteredGroup::changed, this, &MainWindow::refreshActions);
     connect(&session_.history, &app::History::cleanChanged, this, &MainWindow::showTitle);
     connect(&session_.history, &app::History::indexChanged, strip_, &MessageStrip::closeDone);
     connect(&session_, &app::Session::refused, this, [this](const QString& sentence) {

@@ -36,13 +36,14 @@ class CommandsTest : public QObject {
 private slots:
     void whateverIsDoneCanBeUndoneAndRedone()
     {
-        constexpr int count = 200;
+        constexpr int least = 200, most = 5000; // until each command was drawn
         for (unsigned round = 0; round < 5; ++round) {
             app::EditedDocument document(app::documentOf(sheet(20)));
             app::History history;
             RandomCommands steps(document, round);
             std::vector<app::Document> states{document.now()};
-            for (int i = 0; i < count; ++i) {
+            int count = 0;
+            for (; count < least || (count < most && !steps.neverDrawn().empty()); ++count) {
                 history.push(steps.next());
                 states.push_back(document.now());
             }

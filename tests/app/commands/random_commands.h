@@ -6,6 +6,7 @@
 #include "app/commands/change_paths.h"
 #include "app/commands/crop_to_window.h"
 #include "app/commands/move_objects.h"
+#include "app/commands/rearrange_objects.h"
 #include "app/commands/remove_objects.h"
 #include "app/commands/resize_objects.h"
 #include "app/commands/set_containers.h"
@@ -14,6 +15,8 @@
 #include "app/commands/set_window.h"
 #include "app/commands/set_windows.h"
 #include "app/commands/transform_objects.h"
+#include "app/document/regrouping.h"
+#include "app/document/stacking.h"
 
 #include <algorithm>
 #include <array>
@@ -158,6 +161,32 @@ private:
             document_, *tree.inserted({.name = "new"}, 0, tree.childrenOf(0).size(), {top, top}),
             "Add layer");
     }
+    app::UndoCommand* rearrange()
+    {
+        const app::Document& drawing = now();
+        const app::ObjectRanges chosen = some();
+        const auto overlaps = [](const app::ObjectRange& range) { return range.first % 3 == 0; };
+        std::optional<app::Rearranged> result;
+        switch (const auto kind = random_.below(8); kind) {
+        case 0:
+            result = app::grouped(drawing, chosen, 0);
+            break;
+        case 1:
+            result = app::ungrouped(drawing, chosen, container());
+            break;
+        case 2:
+            result = app::movedTo(drawing, chosen, 0, drawing.containers().childrenOf(0).front());
+            break;
+        case 3:
+            result = app::movedContainer(drawing, container(), {container(), container()});
+            break;
+        default:
+            result = app::stacked(drawing, chosen, 0, app::Stacking(kind - 4), overlaps);
+        }
+        if (!result || !result->changes())
+            return nullptr;
+        return new app::RearrangeObjects(document_, std::move(result->edit), "Rearrange");
+    }
     app::UndoCommand* removeLayer()
     {
         const app::Containers& tree = now().containers();
@@ -197,6 +226,7 @@ inline const std::vector<RandomCommands::Maker> RandomCommands::makers{
     {"transform-objects", [](RandomCommands& r) { return r.transform(); }},
     {"copy-objects", [](RandomCommands& r) { return r.copy(); }},
     {"change-paths", [](RandomCommands& r) { return r.changePaths(); }},
+    {"rearrange-objects", [](RandomCommands& r) { return r.rearrange(); }},
     {"set-style", [](RandomCommands& r) { return r.restyle(); }},
     {"set-window",
      [](RandomCommands& r) -> app::UndoCommand* {

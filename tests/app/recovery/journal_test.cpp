@@ -121,6 +121,20 @@ private slots:
         QCOMPARE(shorter > 0, history < 1'000'000);
         QCOMPARE(QFile::exists(baseFile(drawing.journal.folder(), 1)), replay > 1);
     }
+    void aStepMayJoinOneThatTheBaseLeftOut()
+    {
+        RecordedDrawing drawing(lines(100), above(), {1, 0.0003}); // bases without steps
+        for (int i = 0; i < 20; ++i) {
+            drawing.history.push(new MoveObjects(drawing.document, every(drawing.document.now()),
+                                                 {1, 0}, Merging::WithLast));
+            QCoreApplication::processEvents(); // some write a new base
+            drawing.journal.wait();
+            const auto found = replayed(drawing.journal.folder());
+            QVERIFY(found);
+            QCOMPARE(stateOf(*found).svg, svgOf(drawing.document.now()));
+        }
+        QCOMPARE(drawing.history.count(), 1);
+    }
     // The steps before a base are restored from it, the others from records.
     void recoveredStepsAreUndoneAndRedone()
     {

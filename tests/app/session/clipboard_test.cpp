@@ -24,7 +24,7 @@ private slots:
         builder.close();
         const app::Document document = builder.take({});
         const auto data = app::copied(document, {0, 2});
-        const app::Objects objects = app::pasted(*data, document.page());
+        const app::Objects objects = app::pasted(*data, document.page()).objects();
         QCOMPARE(objects.size(), std::size_t(2));
         QVERIFY(objects[0].path() == document.objects()[0].path());
         QVERIFY(objects[0].style() == document.objects()[0].style());
@@ -38,7 +38,7 @@ private slots:
                      "viewBox='0 0 10 10'>"
                      "<line x1='1' y1='2' x2='3' y2='2' stroke='red' stroke-width='0.5'/></svg>");
         const app::Page millimetres; // 297 mm and as many units
-        const app::Objects objects = app::pasted(data, millimetres);
+        const app::Objects objects = app::pasted(data, millimetres).objects();
         QCOMPARE(objects.size(), std::size_t(1));
         QVERIFY(glm::distance(objects[0].singleLine()->a, {10, 20}) < 1e-9);
         QVERIFY(std::abs(objects[0].style().width - 5) < 1e-9);
@@ -47,9 +47,9 @@ private slots:
     {
         QMimeData data;
         data.setText("hello <svg but not really");
-        QVERIFY(app::pasted(data, {}).empty());
+        QVERIFY(app::pasted(data, {}).objects().empty());
         data.setText("hello");
-        QVERIFY(app::pasted(data, {}).empty());
+        QVERIFY(app::pasted(data, {}).objects().empty());
     }
 };
 

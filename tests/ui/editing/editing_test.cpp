@@ -6,6 +6,7 @@
 #include <QBuffer>
 #include <QClipboard>
 #include <QGuiApplication>
+#include <QSignalSpy>
 #include <QTest>
 
 using namespace ui;
@@ -66,55 +67,73 @@ private slots:
         Stage stage(manyGroups());
         const app::Document before = stage.now();
         selectAll(stage.session);
-        duplicateSelection(stage.session);
+        app::duplicateInPlace(stage.session);
         QCOMPARE(stage.edits, 1);
         QCOMPARE(stage.session.history.count(), 1);
         QCOMPARE(stage.session.history.text(0), "Duplicate");
 
         const app::Document after = stage.now();
         QCOMPARE(after.objects().size(), std::size_t(2 * groups));
+        QCOMPARE(after.containers().size(), before.containers().size() + groups);
         for (std::size_t i = 0; i < groups; ++i) {
-            const app::ContainerId group = before.containers().containerOf(i);
-            QCOMPARE(after.containers().rangeOf(group), (app::ObjectRange{2 * i, 2 * i + 2}));
-            QVERIFY(after.objects()[2 * i].path() == before.objects()[i].path());
-            QVERIFY(!stage.session.selection().contains(2 * i));
-            QVERIFY(stage.session.selection().contains(2 * i + 1));
+            const app::ContainerId copy = after.containers().containerOf(groups + i);
+            QCOMPARE(after.containers().rangeOf(copy),
+                     (app::ObjectRange{groups + i, groups + i + 1}));
+            QVERIFY(after.objects()[groups + i].path() == before.objects()[i].path());
+            QVERIFY(stage.session.selection().contains(groups + i));
         }
+        QCOMPARE(stage.session.selection().size(), std::size_t(groups));
 
         stage.session.history.undo();
         QCOMPARE(stage.edits, 2);
         QVERIFY(stage.now() == before);
+        QCOMPARE(stage.session.selection().size(), std::size_t(groups));
         QCOMPARE(svgOf(stage.now()), svgOf(before));
         stage.session.history.redo();
         QCOMPARE(stage.edits, 3);
         QVERIFY(stage.now() == after);
         QCOMPARE(svgOf(stage.now()), svgOf(after));
     }
-    void eachCopyIsOnTopOfItsOwnContainer()
+    void aCopyInAnEnteredGroupStaysInIt()
     {
         app::DocumentBuilder builder;
         const auto layer = builder.open({.name = "layer"});
         builder.add(line(0));
-        const auto outer = builder.open({.kind = app::Container::Kind::Group});
+        const auto group = builder.open({.kind = app::Container::Kind::Group});
         builder.add(line(1));
-        const auto inner = builder.open({.kind = app::Container::Kind::Group});
-        builder.add(line(2));
-        for (int i = 0; i < 3; ++i)
-            builder.close();
+        builder.close();
+        builder.close();
         Stage stage(builder.take({}));
+        stage.session.entered.enter(group);
         selectAll(stage.session);
-        duplicateSelection(stage.session);
-        QCOMPARE(stage.edits, 1);
-        QCOMPARE(stage.session.selection(), (app::ObjectRanges{3, 4, 5}));
-        const app::Document& after = stage.now();
-        const app::ContainerId owners[] = {layer, outer, inner, inner, outer, layer};
-        const double starts[] = {0, 1, 2, 2, 1, 0};
-        const double step = after.objects()[3].singleLine()->a.x - 2;
-        QVERIFY(step > 0);
-        for (std::size_t i = 0; i < 6; ++i) {
-            QCOMPARE(after.containers().containerOf(i), owners[i]);
-            QCOMPARE(after.objects()[i].singleLine()->a.x, starts[i] + (i < 3 ? 0 : step));
-        }
+        QCOMPARE(stage.session.selection(), (app::ObjectRanges{1}));
+        app::duplicateInPlace(stage.session);
+        copySelection(stage.session);
+        QVERIFY(paste(stage.session, app::PastePlace::InPlace));
+        const app::Containers& tree = stage.now().containers();
+        QCOMPARE(tree.rangeOf(group), (app::ObjectRange{1, 4}));
+        QCOMPARE(tree.size(), std::size_t(2)); // the copy is in no group of its own
+        stage.session.entered.enter(0);
+        stage.session.select({0});
+        app::duplicateInPlace(stage.session);
+        QCOMPARE(stage.now().containers().containerOf(stage.session.selection().first()), layer);
+        QGuiApplication::clipboard()->clear();
+    }
+    void nothingIsPastedIntoALockedLayer()
+    {
+        Stage stage(manyGroups());
+        selectAll(stage.session);
+        copySelection(stage.session);
+        app::Container layer = stage.now().containers()[stage.session.pen.layer];
+        layer.locked = true;
+        app::Edit edit;
+        edit.containers = stage.now().containers().with(layer);
+        stage.session.document.apply(edit);
+        QSignalSpy refused(&stage.session, &app::Session::refused);
+        QVERIFY(paste(stage.session, app::PastePlace::Offset));
+        QCOMPARE(refused.count(), 1);
+        QCOMPARE(stage.session.history.count(), 0);
+        QGuiApplication::clipboard()->clear();
     }
     void aPasteIsOneEdit()
     {
@@ -122,12 +141,13 @@ private slots:
         const app::Document before = stage.now();
         selectAll(stage.session);
         copySelection(stage.session);
-        QVERIFY(paste(stage.session));
+        QVERIFY(paste(stage.session, app::PastePlace::Offset));
         QCOMPARE(stage.edits, 1);
         QCOMPARE(stage.session.history.text(0), "Paste");
         QCOMPARE(stage.session.selection().first(), std::size_t(groups));
         QCOMPARE(stage.session.selection().size(), std::size_t(groups));
-        QCOMPARE(stage.now().containers().containerOf(groups), stage.session.pen.layer);
+        const app::Containers& tree = stage.now().containers();
+        QCOMPARE(tree.parentOf(tree.containerOf(groups)), stage.session.pen.layer);
         stage.session.history.undo();
         QVERIFY(stage.now() == before);
         QGuiApplication::clipboard()->clear();

@@ -3,6 +3,8 @@
 
 #include "ui/tools/tool.h"
 
+#include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QLineEdit>
 #include <QMenu>
 
@@ -87,6 +89,32 @@ public:
         QApplication::sendEvent(ruler, &event);
         QTest::mouseRelease(ruler, Qt::LeftButton, {}, at);
     }
+    /// Clicks the button with this tooltip.
+    void press(const QString& toolTip)
+    {
+        for (auto* button : window_.window->findChildren<QAbstractButton*>())
+            if (button->isVisible() && button->toolTip() == toolTip)
+                return QTest::mouseClick(button, Qt::LeftButton);
+    }
+    /// Clicks a row of a list, `fromRight` pixels from its right end or, if 0, in the middle.
+    void clickRow(const QString& list, const QString& row, int fromRight = 0)
+    {
+        const auto [area, at] = placeOf(list, row);
+        const QPoint place = fromRight ? QPoint(area->rect().right() - fromRight, at.y()) : at;
+        QTest::mouseClick(area, Qt::LeftButton, {}, place);
+    }
+    void dragRow(const QString& list, const QString& row, const QString& onto)
+    {
+        const auto [area, from] = placeOf(list, row);
+        const QPoint to = placeOf(list, onto).second;
+        QTest::mousePress(area, Qt::LeftButton, {}, from);
+        for (const QPoint& at : {(from + to) / 2, to}) {
+            QMouseEvent event(QEvent::MouseMove, at, area->mapToGlobal(at), Qt::NoButton,
+                              Qt::LeftButton, {});
+            QApplication::sendEvent(area, &event);
+        }
+        QTest::mouseRelease(area, Qt::LeftButton, {}, to);
+    }
 
     Table drawn() const
     {
@@ -108,6 +136,21 @@ private:
             return modal->focusWidget() ? modal->focusWidget() : modal;
         QWidget* focused = window_.window->focusWidget();
         return focused ? focused : window_.drawingArea();
+    }
+    /// The area of a list, and the middle of a row; without such a row, a place below all rows.
+    std::pair<QWidget*, QPoint> placeOf(const QString& list, const QString& row) const
+    {
+        for (auto* view : window_.window->findChildren<QAbstractItemView*>())
+            if (view->accessibleName() == list) {
+                const auto found = view->model()->match(view->model()->index(0, 0), Qt::DisplayRole,
+                                                        row, 1, Qt::MatchExactly);
+                if (!found.isEmpty())
+                    view->scrollTo(found.front());
+                return {view->viewport(), found.isEmpty()
+                                              ? view->viewport()->rect().bottomLeft()
+                                              : view->visualRect(found.front()).center()};
+            }
+        return {window_.drawingArea(), {}};
     }
     QWidget& area() const { return *window_.drawingArea(); }
     QPointF screen(const app::Point& p) const
@@ -166,6 +209,19 @@ inline Step drag(const app::Point& from, const app::Point& to, Qt::KeyboardModif
 inline Step dragGuide(int axis, const app::Point& to)
 {
     return {"guide", [axis, to](Player& player) { player.dragGuide(axis, to); }};
+}
+inline Step press(const QString& toolTip)
+{
+    return {toolTip, [toolTip](Player& player) { player.press(toolTip); }};
+}
+inline Step clickRow(const QString& list, const QString& row, int fromRight = 0)
+{
+    return {"click " + row,
+            [list, row, fromRight](Player& player) { player.clickRow(list, row, fromRight); }};
+}
+inline Step dragRow(const QString& list, const QString& row, const QString& onto)
+{
+    return {"drag " + row, [list, row, onto](Player& player) { player.dragRow(list, row, onto); }};
 }
 
 inline bool same(const Drawn& a, const Drawn& b)

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/tree_draft.h"
+
+#include <functional>
+#include <span>
+
+namespace app {
+
+/// Copies of the objects, one for each of `changes`, each on top of its original's container and
+/// without its id. The copy of a chosen group is a group (TreeDraft). Empty: too many groups.
+using RowChange = std::function<void(ObjectRow&)>;
+std::optional<Rearranged> withCopies(const Document& document, const ObjectRanges& objects,
+                                     ContainerId entered, std::span<const RowChange> changes);
+
+/// Puts everything of another drawing on top of a container, without ids. Its groups stay groups,
+/// its layers are dissolved. Empty: too many groups, or nested too deeply.
+std::optional<Rearranged> withDrawing(const Document& document, const Document& other,
+                                      ContainerId into);
+
+} // namespace app

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/copy_selection.h"
+
+#include "app/base/numbers.h"
+#include "app/commands/add_objects.h"
+#include "app/commands/move_objects.h"
+#include "app/document/copies.h"
+#include "app/document/copy_place.h"
+#include "app/session/units.h"
+
+#include <QCoreApplication>
+
+namespace app {
+namespace {
+
+constexpr double stepMillimetres = 5; // from one copy to the next
+
+QString tr(const char* text) { return QCoreApplication::translate("Copies", text); }
+
+void push(Session& session, std::optional<Rearranged> copies, const QString& undoText)
+{
+    if (!copies) {
+        emit session.refused(tr("Nothing was copied: a drawing can have %1 layers and groups.")
+                                 .arg(countText(Containers::mostContainers)));
+        return;
+    }
+    session.history.push(new AddObjects(session.document, std::move(copies->edit), undoText));
+    session.select(std::move(copies->added));
+}
+
+Document movedBy(const Document& drawing, const Point& by)
+{
+    Document moved = withOwnStyles(drawing);
+    const ObjectRanges all(ObjectRange{0, drawing.objects().size()});
+    moved.apply(changed(drawing, all, [&](ObjectRow& object, StyleTable&) {
+        place(object, {{1, 1}, by});
+    }));
+    return moved;
+}
+
+} // namespace
+
+void duplicateInPlace(Session& session)
+{
+    if (session.selection().empty())
+        return;
+    const std::vector<RowChange> once{[](ObjectRow&) {}};
+    push(session, withCopies(session.now(), session.selection(), session.entered.id(), once),
+         tr("Duplicate"));
+}
+
+void paste(Session& session, const Document& drawing, PastePlace place)
+{
+    const Containers& tree = session.now().containers();
+    const ContainerId into = containerForNew(session);
+    if (!tree.shown(into) || tree.locked(into)) {
+        emit session.refused(tr("The layer %1 is locked or hidden, so nothing was pasted. Select "
+                                "another layer, or unlock and show this one.")
+                                 .arg(groupName(tree[into])));
+        return;
+    }
+    const Point step(stepMillimetres / session.now().page().millimetresPerUnit());
+    const Point by = place == PastePlace::InPlace
+                         ? Point(0)
+                         : copyOffset(session.now(), drawing.objects(), step);
+    push(session, withDrawing(session.now(), movedBy(drawing, by), into), tr("Paste"));
+}
+
+} // namespace app

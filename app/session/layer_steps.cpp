@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/layer_steps.h"
+
+#include "app/commands/rearrange_objects.h"
+#include "app/commands/set_containers.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("LayerSteps", text); }
+
+std::vector<ContainerId> layersIn(const Containers& tree, ContainerId parent)
+{
+    auto layers = tree.childrenOf(parent);
+    std::erase_if(layers, [&](ContainerId id) { return tree[id].kind != Container::Kind::Layer; });
+    return layers;
+}
+
+/// The container directly below a layer in the list of its siblings; 0: none.
+ContainerId belowOf(const std::vector<ContainerId>& siblings, ContainerId layer)
+{
+    const auto at = std::ranges::find(siblings, layer);
+    return at == siblings.begin() || at == siblings.end() ? 0 : *std::prev(at);
+}
+
+bool isAround(const Containers& tree, ContainerId outer, ContainerId inner)
+{
+    while (inner != 0 && inner != outer)
+        inner = tree.parentOf(inner);
+    return inner == outer;
+}
+
+} // namespace
+
+std::optional<ContainerPlace> placeAfter(const Containers& tree, ContainerId layer, LayerStep step)
+{
+    const ContainerId parent = tree.parentOf(layer);
+    const auto siblings = layersIn(tree, parent);
+    const auto at = std::ranges::find(siblings, layer);
+    const bool topmost = std::next(at) == siblings.end();
+    if (step == LayerStep::Up && !topmost)
+        return ContainerPlace{parent, *std::next(at)};
+    if (step == LayerStep::Up && parent != 0)
+        return ContainerPlace{tree.parentOf(parent), parent};
+    if (step == LayerStep::Inward && !topmost)
+        return ContainerPlace{*std::next(at), 0};
+    const bool lowest = at == siblings.begin();
+    if (step == LayerStep::Down && !lowest)
+        return ContainerPlace{parent, belowOf(siblings, *std::prev(at))};
+    if (parent != 0 && (step == LayerStep::Down || step == LayerStep::Outward)) {
+        const ContainerId around = tree.parentOf(parent);
+        return ContainerPlace{around, belowOf(layersIn(tree, around), parent)};
+    }
+    return std::nullopt;
+}
+
+ContainerPlace placeBelow(const Containers& tree, ContainerId layer)
+{
+    if (!layersIn(tree, layer).empty())
+        return {layer, {}};
+    const ContainerId parent = tree.parentOf(layer);
+    return {parent, belowOf(layersIn(tree, parent), layer)};
+}
+
+void moveLayer(Session& session, ContainerId layer, const ContainerPlace& place)
+{
+    if (place.below == layer)
+        return;
+    auto moved = movedContainer(session.now(), layer, place, session.selection());
+    if (!moved) {
+        emit session.refused(tr("A layer cannot be moved into itself, or into a group."));
+        return;
+    }
+    if (!moved->changes())
+        return;
+    const QString text = tr("Move layer %1").arg(session.now().containers()[layer].name);
+    session.history.push(new RearrangeObjects(session.document, std::move(moved->edit), text));
+    session.select(std::move(moved->chosen));
+}
+
+void moveLayer(Session& session, ContainerId layer, LayerStep step)
+{
+    if (const auto place = placeAfter(session.now().containers(), layer, step))
+        moveLayer(session, layer, *place);
+}
+
+void showOnlyLayer(Session& session, ContainerId layer)
+{
+    const Containers& tree = session.now().containers();
+    Containers alone = tree, all = tree;
+    const auto show = [](Containers& in, ContainerId id, bool visible) {
+        if (in[id].visible == visible)
+            return;
+        Container changed = in[id];
+        changed.visible = visible;
+        in = in.with(changed);
+    };
+    for (const ContainerId id : tree.inOrder()) {
+        if (tree[id].kind != Container::Kind::Layer)
+            continue;
+        const bool related = isAround(tree, id, layer) || isAround(tree, layer, id);
+        show(alone, id, related && (id == layer || isAround(tree, id, layer) || tree[id].visible));
+        show(all, id, true);
+    }
+    if (alone == all)
+        return; // the only layer
+    const bool isAlone = alone == tree;
+    session.history.push(new SetContainers(
+        session.document, isAlone ? all : alone,
+        isAlone ? tr("Show all layers") : tr("Show only layer %1").arg(tree[layer].name)));
+}
+
+} // namespace app

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/stacking.h"
+#include "app/session/session.h"
+
+namespace app {
+
+// Undoable steps on layers. A step that is impossible changes nothing; if it is not plain to see
+// why, Session::refused says so. The selection stays.
+
+enum class LayerStep : std::uint8_t {
+    Up,     ///< above the next layer; out of the layer around it, from the top there
+    Down,   ///< below the next layer
+    Inward, ///< into the layer that is above it, as its lowest
+    Outward ///< out of the layer around it, below that
+};
+/// Where the step leads; empty: nowhere.
+std::optional<ContainerPlace> placeAfter(const Containers& tree, ContainerId layer, LayerStep step);
+/// The place directly below a layer in a list of all layers: with layers in it, on top of them.
+ContainerPlace placeBelow(const Containers& tree, ContainerId layer);
+void moveLayer(Session& session, ContainerId layer, const ContainerPlace& place);
+void moveLayer(Session& session, ContainerId layer, LayerStep step);
+
+/// Hides all other layers, except those around it and in it; if they are hidden already, shows all
+/// layers.
+void showOnlyLayer(Session& session, ContainerId layer);
+
+} // namespace app

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/rearrange_selection.h"
+
+#include "app/base/numbers.h"
+#include "app/commands/rearrange_objects.h"
+#include "app/document/regrouping.h"
+#include "app/scene/bounds.h"
+#include "app/session/units.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("Rearrange", text); }
+
+void push(Session& session, std::optional<Rearranged> result, const QString& undoText,
+          const QString& unchanged)
+{
+    if (!result) {
+        emit session.refused(
+            tr("Nothing was changed: a drawing can have %1 layers and groups, nested %2 deep.")
+                .arg(countText(Containers::mostContainers),
+                     countText(std::size_t(Containers::deepest))));
+        return;
+    }
+    if (!result->changes()) {
+        emit session.refused(unchanged);
+        return;
+    }
+    session.history.push(new RearrangeObjects(session.document, std::move(result->edit), undoText));
+    session.select(std::move(result->chosen));
+}
+
+bool overlap(const clipping::Window& a, const clipping::Window& b)
+{
+    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
+}
+
+struct StackingText {
+    QString undo, unchanged;
+};
+
+StackingText textOf(Stacking how)
+{
+    const QString front = tr("The selection is already in front."),
+                  back = tr("The selection is already at the back.");
+    switch (how) {
+    case Stacking::Raise:
+        return {tr("Raise selection"), tr("Nothing in front of the selection overlaps it.")};
+    case Stacking::Lower:
+        return {tr("Lower selection"), tr("Nothing behind the selection overlaps it.")};
+    case Stacking::ToFront:
+        return {tr("Bring to front"), front};
+    case Stacking::ToBack:
+        return {tr("Send to back"), back};
+    }
+    return {};
+}
+
+} // namespace
+
+void groupSelection(Session& session)
+{
+    push(session, grouped(session.now(), session.selection(), session.entered.id()), tr("Group"),
+         tr("Nothing is selected. Select objects first."));
+}
+
+void ungroupSelection(Session& session)
+{
+    push(session, ungrouped(session.now(), session.selection(), session.entered.id()),
+         tr("Ungroup"), tr("No group is selected. Click a group first."));
+}
+
+// The boxes are computed here, because the draft knows no lines.
+void stackSelection(Session& session, Stacking how)
+{
+    const SceneLines& lines = session.scene.lines();
+    const auto& box = session.selectionBounds();
+    const auto overlaps = [&](const ObjectRange& objects) {
+        const auto other = box ? boundsOf(lines, ObjectRanges(objects)) : std::nullopt;
+        return other && overlap(*box, *other);
+    };
+    const auto [undo, unchanged] = textOf(how);
+    push(session, stacked(session.now(), session.selection(), session.entered.id(), how, overlaps),
+         undo, unchanged);
+}
+
+void moveSelectionTo(Session& session, ContainerId layer)
+{
+    const Containers& tree = session.now().containers();
+    const QString name = tree[layer].name;
+    if (!tree.shown(layer) || tree.locked(layer)) {
+        emit session.refused(tr("The layer %1 is locked or hidden, so nothing was moved to it. "
+                                "Unlock and show it first.")
+                                 .arg(name));
+        return;
+    }
+    push(session, movedTo(session.now(), session.selection(), session.entered.id(), layer),
+         tr("Move to layer %1").arg(name), tr("The selection is already on top of this layer."));
+}
+
+std::vector<ContainerId> usableLayers(const Session& session)
+{
+    const Containers& tree = session.now().containers();
+    std::vector<ContainerId> layers;
+    for (const ContainerId id : tree.inOrder())
+        if (tree[id].kind == Container::Kind::Layer && tree.shown(id) && !tree.locked(id))
+            layers.insert(layers.begin(), id);
+    return layers;
+}
+
+void moveSelectionBy(Session& session, int by)
+{
+    if (session.selection().empty())
+        return;
+    const auto layers = usableLayers(session); // topmost first
+    const ContainerId now = session.now().containers().layerOf(
+        by > 0 ? session.selection().last() : session.selection().first());
+    const auto to = std::ranges::find(layers, now) - layers.begin() - by;
+    if (to < 0 || to >= std::ptrdiff_t(layers.size()))
+        emit session.refused(by > 0 ? tr("There is no layer above that is shown and not locked.")
+                                    : tr("There is no layer below that is shown and not locked."));
+    else
+        moveSelectionTo(session, layers[std::size_t(to)]);
+}
+
+} // namespace app

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/session/session.h"
+
+namespace app {
+
+// What a person selects as one: an object, or the outermost group around it that is not entered.
+
+/// The group that a click on the object selects; 0: the object alone.
+ContainerId groupAt(const Session& session, std::size_t object);
+/// The objects that a click on this object selects: those of its group that may be edited.
+ObjectRanges unitAt(const Session& session, std::size_t object);
+/// The same for objects found in a box. Groups that are not found as a whole are selected (`Any`),
+/// or not (`Whole`). While a group is entered, objects outside it are left out.
+enum class FoundGroups : std::uint8_t { Whole, Any };
+ObjectRanges unitsOf(const Session& session, const ObjectRanges& found, FoundGroups groups);
+/// Where new objects go: the entered group, or the current layer.
+ContainerId containerForNew(const Session& session);
+/// All objects that may be selected: those of the entered group, or of the drawing.
+ObjectRanges selectableObjects(const Session& session);
+
+QString groupName(const Container& group); ///< for people; "Group" if it has no name
+
+/// Whether a group is selected as a whole. Quick, for menus: of a selection in many pieces, only
+/// some are looked at, and `true` is assumed.
+bool someGroupSelected(const Session& session);
+/// The groups that are selected as a whole, from bottom to top.
+std::vector<ContainerId> selectedGroups(const Session& session);
+
+} // namespace app

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/document_builder.h"
+#include "ui/docks/layers_panel.h"
+
+#include <QLineEdit>
+#include <QMenu>
+
+#include "tests/ui/test_window.h"
+
+using namespace ui;
+
+// The panel Layers, with mouse and keys.
+class LayersPanelTest : public QObject {
+    Q_OBJECT
+
+    /// Layers a, b and c, from bottom to top, with one, two and three lines.
+    struct Panel : TestWindow {
+        Panel()
+        {
+            app::DocumentBuilder builder;
+            double x = 0;
+            for (const int count : {1, 2, 3}) {
+                builder.open({.name = QString(QChar('a' + count - 1))});
+                for (int i = 0; i < count; ++i, ++x)
+                    builder.add(
+                        {app::Path(clipping::Segment{{x, 0}, {x, 1}}), {.stroke = app::Colour{}}});
+                builder.close();
+            }
+            window->session().load({builder.take({}), {}});
+            show();
+            list = window->findChild<LayerList*>();
+        }
+        QRect row(int number) { return list->visualRect(list->model()->index(number, 0)); }
+        void click(const QPoint& at, Qt::KeyboardModifiers modifiers = {})
+        {
+            QTest::mouseClick(list->viewport(), Qt::LeftButton, modifiers, at);
+        }
+        void key(int key, Qt::KeyboardModifiers modifiers = {})
+        {
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key(key), modifiers);
+        }
+        void drag(const QPoint& from, const QPoint& to)
+        {
+            QTest::mousePress(list->viewport(), Qt::LeftButton, {}, from);
+            for (const QPoint& at : {(from + to) / 2, to}) {
+                QMouseEvent event(QEvent::MouseMove, at, list->viewport()->mapToGlobal(at),
+                                  Qt::NoButton, Qt::LeftButton, {});
+                QApplication::sendEvent(list->viewport(), &event);
+            }
+            QTest::mouseRelease(list->viewport(), Qt::LeftButton, {}, to);
+        }
+        /// "a b(c)", from bottom to top; hidden layers in lower case, the others in capitals.
+        QString tree(app::ContainerId of = 0)
+        {
+            const app::Containers& all = window->session().now().containers();
+            QStringList names;
+            for (const app::ContainerId id : all.childrenOf(of)) {
+                const QString inner = tree(id), name = all[id].name;
+                names << (all[id].visible ? name.toUpper() : name)
+                             + (inner.isEmpty() ? QString() : '(' + inner + ')');
+            }
+            return names.join(' ');
+        }
+        LayerList* list = nullptr;
+    };
+
+private slots:
+    void objectsAreCounted()
+    {
+        Panel panel;
+        QCOMPARE(panel.list->model()->index(0, 0).data(LayerModel::CountRole).toInt(), 3);
+        QCOMPARE(panel.list->model()->index(2, 0).data(LayerModel::CountRole).toInt(), 1);
+    }
+    void layersAreDragged()
+    {
+        Panel panel;
+        const QPoint top(0, -panel.row(0).height() / 2 + 1);
+        panel.drag(panel.row(2).center(), panel.row(0).center() + top); // above the first row
+        QCOMPARE(panel.tree(), "B C A");
+        panel.drag(panel.row(0).center(), panel.row(2).center()); // into the last row
+        QCOMPARE(panel.tree(), "B(A) C");
+        panel.drag(panel.row(2).center(), panel.row(2).center() + QPoint(0, 200)); // to the bottom
+        QCOMPARE(panel.tree(), "A B C");
+        QCOMPARE(panel.window->session().history.count(), 3);
+        panel.drag(panel.row(1).center(), panel.row(1).center() + QPoint(0, 1)); // no drag
+        QCOMPARE(panel.window->session().history.count(), 3);
+    }
+    void keysMoveLayers()
+    {
+        Panel panel;
+        panel.click(panel.row(2).center());
+        QVERIFY(panel.list->hasFocus());
+        panel.key(Qt::Key_Up, Qt::AltModifier);
+        QCOMPARE(panel.tree(), "B A C");
+        panel.key(Qt::Key_Right, Qt::AltModifier);
+        QCOMPARE(panel.tree(), "B C(A)");
+        panel.key(Qt::Key_Left, Qt::AltModifier);
+        QCOMPARE(panel.tree(), "B A C");
+        panel.key(Qt::Key_Down, Qt::AltModifier);
+        QCOMPARE(panel.tree(), "A B C");
+    }
+    void aLayerIsRenamedInPlace()
+    {
+        Panel panel;
+        panel.click(panel.row(1).center());
+        panel.key(Qt::Key_F2); // not the microscope
+        QVERIFY(qobject_cast<QLineEdit*>(QApplication::focusWidget()));
+        for (const char c : {'x', 'y'})
+            QTest::keyClick(QApplication::focusWidget(), c);
+        panel.key(Qt::Key_Return);
+        QTRY_COMPARE(panel.tree(), "A XY C"); // the editor closes later
+        QVERIFY(!panel.window->session().microscope.isOpen());
+    }
+    void eyeAndPadlockAreClicked()
+    {
+        Panel panel;
+        const auto eye = [&](int row) {
+            return QPoint(panel.row(row).left() + space::dockMargin + 8,
+                          panel.row(row).center().y());
+        };
+        panel.click(eye(0));
+        QCOMPARE(panel.tree(), "A B c");
+        panel.click(eye(0));
+        panel.click(eye(1), Qt::AltModifier);
+        QCOMPARE(panel.tree(), "a B c");
+        panel.click(eye(1), Qt::AltModifier);
+        QCOMPARE(panel.tree(), "A B C");
+        const QRect row = panel.row(0);
+        panel.click({row.right() - space::dockMargin - 8, row.center().y()});
+        const auto& session = panel.window->session();
+        QVERIFY(session.now().containers()[session.now().containers().childrenOf(0)[2]].locked);
+    }
+    void theMenuHasWhatApplies()
+    {
+        Panel panel;
+        const QPoint at = panel.row(0).center();
+        QContextMenuEvent event(QContextMenuEvent::Mouse, at,
+                                panel.list->viewport()->mapToGlobal(at));
+        QApplication::sendEvent(panel.list->viewport(), &event);
+        auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+        QVERIFY(menu);
+        QStringList texts;
+        for (const QAction* action : menu->actions())
+            texts << action->text();
+        QVERIFY(texts.filter("Rename").size() == 1 && texts.filter("Move down").size() == 1);
+        QVERIFY(texts.filter("Move up").isEmpty()); // it is the topmost
+        menu->close();
+    }
+};
+
+QTEST_MAIN(LayersPanelTest)
+#include "layers_panel_test.moc"

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/tasks/player.h"
+
+using namespace tasks;
+
+// Tasks of README.md about groups, order and layers.
+class ObjectsTest : public QObject {
+    Q_OBJECT
+
+    /// A rectangle 20 wide and 10 high, turned around a corner and moved.
+    static Drawn box(const app::Point& at, double degrees = 0, const app::Point& around = {})
+    {
+        const double sine = std::sin(glm::radians(degrees)),
+                     cosine = std::cos(glm::radians(degrees));
+        Drawn drawn{{}, true};
+        for (const app::Point& corner :
+             {at, at + app::Point(20, 0), at + app::Point(20, 10), at + app::Point(0, 10)}) {
+            const app::Point way = corner - around;
+            drawn.points.push_back(
+                around + app::Point(cosine * way.x + sine * way.y, cosine * way.y - sine * way.x));
+        }
+        return drawn;
+    }
+    static void add(Steps& steps, const Steps& more)
+    {
+        steps.insert(steps.end(), more.begin(), more.end());
+    }
+    static Steps another(const char* corner)
+    {
+        return {type(corner), enter(), type("20"), tab(), type("10"), enter()};
+    }
+    static Steps rectangle(const char* corner)
+    {
+        Steps steps{key("R")};
+        add(steps, another(corner));
+        return steps;
+    }
+
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void turnedGroup()
+    {
+        Steps steps = rectangle("40,50");
+        add(steps, rectangle("80,50"));
+        add(steps, {key("Ctrl+A"), key("Ctrl+G")});
+        add(steps, another("40,90"));
+        add(steps, {key("V"), click({50, 90}), key("Right"), click({90, 50}), key("O"),
+                    move({40.2, 60.2}), key("P"), type("33.5"), enter()});
+        const app::Point corner(40, 60);
+        check(steps, {box({40, 50}, 33.5, corner), box({80, 50}, 33.5, corner), box({41, 90})});
+    }
+    void hatchedRectangle()
+    {
+        Steps steps = rectangle("40,50");
+        add(steps,
+            {key("L"), type("42,50"), enter(), type("10"), tab(), type("270"), enter(), key("G"),
+             key("C"), type("4,0"), enter(), type("4x"), enter(), key("Ctrl+A"), key("Ctrl+G")});
+        add(steps, rectangle("80,50"));
+        add(steps, {key("V"), click({90, 50}), key("Down"), click({46, 55}), key("G"), type("0,40"),
+                    enter()});
+        Table table{box({40, 90})};
+        for (const double x : {42.0, 46.0, 50.0, 54.0, 58.0})
+            table.push_back({{{x, 90}, {x, 100}}, false});
+        table.push_back(box({80, 51}));
+        check(steps, table);
+    }
+    void layers()
+    {
+        const QString list = "Layers";
+        Steps steps = rectangle("40,50");
+        for (const char* corner : {"80,50", "40,90", "80,90"}) {
+            add(steps, {press("Add layer")});
+            add(steps, another(corner));
+        }
+        add(steps, {dragRow(list, "Layer 3", "Layer 2"), dragRow(list, "Layer 2", "Drawing"),
+                    clickRow(list, "Layer 4"), key("Alt+Down"), clickRow(list, "Layer 2", 18),
+                    key("Esc"), key("Ctrl+A"), key("Right")});
+        check(steps, {box({81, 90}), box({41, 50}), box({80, 50}), box({40, 90})});
+    }
+};
+
+QTEST_MAIN(ObjectsTest)
+#include "objects_test.moc"

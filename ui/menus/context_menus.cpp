@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/menus/context_menus.h"
+
+#include "app/base/latin.h"
+#include "ui/canvas/ruler.h"
+#include "ui/widgets/unit_box.h"
+#include "ui/window/main_window.h"
+
+#include <QAction>
+
+#include <array>
+
+namespace ui {
+namespace {
+
+// THE CATALOGUES. To add a command to a menu: add its key.
+constexpr std::array<std::string_view, 19> onObject{"enter-group",
+                                                    "leave-group",
+                                                    "group",
+                                                    "ungroup",
+                                                    "",
+                                                    "cut",
+                                                    "copy",
+                                                    "paste",
+                                                    "duplicate",
+                                                    "delete",
+                                                    "",
+                                                    ">to-front",
+                                                    "move-to-layer",
+                                                    ">same-colour",
+                                                    "invert-selection",
+                                                    "",
+                                                    "fit-selection",
+                                                    "find",
+                                                    "microscope"};
+constexpr std::array<std::string_view, 14> onNothing{
+    "paste",    "paste-in-place", "", "leave-group", "select-all", "select-layer",
+    "deselect", "find",           "", "fit-drawing", "snap",       "grid",
+    "",         "window-on-page"};
+
+std::vector<std::string> onRuler()
+{
+    std::vector<std::string> keys;
+    for (const app::Unit unit : shownUnits())
+        keys.push_back("unit-" + std::string(app::infoOf(unit).suffix));
+    for (const char* const other : {"", "snap", "grid"})
+        keys.emplace_back(other);
+    return keys;
+}
+
+void showAt(QMenu* menu, const QPoint& place)
+{
+    if (menu->isEmpty())
+        menu->deleteLater();
+    else
+        menu->popup(place);
+}
+
+/// The action of the menu bar; ">KEY" is the submenu that holds it, "KEY" may also name a submenu.
+QAction* actionOf(const MainWindow& window, std::string_view key)
+{
+    const bool submenu = key.starts_with('>');
+    const QString name = app::latin(submenu ? key.substr(1) : key);
+    auto* action = window.findChild<QAction*>(name);
+    if (action && submenu) {
+        for (const QObject* holder : action->associatedObjects())
+            if (const auto* menu = qobject_cast<const QMenu*>(holder))
+                return action->isEnabled() ? menu->menuAction() : nullptr;
+        return nullptr;
+    }
+    if (action)
+        return action->isEnabled() ? action : nullptr;
+    const auto* menu = window.findChild<QMenu*>(name);
+    return menu ? menu->menuAction() : nullptr;
+}
+
+} // namespace
+
+QMenu* contextMenu(MainWindow& window, std::span<const std::string_view> keys)
+{
+    auto* menu = new QMenu(&window);
+    menu->setObjectName(QStringLiteral("context-menu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    bool separated = true; // no separator comes first, or after another one
+    for (const std::string_view key : keys) {
+        if (key.empty()) {
+            if (!separated)
+                menu->addSeparator();
+            separated = true;
+        } else if (QAction* action = actionOf(window, key)) {
+            menu->addAction(action);
+            separated = false;
+        }
+    }
+    if (separated && !menu->isEmpty())
+        menu->removeAction(menu->actions().last());
+    return menu;
+}
+
+void addContextMenus(MainWindow& window)
+{
+    Canvas& canvas = window.canvas();
+    canvas.setContextMenuPolicy(Qt::CustomContextMenu);
+    QObject::connect(&canvas, &QWidget::customContextMenuRequested, &window,
+                     [&window, &canvas](const QPoint& at) {
+                         const bool object = canvas.selectAt(at);
+                         const auto keys = object ? std::span<const std::string_view>(onObject)
+                                                  : std::span<const std::string_view>(onNothing);
+                         showAt(contextMenu(window, keys), canvas.mapToGlobal(at));
+                     });
+    for (auto* ruler : canvas.findChildren<Ruler*>()) {
+        ruler->setContextMenuPolicy(Qt::CustomContextMenu);
+        QObject::connect(ruler, &QWidget::customContextMenuRequested, &window,
+                         [&window, ruler](const QPoint& at) {
+                             const auto names = onRuler();
+                             const std::vector<std::string_view> keys(names.begin(), names.end());
+                             showAt(contextMenu(window, keys), ruler->mapToGlobal(at));
+                         });
+    }
+}
+
+} // namespace ui

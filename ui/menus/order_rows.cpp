@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/rearrange_selection.h"
+#include "ui/menus/object_rows.h"
+#include "ui/window/main_window.h"
+
+#include <QCoreApplication>
+#include <QMenu>
+
+namespace ui {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("ObjectMenu", text); }
+
+bool someSelected(const MainWindow& window) { return !window.session().selection().empty(); }
+
+QString nothingSelected() { return tr("Nothing is selected. Select an object first."); }
+
+ActionInfo stack(std::string_view key, const QString& text, const QKeySequence& shortcut,
+                 app::Stacking how)
+{
+    return {
+        .key = key,
+        .text = text,
+        .keys = {shortcut},
+        .scope = ShortcutScope::Canvas,
+        .run = [how](MainWindow& w) { app::stackSelection(w.session(), how); },
+        .enabled = someSelected,
+        .needs = nothingSelected(),
+        .submenu = tr("&Order"),
+    };
+}
+
+ActionInfo moveBy(std::string_view key, const QString& text, const QKeySequence& shortcut,
+                  int layers)
+{
+    return {
+        .key = key,
+        .text = text,
+        .keys = {shortcut},
+        .scope = ShortcutScope::Canvas,
+        .run = [layers](MainWindow& w) { app::moveSelectionBy(w.session(), layers); },
+        .enabled = someSelected,
+        .needs = nothingSelected(),
+        .submenu = tr("&Order"),
+    };
+}
+
+/// The layers, each time the menu opens.
+void fillLayers(MainWindow& window, QMenu& menu)
+{
+    menu.setObjectName(QStringLiteral("move-to-layer"));
+    const auto refill = [&window, &menu] {
+        menu.clear();
+        const app::Containers& tree = window.session().now().containers();
+        for (const app::ContainerId layer : app::usableLayers(window.session())) {
+            QString name = tree[layer].name;
+            QAction* action = menu.addAction(name.replace('&', "&&"));
+            action->setEnabled(someSelected(window));
+            QObject::connect(action, &QAction::triggered, &window, [&window, layer] {
+                if (window.session().now().containers().contains(layer))
+                    app::moveSelectionTo(window.session(), layer);
+            });
+        }
+    };
+    QObject::connect(&menu, &QMenu::aboutToShow, &window, refill);
+    refill();
+}
+
+} // namespace
+
+std::vector<ActionInfo> orderRows()
+{
+    using K = QKeySequence;
+    using app::Stacking;
+    return {
+        stack("to-front", tr("Bring to &front"), K("Home"), Stacking::ToFront),
+        stack("raise", tr("&Raise"), K("PgUp"), Stacking::Raise),
+        stack("lower", tr("&Lower"), K("PgDown"), Stacking::Lower),
+        stack("to-back", tr("Send to &back"), K("End"), Stacking::ToBack),
+        {.submenu = tr("&Order")},
+        moveBy("to-layer-above", tr("To the layer &above"), K("Shift+PgUp"), 1),
+        moveBy("to-layer-below", tr("To the layer b&elow"), K("Shift+PgDown"), -1),
+        {.text = tr("Move to la&yer"), .fill = fillLayers},
+    };
+}
+
+} // namespace ui

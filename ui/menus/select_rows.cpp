@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/select_alike.h"
+#include "ui/dialogs/find_dialog.h"
+#include "ui/menus/edit_rows.h"
+#include "ui/window/main_window.h"
+
+#include <QCoreApplication>
+
+namespace ui {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("EditMenu", text); }
+
+bool someSelected(const MainWindow& window) { return !window.session().selection().empty(); }
+
+bool someObjects(const MainWindow& window) { return !window.session().now().objects().empty(); }
+
+ActionInfo alike(const app::Likeness& likeness)
+{
+    return {
+        .key = likeness.key,
+        .text = likeness.name,
+        .run = [&likeness](MainWindow& w) { app::selectAlike(w.session(), likeness); },
+        .enabled = someSelected,
+        .needs = tr("Nothing is selected. Select an object first."),
+        .submenu = tr("Select sa&me"),
+    };
+}
+
+/// What is found should be seen.
+void showSelection(MainWindow& window)
+{
+    const clipping::Window seen = window.canvas().view().visible();
+    const auto& box = window.session().selectionBounds();
+    if (box
+        && (box->max.x < seen.min.x || box->min.x > seen.max.x || box->max.y < seen.min.y
+            || box->min.y > seen.max.y))
+        window.canvas().fitSelection();
+}
+
+void showFind(MainWindow& window)
+{
+    auto* dialog = new FindDialog(window.session(), &window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setModal(true);
+    QObject::connect(dialog, &FindDialog::found, &window, [&window] { showSelection(window); });
+    dialog->show();
+}
+
+} // namespace
+
+std::vector<ActionInfo> selectRows()
+{
+    using K = QKeySequence;
+    std::vector<ActionInfo> rows{
+        {
+            .key = "select-layer",
+            .text = tr("Select all in the la&yer"),
+            .keys = {K("Ctrl+Alt+A")},
+            .run = [](MainWindow& w) { app::selectLayer(w.session(), w.session().pen.layer); },
+            .enabled = someObjects,
+        },
+        {
+            .key = "invert-selection",
+            .text = tr("In&vert selection"),
+            .keys = {K("Ctrl+I")},
+            .run = [](MainWindow& w) { app::invertSelection(w.session()); },
+            .enabled = someObjects,
+        },
+    };
+    for (const app::Likeness& likeness : app::likenesses())
+        rows.push_back(alike(likeness));
+    rows.push_back({
+        .key = "find",
+        .text = tr("&Find…"),
+        .keys = keys(K::Find, {K("Ctrl+F")}),
+        .run = showFind,
+        .enabled = someObjects,
+    });
+    return rows;
+}
+
+} // namespace ui
