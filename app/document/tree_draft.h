@@ -37,7 +37,6 @@ public:
                        ContainerId entered = 0);
 
     TreeItems& in(ContainerId id) { return lists_[id]; } ///< what the container holds
-    ContainerId parentOf(ContainerId id) const { return parents_.at(id); }
     const Container& operator[](ContainerId id) const;
     /// Calls visit(container, its items) for every container around or beside what is chosen, not
     /// for those inside; inner containers come first. `visit` may change the items.
@@ -71,7 +70,6 @@ private:
     Document document_;
     ObjectRanges chosen_;
     std::unordered_map<ContainerId, TreeItems> lists_;
-    std::unordered_map<ContainerId, ContainerId> parents_; ///< in the document
     std::vector<Container> made_;
     ContainerId firstMade_;
     Objects added_;

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/rearrange_selection.h"
+#include "app/session/select_alike.h"
+#include "ui/docks/layer_list.h"
+
+namespace ui {
+
+// THE CATALOGUE. To add a command for a layer: add its row.
+std::vector<LayerCommand> LayerList::makeCommands()
+{
+    using app::ContainerId, app::LayerStep;
+    const auto move = [this](LayerStep step) {
+        return [this, step](ContainerId layer) { app::moveLayer(session_, layer, step); };
+    };
+    const auto leads = [this](LayerStep step) {
+        return [this, step](ContainerId layer) {
+            return app::placeAfter(session_.now().containers(), layer, step).has_value();
+        };
+    };
+    const auto someSelected = [this](ContainerId) { return !session_.selection().empty(); };
+    const auto set = [this](LayerModel::Role role, bool value) {
+        return [this, role, value](ContainerId layer) {
+            layers_->setData(layers_->indexOf(layer), value, role);
+        };
+    };
+    const auto is = [this](LayerModel::Role role, bool value) {
+        return [this, role, value](ContainerId layer) {
+            return layers_->indexOf(layer).data(role).toBool() == value;
+        };
+    };
+    return {
+        {tr("Rename"), QKeySequence(Qt::Key_F2),
+         [this](ContainerId layer) { edit(layers_->indexOf(layer)); }},
+        {tr("Hide"), {}, set(LayerModel::VisibleRole, false), is(LayerModel::VisibleRole, true)},
+        {tr("Show"), {}, set(LayerModel::VisibleRole, true), is(LayerModel::VisibleRole, false)},
+        {tr("Lock"), {}, set(LayerModel::LockedRole, true), is(LayerModel::LockedRole, false)},
+        {tr("Unlock"), {}, set(LayerModel::LockedRole, false), is(LayerModel::LockedRole, true)},
+        {tr("Show only this layer"),
+         {},
+         [this](ContainerId layer) { app::showOnlyLayer(session_, layer); },
+         [this](ContainerId) { return layers_->rowCount() > 1; }},
+        {},
+        {tr("Move up"), QKeySequence("Alt+Up"), move(LayerStep::Up), leads(LayerStep::Up)},
+        {tr("Move down"), QKeySequence("Alt+Down"), move(LayerStep::Down), leads(LayerStep::Down)},
+        {tr("Put into the layer above"), QKeySequence("Alt+Right"), move(LayerStep::Inward),
+         leads(LayerStep::Inward)},
+        {tr("Take out"), QKeySequence("Alt+Left"), move(LayerStep::Outward),
+         leads(LayerStep::Outward)},
+        {},
+        {tr("Select everything in it"),
+         {},
+         [this](ContainerId layer) { app::selectLayer(session_, layer); }},
+        {tr("Move the selection here"),
+         {},
+         [this](ContainerId layer) { app::moveSelectionTo(session_, layer); },
+         someSelected},
+        {},
+        {tr("Delete layer"),
+         {},
+         [this](ContainerId layer) { layers_->removeLayer(layer); },
+         [this](ContainerId layer) { return layers_->mayRemove(layer); }},
+    };
+}
+
+} // namespace ui
