@@ -114,8 +114,8 @@ public:
     QString hint(const Workbench&) const override
     {
         return arc_.byCentre ? QCoreApplication::translate(
-                   "Tools", "Click the centre, the start and the end of the arc, or type a radius, "
-                            "Tab, an angle, Enter. C: through three points.")
+                   "Tools", "Click the centre, the start and the end of the arc. C: through three "
+                            "points.")
                              : QString();
     }
     void paint(QPainter& painter, const Workbench& bench) const override

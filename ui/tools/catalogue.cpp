@@ -49,14 +49,14 @@ std::span<const ToolInfo> tools()
                     "the last corner. Esc ends and keeps the polyline."),
                  QKeySequence("P"), makePolylineTool},
         ToolInfo{"pen", tr("Pen"),
-                 tr("Click to place corners, drag to place smooth nodes; Alt breaks the handles. "
-                    "Click the start to close, Ctrl+Z removes a node. Esc ends and keeps the curve."),
+                 tr("Click: corner, drag: smooth node, Alt: cusp. Click the start to close. Ctrl+Z: "
+                    "back, Esc: end."),
                  QKeySequence("D"), makePenTool},
         ToolInfo{"arc", tr("Arc"),
-                 tr("Click the start, the end and a point on the arc, or type a radius, Tab, an "
-                    "angle, Enter. C, or Alt at the first click: by its centre."),
+                 tr("Click the start, the end and a point on the arc. C, or Alt at the first click: by "
+                    "its centre."),
                  QKeySequence("A"), makeArcTool},
-        ToolInfo{"pencil", tr("Pencil"), tr("Drag to draw freehand."), QKeySequence("B"),
+        ToolInfo{"pencil", tr("Pencil"), tr("Drag to draw freehand. Then type a tolerance, Enter: how smooth it is."), QKeySequence("B"),
                  makePencilTool},
         ToolInfo{"rectangle", tr("Rectangle"),
                  tr("Drag, or click two corners. Type a width, Tab, a height, Tab, a corner radius, "
@@ -67,12 +67,12 @@ std::span<const ToolInfo> tools()
                     "Alt: from the centre."),
                  QKeySequence("E"), makeEllipseTool},
         ToolInfo{"polygon", tr("Polygon"),
-                 tr("Drag from the centre to a corner. Type a radius, Tab, an angle, Tab, the number "
-                    "of corners, Enter. Up, Down: corners, Alt: to a side."),
+                 tr("Drag from the centre to a corner. Up, Down: corners, Shift: 15° steps, Alt: to a "
+                    "side."),
                  QKeySequence("Y"), makePolygonTool},
         ToolInfo{"star", tr("Star"),
-                 tr("Drag from the centre to a point. Type a radius, Tab, an angle, Tab, the number "
-                    "of points, Tab, the inner radius in %, Enter."),
+                 tr("Drag from the centre to a point. Up, Down: number of points, Shift: 15° steps. "
+                    "Tab: numbers."),
                  QKeySequence("S"), makeStarTool},
         ToolInfo{"window", tr("Clip window"), tr("Drag to draw a clip window. Shift: square."),
                  QKeySequence("W"), makeWindowTool, ToolInfo::Group::New},

@@ -14,7 +14,7 @@ class PenTest : public QObject {
             auto display = session.display();
             display.grid.shown = true; // so that the mouse is exact
             session.setDisplay(display);
-            canvas.setSnapping(app::SnapTo::All);
+            canvas.setSnapping(app::SnapTo::usual());
         }
         std::size_t count() { return session.now().objects().size(); }
         std::vector<app::PathSegment> segments() { return path().segments; }
