@@ -25,9 +25,9 @@ struct EllipseRecipe {
 };
 struct StarRecipe {
     Point centre;
-    double outer = 0, inner = 0; ///< radii of the outer and inner corners
+    double outer = 0, inner = 0; ///< radii of the outer and inner corners; inner 0: a polygon
     double turn = 0;             ///< the angle of the first outer corner
-    int points = 5;
+    int points = 5;              ///< number of outer corners
     friend bool operator==(const StarRecipe&, const StarRecipe&) = default;
 };
 struct TextRecipe {

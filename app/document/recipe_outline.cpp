@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/recipe_outline.h"
 
+#include "app/document/arc_curves.h"
+#include "app/document/direction.h"
+
 #include <glm/common.hpp>
+#include <glm/trigonometric.hpp>
 
 #include <algorithm>
 #include <array>
@@ -16,9 +20,9 @@ constexpr double rounding = 1e-9; // relative to the size
 struct Outline {
     std::optional<Subpath> operator()(const RectangleRecipe& r) const
     {
-        if (r.radius != 0)
-            return std::nullopt;
         const Point end = r.corner + r.size;
+        if (r.radius > 0)
+            return roundedRectangle(r.corner, end, glm::min(Point(r.radius), r.size * 0.5));
         return Subpath{r.corner, {{{end.x, r.corner.y}}, {end}, {{r.corner.x, end.y}}}, true};
     }
     std::optional<Subpath> operator()(const EllipseRecipe& e) const
@@ -31,6 +35,15 @@ struct Outline {
                        {curve({1, 0}, {0, 1}), curve({0, 1}, {-1, 0}), curve({-1, 0}, {0, -1}),
                         curve({0, -1}, {1, 0})},
                        true};
+    }
+    std::optional<Subpath> operator()(const StarRecipe& s) const
+    {
+        const double step = 180.0 / s.points, first = -glm::degrees(s.turn);
+        Subpath path{s.centre + directionOf(first) * s.outer, {}, true};
+        for (int i = 1; i < 2 * s.points; ++i)
+            if (const double radius = i % 2 == 0 ? s.outer : s.inner; radius > 0)
+                path.segments.push_back({s.centre + directionOf(first - step * i) * radius});
+        return path;
     }
     template <class Other>
     std::optional<Subpath> operator()(const Other&) const

@@ -8,8 +8,8 @@
 
 namespace app {
 
-/// The outline of a rectangle with sharp corners or of an ellipse; empty for other recipes, for
-/// which there is no tool yet.
+/// The outline of a rectangle, an ellipse, a regular polygon or a star; empty for other recipes,
+/// for which there is no tool yet.
 std::optional<Subpath> outlineOf(const Recipe& recipe);
 
 /// Whether the subpaths are the recipe's outline, apart from rounding.

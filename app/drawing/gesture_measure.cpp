@@ -30,7 +30,7 @@ Point ofLength(const Point& vector, double length)
 Point endOfLengthAndAngle(const GestureStart& start, const Point& pointer, const Held& held)
 {
     const Point& from = start.from;
-    const auto& [length, angle] = held;
+    const auto &length = held[0], &angle = held[1];
     const Point vector = pointer - from;
     if (!angle)
         return length ? from + ofLength(vector, *length) : pointer;
@@ -62,11 +62,24 @@ Point endOfBox(const GestureStart& start, const Point& pointer, const Held& held
     return end;
 }
 
-template <bool square, bool centre>
-GestureMeasure boxMeasure()
+std::vector<GestureMeasure::Field> sides()
 {
-    return {{{tr("Width"), Quantity::Length}, {tr("Height"), Quantity::Length}},
-            [](const GestureStart& start, const Point& to) -> std::array<double, 2> {
+    return {{tr("Width"), Quantity::Length}, {tr("Height"), Quantity::Length}};
+}
+
+std::vector<GestureMeasure::Field> with(std::vector<GestureMeasure::Field> fields,
+                                        GestureMeasure::Field&& kept)
+{
+    kept.kept = true;
+    fields.push_back(std::move(kept));
+    return fields;
+}
+
+template <bool square, bool centre>
+GestureMeasure boxMeasure(std::vector<GestureMeasure::Field> fields)
+{
+    return {std::move(fields),
+            [](const GestureStart& start, const Point& to) -> Numbers {
                 const Point size = glm::abs(to - start.from) * (centre ? 2.0 : 1.0);
                 return {size.x, size.y};
             },
@@ -81,7 +94,7 @@ GestureMeasure sideMeasure()
 {
     constexpr double share = centre ? 0.5 : 1;
     return {{{axis == 0 ? tr("Width") : tr("Height"), Quantity::Length}},
-            [](const GestureStart& start, const Point& to) -> std::array<double, 2> {
+            [](const GestureStart& start, const Point& to) -> Numbers {
                 return {std::abs(to[axis] - start.from[axis]) / share, 0};
             },
             [](const GestureStart& start, const Point& pointer, const Held& held) {
@@ -91,6 +104,37 @@ GestureMeasure sideMeasure()
                 return end;
             },
             GestureMeasure::Points::Refused};
+}
+
+GestureMeasure polar(std::vector<GestureMeasure::Field> fields)
+{
+    return {std::move(fields),
+            [](const GestureStart& start, const Point& to) -> Numbers {
+                return {glm::length(to - start.from), degreesOf(to - start.from)};
+            },
+            endOfLengthAndAngle, GestureMeasure::Points::Relative,
+            [](const GestureStart& start, const Point& pointer) {
+                return turnedToStep(start.from, pointer);
+            }};
+}
+
+std::vector<GestureMeasure::Field> radius()
+{
+    return {{tr("Radius"), Quantity::Length}, {tr("Angle"), Quantity::Angle}};
+}
+
+using Boxes = std::array<GestureMeasure, 4>;
+
+Boxes boxMeasures(const std::vector<GestureMeasure::Field>& fields)
+{
+    return {boxMeasure<false, false>(fields), boxMeasure<true, false>(fields),
+            boxMeasure<false, true>(fields), boxMeasure<true, true>(fields)};
+}
+
+const GestureMeasure& chosen(const Boxes& boxes, Proportion proportion, Anchor anchor)
+{
+    return boxes[(proportion == Proportion::Square ? 1U : 0U)
+                 + (anchor == Anchor::Centre ? 2U : 0U)];
 }
 
 } // namespace
@@ -104,32 +148,47 @@ const GestureMeasure& sideLength(int axis, Anchor anchor)
 
 const GestureMeasure& lengthAndAngle()
 {
-    static const GestureMeasure measure{
-        {{tr("Length"), Quantity::Length}, {tr("Angle"), Quantity::Angle}},
-        [](const GestureStart& start, const Point& to) -> std::array<double, 2> {
-            return {glm::length(to - start.from), degreesOf(to - start.from)};
-        },
-        endOfLengthAndAngle,
-        GestureMeasure::Points::Relative,
-        [](const GestureStart& start, const Point& pointer) {
-            return turnedToStep(start.from, pointer);
-        }};
+    static const GestureMeasure measure =
+        polar({{tr("Length"), Quantity::Length}, {tr("Angle"), Quantity::Angle}});
+    return measure;
+}
+
+const GestureMeasure& radiusAndAngle()
+{
+    static const GestureMeasure measure = polar(radius());
+    return measure;
+}
+
+const GestureMeasure& polygonMeasure()
+{
+    static const GestureMeasure measure = polar(with(radius(), {tr("Corners"), Quantity::Count}));
+    return measure;
+}
+
+const GestureMeasure& starMeasure()
+{
+    static const GestureMeasure measure = polar(
+        with(with(radius(), {tr("Points"), Quantity::Count}), {tr("Inner"), Quantity::Share, 1}));
     return measure;
 }
 
 const GestureMeasure& widthAndHeight(Proportion proportion, Anchor anchor)
 {
-    static const std::array measures{boxMeasure<false, false>(), boxMeasure<true, false>(),
-                                     boxMeasure<false, true>(), boxMeasure<true, true>()};
-    return measures[(proportion == Proportion::Square ? 1 : 0)
-                    + (anchor == Anchor::Centre ? 2 : 0)];
+    static const Boxes boxes = boxMeasures(sides());
+    return chosen(boxes, proportion, anchor);
+}
+
+const GestureMeasure& widthHeightAndRadius(Proportion proportion, Anchor anchor)
+{
+    static const Boxes boxes = boxMeasures(with(sides(), {tr("Radius"), Quantity::Length}));
+    return chosen(boxes, proportion, anchor);
 }
 
 const GestureMeasure& position()
 {
     static const GestureMeasure measure{
         {{tr("X"), Quantity::Coordinate}, {tr("Y"), Quantity::Coordinate}},
-        [](const GestureStart& start, const Point& to) -> std::array<double, 2> {
+        [](const GestureStart& start, const Point& to) -> Numbers {
             return {to.x - start.from.x, to.y - start.from.y};
         },
         [](const GestureStart& start, const Point& pointer, const Held& held) {
@@ -145,8 +204,9 @@ std::optional<std::size_t> firstZero(const GestureMeasure& measure, const Gestur
 {
     const auto values = measure.values(start, to);
     for (std::size_t i = 0; i < measure.fields.size(); ++i) {
-        const Quantity quantity = measure.fields[i].quantity;
-        if ((quantity == Quantity::Length || quantity == Quantity::Factor) && values[i] == 0)
+        const auto& [name, quantity, most, kept] = measure.fields[i];
+        if (!kept && (quantity == Quantity::Length || quantity == Quantity::Factor)
+            && values[i] == 0)
             return i;
     }
     return std::nullopt;

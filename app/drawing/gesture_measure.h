@@ -13,8 +13,11 @@
 
 namespace app {
 
-/// The two numbers of a gesture; nothing: the pointer decides.
-using Held = std::array<std::optional<double>, 2>;
+/// The numbers of a gesture, in the order of its fields; those without a field are 0.
+constexpr std::size_t mostNumbers = 4;
+using Numbers = std::array<double, mostNumbers>;
+/// Nothing: the pointer decides, or the number stays as it was.
+using Held = std::array<std::optional<double>, mostNumbers>;
 
 /// Where a gesture begins.
 struct GestureStart {
@@ -23,16 +26,17 @@ struct GestureStart {
     friend bool operator==(const GestureStart&, const GestureStart&) = default;
 };
 
-/// One way to measure a gesture by one or two numbers: length and angle, width and height, x and y,
-/// an angle alone. Lengths are in user units, angles in degrees.
+/// One way to measure a gesture by numbers: length and angle, width and height, x and y, an angle
+/// alone. Lengths are in user units, angles in degrees.
 struct GestureMeasure {
     struct Field {
         QString name;
         Quantity quantity;
         double most = std::numeric_limits<double>::infinity(); ///< of the number without its sign
+        bool kept = false; ///< the pointer does not steer it: it stays as it was (Gauge::kept)
     };
-    std::vector<Field> fields; ///< one or two
-    std::array<double, 2> (*values)(const GestureStart& start, const Point& to);
+    std::vector<Field> fields; ///< one or two that the pointer steers, then those that are kept
+    Numbers (*values)(const GestureStart& start, const Point& to);
     /// The end whose numbers are those that are held, exactly, and otherwise the pointer's.
     Point (*end)(const GestureStart& start, const Point& pointer, const Held& held);
     /// What a typed "10,20" is.
@@ -40,7 +44,9 @@ struct GestureMeasure {
     Points points;
     /// The pointer's place for a number that is a multiple of 15°; null: no number is an angle.
     Point (*toStep)(const GestureStart& start, const Point& pointer) = nullptr;
-    bool equal = false; ///< both numbers are the same one
+    bool equal = false; ///< one of the steered numbers decides the other
+    /// Why these numbers are impossible, one sentence; null: all are possible.
+    QString (*refusal)(const GestureStart& start, const Held& held) = nullptr;
 };
 
 /// For lines and moves; the end is that of the line, or of the point that is moved. A held angle
@@ -51,6 +57,13 @@ const GestureMeasure& lengthAndAngle();
 /// Centre: the gesture begins in the middle of the shape.
 const GestureMeasure& widthAndHeight(Proportion proportion = Proportion::Free,
                                      Anchor anchor = Anchor::Opposite);
+/// The same for a rectangle, with the radius of its corners.
+const GestureMeasure& widthHeightAndRadius(Proportion proportion, Anchor anchor);
+/// For shapes drawn from their centre: the distance and the angle of the pointer. Polygon: and the
+/// number of corners. Star: and the radius of the inner corners as a share of that of the outer.
+const GestureMeasure& radiusAndAngle();
+const GestureMeasure& polygonMeasure();
+const GestureMeasure& starMeasure();
 /// For a side of a rectangle that is dragged; `axis` 0: the width, 1: the height.
 const GestureMeasure& sideLength(int axis, Anchor anchor);
 /// For a first point, measured from the origin of coordinates.

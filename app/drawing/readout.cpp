@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
 
 namespace app {
 namespace {
@@ -17,14 +18,25 @@ QString tr(const char* text) { return QCoreApplication::translate("Readout", tex
 
 QString Readout::number(std::size_t field, const Point& end) const
 {
-    const double value =
-        held_[field] ? *held_[field] : gauge_.measure->values(gauge_.start, end)[field];
+    const double value = valueOf(field, end);
     const Quantity quantity = gauge_.measure->fields[field].quantity;
     if (quantity == Quantity::Angle)
         return tr("%1°").arg(numberText(value, 1));
-    if (quantity == Quantity::Factor)
+    if (quantity == Quantity::Factor || quantity == Quantity::Share)
         return tr("%1 %").arg(numberText(value * 100, 1));
+    if (quantity == Quantity::Count)
+        return numberText(value, 0);
+    if (!std::isfinite(value))
+        return tr("∞");
     return lengthText(value, gauge_.scale.unit, gauge_.scale.millimetresPerUnit);
+}
+
+double Readout::valueOf(std::size_t field, const Point& end) const
+{
+    if (held_[field])
+        return *held_[field];
+    return gauge_.measure->fields[field].kept ? gauge_.kept[field]
+                                              : gauge_.measure->values(gauge_.start, end)[field];
 }
 
 bool Readout::follow(const Gauge& gauge)
@@ -63,11 +75,13 @@ void Readout::type(const QString& text)
 
 void Readout::release()
 {
+    const bool other = gauge_.measure->fields[active_].kept && isLocked();
     if (target_ && fields_[active_].state == State::Locked) { // a point was locked as a whole
         fields_ = {};
         held_ = {};
     }
-    target_.reset();
+    if (!other)
+        target_.reset();
     repeat_.reset();
     held_[active_].reset();
     fields_[active_] = {};
@@ -93,7 +107,11 @@ void Readout::releaseTyped()
     error_.clear();
 }
 
-bool Readout::holds() const { return target_ || held_[0] || held_[1]; }
+bool Readout::holds() const
+{
+    return target_
+           || std::ranges::any_of(held_, [](const auto& number) { return number.has_value(); });
+}
 
 bool Readout::isLocked() const
 {
@@ -109,14 +127,8 @@ bool Readout::refuse(const QString& sentence)
 
 bool Readout::hold(const Entry& entry)
 {
-    if (const auto* number = std::get_if<NumberEntry>(&entry)) {
-        const GestureMeasure::Field& field = gauge_.measure->fields[active_];
-        if (std::abs(number->value) > field.most)
-            return refuse(
-                tr("%1 must be from −%2 to %2.").arg(field.name, numberText(field.most, 0)));
-        holdNumber(active_, number->value);
-        return true;
-    }
+    if (const auto* number = std::get_if<NumberEntry>(&entry))
+        return hold(number->value);
     if (const auto* repeat = std::get_if<RepeatEntry>(&entry)) {
         if (!gauge_.repeats)
             return refuse(tr("There are no copies to repeat here. Type a number."));
@@ -128,6 +140,34 @@ bool Readout::hold(const Entry& entry)
     if (const auto* point = std::get_if<PointEntry>(&entry))
         return holdPoint(*point);
     return holdPolar(std::get<PolarEntry>(entry));
+}
+
+bool Readout::hold(double number)
+{
+    const GestureMeasure::Field& field = gauge_.measure->fields[active_];
+    if (std::abs(number) > field.most)
+        return refuse(tr("%1 must be from −%2 to %2.").arg(field.name, numberText(field.most, 0)));
+    if (const auto other = decider())
+        return refuse(tr("%1 is locked, which decides this number, too.")
+                          .arg(gauge_.measure->fields[*other].name));
+    if (gauge_.measure->equal && !field.kept)
+        for (std::size_t i = 0; i < count(); ++i)
+            if (!gauge_.measure->fields[i].kept) {
+                held_[i].reset();
+                fields_[i].state = State::Free;
+            }
+    holdNumber(active_, number);
+    return true;
+}
+
+std::optional<std::size_t> Readout::decider() const
+{
+    const auto& fields = gauge_.measure->fields;
+    if (gauge_.measure->equal && !fields[active_].kept)
+        for (std::size_t i = 0; i < count(); ++i)
+            if (i != active_ && !fields[i].kept && fields_[i].state == State::Locked)
+                return i;
+    return std::nullopt;
 }
 
 void Readout::holdNumber(std::size_t field, double value)
@@ -152,7 +192,7 @@ bool Readout::holdPolar(const PolarEntry& entry)
     const bool hasAngle = fields.size() > 1 && fields[1].quantity == Quantity::Angle;
     if (!entry.length && !hasAngle)
         return refuse(tr("An angle alone has no meaning here. Type a length before it: 30<45."));
-    if (!hasAngle) {
+    if (!hasAngle || (entry.length && gauge_.measure->equal)) {
         target_ = gauge_.relativeTo.value_or(gauge_.start.from)
                   + directionOf(entry.angle) * *entry.length;
         return true;
@@ -165,20 +205,28 @@ bool Readout::holdPolar(const PolarEntry& entry)
 
 bool Readout::lock()
 {
+    const bool typed = !fields_[active_].text.trimmed().isEmpty();
     if (!take())
         return false;
-    const Quantity quantity = gauge_.measure->fields[active_].quantity;
-    if (held_[active_] == 0 && (quantity == Quantity::Length || quantity == Quantity::Factor))
+    const auto& [name, quantity, most, kept] = gauge_.measure->fields[active_];
+    if (held_[active_] == 0 && !kept
+        && (quantity == Quantity::Length || quantity == Quantity::Factor))
         return refuseZero(active_);
-    for (Field& field : fields_)
-        if (target_ || field.state == State::Typed)
-            field = {State::Locked, {}};
+    for (std::size_t i = 0; i < count(); ++i)
+        if (fields_[i].state == State::Typed || (target_ && !gauge_.measure->fields[i].kept))
+            fields_[i] = {State::Locked, {}};
     fields_[active_].text.clear();
-    if (gauge_.measure->fields.size() == 1)
+    const bool onlyOthers = fields_[active_].state == State::Free // "<45"
+                            && std::ranges::any_of(fields_, [](const Field& field) {
+                                   return field.state == State::Locked;
+                               });
+    if (count() == 1 || (typed && onlyOthers))
         return true;
-    const bool onlyOther = fields_[1 - active_].state == State::Locked
-                           && fields_[active_].state == State::Free; // "<45"
-    activate(onlyOther ? active_ : 1 - active_);
+    std::size_t next = (active_ + 1) % count();
+    while (fields_[next].state == State::Locked && next != active_)
+        next = (next + 1) % count();
+    const bool onlyFree = next == active_ && fields_[active_].state == State::Free;
+    activate(next != active_ || onlyFree ? next : (active_ + 1) % count());
     return true;
 }
 
@@ -186,6 +234,9 @@ bool Readout::accept(const Point& pointer)
 {
     if (!take())
         return false;
+    if (gauge_.measure->refusal && !target_)
+        if (const QString why = gauge_.measure->refusal(gauge_.start, held_); !why.isEmpty())
+            return refuse(why);
     const auto zero = firstZero(*gauge_.measure, gauge_.start, end(pointer));
     return !zero || refuseZero(*zero);
 }
@@ -225,8 +276,11 @@ GestureEnd Readout::result(const Point& pointer) const
     GestureEnd result{end(pointer), {}, repeat_};
     result.numbers = gauge_.aim && !holds() ? gauge_.aim->numbers
                                             : gauge_.measure->values(gauge_.start, result.point);
-    for (std::size_t field = 0; field < held_.size() && !target_; ++field)
-        result.numbers[field] = held_[field].value_or(result.numbers[field]);
+    for (std::size_t field = 0; field < count(); ++field)
+        if (gauge_.measure->fields[field].kept)
+            result.numbers[field] = held_[field].value_or(gauge_.kept[field]);
+        else if (held_[field] && !target_)
+            result.numbers[field] = *held_[field];
     return result;
 }
 

@@ -9,7 +9,7 @@ namespace app {
 /// How a gesture ends.
 struct GestureEnd {
     Point point;
-    std::array<double, 2> numbers;
+    Numbers numbers;
     std::optional<RepeatEntry> repeat{};
 };
 
@@ -22,10 +22,11 @@ struct Gauge {
     std::optional<GestureEnd> aim{};   ///< stays, instead of the pointer, where nothing is typed
     std::optional<Point> relativeTo{}; ///< "@10,20", "30<45"; empty: to start.from
     Point shift{0, 0};                 ///< from the pointer to the point that it moves
+    Numbers kept{};                    ///< of the fields that the pointer does not steer
     bool repeats = false;              ///< whether "5x" and "5/" have a meaning
 };
 
-/// The two numbers beside the pointer during a gesture, and what is typed into them. A number that
+/// The numbers beside the pointer during a gesture, and what is typed into them. A number that
 /// is typed or locked holds; the pointer decides the others.
 class Readout {
 public:
@@ -34,7 +35,7 @@ public:
     explicit Readout(const Gauge& gauge) : gauge_(gauge) {}
 
     const Gauge& gauge() const { return gauge_; }
-    /// Goes on with another gauge for the same gesture and the same two numbers. False: it is
+    /// Goes on with another gauge for the same gesture and the same numbers. False: it is
     /// another gesture.
     bool follow(const Gauge& gauge);
     std::size_t active() const { return active_; }
@@ -57,8 +58,8 @@ public:
     bool holds() const; ///< a number or a point, typed or locked
     /// Whether a number or a point is locked.
     bool isLocked() const;
-    /// Locks the active field at what is typed, and goes on to the other one, or to the only one
-    /// that is free. False: refused.
+    /// Locks the active field at what is typed, and goes on to the next one that is not locked.
+    /// False: refused.
     bool lock();
     /// Whether the gesture can end with what is typed, if the pointer is there; error() says why
     /// not.
@@ -79,6 +80,11 @@ private:
     Result<Entry> entry() const;
     bool take();
     bool hold(const Entry& entry);
+    bool hold(double number);
+    double valueOf(std::size_t field, const Point& end) const;
+    std::size_t count() const { return gauge_.measure->fields.size(); }
+    /// The locked field that decides the active one; empty: none.
+    std::optional<std::size_t> decider() const;
     bool refuseZero(std::size_t field);
     bool refuse(const QString& sentence);
     bool holdPoint(const PointEntry& entry);
@@ -86,7 +92,7 @@ private:
     void holdNumber(std::size_t field, double value);
 
     Gauge gauge_;
-    std::array<Field, 2> fields_;
+    std::array<Field, mostNumbers> fields_;
     Held held_;
     std::optional<Point> target_; ///< a typed point
     std::optional<RepeatEntry> repeat_;

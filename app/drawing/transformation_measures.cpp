@@ -23,7 +23,7 @@ template <int axis>
 GestureMeasure wayAlong(const QString& name)
 {
     return {{{name, Quantity::Coordinate}},
-            [](const GestureStart& start, const Point& to) -> std::array<double, 2> {
+            [](const GestureStart& start, const Point& to) -> Numbers {
                 return {to[axis] - start.from[axis], 0};
             },
             [](const GestureStart& start, const Point& pointer, const Held& held) {
@@ -58,7 +58,7 @@ double quotient(const Point& old, const Point& now)
 template <Along axis>
 GestureMeasure scalingAlong()
 {
-    const auto values = [](const GestureStart& start, const Point& to) -> std::array<double, 2> {
+    const auto values = [](const GestureStart& start, const Point& to) -> Numbers {
         const Point only(axis == Along::Y ? 0 : 1, axis == Along::X ? 0 : 1);
         return {quotient((start.pointer - start.from) * only, (to - start.from) * only), 0};
     };
@@ -75,7 +75,7 @@ GestureMeasure scalingAlong()
 template <int along>
 GestureMeasure skewAlong(const QString& name)
 {
-    const auto values = [](const GestureStart& start, const Point& to) -> std::array<double, 2> {
+    const auto values = [](const GestureStart& start, const Point& to) -> Numbers {
         const double height =
             along == 0 ? start.from.y - start.pointer.y : start.pointer.x - start.from.x;
         const double way = along == 0 ? to.x - start.pointer.x : start.pointer.y - to.y;
@@ -104,7 +104,7 @@ const GestureMeasure& rotationMeasure(Along)
 {
     static const GestureMeasure measure{
         {{tr("Angle"), Quantity::Angle}},
-        [](const GestureStart& start, const Point& to) -> std::array<double, 2> {
+        [](const GestureStart& start, const Point& to) -> Numbers {
             return {angleBetween(start, to), 0};
         },
         [](const GestureStart& start, const Point& pointer, const Held& held) {

@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
 
 namespace app {
 namespace {
@@ -51,11 +52,41 @@ public:
             return refuse(tr("“%1” is too large.").arg(typed));
         return *factor.value / (percent ? 100 : 1);
     }
+    std::optional<double> count(const QString& text)
+    {
+        constexpr int least = 3, most = 1000;
+        const auto count = plainNumber(text);
+        if (!count || *count.value < least || *count.value > most
+            || *count.value != std::floor(*count.value))
+            return refuse(
+                tr("“%1” is not a number of corners: type a whole number from %2 to %3.")
+                    .arg(text.trimmed(), locale_.toString(least), locale_.toString(most)));
+        return *count.value;
+    }
+    std::optional<double> share(QString text)
+    {
+        const QString typed = text.trimmed();
+        const bool percent = typed.endsWith(u'%');
+        const auto share = plainNumber(text.remove(u'%'));
+        const double value = share ? *share.value / (percent || *share.value > 1 ? 100 : 1) : 0;
+        if (!(value > 0 && value <= 1))
+            return refuse(tr("“%1” is not a share: type a percentage from 1 to 100.").arg(typed));
+        return value;
+    }
     std::optional<double> number(const QString& text, Quantity quantity)
     {
-        return quantity == Quantity::Angle    ? angle(text)
-               : quantity == Quantity::Factor ? factor(text)
-                                              : length(text);
+        switch (quantity) {
+        case Quantity::Angle:
+            return angle(text);
+        case Quantity::Factor:
+            return factor(text);
+        case Quantity::Count:
+            return count(text);
+        case Quantity::Share:
+            return share(text);
+        default:
+            return length(text);
+        }
     }
     static bool isRepeat(const QString& text)
     {

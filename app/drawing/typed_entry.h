@@ -9,8 +9,9 @@
 
 namespace app {
 
-/// The kind of a number of a gesture. A factor is 1.5 or 150%.
-enum class Quantity : std::uint8_t { Length, Angle, Coordinate, Factor };
+/// The kind of a number of a gesture. A factor is 1.5 or 150%, a count a whole number of corners, a
+/// share 0.4, 40 or 40%.
+enum class Quantity : std::uint8_t { Length, Angle, Coordinate, Factor, Count, Share };
 
 /// A number for the field in which it is typed.
 struct NumberEntry {

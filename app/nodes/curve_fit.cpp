@@ -17,7 +17,7 @@
 namespace app {
 namespace {
 
-constexpr std::size_t mostSamples = 2048, samplesOfPiece = 32;
+constexpr std::size_t mostSamples = 2048;
 constexpr std::size_t mostRatios = 64; // of more pieces the product of ratios is mostly rounding
 constexpr int rounds = 12;
 
@@ -59,12 +59,13 @@ std::vector<double> sharesByLength(std::span<const Bezier> pieces)
     return shares;
 }
 
-std::vector<Sample> sampled(std::span<const Bezier> pieces, const std::vector<double>& shares)
+std::vector<Sample> sampled(std::span<const Bezier> pieces, const std::vector<double>& shares,
+                            std::size_t places)
 {
     double sum = 0;
     for (const double share : shares)
         sum += share;
-    const std::size_t count = std::min(mostSamples, samplesOfPiece * pieces.size());
+    const std::size_t count = std::min(mostSamples, places * pieces.size());
     std::vector<Sample> samples;
     double before = 0;
     std::size_t piece = 0;
@@ -166,13 +167,13 @@ Candidate better(const Fit& fit, std::vector<Sample> samples)
     return best;
 }
 
-Bezier fittedNearOrigin(std::span<const Bezier> pieces)
+Bezier fittedNearOrigin(std::span<const Bezier> pieces, std::size_t places)
 {
     const Fit fit{pieces.front().from, pieces.back().to, startDirection(pieces.front()),
                   startDirection(reversed(pieces.back()))};
-    Candidate best = better(fit, sampled(pieces, sharesByLength(pieces)));
+    Candidate best = better(fit, sampled(pieces, sharesByLength(pieces), places));
     if (pieces.size() <= mostRatios)
-        if (const Candidate other = better(fit, sampled(pieces, sharesBySpeed(pieces)));
+        if (const Candidate other = better(fit, sampled(pieces, sharesBySpeed(pieces), places));
             other.error < best.error)
             best = other;
     return best.curve;
@@ -180,7 +181,7 @@ Bezier fittedNearOrigin(std::span<const Bezier> pieces)
 
 } // namespace
 
-Bezier fitted(std::span<const Bezier> pieces)
+Bezier fitted(std::span<const Bezier> pieces, std::size_t places)
 {
     const Point origin = pieces.front().from, end = pieces.back().to;
     double size = 0; // of a point relative to the start, which makes products safe
@@ -195,7 +196,7 @@ Bezier fitted(std::span<const Bezier> pieces)
     for (const Bezier& piece : pieces)
         scaled.push_back(
             {near(piece.from), near(piece.control1), near(piece.control2), near(piece.to)});
-    const Bezier curve = fittedNearOrigin(scaled);
+    const Bezier curve = fittedNearOrigin(scaled, places);
     return {origin, origin + curve.control1 * size, origin + curve.control2 * size, end};
 }
 

@@ -40,7 +40,7 @@ void Controller::beginTyping(const QKeyEvent& event)
         withTool([&] { tool_->reopen(bench_); });
     typing_ = true;
     if (event.key() == Qt::Key_Tab)
-        readout_->activate(1);
+        readout_->activate(readout_->gauge().measure->fields.size() > 1 ? 1 : 0);
     typeNumber(firstTyped(event, true));
     emit typingBegan();
 }

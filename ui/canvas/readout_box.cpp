@@ -7,24 +7,28 @@
 #include <QPainter>
 #include <QVBoxLayout>
 
+#include <ranges>
+
 namespace ui {
 namespace {
 
 constexpr int besidePointer = 16, belowPointer = 15;
-constexpr int cellHeight = 28, fieldHeight = 24, fieldWidth = 84, besideRule = 6;
+constexpr int cellHeight = 28, fieldHeight = 24, fieldWidth = 84, shortFieldWidth = 52;
+constexpr int besideRule = 6;
 
 } // namespace
 
 ReadoutBox::ReadoutBox(Controller& controller, QWidget* parent)
-    : QFrame(parent), controller_(controller), cells_{makeCell(), makeCell()}, error_(new QLabel)
+    : QFrame(parent), controller_(controller), error_(new QLabel)
 {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setAccessibleName(tr("Numbers of the gesture"));
     auto* row = new QHBoxLayout;
     row->setContentsMargins(8, 1, 8, cellHeight - fieldHeight - 1); // the frame, the underline
     row->setSpacing(5);
-    cells_[1].name->setContentsMargins(2 * besideRule, 0, 0, 0);
-    for (const Cell& cell : cells_) {
+    for (Cell& cell : cells_) {
+        cell = makeCell();
+        cell.name->setContentsMargins(&cell == cells_.data() ? 0 : 2 * besideRule, 0, 0, 0);
         row->addWidget(cell.name);
         row->addWidget(cell.lock);
         row->addWidget(cell.field);
@@ -100,6 +104,9 @@ void ReadoutBox::showNumber(std::size_t number, const app::Point& end)
 {
     const app::Readout& readout = *controller_.readout();
     const Cell& cell = cells_[number];
+    const app::Quantity quantity = readout.gauge().measure->fields[number].quantity;
+    const bool isShort = quantity == app::Quantity::Count || quantity == app::Quantity::Share;
+    cell.field->setFixedWidth(isShort ? shortFieldWidth : fieldWidth);
     const bool open = controller_.typing() && readout.active() == number;
     cell.name->setText(readout.gauge().measure->fields[number].name);
     if (open && cell.field->text() == readout.typed(number))
@@ -198,7 +205,7 @@ bool ReadoutBox::key(const QKeyEvent& event)
     }
 }
 
-/// One line between the cells, one below the open field.
+/// A line between each two cells, one below the open field.
 void ReadoutBox::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
@@ -208,10 +215,11 @@ void ReadoutBox::paintEvent(QPaintEvent*)
     painter.setPen(QPen(look.border, 1));
     painter.setBrush(look.base);
     painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
-    if (!cells_[1].name->isHidden()) {
-        const int between = cells_[1].name->x() + besideRule - 1;
-        painter.drawLine(QPointF(between + 0.5, 1), QPointF(between + 0.5, cellHeight));
-    }
+    for (const Cell& cell : cells_ | std::views::drop(1))
+        if (!cell.name->isHidden()) {
+            const int between = cell.name->x() + besideRule - 1;
+            painter.drawLine(QPointF(between + 0.5, 1), QPointF(between + 0.5, cellHeight));
+        }
     if (!controller_.typing() || !controller_.readout())
         return;
     const QRect field = cells_[controller_.readout()->active()].field->geometry();

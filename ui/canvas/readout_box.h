@@ -39,7 +39,7 @@ private:
 
     Controller& controller_;
     QWidget* surface_ = nullptr;
-    std::array<Cell, 2> cells_;
+    std::array<Cell, app::mostNumbers> cells_{};
     QLabel* error_;
 };
 

@@ -15,9 +15,13 @@ std::unique_ptr<Tool> makeHandTool();
 std::unique_ptr<Tool> makeZoomTool();
 std::unique_ptr<Tool> makeLineTool();
 std::unique_ptr<Tool> makePolylineTool();
+std::unique_ptr<Tool> makePenTool();
+std::unique_ptr<Tool> makeArcTool();
 std::unique_ptr<Tool> makePencilTool();
 std::unique_ptr<Tool> makeRectangleTool();
 std::unique_ptr<Tool> makeEllipseTool();
+std::unique_ptr<Tool> makePolygonTool();
+std::unique_ptr<Tool> makeStarTool();
 std::unique_ptr<Tool> makeWindowTool();
 
 std::span<const ToolInfo> tools()
@@ -44,16 +48,32 @@ std::span<const ToolInfo> tools()
                  tr("Click to place corners, or type a length, Tab, an angle, Enter. Ctrl+Z removes "
                     "the last corner. Esc ends and keeps the polyline."),
                  QKeySequence("P"), makePolylineTool},
-        ToolInfo{"pencil", tr("Pencil"), tr("Drag to draw freehand."), QKeySequence("B"),
+        ToolInfo{"pen", tr("Pen"),
+                 tr("Click: corner, drag: smooth node, Alt: cusp. Click the start to close. Ctrl+Z: "
+                    "back, Esc: end."),
+                 QKeySequence("D"), makePenTool},
+        ToolInfo{"arc", tr("Arc"),
+                 tr("Click the start, the end and a point on the arc. C, or Alt at the first click: by "
+                    "its centre."),
+                 QKeySequence("A"), makeArcTool},
+        ToolInfo{"pencil", tr("Pencil"), tr("Drag to draw freehand. Then type a tolerance, Enter: how smooth it is."), QKeySequence("B"),
                  makePencilTool},
         ToolInfo{"rectangle", tr("Rectangle"),
-                 tr("Drag, or click two corners. Type a width, Tab, a height, Enter. Shift: square, "
-                    "Alt: from the centre."),
+                 tr("Drag, or click two corners. Type a width, Tab, a height, Tab, a corner radius, "
+                    "Enter. Shift: square, Alt: from the centre."),
                  QKeySequence("R"), makeRectangleTool},
         ToolInfo{"ellipse", tr("Ellipse"),
                  tr("Drag, or click two corners. Type a width, Tab, a height, Enter. Shift: circle, "
                     "Alt: from the centre."),
                  QKeySequence("E"), makeEllipseTool},
+        ToolInfo{"polygon", tr("Polygon"),
+                 tr("Drag from the centre to a corner. Up, Down: corners, Shift: 15° steps, Alt: to a "
+                    "side."),
+                 QKeySequence("Y"), makePolygonTool},
+        ToolInfo{"star", tr("Star"),
+                 tr("Drag from the centre to a point. Up, Down: number of points, Shift: 15° steps. "
+                    "Tab: numbers."),
+                 QKeySequence("S"), makeStarTool},
         ToolInfo{"window", tr("Clip window"), tr("Drag to draw a clip window. Shift: square."),
                  QKeySequence("W"), makeWindowTool, ToolInfo::Group::New},
     };

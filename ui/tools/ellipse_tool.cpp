@@ -9,11 +9,11 @@ namespace {
 
 class EllipseTool final : public CornerTool {
 protected:
-    app::Subpath pathIn(const clipping::Window& r) const override
+    app::Subpath pathIn(const clipping::Window& r, const app::Numbers& numbers) const override
     {
-        return *app::outlineOf(recipeIn(r));
+        return *app::outlineOf(recipeIn(r, numbers));
     }
-    app::Recipe recipeIn(const clipping::Window& r) const override
+    app::Recipe recipeIn(const clipping::Window& r, const app::Numbers&) const override
     {
         const app::Point radii = (r.max - r.min) * 0.5;
         return app::EllipseRecipe{r.min + radii, radii};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/view/simplify.h"
+#include "app/drawing/freehand.h"
+#include "ui/tools/last_step.h"
 #include "ui/tools/shape_drawing.h"
 
 #include <QCoreApplication>
@@ -7,38 +8,96 @@
 namespace ui {
 namespace {
 
-constexpr double roughness = 0.7; // maximum deviation from the pointer's path, in pixels
+constexpr double usualTolerance = 2; // pixels, until a tolerance is typed
 
-/// Draws a freehand line, simplified to as few points as look the same.
+/// The tolerance is typed: on paper, or in the drawing's unit.
+const app::GestureMeasure& toleranceMeasure()
+{
+    using Measure = app::GestureMeasure;
+    static const Measure measure{
+        {{QCoreApplication::translate("GestureMeasure", "Tolerance"), app::Quantity::Length,
+          HUGE_VAL, true}},
+        [](const app::GestureStart&, const app::Point&) { return app::Numbers{}; },
+        [](const app::GestureStart&, const app::Point& pointer, const app::Held&) {
+            return pointer;
+        },
+        Measure::Points::Refused,
+        nullptr,
+        false,
+        [](const app::GestureStart&, const app::Held& held) {
+            return held[0] && *held[0] <= 0 ? QCoreApplication::translate(
+                       "GestureMeasure", "The tolerance must be more than 0.")
+                                            : QString();
+        }};
+    return measure;
+}
+
+/// Draws a freehand line, smoothed to curves that lie within the tolerance of the pointer's path.
+/// Only its places count, not the pressure of a pen. A tolerance typed afterwards changes the line.
 class PencilTool final : public Tool {
 public:
-    void press(const Pointer& pointer, Workbench&) override { points_ = {pointer.raw}; }
-    void move(const Pointer& pointer, Workbench&) override
+    void press(const Pointer& pointer, Workbench& bench) override
     {
-        if (!points_.empty() && pointer.raw != points_.back())
+        cancel(bench); // a press ends the correction
+        last_.forget();
+        points_ = {pointer.raw};
+    }
+    void move(const Pointer& pointer, Workbench& bench) override
+    {
+        if (last_.isOpen()) {
+            if (pointer.held && std::exchange(tolerance_, pointer.numbers[0]) != tolerance_)
+                smooth_ = app::smoothed(points_, toleranceIn(bench));
+        } else if (!points_.empty() && pointer.raw != points_.back()) {
             points_.push_back(pointer.raw);
+        }
     }
     void release(const Pointer& pointer, Workbench& bench) override
     {
+        if (last_.isOpen())
+            return;
         move(pointer, bench);
-        const auto few = app::simplified(points_, bench.inDrawing(roughness));
-        if (few.size() >= 2)
-            draw(bench, {pathOf(few)}, QCoreApplication::translate("Commands", "Draw freehand"));
-        points_.clear();
+        finish(bench);
     }
-    void cancel(Workbench&) override { points_.clear(); }
+    void cancel(Workbench& bench) override
+    {
+        points_.clear();
+        last_.restore(bench);
+    }
     bool busy() const override { return !points_.empty(); }
     bool draws() const override { return true; }
     std::optional<app::Subpath> pendingPath() const override
     {
-        return points_.size() >= 2 ? std::optional(pathOf(points_)) : std::nullopt;
+        return points_.size() >= 2 && !last_.isOpen() ? std::optional(pathOf(points_))
+                                                      : std::nullopt;
     }
-    std::size_t pendingPoints() const override { return points_.size(); }
+    std::size_t pendingPoints() const override { return last_.isOpen() ? 0 : points_.size(); }
+
+    std::optional<app::Gauge> gauge(const Workbench& bench) const override
+    {
+        app::Gauge gauge = gaugeFrom({}, toleranceMeasure(), bench);
+        gauge.kept = {toleranceIn(bench)};
+        return gauge;
+    }
+    void accept(const app::GestureEnd& end, Workbench& bench) override
+    {
+        tolerance_ = end.numbers[0];
+        if (last_.isOpen())
+            finish(bench);
+    }
+    void reopen(Workbench& bench) override
+    {
+        if (!last_.reopen(bench))
+            return;
+        points_ = done_;
+        smooth_ = app::smoothed(points_, toleranceIn(bench));
+    }
+    bool corrects() const override { return last_.isOpen(); }
+
     app::SnapTo snapsTo() const override { return app::SnapTo::Nothing; }
     void paint(QPainter& painter, const Workbench& bench) const override
     {
         if (points_.size() >= 2)
-            preview(painter, bench, pathOf(points_));
+            preview(painter, bench, last_.isOpen() ? smooth_ : pathOf(points_));
     }
 
 private:
@@ -49,8 +108,26 @@ private:
             path.segments.push_back({points[i]});
         return path;
     }
+    double toleranceIn(const Workbench& bench) const
+    {
+        return tolerance_ > 0 ? tolerance_ : bench.inDrawing(usualTolerance);
+    }
+    void finish(Workbench& bench)
+    {
+        done_ = std::exchange(points_, {});
+        if (done_.size() < 2)
+            return;
+        last_.discard();
+        draw(bench, {app::smoothed(done_, toleranceIn(bench))},
+             QCoreApplication::translate("Commands", "Draw freehand"));
+        last_.remember(bench);
+    }
 
     std::vector<app::Point> points_;
+    std::vector<app::Point> done_; ///< of the last line
+    app::Subpath smooth_{};        ///< during a correction
+    double tolerance_ = 0;         ///< in the drawing; 0: none was typed
+    LastStep last_;
 };
 
 } // namespace

@@ -1,24 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/recipe_outline.h"
 #include "ui/tools/corner_tool.h"
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace ui {
 namespace {
 
+/// Draws a rectangle. The radius of its corners is typed, and kept for the next rectangle.
 class RectangleTool final : public CornerTool {
 protected:
-    app::Subpath pathIn(const clipping::Window& r) const override
+    const app::GestureMeasure& measure(Qt::KeyboardModifiers modifiers) const override
     {
+        return app::widthHeightAndRadius(proportionOf(modifiers), anchorOf(modifiers));
+    }
+    std::string_view keeps() const override { return "rectangle"; }
+    app::Subpath pathIn(const clipping::Window& r, const app::Numbers& numbers) const override
+    {
+        if (radiusIn(r, numbers) > 0)
+            return *app::outlineOf(recipeIn(r, numbers));
         return {r.min, {{{r.max.x, r.min.y}}, {r.max}, {{r.min.x, r.max.y}}}, true};
     }
-    app::Recipe recipeIn(const clipping::Window& r) const override
+    app::Recipe recipeIn(const clipping::Window& r, const app::Numbers& numbers) const override
     {
-        return app::RectangleRecipe{r.min, r.max - r.min};
+        return app::RectangleRecipe{r.min, r.max - r.min, radiusIn(r, numbers)};
     }
     QString undoText() const override
     {
         return QCoreApplication::translate("Commands", "Draw rectangle");
+    }
+
+private:
+    /// At most half the shorter side, as in SVG.
+    static double radiusIn(const clipping::Window& r, const app::Numbers& numbers)
+    {
+        const app::Point half = (r.max - r.min) * 0.5;
+        return std::clamp(numbers[2], 0.0, std::min(half.x, half.y));
     }
 };
 

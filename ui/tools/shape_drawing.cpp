@@ -62,6 +62,14 @@ void preview(QPainter& painter, const Workbench& bench, const app::Subpath& path
     painter.drawPath(outline);
 }
 
+void markPoints(QPainter& painter, const Workbench& bench, std::span<const app::Point> points)
+{
+    painter.setPen(QPen(bench.look.selection, 1.5));
+    painter.setBrush(bench.look.paper);
+    for (const app::Point& point : points)
+        painter.drawEllipse(bench.onScreen(point), 3, 3);
+}
+
 app::Gauge gaugeFrom(const app::Point& from, const app::GestureMeasure& measure,
                      const Workbench& bench)
 {
@@ -75,6 +83,12 @@ app::Gauge gaugeOfStart(const Workbench& bench)
     app::Gauge gauge = gaugeFrom({}, app::position(), bench);
     gauge.start.from = gauge.origin;
     return gauge;
+}
+
+app::Numbers keptBy(std::string_view tool, const Workbench& bench, const app::Numbers& usual)
+{
+    const auto kept = bench.kept.find(tool);
+    return kept == bench.kept.end() ? usual : kept->second;
 }
 
 bool dragged(const app::Point& from, const Pointer& to)

@@ -19,11 +19,17 @@ void pushKeepingInspected(app::Session& session, app::UndoCommand* step);
 /// Paints the preview of a path in the colour of the session's stroke style.
 void preview(QPainter& painter, const Workbench& bench, const app::Subpath& path);
 
+/// Paints a mark on each point that was placed.
+void markPoints(QPainter& painter, const Workbench& bench, std::span<const app::Point> points);
+
 /// Numbers for a gesture from this point, in the drawing's unit.
 app::Gauge gaugeFrom(const app::Point& from, const app::GestureMeasure& measure,
                      const Workbench& bench);
 /// Coordinates for a first point.
 app::Gauge gaugeOfStart(const Workbench& bench);
+
+/// The numbers that a tool keeps for its next object; `usual` until it has drawn one.
+app::Numbers keptBy(std::string_view tool, const Workbench& bench, const app::Numbers& usual);
 
 /// Whether the pointer has moved far enough for a drag.
 bool dragged(const app::Point& from, const Pointer& to);

@@ -14,6 +14,7 @@
 #include <QKeySequence>
 #include <QPainter>
 
+#include <map>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -27,9 +28,9 @@ struct Pointer {
     app::Point screen;   ///< logical pixels of the canvas
     Qt::MouseButtons buttons;
     Qt::KeyboardModifiers modifiers;
-    app::Point steered;              ///< in the drawing, after snapping
-    std::array<double, 2> numbers{}; ///< of the gesture, as the readout shows them
-    bool held = false;               ///< something is typed or locked
+    app::Point steered;     ///< in the drawing, after snapping
+    app::Numbers numbers{}; ///< of the gesture, as the readout shows them
+    bool held = false;      ///< something is typed or locked
 };
 
 /// What a tool works on. A tool changes the document only by pushing commands on session.history;
@@ -43,6 +44,8 @@ struct Workbench {
     const app::SnapTo& snapTo; ///< the kinds that are on; Nothing: snapping is off
     /// The key of the tool to go on with, which replaces this one after the call; empty: this one.
     std::string_view nextTool{};
+    /// The numbers that tools keep for their next object, by the key of the tool.
+    std::map<std::string_view, app::Numbers> kept{};
 
     QPointF onScreen(const app::Point& p) const
     {

@@ -24,6 +24,7 @@ void TwoPointTool::move(const Pointer& pointer, Workbench& bench)
         return;
     if (!last_.isOpen())
         gesture_->modifiers = pointer.modifiers;
+    gesture_->numbers = pointer.numbers;
     moveEnd(pointer.position, bench);
 }
 
@@ -48,6 +49,7 @@ std::optional<app::Gauge> TwoPointTool::gauge(const Workbench& bench) const
     if (!gesture_)
         return gaugeOfStart(bench);
     app::Gauge gauge = gaugeFrom(gesture_->from, measure(gesture_->modifiers), bench);
+    gauge.kept = gesture_->numbers;
     if (last_.isOpen())
         gauge.aim = app::GestureEnd{done_.to, gauge.measure->values(gauge.start, done_.to)};
     return gauge;
@@ -57,6 +59,7 @@ void TwoPointTool::accept(const app::GestureEnd& end, Workbench& bench)
 {
     if (!gesture_)
         return begin(end.point, bench);
+    gesture_->numbers = end.numbers;
     moveEnd(end.point, bench);
     last_.isOpen() ? finish(bench) : finishByClick(bench);
 }
@@ -78,7 +81,7 @@ void TwoPointTool::paint(QPainter& painter, const Workbench& bench) const
 void TwoPointTool::begin(const app::Point& from, Workbench& bench)
 {
     const auto modifiers = gesture_ ? gesture_->modifiers : Qt::KeyboardModifiers();
-    gesture_ = {from, from, modifiers};
+    gesture_ = {from, from, modifiers, keptBy(keeps(), bench, usual())};
     follow(*gesture_, bench);
 }
 
@@ -104,6 +107,8 @@ void TwoPointTool::finish(Workbench& bench)
         return; // the gesture goes on
     last_.discard();
     add(bench);
+    if (!keeps().empty())
+        bench.kept[keeps()] = gesture_->numbers;
     done_ = *gesture_;
     cancel(bench);
     last_.remember(bench);

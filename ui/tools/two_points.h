@@ -26,12 +26,17 @@ protected:
     struct Gesture {
         app::Point from, to;
         Qt::KeyboardModifiers modifiers;
+        app::Numbers numbers{}; ///< as the readout shows them
     };
 
     virtual const app::GestureMeasure& measure(Qt::KeyboardModifiers modifiers) const = 0;
     virtual app::Subpath path(const Gesture& gesture) const = 0;
     virtual app::Recipe recipe(const Gesture&) const { return {}; }
     virtual QString undoText() const = 0;
+    /// Of the measure's kept numbers, those of the first object, and the key under which the tool
+    /// keeps them; empty: there are none.
+    virtual app::Numbers usual() const { return {}; }
+    virtual std::string_view keeps() const { return {}; }
     /// The gesture has begun or its end has moved.
     virtual void follow(const Gesture&, Workbench&) {}
     /// Ends the gesture at the second click.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/outline.h"
 
+#include "app/document/arc_curves.h"
 #include "app/formats/svg/arc.h"
 #include "app/formats/svg/scanner.h"
 
@@ -48,24 +49,6 @@ Subpath ellipse(const Point& centre, const Point& radii)
         appendArc(path.segments, {from, to, radii, 0, false, true});
         from = to;
     }
-    return path;
-}
-
-Subpath roundedRectangle(const Point& min, const Point& max, const Point& radii)
-{
-    const auto [rx, ry] = std::pair(radii.x, radii.y);
-    Subpath path{{min.x + rx, min.y}, {}, true};
-    Point at = path.start;
-    const auto side = [&](const Point& end, const Point& corner) {
-        if (end != at)
-            path.segments.push_back({end});
-        appendArc(path.segments, {end, corner, radii, 0, false, true});
-        at = corner;
-    };
-    side({max.x - rx, min.y}, {max.x, min.y + ry});
-    side({max.x, max.y - ry}, {max.x - rx, max.y});
-    side({min.x + rx, max.y}, {min.x, max.y - ry});
-    side({min.x, min.y + ry}, path.start);
     return path;
 }
 

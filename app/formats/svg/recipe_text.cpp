@@ -4,49 +4,80 @@
 #include "app/base/number.h"
 #include "app/formats/svg/scanner.h"
 
-#include <array>
+#include <cmath>
+#include <initializer_list>
+#include <vector>
 
 namespace app::svg {
 namespace {
 
-constexpr std::string_view rectangle = "rectangle", ellipse = "ellipse";
+constexpr std::string_view rectangle = "rectangle", ellipse = "ellipse", star = "star";
+constexpr std::size_t mostNumbers = 6;
+constexpr double mostPoints = 1000;
 
-std::string text(std::string_view kind, const Point& a, const Point& b)
+std::string text(std::string_view kind, std::initializer_list<double> numbers)
 {
     std::string all(kind);
-    for (const double number : {a.x, a.y, b.x, b.y})
+    for (const double number : numbers)
         appendNumber(all += ' ', number);
     return all;
 }
 
-} // namespace
-
-std::string textOf(const Recipe& recipe)
-{
-    const auto* r = std::get_if<RectangleRecipe>(&recipe);
-    const auto* e = std::get_if<EllipseRecipe>(&recipe);
-    if (r && r->radius == 0)
-        return text(rectangle, r->corner, r->size);
-    return e ? text(ellipse, e->centre, e->radii) : std::string();
-}
-
-Recipe readRecipe(std::string_view text)
-{
-    const bool isRectangle = text.starts_with(rectangle), isEllipse = text.starts_with(ellipse);
-    if (!isRectangle && !isEllipse)
+struct Text {
+    std::string operator()(const RectangleRecipe& r) const
+    {
+        const auto& [corner, size, radius] = r;
+        return radius == 0 ? text(rectangle, {corner.x, corner.y, size.x, size.y})
+                           : text(rectangle, {corner.x, corner.y, size.x, size.y, radius});
+    }
+    std::string operator()(const EllipseRecipe& e) const
+    {
+        return text(ellipse, {e.centre.x, e.centre.y, e.radii.x, e.radii.y});
+    }
+    std::string operator()(const StarRecipe& s) const
+    {
+        return text(star, {s.centre.x, s.centre.y, s.outer, s.inner, s.turn, double(s.points)});
+    }
+    template <class Other>
+    std::string operator()(const Other&) const
+    {
         return {};
-    Scanner scanner(text.substr((isRectangle ? rectangle : ellipse).size()));
-    std::array<double, 4> v{};
-    for (double& number : v) {
+    }
+};
+
+std::vector<double> numbersIn(std::string_view text)
+{
+    Scanner scanner(text);
+    std::vector<double> numbers;
+    while (numbers.size() < mostNumbers) {
         scanner.skipBlanks();
         const auto next = scanner.number();
         if (!next)
-            return {};
-        number = *next;
+            break;
+        numbers.push_back(*next);
     }
-    if (isRectangle)
-        return RectangleRecipe{{v[0], v[1]}, {v[2], v[3]}};
-    return EllipseRecipe{{v[0], v[1]}, {v[2], v[3]}};
+    return numbers;
+}
+
+} // namespace
+
+std::string textOf(const Recipe& recipe) { return std::visit(Text{}, recipe); }
+
+Recipe readRecipe(std::string_view text)
+{
+    for (const std::string_view kind : {rectangle, ellipse, star}) {
+        if (!text.starts_with(kind))
+            continue;
+        const auto v = numbersIn(text.substr(kind.size()));
+        if (kind == rectangle && (v.size() == 4 || v.size() == 5))
+            return RectangleRecipe{{v[0], v[1]}, {v[2], v[3]}, v.size() == 5 ? v[4] : 0};
+        if (kind == ellipse && v.size() == 4)
+            return EllipseRecipe{{v[0], v[1]}, {v[2], v[3]}};
+        const bool isStar = kind == star && v.size() == 6;
+        if (isStar && v[5] >= 3 && v[5] <= mostPoints && v[5] == std::floor(v[5]))
+            return StarRecipe{{v[0], v[1]}, v[2], v[3], v[4], int(v[5])};
+    }
+    return {};
 }
 
 } // namespace app::svg

@@ -7,8 +7,9 @@
 #include <string_view>
 
 // The recipe of a path, as an attribute of its element, in user units:
-// clearcut:recipe="rectangle 1 2 30 40" gives its corner and size, "ellipse 5 5 3 2" its centre and
-// radii.
+// clearcut:recipe="rectangle 1 2 30 40" gives its corner and size, "rectangle 1 2 30 40 5" also the
+// radius of its corners, "ellipse 5 5 3 2" its centre and radii, "star 5 5 9 4 0.5 7" its centre,
+// both radii, the angle of its first corner in radians, and the number of its points (StarRecipe).
 
 namespace app::svg {
 

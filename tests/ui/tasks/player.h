@@ -115,6 +115,14 @@ public:
         }
         QTest::mouseRelease(area, Qt::LeftButton, {}, to);
     }
+    void stroke(const std::vector<app::Point>& points)
+    {
+        move(points.front());
+        QTest::mousePress(&area(), Qt::LeftButton, {}, screen(points.front()).toPoint());
+        for (const app::Point& p : points)
+            move(p, Qt::LeftButton);
+        QTest::mouseRelease(&area(), Qt::LeftButton, {}, screen(points.back()).toPoint());
+    }
 
     Table drawn() const
     {
@@ -189,9 +197,14 @@ inline Step type(const char* text)
 }
 inline Step enter() { return key("Return"); }
 inline Step tab() { return key("Tab"); }
-inline Step move(const app::Point& p)
+inline Step move(const app::Point& p, Qt::KeyboardModifiers with = {})
 {
-    return {"move", [p](Player& player) { player.move(p); }};
+    return {"move", [p, with](Player& player) { player.move(p, {}, with); }};
+}
+/// A drag through all of these points.
+inline Step stroke(const std::vector<app::Point>& points)
+{
+    return {"stroke", [points](Player& player) { player.stroke(points); }};
 }
 inline Step click(const app::Point& p, Qt::KeyboardModifiers with = {})
 {
@@ -266,14 +279,19 @@ inline Table played(const Steps& steps, std::optional<std::size_t> without = {})
     return player.drawn();
 }
 
-/// Plays the task, and plays it again without each of its steps, which must not give the same.
+/// Plays the task, and plays it again without each of its steps. `fault` says what is wrong with a
+/// drawing, nothing only with that of all steps.
+inline void checkBy(const Steps& steps, const std::function<QString(const Table&)>& fault)
+{
+    const QString wrong = fault(played(steps));
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
+    for (std::size_t i = 0; i < steps.size(); ++i)
+        QVERIFY2(!fault(played(steps, i)).isEmpty(),
+                 qPrintable(QString("step %1 (%2) is not needed").arg(i + 1).arg(steps[i].what)));
+}
 inline void check(const Steps& steps, const Table& expected)
 {
-    const Table all = played(steps);
-    QVERIFY2(same(all, expected), qPrintable(difference(all, expected)));
-    for (std::size_t i = 0; i < steps.size(); ++i)
-        QVERIFY2(!same(played(steps, i), expected),
-                 qPrintable(QString("step %1 (%2) is not needed").arg(i + 1).arg(steps[i].what)));
+    checkBy(steps, [&](const Table& drawn) { return difference(drawn, expected); });
 }
 
 } // namespace tasks

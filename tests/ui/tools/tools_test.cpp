@@ -110,7 +110,7 @@ private slots:
         stage.release({120, 50 + 20 * std::sin(6.0)});
         QCOMPARE(shapes(stage).size(), std::size_t(1));
         const auto segments = shapes(stage)[0].paths[0].segments;
-        QVERIFY(segments.size() > 5 && segments.size() < 60);
+        QVERIFY(segments.size() >= 2 && segments.size() < 12);
         QVERIFY(near(segments.back().to, {120, 50 + 20 * std::sin(6.0)}));
     }
 

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/subpath.h"
+
+// Arcs as cubic Bézier curves, as SVG draws them: of at most a quarter turn each, off by at most
+// 0.03 % of the radius.
+
+namespace app {
+
+/// A part of an ellipse: the image of a part of the unit circle. Angles are in radians.
+struct EllipseArc {
+    Point centre, axis1, axis2; ///< the images of the angles 0 and π/2 are centre + axis
+    double angle = 0;           ///< where it begins
+    double sweep = 0;           ///< from there to its end
+
+    Point at(double t) const;
+    Point slope(double t) const;
+};
+
+/// Appends the curves of an arc. The first one begins at `from`, the last one ends at `to`, bit for
+/// bit.
+void appendCurves(std::vector<PathSegment>& segments, const EllipseArc& arc, const Point& from,
+                  const Point& to);
+
+/// The rectangle with rounded corners. The radii are at most half the sides.
+Subpath roundedRectangle(const Point& min, const Point& max, const Point& radii);
+
+} // namespace app

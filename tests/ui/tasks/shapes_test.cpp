@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/tasks/player.h"
+
+using namespace tasks;
+
+// Tasks of README.md about shapes and curves.
+class ShapesTest : public QObject {
+    Q_OBJECT
+
+    /// How far the handles of a quarter circle reach, in radii.
+    static inline const double quarter = 4.0 / 3 * std::tan(std::numbers::pi / 8);
+
+    static Steps all(const std::vector<Steps>& parts)
+    {
+        Steps all;
+        for (const Steps& part : parts)
+            all.insert(all.end(), part.begin(), part.end());
+        return all;
+    }
+    static Steps line(const char* from, const char* by)
+    {
+        return {key("L"), type(from), enter(), type(by), enter()};
+    }
+    static app::Point at(const Drawn& path, std::size_t curve, double t)
+    {
+        const app::Point* p = &path.points[3 * curve];
+        const double s = 1 - t;
+        return p[0] * (s * s * s) + p[1] * (3 * s * s * t) + p[2] * (3 * s * t * t)
+               + p[3] * (t * t * t);
+    }
+
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void roundedPlate()
+    {
+        const double r = 5, k = r * (1 - quarter), left = 20, top = 30, right = 80, bottom = 70;
+        check({key("R"), type("20,30"), enter(), type("60"), tab(), type("40"), tab(), type("5"),
+               enter()},
+              {{{{left + r, top},
+                 {right - r, top},
+                 {right - k, top},
+                 {right, top + k},
+                 {right, top + r},
+                 {right, bottom - r},
+                 {right, bottom - k},
+                 {right - k, bottom},
+                 {right - r, bottom},
+                 {left + r, bottom},
+                 {left + k, bottom},
+                 {left, bottom - k},
+                 {left, bottom - r},
+                 {left, top + r},
+                 {left, top + k},
+                 {left + k, top},
+                 {left + r, top}},
+                true}});
+    }
+    void hexagon()
+    {
+        const double side = 17 / std::sqrt(3.0);
+        Table table{{{}, true}};
+        for (int i = 0; i < 6; ++i) {
+            const double angle = glm::radians(-60.0 + 60 * i);
+            table[0].points.push_back(app::Point(60, 50)
+                                      + side * app::Point(std::cos(angle), std::sin(angle)));
+        }
+        check({key("Y"), type("60,50"), enter(), move({80, 50}, Qt::AltModifier), type("17/2"),
+               tab(), type("90"), enter()},
+              table);
+    }
+    void arcWindow()
+    {
+        const double q = 15 * quarter;
+        check({key("P"), type("20,40"), enter(), type("0,40"), enter(), type("30,0"), enter(),
+               type("0,-40"), enter(), key("A"), type("20,40"), enter(), type("30,0"), enter(),
+               move({35, 20}), type("15"), enter()},
+              {{{{20, 40}, {20, 80}, {50, 80}, {50, 40}}},
+               {{{20, 40},
+                 {20, 40 - q},
+                 {35 - q, 25},
+                 {35, 25},
+                 {35 + q, 25},
+                 {50, 40 - q},
+                 {50, 40}}}});
+    }
+    void slot()
+    {
+        const double q = 4 * quarter;
+        check(all({{key("A"), key("C"), type("24,24"), enter(), type("4<90"), enter(), type("180"),
+                    enter(), key("A"), type("56,24"), enter(), type("4<-90"), enter(), type("180"),
+                    enter()},
+                   line("24,28", "32,0"),
+                   line("56,20", "-32,0"),
+                   {key("Ctrl+A"), key("Shift+J")}}),
+              {{{{56, 20},
+                 {24, 20},
+                 {24 - q, 20},
+                 {20, 24 - q},
+                 {20, 24},
+                 {20, 24 + q},
+                 {24 - q, 28},
+                 {24, 28},
+                 {56, 28},
+                 {56 + q, 28},
+                 {60, 24 + q},
+                 {60, 24},
+                 {60, 24 - q},
+                 {56 + q, 20},
+                 {56, 20}},
+                true}});
+    }
+    void pencilSmooth()
+    {
+        std::vector<app::Point> wave;
+        for (int i = 0; i <= 300; ++i)
+            wave.emplace_back(20 + 0.5 * i, 100 + 40 * std::sin(i * 0.04));
+        const auto fault = [&](const Table& drawn) -> QString {
+            if (drawn.size() != 1 || drawn[0].points.size() > 3 * 11 + 1)
+                return QString("%1 points").arg(drawn.empty() ? 0 : drawn[0].points.size());
+            for (const app::Point& p : wave) {
+                double nearest = HUGE_VAL;
+                for (std::size_t curve = 0; 3 * curve + 3 < drawn[0].points.size(); ++curve)
+                    for (int k = 0; k <= 300; ++k)
+                        nearest =
+                            std::min(nearest, glm::distance(p, at(drawn[0], curve, k / 300.0)));
+                if (nearest > 0.5)
+                    return QString("%1 mm away").arg(nearest);
+            }
+            return {};
+        };
+        checkBy({key("B"), stroke(wave), type("0.4"), enter()}, fault);
+    }
+    void bezierLeaf()
+    {
+        check({key("Shift+F5"), key("D"), drag({20, 50}, {50, 20}), drag({100, 50}, {130, 80}),
+               click({20, 50})},
+              {{{{20, 50}, {50, 20}, {70, 20}, {100, 50}, {130, 80}, {-10, 80}, {20, 50}}, true}});
+    }
+    void gear()
+    {
+        const Steps tooth{key("P"), type("#40<0"),  enter(), type("#45<3"),  enter(), type("#45<9"),
+                          enter(),  type("#40<12"), enter(), type("#40<15"), enter()};
+        const Steps teeth{key("O"), move({0.3, 0.3}), key("P"), key("C"),      type("15"),
+                          enter(),  type("23x"),      enter(),  key("Ctrl+A"), key("Shift+J")};
+        Table gear{{{}, true}};
+        for (int i = 11; i < 11 + 24; ++i)
+            for (const auto& [radius, degrees] :
+                 {std::pair{40.0, 0.0}, {45.0, 3.0}, {45.0, 9.0}, {40.0, 12.0}}) {
+                const double angle = glm::radians(degrees + 15 * i);
+                gear[0].points.push_back({radius * std::cos(angle), -radius * std::sin(angle)});
+            }
+        check(all({tooth, teeth}), gear);
+    }
+};
+
+QTEST_MAIN(ShapesTest)
+#include "shapes_test.moc"

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QSignalSpy>
+
+#include "tests/ui/tools/hand.h"
+
+// The Bézier pen, with mouse and keys.
+class PenTest : public QObject {
+    Q_OBJECT
+
+    struct PenHand : Hand {
+        PenHand() : Hand({})
+        {
+            canvas.setTool("pen");
+            auto display = session.display();
+            display.grid.shown = true; // so that the mouse is exact
+            session.setDisplay(display);
+            canvas.setSnapping(app::SnapTo::usual());
+        }
+        std::size_t count() { return session.now().objects().size(); }
+        std::vector<app::PathSegment> segments() { return path().segments; }
+        void at(app::Point p, app::Point to, Qt::KeyboardModifiers modifiers = {})
+        {
+            move(p, {});
+            drag(p, to, modifiers);
+        }
+        void at(app::Point p)
+        {
+            move(p, {});
+            click(p);
+        }
+    };
+
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void clicksMakeCornersAndDragsSmoothNodes()
+    {
+        PenHand hand;
+        hand.at({20, 50});
+        hand.at({60, 50}, {80, 30});
+        hand.at({120, 50});
+        hand.at({160, 50});
+        Hand::key(Qt::Key_Return);
+        QCOMPARE(hand.count(), std::size_t(1));
+        QCOMPARE(hand.path().start, app::Point(20, 50));
+        QVERIFY(!hand.path().closed);
+        QCOMPARE(hand.segments(),
+                 (std::vector<app::PathSegment>{{{60, 50}, {20, 50}, {40, 70}, true},
+                                                {{120, 50}, {80, 30}, {120, 50}, true},
+                                                {{160, 50}}}));
+        QCOMPARE(hand.session.history.undoText(), QString("Draw curve"));
+    }
+    void altBreaksTheHandles()
+    {
+        PenHand hand;
+        hand.at({20, 50});
+        hand.move({60, 50}, {});
+        hand.press({60, 50});
+        hand.move({80, 30}, Qt::LeftButton);
+        hand.move({80, 70}, Qt::LeftButton, Qt::AltModifier);
+        hand.release({80, 70}, Qt::AltModifier);
+        hand.at({120, 50});
+        Hand::key(Qt::Key_Escape);
+        QCOMPARE(hand.segments(),
+                 (std::vector<app::PathSegment>{{{60, 50}, {20, 50}, {40, 70}, true},
+                                                {{120, 50}, {80, 70}, {120, 50}, true}}));
+    }
+    void aClickOnTheLastNodeMakesItACorner()
+    {
+        PenHand hand;
+        hand.at({20, 50});
+        hand.at({60, 50}, {80, 30});
+        hand.at({60, 50});
+        QTest::qWait(QApplication::doubleClickInterval() + 50);
+        hand.at({120, 50});
+        Hand::key(Qt::Key_Return);
+        QCOMPARE(hand.segments().size(), std::size_t(2));
+        QVERIFY(!hand.segments()[1].curved);
+    }
+    void aClickOnTheStartCloses()
+    {
+        PenHand hand;
+        hand.at({20, 50}, {20, 30});
+        hand.at({60, 50}, {60, 70});
+        hand.at({20, 50});
+        QCOMPARE(hand.count(), std::size_t(1));
+        QVERIFY(hand.path().closed);
+        QCOMPARE(hand.segments(),
+                 (std::vector<app::PathSegment>{{{60, 50}, {20, 30}, {60, 30}, true},
+                                                {{20, 50}, {60, 70}, {20, 70}, true}}));
+        QVERIFY(!hand.canvas.pendingObject());
+    }
+    void aDragFromTheStartClosesWithHandles()
+    {
+        PenHand hand;
+        hand.at({20, 50});
+        hand.at({60, 50});
+        hand.at({40, 80});
+        hand.at({20, 50}, {20, 30});
+        QVERIFY(hand.count() == 1 && hand.path().closed);
+        QCOMPARE(hand.segments(),
+                 (std::vector<app::PathSegment>{
+                     {{60, 50}}, {{40, 80}}, {{20, 50}, {40, 80}, {20, 70}, true}}));
+    }
+    void numbersPlaceNodesAndHandles()
+    {
+        PenHand hand;
+        hand.canvas.setSnapping(app::SnapTo::Nothing);
+        hand.type("20,50\n40,0\n");
+        hand.press({61, 51});
+        hand.move({90, 40}, Qt::LeftButton);
+        hand.type("20<90\n");
+        hand.release({90, 40});
+        hand.type("#120,50\n");
+        Hand::key(Qt::Key_Return);
+        QCOMPARE(hand.segments().size(), std::size_t(2));
+        QVERIFY(glm::distance(hand.segments()[1].control1, {60, 30}) < 1e-9);
+        QCOMPARE(hand.segments()[0].to, app::Point(60, 50));
+    }
+    void undoTakesBackANodeAndRedoPutsItBack()
+    {
+        PenHand hand;
+        hand.at({20, 50});
+        hand.at({60, 50}, {80, 30});
+        hand.at({120, 50}, {140, 50});
+        QCOMPARE(hand.t.action("undo")->text(), "&Undo Place node");
+        hand.canvas.undo();
+        hand.canvas.redo();
+        hand.canvas.undo();
+        Hand::key(Qt::Key_Backspace);
+        hand.canvas.redo();
+        Hand::key(Qt::Key_Return);
+        QCOMPARE(hand.segments(),
+                 (std::vector<app::PathSegment>{{{60, 50}, {20, 50}, {40, 70}, true}}));
+        QCOMPARE(hand.session.history.count(), 1);
+    }
+    void anotherToolKeepsIt()
+    {
+        PenHand hand;
+        hand.at({20, 50});
+        hand.at({60, 50}, {80, 30});
+        hand.canvas.setTool("select");
+        QCOMPARE(hand.count(), std::size_t(1));
+    }
+    void whatIsDrawnIsPendingWithItsHandles()
+    {
+        PenHand hand;
+        QSignalSpy steps(&hand.canvas, &ui::Canvas::stepsChanged);
+        hand.at({20, 50});
+        hand.at({60, 50}, {80, 30});
+        QVERIFY(hand.canvas.pendingObject());
+        const auto before = steps.count();
+        hand.move({100, 50}, {});
+        QCOMPARE(steps.count(), before); // the journal has the handles already
+        QCOMPARE(hand.canvas.pendingObject()->object.path.subpaths().front().segments,
+                 (std::vector<app::PathSegment>{{{60, 50}, {20, 50}, {40, 70}, true}}));
+    }
+};
+
+QTEST_MAIN(PenTest)
+#include "pen_test.moc"

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/tools/shape_drawing.h"
+
+namespace ui {
+
+/// Draws a path node by node. A click on the first node closes it; Enter, Esc or another tool end
+/// and keep it. Undo removes the last node.
+class ChainTool : public Tool {
+public:
+    void press(const Pointer& pointer, Workbench& bench) override;
+    void move(const Pointer& pointer, Workbench&) override { to_ = pointer.position; }
+    void leave(Workbench&) override { to_.reset(); }
+    void doubleClick(const Pointer&, Workbench& bench) override { end(bench); }
+    bool key(QKeyEvent& event, Workbench& bench) override;
+    void cancel(Workbench& bench) override;
+    void end(Workbench& bench) override { finish(bench, false); }
+    bool busy() const override { return !nodes_.empty(); }
+    bool draws() const override { return true; }
+
+    bool canTakeBack() const override { return !nodes_.empty(); }
+    void takeBack(Workbench& bench) override;
+    bool canPutBack(const Workbench& bench) const override;
+    void putBack(Workbench& bench) override;
+    std::optional<app::Gauge> gauge(const Workbench& bench) const override;
+    void accept(const app::GestureEnd& end, Workbench& bench) override;
+    std::optional<app::Subpath> pendingPath() const override;
+    std::size_t pendingPoints() const override { return nodes_.size(); }
+    void paint(QPainter& painter, const Workbench& bench) const override;
+
+protected:
+    /// The handles are `at` where there are none.
+    struct Node {
+        app::Point at, in, out;
+    };
+
+    virtual QString undoText() const = 0;
+    virtual bool showsNext() const { return true; } ///< where the path would go on
+    virtual bool closes() const { return false; }   ///< the path that is shown is closed
+    void add(const app::Point& at);
+    /// A click there closes the path.
+    bool closesAt(const app::Point& point, const Workbench& bench) const;
+    void finish(Workbench& bench, bool closed);
+
+    std::vector<Node> nodes_;
+    std::optional<app::Point> to_; ///< the node that a click would add; empty: none
+
+private:
+    app::Subpath pathOf(bool closed) const;
+    bool isCurved() const;
+
+    std::vector<Node> takenBack_; ///< removed nodes; the last one returns first
+    int stepsBefore_ = 0;         ///< number of history steps done when a node was removed
+};
+
+} // namespace ui

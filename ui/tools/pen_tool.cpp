@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tools/node_chain.h"
+
+#include <QCoreApplication>
+
+#include <glm/geometric.hpp>
+
+#include <utility>
+
+namespace ui {
+namespace {
+
+/// Draws a path of Bézier curves: a click places a corner, a drag a smooth node with its handles;
+/// Alt drags the handle after the node alone. A click on the first node, or a drag from it, closes
+/// the path; one on the last node makes it a corner.
+class PenTool final : public ChainTool {
+public:
+    void press(const Pointer& pointer, Workbench& bench) override
+    {
+        closing_ = closesAt(pointer.position, bench);
+        alone_ = !closing_ && onLast(pointer.position, bench);
+        if (alone_)
+            nodes_.back().out = nodes_.back().at;
+        else if (!closing_)
+            ChainTool::press(pointer, bench);
+        pressed_ = pointer.screen;
+    }
+    void move(const Pointer& pointer, Workbench& bench) override
+    {
+        ChainTool::move(pointer, bench);
+        if (!pressed_ || nodes_.empty())
+            return;
+        dragged_ = dragged_ || dragged(*pressed_, pointer);
+        if (dragged_)
+            pull(pointer.position, pointer.modifiers);
+    }
+    void release(const Pointer& pointer, Workbench& bench) override
+    {
+        move(pointer, bench);
+        letGo(bench);
+    }
+    void doubleClick(const Pointer& pointer, Workbench& bench) override
+    {
+        if (closesAt(pointer.position, bench))
+            return press(pointer, bench);
+        ChainTool::doubleClick(pointer, bench);
+    }
+    void cancel(Workbench& bench) override
+    {
+        forgetButton();
+        ChainTool::cancel(bench);
+    }
+    void takeBack(Workbench& bench) override
+    {
+        forgetButton();
+        ChainTool::takeBack(bench);
+    }
+    std::optional<app::Gauge> gauge(const Workbench& bench) const override
+    {
+        return dragged_ ? gaugeFrom(pulled().at, app::lengthAndAngle(), bench)
+                        : ChainTool::gauge(bench);
+    }
+    void accept(const app::GestureEnd& end, Workbench& bench) override
+    {
+        if (!dragged_)
+            return ChainTool::accept(end, bench);
+        pull(end.point, {});
+        letGo(bench);
+    }
+    /// The journal follows the handles, too.
+    std::size_t pendingPoints() const override { return 2 * nodes_.size() - (pressed_ ? 1 : 0); }
+    QString stepText() const override
+    {
+        return QCoreApplication::translate("Commands", "Place node");
+    }
+    void paint(QPainter& painter, const Workbench& bench) const override
+    {
+        if (nodes_.empty())
+            return;
+        paintHandles(painter, bench);
+        ChainTool::paint(painter, bench);
+    }
+
+protected:
+    QString undoText() const override
+    {
+        return QCoreApplication::translate("Commands", "Draw curve");
+    }
+    bool showsNext() const override { return !dragged_; }
+    bool closes() const override { return closing_ && dragged_; }
+
+private:
+    Node& pulled() { return closing_ ? nodes_.front() : nodes_.back(); }
+    const Node& pulled() const { return closing_ ? nodes_.front() : nodes_.back(); }
+
+    /// The handles of the node whose button is down. At the closing node the drag leads on along
+    /// the path, so the handle before the node is opposite.
+    void pull(const app::Point& to, Qt::KeyboardModifiers modifiers)
+    {
+        Node& node = pulled();
+        const bool alone = alone_ || modifiers & Qt::AltModifier;
+        if (closing_) {
+            node.in = 2.0 * node.at - to;
+            if (!alone && node.out != node.at)
+                node.out = to;
+            return;
+        }
+        node.out = to;
+        if (!alone)
+            node.in = 2.0 * node.at - to;
+    }
+    void letGo(Workbench& bench)
+    {
+        const bool closes = std::exchange(closing_, false) && pressed_;
+        pressed_.reset();
+        dragged_ = false;
+        if (closes)
+            finish(bench, true);
+    }
+    void forgetButton()
+    {
+        pressed_.reset();
+        closing_ = dragged_ = false;
+    }
+    bool onLast(const app::Point& point, const Workbench& bench) const
+    {
+        return !nodes_.empty() && glm::distance(point, nodes_.back().at) <= bench.inDrawing(reach);
+    }
+    void paintHandles(QPainter& painter, const Workbench& bench) const
+    {
+        for (const Node* node : {&nodes_.back(), &pulled()}) {
+            const bool both = node == &pulled() && dragged_;
+            painter.setPen(QPen(bench.look.selection, 1));
+            painter.setBrush(bench.look.selection);
+            for (const app::Point& handle : {node->in, node->out}) {
+                if (handle == node->at || (!both && handle == node->in))
+                    continue;
+                painter.drawLine(bench.onScreen(node->at), bench.onScreen(handle));
+                painter.drawEllipse(bench.onScreen(handle), 2.5, 2.5);
+            }
+        }
+    }
+
+    std::optional<app::Point> pressed_; ///< on the screen; empty: the button is up
+    bool dragged_ = false;              ///< handles follow the pointer
+    bool closing_ = false;              ///< the button is down on the first node
+    bool alone_ = false;                ///< on the last one: its handle before it stays
+};
+
+} // namespace
+
+std::unique_ptr<Tool> makePenTool() { return std::make_unique<PenTool>(); }
+
+} // namespace ui
