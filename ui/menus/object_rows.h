@@ -9,5 +9,6 @@ namespace ui {
 
 std::vector<ActionInfo> arrangementRows(); ///< align, spread, make same size
 std::vector<ActionInfo> pathRows();        ///< the steps that edit nodes
+std::vector<ActionInfo> styleRows();       ///< style, eyedropper, copy and paste style
 
 } // namespace ui

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/style.h"
+
+#include <QFrame>
+
+class QLabel;
+class QLineEdit;
+
+namespace ui {
+
+class Swatches;
+
+/// What a colour can be chosen from.
+struct ColourOffer {
+    std::vector<app::Colour> inDrawing, recent;
+    /// The current one, which may be none; empty: there are several.
+    std::optional<std::optional<app::Colour>> now;
+};
+
+/// A small window in which a colour is picked: from the drawing, from those picked last, from a
+/// chart, by digits or name, with the eyedropper; or none. A pick closes it; so do Esc and a click
+/// elsewhere. Digits and letters go to the field, whichever part has the keyboard.
+class ColourPopup : public QFrame {
+    Q_OBJECT
+
+public:
+    explicit ColourPopup(QWidget* parent);
+
+    void open(const QWidget& below, const ColourOffer& offer);
+
+signals:
+    void picked(const std::optional<app::Colour>& colour);
+    void eyedropperWanted();
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    Swatches* addSwatches(const QString& name, int rows);
+    void addField();
+    void say(const QString& sentence, bool isError);
+    void pick(const std::optional<app::Colour>& colour);
+    void accept();
+
+    Swatches *inDrawing_, *recent_, *chart_;
+    QLineEdit* field_;
+    QLabel* sentence_;
+};
+
+} // namespace ui
