@@ -26,10 +26,12 @@ Result<Colour> typedColour(const QString& typed)
     const auto colour = svg::parseColour((digits ? u'#' + text : text).toStdString());
     if (colour)
         return Result<Colour>::of(*colour);
+    constexpr qsizetype most = 20; // characters
+    const QString quoted = text.size() > most ? text.first(most) + u'…' : text;
     return Result<Colour>::failure(
-        QCoreApplication::translate("Colour", "“%1” is not a colour: type six hexadecimal digits "
-                                              "such as #8A5A2B, or a name such as teal.")
-            .arg(text));
+        QCoreApplication::translate("Colour", "“%1” is not a colour. Type six hexadecimal digits "
+                                              "such as 8A5A2B, or a name such as teal.")
+            .arg(quoted));
 }
 
 } // namespace app

@@ -99,7 +99,7 @@ MenuInfo objectMenu()
     };
     menu.rows.insert(menu.rows.end(), more.begin(), more.end());
     menu.rows.push_back({});
-    for (const auto& rows : {arrangementRows(), pathRows(), styleRows()})
+    for (const auto& rows : {arrangementRows(), styleRows(), pathRows()})
         menu.rows.insert(menu.rows.end(), rows.begin(), rows.end());
     return menu;
 }

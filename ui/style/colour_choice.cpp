@@ -44,7 +44,8 @@ std::optional<std::optional<app::Colour>> ColourChoice::now() const
 void ColourChoice::follow()
 {
     const auto colour = now();
-    setIcon(swatchIcon(colour.value_or(std::nullopt), lookOf(palette())));
+    const Look& look = lookOf(palette());
+    setIcon(colour ? swatchIcon(*colour, look) : mixedSwatchIcon(look));
     setText(!colour ? tr("mixed") : *colour ? app::hexText(**colour) : tr("none"));
 }
 

@@ -70,12 +70,14 @@ StylePanel::StylePanel(app::Session& session, Canvas& canvas, QWidget* parent)
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     soon_.setSingleShot(true);
     connect(&soon_, &QTimer::timeout, this, &StylePanel::follow);
-    const auto follow = [this] { soon_.start(0); };
+    const auto follow = [this] {
+        if (isVisible()) // else showEvent() does it
+            soon_.start(0);
+    };
     connect(&session, &app::Session::selectionChanged, this, follow);
     connect(&session, &app::Session::displayChanged, this, follow);
     connect(&session.document, &app::EditedDocument::changed, this, follow);
     paintIcons();
-    this->follow();
 }
 
 void StylePanel::focusFirst()
@@ -109,7 +111,8 @@ QLayout* StylePanel::makeColour()
     eyedropper->setAutoRaise(true);
     eyedropper->setFocusPolicy(Qt::StrongFocus);
     eyedropper->setFixedSize(space::fieldHeight, space::fieldHeight);
-    eyedropper->setToolTip(tr("Take the colour of a line in the drawing (I; for the fill Shift+I)"));
+    eyedropper->setToolTip(
+        tr("Take the colour of a line in the drawing (I; for the fill Shift+I)"));
     eyedropper->setAccessibleName(eyedropper->toolTip());
     connect(part_, &Segments::picked, this, [this](int part) {
         colour_->setPart(part == 0 ? &app::Style::stroke : &app::Style::fill);
@@ -273,6 +276,12 @@ void StylePanel::paintIcons()
     for (int i = 0; i < dashes_->count(); ++i)
         dashes_->setItemIcon(i,
                              dashIcon(app::dashPatterns()[std::size_t(i)], lookOf(palette()).text));
+}
+
+void StylePanel::showEvent(QShowEvent* event)
+{
+    follow();
+    QWidget::showEvent(event);
 }
 
 void StylePanel::changeEvent(QEvent* event)

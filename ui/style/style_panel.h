@@ -17,7 +17,7 @@ class ToolList;
 
 /// The style of the selected objects, or of new ones if nothing is selected: colours of stroke and
 /// fill, width, dashes, caps, joins. Each choice is one undo step. Where objects differ, it says
-/// "mixed" or marks no choice. Its height is always the same.
+/// "mixed" or marks no choice. Its height is always the same. While it is hidden it does nothing.
 class StylePanel : public QWidget {
     Q_OBJECT
 
@@ -34,6 +34,7 @@ signals:
     void eyedropperStarted();
 
 protected:
+    void showEvent(QShowEvent* event) override;
     void changeEvent(QEvent* event) override;
 
 private:

@@ -54,6 +54,7 @@ Swatches* ColourPopup::addSwatches(const QString& name, int rows)
     layout()->addWidget(caption);
     auto* swatches = new Swatches(name, app::coloursInRow, rows);
     layout()->addWidget(swatches);
+    captions_[swatches] = caption;
     connect(swatches, &Swatches::picked, this, [this](const app::Colour& colour) { pick(colour); });
     return swatches;
 }
@@ -96,7 +97,7 @@ void ColourPopup::addField()
     sentence_->setWordWrap(true);
     sentence_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     sentence_->setFixedSize(chart_->sizeHint().width(),
-                            3 * QFontMetrics(sentence_->font()).lineSpacing());
+                            2 * QFontMetrics(sentence_->font()).lineSpacing() + 2);
     layout()->addWidget(sentence_);
 }
 
@@ -110,14 +111,22 @@ void ColourPopup::say(const QString& sentence, bool isError)
 
 void ColourPopup::open(const QWidget& below, const ColourOffer& offer)
 {
+    constexpr int inRow = app::coloursInRow;
+    inDrawing_->setRows(
+        std::clamp((int(offer.inDrawing.size()) + inRow - 1) / inRow, 1, rowsOfDrawing));
     inDrawing_->setColours(offer.inDrawing);
     recent_->setColours(offer.recent);
+    for (Swatches* swatches : {inDrawing_, recent_}) {
+        swatches->setVisible(!swatches->colours().empty());
+        captions_[swatches]->setVisible(!swatches->colours().empty());
+    }
     const auto now = offer.now.value_or(std::nullopt);
     for (Swatches* swatches : {inDrawing_, recent_, chart_})
         swatches->mark(now);
     field_->setText(now ? app::hexText(*now) : QString());
     field_->setPlaceholderText(offer.now ? tr("none") : tr("mixed"));
     say(hint(), false);
+    layout()->activate();
     move(placeBelow(below, sizeHint()));
     show();
     Swatches* const first = now && !inDrawing_->has(*now) && chart_->has(*now) ? chart_

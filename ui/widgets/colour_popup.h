@@ -5,6 +5,8 @@
 
 #include <QFrame>
 
+#include <map>
+
 class QLabel;
 class QLineEdit;
 
@@ -44,6 +46,7 @@ private:
     void pick(const std::optional<app::Colour>& colour);
     void accept();
 
+    std::map<const Swatches*, QLabel*> captions_;
     Swatches *inDrawing_, *recent_, *chart_;
     QLineEdit* field_;
     QLabel* sentence_;

@@ -197,9 +197,17 @@ QString LengthField::textFromValue(double value) const
     return number + u' ' + QLatin1StringView(suffix.data(), qsizetype(suffix.size()));
 }
 
+void LengthField::showEvent(QShowEvent* event)
+{
+    const bool blank = isBlank();
+    QDoubleSpinBox::showEvent(event);
+    if (blank)
+        showNothing(); // Qt shows the last number
+}
+
 void LengthField::focusOutEvent(QFocusEvent* event)
 {
-    const bool fits = takesTyped(), blank = isBlank();
+    const bool fits = takesTyped() && lineEdit()->isModified(), blank = isBlank();
     QDoubleSpinBox::focusOutEvent(event);
     if (blank)
         showNothing(); // Qt shows the last number
@@ -217,12 +225,16 @@ void LengthField::keyPressEvent(QKeyEvent* event)
         return selectAll();
     }
     const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (enters && isBlank())
+        return emit entered(); // Qt would show the last number
     const bool fits = !enters || takesTyped();
+    const bool types = lineEdit()->isModified();
     QDoubleSpinBox::keyPressEvent(event);
     if (!fits)
         event->accept(); // a dialog must not close with the old number
     if (enters && fits) {
-        finishMixed();
+        if (types)
+            finishMixed();
         emit taken();
         emit entered();
     }

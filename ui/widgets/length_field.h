@@ -44,6 +44,7 @@ protected:
     QValidator::State validate(QString& text, int& position) const override;
     double valueFromText(const QString& text) const override;
     QString textFromValue(double value) const override;
+    void showEvent(QShowEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 

@@ -44,13 +44,36 @@ void paintSwatch(QPainter& painter, const QRect& square, const std::optional<app
     painter.restore();
 }
 
-QIcon swatchIcon(const std::optional<app::Colour>& colour, const Look& look)
+namespace {
+
+const QRect inIcon(1, 1, 14, 14);
+
+QPixmap emptyIcon()
 {
     QPixmap picture(32, 32);
     picture.setDevicePixelRatio(2);
     picture.fill(Qt::transparent);
+    return picture;
+}
+
+} // namespace
+
+QIcon swatchIcon(const std::optional<app::Colour>& colour, const Look& look)
+{
+    QPixmap picture = emptyIcon();
     QPainter painter(&picture);
-    paintSwatch(painter, QRect(1, 1, 14, 14), colour, look);
+    paintSwatch(painter, inIcon, colour, look);
+    return picture;
+}
+
+QIcon mixedSwatchIcon(const Look& look)
+{
+    QPixmap picture = emptyIcon();
+    QPainter painter(&picture);
+    painter.setPen(look.control);
+    painter.setBrush(look.base);
+    painter.drawRect(inIcon.adjusted(0, 0, -1, -1));
+    painter.fillRect(QRect(5, 7, 6, 2), look.control); // as in a half-checked box
     return picture;
 }
 

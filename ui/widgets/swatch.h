@@ -16,5 +16,7 @@ void paintSwatch(QPainter& painter, const QRect& square, const std::optional<app
 
 /// The same as an icon of 16 logical pixels.
 QIcon swatchIcon(const std::optional<app::Colour>& colour, const Look& look);
+/// An icon for several colours.
+QIcon mixedSwatchIcon(const Look& look);
 
 } // namespace ui

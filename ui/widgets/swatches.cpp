@@ -27,6 +27,12 @@ Swatches::Swatches(const QString& name, int columns, int rows, QWidget* parent)
     setAccessibleName(name);
 }
 
+void Swatches::setRows(int rows)
+{
+    rows_ = rows;
+    updateGeometry();
+}
+
 void Swatches::setColours(std::vector<app::Colour> colours)
 {
     colours.resize(std::min(colours.size(), std::size_t(columns_) * std::size_t(rows_)));

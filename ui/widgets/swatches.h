@@ -8,14 +8,15 @@
 namespace ui {
 
 /// Colours in rows, of which one is picked: by a click, or with the arrow keys and Enter or Space.
-/// Its height is that of a fixed number of rows, so that nothing below it moves.
+/// Its height is that of its number of rows, however many colours there are.
 class Swatches : public QWidget {
     Q_OBJECT
 
 public:
     Swatches(const QString& name, int columns, int rows, QWidget* parent = nullptr);
 
-    void setColours(std::vector<app::Colour> colours);
+    void setRows(int rows);
+    void setColours(std::vector<app::Colour> colours); ///< as many as fit
     /// Marks the colour that is in use; empty: none of them.
     void mark(const std::optional<app::Colour>& colour);
     bool has(const app::Colour& colour) const;

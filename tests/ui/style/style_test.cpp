@@ -199,13 +199,14 @@ private slots:
     {
         Person p;
         p.session.select({0, 1});
-        p.open();
+        Person::settle();
+        QTest::keyClick(&p.surface(), Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
         auto* width = p.named<LengthField>("Stroke width");
-        QVERIFY(width->text().isEmpty());
-        QCOMPARE(p.panel().findChild<ColourChoice*>()->text(), QString("mixed"));
-        p.popup().setFocus();
+        QVERIFY(width->text().isEmpty() && width->hasFocus());
+        QTest::keyClick(width, Qt::Key_Return);
         QTest::keyClick(width, Qt::Key_Tab); // nothing was typed
         QVERIFY(width->text().isEmpty() && p.session.history.count() == 0);
+        QCOMPARE(p.panel().findChild<ColourChoice*>()->text(), QString("mixed"));
         p.typeInto<LengthField>("Stroke width",
                                 "2"); // the first one's, too, is a change
         QVERIFY(p.style(0).width == 2 && p.style(1).width == 2);
