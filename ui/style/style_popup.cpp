@@ -2,7 +2,6 @@
 #include "ui/style/style_popup.h"
 
 #include "ui/look/look.h"
-#include "ui/widgets/popup_place.h"
 
 #include <QKeyEvent>
 #include <QLabel>
@@ -11,12 +10,10 @@
 namespace ui {
 
 StylePopup::StylePopup(app::Session& session, Canvas& canvas, QWidget& below)
-    : QFrame(&below, Qt::Popup), canvas_(canvas), below_(below),
+    : Popup(tr("Style"), &below), canvas_(canvas), below_(below),
       panel_(new StylePanel(session, canvas))
 {
     setObjectName(QStringLiteral("style-popup"));
-    setAccessibleName(tr("Style"));
-    setFrameShape(QFrame::StyledPanel);
     auto* title = new QLabel;
     title->setFont(semiBold(font()));
     title->setContentsMargins(space::dockMargin, space::labelToField, space::dockMargin, 0);
@@ -33,22 +30,26 @@ StylePopup::StylePopup(app::Session& session, Canvas& canvas, QWidget& below)
 
 void StylePopup::open()
 {
-    move(placeBelow(below_, sizeHint()));
-    show();
+    openBelow(below_);
     panel_->focusFirst();
 }
 
 void StylePopup::keyPressEvent(QKeyEvent* event)
 {
-    if (event->key() == Qt::Key_Escape)
-        close();
+    // A bare X server has no bindings for standard keys.
+    const bool control = event->modifiers() & Qt::ControlModifier;
+    const bool shift = event->modifiers() & Qt::ShiftModifier;
+    if (control && !shift && event->key() == Qt::Key_Z)
+        canvas_.undo();
+    else if (control && (event->key() == Qt::Key_Z || event->key() == Qt::Key_Y))
+        canvas_.redo();
     else
-        QFrame::keyPressEvent(event);
+        Popup::keyPressEvent(event);
 }
 
 void StylePopup::closeEvent(QCloseEvent* event)
 {
-    QFrame::closeEvent(event);
+    Popup::closeEvent(event);
     canvas_.setFocus();
 }
 

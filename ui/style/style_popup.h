@@ -2,13 +2,12 @@
 #pragma once
 
 #include "ui/style/style_panel.h"
-
-#include <QFrame>
+#include "ui/widgets/popup.h"
 
 namespace ui {
 
-/// The panel Style as a small window below a button. Esc and a click elsewhere close it.
-class StylePopup : public QFrame {
+/// The panel Style as a small window below a button. Undo and Redo work in it.
+class StylePopup : public Popup {
     Q_OBJECT
 
 public:

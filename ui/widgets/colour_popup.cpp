@@ -5,7 +5,6 @@
 #include "app/view/colour_chart.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
-#include "ui/widgets/popup_place.h"
 #include "ui/widgets/swatch.h"
 #include "ui/widgets/swatches.h"
 
@@ -29,11 +28,9 @@ QString hint()
 } // namespace
 
 ColourPopup::ColourPopup(QWidget* parent)
-    : QFrame(parent, Qt::Popup), field_(new QLineEdit), sentence_(new QLabel)
+    : Popup(tr("Colours"), parent), field_(new QLineEdit), sentence_(new QLabel)
 {
     setObjectName(QStringLiteral("colour-popup"));
-    setAccessibleName(tr("Colours"));
-    setFrameShape(QFrame::StyledPanel);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(space::dockMargin, space::labelToField, space::dockMargin,
                                space::labelToField);
@@ -126,9 +123,7 @@ void ColourPopup::open(const QWidget& below, const ColourOffer& offer)
     field_->setText(now ? app::hexText(*now) : QString());
     field_->setPlaceholderText(offer.now ? tr("none") : tr("mixed"));
     say(hint(), false);
-    layout()->activate();
-    move(placeBelow(below, sizeHint()));
-    show();
+    openBelow(below);
     Swatches* const first = now && !inDrawing_->has(*now) && chart_->has(*now) ? chart_
                             : offer.inDrawing.empty()                          ? chart_
                                                                                : inDrawing_;
@@ -155,9 +150,7 @@ void ColourPopup::accept()
 void ColourPopup::keyPressEvent(QKeyEvent* event)
 {
     const QString text = event->text();
-    if (event->key() == Qt::Key_Escape) {
-        close();
-    } else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
         auto* button = qobject_cast<QToolButton*>(focusWidget());
         button ? button->click() : accept();
     } else if (!field_->hasFocus() && !text.isEmpty() && text[0].isPrint() && !text[0].isSpace()) {
@@ -165,7 +158,7 @@ void ColourPopup::keyPressEvent(QKeyEvent* event)
         field_->setText(text);
         say(hint(), false);
     } else {
-        QFrame::keyPressEvent(event);
+        Popup::keyPressEvent(event);
     }
 }
 

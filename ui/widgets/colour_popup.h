@@ -2,8 +2,7 @@
 #pragma once
 
 #include "app/document/style.h"
-
-#include <QFrame>
+#include "ui/widgets/popup.h"
 
 #include <map>
 
@@ -22,9 +21,9 @@ struct ColourOffer {
 };
 
 /// A small window in which a colour is picked: from the drawing, from those picked last, from a
-/// chart, by digits or name, with the eyedropper; or none. A pick closes it; so do Esc and a click
-/// elsewhere. Digits and letters go to the field, whichever part has the keyboard.
-class ColourPopup : public QFrame {
+/// chart, by digits or name, with the eyedropper; or none. A pick closes it. Digits and letters go
+/// to the field, whichever part has the keyboard.
+class ColourPopup : public Popup {
     Q_OBJECT
 
 public:

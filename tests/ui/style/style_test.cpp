@@ -135,6 +135,8 @@ private slots:
         QTest::mouseClick(swatches, Qt::LeftButton, {}, swatches->squareOf(1).center());
         QVERIFY(p.style(1).stroke == red && p.style(2).stroke == red);
         QCOMPARE(p.session.history.count(), 1);
+        QTest::keyClick(swatches, Qt::Key_Z, Qt::ControlModifier); // goes on in the window
+        QCOMPARE(p.style(1).stroke, std::optional(blue));
     }
     void badDigitsAreRefusedInTheWindowOfColours()
     {
