@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/selection_style.h"
 
+#include "app/commands/set_containers.h"
 #include "app/commands/set_style.h"
 #include "app/document/styles_in_use.h"
+#include "app/formats/svg/declarations.h"
 
 #include <QCoreApplication>
 
@@ -24,7 +26,30 @@ Style scaled(Style style, double factor)
 
 } // namespace
 
-const Style& newStyle(const Session& session) { return session.pen.style; }
+Style newStyle(const Session& session) { return layerStyle(session).value_or(session.pen.style); }
+
+std::optional<Style> layerStyle(const Session& session)
+{
+    // Asked for at every frame of a gesture.
+    static thread_local std::pair<QString, std::optional<Style>> last;
+    const QString& text = session.now().containers()[session.pen.layer].newStyle;
+    if (text.isEmpty())
+        return std::nullopt;
+    if (text != last.first)
+        last = {text, svg::styleOf(text)};
+    return last.second;
+}
+
+void setLayerStyle(Session& session, const std::optional<Style>& style)
+{
+    Container layer = session.now().containers()[session.pen.layer];
+    const QString text = style ? svg::declarations(*style) : QString();
+    if (layer.newStyle == text)
+        return;
+    layer.newStyle = text;
+    session.history.push(new SetContainers(session.document, session.now().containers().with(layer),
+                                           tr("Style of new objects")));
+}
 
 std::vector<Style> shownStyles(const Session& session)
 {
@@ -60,6 +85,11 @@ void restyle(Session& session, const ChangeStyle& change, const QString& text, M
             new SetStyle(session.document, session.selection(), change, text, merging));
         return;
     }
+    if (auto style = layerStyle(session)) {
+        change(*style);
+        setLayerStyle(session, style);
+        return;
+    }
     change(session.pen.style);
     emit session.displayChanged(); // bars and panels show it
 }
@@ -83,9 +113,9 @@ std::optional<QString> setColour(Session& session, PaintPart part,
 
 CopiedStyle copiedStyle(const Session& session)
 {
-    const Style& style = session.selection().empty()
-                             ? newStyle(session)
-                             : session.now().objects()[session.selection().first()].style();
+    const Style style = session.selection().empty()
+                            ? newStyle(session)
+                            : session.now().objects()[session.selection().first()].style();
     return {style, session.now().page().millimetresPerUnit()};
 }
 

@@ -7,8 +7,12 @@ namespace app {
 
 using ChangeStyle = std::function<void(Style&)>;
 
-/// The style of new objects.
-const Style& newStyle(const Session& session);
+/// The style of new objects: of the current layer if it has one, else the pen's.
+Style newStyle(const Session& session);
+/// The style that the current layer gives to new objects; empty: it leaves that to the pen.
+std::optional<Style> layerStyle(const Session& session);
+/// Gives the current layer a style for new objects, or takes it away, as one undo step.
+void setLayerStyle(Session& session, const std::optional<Style>& style);
 
 /// The styles of the selected objects, each once; if nothing is selected, that of new objects.
 std::vector<Style> shownStyles(const Session& session);

@@ -12,6 +12,7 @@
 #include "ui/widgets/swatches.h"
 #include "ui/widgets/tool_list.h"
 
+#include <QCheckBox>
 #include <QEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -56,7 +57,7 @@ StylePanel::StylePanel(app::Session& session, Canvas& canvas, QWidget* parent)
       pattern_(new QLineEdit),
       caps_(new Segments(tr("Caps"), {tr("Butt"), tr("Round"), tr("Square")})),
       joins_(new Segments(tr("Joins"), {tr("Miter"), tr("Round"), tr("Bevel")})),
-      miterLimit_(makeField(tr("Miter limit"), LengthField::Suffix::None))
+      miterLimit_(makeField(tr("Miter limit"), LengthField::Suffix::None)), ofLayer_(new QCheckBox)
 {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(space::dockMargin, space::labelToField, space::dockMargin,
@@ -67,6 +68,8 @@ StylePanel::StylePanel(app::Session& session, Canvas& canvas, QWidget* parent)
     column->addLayout(makeWidth());
     column->addLayout(makePattern());
     column->addLayout(makeCorners());
+    makeLayer();
+    column->addWidget(ofLayer_);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     soon_.setSingleShot(true);
     connect(&soon_, &QTimer::timeout, this, &StylePanel::follow);
@@ -190,6 +193,30 @@ QLayout* StylePanel::makePattern()
     return line;
 }
 
+void StylePanel::makeLayer()
+{
+    ofLayer_->setAccessibleName(tr("For new objects of the layer"));
+    ofLayer_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // a name may be long
+    connect(ofLayer_, &QCheckBox::clicked, this, [this](bool on) {
+        app::setLayerStyle(session_,
+                           on ? std::optional(app::copiedStyle(session_).style) : std::nullopt);
+        soon_.start(0);
+    });
+}
+
+void StylePanel::followLayer()
+{
+    const QString name = session_.now().containers()[session_.pen.layer].name;
+    const QString text = tr("For new objects of the layer “%1”").arg(name);
+    constexpr int box = 24; // logical pixels, with its distance
+    ofLayer_->setText(
+        fontMetrics().elidedText(text, Qt::ElideRight, swatches_->sizeHint().width() - box));
+    ofLayer_->setToolTip(tr("What is drawn in the layer “%1” gets this style. It is saved with the "
+                            "drawing.")
+                             .arg(name));
+    ofLayer_->setChecked(app::layerStyle(session_).has_value());
+}
+
 QLayout* StylePanel::makeCorners()
 {
     caps_->setIcons({"cap-butt", "cap-round", "cap-square"});
@@ -242,6 +269,7 @@ void StylePanel::follow()
     swatches_->setColours(app::coloursInUse(session_.now().objects(), app::coloursInRow));
     swatches_->mark(colour.value_or(std::nullopt));
     followLines(styles);
+    followLayer();
     emit titled(remarkOn(session_.selection()));
 }
 

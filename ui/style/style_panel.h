@@ -6,6 +6,7 @@
 
 #include <QTimer>
 
+class QCheckBox;
 class QLayout;
 class QLineEdit;
 
@@ -42,8 +43,10 @@ private:
     QLayout* makeWidth();
     QLayout* makeCorners();
     QLayout* makePattern();
+    void makeLayer();
     LengthField* makeField(const QString& name, LengthField::Suffix suffix);
     void follow();
+    void followLayer();
     void followLines(std::span<const app::Style> styles);
     void paintIcons();
     void change(const app::ChangeStyle& change, const QString& text,
@@ -61,6 +64,7 @@ private:
     QLineEdit* pattern_;
     Segments *caps_, *joins_;
     LengthField* miterLimit_;
+    QCheckBox* ofLayer_;
     QTimer soon_; ///< merges several changes in one event into one update
 };
 

@@ -108,6 +108,27 @@ private slots:
         QVERIFY(to.pen.style == expected);
         QVERIFY(app::copiedStyle(to).style == expected);
     }
+    void layerGivesItsStyleToNewObjects()
+    {
+        Drawing d({{.stroke = red, .width = 2, .dashes = {4, 6}, .cap = app::Cap::Round}});
+        const Style pen = d.pen.style, first = d.style(0);
+        QVERIFY(!app::layerStyle(d));
+        app::setLayerStyle(d, first);
+        QCOMPARE(d.history.count(), 1);
+        QVERIFY(app::newStyle(d) == first && d.pen.style == pen);
+        app::restyle(
+            d, [](Style& style) { style.width = 3; }, "Width"); // of the layer
+        QCOMPARE(d.history.count(), 2);
+        QCOMPARE(app::layerStyle(d)->width, 3.0);
+        QVERIFY(d.pen.style == pen && d.style(0) == first);
+        d.history.undo();
+        QVERIFY(app::newStyle(d) == first);
+        app::setLayerStyle(d, std::nullopt);
+        QVERIFY(app::newStyle(d) == pen);
+        d.history.undo();
+        d.history.undo();
+        QVERIFY(!app::layerStyle(d));
+    }
     void colourAtAPointIsOfTheLineOrTheArea()
     {
         app::Sheet sheet;

@@ -7,6 +7,7 @@
 #include "ui/widgets/swatches.h"
 #include "ui/widgets/tool_list.h"
 
+#include <QCheckBox>
 #include <QLineEdit>
 
 #include "tests/ui/tools/hand.h"
@@ -256,6 +257,27 @@ private slots:
         p.drag({150, 20}, {150, 70});
         QCOMPARE(p.style(3).width, 3.0);
         QCOMPARE(p.style(3).cap, app::Cap::Square);
+    }
+    void layerGivesTheStyleToWhatIsDrawnNext()
+    {
+        Person p;
+        p.session.select({0});
+        p.open();
+        auto* box = p.named<QCheckBox>("For new objects of the layer");
+        QVERIFY(!box->isChecked());
+        QTest::mouseClick(box, Qt::LeftButton, {}, {8, box->height() / 2});
+        Person::settle();
+        QVERIFY(box->isChecked());
+        QCOMPARE(p.session.history.count(), 1);
+        p.keyIn(p.popup(), Qt::Key_Escape);
+        p.canvas.setTool("line");
+        p.drag({150, 20}, {150, 70});
+        QVERIFY(p.style(3) == p.style(0));
+        p.canvas.undo();
+        p.canvas.undo();
+        p.session.select({});
+        p.open();
+        QVERIFY(!box->isChecked());
     }
     void eyedropperTakesTheColourOfALine()
     {
