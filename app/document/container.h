@@ -18,6 +18,8 @@ struct Container {
     QString name{};                 ///< shown to people
     QString svgId{};                ///< the SVG id; unique in a document, may be empty
     QString title{}, description{}; ///< XML, in the form that About describes
+    /// The style of new objects as CSS declarations (app/formats/svg/declarations.h); empty: none.
+    QString newStyle{};
     bool visible = true;
     bool locked = false;
     friend bool operator==(const Container&, const Container&) = default;

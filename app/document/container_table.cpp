@@ -13,7 +13,8 @@ namespace app {
 static std::size_t heapBytesOf(const Container& container)
 {
     return heapBlock(sizeof container + 16) + heapBytes(container.name) + heapBytes(container.svgId)
-           + heapBytes(container.title) + heapBytes(container.description);
+           + heapBytes(container.title) + heapBytes(container.description)
+           + heapBytes(container.newStyle);
 }
 
 const Shared<ContainerTable::Block>& ContainerTable::unused()

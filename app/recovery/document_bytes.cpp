@@ -90,11 +90,11 @@ void writeContainers(ByteWriter& out, const Containers& containers)
     out.putList(parts.marks);
     out.put(parts.nextId);
     out.putCount(parts.containers.size());
-    for (const auto& [id, kind, name, svgId, title, description, visible, locked] :
+    for (const auto& [id, kind, name, svgId, title, description, newStyle, visible, locked] :
          parts.containers) {
         out.put(id);
         out.put(std::uint8_t(kind));
-        for (const QString* const text : {&name, &svgId, &title, &description})
+        for (const QString* const text : {&name, &svgId, &title, &description, &newStyle})
             out.put(*text);
         out.put(std::uint8_t(visible));
         out.put(std::uint8_t(locked));
@@ -110,8 +110,8 @@ std::optional<Containers> readContainers(ByteReader& in)
         Container& container = parts.containers.emplace_back();
         container.id = in.get<ContainerId>();
         container.kind = in.choice(Container::Kind::Group);
-        for (QString* const text :
-             {&container.name, &container.svgId, &container.title, &container.description})
+        for (QString* const text : {&container.name, &container.svgId, &container.title,
+                                    &container.description, &container.newStyle})
             *text = in.text();
         container.visible = in.flag();
         container.locked = in.flag();

@@ -10,7 +10,8 @@
 namespace app {
 namespace {
 
-constexpr double leastSelected = 1.5; // pixels; least width of selected strokes
+// Around a selected stroke, in pixels: as wide as both sides of the band, and of its outline.
+constexpr double band = 4, outlined = 6;
 
 DrawList drawList(const StyleTable& styles, const SceneLines& lines, PaintedPart part,
                   const PictureOptions& options)
@@ -43,13 +44,15 @@ std::size_t objectsIn(std::span<const ObjectRange> ranges)
     return count;
 }
 
-/// Paints the selected objects whole, regardless of the clip windows.
-class SelectionPainter {
+/// Paints a band below the selected objects, whole, regardless of the clip windows.
+class BandPainter {
 public:
-    SelectionPainter(const StyleTable& styles, const SceneLines& lines,
-                     const PictureOptions& options)
-        : styles_(styles), lines_(lines), options_(options),
-          builder_(lines, all_, options, objectsIn(options.selection))
+    /// The band is `wider` than the strokes, in pixels.
+    BandPainter(const StyleTable& styles, const SceneLines& lines, const PictureOptions& options,
+                const Colour& colour, double wider)
+        : styles_(styles), lines_(lines), options_(asGiven(options)), colour_(colour),
+          wider_(wider / options.view.zoom / options.strokes),
+          builder_(lines, all_, options_, objectsIn(options.selection))
     {
     }
 
@@ -62,6 +65,12 @@ public:
     }
 
 private:
+    /// The page's own colour must not be made visible on the page.
+    static PictureOptions asGiven(PictureOptions options)
+    {
+        options.page.reset();
+        return options;
+    }
     void add(std::size_t at, std::size_t first, std::size_t end)
     {
         const SceneBlock& block = *lines_.blocks()[at];
@@ -77,21 +86,46 @@ private:
         if (index_ == index)
             return;
         index_ = index;
-        style_ = styles_[index];
-        style_.fill.reset();
-        style_.stroke = options_.light;
-        style_.width = std::max(style_.width, leastSelected / options_.view.zoom);
+        const Style& own = styles_[index];
+        style_ = {
+            .stroke = colour_, .width = (own.stroke ? own.width : 0) + wider_, .join = Join::Round};
         builder_.setStyle(style_);
     }
 
     const StyleTable& styles_;
     const SceneLines& lines_;
-    const PictureOptions& options_;
+    PictureOptions options_;
+    Colour colour_;
+    double wider_; ///< user units
     PaintedPart all_{{}, Painted::All};
     SceneDrawListBuilder builder_;
     std::optional<StyleIndex> index_;
     Style style_;
 };
+
+void append(DrawList& below, const DrawList& above)
+{
+    const auto polylines = std::uint32_t(below.polylines.size());
+    const auto points = std::uint32_t(below.points.size());
+    for (DrawCommand command : above.commands) {
+        command.firstPolyline += polylines;
+        below.commands.push_back(command);
+    }
+    for (Polyline polyline : above.polylines) {
+        polyline.first += points;
+        below.polylines.push_back(polyline);
+    }
+    below.points.insert(below.points.end(), above.points.begin(), above.points.end());
+}
+
+DrawList selected(const StyleTable& styles, const SceneLines& lines, const PictureOptions& options)
+{
+    if (!outlines(lines, options.selection))
+        return {};
+    DrawList bands = BandPainter(styles, lines, options, options.light, outlined).drawList();
+    append(bands, BandPainter(styles, lines, options, options.paper, band).drawList());
+    return bands;
+}
 
 // Areas keep the ghost's opacity; otherwise they would hide the kept part.
 void makeGhosts(DrawList& drawList, const Ghosting& ghosting)
@@ -106,6 +140,15 @@ void makeGhosts(DrawList& drawList, const Ghosting& ghosting)
 
 } // namespace
 
+bool outlines(const SceneLines& lines, std::span<const ObjectRange> selection)
+{
+    constexpr std::size_t mostObjects = 500, mostLines = 20'000;
+    std::size_t count = 0;
+    for (const auto& [first, end] : selection)
+        count += lines.firstLineOf(end) - lines.firstLineOf(first);
+    return count <= mostLines && objectsIn(selection) <= mostObjects;
+}
+
 Picture picture(const StyleTable& styles, const SceneLines& lines, const SceneFrame& frame,
                 const PictureOptions& options)
 {
@@ -119,7 +162,7 @@ Picture picture(const StyleTable& styles, const SceneLines& lines, const SceneFr
         picture.ghost = drawListOf(Painted::Removed);
     if (options.ghosting)
         makeGhosts(picture.ghost, *options.ghosting);
-    picture.selected = SelectionPainter(styles, lines, options).drawList();
+    picture.selected = selected(styles, lines, options);
     picture.differing = differenceMarks(styles, lines, options);
     return picture;
 }

@@ -8,12 +8,15 @@
 
 namespace app {
 
-/// One frame as draw lists, painted in this order: the ghost, as a whole with the ghost's opacity
-/// (so that overlapping ghosts do not add up); the kept part; the selected objects (`selected`);
-/// the differing pieces.
+/// One frame as draw lists, painted in this order: bands below the selected objects, which keep
+/// their colours (`selected`); the ghost, as a whole with the ghost's opacity (so that overlapping
+/// ghosts do not add up); the kept part; the differing pieces.
 struct Picture {
-    DrawList ghost, kept, selected, differing;
+    DrawList selected, ghost, kept, differing;
 };
+
+/// Whether selected objects are shown one by one: up to 500 of them, or 20,000 lines.
+bool outlines(const SceneLines& lines, std::span<const ObjectRange> selection);
 
 /// A frame as the canvases paint it. `lines` are the frame's lines, `styles` the styles of their
 /// document. Everything is clipped to the view, so that painters get no huge numbers at deep zoom.

@@ -29,8 +29,9 @@ struct PictureOptions {
     /// For projectors: ghosts are drawn in opaque colours visible on this page (see ghostColour in
     /// visible_colour.h), instead of as a layer with the ghost's opacity.
     std::optional<Ghosting> ghosting{};
-    std::span<const ObjectRange> selection{}; ///< objects to draw again, on top, in `light`
-    Colour light{};
+    /// Selected objects lie on a band of the colour `paper` with an outline in `light`.
+    std::span<const ObjectRange> selection{};
+    Colour light{}, paper{255, 255, 255};
     std::span<const clipping::Clipped> differing{}; ///< pieces to draw on top of everything, in
                                                     ///< `marked`
     Colour marked{};

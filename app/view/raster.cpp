@@ -269,6 +269,8 @@ QImage transparent(int width, int height)
 QImage rasterised(const Picture& picture, Band band, const RasterOptions& options)
 {
     QImage image = transparent(options.width, band.height);
+    if (!picture.selected.commands.empty())
+        Painting(image, band.top, options).paint(picture.selected);
     if (!picture.ghost.commands.empty()) {
         QImage below = transparent(options.width, band.height);
         Painting(below, band.top, options).paint(picture.ghost);
@@ -278,7 +280,6 @@ QImage rasterised(const Picture& picture, Band band, const RasterOptions& option
     }
     Painting painting(image, band.top, options);
     painting.paint(picture.kept);
-    painting.paint(picture.selected);
     painting.paint(picture.differing);
     return image;
 }

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/bars/option_bar.h"
 
-#include "app/commands/set_style.h"
+#include "app/drawing/dash_patterns.h"
 #include "ui/bars/grid_choice.h"
 #include "ui/bars/snap_choice.h"
 #include "ui/editing/keeping.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/style/style_popup.h"
 #include "ui/widgets/dash_icon.h"
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/segments.h"
 #include "ui/widgets/tool_list.h"
 
 #include <QAction>
-#include <QColorDialog>
-#include <QPainter>
 #include <QResizeEvent>
 
 #include <algorithm>
@@ -25,24 +24,6 @@ namespace ui {
 namespace {
 
 constexpr int steps = 5;
-
-/// A square in the stroke's own colour; struck through for no stroke.
-QIcon strokeColourIcon(const std::optional<app::Colour>& colour, const Look& look)
-{
-    QPixmap picture(32, 32);
-    picture.setDevicePixelRatio(2);
-    picture.fill(Qt::transparent);
-    QPainter painter(&picture);
-    const QRect square(1, 1, 14, 14);
-    painter.fillRect(square, colour
-                                 ? QColor(colour->red, colour->green, colour->blue, colour->alpha)
-                                 : look.base);
-    painter.setPen(look.control); // black on a dark bar, too
-    painter.drawRect(square.adjusted(0, 0, -1, -1));
-    if (!colour)
-        painter.drawLine(square.bottomLeft(), square.topRight());
-    return picture;
-}
 
 /// Shows the action's first shortcut in its tooltip, also after its text has changed.
 void showKeyInTip(QAction& action)
@@ -59,10 +40,13 @@ void showKeyInTip(QAction& action)
 } // namespace
 
 OptionBar::OptionBar(app::Session& session, Canvas& canvas)
-    : QToolBar(tr("Tool options")), session_(session), strokeColour_(new QToolButton),
+    : QToolBar(tr("Tool options")), session_(session),
+      strokeColour_(new ColourChoice(session, canvas, &app::Style::stroke)),
       width_(new LengthField(tr("Stroke width"), LengthField::Range::NotNegative,
                              LengthField::Suffix::Unit)),
-      dashes_(new ToolList), snapping_(new SnapChoice(canvas)), grid_(new GridChoice(session)),
+      dashes_(new ToolList), style_(new QToolButton),
+      stylePopup_(new StylePopup(session, canvas, *style_)), snapping_(new SnapChoice(canvas)),
+      grid_(new GridChoice(session)),
       keep_(new Segments(tr("Keep"), {tr("Inside"), tr("Outside")})),
       removed_(new Segments(tr("Removed part"), {tr("Ghosted"), tr("Hidden"), tr("Shown")})),
       panes_(new Segments(tr("Panes"), {tr("1"), tr("2"), tr("4"), tr("All")})),
@@ -102,9 +86,6 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas)
 
 void OptionBar::addStroke()
 {
-    strokeColour_->setToolTip(tr("Stroke colour"));
-    strokeColour_->setAccessibleName(tr("Stroke colour"));
-    strokeColour_->setAutoRaise(true);
     addWidget(strokeColour_);
     addCaption(tr("Stroke"))->setForegroundRole(QPalette::WindowText);
     width_->setToolTip(tr("Stroke width"));
@@ -115,21 +96,47 @@ void OptionBar::addStroke()
     dashes_->setAccessibleName(tr("Dashes"));
     dashes_->setIconSize({36, 12});
     dashes_->setFixedSize(72, space::fieldHeight);
-    for (std::size_t i = 0; i < dashPatterns().size(); ++i)
+    for (const app::DashPattern& pattern : app::dashPatterns()) {
         dashes_->addItem(QString());
-    for (int i = 0; i < dashes_->count(); ++i)
-        dashes_->setItemData(i, dashPatterns()[std::size_t(i)].name, Qt::AccessibleTextRole);
+        dashes_->setItemData(dashes_->count() - 1, pattern.name, Qt::AccessibleTextRole);
+    }
     addWidget(dashes_);
-
-    connect(strokeColour_, &QToolButton::clicked, this, &OptionBar::chooseStrokeColour);
+    style_->setIcon(icon("style"));
+    style_->setObjectName(QStringLiteral("style"));
+    addWidget(style_);
+    connect(style_, &QToolButton::clicked, stylePopup_, &StylePopup::open);
+    connect(&stylePopup_->panel(), &StylePanel::refused, this, &OptionBar::refused);
+    connect(&stylePopup_->panel(), &StylePanel::taken, this, &OptionBar::taken);
     connect(width_, &LengthField::edited, this, [this](double width, app::Merging merging) {
-        restyle([width](app::Style& style) { style.width = width; }, tr("Stroke width"), merging);
+        app::restyle(
+            session_, [width](app::Style& style) { app::setWidth(style, width); },
+            tr("Stroke width"), merging);
+        followStyle();
     });
     connect(dashes_, &QComboBox::activated, this, [this](int index) {
-        const auto& pattern = dashPatterns()[std::size_t(index)];
-        restyle([&](app::Style& style) { style.dashes = scaled(pattern, style.width); },
-                tr("Dashes"), app::Merging::WithLast);
+        const auto& pattern = app::dashPatterns()[std::size_t(index)];
+        app::restyle(
+            session_, [&](app::Style& style) { style.dashes = app::scaled(pattern, style.width); },
+            tr("Dashes"), app::Merging::WithLast);
+        followStyle();
     });
+}
+
+void OptionBar::setStyleCommand(QAction& style)
+{
+    showKeyInTip(style);
+    style_->setToolTip(style.toolTip());
+    style_->setAccessibleName(style.iconText().remove(u'…'));
+}
+
+void OptionBar::openStyle() { stylePopup_->open(); }
+
+void OptionBar::takeColour(app::PaintPart part)
+{
+    const app::PaintPart shown = strokeColour_->part();
+    strokeColour_->setPart(part);
+    strokeColour_->startEyedropper();
+    strokeColour_->setPart(shown);
 }
 
 void OptionBar::addClipping()
@@ -242,7 +249,7 @@ void OptionBar::paintIcons()
 {
     const Look& look = lookOf(palette());
     for (int i = 0; i < dashes_->count(); ++i)
-        dashes_->setItemIcon(i, dashIcon(dashPatterns()[std::size_t(i)], look.text));
+        dashes_->setItemIcon(i, dashIcon(app::dashPatterns()[std::size_t(i)], look.text));
     followStyle();
 }
 
@@ -253,43 +260,17 @@ void OptionBar::followDisplay()
     followStyle();
 }
 
-const app::Style& OptionBar::style() const
-{
-    const auto& selection = session_.selection();
-    return selection.empty() ? session_.pen.style
-                             : session_.now().objects()[selection.first()].style();
-}
-
 void OptionBar::followStyle()
 {
-    const app::Style& now = style();
-    strokeColour_->setIcon(strokeColourIcon(now.stroke, lookOf(palette())));
-    width_->show(now.width, session_.display().unit, session_.now().page().millimetresPerUnit());
-    dashes_->setCurrentIndex(patternOf(now));
-}
-
-void OptionBar::restyle(const std::function<void(app::Style&)>& change, const QString& text,
-                        app::Merging merging)
-{
-    change(session_.pen.style);
-    if (!session_.selection().empty())
-        session_.history.push(
-            new app::SetStyle(session_.document, session_.selection(), change, text, merging));
-    followStyle();
-}
-
-void OptionBar::chooseStrokeColour()
-{
-    const app::Colour now = style().stroke.value_or(app::Colour{});
-    const QColor chosen =
-        QColorDialog::getColor(QColor(now.red, now.green, now.blue, now.alpha), window(),
-                               tr("Stroke colour"), QColorDialog::ShowAlphaChannel);
-    if (!chosen.isValid())
-        return;
-    const app::Colour colour{std::uint8_t(chosen.red()), std::uint8_t(chosen.green()),
-                             std::uint8_t(chosen.blue()), std::uint8_t(chosen.alpha())};
-    restyle([colour](app::Style& style) { style.stroke = colour; }, tr("Stroke colour"),
-            app::Merging::Never);
+    const std::vector<app::Style> styles = app::shownStyles(session_);
+    const app::Unit unit = session_.display().unit;
+    const double size = session_.now().page().millimetresPerUnit();
+    if (app::common(styles, &app::Style::width))
+        width_->show(styles.front().width, unit, size);
+    else
+        width_->showMixed(styles.front().width, unit, size);
+    const auto pattern = app::common(styles, app::patternOf).value_or(std::nullopt);
+    dashes_->setCurrentIndex(pattern ? int(*pattern) : -1);
 }
 
 } // namespace ui

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/canvas/canvas.h"
+#include "ui/style/colour_choice.h"
 
 #include <QLabel>
 #include <QToolBar>
@@ -13,6 +13,7 @@ class GridChoice;
 class LengthField;
 class Segments;
 class SnapChoice;
+class StylePopup;
 class ToolList;
 
 /// The bar across the top: undo, redo, the stroke of selected or new objects, snapping, the side
@@ -29,6 +30,11 @@ public:
     void addSteps(QAction& undo, QAction& redo);
     /// Gives this command the button at the right.
     void setExport(QAction& exportCut);
+    /// Names this command's key on the button that opens the panel Style.
+    void setStyleCommand(QAction& style);
+    void openStyle();
+    /// The next click on the canvas takes the colour of what is there.
+    void takeColour(app::PaintPart part);
 
 signals:
     void refused(const QString& sentence); ///< a typed length is not one
@@ -48,15 +54,13 @@ private:
     void paintIcons();
     void followDisplay();
     void followStyle();
-    void restyle(const std::function<void(app::Style&)>& change, const QString& text,
-                 app::Merging merging);
-    const app::Style& style() const;
-    void chooseStrokeColour();
 
     app::Session& session_;
-    QToolButton* strokeColour_;
+    ColourChoice* strokeColour_;
     LengthField* width_;
     ToolList* dashes_;
+    QToolButton* style_;
+    StylePopup* stylePopup_;
     SnapChoice* snapping_;
     GridChoice* grid_;
     Segments *keep_, *removed_, *panes_;

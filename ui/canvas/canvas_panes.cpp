@@ -195,8 +195,6 @@ bool Canvas::eventFilter(QObject* watched, QEvent* event)
     const auto place = std::size_t(std::ranges::find_if(widgets, shows(watched)) - widgets.begin());
     if (place < parts_->shown.size() && activates(*event))
         activatePane(parts_->shown[place]);
-    if (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut)
-        parts_->corner.setFocused(event->type() == QEvent::FocusIn);
     // If the focus moves to another pane, it stays in the drawing: Space is still held down.
     if (event->type() == QEvent::FocusOut
         && std::ranges::any_of(widgets, shows(QApplication::focusWidget())))

@@ -53,6 +53,7 @@ app::Picture Controller::picture(const app::SceneFrame& frame, const Pane& pane,
     }
     options.selection = session_.selection().ranges();
     options.light = colourOf(look_.selection);
+    options.paper = colourOf(pageColour());
     if (const app::Differences* differences = differing(pane))
         options.differing = differences->pieces;
     else if (pane.among == 1)

@@ -66,6 +66,41 @@ void paintEnd(QPainter& painter, const Controller& controller, const app::Point&
     }
 }
 
+/// What is left of a line without its visible part, if it has one.
+std::vector<Segment> removedParts(const Segment& whole, const clipping::Clipped* visible)
+{
+    if (!visible)
+        return {whole};
+    std::vector<Segment> parts;
+    if (clipping::cutEdgeOfA(visible->cut) != clipping::Edge::None)
+        parts.push_back({whole.a, visible->segment.a});
+    if (clipping::cutEdgeOfB(visible->cut) != clipping::Edge::None)
+        parts.push_back({visible->segment.b, whole.b});
+    return parts;
+}
+
+/// The width of the stroke of a line of the drawing, in logical pixels.
+double strokeWidth(const Controller& controller, std::size_t line)
+{
+    const app::Session& session = controller.session();
+    const std::size_t object = session.scene.lines().objectOf(line);
+    const double factor = session.display().presenting ? 2 : 1;
+    return session.now().objects()[object].style().width * controller.view().zoom * factor;
+}
+
+// The line keeps its own colour between two lines.
+void paintFrame(QPainter& painter, const QLineF& line, double stroke, const QColor& blue)
+{
+    const double length = line.length();
+    if (length == 0)
+        return;
+    const QPointF aside =
+        QPointF(-line.dy(), line.dx()) / length * (0.5 * std::max(1.0, stroke) + 2.5);
+    painter.setPen(QPen(blue, 2));
+    painter.drawLine(line.translated(aside));
+    painter.drawLine(line.translated(-aside));
+}
+
 // Paints the inspected line: its visible part strong, the rest dashed.
 void paintInspected(QPainter& painter, const Controller& controller, const Pane& pane)
 {
@@ -78,14 +113,13 @@ void paintInspected(QPainter& painter, const Controller& controller, const Pane&
     const bool visible =
         app::clipAll(pane.choice, std::span(one), controller.window(), std::span(piece)) == 1;
     const QColor blue = controller.look().selection;
-    QPen casing(controller.pageColour(), 7, Qt::SolidLine, Qt::RoundCap);
     QPen dashed(blue, 1.75, Qt::CustomDashLine, Qt::FlatCap);
     dashed.setDashPattern({5 / 1.75, 4 / 1.75});
-    drawLine(painter, controller, whole, dashed);
-    if (visible) {
-        drawLine(painter, controller, piece[0].segment, casing);
-        drawLine(painter, controller, piece[0].segment, QPen(blue, 3, Qt::SolidLine, Qt::FlatCap));
-    }
+    for (const Segment& removed : removedParts(whole, visible ? piece : nullptr))
+        drawLine(painter, controller, removed, dashed);
+    const auto seen = visible ? lineOnScreen(controller, piece[0].segment) : std::nullopt;
+    if (seen)
+        paintFrame(painter, *seen, strokeWidth(controller, *session.inspected()), blue);
     if (controller.tool().movesEnds() && lineWithHandles(session)) {
         paintEnd(painter, controller, whole.a, clipping::Edge::None);
         paintEnd(painter, controller, whole.b, clipping::Edge::None);
@@ -94,6 +128,23 @@ void paintInspected(QPainter& painter, const Controller& controller, const Pane&
         paintEnd(painter, controller, piece[0].segment.a, clipping::cutEdgeOfA(piece[0].cut));
     if (visible && clipping::cutEdgeOfB(piece[0].cut) != clipping::Edge::None)
         paintEnd(painter, controller, piece[0].segment.b, clipping::cutEdgeOfB(piece[0].cut));
+}
+
+// A box around many selected objects, which are not outlined one by one; for every tool.
+void paintSelectionBounds(QPainter& painter, const Controller& controller)
+{
+    const app::Session& session = controller.session();
+    if (app::outlines(session.scene.lines(), session.selection().ranges()))
+        return;
+    const auto& box = session.selectionBounds();
+    if (!box)
+        return;
+    painter.setPen(QPen(controller.look().selection, 1));
+    painter.setBrush(Qt::NoBrush);
+    const app::View& view = controller.view();
+    const app::Point min = glm::clamp(view.toScreen(box->min), app::Point(-2), view.size + 2.0);
+    const app::Point max = glm::clamp(view.toScreen(box->max), app::Point(-2), view.size + 2.0);
+    painter.drawRect(QRectF(QPointF(min.x, min.y), QPointF(max.x, max.y)));
 }
 
 } // namespace
@@ -122,6 +173,7 @@ void paintOverlay(QPainter& painter, const Controller& controller, const Pane& p
 {
     painter.setRenderHint(QPainter::Antialiasing);
     paintEnteredGroup(painter, controller);
+    paintSelectionBounds(painter, controller);
     paintHovered(painter, controller);
     paintInspected(painter, controller, pane);
     if (controller.session().display().overlay)

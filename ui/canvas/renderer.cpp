@@ -101,6 +101,7 @@ void Renderer::paint(const app::Picture& picture, const glm::dvec2& viewSize, do
     gl_->glStencilMask(0xff);
     gl_->glClearStencil(0);
     gl_->glClear(GL_STENCIL_BUFFER_BIT);
+    paintDrawList(picture.selected);
     if (!picture.ghost.commands.empty()) {
         GLint target = 0;
         gl_->glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
@@ -110,7 +111,6 @@ void Renderer::paint(const app::Picture& picture, const glm::dvec2& viewSize, do
         paintLayer(ghost);
     }
     paintDrawList(picture.kept);
-    paintDrawList(picture.selected);
     paintDrawList(picture.differing);
     gl_->glDisable(GL_STENCIL_TEST);
 }

@@ -5,6 +5,9 @@
 #include "app/base/numbers.h"
 #include "app/view/place.h"
 #include "app/view/ruler.h"
+#include "ui/widgets/unit_box.h"
+
+#include <QMenu>
 
 #include <QMouseEvent>
 
@@ -135,12 +138,25 @@ void Ruler::paintTicks(QPainter& painter, double length)
 RulerCorner::RulerCorner(const Controller& controller, QWidget* parent)
     : QWidget(parent), controller_(controller)
 {
+    setAccessibleName(tr("Unit of lengths"));
+    setToolTip(tr("Unit of lengths"));
+    setCursor(Qt::PointingHandCursor);
 }
 
-void RulerCorner::setFocused(bool focused)
+void RulerCorner::mousePressEvent(QMouseEvent*)
 {
-    focused_ = focused;
-    update();
+    app::Session& session = controller_.session();
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    for (const app::Unit unit : shownUnits()) {
+        auto* action =
+            menu->addAction(app::latin(app::infoOf(unit).suffix), &session, [&session, unit] {
+                session.changeDisplay([unit](app::Display& display) { display.unit = unit; });
+            });
+        action->setCheckable(true);
+        action->setChecked(unit == session.display().unit);
+    }
+    menu->popup(mapToGlobal(rect().bottomLeft()));
 }
 
 void RulerCorner::paintEvent(QPaintEvent*)
@@ -149,13 +165,9 @@ void RulerCorner::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.fillRect(rect(), look.window);
     painter.setFont(rulerFont(*this));
-    painter.setPen(look.muted);
+    painter.setPen(underMouse() ? look.text : look.muted);
     const auto suffix = app::infoOf(controller_.session().display().unit).suffix;
     painter.drawText(rect(), Qt::AlignCenter, app::latin(suffix));
-    if (!focused_)
-        return;
-    painter.setPen(QPen(look.selection, 2));
-    painter.drawRect(rect().adjusted(1, 1, -1, -1));
 }
 
 } // namespace ui

@@ -32,20 +32,19 @@ private:
     Qt::Orientation orientation_;
 };
 
-/// The corner where the rulers meet: shows the unit, and a ring while the canvas has the focus.
+/// The corner where the rulers meet: shows the unit; a click opens the list of units.
 class RulerCorner : public QWidget {
     Q_OBJECT
 
 public:
     RulerCorner(const Controller& controller, QWidget* parent);
-    void setFocused(bool focused);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
 
 private:
     const Controller& controller_;
-    bool focused_ = false;
 };
 
 } // namespace ui

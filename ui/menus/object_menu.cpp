@@ -81,6 +81,7 @@ MenuInfo objectMenu()
     add({scaleStrokes(), {}, repeat(), {}});
     add(orderRows());
     add(arrangementRows());
+    add(styleRows());
     add(pathRows());
     return menu;
 }

@@ -2,6 +2,7 @@
 #include "ui/tools/shape_drawing.h"
 
 #include "app/commands/add_objects.h"
+#include "app/session/selection_style.h"
 #include "app/session/units.h"
 #include "app/view/place.h"
 #include "app/view/visible_colour.h"
@@ -16,7 +17,7 @@ app::Object objectOf(const app::Session& session, std::span<const app::Subpath> 
                      app::Recipe recipe)
 {
     return {.path = app::Path(subpaths),
-            .style = session.pen.style,
+            .style = app::newStyle(session),
             .particulars = {.recipe = std::move(recipe)}};
 }
 
@@ -48,7 +49,7 @@ void preview(QPainter& painter, const Workbench& bench, const app::Subpath& path
                  : outline.lineTo(bench.onScreen(s.to));
     if (path.closed)
         outline.closeSubpath();
-    const app::Style& style = bench.session.pen.style;
+    const app::Style style = app::newStyle(bench.session);
     const bool dark = bench.look.dark && !bench.session.display().asPrinted;
     const QColor page = bench.look.paper;
     app::Colour colour = style.stroke.value_or(app::Colour{});

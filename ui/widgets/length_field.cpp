@@ -14,6 +14,7 @@
 #include <QToolTip>
 
 #include <cmath>
+#include <limits>
 
 namespace ui {
 
@@ -76,6 +77,8 @@ app::Result<double> LengthField::typed(const QString& text) const
 /// Whether the typed text is valid; if not, says why and restores the last number.
 bool LengthField::takesTyped()
 {
+    if (isBlank())
+        return false;
     const auto length = typed(text());
     if (length) {
         const bool fits = range_ == Range::Any || *length.value >= 0; // if not, finish() says so
@@ -107,12 +110,21 @@ void LengthField::show(double length, app::Unit unit, double millimetresPerUnit)
     setSingleStep(unit == app::Unit::Inch ? 0.125 : unit == app::Unit::Cm ? 0.1 : 1);
     setValue(app::inUnit(length, unit, millimetresPerUnit));
     shown_ = value();
+    lineEdit()->setPlaceholderText({});
 }
 
 void LengthField::showNothing()
 {
     const QSignalBlocker quiet(this);
-    lineEdit()->clear();
+    lineEdit()->setText({});
+}
+
+void LengthField::showMixed(double length, app::Unit unit, double millimetresPerUnit)
+{
+    show(length, unit, millimetresPerUnit);
+    showNothing();
+    shown_ = std::numeric_limits<double>::quiet_NaN(); // whatever is typed is a change
+    lineEdit()->setPlaceholderText(tr("mixed"));
 }
 
 QString LengthField::seenText() const { return static_cast<NumberEdit*>(lineEdit())->seen(); }
@@ -127,12 +139,28 @@ bool LengthField::event(QEvent* event)
     return QDoubleSpinBox::event(event);
 }
 
+/// Nothing is shown, and nothing was typed.
+bool LengthField::isBlank() const
+{
+    return text().isEmpty() && (std::isnan(shown_) || !lineEdit()->isModified());
+}
+
+/// Qt does not signal a typed number that equals the one at which steps begin.
+void LengthField::finishMixed()
+{
+    if (std::isnan(shown_) && !text().isEmpty())
+        finish();
+}
+
 void LengthField::finish()
 {
     if (value() == shown_)
         return;
     if (range_ == Range::NotNegative && value() < 0) {
-        setValue(shown_); // calls this function again, without effect
+        if (std::isnan(shown_))
+            showNothing();
+        else
+            setValue(shown_); // calls this function again, without effect
         emit refused(tr("%1 must be at least 0.").arg(name_));
         return;
     }
@@ -169,10 +197,22 @@ QString LengthField::textFromValue(double value) const
     return number + u' ' + QLatin1StringView(suffix.data(), qsizetype(suffix.size()));
 }
 
+void LengthField::showEvent(QShowEvent* event)
+{
+    const bool blank = isBlank();
+    QDoubleSpinBox::showEvent(event);
+    if (blank)
+        showNothing(); // Qt shows the last number
+}
+
 void LengthField::focusOutEvent(QFocusEvent* event)
 {
-    takesTyped();
+    const bool fits = takesTyped() && lineEdit()->isModified(), blank = isBlank();
     QDoubleSpinBox::focusOutEvent(event);
+    if (blank)
+        showNothing(); // Qt shows the last number
+    else if (fits)
+        finishMixed();
     lineEdit()->deselect();
 }
 
@@ -185,11 +225,16 @@ void LengthField::keyPressEvent(QKeyEvent* event)
         return selectAll();
     }
     const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (enters && isBlank())
+        return emit entered(); // Qt would show the last number
     const bool fits = !enters || takesTyped();
+    const bool types = lineEdit()->isModified();
     QDoubleSpinBox::keyPressEvent(event);
     if (!fits)
         event->accept(); // a dialog must not close with the old number
     if (enters && fits) {
+        if (types)
+            finishMixed();
         emit taken();
         emit entered();
     }

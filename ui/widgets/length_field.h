@@ -25,6 +25,8 @@ public:
     /// `length` in user units; emits no signal.
     void show(double length, app::Unit unit, double millimetresPerUnit);
     void showNothing(); ///< an empty field, for what has no such length
+    /// An empty field that says "mixed": a typed length is for all. Steps begin at `length`.
+    void showMixed(double length, app::Unit unit, double millimetresPerUnit);
     void stepBy(int steps) override;
     /// The visible text; ends with an ellipsis if the number does not fit completely.
     QString seenText() const;
@@ -42,12 +44,15 @@ protected:
     QValidator::State validate(QString& text, int& position) const override;
     double valueFromText(const QString& text) const override;
     QString textFromValue(double value) const override;
+    void showEvent(QShowEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
     app::Result<double> typed(const QString& text) const; ///< in the field's unit
     bool takesTyped();
+    bool isBlank() const;
+    void finishMixed();
     void finish();
 
     QString name_;

@@ -2,6 +2,7 @@
 #include "ui/widgets/segments.h"
 
 #include "ui/look/look.h"
+#include "ui/look/look_icon.h"
 
 #include <QHBoxLayout>
 #include <QPainter>
@@ -23,7 +24,8 @@ public:
     }
     QSize sizeHint() const override
     {
-        return {fontMetrics().horizontalAdvance(text()) + 20, space::fieldHeight};
+        return {icon().isNull() ? fontMetrics().horizontalAdvance(text()) + 20 : 32,
+                space::fieldHeight};
     }
     QSize minimumSizeHint() const override { return sizeHint(); }
 
@@ -50,6 +52,12 @@ protected:
         if (hasFocus()) {
             painter.setPen(QPen(look.selection, 2));
             painter.drawRect(rect().adjusted(1, 1, -1, -1));
+        }
+        if (!icon().isNull()) {
+            QRect middle({}, iconSize());
+            middle.moveCenter(rect().center());
+            return icon().paint(&painter, middle, Qt::AlignCenter,
+                                isEnabled() ? QIcon::Normal : QIcon::Disabled);
         }
         painter.setPen(palette().color(QPalette::WindowText)); // fainter while disabled
         painter.drawText(rect(), Qt::AlignCenter, text());
@@ -78,6 +86,16 @@ Segments::Segments(const QString& name, const QStringList& choices, QWidget* par
     }
     connect(&group_, &QButtonGroup::idClicked, this, &Segments::picked);
     choose(0);
+}
+
+void Segments::setIcons(const std::vector<std::string_view>& keys)
+{
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        QAbstractButton* button = group_.button(int(i));
+        button->setIcon(icon(keys[i]));
+        button->setIconSize({18, 18});
+        button->setToolTip(button->text());
+    }
 }
 
 void Segments::choose(int index) { group_.button(index)->setChecked(true); }

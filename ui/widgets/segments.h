@@ -5,6 +5,9 @@
 #include <QStringList>
 #include <QToolButton>
 
+#include <string_view>
+#include <vector>
+
 namespace ui {
 
 /// A row of joined buttons of which one is checked: a choice whose options are all visible.
@@ -14,6 +17,9 @@ class Segments : public QWidget {
 public:
     /// `name` is the accessible name of the whole row.
     Segments(const QString& name, const QStringList& choices, QWidget* parent = nullptr);
+
+    /// Shows an icon instead of each text, which becomes the tooltip.
+    void setIcons(const std::vector<std::string_view>& keys);
 
     int chosen() const { return group_.checkedId(); }
     void choose(int index); ///< without a signal

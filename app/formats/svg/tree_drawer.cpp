@@ -178,6 +178,7 @@ void TreeDrawer::drawContainer(Node node, Container::Kind kind, Place place, con
                       .svgId = std::move(particulars.id),
                       .title = std::move(particulars.title),
                       .description = std::move(particulars.description),
+                      .newStyle = QString::fromUtf8(tree_.attribute(node, "clearcut:new-objects")),
                       .visible = place.properties.displayed,
                       .locked = tree_.attribute(node, "sodipodi:insensitive") == "true"});
     drawChildren(node, place);

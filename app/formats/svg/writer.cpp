@@ -134,6 +134,7 @@ private:
         if (!isLayer && !isNamed && container.title.isEmpty() && container.description.isEmpty())
             appendAttribute(text_, "clearcut:group", ""); // otherwise it would be read as a group
                                                           // that only sets a style
+        appendName("clearcut:new-objects", container.newStyle);
         if (container.locked)
             appendAttribute(text_, "sodipodi:insensitive", "true");
         if (!container.visible)

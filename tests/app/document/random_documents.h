@@ -106,13 +106,16 @@ private:
     app::Container container(bool group)
     {
         using Kind = app::Container::Kind;
-        return {.kind = group ? Kind::Group : Kind::Layer,
-                .name = group && below(2) ? QString() : text(),
-                .svgId = below(2) ? text() : QString(),
-                .title = note("title"),
-                .description = note("desc"),
-                .visible = below(4) > 0,
-                .locked = below(4) == 0};
+        app::Container made{.kind = group ? Kind::Group : Kind::Layer,
+                            .name = group && below(2) ? QString() : text(),
+                            .svgId = below(2) ? text() : QString(),
+                            .title = note("title"),
+                            .description = note("desc"),
+                            .visible = below(4) > 0,
+                            .locked = below(4) == 0};
+        if (made.locked)
+            made.newStyle = made.name;
+        return made;
     }
 
     // A new object now and then comes to a place where none goes; then there is only that one.

@@ -152,15 +152,40 @@ private slots:
             if ((x - 5) % 10 != 0 && (x - 5) % 10 != 9 && std::abs(x - 50) > 1)
                 QCOMPARE(image.pixelColor(x, 50).alpha() > 0, (x - 5) % 20 < 10);
     }
-    void theSelectionIsHighlightedWhole()
+    void aSelectedObjectKeepsItsColourOnABandWithAnOutline()
     {
         Stage stage({filledSquare({40, 10}, 20)});
         const app::ObjectRanges selected{0};
+        const QImage before = stage.image();
         stage.options.selection = selected.ranges();
         stage.options.light = {0, 0, 255};
         const app::Picture picture = stage.picture();
-        QCOMPARE(picture.selected.polylines.size(), std::size_t(1));
+        QCOMPARE(picture.selected.polylines.size(), std::size_t(2)); // whole, also outside
         QCOMPARE(picture.selected.polylines[0].count, 5U);
+        const QImage image = stage.image();
+        QCOMPARE(image.pixelColor(50, 20), before.pixelColor(50, 20));
+        QCOMPARE(image.pixelColor(38, 20).blue(), 255);
+        int outline = 0, band = 0;
+        for (int x = 30; x < 40; ++x) {
+            const QColor pixel = image.pixelColor(x, 20);
+            outline += pixel.blue() > 200 && pixel.red() < 150;
+            band += pixel == QColor(255, 255, 255);
+        }
+        QVERIFY2(outline > 0 && band > 0, qPrintable(QString("%1 %2").arg(outline).arg(band)));
+    }
+    void manySelectedObjectsAreNotOutlined()
+    {
+        std::vector<app::Object> objects;
+        for (int i = 0; i < 501; ++i)
+            objects.push_back(object({{double(i % 90), 5}, {{{double(i % 90), 90}}}, false},
+                                     {.stroke = app::Colour{}}));
+        Stage stage(objects);
+        app::ObjectRanges selected(app::ObjectRange{0, 500});
+        stage.options.selection = selected.ranges();
+        QVERIFY(!stage.picture().selected.polylines.empty());
+        selected.insert(500);
+        stage.options.selection = selected.ranges();
+        QVERIFY(stage.picture().selected.polylines.empty());
     }
     void bandsTogetherAreTheWhole()
     {

@@ -4,6 +4,7 @@
 #include "app/document/document.h"
 #include "app/scene/scene_lines.h"
 #include "app/view/draw_list_builder.h"
+#include "app/view/picture.h"
 #include "clipping/algorithm.h"
 #include "clipping/outside.h"
 
@@ -50,21 +51,27 @@ public:
     {
         return drawList(outside_, options);
     }
-    app::DrawList selected(const app::PictureOptions& options) const
+    app::DrawList selected(app::PictureOptions options) const
     {
+        options.page.reset();
+        if (!app::outlines(lines_, options.selection))
+            return {};
         app::DrawListBuilder builder(options, 0);
         app::ObjectRanges selected;
         for (const app::ObjectRange& range : options.selection)
             selected.insert(range);
-        for (const std::size_t object : selected) {
-            app::Style style = document_.objects()[object].style();
-            style.fill.reset();
-            style.stroke = options.light;
-            style.width = std::max(style.width, 1.5 / options.view.zoom);
-            const auto whole = linesOf(object);
-            if (!whole.empty())
-                builder.add(style, whole, 0, app::untouched(whole));
-        }
+        const std::pair<app::Colour, double> bands[]{{options.light, 6}, {options.paper, 4}};
+        for (const auto& [colour, wider] : bands)
+            for (const std::size_t object : selected) {
+                const app::Style& own = document_.objects()[object].style();
+                const app::Style style{.stroke = colour,
+                                       .width = (own.stroke ? own.width : 0)
+                                                + wider / options.view.zoom / options.strokes,
+                                       .join = app::Join::Round};
+                const auto whole = linesOf(object);
+                if (!whole.empty())
+                    builder.add(style, whole, 0, app::untouched(whole));
+            }
         return builder.take();
     }
 

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/bars/option_bar.h"
+#include "ui/editing/style_clipboard.h"
+#include "ui/menus/object_rows.h"
+#include "ui/window/main_window.h"
+
+#include <QAction>
+#include <QCoreApplication>
+
+namespace ui {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("ObjectMenu", text); }
+
+ActionInfo takeColour(std::string_view key, const QString& text, const char* shortcut,
+                      app::PaintPart part)
+{
+    return {
+        .key = key,
+        .text = text,
+        .keys = {QKeySequence(shortcut)},
+        .scope = ShortcutScope::Canvas,
+        .run = [part](MainWindow& w) { w.optionBar().takeColour(part); },
+        .submenu = tr("St&yle"),
+    };
+}
+
+} // namespace
+
+std::vector<ActionInfo> styleRows()
+{
+    using K = QKeySequence;
+    const QString submenu = tr("St&yle");
+    return {
+        {
+            .key = "style",
+            .text = tr("&Style…"),
+            .keys = {K("Ctrl+Shift+F")},
+            .icon = "style",
+            .run = [](MainWindow& w) { w.optionBar().openStyle(); },
+            .submenu = submenu,
+            .made = [](MainWindow& w, QAction& action) { w.optionBar().setStyleCommand(action); },
+        },
+        takeColour("take-stroke", tr("&Take stroke colour from the drawing"), "I",
+                   &app::Style::stroke),
+        takeColour("take-fill", tr("Take &fill colour from the drawing"), "Shift+I",
+                   &app::Style::fill),
+        {.submenu = submenu}, // a separator
+        {
+            .key = "copy-style",
+            .text = tr("&Copy style"),
+            .keys = {K("Ctrl+Shift+C")},
+            .run =
+                [](MainWindow& w) {
+                    copyStyle(w.session());
+                    w.refreshActions();
+                },
+            .submenu = submenu,
+        },
+        {
+            .key = "paste-style",
+            .text = tr("&Paste style"),
+            .keys = {K("Ctrl+Shift+V")},
+            .run = [](MainWindow& w) { pasteStyle(w.session()); },
+            .enabled = [](const MainWindow&) { return hasCopiedStyle(); },
+            .needs = tr("No style was copied. Select an object and copy its style first."),
+            .submenu = submenu,
+        },
+    };
+}
+
+} // namespace ui

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/style/style_panel.h"
+
+#include "app/base/numbers.h"
+#include "app/document/styles_in_use.h"
+#include "app/drawing/dash_patterns.h"
+#include "app/view/colour_chart.h"
+#include "ui/look/look.h"
+#include "ui/look/look_icon.h"
+#include "ui/widgets/dash_icon.h"
+#include "ui/widgets/segments.h"
+#include "ui/widgets/swatches.h"
+#include "ui/widgets/tool_list.h"
+
+#include <QCheckBox>
+#include <QEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QVBoxLayout>
+
+namespace ui {
+namespace {
+
+constexpr int betweenRows = 6;
+
+QLabel* captionFor(QWidget* field, const QString& text)
+{
+    auto* caption = new QLabel(text);
+    caption->setForegroundRole(QPalette::PlaceholderText);
+    caption->setBuddy(field);
+    return caption;
+}
+
+QString remarkOn(const app::ObjectRanges& selection)
+{
+    const auto tr = [](const char* text) { return StylePanel::tr(text); };
+    return selection.empty()       ? tr("of new objects")
+           : selection.size() == 1 ? tr("of 1 object")
+                                   : tr("of %1 objects").arg(app::countText(selection.size()));
+}
+
+QHBoxLayout* row()
+{
+    auto* row = new QHBoxLayout;
+    row->setSpacing(space::labelToField);
+    return row;
+}
+
+} // namespace
+
+StylePanel::StylePanel(app::Session& session, Canvas& canvas, QWidget* parent)
+    : QWidget(parent), session_(session),
+      part_(new Segments(tr("Colour of"), {tr("Stroke"), tr("Fill")})),
+      colour_(new ColourChoice(session, canvas, &app::Style::stroke)),
+      swatches_(new Swatches(tr("Colours of the drawing"), app::coloursInRow, 1)),
+      width_(makeField(tr("Stroke width"), LengthField::Suffix::Unit)), dashes_(new ToolList),
+      pattern_(new QLineEdit),
+      caps_(new Segments(tr("Caps"), {tr("Butt"), tr("Round"), tr("Square")})),
+      joins_(new Segments(tr("Joins"), {tr("Miter"), tr("Round"), tr("Bevel")})),
+      miterLimit_(makeField(tr("Miter limit"), LengthField::Suffix::None)), ofLayer_(new QCheckBox)
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(space::dockMargin, space::labelToField, space::dockMargin,
+                               space::labelToField);
+    column->setSpacing(betweenRows);
+    column->addLayout(makeColour());
+    column->addWidget(swatches_);
+    column->addLayout(makeWidth());
+    column->addLayout(makePattern());
+    column->addLayout(makeCorners());
+    makeLayer();
+    column->addWidget(ofLayer_);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    soon_.setSingleShot(true);
+    connect(&soon_, &QTimer::timeout, this, &StylePanel::follow);
+    const auto follow = [this] {
+        if (isVisible()) // else showEvent() does it
+            soon_.start(0);
+    };
+    connect(&session, &app::Session::selectionChanged, this, follow);
+    connect(&session, &app::Session::displayChanged, this, follow);
+    connect(&session.document, &app::EditedDocument::changed, this, follow);
+    paintIcons();
+}
+
+void StylePanel::focusFirst()
+{
+    width_->setFocus(Qt::PopupFocusReason);
+    width_->selectAll();
+}
+
+LengthField* StylePanel::makeField(const QString& name, LengthField::Suffix suffix)
+{
+    auto* field = new LengthField(name, LengthField::Range::NotNegative, suffix);
+    field->setToolTip(name);
+    connect(field, &LengthField::entered, this, &StylePanel::entered);
+    connect(field, &LengthField::refused, this, &StylePanel::refused);
+    connect(field, &LengthField::taken, this, &StylePanel::taken);
+    return field;
+}
+
+QLayout* StylePanel::makeColour()
+{
+    colour_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    colour_->setIconSize({16, 16});
+    colour_->setProperty("framed", true);
+    colour_->setAutoRaise(false);
+    colour_->setFixedHeight(space::fieldHeight);
+    colour_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    colour_->setFocusPolicy(Qt::StrongFocus);
+    auto* eyedropper = new QToolButton;
+    eyedropper->setObjectName(QStringLiteral("eyedropper"));
+    eyedropper->setIcon(icon("eyedropper"));
+    eyedropper->setAutoRaise(true);
+    eyedropper->setFocusPolicy(Qt::StrongFocus);
+    eyedropper->setFixedSize(space::fieldHeight, space::fieldHeight);
+    eyedropper->setToolTip(
+        tr("Take the colour of a line in the drawing (I; for the fill Shift+I)"));
+    eyedropper->setAccessibleName(eyedropper->toolTip());
+    connect(part_, &Segments::picked, this, [this](int part) {
+        colour_->setPart(part == 0 ? &app::Style::stroke : &app::Style::fill);
+        follow();
+    });
+    connect(swatches_, &Swatches::picked, colour_, &ColourChoice::choose);
+    connect(eyedropper, &QToolButton::clicked, this, [this] {
+        emit eyedropperStarted();
+        colour_->startEyedropper();
+    });
+    auto* line = row();
+    line->addWidget(part_);
+    line->addWidget(colour_, 1);
+    line->addWidget(eyedropper);
+    return line;
+}
+
+QLayout* StylePanel::makeWidth()
+{
+    dashes_->setToolTip(tr("Dashes"));
+    dashes_->setAccessibleName(tr("Dashes"));
+    dashes_->setIconSize({36, 12});
+    dashes_->setFixedHeight(space::fieldHeight);
+    for (const app::DashPattern& pattern : app::dashPatterns()) {
+        dashes_->addItem(QString());
+        dashes_->setItemData(dashes_->count() - 1, pattern.name, Qt::AccessibleTextRole);
+        dashes_->setItemData(dashes_->count() - 1, pattern.name, Qt::ToolTipRole);
+    }
+    connect(width_, &LengthField::edited, this, [this](double width, app::Merging merging) {
+        change([width](app::Style& style) { app::setWidth(style, width); }, tr("Stroke width"),
+               merging);
+    });
+    connect(dashes_, &QComboBox::activated, this, [this](int index) {
+        const auto& pattern = app::dashPatterns()[std::size_t(index)];
+        change([&](app::Style& style) { style.dashes = app::scaled(pattern, style.width); },
+               tr("Dashes"), app::Merging::WithLast);
+    });
+    connect(dashes_, &ToolList::done, this, &StylePanel::entered);
+    auto* line = row();
+    line->addWidget(captionFor(width_, tr("Width")));
+    line->addWidget(width_, 1);
+    line->addWidget(captionFor(dashes_, tr("Dashes")));
+    line->addWidget(dashes_, 1);
+    return line;
+}
+
+QLayout* StylePanel::makePattern()
+{
+    pattern_->setAccessibleName(tr("Dash pattern"));
+    pattern_->setToolTip(tr("Your own pattern: lengths of dashes and gaps by turns, such as 3 1 "
+                            "0.5 1, or 2mm 1mm. Empty: solid."));
+    pattern_->setFixedHeight(space::fieldHeight);
+    connect(pattern_, &QLineEdit::returnPressed, this, [this] {
+        enterPattern();
+        emit entered();
+    });
+    connect(pattern_, &QLineEdit::editingFinished, this, &StylePanel::enterPattern);
+    miterLimit_->setToolTip(tr(
+        "Miter limit: sharper corners are cut off. It is the longest corner, in stroke widths."));
+    connect(miterLimit_, &LengthField::edited, this, [this](double limit, app::Merging merging) {
+        if (limit < 1) {
+            emit refused(tr("The miter limit must be at least 1."));
+            soon_.start(0);
+            return;
+        }
+        change([limit](app::Style& style) { style.miterLimit = limit; }, tr("Miter limit"),
+               merging);
+    });
+    auto* line = row();
+    line->addWidget(captionFor(pattern_, tr("Pattern")));
+    line->addWidget(pattern_, 1);
+    line->addWidget(captionFor(miterLimit_, tr("Limit")));
+    miterLimit_->setFixedWidth(miterLimit_->fontMetrics().horizontalAdvance(u'0') * 5 + 28);
+    line->addWidget(miterLimit_);
+    return line;
+}
+
+void StylePanel::makeLayer()
+{
+    ofLayer_->setAccessibleName(tr("For new objects of the layer"));
+    ofLayer_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // a name may be long
+    connect(ofLayer_, &QCheckBox::clicked, this, [this](bool on) {
+        app::setLayerStyle(session_,
+                           on ? std::optional(app::copiedStyle(session_).style) : std::nullopt);
+        soon_.start(0);
+    });
+}
+
+void StylePanel::followLayer()
+{
+    const QString name = session_.now().containers()[session_.pen.layer].name;
+    const QString text = tr("For new objects of the layer “%1”").arg(name);
+    constexpr int box = 24; // logical pixels, with its distance
+    ofLayer_->setText(
+        fontMetrics().elidedText(text, Qt::ElideRight, swatches_->sizeHint().width() - box));
+    ofLayer_->setToolTip(tr("What is drawn in the layer “%1” gets this style. It is saved with the "
+                            "drawing.")
+                             .arg(name));
+    ofLayer_->setChecked(app::layerStyle(session_).has_value());
+}
+
+QLayout* StylePanel::makeCorners()
+{
+    caps_->setIcons({"cap-butt", "cap-round", "cap-square"});
+    joins_->setIcons({"join-miter", "join-round", "join-bevel"});
+    connect(caps_, &Segments::picked, this, [this](int cap) {
+        change([cap](app::Style& style) { style.cap = app::Cap(cap); }, tr("Caps"));
+    });
+    connect(joins_, &Segments::picked, this, [this](int join) {
+        change([join](app::Style& style) { style.join = app::Join(join); }, tr("Joins"));
+    });
+    auto* line = row();
+    line->addWidget(captionFor(caps_, tr("Caps")));
+    line->addWidget(caps_);
+    line->addStretch(1);
+    line->addWidget(captionFor(joins_, tr("Joins")));
+    line->addWidget(joins_);
+    return line;
+}
+
+app::Scale StylePanel::scale() const
+{
+    return {session_.display().unit, session_.now().page().millimetresPerUnit()};
+}
+
+void StylePanel::change(const app::ChangeStyle& change, const QString& text, app::Merging merging)
+{
+    app::restyle(session_, change, text, merging);
+    soon_.start(0);
+}
+
+void StylePanel::enterPattern()
+{
+    if (!pattern_->isModified())
+        return;
+    pattern_->setModified(false);
+    const auto dashes = app::typedDashes(pattern_->text(), scale());
+    if (!dashes) {
+        emit refused(dashes.error);
+        soon_.start(0);
+        return;
+    }
+    emit taken();
+    change([&](app::Style& style) { style.dashes = *dashes.value; }, tr("Dashes"));
+}
+
+void StylePanel::follow()
+{
+    const std::vector<app::Style> styles = app::shownStyles(session_);
+    const auto colour = app::common(styles, colour_->part());
+    swatches_->setColours(app::coloursInUse(session_.now().objects(), app::coloursInRow));
+    swatches_->mark(colour.value_or(std::nullopt));
+    followLines(styles);
+    followLayer();
+    emit titled(remarkOn(session_.selection()));
+}
+
+void StylePanel::followLines(std::span<const app::Style> styles)
+{
+    const auto [unit, size] = scale();
+    const app::Style& first = styles.front();
+    if (app::common(styles, &app::Style::width))
+        width_->show(first.width, unit, size);
+    else
+        width_->showMixed(first.width, unit, size);
+    if (app::common(styles, &app::Style::miterLimit))
+        miterLimit_->show(first.miterLimit, app::Unit::User, 1);
+    else
+        miterLimit_->showMixed(first.miterLimit, app::Unit::User, 1);
+    const auto pattern = app::common(styles, app::patternOf).value_or(std::nullopt);
+    dashes_->setCurrentIndex(pattern ? int(*pattern) : -1);
+    const auto dashes = app::common(styles, &app::Style::dashes);
+    if (!pattern_->isModified()) {
+        pattern_->setText(dashes ? app::dashesText(*dashes, scale()) : QString());
+        pattern_->setPlaceholderText(dashes ? tr("solid") : tr("mixed"));
+    }
+    const auto show = [](Segments& segments, const auto& value) {
+        value ? segments.choose(int(*value)) : segments.chooseNone();
+    };
+    show(*caps_, app::common(styles, &app::Style::cap));
+    show(*joins_, app::common(styles, &app::Style::join));
+}
+
+void StylePanel::paintIcons()
+{
+    for (int i = 0; i < dashes_->count(); ++i)
+        dashes_->setItemIcon(i,
+                             dashIcon(app::dashPatterns()[std::size_t(i)], lookOf(palette()).text));
+}
+
+void StylePanel::showEvent(QShowEvent* event)
+{
+    follow();
+    QWidget::showEvent(event);
+}
+
+void StylePanel::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        paintIcons();
+}
+
+} // namespace ui

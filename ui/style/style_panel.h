@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/style/colour_choice.h"
+#include "ui/widgets/length_field.h"
+
+#include <QTimer>
+
+class QCheckBox;
+class QLayout;
+class QLineEdit;
+
+namespace ui {
+
+class Segments;
+class Swatches;
+class ToolList;
+
+/// The style of the selected objects, or of new ones if nothing is selected: colours of stroke and
+/// fill, width, dashes, caps, joins. Each choice is one undo step. Where objects differ, it says
+/// "mixed" or marks no choice. Its height is always the same. While it is hidden it does nothing.
+class StylePanel : public QWidget {
+    Q_OBJECT
+
+public:
+    StylePanel(app::Session& session, Canvas& canvas, QWidget* parent = nullptr);
+
+    void focusFirst(); ///< gives the keyboard to the width
+
+signals:
+    void entered(); ///< a value was entered: the focus returns to the canvas
+    void refused(const QString& sentence);
+    void taken();                       ///< a field's value is valid again
+    void titled(const QString& remark); ///< whose style it is
+    void eyedropperStarted();
+
+protected:
+    void showEvent(QShowEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    QLayout* makeColour();
+    QLayout* makeWidth();
+    QLayout* makeCorners();
+    QLayout* makePattern();
+    void makeLayer();
+    LengthField* makeField(const QString& name, LengthField::Suffix suffix);
+    void follow();
+    void followLayer();
+    void followLines(std::span<const app::Style> styles);
+    void paintIcons();
+    void change(const app::ChangeStyle& change, const QString& text,
+                app::Merging merging = app::Merging::Never);
+    void enterPattern();
+    void enterMiterLimit();
+    app::Scale scale() const;
+
+    app::Session& session_;
+    Segments* part_;
+    ColourChoice* colour_;
+    Swatches* swatches_;
+    LengthField* width_;
+    ToolList* dashes_;
+    QLineEdit* pattern_;
+    Segments *caps_, *joins_;
+    LengthField* miterLimit_;
+    QCheckBox* ofLayer_;
+    QTimer soon_; ///< merges several changes in one event into one update
+};
+
+} // namespace ui

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/style/style_popup.h"
+
+#include "ui/look/look.h"
+
+#include <QKeyEvent>
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace ui {
+
+StylePopup::StylePopup(app::Session& session, Canvas& canvas, QWidget& below)
+    : Popup(tr("Style"), &below), canvas_(canvas), below_(below),
+      panel_(new StylePanel(session, canvas))
+{
+    setObjectName(QStringLiteral("style-popup"));
+    auto* title = new QLabel;
+    title->setFont(semiBold(font()));
+    title->setContentsMargins(space::dockMargin, space::labelToField, space::dockMargin, 0);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->setSizeConstraint(QLayout::SetFixedSize);
+    column->addWidget(title);
+    column->addWidget(panel_);
+    connect(panel_, &StylePanel::titled, title,
+            [title](const QString& remark) { title->setText(tr("Style %1").arg(remark)); });
+    connect(panel_, &StylePanel::eyedropperStarted, this, &QWidget::close);
+}
+
+void StylePopup::open()
+{
+    openBelow(below_);
+    panel_->focusFirst();
+}
+
+void StylePopup::keyPressEvent(QKeyEvent* event)
+{
+    // A bare X server has no bindings for standard keys.
+    const bool control = event->modifiers() & Qt::ControlModifier;
+    const bool shift = event->modifiers() & Qt::ShiftModifier;
+    if (control && !shift && event->key() == Qt::Key_Z)
+        canvas_.undo();
+    else if (control && (event->key() == Qt::Key_Z || event->key() == Qt::Key_Y))
+        canvas_.redo();
+    else
+        Popup::keyPressEvent(event);
+}
+
+void StylePopup::closeEvent(QCloseEvent* event)
+{
+    Popup::closeEvent(event);
+    canvas_.setFocus();
+}
+
+} // namespace ui

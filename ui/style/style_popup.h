@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/style/style_panel.h"
+#include "ui/widgets/popup.h"
+
+namespace ui {
+
+/// The panel Style as a small window below a button. Undo and Redo work in it.
+class StylePopup : public Popup {
+    Q_OBJECT
+
+public:
+    StylePopup(app::Session& session, Canvas& canvas, QWidget& below);
+
+    StylePanel& panel() { return *panel_; }
+    void open();
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
+
+private:
+    Canvas& canvas_;
+    QWidget& below_;
+    StylePanel* panel_;
+};
+
+} // namespace ui

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/colour_popup.h"
+
+#include "app/session/typed_colour.h"
+#include "app/view/colour_chart.h"
+#include "ui/look/look.h"
+#include "ui/look/look_icon.h"
+#include "ui/widgets/swatch.h"
+#include "ui/widgets/swatches.h"
+
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace ui {
+namespace {
+
+constexpr int rowsOfDrawing = 2, rowsOfChart = 5;
+
+QString hint()
+{
+    return ColourPopup::tr(
+        "Six hexadecimal digits, or a name such as teal. Two more digits make it transparent.");
+}
+
+} // namespace
+
+ColourPopup::ColourPopup(QWidget* parent)
+    : Popup(tr("Colours"), parent), field_(new QLineEdit), sentence_(new QLabel)
+{
+    setObjectName(QStringLiteral("colour-popup"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(space::dockMargin, space::labelToField, space::dockMargin,
+                               space::labelToField);
+    column->setSpacing(2);
+    column->setSizeConstraint(QLayout::SetFixedSize);
+    inDrawing_ = addSwatches(tr("In this drawing"), rowsOfDrawing);
+    recent_ = addSwatches(tr("Picked last"), 1);
+    chart_ = addSwatches(tr("All colours"), rowsOfChart);
+    chart_->setColours(app::colourChart());
+    addField();
+}
+
+Swatches* ColourPopup::addSwatches(const QString& name, int rows)
+{
+    auto* caption = new QLabel(name);
+    caption->setFont(captionFont(font()));
+    caption->setForegroundRole(QPalette::PlaceholderText);
+    layout()->addWidget(caption);
+    auto* swatches = new Swatches(name, app::coloursInRow, rows);
+    layout()->addWidget(swatches);
+    captions_[swatches] = caption;
+    connect(swatches, &Swatches::picked, this, [this](const app::Colour& colour) { pick(colour); });
+    return swatches;
+}
+
+void ColourPopup::addField()
+{
+    field_->setAccessibleName(tr("Colour as digits or name"));
+    field_->setFixedHeight(space::fieldHeight);
+    field_->setMaxLength(60);
+    connect(field_, &QLineEdit::textEdited, this, [this] { say(hint(), false); });
+    auto* none = new QToolButton;
+    none->setObjectName(QStringLiteral("no-colour"));
+    none->setText(tr("None"));
+    none->setIcon(swatchIcon(std::nullopt, lookOf(palette())));
+    none->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    none->setFixedHeight(space::fieldHeight);
+    none->setProperty("framed", true);
+    none->setFocusPolicy(Qt::StrongFocus);
+    none->setToolTip(tr("No colour"));
+    connect(none, &QToolButton::clicked, this, [this] { pick(std::nullopt); });
+    auto* eyedropper = new QToolButton;
+    eyedropper->setObjectName(QStringLiteral("eyedropper"));
+    eyedropper->setIcon(icon("eyedropper"));
+    eyedropper->setFixedSize(space::fieldHeight, space::fieldHeight);
+    eyedropper->setAutoRaise(true);
+    eyedropper->setFocusPolicy(Qt::StrongFocus);
+    eyedropper->setToolTip(tr("Take the colour of a line in the drawing"));
+    eyedropper->setAccessibleName(eyedropper->toolTip());
+    connect(eyedropper, &QToolButton::clicked, this, [this] {
+        close();
+        emit eyedropperWanted();
+    });
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(0, space::labelToField, 0, 0);
+    row->addWidget(field_, 1);
+    row->addWidget(none);
+    row->addWidget(eyedropper);
+    static_cast<QVBoxLayout*>(layout())->addLayout(row);
+    sentence_->setFont(captionFont(font()));
+    sentence_->setWordWrap(true);
+    sentence_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    sentence_->setFixedSize(chart_->sizeHint().width(),
+                            2 * QFontMetrics(sentence_->font()).lineSpacing() + 2);
+    layout()->addWidget(sentence_);
+}
+
+void ColourPopup::say(const QString& sentence, bool isError)
+{
+    sentence_->setText(sentence);
+    const Look& look = lookOf(palette());
+    sentence_->setStyleSheet(
+        QStringLiteral("color: %1").arg((isError ? look.warning : look.muted).name()));
+}
+
+void ColourPopup::open(const QWidget& below, const ColourOffer& offer)
+{
+    constexpr int inRow = app::coloursInRow;
+    inDrawing_->setRows(
+        std::clamp((int(offer.inDrawing.size()) + inRow - 1) / inRow, 1, rowsOfDrawing));
+    inDrawing_->setColours(offer.inDrawing);
+    recent_->setColours(offer.recent);
+    for (Swatches* swatches : {inDrawing_, recent_}) {
+        swatches->setVisible(!swatches->colours().empty());
+        captions_[swatches]->setVisible(!swatches->colours().empty());
+    }
+    const auto now = offer.now.value_or(std::nullopt);
+    for (Swatches* swatches : {inDrawing_, recent_, chart_})
+        swatches->mark(now);
+    field_->setText(now ? app::hexText(*now) : QString());
+    field_->setPlaceholderText(offer.now ? tr("none") : tr("mixed"));
+    say(hint(), false);
+    openBelow(below);
+    Swatches* const first = now && !inDrawing_->has(*now) && chart_->has(*now) ? chart_
+                            : offer.inDrawing.empty()                          ? chart_
+                                                                               : inDrawing_;
+    first->setFocus(Qt::PopupFocusReason);
+}
+
+void ColourPopup::pick(const std::optional<app::Colour>& colour)
+{
+    close();
+    emit picked(colour);
+}
+
+void ColourPopup::accept()
+{
+    if (field_->text().trimmed().isEmpty())
+        return close(), void();
+    const auto colour = app::typedColour(field_->text());
+    if (colour)
+        return pick(*colour.value);
+    say(colour.error, true);
+    field_->selectAll();
+}
+
+void ColourPopup::keyPressEvent(QKeyEvent* event)
+{
+    const QString text = event->text();
+    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+        auto* button = qobject_cast<QToolButton*>(focusWidget());
+        button ? button->click() : accept();
+    } else if (!field_->hasFocus() && !text.isEmpty() && text[0].isPrint() && !text[0].isSpace()) {
+        field_->setFocus();
+        field_->setText(text);
+        say(hint(), false);
+    } else {
+        Popup::keyPressEvent(event);
+    }
+}
+
+} // namespace ui

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/swatch.h"
+
+#include "app/view/visible_colour.h"
+
+namespace ui {
+namespace {
+
+app::Colour plain(const QColor& colour)
+{
+    return {std::uint8_t(colour.red()), std::uint8_t(colour.green()), std::uint8_t(colour.blue())};
+}
+
+} // namespace
+
+void paintSwatch(QPainter& painter, const QRect& square, const std::optional<app::Colour>& colour,
+                 const Look& look)
+{
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    const QColor ground = look.base;
+    painter.fillRect(square, ground);
+    if (colour) {
+        const QColor own(colour->red, colour->green, colour->blue, colour->alpha);
+        painter.fillRect(square, own);
+        QColor opaque = own;
+        opaque.setAlpha(255);
+        if (own.alpha() < 255) // the half on the left shows the colour without transparency
+            painter.fillRect(QRect(square.topLeft(), QSize(square.width() / 2, square.height())),
+                             opaque);
+    }
+    constexpr double enough = 3.0;
+    if (!colour || colour->alpha < 255
+        || app::contrast(plain(look.panel), {colour->red, colour->green, colour->blue}) < enough) {
+        painter.setPen(look.control);
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(square.adjusted(0, 0, -1, -1));
+    }
+    if (!colour) {
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(QPen(look.control, 1.5));
+        painter.drawLine(square.bottomLeft() + QPoint(1, 0), square.topRight() + QPoint(0, 1));
+    }
+    painter.restore();
+}
+
+namespace {
+
+const QRect inIcon(1, 1, 14, 14);
+
+QPixmap emptyIcon()
+{
+    QPixmap picture(32, 32);
+    picture.setDevicePixelRatio(2);
+    picture.fill(Qt::transparent);
+    return picture;
+}
+
+} // namespace
+
+QIcon swatchIcon(const std::optional<app::Colour>& colour, const Look& look)
+{
+    QPixmap picture = emptyIcon();
+    QPainter painter(&picture);
+    paintSwatch(painter, inIcon, colour, look);
+    return picture;
+}
+
+QIcon mixedSwatchIcon(const Look& look)
+{
+    QPixmap picture = emptyIcon();
+    QPainter painter(&picture);
+    painter.setPen(look.control);
+    painter.setBrush(look.base);
+    painter.drawRect(inIcon.adjusted(0, 0, -1, -1));
+    painter.fillRect(QRect(5, 7, 6, 2), look.control); // as in a half-checked box
+    return picture;
+}
+
+} // namespace ui
