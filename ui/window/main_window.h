@@ -125,7 +125,7 @@ private:
     OptionBar* optionBar_ = nullptr;
     StatusBar* status_ = nullptr;
     std::unique_ptr<Files> files_;
-    Panels panels_{session_};
+    Panels panels_{session_, *canvas_};
     std::unique_ptr<PanelLayout> panelLayout_;
     std::unique_ptr<Modes> modes_;
     Closing closing_ = Closing::No;

@@ -8,6 +8,7 @@
 #include "ui/docks/line_panel.h"
 #include "ui/docks/selection_panel.h"
 #include "ui/docks/window_panel.h"
+#include "ui/style/style_panel.h"
 #include "ui/window/main_window.h"
 #include "ui/window/panel_layout.h"
 #include "ui/window/start.h"
@@ -37,6 +38,9 @@ void MainWindow::connectPanels()
     connect(panels_.selection, &SelectionPanel::refused, strip_, &MessageStrip::refuse);
     connect(panels_.selection, &SelectionPanel::taken, strip_, &MessageStrip::withdrawRefusal);
     connect(panels_.history, &HistoryPanel::stepWanted, canvas_, &Canvas::goToStep);
+    connect(panels_.style, &StylePanel::entered, canvas_, focusCanvas);
+    connect(panels_.style, &StylePanel::refused, strip_, &MessageStrip::refuse);
+    connect(panels_.style, &StylePanel::taken, strip_, &MessageStrip::withdrawRefusal);
     connect(panels_.costMap, &CostMapPanel::told, this, &MainWindow::tell);
     const auto look = [this](const clipping::Window& place) {
         canvas_->go(app::lookingAt(canvas_->view(), place, session_.window()));

@@ -12,6 +12,7 @@
 #include "ui/docks/selection_panel.h"
 #include "ui/docks/start_panel.h"
 #include "ui/docks/window_panel.h"
+#include "ui/style/style_panel.h"
 
 #include <QCoreApplication>
 
@@ -23,18 +24,19 @@ QString tr(const char* text) { return QCoreApplication::translate("Panels", text
 
 } // namespace
 
-Panels::Panels(app::Session& session)
+Panels::Panels(app::Session& session, Canvas& canvas)
     : start(new StartPanel), algorithm(new AlgorithmPanel(session)),
       window(new WindowPanel(session)), selection(new SelectionPanel(session)),
-      line(new LinePanel(session)), layers(new LayersPanel(session)),
-      history(new HistoryPanel(session.history)), compare(new ComparePanel(session)),
-      difference(new DifferencePanel(session)), costMap(new CostMapPanel(session)),
-      exactness(new ExactnessPanel(session)),
+      style(new StylePanel(session, canvas)), line(new LinePanel(session)),
+      layers(new LayersPanel(session)), history(new HistoryPanel(session.history)),
+      compare(new ComparePanel(session)), difference(new DifferencePanel(session)),
+      costMap(new CostMapPanel(session)), exactness(new ExactnessPanel(session)),
       docks{.start = new Dock("start", tr("Start"), start),
             .algorithm = new Dock("algorithm", tr("Algorithm"), algorithm),
             .narrow = {new Dock("window", tr("Clip window"), window),
                        new Dock("selection", tr("Selection"), selection),
-                       new Dock("line", tr("Line"), line), new Dock("layers", tr("Layers"), layers),
+                       new Dock("style", tr("Style"), style), new Dock("line", tr("Line"), line),
+                       new Dock("layers", tr("Layers"), layers),
                        new Dock("history", tr("History"), history)},
             .wide = {new Dock("compare", tr("Compare"), compare),
                      new Dock("difference", tr("Differences"), difference),
@@ -49,6 +51,7 @@ Panels::Panels(app::Session& session)
                      });
     QObject::connect(selection, &SelectionPanel::titled, docks.named({"selection"}).front(),
                      &Dock::setRemark);
+    QObject::connect(style, &StylePanel::titled, docks.named({"style"}).front(), &Dock::setRemark);
     QObject::connect(algorithm, &AlgorithmPanel::titled, docks.algorithm, &Dock::setFoldedRemark);
     docks.algorithm->setFoldedRemark(algorithm->title());
     QObject::connect(docks.wide.front(), &QDockWidget::visibilityChanged, compare,

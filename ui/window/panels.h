@@ -10,6 +10,7 @@ class Session;
 namespace ui {
 
 class AlgorithmPanel;
+class Canvas;
 class ComparePanel;
 class CostMapPanel;
 class DifferencePanel;
@@ -19,16 +20,18 @@ class LayersPanel;
 class LinePanel;
 class SelectionPanel;
 class StartPanel;
+class StylePanel;
 class WindowPanel;
 
 /// The panels of a window, each in its dock. The window that the docks are added to owns them.
 struct Panels {
-    explicit Panels(app::Session& session);
+    Panels(app::Session& session, Canvas& canvas);
 
     StartPanel* start;
     AlgorithmPanel* algorithm;
     WindowPanel* window;
     SelectionPanel* selection;
+    StylePanel* style;
     LinePanel* line;
     LayersPanel* layers;
     HistoryPanel* history;

@@ -22,8 +22,8 @@ std::span<const Workspace> workspaces()
     static const std::array all{
         Workspace{.key = "workspace-draw",
                   .name = tr("Draw"),
-                  .tip = tr("Numbers of the selection, layers and history"),
-                  .column = {"algorithm", "selection", "layers", "history"},
+                  .tip = tr("Numbers and style of the selection, layers, history"),
+                  .column = {"algorithm", "selection", "style", "layers", "history"},
                   .folds = true},
         Workspace{.key = "workspace-cut",
                   .name = tr("Cut"),

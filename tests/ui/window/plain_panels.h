@@ -64,11 +64,11 @@ private:
 
 public:
     QMainWindow window;
-    PanelDocks docks{
-        plain("start"),
-        plain("algorithm"),
-        {plain("window"), plain("selection"), plain("line"), plain("layers"), plain("history")},
-        {plain("compare"), plain("difference")}};
+    PanelDocks docks{plain("start"),
+                     plain("algorithm"),
+                     {plain("window"), plain("selection"), plain("style"), plain("line"),
+                      plain("layers"), plain("history")},
+                     {plain("compare"), plain("difference")}};
     std::unique_ptr<PanelLayout> layout;
 };
 
