@@ -21,13 +21,6 @@ class ShapesTest : public QObject {
     {
         return {key("L"), type(from), enter(), type(by), enter()};
     }
-    static app::Point at(const Drawn& path, std::size_t curve, double t)
-    {
-        const app::Point* p = &path.points[3 * curve];
-        const double s = 1 - t;
-        return p[0] * (s * s * s) + p[1] * (3 * s * s * t) + p[2] * (3 * s * t * t)
-               + p[3] * (t * t * t);
-    }
 
 private slots:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
@@ -109,27 +102,6 @@ private slots:
                  {56 + q, 20},
                  {56, 20}},
                 true}});
-    }
-    void pencilSmooth()
-    {
-        std::vector<app::Point> wave;
-        for (int i = 0; i <= 300; ++i)
-            wave.emplace_back(20 + 0.5 * i, 100 + 40 * std::sin(i * 0.04));
-        const auto fault = [&](const Table& drawn) -> QString {
-            if (drawn.size() != 1 || drawn[0].points.size() > 3 * 11 + 1)
-                return QString("%1 points").arg(drawn.empty() ? 0 : drawn[0].points.size());
-            for (const app::Point& p : wave) {
-                double nearest = HUGE_VAL;
-                for (std::size_t curve = 0; 3 * curve + 3 < drawn[0].points.size(); ++curve)
-                    for (int k = 0; k <= 300; ++k)
-                        nearest =
-                            std::min(nearest, glm::distance(p, at(drawn[0], curve, k / 300.0)));
-                if (nearest > 0.5)
-                    return QString("%1 mm away").arg(nearest);
-            }
-            return {};
-        };
-        checkBy({key("B"), stroke(wave), type("0.4"), enter()}, fault);
     }
     void bezierLeaf()
     {
