@@ -111,6 +111,8 @@ std::optional<Rearranged> movedContainer(const Document& document, ContainerId i
     const auto isGroup = [&](ContainerId of) {
         return of != 0 && tree[of].kind == Container::Kind::Group;
     };
+    if (!tree.contains(id) || (place.parent != 0 && !tree.contains(place.parent)))
+        return std::nullopt; // removed meanwhile
     if (isGroup(id) ? place.parent == 0 : isGroup(place.parent))
         return std::nullopt;
     for (ContainerId around = place.parent; around != 0; around = tree.parentOf(around))

@@ -65,7 +65,7 @@ std::vector<double> scaled(const DashPattern& pattern, double width)
 {
     std::vector<double> dashes = pattern.dashes;
     for (double& dash : dashes)
-        dash *= width;
+        dash *= width > 0 ? width : 1; // a hairline has dashes, too
     return dashes;
 }
 

@@ -148,7 +148,7 @@ bool Readout::hold(double number)
     if (std::abs(number) > field.most)
         return refuse(tr("%1 must be from −%2 to %2.").arg(field.name, numberText(field.most, 0)));
     if (const auto other = decider())
-        return refuse(tr("%1 is locked, which decides this number, too.")
+        return refuse(tr("%1 is locked and determines this number. Unlock it first.")
                           .arg(gauge_.measure->fields[*other].name));
     if (gauge_.measure->equal && !field.kept)
         for (std::size_t i = 0; i < count(); ++i)

@@ -36,6 +36,9 @@ std::optional<QString> cutAndWrite(const Document& document, CutOptions options,
     if (stop.stop_requested())
         return QString();
     result.edit.windows = ClipWindows(); // the exported drawing must not be cut again
+    Page page = result.edit.page.value_or(exported.page());
+    page.guides = {}; // they are not part of what is drawn
+    result.edit.page = std::move(page);
     exported.apply(result.edit);
     return writeFile(exported, path, writing);
 }

@@ -175,7 +175,7 @@ bool repeatSelection(Session& session, std::span<const AffineMap> maps, const QS
     Edit edit = copying(session.now(), originals, maps, session.entered.id());
     const ObjectRanges added = addedBy(edit.splices);
     session.history.push(new CopyObjects(session.document, std::move(edit), undoText));
-    session.select(united(session.selection(), added));
+    session.select(united(session.selection(), common(added, editableObjects(session.now()))));
     return true;
 }
 

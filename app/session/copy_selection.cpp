@@ -6,6 +6,7 @@
 #include "app/commands/move_objects.h"
 #include "app/document/copies.h"
 #include "app/document/copy_place.h"
+#include "app/document/editable.h"
 #include "app/session/units.h"
 
 #include <QCoreApplication>
@@ -25,7 +26,7 @@ void push(Session& session, std::optional<Rearranged> copies, const QString& und
         return;
     }
     session.history.push(new AddObjects(session.document, std::move(copies->edit), undoText));
-    session.select(std::move(copies->added));
+    session.select(common(copies->added, editableObjects(session.now())));
 }
 
 Document movedBy(const Document& drawing, const Point& by)

@@ -3,6 +3,7 @@
 
 #include "app/commands/rearrange_objects.h"
 #include "app/commands/set_containers.h"
+#include "app/document/editable.h"
 
 #include <QCoreApplication>
 
@@ -68,8 +69,8 @@ ContainerPlace placeBelow(const Containers& tree, ContainerId layer)
 
 void moveLayer(Session& session, ContainerId layer, const ContainerPlace& place)
 {
-    if (place.below == layer)
-        return;
+    if (place.below == layer || place.parent == layer)
+        return; // dropped onto itself
     auto moved = movedContainer(session.now(), layer, place, session.selection());
     if (!moved) {
         emit session.refused(tr("A layer cannot be moved into itself, or into a group."));
@@ -79,7 +80,7 @@ void moveLayer(Session& session, ContainerId layer, const ContainerPlace& place)
         return;
     const QString text = tr("Move layer %1").arg(session.now().containers()[layer].name);
     session.history.push(new RearrangeObjects(session.document, std::move(moved->edit), text));
-    session.select(std::move(moved->chosen));
+    session.select(common(moved->chosen, editableObjects(session.now())));
 }
 
 void moveLayer(Session& session, ContainerId layer, LayerStep step)

@@ -121,8 +121,9 @@ void moveSelectionBy(Session& session, int by)
         by > 0 ? session.selection().last() : session.selection().first());
     const auto to = std::ranges::find(layers, now) - layers.begin() - by;
     if (to < 0 || to >= std::ptrdiff_t(layers.size()))
-        emit session.refused(by > 0 ? tr("There is no layer above that is shown and not locked.")
-                                    : tr("There is no layer below that is shown and not locked."));
+        emit session.refused(
+            by > 0 ? tr("No layer above is shown and unlocked. Show or unlock one first.")
+                   : tr("No layer below is shown and unlocked. Show or unlock one first."));
     else
         moveSelectionTo(session, layers[std::size_t(to)]);
 }

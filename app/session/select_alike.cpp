@@ -149,11 +149,12 @@ QString find(Session& session, const QString& text)
     if (found.empty())
         found = named(session.now(), [&](const QString& name) { return isPartOf(name, wanted); });
     if (found.empty())
-        return tr("Nothing is named \"%1\".").arg(wanted);
+        return tr("No object, group or layer is named “%1”.").arg(wanted);
     session.entered.enter(0);
     ObjectRanges usable = common(found, selectableObjects(session));
     if (usable.empty())
-        return tr("What is named \"%1\" is locked or hidden.").arg(wanted);
+        return tr("The objects named “%1” are locked or hidden. Unlock and show them first.")
+            .arg(wanted);
     const std::size_t count = usable.size();
     session.select(std::move(usable));
     return count == 1 ? tr("1 object is selected.")

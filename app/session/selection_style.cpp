@@ -5,6 +5,7 @@
 #include "app/commands/set_style.h"
 #include "app/document/styles_in_use.h"
 #include "app/formats/svg/declarations.h"
+#include "app/session/units.h"
 
 #include <QCoreApplication>
 
@@ -32,7 +33,7 @@ std::optional<Style> layerStyle(const Session& session)
 {
     // Asked for at every frame of a gesture.
     static thread_local std::pair<QString, std::optional<Style>> last;
-    const QString& text = session.now().containers()[session.pen.layer].newStyle;
+    const QString& text = session.now().containers()[layerForNew(session)].newStyle;
     if (text.isEmpty())
         return std::nullopt;
     if (text != last.first)
@@ -42,7 +43,7 @@ std::optional<Style> layerStyle(const Session& session)
 
 void setLayerStyle(Session& session, const std::optional<Style>& style)
 {
-    Container layer = session.now().containers()[session.pen.layer];
+    Container layer = session.now().containers()[layerForNew(session)];
     const QString text = style ? svg::declarations(*style) : QString();
     if (layer.newStyle == text)
         return;

@@ -131,6 +131,8 @@ void Session::follow(const DocumentChange& change)
         pen.layer = containers.childrenOf(0).back();
     if (change.everything)
         preview_ = {};
+    if (change.everything || change.page)
+        guide.reset(); // it may have another number, or be gone
     if (change.windows)
         updateWindows();
     ObjectRanges selected =

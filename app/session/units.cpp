@@ -95,6 +95,15 @@ ContainerId containerForNew(const Session& session)
     return session.entered.id() ? session.entered.id() : session.pen.layer;
 }
 
+ContainerId layerForNew(const Session& session)
+{
+    const Containers& tree = session.now().containers();
+    ContainerId id = containerForNew(session);
+    while (tree[id].kind != Container::Kind::Layer)
+        id = tree.parentOf(id);
+    return id;
+}
+
 ObjectRanges selectableObjects(const Session& session)
 {
     return common(editableObjects(session.now()), ObjectRanges(selectableRange(session)));

@@ -17,6 +17,7 @@ enum class FoundGroups : std::uint8_t { Whole, Any };
 ObjectRanges unitsOf(const Session& session, const ObjectRanges& found, FoundGroups groups);
 /// Where new objects go: the entered group, or the current layer.
 ContainerId containerForNew(const Session& session);
+ContainerId layerForNew(const Session& session); ///< the layer around it
 /// All objects that may be selected: those of the entered group, or of the drawing.
 ObjectRanges selectableObjects(const Session& session);
 

@@ -174,7 +174,7 @@ private:
     /// Whether the canvas has a use for the key before the shortcut of a command.
     bool takesKey(const QKeyEvent& event) const
     {
-        return tool_->wants(event) || beginsTyping(event);
+        return tool_->wants(event, bench_) || beginsTyping(event);
     }
     void beginTyping(const QKeyEvent& event);
     bool releaseLocked();

@@ -76,7 +76,10 @@ bool Controller::escape()
 {
     if (releaseLocked())
         return true;
-    if (tool_->busy()) {
+    if (guide_.going()) {
+        guide_.cancel();
+        snap_.reset();
+    } else if (tool_->busy()) {
         endGesture();
     } else if (session_.entered.id() != 0) {
         leaveGroup(session_);

@@ -44,6 +44,11 @@ void Controller::redo()
 
 void Controller::goToStep(int index)
 {
+    // What is being drawn becomes a step, which would take the place of those that are undone.
+    if (tool_->canTakeBack() && index > session_.history.index()) {
+        emit session_.refused(tr("Finish the object that you are drawing first (Enter)."));
+        return;
+    }
     endGesture();
     session_.history.setIndex(std::min(index, session_.history.count()));
 }

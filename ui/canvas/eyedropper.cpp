@@ -73,7 +73,7 @@ Eyedropper::Eyedropper(Canvas& canvas, app::Session& session, Taken taken)
     qApp->installEventFilter(this);
     canvas.setFocus();
     connect(&canvas, &Canvas::toolChanged, this, &Eyedropper::end);
-    emit canvas.hint(tr("Click a line or an area to take its colour. Esc: give up."));
+    emit canvas.hint(tr("Click a line or an area to take its colour. Esc: cancel."));
 }
 
 Eyedropper::~Eyedropper()
@@ -113,6 +113,8 @@ bool Eyedropper::pointerEvent(const QWidget& surface, const QEvent& event)
 {
     if (event.type() == QEvent::Leave)
         leave();
+    if (event.type() == QEvent::ContextMenu)
+        return true; // the right button ends it
     const bool moves = event.type() == QEvent::MouseMove;
     const bool releases = event.type() == QEvent::MouseButtonRelease;
     const bool presses =
@@ -164,7 +166,7 @@ void Eyedropper::take(const QPointF& place)
 {
     const auto colour = colourAt(place);
     if (!colour) {
-        emit canvas_.hint(tr("There is no line here. Click a line or an area. Esc: give up."));
+        emit canvas_.hint(tr("There is no line here. Click a line or an area. Esc: cancel."));
         return;
     }
     const Taken taken = taken_;

@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <QSignalBlocker>
 #include <QStyledItemDelegate>
+#include <QTimer>
 
 namespace ui {
 
@@ -53,7 +54,7 @@ HistoryPanel::HistoryPanel(const app::History& history, QWidget* parent)
     setFrameShape(QFrame::NoFrame);
     setAccessibleName(tr("History"));
     setToolTip(tr("Click a step to go back or forward to it"));
-    setMinimumHeight(3 * space::rowHeight);
+    setMinimumHeight(5 * space::rowHeight);
     connect(model_, &HistoryModel::dataChanged, this, &HistoryPanel::follow);
     follow();
 }
@@ -68,8 +69,10 @@ void HistoryPanel::follow()
 void HistoryPanel::currentChanged(const QModelIndex& current, const QModelIndex& previous)
 {
     QListView::currentChanged(current, previous);
-    if (current.isValid() && current != model_->now())
+    if (current.isValid() && current != model_->now()) {
         emit stepWanted(current.row());
+        QTimer::singleShot(0, this, &HistoryPanel::follow); // it may have been refused
+    }
 }
 
 } // namespace ui

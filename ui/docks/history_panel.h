@@ -20,6 +20,7 @@ signals:
 
 protected:
     void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
+    void keyboardSearch(const QString&) override {} ///< letters must not go to other steps
 
 private:
     void follow();

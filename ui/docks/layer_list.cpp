@@ -21,6 +21,9 @@ LayerList::LayerList(app::Session& session, LayerModel* model)
     setMouseTracking(true);
     setEditTriggers(DoubleClicked);
     viewport()->setAutoFillBackground(false);
+    for (const auto changed : {&QAbstractItemModel::rowsRemoved, &QAbstractItemModel::rowsInserted})
+        connect(model, changed, this, &LayerList::endDrag); // for example by undo
+    connect(model, &QAbstractItemModel::modelReset, this, &LayerList::endDrag);
 }
 
 app::ContainerId LayerList::current() const

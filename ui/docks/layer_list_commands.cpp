@@ -44,7 +44,7 @@ std::vector<LayerCommand> LayerList::makeCommands()
         {tr("Move down"), QKeySequence("Alt+Down"), move(LayerStep::Down), leads(LayerStep::Down)},
         {tr("Put into the layer above"), QKeySequence("Alt+Right"), move(LayerStep::Inward),
          leads(LayerStep::Inward)},
-        {tr("Take out"), QKeySequence("Alt+Left"), move(LayerStep::Outward),
+        {tr("Move out of its layer"), QKeySequence("Alt+Left"), move(LayerStep::Outward),
          leads(LayerStep::Outward)},
         {},
         {tr("Select everything in it"),

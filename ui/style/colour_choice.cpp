@@ -72,6 +72,7 @@ void ColourChoice::choose(const std::optional<app::Colour>& colour)
 
 void ColourChoice::startEyedropper()
 {
+    emit eyedropperStarted(); // popups close, which take all events
     const QPointer<ColourChoice> self = this;
     Eyedropper::start(canvas_, session_, [self, part = part_](const app::Colour& colour) {
         if (!self)

@@ -25,6 +25,9 @@ public:
     /// The colour that all have, which may be none; empty: it differs.
     std::optional<std::optional<app::Colour>> now() const;
 
+signals:
+    void eyedropperStarted();
+
 protected:
     void changeEvent(QEvent* event) override;
 

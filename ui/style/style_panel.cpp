@@ -4,6 +4,7 @@
 #include "app/base/numbers.h"
 #include "app/document/styles_in_use.h"
 #include "app/drawing/dash_patterns.h"
+#include "app/session/units.h"
 #include "app/view/colour_chart.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
@@ -122,10 +123,8 @@ QLayout* StylePanel::makeColour()
         follow();
     });
     connect(swatches_, &Swatches::picked, colour_, &ColourChoice::choose);
-    connect(eyedropper, &QToolButton::clicked, this, [this] {
-        emit eyedropperStarted();
-        colour_->startEyedropper();
-    });
+    connect(eyedropper, &QToolButton::clicked, colour_, &ColourChoice::startEyedropper);
+    connect(colour_, &ColourChoice::eyedropperStarted, this, &StylePanel::eyedropperStarted);
     auto* line = row();
     line->addWidget(part_);
     line->addWidget(colour_, 1);
@@ -165,7 +164,7 @@ QLayout* StylePanel::makeWidth()
 QLayout* StylePanel::makePattern()
 {
     pattern_->setAccessibleName(tr("Dash pattern"));
-    pattern_->setToolTip(tr("Your own pattern: lengths of dashes and gaps by turns, such as 3 1 "
+    pattern_->setToolTip(tr("Your own pattern: alternating lengths of dashes and gaps, such as 3 1 "
                             "0.5 1, or 2mm 1mm. Empty: solid."));
     pattern_->setFixedHeight(space::fieldHeight);
     connect(pattern_, &QLineEdit::returnPressed, this, [this] {
@@ -206,7 +205,7 @@ void StylePanel::makeLayer()
 
 void StylePanel::followLayer()
 {
-    const QString name = session_.now().containers()[session_.pen.layer].name;
+    const QString name = session_.now().containers()[app::layerForNew(session_)].name;
     const QString text = tr("For new objects of the layer “%1”").arg(name);
     constexpr int box = 24; // logical pixels, with its distance
     ofLayer_->setText(

@@ -55,12 +55,16 @@ public:
         if (event.key() == Qt::Key_C && !event.modifiers() && arc_.points.size() < 2) {
             arc_.byCentre = !arc_.byCentre;
             bench.kept[kept] = {arc_.byCentre ? 1.0 : 0.0};
-        } else if (isOneOf(event.key()) && canTakeBack()) {
+        } else if (takesBack(event.key()) && canTakeBack()) {
             takeBack(bench);
         } else {
             return false;
         }
         return true;
+    }
+    bool wants(const QKeyEvent& event, const Workbench&) const override
+    {
+        return takesBack(event.key()) && canTakeBack();
     }
     void cancel(Workbench& bench) override
     {
@@ -138,7 +142,7 @@ private:
         app::Turn turn = app::Turn::Counterclockwise;
     };
 
-    static bool isOneOf(int key) { return key == Qt::Key_Backspace || key == Qt::Key_Delete; }
+    static bool takesBack(int key) { return key == Qt::Key_Backspace || key == Qt::Key_Delete; }
     app::GestureStart start() const { return {arc_.points[0], arc_.points[1]}; }
     const app::GestureMeasure& sweep() const { return app::sweepMeasure(arc_.turn); }
 

@@ -93,7 +93,8 @@ void GuideDrag::put(double at, Workbench& bench)
         emit bench.session.refused(tr("The page has 1,000 guides already. Remove some first."));
         return;
     }
-    bench.session.guide = old_.value_or(guides.list.size());
+    const std::size_t number = old_.value_or(guides.list.size());
+    bench.session.guide = number;
     if (old_ && guides.list[*old_].at == at)
         return;
     if (old_)
@@ -101,6 +102,7 @@ void GuideDrag::put(double at, Workbench& bench)
     else
         guides.list.push_back({axis, at});
     push(std::move(guides), old_ ? tr("Move guide") : tr("Add guide"), bench);
+    bench.session.guide = number;
 }
 
 void GuideDrag::remove(std::size_t guide, Workbench& bench)

@@ -27,6 +27,12 @@ void ChainTool::press(const Pointer& pointer, Workbench& bench)
     to_ = next;
 }
 
+/// Before the command Delete, which is for the selection.
+bool ChainTool::wants(const QKeyEvent& event, const Workbench&) const
+{
+    return !nodes_.empty() && (event.key() == Qt::Key_Backspace || event.key() == Qt::Key_Delete);
+}
+
 bool ChainTool::key(QKeyEvent& event, Workbench& bench)
 {
     if (nodes_.empty())

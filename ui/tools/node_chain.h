@@ -14,6 +14,7 @@ public:
     void leave(Workbench&) override { to_.reset(); }
     void doubleClick(const Pointer&, Workbench& bench) override { end(bench); }
     bool key(QKeyEvent& event, Workbench& bench) override;
+    bool wants(const QKeyEvent& event, const Workbench&) const override;
     void cancel(Workbench& bench) override;
     void end(Workbench& bench) override { finish(bench, false); }
     bool busy() const override { return !nodes_.empty(); }

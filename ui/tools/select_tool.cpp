@@ -34,7 +34,10 @@ public:
             forgetHovered();
     }
     bool key(QKeyEvent& event, Workbench& bench) override;
-    bool wants(const QKeyEvent& event) const override { return transform_.wants(event); }
+    bool wants(const QKeyEvent& event, const Workbench& bench) const override
+    {
+        return transform_.wants(event) || (deletes(event) && choosesGuide(bench));
+    }
     void cancel(Workbench& bench) override
     {
         gesture_.cancel(bench);
@@ -53,8 +56,8 @@ public:
                    Workbench& bench) override;
     std::optional<app::Gauge> gauge(const Workbench& bench) const override
     {
-        if (const auto guide = guide_.gauge(bench))
-            return guide;
+        if (choosesGuide(bench))
+            return guide_.gauge(bench);
         return end_.going()      ? end_.gauge(bench)
                : resize_.going() ? resize_.gauge(bench)
                                  : transform_.gauge(bench);
@@ -84,6 +87,15 @@ private:
     enum class Drag : std::uint8_t { None, Press, Box, Resize, Transform, Pivot };
     using Mark = PivotMarks::Mark;
 
+    static bool deletes(const QKeyEvent& event)
+    {
+        return event.key() == Qt::Key_Delete || event.key() == Qt::Key_Backspace;
+    }
+    /// Whether numbers and Delete are for a guide.
+    bool choosesGuide(const Workbench& bench) const
+    {
+        return guide_.going() || (!busy() && GuideDrag::chosen(bench));
+    }
     void forgetHovered()
     {
         hoveredHandle_.reset();
@@ -150,12 +162,12 @@ void SelectTool::press(const Pointer& pointer, Workbench& bench)
         return transform_.finish(bench);
     }
     transform_.end(bench);
+    bench.session.guide.reset();
     lookUnder(pointer, bench);
     if (hoveredHandle_) {
         gesture_.start(*hoveredHandle_, pointer, bench.session.window());
         return;
     }
-    bench.session.guide.reset();
     if (hoveredGuide_)
         return guide_.start(*hoveredGuide_, bench);
     if (hoveredEnd_ && !(pointer.modifiers & Qt::ShiftModifier))
@@ -225,6 +237,7 @@ void SelectTool::transform(const app::Transformation& kind, const Pointer& point
     if (busy() && !transform_.going())
         return; // a drag goes on
     cancel(bench);
+    bench.session.guide.reset();
     forgetHovered();
     transform_.start(kind, marks_.pivot(bench), pointer.raw, bench);
 }
@@ -234,7 +247,7 @@ void SelectTool::accept(const app::GestureEnd& end, Workbench& bench)
     drag_ = Drag::None;
     if (end_.going())
         return end_.accept(end.point, bench);
-    if (guide_.gauge(bench))
+    if (choosesGuide(bench))
         return guide_.accept(end.point, bench);
     resize_.going() ? resize_.accept(end, bench) : transform_.accept(end, bench);
 }
@@ -325,16 +338,15 @@ bool SelectTool::key(QKeyEvent& event, Workbench& bench)
         transform_.finish(bench);
         return true;
     }
-    const bool deletes = event.key() == Qt::Key_Delete || event.key() == Qt::Key_Backspace;
-    if (deletes && GuideDrag::chosen(bench)) {
+    if (deletes(event) && choosesGuide(bench)) {
         GuideDrag::remove(*session.guide, bench);
         return true;
     }
-    if (event.key() == Qt::Key_Escape && session.guide) {
+    if (event.key() == Qt::Key_Escape && choosesGuide(bench)) {
         session.guide.reset();
         return true;
     }
-    if (!deletes || session.selection().empty() || busy())
+    if (!deletes(event) || session.selection().empty() || busy())
         return false;
     session.history.push(new app::RemoveObjects(session.document, session.selection()));
     hoveredSegment_.reset();

@@ -89,7 +89,7 @@ public:
     virtual void doubleClick(const Pointer&, Workbench&) {}
     virtual bool key(QKeyEvent&, Workbench&) { return false; } ///< true: consumed
     /// Whether the key belongs to the gesture, before the shortcut of a command.
-    virtual bool wants(const QKeyEvent&) const { return false; }
+    virtual bool wants(const QKeyEvent&, const Workbench&) const { return false; }
     virtual void leave(Workbench&) {}           ///< the pointer has left: nothing is hovered
     virtual void cancel(Workbench&) {}          ///< discards the gesture and everything it has made
     virtual bool busy() const { return false; } ///< a gesture is in progress

@@ -3,6 +3,7 @@
 
 #include "app/commands/move_objects.h"
 #include "app/commands/transform_objects.h"
+#include "app/document/editable.h"
 #include "ui/tools/pivot_marks.h"
 #include "ui/tools/shape_drawing.h"
 
@@ -139,10 +140,10 @@ bool TransformGesture::push(const State& state, Workbench& bench) const
     }
     if (state.copies) {
         app::Edit edit = app::copying(session.now(), state.objects, all, session.entered.id());
-        app::ObjectRanges added = app::addedBy(edit.splices);
+        const app::ObjectRanges added = app::addedBy(edit.splices);
         session.history.push(
             new app::CopyObjects(session.document, std::move(edit), tr("Copy selection")));
-        session.select(std::move(added));
+        session.select(common(added, app::editableObjects(session.now())));
     } else if (state.kind->movesPivot) {
         pushKeepingInspected(session,
                              new app::MoveObjects(session.document, state.objects, all.front().to));

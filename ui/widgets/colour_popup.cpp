@@ -37,7 +37,7 @@ ColourPopup::ColourPopup(QWidget* parent)
     column->setSpacing(2);
     column->setSizeConstraint(QLayout::SetFixedSize);
     inDrawing_ = addSwatches(tr("In this drawing"), rowsOfDrawing);
-    recent_ = addSwatches(tr("Picked last"), 1);
+    recent_ = addSwatches(tr("Recent colours"), 1);
     chart_ = addSwatches(tr("All colours"), rowsOfChart);
     chart_->setColours(app::colourChart());
     addField();

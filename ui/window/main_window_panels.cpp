@@ -37,7 +37,9 @@ void MainWindow::connectPanels()
     connect(panels_.selection, &SelectionPanel::entered, canvas_, focusCanvas);
     connect(panels_.selection, &SelectionPanel::refused, strip_, &MessageStrip::refuse);
     connect(panels_.selection, &SelectionPanel::taken, strip_, &MessageStrip::withdrawRefusal);
-    connect(panels_.history, &HistoryPanel::stepWanted, canvas_, &Canvas::goToStep);
+    connect(panels_.history, &HistoryPanel::stepWanted, canvas_, &Canvas::goToStep,
+            Qt::QueuedConnection); // the list is still changing its current row
+    connect(panels_.history, &HistoryPanel::clicked, canvas_, focusCanvas);
     connect(panels_.style, &StylePanel::entered, canvas_, focusCanvas);
     connect(panels_.style, &StylePanel::refused, strip_, &MessageStrip::refuse);
     connect(panels_.style, &StylePanel::taken, strip_, &MessageStrip::withdrawRefusal);

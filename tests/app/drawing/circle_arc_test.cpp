@@ -118,7 +118,7 @@ private slots:
         QVERIFY(readout.lock());
         readout.type("90");
         QVERIFY(!readout.accept({15, 3}));
-        QCOMPARE(readout.error(), "Radius is locked, which decides this number, too.");
+        QCOMPARE(readout.error(), "Radius is locked and determines this number. Unlock it first.");
         const auto arc = arcThrough({0, 0}, {30, 0}, readout.end({15, 3}));
         QVERIFY(arc && std::abs(radiusOf(*arc) - 25) < 1e-9);
     }

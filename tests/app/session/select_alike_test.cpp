@@ -75,7 +75,7 @@ private slots:
         QCOMPARE(find(drawing, "front"), "2 objects are selected.");
         QCOMPARE(drawing.selection(), (ObjectRanges{3, 4}));
         QCOMPARE(find(drawing, "door"), "3 objects are selected.");
-        QCOMPARE(find(drawing, "window"), "Nothing is named \"window\".");
+        QCOMPARE(find(drawing, "window"), QString("No object, group or layer is named “window”."));
         QCOMPARE(drawing.selection(), (ObjectRanges{2, 3, 4}));
         QCOMPARE(find(drawing, "  "), "Type an id or a name.");
     }
@@ -90,7 +90,9 @@ private slots:
         drawing.select({0});
         select(drawing, "same-colour");
         QCOMPARE(drawing.selection(), (ObjectRanges{0}));
-        QCOMPARE(find(drawing, "leaf"), "What is named \"leaf\" is locked or hidden.");
+        QCOMPARE(
+            find(drawing, "leaf"),
+            QString("The objects named “leaf” are locked or hidden. Unlock and show them first."));
         QSignalSpy refused(&drawing, &Session::refused);
         selectLayer(drawing, drawing.upper);
         QCOMPARE(refused.count(), 1);

@@ -45,6 +45,17 @@ private slots:
         QCOMPARE(panel.model()->rowCount(), 3);
         QVERIFY(!is(2, HistoryModel::UndoneRole));
     }
+    void lettersAskForNothing()
+    {
+        app::Session session;
+        HistoryPanel panel(session.history);
+        push(session, 1);
+        push(session, 2);
+        panel.show();
+        const QSignalSpy wanted(&panel, &HistoryPanel::stepWanted);
+        QTest::keyClicks(&panel, "SDM");
+        QCOMPARE(wanted.size(), 0);
+    }
     void aClickAndAnArrowKeyAskForAStep()
     {
         app::Session session;

@@ -73,8 +73,7 @@ private slots:
         Page::type("24\n");
         page.pull(1, {60, 50});
         Page::type("28.5\n");
-        QCOMPARE(page.guides(),
-                 (std::vector<app::Guide>{{0, 120}, {0, 130}, {1, 24}, {1, 28.5}}));
+        QCOMPARE(page.guides(), (std::vector<app::Guide>{{0, 120}, {0, 130}, {1, 24}, {1, 28.5}}));
     }
     void aGuideIsDraggedClickedAndDeleted()
     {
@@ -103,6 +102,45 @@ private slots:
         page.pull(0, {50, 40});
         page.drag({page.guides()[0].at, 70}, page.beside());
         QVERIFY(page.guides().empty());
+    }
+    void aChosenGuideLeavesOtherGesturesAlone()
+    {
+        Page page;
+        page.session.select({0});
+        page.pull(0, {50, 40}); // is chosen now, and the object stays selected
+        Page::type("50\n");
+        Page::key(Qt::Key_O); // rotates
+        Page::type("90\n");
+        QCOMPARE(page.guides()[0].at, 50.0);
+        QCOMPARE(page.session.history.count(), 3);
+        QVERIFY(page.path().start != corner().start);
+    }
+    void deleteMeansTheChosenGuide()
+    {
+        Page page;
+        page.session.select({0});
+        page.pull(0, {50, 40});
+        Page::key(Qt::Key_Delete);
+        QVERIFY(page.guides().empty());
+        QCOMPARE(page.session.now().objects().size(), std::size_t(1));
+    }
+    void undoneGuidesAreNotChosen()
+    {
+        Page page;
+        page.pull(0, {50, 40});
+        page.pull(0, {70, 40});
+        page.canvas.undo();
+        QVERIFY(!page.session.guide);
+    }
+    void escEndsADragFromARuler()
+    {
+        Page page;
+        auto* ruler = page.t.window->findChild<QWidget*>("topRuler");
+        QTest::mousePress(ruler, Qt::LeftButton, {}, ruler->rect().center());
+        Page::key(Qt::Key_Escape);
+        QTest::mouseRelease(ruler, Qt::LeftButton, {}, QPoint(50, 200));
+        QVERIFY(page.guides().empty());
+        QCOMPARE(page.canvas.tool(), std::string_view("select"));
     }
     void hiddenGuidesAreNotInTheWay()
     {

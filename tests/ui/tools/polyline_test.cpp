@@ -15,6 +15,34 @@ class PolylineTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void backspaceMeansTheCornerAlsoWithASelection()
+    {
+        Hand hand;
+        hand.window.session().history.push(
+            addShapes(hand.window.session().document, {line({0, 0}, {5, 5})}, "line"));
+        hand.window.session().select({0});
+        hand.click(3);
+        hand.key(Qt::Key_Backspace);
+        hand.key(Qt::Key_Return);
+        QCOMPARE(hand.shapes().size(), std::size_t(2));
+        QCOMPARE(hand.corners(1), hand.placed(2));
+    }
+    void aLaterStepIsRefusedWhileCornersWouldReplaceIt()
+    {
+        Hand hand;
+        app::Session& session = hand.window.session();
+        for (int i = 1; i < 4; ++i)
+            session.history.push(addShapes(session.document, {line({0, 0}, {5. * i, 5})}, "line"));
+        session.history.setIndex(1);
+        hand.click(2);
+        const QSignalSpy refused(&session, &app::Session::refused);
+        hand.window.canvas().goToStep(3);
+        QCOMPARE(refused.size(), 1);
+        QCOMPARE(session.history.count(), 3);
+        hand.window.canvas().goToStep(0); // keeps the corners as a step that can be redone
+        QCOMPARE(session.history.index(), 0);
+        QCOMPARE(session.history.count(), 2);
+    }
     void undoRemovesACornerAndRedoRestoresIt()
     {
         Hand hand;
