@@ -59,6 +59,7 @@ void Session::select(ObjectRanges objects)
         return;
     selection_ = std::move(objects);
     selectionBounds_.reset();
+    guide.reset(); // keys are for the objects now
     emit selectionChanged();
 }
 

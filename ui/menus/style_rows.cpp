@@ -2,6 +2,7 @@
 #include "ui/bars/option_bar.h"
 #include "ui/editing/style_clipboard.h"
 #include "ui/menus/object_rows.h"
+#include "ui/style/style_panel.h"
 #include "ui/window/main_window.h"
 
 #include <QAction>
@@ -12,6 +13,17 @@ namespace ui {
 namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("ObjectMenu", text); }
+
+/// Goes to the panel, or opens it below its button.
+void openStyle(MainWindow& window)
+{
+    if (!window.showsPanel("style"))
+        return window.optionBar().openStyle();
+    window.raisePanel("style");
+    for (StylePanel* panel : window.findChildren<StylePanel*>())
+        if (panel->isVisible())
+            panel->focusFirst();
+}
 
 ActionInfo takeColour(std::string_view key, const QString& text, const char* shortcut,
                       app::PaintPart part)
@@ -38,7 +50,7 @@ std::vector<ActionInfo> styleRows()
             .text = tr("&Style…"),
             .keys = {K("Ctrl+Shift+F")},
             .icon = "style",
-            .run = [](MainWindow& w) { w.optionBar().openStyle(); },
+            .run = openStyle,
             .submenu = submenu,
             .made = [](MainWindow& w, QAction& action) { w.optionBar().setStyleCommand(action); },
         },

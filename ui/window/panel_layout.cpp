@@ -106,6 +106,8 @@ void PanelLayout::choose(const Workspace& workspace)
     }
     arrange();
     showTitles();
+    // At once: the program may be killed, and go on with a recovered drawing.
+    QSettings().setValue(workspaceKey, app::latin(workspace_->key));
     emit workspaceChanged();
     emit changed();
 }

@@ -36,7 +36,7 @@ class StyleTest : public QObject {
         {
         }
         Style style(std::size_t object) { return session.now().objects()[object].style(); }
-        StylePanel& panel() { return *t.window->findChild<StylePanel*>(); }
+        StylePanel& panel() { return popup().panel(); }
         StylePopup& popup() { return *t.window->findChild<StylePopup*>(); }
         /// Opens the panel as the key does.
         void open()

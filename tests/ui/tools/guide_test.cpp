@@ -124,6 +124,16 @@ private slots:
         QVERIFY(page.guides().empty());
         QCOMPARE(page.session.now().objects().size(), std::size_t(1));
     }
+    void selectingObjectsDeselectsTheGuide()
+    {
+        Page page;
+        page.pull(0, {50, 40});
+        page.t.action("select-all")->trigger();
+        QVERIFY(!page.session.guide);
+        Page::key(Qt::Key_Delete);
+        QCOMPARE(page.guides().size(), std::size_t(1));
+        QVERIFY(page.session.now().objects().empty());
+    }
     void undoneGuidesAreNotChosen()
     {
         Page page;

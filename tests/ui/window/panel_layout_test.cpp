@@ -110,6 +110,7 @@ private slots:
         QCOMPARE(plain.window.dockWidgetArea(&plain.dock("layers")), Qt::RightDockWidgetArea);
         plain.layout->choose(draw);
         QCOMPARE(plain.window.dockWidgetArea(&plain.dock("layers")), Qt::LeftDockWidgetArea);
+        QCOMPARE(QSettings().value("workspace").toString(), "workspace-draw"); // at once
         plain.layout->save();
         PlainWindow next;
         QSettings().setValue("workspace", "workspace-draw");
