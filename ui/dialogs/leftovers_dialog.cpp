@@ -85,6 +85,8 @@ Questions::LeftoverAnswer askAboutLeftovers(QWidget& window,
     auto* discard = buttons->addButton(tr("Discard drawing"), QDialogButtonBox::DestructiveRole);
     buttons->addButton(tr("Keep for later"), QDialogButtonBox::RejectRole);
     recover->setDefault(true);
+    recover->setFocus();
+    discard->setAutoDefault(false);
     column->addWidget(buttons);
     Verb verb = Verb::Later;
     const auto end = [&](Verb chosen) {

@@ -40,6 +40,7 @@ private:
     Target targetAt(const QPoint& at) const;
     void endDrag();
 
+    void keyboardSearch(const QString&) override {} ///< letters must not go to other layers
     bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;

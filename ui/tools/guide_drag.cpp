@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/guide_drag.h"
 
+#include "app/base/numbers.h"
 #include "app/commands/set_guides.h"
 #include "app/drawing/transformation_measures.h"
 #include "ui/tools/shape_drawing.h"
@@ -128,6 +129,20 @@ std::optional<app::Gauge> GuideDrag::gauge(const Workbench& bench) const
         gauge.aim = app::GestureEnd{at, gauge.measure->values(gauge.start, at)};
     }
     return gauge;
+}
+
+QString GuideDrag::hint(const Workbench& bench) const
+{
+    const app::Guide* guide = now_ ? &*now_ : chosen(bench);
+    if (!guide || std::isnan(guide->at))
+        return {};
+    const app::Gauge start = gaugeOfStart(bench);
+    const QString place = (guide->axis == 0 ? QStringLiteral("x ") : QStringLiteral("y "))
+                          + app::lengthText(guide->at - start.origin[guide->axis], start.scale.unit,
+                                            start.scale.millimetresPerUnit);
+    return tr("Guide at %1. Drag it, or type another position. Delete, or dragging it out of the "
+              "drawing, removes it.")
+        .arg(place);
 }
 
 void GuideDrag::accept(const app::Point& point, Workbench& bench)

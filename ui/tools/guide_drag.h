@@ -24,6 +24,7 @@ public:
 
     /// The coordinate of the guide that is dragged, or of the chosen one.
     std::optional<app::Gauge> gauge(const Workbench& bench) const;
+    QString hint(const Workbench& bench) const; ///< where it is; empty: no guide is meant
     void accept(const app::Point& point, Workbench& bench); ///< a typed coordinate
     static void remove(std::size_t guide, Workbench& bench);
     /// Paints the guide that is dragged, or the chosen one, stronger than the others.

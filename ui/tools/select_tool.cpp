@@ -363,10 +363,11 @@ QString SelectTool::hint(const Workbench& bench) const
         return QCoreApplication::translate(
             "Tools",
             "Drag the end of the line. While dragging, type a length, Tab, an angle, Enter.");
-    if (hoveredGuide_ || guide_.going() || GuideDrag::chosen(bench))
-        return QCoreApplication::translate(
-            "Tools", "Drag the guide, or click it and type its position. Delete, or dragging it "
-                     "out of the drawing, removes it.");
+    if (const QString hint = guide_.hint(bench); !hint.isEmpty())
+        return hint;
+    if (hoveredGuide_)
+        return QCoreApplication::translate("Tools", "Drag the guide, or click it to type its "
+                                                    "position or delete it.");
     if (hoveredSegment_ && *hoveredSegment_ < session.scene.lines().size() && drag_ == Drag::None) {
         const app::Containers& containers = session.now().containers();
         const std::size_t object = session.scene.lines().objectOf(*hoveredSegment_);

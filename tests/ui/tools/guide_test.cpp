@@ -59,6 +59,7 @@ private slots:
         page.pull(1, {50, 40});
         Page::type("12+30.5\n");
         QCOMPARE(page.guides()[0].at, 42.5);
+        QVERIFY(page.canvas.toolHint().contains("y 42.50"));
         Page::type("1\n"); // again, as long as it is chosen
         QCOMPARE(page.guides()[0].at, 1.0);
     }
