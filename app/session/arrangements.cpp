@@ -56,7 +56,7 @@ void sameSizeOn(Session& session)
 std::span<const Arrangement> arrangements()
 {
     using enum Arrangement::Kind;
-    const QString aligns = tr("&Align"), spreads = tr("S&pread evenly"),
+    const QString aligns = tr("&Align"), spreads = tr("Spread eve&nly"),
                   sizes = tr("Make same si&ze");
     // THE CATALOGUE, in the order of the buttons.
     static const std::vector<Arrangement> all{

@@ -33,7 +33,7 @@ ActionInfo nodeStep(std::size_t number, const QKeySequence& shortcut)
                 w.canvas().endGesture();
                 w.session().nodes.run(step);
             },
-        .submenu = tr("Pa&th"),
+        .submenu = tr("&Path"),
         .refusal = [&step](const MainWindow& w) { return w.session().nodes.refusal(step); },
     };
     if (!shortcut.isEmpty())
@@ -60,7 +60,7 @@ std::vector<ActionInfo> pathRows()
     for (std::size_t i = 0; i < app::nodeSteps().size(); ++i) {
         const Row row = i < shortcuts.size() ? shortcuts[i] : Row{""};
         if (row.beginsGroup)
-            rows.push_back({.submenu = tr("Pa&th")}); // a separator
+            rows.push_back({.submenu = tr("&Path")}); // a separator
         rows.push_back(nodeStep(i, QKeySequence(row.shortcut)));
     }
     return rows;

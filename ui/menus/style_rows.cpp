@@ -22,7 +22,7 @@ ActionInfo takeColour(std::string_view key, const QString& text, const char* sho
         .keys = {QKeySequence(shortcut)},
         .scope = ShortcutScope::Canvas,
         .run = [part](MainWindow& w) { w.optionBar().takeColour(part); },
-        .submenu = tr("St&yle"),
+        .submenu = tr("S&tyle"),
     };
 }
 
@@ -31,7 +31,7 @@ ActionInfo takeColour(std::string_view key, const QString& text, const char* sho
 std::vector<ActionInfo> styleRows()
 {
     using K = QKeySequence;
-    const QString submenu = tr("St&yle");
+    const QString submenu = tr("S&tyle");
     return {
         {
             .key = "style",

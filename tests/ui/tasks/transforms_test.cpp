@@ -117,7 +117,7 @@ private slots:
         for (const char* corner :
              {"40,20", "50,33", "20,47", "60,61", "35,84", "80,97", "45,109", "70,125"})
             rectangle(steps, corner, "20", "10");
-        add(steps, {key("Ctrl+A"), key("Alt+O"), type("a"), type("l"), key("Alt+O"), type("p"),
+        add(steps, {key("Ctrl+A"), key("Alt+O"), type("a"), type("l"), key("Alt+O"), type("n"),
                     type("v")});
         Table table;
         for (int i = 0; i < 8; ++i)
