@@ -118,7 +118,7 @@ std::array<NodeStep, 12> allSteps()
                  [](OwnedPaths& paths, double) { return insertInChosen(paths.path); }},
         NodeStep{"delete-nodes", tr("&Delete nodes"), tr("Delete nodes"), true, always,
                  ofEach<deleteSelected>},
-        NodeStep{"split-path", tr("&Split path at nodes"), tr("Split path"), true,
+        NodeStep{"split-path", tr("Split path at &nodes"), tr("Split path"), true,
                  [](const NodeSummary& nodes) {
                      return nodes.selected > nodes.selectedEnds
                                 ? QString()

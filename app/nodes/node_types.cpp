@@ -52,13 +52,24 @@ Point directionOf(const NodeSubpath& subpath, std::size_t i)
     return along != Point(0) ? along : Point(-out.y, out.x); // it turns back: across
 }
 
+/// Curves both segments of each selected node between two lines. Done before any node is made
+/// smooth, so that the nodes of a polyline are all treated alike.
+void curveBesideCorners(NodeSubpath& subpath)
+{
+    std::vector<std::size_t> between;
+    for (std::size_t i = 0; i < subpath.nodes.size(); ++i)
+        if (const bool line = !subpath.nodes[i].curved && !subpath.curvedInto(i);
+            subpath.nodes[i].selected && !subpath.isEnd(i) && line)
+            between.push_back(i);
+    for (const std::size_t i : between)
+        for (const std::size_t segment : {*subpath.previous(i), i})
+            if (!subpath.nodes[segment].curved)
+                curveSegment(subpath, segment);
+}
+
 void makeSmooth(NodeSubpath& subpath, std::size_t i)
 {
     const Sides was = sidesOf(subpath, i);
-    if (!was.curvedIn && !was.curvedOut) {
-        curveSegment(subpath, *subpath.previous(i));
-        curveSegment(subpath, i);
-    }
     Node& node = subpath.nodes[i];
     const auto third = [&](const Point& handle, std::size_t other) {
         const double own = length(handle);
@@ -116,7 +127,9 @@ NodeType typeOf(const NodeSubpath& subpath, std::size_t node)
 bool setTypes(NodePath& path, NodeType type)
 {
     bool any = false;
-    for (NodeSubpath& subpath : path)
+    for (NodeSubpath& subpath : path) {
+        if (type == NodeType::Smooth)
+            curveBesideCorners(subpath);
         for (std::size_t i = 0; i < subpath.nodes.size(); ++i) {
             if (!subpath.nodes[i].selected || subpath.isEnd(i))
                 continue;
@@ -129,6 +142,7 @@ bool setTypes(NodePath& path, NodeType type)
             weakenType(subpath, *subpath.previous(i));
             weakenType(subpath, *subpath.next(i));
         }
+    }
     return any;
 }
 

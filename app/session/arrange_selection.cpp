@@ -103,7 +103,7 @@ std::span<const AlignmentTarget> alignmentTargets()
         AlignmentTarget{"to-selection", tr("To the &selection"),
                         [](const Session& session, Units) { return session.selectionBounds(); }},
         AlignmentTarget{
-            "to-last", tr("To the object clicked &last"),
+            "to-last", tr("To the object clicked l&ast"),
             [](const Session& session, Units units) { return Box(lastOf(units, session).box); }},
         AlignmentTarget{
             "to-page", tr("To the &page"),

@@ -4,11 +4,13 @@
 #include "app/base/latin.h"
 #include "ui/look/look_icon.h"
 #include "ui/menus/context_menus.h"
+#include "ui/menus/menu_keys.h"
 #include "ui/menus/other_windows.h"
 #include "ui/window/main_window.h"
 
 #include <QAction>
 #include <QActionGroup>
+#include <QApplication>
 #include <QMenu>
 #include <QMenuBar>
 
@@ -122,6 +124,7 @@ void addMenus(MainWindow& window)
         }
     }
     addContextMenus(window);
+    qApp->installEventFilter(new MenuKeys(&window));
     window.refreshActions();
 }
 

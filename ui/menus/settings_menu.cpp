@@ -9,6 +9,7 @@
 #include <QCoreApplication>
 #include <QMenu>
 
+#include <algorithm>
 #include <array>
 
 namespace ui {
@@ -17,13 +18,25 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("SettingsMenu", text); }
 
+/// Marks the first letter that no earlier entry has: p of pt, x of px.
+QString withLetter(QString name, QString& taken)
+{
+    const auto isFree = [&taken](QChar letter) { return !taken.contains(letter); };
+    const auto letter = std::ranges::find_if(name, isFree);
+    if (letter == name.end())
+        return name;
+    taken += *letter;
+    return name.insert(letter - name.begin(), u'&');
+}
+
 void addUnits(MainWindow& window, QMenu& menu)
 {
     auto* group = new QActionGroup(&menu);
+    QString taken;
     for (const app::Unit unit : shownUnits()) {
         const auto suffix = app::infoOf(unit).suffix;
         auto* action =
-            menu.addAction(QStringLiteral("&") + app::latin(suffix), &window, [&window, unit] {
+            menu.addAction(withLetter(app::latin(suffix), taken), &window, [&window, unit] {
                 window.session().changeDisplay(
                     [unit](app::Display& display) { display.unit = unit; });
             });

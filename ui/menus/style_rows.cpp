@@ -34,7 +34,7 @@ ActionInfo takeColour(std::string_view key, const QString& text, const char* sho
         .keys = {QKeySequence(shortcut)},
         .scope = ShortcutScope::Canvas,
         .run = [part](MainWindow& w) { w.optionBar().takeColour(part); },
-        .submenu = tr("St&yle"),
+        .submenu = tr("S&tyle"),
     };
 }
 
@@ -43,7 +43,7 @@ ActionInfo takeColour(std::string_view key, const QString& text, const char* sho
 std::vector<ActionInfo> styleRows()
 {
     using K = QKeySequence;
-    const QString submenu = tr("St&yle");
+    const QString submenu = tr("S&tyle");
     return {
         {
             .key = "style",

@@ -27,6 +27,18 @@ private slots:
         QVERIFY(std::abs(glm::distance(node.out, node.at) - 20) < 1e-12);
         QCOMPARE(path[0].nodes[0].out, app::Point(10, 0)); // as straight as before
     }
+    void allCornersOfAPolylineBecomeSmoothAlike()
+    {
+        app::NodePath path{polyline({{0, 0}, {30, 30}, {60, 0}, {90, 30}})};
+        app::selectAll(path, true);
+        QVERIFY(app::setTypes(path, app::NodeType::Smooth));
+        for (const std::size_t i : {0, 1, 2})
+            QVERIFY(path[0].nodes[i].curved);
+        for (const std::size_t i : {1, 2}) { // tops and bottoms
+            QVERIFY(std::abs(path[0].nodes[i].in.y - path[0].nodes[i].at.y) < 1e-12);
+            QVERIFY(std::abs(path[0].nodes[i].out.y - path[0].nodes[i].at.y) < 1e-12);
+        }
+    }
     void smoothKeepsTheLengthsOfHandlesAndSymmetricTheirMean()
     {
         app::NodePath path{

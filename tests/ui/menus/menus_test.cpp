@@ -48,7 +48,32 @@ class MenusTest : public QObject {
         return nullptr;
     }
 
+    /// Entries of a menu and its submenus that share their underlined letter with another entry.
+    static QStringList clashesIn(const QMenu& menu)
+    {
+        QStringList clashes;
+        QSet<QKeySequence> taken;
+        for (const QAction* entry : menu.actions()) {
+            const QKeySequence letter = QKeySequence::mnemonic(entry->text());
+            if (!letter.isEmpty() && taken.contains(letter))
+                clashes << menu.title() + u'/' + entry->text();
+            taken.insert(letter);
+            if (entry->menu())
+                clashes << clashesIn(*entry->menu());
+        }
+        return clashes;
+    }
+
 private slots:
+    void noTwoEntriesOfAMenuHaveTheSameLetter()
+    {
+        const TestWindow t;
+        QStringList clashes;
+        for (const QAction* top : notEmpty(t.window->menuBar()->actions()))
+            clashes << clashesIn(*top->menu());
+        QVERIFY2(clashes.isEmpty(), qPrintable(clashes.join(", ")));
+    }
+
     void everyMenuHasTheEntriesOfItsRows()
     {
         const TestWindow t;
@@ -99,6 +124,22 @@ private slots:
         QCOMPARE(entries.mid(0, 4), wanted.mid(0, 3) << QStringLiteral("-"));
         entries.removeAll(QStringLiteral("-"));
         QCOMPARE(entries, wanted); // each in the menu
+    }
+
+    void aLetterInAnOpenMenuChoosesAnEntryNotATool()
+    {
+        TestWindow t;
+        t.show();
+        QTest::keyClick(t.drawingArea(), Qt::Key_V, Qt::AltModifier);
+        auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+        QVERIFY(menu && menu == menuOf(t, "&View"));
+        QTest::keyClick(menu, Qt::Key_D); // "Grid looks"; on the canvas, the pen
+        QTRY_VERIFY(QApplication::activePopupWidget() != menu);
+        QTest::keyClick(QApplication::activePopupWidget(), Qt::Key_I);
+        QVERIFY(t.action("grid-isometric")->isChecked());
+        QVERIFY(t.action("tool-select")->isChecked());
+        QTest::keyClick(t.drawingArea(), Qt::Key_D); // the menu is closed
+        QVERIFY(t.action("tool-pen")->isChecked());
     }
 
     void theToolsAreGroupedAsInTheirCatalogue()

@@ -44,6 +44,41 @@ private slots:
                type("-30,0"), enter(), type("0,-20"), enter(), key("Ctrl+A"), key("Shift+J")},
               {{{{10, 30}, {10, 10}, {40, 10}, {40, 30}}, true}});
     }
+    /// The points are the centres of small circles.
+    void traced()
+    {
+        const std::vector<app::Point> points{{20, 60}, {50, 30}, {80, 60}, {110, 40}};
+        Steps steps;
+        for (const char* corner : {"17,57", "47,27", "77,57", "107,37"})
+            add(steps, {key("E"), type(corner), enter(), type("6"), tab(), type("6"), enter()});
+        add(steps, {key("P")});
+        for (const app::Point& p : points)
+            add(steps, {click(p + app::Point(0.3, -0.3))});
+        add(steps, {key("N"), click({35, 45}), key("Ctrl+A"), key("Shift+S")});
+        Table table;
+        for (const app::Point& p : points)
+            table.push_back(circle(p, 3));
+        Drawn smooth{{points[0], points[0] + (points[1] - points[0]) / 3.0}};
+        for (std::size_t i : {1, 2}) {
+            const app::Point in = points[i - 1] - points[i], out = points[i + 1] - points[i];
+            const app::Point along = glm::normalize(glm::normalize(out) - glm::normalize(in)) / 3.0;
+            smooth.points.insert(smooth.points.end(),
+                                 {points[i] - along * glm::length(in), points[i],
+                                  points[i] + along * glm::length(out)});
+        }
+        smooth.points.insert(smooth.points.end(),
+                             {points[3] + (points[2] - points[3]) / 3.0, points[3]});
+        table.push_back(smooth);
+        check(steps, table);
+    }
+    /// The two halves of one curve, drawn on the grid.
+    void deletedNode()
+    {
+        check({key("Shift+F5"), key("D"), drag({20, 60}, {20, 40}), drag({60, 30}, {80, 30}),
+               drag({100, 60}, {100, 80}), key("N"), click({32.5, 37.5}), click({60, 30}),
+               key("Delete")},
+              {{{{20, 60}, {20, 20}, {100, 20}, {100, 60}}}});
+    }
 };
 
 QTEST_MAIN(NodesTest)

@@ -21,10 +21,6 @@ class ObjectsTest : public QObject {
         }
         return drawn;
     }
-    static void add(Steps& steps, const Steps& more)
-    {
-        steps.insert(steps.end(), more.begin(), more.end());
-    }
     static Steps another(const char* corner)
     {
         return {type(corner), enter(), type("20"), tab(), type("10"), enter()};
@@ -77,6 +73,41 @@ private slots:
                     clickRow(list, "Layer 4"), key("Alt+Down"), clickRow(list, "Layer 2", 18),
                     key("Esc"), key("Ctrl+A"), key("Right")});
         check(steps, {box({81, 90}), box({41, 50}), box({80, 50}), box({40, 90})});
+    }
+    void recoloured()
+    {
+        const auto line = [](const char* from) {
+            return Steps{key("L"), type(from), enter(), type("30,0"), enter()};
+        };
+        Steps steps{press("Stroke colour"), type("red"), enter()};
+        add(steps, line("20,20"));
+        add(steps, {press("Add layer")});
+        add(steps, line("20,40"));
+        add(steps, {press("Stroke colour"), type("black"), enter(), clickRow("Layers", "Drawing"),
+                    key("Esc")});
+        add(steps, line("20,60"));
+        add(steps,
+            {key("V"), click({35, 20}), key("Alt+E"), type("m"), type("c"), press("Stroke colour"),
+             type("blue"), enter(), key("Ctrl+Shift+F"), type("0.5"), tab(), key("Down")});
+        const app::Style black{.stroke = app::Colour{}};
+        const app::Style blue{.stroke = app::Colour{.blue = 255}, .width = 0.5, .dashes = {3, 1.5}};
+        check(steps, {{{{20, 20}, {50, 20}}, false, blue},
+                      {{{20, 60}, {50, 60}}, false, black},
+                      {{{20, 40}, {50, 40}}, false, blue}});
+    }
+    /// An A4 page gets margins of 10; the file that is exported holds the same as the drawing.
+    void cropped()
+    {
+        Steps steps{key("L"), type("0,30"), enter(), type("210,0"), enter(),
+                    enter(),  type("50,0"), enter(), type("0,297"), enter()};
+        add(steps, rectangle("60,50"));
+        add(steps, {press("Add a clip window that covers the whole page"), key("Ctrl+A"),
+                    type("10"), tab(), type("10"), tab(), type("190"), tab(), type("277"), enter(),
+                    key("Ctrl+Shift+X"), key("Ctrl+E")});
+        const Table once{{{{10, 30}, {200, 30}}}, {{{50, 10}, {50, 287}}}, box({60, 50})};
+        Table twice = once;
+        twice.insert(twice.end(), once.begin(), once.end());
+        check(steps, twice);
     }
 };
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/formats/format.h"
 #include "ui/tools/tool.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
+#include <QAbstractSpinBox>
 #include <QLineEdit>
 #include <QMenu>
 
@@ -20,10 +22,12 @@
 
 namespace tasks {
 
-/// What is drawn: all points of each path in order, also control points.
+/// What is drawn: all points of each path in order, also control points. A table may leave out the
+/// style.
 struct Drawn {
     std::vector<app::Point> points;
     bool closed = false;
+    std::optional<app::Style> style = {};
 };
 using Table = std::vector<Drawn>;
 
@@ -34,17 +38,20 @@ public:
         window_.show();
         auto& canvas = window_.window->canvas();
         canvas.settle();
+        window_.answers->save = window_.path("exported.svg");
     }
 
+    /// Waits, as a person does, until a file that the key writes is written.
     void key(const QString& sequence)
     {
         const QKeyCombination pressed = QKeySequence(sequence)[0];
         QTest::keyClick(receiver(), pressed.key(), pressed.keyboardModifiers());
+        window_.window->files().wait();
     }
     void type(const char* text)
     {
         for (const char* c = text; *c; ++c) {
-            const QWidget* menu = QApplication::activePopupWidget();
+            const auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
             QTest::keyClick(receiver(), *c);
             if (menu) // a submenu opens some milliseconds after its key
                 (void)QTest::qWaitFor([menu] { return QApplication::activePopupWidget() != menu; },
@@ -96,6 +103,15 @@ public:
             if (button->isVisible() && button->toolTip() == toolTip)
                 return QTest::mouseClick(button, Qt::LeftButton);
     }
+    /// Clicks the field of this name.
+    void clickField(const QString& name)
+    {
+        for (auto* field : window_.window->findChildren<QAbstractSpinBox*>())
+            if (field->isVisible() && field->isEnabled() && field->accessibleName() == name) {
+                auto* edit = field->findChild<QLineEdit*>();
+                return QTest::mouseClick(edit, Qt::LeftButton, {}, edit->rect().center());
+            }
+    }
     /// Clicks a row of a list, `fromRight` pixels from its right end or, if 0, in the middle.
     void clickRow(const QString& list, const QString& row, int fromRight = 0)
     {
@@ -124,22 +140,31 @@ public:
         QTest::mouseRelease(&area(), Qt::LeftButton, {}, screen(points.back()).toPoint());
     }
 
+    /// What is drawn, then what the exported file holds.
     Table drawn() const
     {
         Table table;
-        const app::Objects& all = window_.window->session().now().objects();
-        all.forEach(0, all.size(), [&](std::size_t, const app::ObjectView& object) {
-            for (const app::Subpath& path : object.path().subpaths())
-                table.push_back(drawn(path));
-        });
+        append(table, window_.window->session().now().objects());
+        if (QFile::exists(window_.path("exported.svg")))
+            if (const auto file = app::readFile(window_.path("exported.svg")))
+                append(table, file.value->document.objects());
         return table;
     }
 
 private:
+    static void append(Table& table, const app::Objects& all)
+    {
+        all.forEach(0, all.size(), [&](std::size_t, const app::ObjectView& object) {
+            for (const app::Subpath& path : object.path().subpaths()) {
+                table.push_back(drawn(path));
+                table.back().style = object.style();
+            }
+        });
+    }
     QWidget* receiver() const
     {
         if (QWidget* popup = QApplication::activePopupWidget())
-            return popup;
+            return popup->focusWidget() ? popup->focusWidget() : popup;
         if (QWidget* modal = QApplication::activeModalWidget())
             return modal->focusWidget() ? modal->focusWidget() : modal;
         QWidget* focused = window_.window->focusWidget();
@@ -187,6 +212,11 @@ struct Step {
 };
 using Steps = std::vector<Step>;
 
+inline void add(Steps& steps, const Steps& more)
+{
+    steps.insert(steps.end(), more.begin(), more.end());
+}
+
 inline Step key(const QString& sequence)
 {
     return {sequence, [sequence](Player& player) { player.key(sequence); }};
@@ -227,6 +257,10 @@ inline Step press(const QString& toolTip)
 {
     return {toolTip, [toolTip](Player& player) { player.press(toolTip); }};
 }
+inline Step clickField(const QString& name)
+{
+    return {"field " + name, [name](Player& player) { player.clickField(name); }};
+}
 inline Step clickRow(const QString& list, const QString& row, int fromRight = 0)
 {
     return {"click " + row,
@@ -243,7 +277,8 @@ inline bool same(const Drawn& a, const Drawn& b)
     const auto near = [](const app::Point& p, const app::Point& q) {
         return glm::distance(p, q) <= most;
     };
-    return a.closed == b.closed && std::ranges::equal(a.points, b.points, near);
+    const bool sameStyle = !a.style || !b.style || a.style == b.style;
+    return a.closed == b.closed && sameStyle && std::ranges::equal(a.points, b.points, near);
 }
 inline bool same(const Table& a, const Table& b)
 {
@@ -255,7 +290,36 @@ inline QString text(const Drawn& path)
     QString text;
     for (const app::Point& p : path.points)
         text += QString("(%1, %2) ").arg(p.x, 0, 'g', 12).arg(p.y, 0, 'g', 12);
-    return text + (path.closed ? "closed" : "");
+    text += path.closed ? "closed" : "";
+    if (const auto& style = path.style)
+        text += QString(" width %1, %2 dashes, colour %3 %4 %5")
+                    .arg(style->width)
+                    .arg(style->dashes.size())
+                    .arg(style->stroke.value_or(app::Colour{}).red)
+                    .arg(style->stroke.value_or(app::Colour{}).green)
+                    .arg(style->stroke.value_or(app::Colour{}).blue);
+    return text;
+}
+/// Four Bézier curves from the right, clockwise on screen.
+inline Drawn circle(const app::Point& centre, double radius)
+{
+    const double r = radius, k = 4.0 / 3 * std::tan(std::numbers::pi / 8) * r;
+    Drawn drawn{{}, true};
+    for (const app::Point& p : std::initializer_list<app::Point>{{r, 0},
+                                                                 {r, k},
+                                                                 {k, r},
+                                                                 {0, r},
+                                                                 {-k, r},
+                                                                 {-r, k},
+                                                                 {-r, 0},
+                                                                 {-r, -k},
+                                                                 {-k, -r},
+                                                                 {0, -r},
+                                                                 {k, -r},
+                                                                 {r, -k},
+                                                                 {r, 0}})
+        drawn.points.push_back(centre + p);
+    return drawn;
 }
 /// The first path that is not as expected.
 inline QString difference(const Table& drawn, const Table& expected)

@@ -14,27 +14,6 @@ class TransformsTest : public QObject {
             table.push_back({{w.min, {w.max.x, w.min.y}, w.max, {w.min.x, w.max.y}}, true});
         return table;
     }
-    /// Four Bézier curves from the right, clockwise on screen.
-    static Drawn circle(const app::Point& centre, double radius)
-    {
-        const double k = 0.5522847498307936 * radius, r = radius;
-        Drawn drawn{{}, true};
-        for (const app::Point& p : std::initializer_list<app::Point>{{r, 0},
-                                                                     {r, k},
-                                                                     {k, r},
-                                                                     {0, r},
-                                                                     {-k, r},
-                                                                     {-r, k},
-                                                                     {-r, 0},
-                                                                     {-r, -k},
-                                                                     {-k, -r},
-                                                                     {0, -r},
-                                                                     {k, -r},
-                                                                     {r, -k},
-                                                                     {r, 0}})
-            drawn.points.push_back(centre + p);
-        return drawn;
-    }
     /// Draws a rectangle from a typed corner.
     static void rectangle(Steps& steps, const char* corner, const char* width, const char* height)
     {
@@ -118,6 +97,61 @@ private slots:
         check({key("P"), type("40,50"), enter(), type("20,0"), enter(), type("0,20"), enter(),
                key("K"), key("X"), key("C"), move({60.2, 55}), key("P"), type("-1"), enter()},
               halves);
+    }
+    /// A plate with two holes, one in a wider circle.
+    void bracket()
+    {
+        Steps steps;
+        rectangle(steps, "20,20", "60", "40");
+        add(steps,
+            {key("E"), click({50.4, 39.7}, Qt::AltModifier), type("10"), tab(), type("10"), enter(),
+             key("G"), type("-20,0"), enter(), key("E"), click({30.3, 40.4}, Qt::AltModifier),
+             type("16"), tab(), type("16"), enter(), key("G"), key("C"), type("40,0"), enter()});
+        Table table = boxes({{{20, 20}, {80, 60}}});
+        table.insert(table.end(), {circle({30, 40}, 5), circle({30, 40}, 8), circle({70, 40}, 5)});
+        check(steps, table);
+    }
+    void aligned()
+    {
+        Steps steps;
+        for (const char* corner :
+             {"40,20", "50,33", "20,47", "60,61", "35,84", "80,97", "45,109", "70,125"})
+            rectangle(steps, corner, "20", "10");
+        add(steps, {key("Ctrl+A"), key("Alt+O"), type("a"), type("l"), key("Alt+O"), type("n"),
+                    type("v")});
+        Table table;
+        for (int i = 0; i < 8; ++i)
+            table.push_back(boxes({{{20, 20 + 15 * i}, {40, 30 + 15 * i}}})[0]);
+        check(steps, table);
+    }
+    void sameSize()
+    {
+        Steps steps;
+        rectangle(steps, "20,20", "10", "15");
+        rectangle(steps, "20,50", "35", "16");
+        rectangle(steps, "80,20", "20", "17");
+        rectangle(steps, "80,50", "40", "18");
+        add(steps, {key("V"), click({25, 20}), click({90, 20}, Qt::ShiftModifier),
+                    click({100, 50}, Qt::ShiftModifier), click({40, 50}, Qt::ShiftModifier),
+                    key("Alt+O"), type("z"), type("w")});
+        check(steps, boxes({{{20, 20}, {55, 35}},
+                            {{20, 50}, {55, 66}},
+                            {{80, 20}, {115, 37}},
+                            {{80, 50}, {115, 68}}}));
+    }
+    /// A circle in a square, which scaling leaves the strokes of 0.7.
+    void scaledToFit()
+    {
+        Steps steps{clickField("Stroke width"), key("Ctrl+A"), type("0.7"), enter()};
+        rectangle(steps, "20,30", "25", "20");
+        add(steps, {key("E"), type("22.5,30"), enter(), type("20"), tab(), type("20"), enter(),
+                    key("Ctrl+A"), key("Ctrl+Alt+1"), press("Keep the ratio of width to height"),
+                    clickField("Width"), key("Ctrl+A"), type("50"), enter()});
+        Table table = boxes({{{20, 30}, {70, 70}}});
+        table.push_back(circle({45, 50}, 20));
+        for (Drawn& path : table)
+            path.style = app::Style{.stroke = app::Colour{}, .width = 0.7};
+        check(steps, table);
     }
 };
 
