@@ -81,7 +81,7 @@ std::vector<ActionInfo> orderRows()
         {.submenu = tr("&Order")},
         moveBy("to-layer-above", tr("To the layer &above"), K("Shift+PgUp"), 1),
         moveBy("to-layer-below", tr("To the layer b&elow"), K("Shift+PgDown"), -1),
-        {.text = tr("Move &to layer"), .fill = fillLayers},
+        {.text = tr("Move to la&yer"), .fill = fillLayers},
     };
 }
 
