@@ -87,7 +87,7 @@ bool LengthField::takesTyped()
         return fits;
     }
     const QString refusedText = text().trimmed(), quoted = tr("“%1”").arg(refusedText);
-    lineEdit()->setText(textFromValue(value()));
+    restore();
     emit refused(length.error.contains(quoted) // the text is not quoted twice
                      ? tr("%1: %2.").arg(name_, length.error)
                      : tr("%1: %2 is not a length: %3.").arg(name_, quoted, length.error));
@@ -110,13 +110,24 @@ void LengthField::show(double length, app::Unit unit, double millimetresPerUnit)
     setSingleStep(unit == app::Unit::Inch ? 0.125 : unit == app::Unit::Cm ? 0.1 : 1);
     setValue(app::inUnit(length, unit, millimetresPerUnit));
     shown_ = value();
+    showsNumber_ = true;
     lineEdit()->setPlaceholderText({});
 }
 
 void LengthField::showNothing()
 {
     const QSignalBlocker quiet(this);
+    showsNumber_ = false;
     lineEdit()->setText({});
+}
+
+/// Discards what was typed. A mixed field shows no number: none of its lengths is for all.
+void LengthField::restore()
+{
+    if (showsNumber_)
+        lineEdit()->setText(textFromValue(value()));
+    else
+        showNothing();
 }
 
 void LengthField::showMixed(double length, app::Unit unit, double millimetresPerUnit)
@@ -165,6 +176,7 @@ void LengthField::finish()
         return;
     }
     shown_ = value();
+    showsNumber_ = true;
     emit taken();
     emit edited(app::fromUnit(shown_, unit_, millimetresPerUnit_), merging_);
 }
@@ -218,21 +230,23 @@ void LengthField::focusOutEvent(QFocusEvent* event)
 
 void LengthField::keyPressEvent(QKeyEvent* event)
 {
-    if (event->key() == Qt::Key_Escape && text() == textFromValue(value()))
-        return event->ignore(); // Esc leaves the field
     if (event->key() == Qt::Key_Escape) {
-        lineEdit()->setText(textFromValue(value())); // Esc discards the typed text
+        const QString before = text();
+        restore();
+        if (text() == before)
+            return event->ignore(); // Esc leaves the field
         return selectAll();
     }
     const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     if (enters && isBlank())
         return emit entered(); // Qt would show the last number
-    const bool fits = !enters || takesTyped();
+    if (enters && !takesTyped()) {
+        event->accept(); // a dialog must not close with the old number
+        return selectAll();
+    }
     const bool types = lineEdit()->isModified();
     QDoubleSpinBox::keyPressEvent(event);
-    if (!fits)
-        event->accept(); // a dialog must not close with the old number
-    if (enters && fits) {
+    if (enters) {
         if (types)
             finishMixed();
         emit taken();

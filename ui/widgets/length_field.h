@@ -52,6 +52,7 @@ private:
     app::Result<double> typed(const QString& text) const; ///< in the field's unit
     bool takesTyped();
     bool isBlank() const;
+    void restore();
     void finishMixed();
     void finish();
 
@@ -61,6 +62,7 @@ private:
     app::Unit unit_ = app::Unit::Mm;
     double millimetresPerUnit_ = 1;
     double shown_ = 0;
+    bool showsNumber_ = true; ///< otherwise the field is empty
     app::Merging merging_ = app::Merging::Never; ///< for the change in progress
 };
 

@@ -124,6 +124,21 @@ private slots:
         QVERIFY(!again.isAccepted()); // the window gives the focus to the canvas
         QVERIFY(field.refused.isEmpty() && field.edited.isEmpty());
     }
+    void escapeAndNonsenseShowNoNumberInAMixedField()
+    {
+        Field field;
+        field->showMixed(30, app::Unit::Mm, 1);
+        QKeyEvent escape(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);
+        QApplication::sendEvent(field.operator->(), &escape);
+        QVERIFY(!escape.isAccepted()); // nothing was typed: the field is left at once
+        QCOMPARE(field->text(), "");
+        field.type("12+", Qt::Key_Escape);
+        QCOMPARE(field->text(), "");
+        field.type("a", Qt::Key_Return);
+        QCOMPARE(field->text(), "");
+        QCOMPARE(field.refused.size(), 1);
+        QVERIFY(field.edited.isEmpty());
+    }
 
 private:
     /// A field with a width of 100 mm, and another widget to focus.
