@@ -2,7 +2,6 @@
 // Measures the canvas at 1280 x 800 on a drawing or on many scattered lines of 3 to 17 pixels:
 // frames [LINES|FILE] [raster|gl] [PICTURE.png]
 // and what it takes while all algorithms race on each frame.
-#include "app/document/document_builder.h"
 #include "app/race/live_race.h"
 #include "ui/canvas/canvas.h"
 
@@ -12,28 +11,11 @@
 #include <QWheelEvent>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
-#include <random>
+
+#include "tests/benchmarks/short_lines.h"
 
 namespace {
-
-app::Document shortLines(int count)
-{
-    std::mt19937_64 random(1);
-    std::uniform_real_distribution<double> x(0, 1280), y(0, 800), length(3, 17), angle(0, 2 * M_PI);
-    app::DocumentBuilder builder;
-    builder.open({.name = "Lines"});
-    const app::StyleIndex style = builder.style({.stroke = app::Colour{}});
-    for (int i = 0; i < count; ++i) {
-        const app::Point a(x(random), y(random));
-        const double l = length(random), t = angle(random);
-        builder.addLine({a, a + l * app::Point(std::cos(t), std::sin(t))}, style);
-    }
-    builder.close();
-    return builder.take({{0, 0}, {1280, 800}, {1280, app::Unit::Px}, {800, app::Unit::Px}}, {},
-                        {{{.shape = app::RectangleShape{{{320, 200}, {960, 600}}}}}});
-}
 
 app::Imported drawingOf(const QString& argument)
 {
