@@ -104,10 +104,24 @@ Rows containerRows(const Containers& containers, std::span<const std::size_t> li
     return rows;
 }
 
+QString pathText(const PathShape& shape)
+{
+    if (const auto* ellipse = std::get_if<EllipseRecipe>(&shape.recipe)) {
+        const auto& [centre, radii] = *ellipse;
+        return Commands::tr("ellipse about (%1, %2) with the radii %3 and %4")
+            .arg(text(centre.x), text(centre.y), text(radii.x), text(radii.y));
+    }
+    const auto parts = shape.path.subpaths();
+    std::size_t segments = 0;
+    for (const Subpath& part : parts)
+        segments += part.segments.size();
+    return Commands::tr("path of %1 segments in %2 parts").arg(segments).arg(parts.size());
+}
+
 QString shapeText(const WindowShape& shape)
 {
-    if (const auto* polygon = std::get_if<PolygonShape>(&shape))
-        return Commands::tr("polygon of %1 corners").arg(polygon->corners.size());
+    if (const auto* own = std::get_if<PathShape>(&shape))
+        return pathText(*own);
     const auto& [box, angle] = std::get<RectangleShape>(shape);
     return angle == 0
                ? rectangleText(box)

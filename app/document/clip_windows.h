@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "clipping/geometry.h"
+#include "app/document/path.h"
+#include "app/document/recipe.h"
+#include "app/document/style.h"
 
 #include <QString>
 
@@ -21,11 +23,15 @@ struct RectangleShape {
     double angle = 0;
     friend bool operator==(const RectangleShape&, const RectangleShape&) = default;
 };
-struct PolygonShape {
-    std::vector<glm::dvec2> corners; ///< in order
-    friend bool operator==(const PolygonShape&, const PolygonShape&) = default;
+/// What a path encloses by its fill rule. Its subpaths are closed, whatever they say. The recipe is
+/// the shape that the path was made from, as for objects.
+struct PathShape {
+    Path path{};
+    FillRule rule = FillRule::NonZero;
+    Recipe recipe{};
+    friend bool operator==(const PathShape&, const PathShape&) = default;
 };
-using WindowShape = std::variant<RectangleShape, PolygonShape>;
+using WindowShape = std::variant<RectangleShape, PathShape>;
 
 /// How a clip window combines with the result of the windows before it.
 enum class WindowOperation : std::uint8_t { Add, CutOut, Intersect };

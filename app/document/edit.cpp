@@ -8,7 +8,13 @@
 namespace app {
 namespace {
 
-// Copies of the list share only the names of windows.
+bool sharesPoints(const PathShape& shape, const WindowShape& other)
+{
+    const auto* path = std::get_if<PathShape>(&other);
+    return path && path->path.heapPart().address == shape.path.heapPart().address;
+}
+
+// Copies of the list share only the names and the paths of windows.
 std::size_t bytesNotIn(const ClipWindows& windows, const ClipWindows& other)
 {
     std::size_t sum = heapBytes(windows.list);
@@ -16,8 +22,9 @@ std::size_t bytesNotIn(const ClipWindows& windows, const ClipWindows& other)
         const ClipWindow& window = windows.list[i];
         if (i >= other.list.size() || other.list[i].name.constData() != window.name.constData())
             sum += heapBytes(window.name);
-        if (const auto* polygon = std::get_if<PolygonShape>(&window.shape))
-            sum += heapBytes(polygon->corners);
+        if (const auto* shape = std::get_if<PathShape>(&window.shape);
+            shape && (i >= other.list.size() || !sharesPoints(*shape, other.list[i].shape)))
+            sum += shape->path.heapPart().bytes;
     }
     return sum;
 }

@@ -47,16 +47,28 @@ Page readPage(ByteReader& in)
     return page;
 }
 
+// A path with its fill rule and its recipe has the bytes of an object.
+Object objectOf(const PathShape& shape)
+{
+    return {shape.path, {.fillRule = shape.rule}, {.recipe = shape.recipe}};
+}
+
+PathShape shapeOf(const Object& object)
+{
+    return {object.path, object.style.fillRule, object.particulars.recipe};
+}
+
 void writeWindows(ByteWriter& out, const ClipWindows& windows)
 {
+    ObjectBytes paths;
     const auto& [list, keep] = windows;
     out.putCount(list.size());
     for (const auto& [name, shape, operation, visible] : list) {
         out.put(name);
-        const auto* polygon = std::get_if<PolygonShape>(&shape);
-        out.put(std::uint8_t(polygon != nullptr));
-        if (polygon)
-            out.putList(polygon->corners);
+        const auto* own = std::get_if<PathShape>(&shape);
+        out.put(std::uint8_t(own != nullptr));
+        if (own)
+            paths.write(out, objectOf(*own));
         else
             out.put(std::get<RectangleShape>(shape));
         out.put(std::uint8_t(operation));
@@ -68,13 +80,14 @@ void writeWindows(ByteWriter& out, const ClipWindows& windows)
 ClipWindows readWindows(ByteReader& in)
 {
     ClipWindows windows;
+    ObjectReader paths;
     const std::size_t count = in.count(1);
     in.require(count <= ClipWindows::most);
     for (std::size_t i = 0; i < count && in.ok(); ++i) {
         ClipWindow& window = windows.list.emplace_back();
         window.name = in.text();
         if (in.flag())
-            window.shape = PolygonShape{in.list<glm::dvec2>()};
+            window.shape = shapeOf(paths.object(in));
         else
             window.shape = in.get<RectangleShape>();
         window.operation = in.choice(WindowOperation::Intersect);

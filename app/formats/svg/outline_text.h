@@ -19,9 +19,10 @@ public:
     std::string_view append(std::string& text, const std::vector<Subpath>& paths) const;
     std::string_view appendLine(std::string& text, const Point& from, const Point& to) const;
 
-private:
+    /// Appends the path data of one subpath, as in the attribute "d".
     void appendPathData(std::string& text, const Subpath& path) const;
 
+private:
     const WriteOptions& options_;
 };
 

@@ -2,8 +2,13 @@
 #include "app/formats/svg/window_text.h"
 
 #include "app/base/number.h"
+#include "app/document/recipe_outline.h"
 #include "app/formats/svg/attribute_text.h"
 #include "app/formats/svg/limits.h"
+#include "app/formats/svg/outline_text.h"
+#include "app/formats/svg/path_data.h"
+#include "app/formats/svg/recipe_text.h"
+#include "app/formats/svg/refused.h"
 #include "app/formats/svg/scanner.h"
 
 #include <algorithm>
@@ -13,7 +18,7 @@
 namespace app::svg {
 namespace {
 
-constexpr std::string_view angleUnit = "rad";
+constexpr std::string_view angleUnit = "rad", evenOdd = "evenodd";
 // In the order of WindowOperation.
 constexpr std::array<std::string_view, 3> operations{"add", "cut-out", "intersect"};
 
@@ -30,19 +35,28 @@ void appendShape(std::string& text, const RectangleShape& rectangle)
     }
 }
 
-void appendShape(std::string& text, const PolygonShape& polygon)
+void appendShape(std::string& text, const PathShape& shape)
 {
-    std::vector<double> numbers;
-    for (const Point& corner : polygon.corners)
-        numbers.insert(numbers.end(), {corner.x, corner.y});
-    appendAttribute(text, "corners", numbers);
+    const WriteOptions exact;
+    const OutlineText outline(exact);
+    std::string data;
+    for (const Subpath& path : shape.path.subpaths())
+        outline.appendPathData(data, path);
+    appendAttribute(text, "d", data);
+    if (shape.rule == FillRule::EvenOdd)
+        appendAttribute(text, "rule", evenOdd);
+    if (const std::string recipe = textOf(shape.recipe); !recipe.empty())
+        appendAttribute(text, "recipe", recipe);
 }
 
 bool isFinite(const WindowShape& shape)
 {
     const auto finite = [](const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); };
-    if (const auto* polygon = std::get_if<PolygonShape>(&shape))
-        return std::ranges::all_of(polygon->corners, finite);
+    if (const auto* own = std::get_if<PathShape>(&shape)) {
+        bool all = true;
+        own->path.forEachPoint([&](const Point& p) { all = all && finite(p); });
+        return all;
+    }
     const auto& [box, angle] = std::get<RectangleShape>(shape);
     return finite(box.min) && finite(box.max) && std::isfinite(angle);
 }
@@ -83,15 +97,36 @@ std::optional<std::vector<double>> numbersOf(std::string_view text)
     return numbers;
 }
 
+// The corners of a polygon, as older versions wrote them.
 std::optional<WindowShape> polygonOf(std::string_view text)
 {
     const auto numbers = numbersOf(text);
     if (!numbers || numbers->size() % 2 != 0)
         return std::nullopt;
-    PolygonShape polygon;
-    for (std::size_t i = 0; i < numbers->size(); i += 2)
-        polygon.corners.emplace_back((*numbers)[i], (*numbers)[i + 1]);
-    return polygon;
+    Subpath ring{{}, {}, true};
+    for (std::size_t i = 0; i < numbers->size(); i += 2) {
+        const Point corner((*numbers)[i], (*numbers)[i + 1]);
+        if (i == 0)
+            ring.start = corner;
+        else
+            ring.segments.push_back({corner});
+    }
+    return PathShape{numbers->empty() ? Path() : Path({&ring, 1})};
+}
+
+std::optional<WindowShape> pathOf(const Tree& tree, Node node)
+try {
+    const auto outline = parsePathData(tree.attribute(node, "d"));
+    if (outline.damaged)
+        return std::nullopt;
+    PathShape shape{Path(outline.paths)};
+    if (tree.attribute(node, "rule") == evenOdd)
+        shape.rule = FillRule::EvenOdd;
+    if (Recipe recipe = readRecipe(tree.attribute(node, "recipe")); makes(recipe, outline.paths))
+        shape.recipe = std::move(recipe);
+    return shape;
+} catch (const Refused&) { // a coordinate is not finite
+    return std::nullopt;
 }
 
 std::optional<double> angleOf(std::string_view text)
@@ -108,6 +143,8 @@ std::optional<WindowShape> shapeOf(const Tree& tree, Node node)
 {
     if (tree.hasAttribute(node, "corners"))
         return polygonOf(tree.attribute(node, "corners"));
+    if (tree.hasAttribute(node, "d"))
+        return pathOf(tree, node);
     const auto number = [&](std::string_view name) { return numberOf(tree.attribute(node, name)); };
     const std::array v{number("xmin"), number("ymin"), number("xmax"), number("ymax")};
     const auto angle = angleOf(tree.attribute(node, "angle"));
@@ -163,7 +200,7 @@ std::optional<ClipWindow> windowOf(const Tree& tree, Node node, Report& report)
 // Whether the element describes a window; without a shape it only holds values for all windows.
 bool hasShape(const Tree& tree, Node node)
 {
-    constexpr std::array<std::string_view, 5> parts{"xmin", "ymin", "xmax", "ymax", "corners"};
+    constexpr std::array<std::string_view, 6> parts{"xmin", "ymin", "xmax", "ymax", "corners", "d"};
     return std::ranges::any_of(
         parts, [&](std::string_view part) { return tree.hasAttribute(node, part); });
 }

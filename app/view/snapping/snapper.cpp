@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/snapping/snapper.h"
 
+#include "app/document/window_outline.h"
 #include "app/view/snapping/places.h"
 
 #include <glm/common.hpp>
@@ -63,25 +64,15 @@ clipping::Window boundsOf(const SceneLines& lines, std::size_t first, std::size_
     return box;
 }
 
-struct CornersOf {
-    std::vector<Point> operator()(const RectangleShape& shape) const
-    {
-        const auto& [min, max] = shape.box;
-        std::vector<Point> corners{min, {max.x, min.y}, max, {min.x, max.y}};
-        if (shape.angle == 0)
-            return corners;
-        const Point centre = (min + max) * 0.5;
-        const double sine = std::sin(shape.angle), cosine = std::cos(shape.angle);
-        for (Point& corner : corners) {
-            const Point by = corner - centre;
-            corner = centre + Point(by.x * cosine - by.y * sine, by.x * sine + by.y * cosine);
-        }
-        return corners;
-    }
-    std::vector<Point> operator()(const PolygonShape& shape) const { return shape.corners; }
-};
-
 } // namespace
+
+// Nothing snaps to a curved window: the corners of its inscribed polygon mean nothing to a person.
+static std::vector<std::vector<Point>> straightRings(const WindowShape& shape)
+{
+    if (const auto* curved = std::get_if<PathShape>(&shape); curved && !curved->path.straight())
+        return {};
+    return outlineOf(shape, 1).rings;
+}
 
 std::vector<clipping::Segment> edgesOf(const ClipWindows& windows)
 {
@@ -89,9 +80,9 @@ std::vector<clipping::Segment> edgesOf(const ClipWindows& windows)
     for (const ClipWindow& window : windows.list) {
         if (!window.visible)
             continue;
-        const auto corners = std::visit(CornersOf(), window.shape);
-        for (std::size_t i = 0; i < corners.size(); ++i)
-            edges.push_back({corners[i], corners[(i + 1) % corners.size()]});
+        for (const auto& ring : straightRings(window.shape))
+            for (std::size_t i = 0; i < ring.size(); ++i)
+                edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
     }
     return edges;
 }

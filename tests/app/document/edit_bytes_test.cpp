@@ -44,7 +44,7 @@ Document drawing(bool grouped)
     builder.close();
     ClipWindows windows;
     for (int i = 0; i < 100; ++i)
-        windows.list.push_back({QString::number(i), PolygonShape{{{0, 0}, {1, 0}, {0, 1}}}});
+        windows.list.push_back({QString::number(i), PathShape{polyline(2)}});
     return builder.take({}, {}, windows);
 }
 

@@ -23,8 +23,8 @@ public:
     {
         app::ClipWindows windows;
         for (auto n = below(4); n > 0; --n)
-            windows.list.push_back({text(), app::RectangleShape{{point(), point()}, number()},
-                                    app::WindowOperation(below(3)), below(2) == 0});
+            windows.list.push_back(
+                {text(), windowShape(), app::WindowOperation(below(3)), below(2) == 0});
         windows.keep = app::Keep(below(2));
         return windows;
     }
@@ -86,6 +86,13 @@ public:
     }
 
 private:
+    app::WindowShape windowShape()
+    {
+        if (below(2) == 0)
+            return app::RectangleShape{{point(), point()}, number()};
+        return app::PathShape{object().path, app::FillRule(below(2))};
+    }
+
     // XML; of few.
     QString note(const QString& element)
     {

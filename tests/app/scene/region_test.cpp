@@ -424,7 +424,8 @@ private slots:
     void otherShapesAndHiddenWindowsAreLeftOut()
     {
         const RectangleShape straight{{{1, 2}, {3, 4}}}, turned{{{1, 2}, {3, 4}}, 0.5};
-        const PolygonShape polygon{{{0, 0}, {1, 0}, {0, 1}}};
+        const Subpath triangle{{0, 0}, {{{1, 0}}, {{0, 1}}}, true};
+        const PathShape polygon{Path({&triangle, 1})};
         ClipWindows windows{
             {{{}, polygon}, {{}, turned}, {{}, straight, WindowOperation::Add, false}}};
         const Page page;

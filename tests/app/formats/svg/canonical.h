@@ -27,8 +27,10 @@ private:
     {
         app::ClipWindows windows = document_.windows();
         std::erase_if(windows.list, [](const app::ClipWindow& window) {
-            const auto& box = std::get<app::RectangleShape>(window.shape).box;
-            return box.min.x > box.max.x || box.min.y > box.max.y;
+            const auto* rectangle = std::get_if<app::RectangleShape>(&window.shape);
+            return rectangle
+                   && (rectangle->box.min.x > rectangle->box.max.x
+                       || rectangle->box.min.y > rectangle->box.max.y);
         });
         return windows;
     }

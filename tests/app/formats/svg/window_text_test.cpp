@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The clip windows of a document in its file.
+#include "app/document/recipe_outline.h"
 #include "app/formats/loss_text.h"
 
 #include <QTest>
@@ -38,6 +39,21 @@ QString reportOn(const QByteArray& elements)
 
 const app::RectangleShape box{{{0.1, -2}, {3, 40}}};
 
+app::PathShape polygon(const std::vector<app::Point>& corners)
+{
+    app::Subpath ring{corners.front(), {}, true};
+    for (std::size_t i = 1; i < corners.size(); ++i)
+        ring.segments.push_back({corners[i]});
+    return {app::Path({&ring, 1})};
+}
+
+app::PathShape circle()
+{
+    const app::EllipseRecipe recipe{{5, 6}, {2, 2}};
+    const auto outline = app::outlineOf(app::Recipe(recipe));
+    return {app::Path({&*outline, 1}), app::FillRule::EvenOdd, recipe};
+}
+
 } // namespace
 
 class WindowTextTest : public QObject {
@@ -57,8 +73,8 @@ private slots:
         const app::ClipWindows windows{
             {{"<A>", box, WindowOperation::CutOut, false},
              {{}, app::RectangleShape{{{1, 2}, {3, 4}}, 1.0 / 3}, WindowOperation::Intersect},
-             {"B", app::PolygonShape{{{0, 0}, {9, 0.1}, {5, 1.0 / 3}}}},
-             {{}, app::PolygonShape{}},
+             {"B", polygon({{0, 0}, {9, 0.1}, {5, 1.0 / 3}})},
+             {{}, app::PathShape{}},
              {.shape = box}},
             app::Keep::Outside};
         QCOMPARE(metadataOf(windows),
@@ -66,13 +82,30 @@ private slots:
                  "keep=\"outside\" xmin=\"0.1\" ymin=\"-2\" xmax=\"3\" ymax=\"40\"/>"
                  "<clearcut:window operation=\"intersect\" xmin=\"1\" ymin=\"2\" xmax=\"3\" "
                  "ymax=\"4\" angle=\"0.3333333333333333rad\"/>"
-                 "<clearcut:window name=\"B\" corners=\"0 0 9 0.1 5 0.3333333333333333\"/>"
-                 "<clearcut:window corners=\"\"/>"
+                 "<clearcut:window name=\"B\" d=\"M0 0L9 0.1L5 0.3333333333333333Z\"/>"
+                 "<clearcut:window d=\"\"/>"
                  "<clearcut:window xmin=\"0.1\" ymin=\"-2\" xmax=\"3\" ymax=\"40\"/></metadata>");
         const auto again = readText(textOf(with(windows)));
         QVERIFY(again && again.value->report.empty());
         QVERIFY(again.value->document.windows() == windows);
         QVERIFY(again.value->document.about() == app::About{});
+    }
+    void aCircleIsStillACircle()
+    {
+        const app::ClipWindows windows{{{.shape = circle()}}};
+        QVERIFY(metadataOf(windows).endsWith(
+            "rule=\"evenodd\" recipe=\"ellipse 5 6 2 2\"/></metadata>"));
+        const auto again = readText(textOf(with(windows)));
+        QVERIFY(again.value->document.windows() == windows);
+        const auto lie = read("<c:window d='M0 0H9V9Z' recipe='ellipse 5 6 2 2'/>");
+        QVERIFY(lie.list[0].shape == app::WindowShape(polygon({{0, 0}, {9, 0}, {9, 9}})));
+    }
+    void theCornersThatOlderVersionsWroteAreRead()
+    {
+        const auto windows = read("<c:window corners='0 0 9 0.1 5 1'/><c:window corners=''/>");
+        QCOMPARE(windows.list.size(), 2u);
+        QVERIFY(windows.list[0].shape == app::WindowShape(polygon({{0, 0}, {9, 0.1}, {5, 1}})));
+        QVERIFY(windows.list[1].shape == app::WindowShape(app::PathShape{}));
     }
     void whatIsKeptIsKnownWithoutAWindowToo()
     {
@@ -109,6 +142,7 @@ private slots:
              {"xmin='-1e308' ymin='0' xmax='1e308' ymax='9'", "xmin='x' ymin='0' xmax='1' ymax='9'",
               "xmin='0' ymin='0' xmax='1e400' ymax='9'", "xmin='0' ymin='0' xmax='nan' ymax='9'",
               "xmin='0'", "corners='0 0 1'", "corners='0 0 1 inf'", "corners='0 0 x 0'",
+              "d='M0 0L1 x'", "d='M0 0L1e400 0'", "d='M0 0L1 1' xmin='0' corners='0'",
               "xmin='0' ymin='0' xmax='1' ymax='1' angle='90'"})
             isLeftOut(bad, "1 clip window with a missing or invalid number",
                       "2 clip windows with a missing or invalid number");
@@ -118,7 +152,7 @@ private slots:
         constexpr double infinite = std::numeric_limits<double>::infinity();
         QCOMPARE(metadataOf({{{.shape = app::RectangleShape{{{0, 0}, {1, infinite}}}},
                               {.shape = app::RectangleShape{{{0, 0}, {1, 1}}, infinite}},
-                              {.shape = app::PolygonShape{{{0, infinite}}}},
+                              {.shape = polygon({{0, infinite}, {1, 1}})},
                               {.shape = box}}}),
                  metadataOf({{{.shape = box}}}));
     }
