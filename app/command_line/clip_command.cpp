@@ -35,7 +35,7 @@ CutOptions cutOptionsOf(const ParsedArguments& arguments, const Imported& import
                         const Output& output)
 {
     CutOptions options{.clipAll = usesOf(arguments).clipAll};
-    options.region = regionOf(windowsOf(arguments, imported));
+    options.region = regionOf(windowsOf(arguments, imported), imported.document.page());
     if (arguments.has(QStringLiteral("keep")))
         options.region.keep = arguments.choice(QStringLiteral("keep"), {"inside", "outside"}) == 0
                                   ? Keep::Inside

@@ -117,7 +117,7 @@ ClipWindows windowsOf(const ParsedArguments& arguments, const Imported& imported
 {
     const ClipWindows& saved = imported.document.windows();
     const clipping::Window window = windowOf(arguments, imported); // throws for invalid options
-    if (!isChosen(arguments) && !regionOf(saved).everything())
+    if (!isChosen(arguments) && cuts(saved))
         return saved;
     return {{{.shape = RectangleShape{window}}}};
 }
@@ -140,7 +140,7 @@ QString sourceText(const ParsedArguments& arguments, const Imported& imported)
         return Commands::tr("the page, margin %1").arg(*margin);
     if (arguments.has(QStringLiteral("page")))
         return Commands::tr("the page");
-    if (!regionOf(imported.document.windows()).everything())
+    if (cuts(imported.document.windows()))
         return Commands::tr("saved in the drawing");
     if (!imported.paged && imported.document.objects().empty())
         return Commands::tr("the default page, because the drawing is empty");

@@ -10,8 +10,9 @@ class SetWindows : public EditCommand {
 public:
     static constexpr CommandKind row{"set-windows", "Changes the list of clip windows"};
 
-    SetWindows(EditedDocument& document, ClipWindows windows, const QString& text)
-        : EditCommand(row, document, {.windows = std::move(windows)}, text)
+    SetWindows(EditedDocument& document, ClipWindows windows, const QString& text,
+               Merging merging = Merging::Never)
+        : EditCommand(row, document, {.windows = std::move(windows)}, text, merging)
     {
     }
 };

@@ -69,7 +69,7 @@ End refined(const Bezier& curve, const Chord& chord, const Point& cut, Edge edge
     const double s =
         along[longer] != 0 ? (cut[longer] - chord.segment.a[longer]) / along[longer] : 0.0;
     const double guess = chord.t0 + (chord.t1 - chord.t0) * std::clamp(s, 0.0, 1.0);
-    if (edge == Edge::None)
+    if (edge == Edge::None || edge == borderEdge)
         return {guess, cut};
     const int axis = edge == Edge::Left || edge == Edge::Right ? 0 : 1;
     const auto beyond = [&](double t) { return curve.at(t)[axis] > cut[axis]; };

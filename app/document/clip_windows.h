@@ -7,6 +7,7 @@
 
 #include <QString>
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <variant>
@@ -57,6 +58,12 @@ struct ClipWindows {
     Keep keep = Keep::Inside;
     friend bool operator==(const ClipWindows&, const ClipWindows&) = default;
 };
+
+/// Whether there is a visible window, so that something may be cut.
+inline bool cuts(const ClipWindows& windows)
+{
+    return std::ranges::any_of(windows.list, &ClipWindow::visible);
+}
 
 /// The box of a rectangle that is not rotated; empty for any other shape.
 inline std::optional<clipping::Window> axisAlignedBox(const WindowShape& shape)

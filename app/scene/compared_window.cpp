@@ -11,6 +11,15 @@ static auto first(std::vector<ClipWindow>& list)
         list, [](const ClipWindow& w) { return w.visible && axisAlignedBox(w.shape); });
 }
 
+std::optional<std::size_t> actedOn(const ClipWindows& windows, std::size_t chosen)
+{
+    const auto& list = windows.list;
+    if (chosen < list.size() && list[chosen].visible)
+        return chosen;
+    const auto visible = std::ranges::find_if(list, &ClipWindow::visible);
+    return visible == list.end() ? std::nullopt : std::optional(visible - list.begin());
+}
+
 std::optional<clipping::Window> firstWindow(const ClipWindows& windows)
 {
     for (const ClipWindow& window : windows.list)
@@ -28,16 +37,14 @@ ClipWindows withWindow(ClipWindows windows, const clipping::Window& window)
     return windows;
 }
 
-ClipWindows withoutWindow(ClipWindows windows)
+ComparedWindow comparedWindow(const ClipWindows& windows, const Page& page,
+                              std::optional<std::size_t> first)
 {
-    if (const auto old = first(windows.list); old != windows.list.end())
-        windows.list.erase(old);
-    return windows;
-}
-
-ComparedWindow comparedWindow(const ClipWindows& windows, const Page& page)
-{
-    const auto window = firstWindow(windows);
+    std::optional<clipping::Window> window;
+    if (first && windows.list[*first].visible)
+        window = axisAlignedBox(windows.list[*first].shape);
+    if (!window)
+        window = firstWindow(windows);
     return {window.value_or(page.rectangle()), !window};
 }
 

@@ -13,16 +13,19 @@ struct ComparedWindow {
     friend bool operator==(const ComparedWindow&, const ComparedWindow&) = default;
 };
 
-/// The clip window that tools move and resize and panels show: the first visible axis-aligned
-/// rectangle, if any.
+/// The number of the clip window that tools and panels act on: the chosen one if it is visible,
+/// else the first visible one, if any.
+std::optional<std::size_t> actedOn(const ClipWindows& windows, std::size_t chosen);
+
+/// The first visible axis-aligned rectangle, if any.
 std::optional<clipping::Window> firstWindow(const ClipWindows& windows);
-/// Moves that clip window to `window`. Without one it adds a clip window, unless there are already
+/// Moves that rectangle to `window`. Without one it adds a clip window, unless there are already
 /// `ClipWindows::most`.
 ClipWindows withWindow(ClipWindows windows, const clipping::Window& window);
-/// Removes that clip window.
-ClipWindows withoutWindow(ClipWindows windows);
 
-/// The first visible axis-aligned rectangle, regardless of its operation; otherwise the page.
-ComparedWindow comparedWindow(const ClipWindows& windows, const Page& page);
+/// The window with the number `first` if it is a visible axis-aligned rectangle, else the first one
+/// that is, regardless of its operation; otherwise the page.
+ComparedWindow comparedWindow(const ClipWindows& windows, const Page& page,
+                              std::optional<std::size_t> first = {});
 
 } // namespace app

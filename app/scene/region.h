@@ -2,8 +2,11 @@
 #pragma once
 
 #include "app/document/clip_windows.h"
+#include "app/document/page.h"
+#include "clipping/region/region.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -27,11 +30,20 @@ struct ClipRegion {
     struct Step {
         clipping::Window box; ///< contains nothing if `min > max` or a number is not finite
         WindowOperation operation;
+        /// The border of a window that is no upright rectangle; `box` is its bounding box then.
+        std::vector<std::vector<Point>> rings{};
+        FillRule rule = FillRule::NonZero;
         friend bool operator==(const Step&, const Step&) = default;
     };
     std::vector<Step> steps{};
     Keep keep = Keep::Inside;
-    friend bool operator==(const ClipRegion&, const ClipRegion&) = default;
+    /// Clips at all steps together, with exact decisions; null if all of them are upright
+    /// rectangles, at which every algorithm can clip.
+    std::shared_ptr<const clipping::PreparedRegion> prepared{};
+    friend bool operator==(const ClipRegion& a, const ClipRegion& b)
+    {
+        return a.keep == b.keep && a.steps == b.steps;
+    }
 
     /// Whether there is no window, so that nothing is cut.
     bool everything() const { return steps.empty(); }
@@ -44,8 +56,14 @@ struct ClipRegion {
     std::optional<clipping::Window> single() const;
 };
 
-/// The region of the visible windows that are axis-aligned rectangles; other shapes are ignored.
-ClipRegion regionOf(const ClipWindows& windows);
+/// Marks, in `Clipped::cut`, an end at the border of a window that is no upright rectangle.
+inline constexpr clipping::Edge borderEdge = clipping::Edge::Near;
+
+/// The region of the visible windows. Curves become inscribed polygons, no farther than `tolerance`
+/// (user units, > 0) from them.
+ClipRegion regionOf(const ClipWindows& windows, double tolerance);
+/// The same of a drawing's windows with the usual tolerance, 0.01 mm on paper.
+ClipRegion regionOf(const ClipWindows& windows, const Page& page);
 
 /// What is kept of everything inside a box. Pieces: this depends on the lines themselves.
 enum class Remains : std::uint8_t { Gone, Whole, Pieces };

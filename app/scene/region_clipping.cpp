@@ -3,6 +3,8 @@
 
 #include "clipping/outside.h"
 
+#include <algorithm>
+
 namespace app {
 
 using clipping::Clipped;
@@ -53,6 +55,8 @@ std::size_t RegionClipping::clipAt(const clipping::Window& window, std::span<con
 void RegionClipping::fold(std::span<const Segment> lines, std::size_t first,
                           std::vector<Clipped>& kept)
 {
+    if (region_->prepared)
+        return clipPrepared(lines, first, kept);
     for (; lines.size() > foldedAtOnce; first += foldedAtOnce) {
         fold(lines.first(foldedAtOnce), first, kept);
         lines = lines.subspan(foldedAtOnce);
@@ -68,6 +72,24 @@ void RegionClipping::fold(std::span<const Segment> lines, std::size_t first,
             }
         }
         app::fold(*region_, lines[line], std::uint32_t(first + line), atStep_, kept);
+    }
+}
+
+static clipping::Edge edgeOf(std::uint32_t number)
+{
+    return number == 0 ? clipping::Edge::None : borderEdge;
+}
+
+void RegionClipping::clipPrepared(std::span<const Segment> lines, std::size_t first,
+                                  std::vector<Clipped>& kept)
+{
+    const clipping::PreparedRegion& region = *region_->prepared;
+    shaped_.resize(std::max<std::size_t>(2 * lines.size(), 64));
+    for (clipping::RegionProgress done; done.segment < lines.size();) {
+        stopwatch_.time([&] { done = clipping::clipAll(lines, region, shaped_, done); });
+        for (const clipping::RegionPiece& piece : std::span(shaped_).first(done.written))
+            kept.push_back({piece.segment, std::uint32_t(first + piece.source),
+                            clipping::cutAt(edgeOf(piece.edgeOfA), edgeOf(piece.edgeOfB))});
     }
 }
 

@@ -22,7 +22,9 @@ public:
     /// lines.size()`.
     std::size_t clip(std::span<const clipping::Segment> lines, std::size_t first,
                      std::span<clipping::Clipped> out);
-    /// Appends the pieces that `fold` keeps of each line. The region must have a window.
+    /// Appends the pieces that the region keeps of each line. It must have a window. At windows
+    /// that are not all upright rectangles the lines are clipped with exact decisions, whatever the
+    /// algorithm is.
     void fold(std::span<const clipping::Segment> lines, std::size_t first,
               std::vector<clipping::Clipped>& kept);
     /// The time that the algorithm has used since `start`, without the time for combining pieces.
@@ -34,6 +36,8 @@ private:
     std::size_t clipAt(const clipping::Window& window, std::span<const clipping::Segment> lines,
                        const Pieces& out);
     void clipAtAll(std::span<const clipping::Segment> lines);
+    void clipPrepared(std::span<const clipping::Segment> lines, std::size_t first,
+                      std::vector<clipping::Clipped>& kept);
 
     const ClipRegion* region_ = nullptr;
     ClipAll clipAll_ = nullptr;
@@ -41,6 +45,7 @@ private:
     std::vector<clipping::Clipped> buffer_;
     std::vector<Pieces> left_; ///< for each step, the pieces of lines that are not folded yet
     std::vector<std::optional<clipping::Clipped>> atStep_; ///< for one line
+    std::vector<clipping::RegionPiece> shaped_;
 };
 
 } // namespace app

@@ -137,7 +137,7 @@ void SceneClipping::clipNearEdges(Block& frame, std::span<Remains> remains,
 void SceneClipping::clipInRegion(Block& frame, std::span<Remains> remains)
 {
     std::ranges::fill(remains, region_->everything() ? Remains::Whole : Remains::Pieces);
-    if (isExact(clipAll_) && !region_->everything())
+    if ((isExact(clipAll_) || region_->prepared) && !region_->everything())
         stopwatch_.time([&] { findRemains(*frame.block, *region_, remains); });
     const std::span lines(frame.block->segments);
     if (region_->single()) {

@@ -3,7 +3,6 @@
 
 #include "app/base/numbers.h"
 #include "app/commands/set_containers.h"
-#include "app/commands/set_window.h"
 
 #include <QCoreApplication>
 
@@ -12,19 +11,6 @@
 namespace app {
 
 static QString tr(const char* text) { return QCoreApplication::translate("LimitedSteps", text); }
-
-void placeClipWindow(Session& session, const clipping::Window& window)
-{
-    const ClipWindows& windows = session.now().windows();
-    if (windows.list.size() < ClipWindows::most || firstWindow(windows))
-        session.history.push(new SetWindow(session.document, window));
-    else
-        emit session.refused(
-            tr("No clip window was drawn. This drawing has %1 clip windows, hidden "
-               "ones included, and cannot take more. Copy its objects to a new "
-               "drawing and draw the window there.")
-                .arg(countText(ClipWindows::most)));
-}
 
 /// Layers beyond the limit of a file would be merged when the file is opened again.
 static bool hasRoomForALayer(const Containers& containers)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "clipping/geometry.h"
+#include "app/document/clip_windows.h"
 
 #include <cstdint>
 #include <optional>
@@ -9,12 +9,12 @@
 namespace app {
 
 /// The change that the current gesture would make if it ended now. Views show the document with
-/// this change. A gesture on the clip window and the Line tool set it; other tools paint their own.
+/// this change. A gesture on a clip window and the Line tool set it; other tools paint their own.
 struct Preview {
     /// What the gesture does to the clip window.
-    enum class Drag : std::uint8_t { None, Moving, Sizing };
+    enum class Drag : std::uint8_t { None, Moving, Sizing, Rotating };
 
-    std::optional<clipping::Window> window{}; ///< empty: the document's
+    std::optional<ClipWindows> windows{}; ///< empty: the document's
     Drag drag = Drag::None;
     std::optional<clipping::Segment> line{}; ///< the line being drawn
 

@@ -3,6 +3,7 @@
 
 #include "app/base/usual_algorithm.h"
 #include "app/document/followed_ranges.h"
+#include "app/document/window_shape.h"
 #include "app/scene/bounds.h"
 #include "app/session/selection_memory.h"
 
@@ -15,6 +16,7 @@ Session::Session(QObject* parent) : QObject(parent)
 {
     display_.variant.algorithm = &usualAlgorithm();
     pen.layer = now().containers().childrenOf(0).back();
+    updateWindows();
     new SelectionMemory(*this); // before say(), which signals the selection that it remembers
     connect(&document, &EditedDocument::changed, this, &Session::say);
     connect(&scene, &Scene::outdated, this, [this] {
@@ -29,14 +31,21 @@ Session::Session(QObject* parent) : QObject(parent)
 
 void Session::updateWindows()
 {
-    windows_ = preview_.window ? withWindow(now().windows(), *preview_.window) : now().windows();
-    region_ = regionOf(windows_);
+    windows_ = preview_.windows.value_or(now().windows());
+    region_ = regionOf(windows_, now().page());
+    windowNumber_ = actedOn(windows_, chosenWindow_);
+    clipWindow_.reset();
+    if (windowNumber_)
+        clipWindow_ = boxOf(windows_.list[*windowNumber_].shape);
+    compared_ = comparedWindow(windows_, now().page(), windowNumber_);
 }
 
-ComparedWindow Session::compared() const
+void Session::chooseWindow(std::size_t number)
 {
-    const auto window = clipWindow();
-    return {window.value_or(now().page().rectangle()), !window};
+    if (std::exchange(chosenWindow_, number) == number)
+        return;
+    updateWindows();
+    emit previewChanged();
 }
 
 void Session::setDisplay(const Display& display)
@@ -82,9 +91,9 @@ void Session::setPreview(const Preview& preview)
 {
     if (preview == preview_)
         return;
-    const bool sameWindow = preview.window == preview_.window;
+    const bool sameWindows = preview.windows == preview_.windows;
     preview_ = preview;
-    if (!sameWindow)
+    if (!sameWindows)
         updateWindows();
     emit previewChanged();
 }
@@ -134,7 +143,9 @@ void Session::follow(const DocumentChange& change)
         preview_ = {};
     if (change.everything || change.page)
         guide.reset(); // it may have another number, or be gone
-    if (change.windows)
+    if (change.everything)
+        chosenWindow_ = 0;
+    if (change.windows || change.page)
         updateWindows();
     ObjectRanges selected =
         change.everything ? ObjectRanges() : followed(selection_, change.splices);

@@ -74,6 +74,8 @@ public:
     Pen pen;
     std::optional<std::size_t> guide{}; ///< the number of the chosen guide, which may be gone
     ArrangeOptions arrange;
+    /// What a clip window that is drawn does; empty: it replaces the window that tools act on.
+    std::optional<WindowOperation> newWindow{};
 
     const Document& now() const { return document.now(); }
 
@@ -81,15 +83,15 @@ public:
     /// they push a command and set an empty preview.
     const Preview& preview() const { return preview_; }
     void setPreview(const Preview& preview);
-    /// The current clip window (the preview's, if any); without a window, the page. Algorithms are
-    /// compared, raced and explained at this window.
+    /// The rectangle at which algorithms are compared, raced and explained.
     clipping::Window window() const { return compared().window; }
-    ComparedWindow compared() const;
-    /// The current clip window, if there is one.
-    std::optional<clipping::Window> clipWindow() const
-    {
-        return preview_.window ? preview_.window : firstWindow(now().windows());
-    }
+    const ComparedWindow& compared() const { return compared_; }
+    /// The number of the clip window that tools and panels act on: the chosen one if it is visible,
+    /// else the first visible one; empty without a visible window.
+    std::optional<std::size_t> windowNumber() const { return windowNumber_; }
+    void chooseWindow(std::size_t number);
+    /// The bounding box of that window.
+    const std::optional<clipping::Window>& clipWindow() const { return clipWindow_; }
     /// All current clip windows, including the preview's.
     const ClipWindows& windows() const { return windows_; }
     /// The same for `Scene::clip`.
@@ -135,7 +137,7 @@ signals:
     void displayChanged();
     void selectionChanged();
     void inspectedChanged();
-    void previewChanged(); ///< preview() or windows(): by a gesture, a command, undo or load
+    void previewChanged(); ///< preview(), windows() or windowNumber(), by whatever changes them
     void fileChanged();
     void loaded(); ///< a different drawing: fit the view
     /// Something could not be done; the sentence says what, why, and what to do. Any part of the
@@ -153,8 +155,13 @@ private:
     mutable std::optional<std::optional<clipping::Window>> selectionBounds_; ///< as far as known
     std::optional<std::size_t> inspected_;
     Preview preview_;
-    ClipWindows windows_; ///< the current ones: each frame reads them
+    // What each frame reads of the current clip windows.
+    ClipWindows windows_;
     ClipRegion region_;
+    ComparedWindow compared_;
+    std::optional<clipping::Window> clipWindow_;
+    std::optional<std::size_t> windowNumber_;
+    std::size_t chosenWindow_ = 0; ///< may be hidden, or gone
     QString path_;
     std::vector<Loss> losses_;
     bool saving_ = false; ///< between beginSaving() and endSaving(), without a load()

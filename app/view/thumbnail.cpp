@@ -48,7 +48,7 @@ QImage thumbnail(const Document& document, const QSize& points, double pixelRati
     cover(view, document.page(), window);
     const SceneLines lines = linesOf(document);
     SceneClipping clips;
-    const SceneFrame frame = clips.clip(lines, regionOf(document.windows()),
+    const SceneFrame frame = clips.clip(lines, regionOf(document.windows(), document.page()),
                                         clipping::exactAlgorithm().corrected.clipAll);
     PictureOptions options{.view = view, .page = plain(colours.page)};
     options.leastWidth = 0.5;

@@ -5,21 +5,17 @@
 
 #include <QCoreApplication>
 
-#include <algorithm>
-
 namespace app {
 
-QString whichText(const ClipWindows& windows)
+QString whichText(const ClipWindows& windows, std::optional<std::size_t> number)
 {
     const auto& list = windows.list;
-    const auto found = std::ranges::find_if(
-        list, [](const ClipWindow& w) { return w.visible && axisAlignedBox(w.shape); });
-    if (list.size() < 2 || found == list.end())
+    if (list.size() < 2 || !number)
         return {};
-    const QString text =
-        QCoreApplication::translate("WindowPanel", "Window %1 of %2")
-            .arg(countText(std::size_t(found - list.begin()) + 1), countText(list.size()));
-    return found->name.isEmpty() ? text : QStringLiteral("%1: %2").arg(text, found->name);
+    const QString text = QCoreApplication::translate("WindowPanel", "Window %1 of %2")
+                             .arg(countText(*number + 1), countText(list.size()));
+    const QString& name = list[*number].name;
+    return name.isEmpty() ? text : QStringLiteral("%1: %2").arg(text, name);
 }
 
 } // namespace app

@@ -5,8 +5,8 @@
 
 namespace app {
 
-/// Names the clip window that tools act on (`firstWindow`): "Window 2 of 3: Main". Hidden windows
-/// count, too. Empty if it is the only window, or if there is no such window.
-QString whichText(const ClipWindows& windows);
+/// Names one of the clip windows: "Window 2 of 3: Main". Hidden windows count, too. Empty if it is
+/// the only window, or if there is none.
+QString whichText(const ClipWindows& windows, std::optional<std::size_t> number);
 
 } // namespace app

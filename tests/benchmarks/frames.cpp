@@ -84,8 +84,10 @@ Figures moved(app::Session& session, ui::Canvas& canvas, const std::function<voi
     for (int i = 0; i < 30; ++i) {
         const app::Point by(i, 0);
         const auto move = [&] {
-            session.setPreview({.window = clipping::Window{start.min + by, start.max + by},
-                                .drag = app::Preview::Drag::Moving});
+            session.setPreview(
+                {.windows = app::withWindow(session.now().windows(),
+                                            clipping::Window{start.min + by, start.max + by}),
+                 .drag = app::Preview::Drag::Moving});
         };
         figures.times.push_back(frame(canvas, move, finish));
     }

@@ -35,7 +35,7 @@ public:
 
     app::SceneFrame clip()
     {
-        return scene_->clip(regionOf(document_.now().windows()), {&clipping::exactAlgorithm()});
+        return scene_->clip(regionOf(document_.now().windows(), document_.now().page()), {&clipping::exactAlgorithm()});
     }
     app::Picture picture(const app::SceneFrame& frame) const
     {

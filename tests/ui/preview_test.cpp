@@ -38,10 +38,10 @@ struct Desk : TestWindow {
         QByteArray path = "M0 0";
         for (int i = 1; i <= lines; ++i)
             path += "L" + QByteArray::number(i % 101) + " " + QByteArray::number(i % 97);
-        open(file(
-            "lines.svg", "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='100mm' "
-                         "viewBox='0 0 100 100'><path stroke='#000' fill='none' d='"
-                             + path + "'/></svg>"));
+        open(file("lines.svg",
+                  "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='100mm' "
+                  "viewBox='0 0 100 100'><path stroke='#000' fill='none' d='"
+                      + path + "'/></svg>"));
         ::setWindow(session().document, start);
         show();
         window->canvas().setTool("window");
@@ -142,7 +142,7 @@ private slots:
         t.release(to);
         QCOMPARE(t.numbers(), now);
         QCOMPARE(t.numbersOf(sheetOf(t.session().document).window), now);
-        QVERIFY(!t.session().preview().window);
+        QVERIFY(!t.session().preview().windows);
         QCOMPARE(t.session().history.count(), 1);
         t.session().history.undo();
         QCOMPARE(t.numbers(), t.numbersOf(start));
@@ -237,7 +237,7 @@ private slots:
         Desk t;
         QSignalSpy changed(&t.session(), &app::Session::previewChanged);
         t.drag({50, 50}, {{40, 45}, {15, 20}});
-        QVERIFY(t.session().preview().window);
+        QVERIFY(t.session().preview().windows);
         QCOMPARE(t.session().preview().drag, app::Preview::Drag::Moving);
         changed.clear();
         if (how == "undo")
@@ -260,7 +260,7 @@ private slots:
         const auto& line = t.session().preview().line;
         QVERIFY(line);
         QVERIFY(glm::distance(line->b, app::Point(40, 20)) < 0.2);
-        QVERIFY(!t.session().preview().window);
+        QVERIFY(!t.session().preview().windows);
         t.release({40, 20});
         QCOMPARE(t.session().preview(), app::Preview{});
         QCOMPARE(t.session().history.count(), 1);
@@ -272,10 +272,13 @@ private slots:
         QSignalSpy changed(&session, &app::Session::previewChanged);
         session.setPreview({});
         QCOMPARE(changed.size(), 0);
-        session.setPreview({.window = start, .drag = app::Preview::Drag::Moving});
-        session.setPreview({.window = start, .drag = app::Preview::Drag::Moving});
+        session.setPreview({.windows = app::withWindow(session.now().windows(), start),
+                            .drag = app::Preview::Drag::Moving});
+        session.setPreview({.windows = app::withWindow(session.now().windows(), start),
+                            .drag = app::Preview::Drag::Moving});
         QCOMPARE(changed.size(), 1);
-        session.setPreview({.window = start, .drag = app::Preview::Drag::Sizing});
+        session.setPreview({.windows = app::withWindow(session.now().windows(), start),
+                            .drag = app::Preview::Drag::Sizing});
         QCOMPARE(changed.size(), 2);
         session.document.load({});
         QCOMPARE(changed.size(), 3);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/move_objects.h"
-#include "app/commands/set_window.h"
+#include "app/session/window_steps.h"
 #include "ui/canvas/controller.h"
 #include "ui/tools/group_choice.h"
 
@@ -101,11 +101,7 @@ bool Controller::arrow(const QKeyEvent& event)
         return false;
     const app::Point by = *direction * nudge(bench_, event.modifiers());
     if (event.modifiers() & Qt::AltModifier) {
-        const auto w = session_.clipWindow();
-        if (!w)
-            return true;
-        session_.history.push(new app::SetWindow(session_.document, {w->min + by, w->max + by},
-                                                 app::Merging::WithLast));
+        app::moveWindow(session_, by, app::Merging::WithLast);
     } else if (!session_.selection().empty()) {
         session_.history.push(new app::MoveObjects(session_.document, session_.selection(), by,
                                                    app::Merging::WithLast));

@@ -32,7 +32,7 @@ PaneWidget::PaneWidget(Controller& controller, Backend backend, QWidget* parent)
 // Corrected forms rarely differ, so they are compared only after a gesture.
 void PaneWidget::followWindow()
 {
-    if (pane_.choice.form == clipping::Form::Published || !session_.preview().window)
+    if (pane_.choice.form == clipping::Form::Published || !session_.preview().windows)
         fromExact_.setWindow(session_.window());
 }
 

@@ -2,14 +2,19 @@
 #include "ui/canvas/window_overlay.h"
 
 #include "app/base/numbers.h"
+#include "app/document/window_outline.h"
+#include "app/view/frame_handles.h"
 #include "app/view/place.h"
 #include "ui/canvas/window_offer.h"
 
+#include <QPainterPath>
+
 #include <glm/common.hpp>
+#include <glm/trigonometric.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
-#include <utility>
 
 namespace ui {
 namespace {
@@ -27,9 +32,57 @@ QRectF onScreen(const app::View& view, const clipping::Window& window)
     return {QPointF(min.x, min.y), QPointF(max.x, max.y)};
 }
 
-QRectF rectangleOnScreen(const Controller& controller)
+QRectF boxOnScreen(const Controller& controller)
 {
-    return onScreen(controller.view(), controller.window());
+    return onScreen(controller.view(), *controller.clipWindow());
+}
+
+// Edge by edge, because painters fail with coordinates like 1e9.
+QPainterPath clippedOutline(const app::View& view, const app::WindowOutline& shape)
+{
+    const app::Point room(64);
+    const clipping::Window visible{-room, view.size + room};
+    QPainterPath path;
+    for (const auto& ring : shape.rings)
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const clipping::Segment edge{view.toScreen(ring[i]),
+                                         view.toScreen(ring[(i + 1) % ring.size()])};
+            if (const auto seen = clipping::exactAlgorithm().corrected.clip(edge, visible)) {
+                path.moveTo(seen->a.x, seen->a.y);
+                path.lineTo(seen->b.x, seen->b.y);
+            }
+        }
+    return path;
+}
+
+QPainterPath outlineOnScreen(const app::View& view, const app::WindowShape& shape)
+{
+    if (const auto box = app::axisAlignedBox(shape)) {
+        QPainterPath path;
+        path.addRect(onScreen(view, *box));
+        return path;
+    }
+    constexpr double tolerance = 0.2; // pixels
+    const app::WindowOutline rings = app::outlineOf(shape, tolerance / view.zoom);
+    QPainterPath path;
+    for (const auto& ring : rings.rings) {
+        QPolygonF polygon;
+        for (const app::Point& corner : ring) {
+            const app::Point at = view.toScreen(corner);
+            if (!(std::abs(at.x) < 1e5 && std::abs(at.y) < 1e5))
+                return clippedOutline(view, rings);
+            polygon << QPointF(at.x, at.y);
+        }
+        path.addPolygon(polygon);
+        path.closeSubpath();
+    }
+    return path;
+}
+
+const app::ClipWindow& actedOn(const Controller& controller)
+{
+    const app::Session& session = controller.session();
+    return session.windows().list[*session.windowNumber()];
 }
 
 // Windows that add are solid; the other operations have different dashes.
@@ -45,24 +98,37 @@ Qt::PenStyle dashesOf(app::WindowOperation operation)
 // Paints the drawing's other windows with thin lines.
 void paintOthers(QPainter& painter, const Controller& controller)
 {
+    const app::Session& session = controller.session();
     painter.setBrush(Qt::NoBrush);
-    bool first = true;
-    for (const app::ClipRegion::Step& step : controller.session().region().steps) {
-        if (std::exchange(first, false))
-            continue; // this window is painted with handles
-        painter.setPen(QPen(controller.look().accent, 1, dashesOf(step.operation)));
-        painter.drawRect(onScreen(controller.view(), step.box));
+    const auto& list = session.windows().list;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        if (!list[i].visible || i == session.windowNumber())
+            continue;
+        painter.setPen(QPen(controller.look().accent, 1, dashesOf(list[i].operation)));
+        painter.drawPath(outlineOnScreen(controller.view(), list[i].shape));
     }
 }
 
 void paintHandles(QPainter& painter, const Controller& controller, const Look& look)
 {
+    const app::WindowFrame frame = app::frameOf(actedOn(controller).shape);
+    const auto placed = app::placedHandles(frame, controller.view());
+    painter.setPen(QPen(look.accent, 1));
+    painter.setBrush(Qt::NoBrush);
+    if (std::holds_alternative<app::PathShape>(actedOn(controller).shape)) {
+        painter.setPen(QPen(look.accent, 1, Qt::DotLine));
+        painter.drawPath(outlineOnScreen(controller.view(), frame));
+    }
     painter.setPen(QPen(look.accent, outline));
-    for (const auto& [handle, at] : app::placedHandles(controller.window(), controller.view())) {
+    for (const auto& [handle, at] : placed) {
         const bool hovered = controller.tool().hoveredHandle() == handle;
         painter.setBrush(hovered ? look.accent : controller.pageColour());
-        painter.drawRect(QRectF(at.x - handleSize / 2 + 0.5, at.y - handleSize / 2 + 0.5,
-                                handleSize - 1, handleSize - 1));
+        const QRectF place(at.x - handleSize / 2 + 0.5, at.y - handleSize / 2 + 0.5, handleSize - 1,
+                           handleSize - 1);
+        if (handle == app::rotationHandle)
+            painter.drawEllipse(place);
+        else
+            painter.drawRect(place);
     }
 }
 
@@ -70,10 +136,13 @@ QString labelText(const Controller& controller)
 {
     const app::Page& page = controller.session().now().page();
     const app::Unit unit = controller.session().display().unit;
-    const clipping::Window window = controller.window();
-    if (controller.session().preview().drag != app::Preview::Drag::Moving)
-        return app::sizeText(window.max - window.min, unit, page.millimetresPerUnit());
-    const app::Point place = window.min - app::originOf(page, unit);
+    const app::WindowFrame frame = app::frameOf(actedOn(controller).shape);
+    const app::Preview::Drag drag = controller.session().preview().drag;
+    if (drag == app::Preview::Drag::Rotating)
+        return QStringLiteral("%1°").arg(app::numberText(-glm::degrees(frame.angle), 1));
+    if (drag != app::Preview::Drag::Moving)
+        return app::sizeText(frame.box.max - frame.box.min, unit, page.millimetresPerUnit());
+    const app::Point place = controller.clipWindow()->min - app::originOf(page, unit);
     return QStringLiteral("%1, %2").arg(app::lengthNumber(place.x, unit, page.millimetresPerUnit()),
                                         app::lengthText(place.y, unit, page.millimetresPerUnit()));
 }
@@ -130,7 +199,8 @@ void paintWindow(QPainter& painter, const Controller& controller, const Pane& pa
     }
     paintOthers(painter, controller);
     const Look& look = controller.look();
-    const QRectF window = rectangleOnScreen(controller);
+    const QRectF window = boxOnScreen(controller);
+    const QPainterPath border = outlineOnScreen(controller.view(), actedOn(controller).shape);
     const bool hovered = controller.tool().hoveredHandle() == app::Handle{};
     const double width =
         (hovered ? outlineHovered : outline) * (controller.session().display().presenting ? 2 : 1);
@@ -138,11 +208,12 @@ void paintWindow(QPainter& painter, const Controller& controller, const Pane& pa
              Qt::MiterJoin);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(pen);
-    painter.drawRect(window);
+    painter.drawPath(border);
     pen.setColor(look.accent);
     pen.setWidthF(width);
+    pen.setStyle(dashesOf(actedOn(controller).operation));
     painter.setPen(pen);
-    painter.drawRect(window);
+    painter.drawPath(border);
     if (!isFurnished(controller, pane, window))
         return;
     paintHandles(painter, controller, look);
@@ -154,7 +225,7 @@ std::vector<QRectF> windowFurniture(const Controller& controller, const Pane& pa
 {
     if (!controller.clipWindow())
         return {controller.offeredHandle()};
-    const QRectF window = rectangleOnScreen(controller);
+    const QRectF window = boxOnScreen(controller);
     std::vector<QRectF> places{QRectF(window.topLeft(), QSizeF(window.width(), 0)),
                                QRectF(window.bottomLeft(), QSizeF(window.width(), 0)),
                                QRectF(window.topLeft(), QSizeF(0, window.height())),
@@ -163,7 +234,8 @@ std::vector<QRectF> windowFurniture(const Controller& controller, const Pane& pa
         edge.adjust(-outline, -outline, outline, outline);
     if (!isFurnished(controller, pane, window))
         return places;
-    for (const auto& [handle, at] : app::placedHandles(controller.window(), controller.view()))
+    const app::WindowFrame frame = app::frameOf(actedOn(controller).shape);
+    for (const auto& [handle, at] : app::placedHandles(frame, controller.view()))
         places.push_back(
             QRectF(at.x - handleSize / 2, at.y - handleSize / 2, handleSize, handleSize));
     places.push_back(labelPlace(controller, window, labelFont(font)));

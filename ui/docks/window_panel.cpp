@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/window_panel.h"
 
-#include "app/commands/set_window.h"
+#include "app/document/window_shape.h"
+#include "app/session/window_steps.h"
 #include "app/view/place.h"
 #include "app/view/which_text.h"
 #include "ui/editing/keeping.h"
@@ -121,7 +122,7 @@ QWidget* WindowPanel::makeOffer()
 
 void WindowPanel::sayWhich()
 {
-    const QString text = app::whichText(session_.windows());
+    const QString text = app::whichText(session_.windows(), session_.windowNumber());
     which_->setWhole(text);
     which_->setToolTip(tr("%1\nOutlines on the canvas: solid for windows that add, dashed for "
                           "windows that cut out, dotted for windows that intersect.")
@@ -136,7 +137,9 @@ void WindowPanel::follow()
 {
     sayWhich();
     pages_->setCurrentIndex(session_.clipWindow() ? 0 : 1);
-    const clipping::Window window = session_.window();
+    const auto number = session_.windowNumber();
+    const clipping::Window window =
+        number ? app::frameOf(session_.windows().list[*number].shape).box : session_.window();
     const double size = session_.now().page().millimetresPerUnit();
     const app::Point place =
         window.min - app::originOf(session_.now().page(), session_.display().unit);
@@ -148,12 +151,19 @@ void WindowPanel::follow()
 
 void WindowPanel::edit(std::size_t field, double length, app::Merging merging)
 {
-    const clipping::Window before = session_.window();
+    const auto number = session_.windowNumber();
+    if (!number)
+        return;
+    const app::WindowShape& shape = session_.windows().list[*number].shape;
+    const app::WindowFrame frame = app::frameOf(shape);
+    const clipping::Window& before = frame.box;
     const app::Point origin = app::originOf(session_.now().page(), session_.display().unit);
     const double place = field == X ? origin.x : field == Y ? origin.y : 0;
     const clipping::Window after = edited(before, field, place + length, chain_->isChecked());
     if (after != before)
-        session_.history.push(new app::SetWindow(session_.document, after, merging));
+        app::setWindowShape(
+            session_, app::fitted(shape, {after, frame.angle}),
+            field == X || field == Y ? tr("Move clip window") : tr("Resize clip window"), merging);
 }
 
 } // namespace ui

@@ -2,7 +2,7 @@
 #include "ui/editing/keeping.h"
 
 #include "app/commands/set_windows.h"
-#include "app/session/limited_steps.h"
+#include "app/session/window_steps.h"
 
 #include <QCoreApplication>
 
@@ -22,9 +22,8 @@ void setKeep(app::Session& session, app::Keep keep)
 
 void layWindowOnPage(app::Session& session)
 {
-    const clipping::Window page = session.now().page().rectangle();
-    if (app::firstWindow(session.now().windows()) != page)
-        app::placeClipWindow(session, page);
+    app::setWindowShape(session, app::RectangleShape{session.now().page().rectangle()},
+                        QCoreApplication::translate("Clip", "Lay clip window on page"));
 }
 
 } // namespace ui

@@ -13,7 +13,7 @@ namespace ui {
 app::CutOptions Files::cutOptions() const
 {
     app::CutOptions options{.clipAll = session_.uses().clipAll};
-    options.region = app::regionOf(session_.now().windows());
+    options.region = app::regionOf(session_.now().windows(), session_.now().page());
     return options;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/latin.h"
-#include "app/commands/set_windows.h"
+#include "app/session/window_steps.h"
 #include "app/view/picking.h"
 #include "ui/editing/keeping.h"
 #include "ui/files/files.h"
@@ -70,12 +70,7 @@ void setRemoved(MainWindow& window)
 
 void windowOnPage(MainWindow& window) { layWindowOnPage(window.session()); }
 
-void removeWindow(MainWindow& window)
-{
-    app::Session& session = window.session();
-    session.history.push(new app::SetWindows(
-        session.document, app::withoutWindow(session.now().windows()), tr("Remove clip window")));
-}
+void removeWindow(MainWindow& window) { app::removeWindow(window.session()); }
 
 bool hasWindow(const MainWindow& window) { return window.session().clipWindow().has_value(); }
 

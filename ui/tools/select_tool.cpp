@@ -139,8 +139,7 @@ std::optional<clipping::Window> boxAround(const app::Session& session)
 
 void SelectTool::lookUnder(const Pointer& pointer, Workbench& bench)
 {
-    const auto window = bench.session.clipWindow();
-    hoveredHandle_ = window ? app::handleAt(pointer.screen, *window, bench.view) : std::nullopt;
+    hoveredHandle_ = windowHandleAt(pointer.screen, bench);
     hoveredEnd_ = hoveredHandle_ ? std::nullopt : EndDrag::endAt(pointer.screen, bench);
     const auto box = hoveredHandle_ ? std::nullopt : boxAround(bench.session);
     mark_ = hoveredHandle_ || hoveredEnd_ ? Mark::None : marks_.at(pointer.screen, bench);
@@ -165,7 +164,7 @@ void SelectTool::press(const Pointer& pointer, Workbench& bench)
     bench.session.guide.reset();
     lookUnder(pointer, bench);
     if (hoveredHandle_) {
-        gesture_.start(*hoveredHandle_, pointer, bench.session.window());
+        gesture_.start(*hoveredHandle_, pointer, bench);
         return;
     }
     if (hoveredGuide_)

@@ -1,17 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/window_gesture.h"
 
-#include "app/session/limited_steps.h"
+#include "app/session/window_steps.h"
 #include "ui/tools/shape_drawing.h"
 
+#include <QCoreApplication>
+
+#include <array>
 #include <cmath>
+#include <numbers>
 
 namespace ui {
 
-void WindowGesture::start(app::Handle handle, const Pointer& pointer,
-                          const clipping::Window& window)
+static QString nameOf(app::Preview::Drag drag)
 {
-    state_ = State{handle, pointer, pointer, window};
+    using Drag = app::Preview::Drag;
+    const char* const move = QT_TRANSLATE_NOOP("Commands", "Move clip window");
+    const char* const resize = QT_TRANSLATE_NOOP("Commands", "Resize clip window");
+    const char* const rotate = QT_TRANSLATE_NOOP("Commands", "Rotate clip window");
+    return QCoreApplication::translate("Commands", drag == Drag::Moving     ? move
+                                                   : drag == Drag::Rotating ? rotate
+                                                                            : resize);
+}
+
+void WindowGesture::start(app::Handle handle, const Pointer& pointer, const Workbench& bench)
+{
+    const app::Session& session = bench.session;
+    if (const auto number = session.windowNumber())
+        state_ = State{handle, pointer, pointer, session.windows().list[*number].shape};
 }
 
 void WindowGesture::startNew(const Pointer& pointer)
@@ -24,7 +40,7 @@ void WindowGesture::follow(const Pointer& pointer, const Workbench& bench)
     if (!state_)
         return;
     state_->to = pointer;
-    state_->drags |= dragged(state_->from.screen, pointer);
+    state_->drags |= ui::dragged(state_->from.screen, pointer);
     if (moves())
         state_->moved = moved(bench);
 }
@@ -37,8 +53,9 @@ app::MovedSnap WindowGesture::moved(const Workbench& bench) const
     const int fixed = std::abs(by.x) >= std::abs(by.y) ? 1 : 0;
     if (straight)
         by[fixed] = 0;
-    app::MovedSnap moved = bench.moved(app::ownPointsOf(*state_->start), by, state_->to.modifiers,
-                                       {}, app::SnapTo::All.without("window"));
+    app::MovedSnap moved =
+        bench.moved(app::ownPointsOf(app::boxOf(*state_->start)), by, state_->to.modifiers, {},
+                    app::SnapTo::All.without("window"));
     if (straight && moved.by[fixed] != 0) {
         moved = {moved.by};
         moved.by[fixed] = 0;
@@ -54,7 +71,9 @@ const app::MovedSnap* WindowGesture::snapped() const
 void WindowGesture::proceed(const Pointer& pointer, Workbench& bench)
 {
     follow(pointer, bench);
-    bench.session.setPreview(preview());
+    const auto now = shape();
+    bench.session.setPreview(now ? app::Preview{.windows = after(*now, bench), .drag = drag()}
+                                 : app::Preview{});
 }
 
 void WindowGesture::cancel(Workbench& bench)
@@ -67,54 +86,92 @@ void WindowGesture::cancel(Workbench& bench)
 void WindowGesture::finish(const Pointer& pointer, Workbench& bench)
 {
     follow(pointer, bench);
-    const auto result = window();
+    const auto result = shape();
+    const app::Preview::Drag what = drag();
+    const bool isNew = state_ && !state_->start;
     state_.reset();
-    if (result && result != app::firstWindow(bench.session.now().windows()))
-        app::placeClipWindow(bench.session, *result);
+    if (result && isNew)
+        app::drawWindow(bench.session, *result);
+    else if (result)
+        app::setWindowShape(bench.session, *result, nameOf(what));
     bench.session.setPreview({});
 }
 
-std::optional<clipping::Window> WindowGesture::window() const
+std::optional<app::WindowShape> WindowGesture::shape() const
 {
     if (!state_ || !state_->drags)
         return std::nullopt;
+    return state_->start ? dragged() : drawn();
+}
+
+app::WindowShape WindowGesture::drawn() const
+{
     const auto modifiers = state_->to.modifiers;
-    if (!state_->start)
-        return app::between(state_->from.position, state_->to.position, proportionOf(modifiers),
-                            anchorOf(modifiers));
-    // The pointer is rarely exactly on the handle, so the handle moves by as much as the pointer,
-    // or to the snap point.
-    app::Point by = moves() ? state_->moved.by : state_->to.raw - state_->from.raw;
-    const bool snapped = state_->to.position != state_->to.raw;
-    if (!moves() && snapped)
-        for (int axis = 0; axis < 2; ++axis) {
-            const int side = axis == 0 ? state_->handle.x : state_->handle.y;
-            const auto& start = *state_->start;
-            by[axis] = state_->to.position[axis] - (side < 0 ? start.min[axis] : start.max[axis]);
-        }
+    return app::RectangleShape{app::between(state_->from.position, state_->to.position,
+                                            proportionOf(modifiers), anchorOf(modifiers))};
+}
+
+// The pointer is rarely exactly on the handle, so the handle moves by as much as the pointer, or to
+// the snap point.
+app::WindowShape WindowGesture::dragged() const
+{
+    if (moves())
+        return app::mapped(*state_->start, app::translation(state_->moved.by));
+    const auto modifiers = state_->to.modifiers;
+    const app::WindowFrame start = app::frameOf(*state_->start);
+    const app::Handle handle = state_->handle;
+    app::Point from = state_->from.raw, to = state_->to.raw;
+    if (state_->to.position != state_->to.raw && handle != app::rotationHandle) {
+        from = app::outOfFrame(start, app::placeOf(handle, start.box));
+        to = state_->to.position;
+    }
     const auto proportion =
         modifiers & Qt::ShiftModifier ? app::Proportion::Kept : app::Proportion::Free;
-    return app::dragged(*state_->start, state_->handle, by, proportion, anchorOf(modifiers));
+    const auto frame = app::dragged(start, handle, from, to, proportion, anchorOf(modifiers));
+    return handle == app::rotationHandle ? app::rotated(*state_->start, frame.angle - start.angle)
+                                         : app::fitted(*state_->start, frame);
 }
 
-app::Preview WindowGesture::preview() const
+app::ClipWindows WindowGesture::after(const app::WindowShape& shape, const Workbench& bench) const
 {
-    const auto now = window();
-    if (!now)
-        return {};
-    return {.window = now,
-            .drag = moves() ? app::Preview::Drag::Moving : app::Preview::Drag::Sizing};
+    return state_->start ? app::withShape(bench.session, shape)
+                         : app::withDrawn(bench.session, shape);
 }
 
-Qt::CursorShape cursorOf(app::Handle handle)
+app::Preview::Drag WindowGesture::drag() const
 {
-    if (handle.x == 0 && handle.y == 0)
+    using Drag = app::Preview::Drag;
+    return moves()                                           ? Drag::Moving
+           : state_ && state_->handle == app::rotationHandle ? Drag::Rotating
+                                                             : Drag::Sizing;
+}
+
+Qt::CursorShape cursorOf(app::Handle handle, double angle)
+{
+    if (handle == app::Handle{})
         return Qt::SizeAllCursor;
-    if (handle.x == 0)
-        return Qt::SizeVerCursor;
-    if (handle.y == 0)
-        return Qt::SizeHorCursor;
-    return handle.x == handle.y ? Qt::SizeFDiagCursor : Qt::SizeBDiagCursor;
+    if (handle == app::rotationHandle)
+        return Qt::PointingHandCursor;
+    constexpr std::array cursors{Qt::SizeHorCursor, Qt::SizeFDiagCursor, Qt::SizeVerCursor,
+                                 Qt::SizeBDiagCursor};
+    const double eighths = std::atan2(handle.y, handle.x) + angle;
+    const int step = int(std::lround(eighths / (std::numbers::pi / 4)));
+    return cursors[std::size_t(((step % 4) + 4) % 4)];
+}
+
+std::optional<app::Handle> windowHandleAt(const app::Point& screen, const Workbench& bench)
+{
+    const app::Session& session = bench.session;
+    const auto number = session.windowNumber();
+    if (!number)
+        return std::nullopt;
+    const app::WindowShape& shape = session.windows().list[*number].shape;
+    const app::WindowFrame frame = app::frameOf(shape);
+    const auto handle = app::handleAt(screen, frame, bench.view);
+    // The frame of a path is not its outline.
+    if (handle == app::Handle{} && std::holds_alternative<app::PathShape>(shape))
+        return std::nullopt;
+    return handle;
 }
 
 } // namespace ui

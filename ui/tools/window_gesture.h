@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/view/frame_handles.h"
 #include "ui/tools/tool.h"
 
 namespace ui {
 
-/// A drag of the clip window by a handle, its outline or its interior. Sets the session's preview
+/// A drag of a clip window by a handle, its outline or its interior. Sets the session's preview
 /// during the gesture and pushes one command at its end.
 class WindowGesture {
 public:
-    void start(app::Handle handle, const Pointer& pointer, const clipping::Window& window);
+    /// On the window that tools act on.
+    void start(app::Handle handle, const Pointer& pointer, const Workbench& bench);
     void startNew(const Pointer& pointer); ///< drags a new clip window from corner to corner
     void proceed(const Pointer& pointer, Workbench& bench);
     void finish(const Pointer& pointer, Workbench& bench);
@@ -24,20 +26,26 @@ private:
     app::MovedSnap moved(const Workbench& bench) const;
     bool moves() const { return state_ && state_->start && state_->handle == app::Handle{}; }
     /// Nothing until the pointer has moved far enough for a drag.
-    std::optional<clipping::Window> window() const;
-    app::Preview preview() const;
+    std::optional<app::WindowShape> shape() const;
+    app::WindowShape drawn() const;
+    app::WindowShape dragged() const;
+    app::ClipWindows after(const app::WindowShape& shape, const Workbench& bench) const;
+    app::Preview::Drag drag() const;
 
     struct State {
         app::Handle handle;
         Pointer from, to;
-        std::optional<clipping::Window> start; ///< empty: a new window
+        std::optional<app::WindowShape> start; ///< empty: a new window
         bool drags = false;
         app::MovedSnap moved{}; ///< if the whole window is moved
     };
     std::optional<State> state_;
 };
 
-/// The cursor over a handle.
-Qt::CursorShape cursorOf(app::Handle handle);
+/// The cursor over a handle of a frame that is rotated by `angle` (radians).
+Qt::CursorShape cursorOf(app::Handle handle, double angle = 0);
+
+/// The handle of the window that tools act on; empty without a window.
+std::optional<app::Handle> windowHandleAt(const app::Point& screen, const Workbench& bench);
 
 } // namespace ui

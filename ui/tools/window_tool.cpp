@@ -1,21 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/set_window.h"
+#include "app/session/window_steps.h"
+#include "app/view/window_at.h"
 #include "ui/tools/window_gesture.h"
 
 namespace ui {
 namespace {
 
-/// Edits the clip window: a drag outside it draws another one, a drag inside moves it, a handle
-/// resizes it.
+/// Edits clip windows: a drag outside them draws one, a drag inside one chooses and moves it, a
+/// handle of the chosen one resizes or rotates it.
 class WindowTool final : public Tool {
 public:
     void press(const Pointer& pointer, Workbench& bench) override
     {
         hoveredHandle_ = handleUnder(pointer, bench);
         if (hoveredHandle_)
-            gesture_.start(*hoveredHandle_, pointer, bench.session.window());
-        else
-            gesture_.startNew(pointer);
+            return gesture_.start(*hoveredHandle_, pointer, bench);
+        if (const auto other = windowUnder(pointer, bench)) {
+            bench.session.chooseWindow(*other);
+            return gesture_.start({}, pointer, bench);
+        }
+        gesture_.startNew(pointer);
     }
     void move(const Pointer& pointer, Workbench& bench) override
     {
@@ -37,26 +41,28 @@ public:
     void cancel(Workbench& bench) override { gesture_.cancel(bench); }
     bool busy() const override { return gesture_.going(); }
 
-    QCursor cursor(const Workbench&) const override
-    {
-        return hoveredHandle_ ? cursorOf(*hoveredHandle_) : Qt::CrossCursor;
-    }
+    QCursor cursor(const Workbench& bench) const override;
     app::SnapTo snapsTo() const override { return app::SnapTo::All.without("window"); }
     const app::MovedSnap* snapped() const override { return gesture_.snapped(); }
     bool showsHandles() const override { return true; }
     std::optional<app::Handle> hoveredHandle() const override { return hoveredHandle_; }
 
 private:
+    static constexpr double reach = 6; // pixels
+
+    static std::optional<std::size_t> windowUnder(const Pointer& pointer, const Workbench& bench)
+    {
+        return app::windowAt(bench.session.windows(), pointer.raw, bench.inDrawing(reach));
+    }
     static std::optional<app::Handle> handleUnder(const Pointer& pointer, const Workbench& bench)
     {
-        const auto window = bench.session.clipWindow();
-        if (!window)
-            return std::nullopt;
-        if (const auto handle = app::handleAt(pointer.screen, *window, bench.view))
+        if (const auto handle = windowHandleAt(pointer.screen, bench))
             return handle;
-        const app::Point p = pointer.raw;
-        const auto& [min, max] = *window;
-        const bool inside = p.x >= min.x && p.y >= min.y && p.x <= max.x && p.y <= max.y;
+        const auto& session = bench.session;
+        const auto number = session.windowNumber();
+        const bool inside = number
+                            && app::isAt(session.windows().list[*number].shape, pointer.raw,
+                                         bench.inDrawing(reach));
         return inside ? std::optional(app::Handle{}) : std::nullopt;
     }
 
@@ -75,12 +81,19 @@ bool WindowTool::key(QKeyEvent& event, Workbench& bench)
     if (by == app::Point(0))
         return false;
     by *= nudge(bench, event.modifiers());
-    const auto w = bench.session.clipWindow();
-    if (!w)
+    if (!bench.session.windowNumber())
         return false;
-    bench.session.history.push(new app::SetWindow(
-        bench.session.document, {w->min + by, w->max + by}, app::Merging::WithLast));
+    app::moveWindow(bench.session, by, app::Merging::WithLast);
     return true;
+}
+
+QCursor WindowTool::cursor(const Workbench& bench) const
+{
+    const app::Session& session = bench.session;
+    const auto number = session.windowNumber();
+    if (!hoveredHandle_ || !number)
+        return Qt::CrossCursor;
+    return cursorOf(*hoveredHandle_, app::frameOf(session.windows().list[*number].shape).angle);
 }
 
 } // namespace

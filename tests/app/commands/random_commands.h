@@ -202,7 +202,7 @@ private:
             return nullptr;
         app::CutOptions options;
         options.clipAll = clipping::algorithms().front().corrected.clipAll;
-        options.region = app::regionOf(now().windows());
+        options.region = app::regionOf(now().windows(), now().page());
         options.scope = app::CutScope::Editable;
         return new app::CropToWindow(document_, options);
     }

@@ -35,7 +35,9 @@ private slots:
         ::setPage(session.document, page);
         session.differences.finish();
         QCOMPARE(session.differences.found().window, page.rectangle());
-        session.setPreview({.window = Window{{1, 1}, {2, 2}}}); // one is being drawn
+        session.setPreview(
+            {.windows = app::withWindow(session.now().windows(),
+                                        Window{{1, 1}, {2, 2}})}); // one is being drawn
         QVERIFY(app::atText(session.compared()).isEmpty());
         session.setPreview({});
         QVERIFY(!app::atText(session.compared()).isEmpty());

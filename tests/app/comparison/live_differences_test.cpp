@@ -148,7 +148,7 @@ private slots:
         const auto expected = atOnce(session, kwcAgainstExact(), moved);
         QVERIFY(expected != before);
         QVERIFY(session.differences.piecesAt(moved).empty()); // to ask computes nothing
-        session.setPreview({.window = moved});
+        session.setPreview({.windows = app::withWindow(session.now().windows(), moved)});
         QVERIFY(session.differences.piecesAt(moved).empty());
         QCoreApplication::sendPostedEvents(); // before anybody paints
         const auto pieces = session.differences.piecesAt(moved);
@@ -180,7 +180,7 @@ private slots:
         Window moved = paper;
         for (int i = 1; i <= 5; ++i) {
             moved = {paper.min + double(i), paper.max + double(i)};
-            session.setPreview({.window = moved});
+            session.setPreview({.windows = app::withWindow(session.now().windows(), moved)});
             QCoreApplication::processEvents();
             QVERIFY(!session.differences.upToDate());
             QCOMPARE(changed.size(), 1); // panels hear at once that their figures are old
@@ -192,12 +192,12 @@ private slots:
         session.setPreview({});
         QVERIFY(session.differences.upToDate());
         // One that is dropped costs nothing.
-        session.setPreview({.window = paper});
+        session.setPreview({.windows = app::withWindow(session.now().windows(), paper)});
         QVERIFY(!session.differences.upToDate());
         session.setPreview({});
         QVERIFY(session.differences.upToDate());
         QVERIFY(!session.differences.piecesAt(moved).empty());
-        session.setPreview({.window = paper});
+        session.setPreview({.windows = app::withWindow(session.now().windows(), paper)});
         ::splice(session.document, 0, 1, {});
         session.setPreview({}); // the lines are others meanwhile
         QVERIFY(!session.differences.upToDate());

@@ -73,7 +73,7 @@ private slots:
             QVERIFY(piece.source < 2'000);
 
         const Window moved{{120, 90}, {320, 240}};
-        session.setPreview({.window = moved});
+        session.setPreview({.windows = app::withWindow(session.now().windows(), moved)});
         QCoreApplication::sendPostedEvents(); // before anybody paints
         QVERIFY(isUpToDateAt(session, moved));
         QCOMPARE(painted(session, moved), session.exactness.found().list.size());
@@ -99,7 +99,8 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(session.exactness.upToDate(), 20'000);
         QCOMPARE(begun.size(), 1);
         QVERIFY(isUpToDateAt(session, paper));
-        session.setPreview({.window = Window{{0, 0}, {50, 50}}});
+        session.setPreview(
+            {.windows = app::withWindow(session.now().windows(), Window{{0, 0}, {50, 50}})});
         QVERIFY(!session.exactness.upToDate());
         session.exactness.finish();
         QVERIFY(isUpToDateAt(session, {{0, 0}, {50, 50}}));

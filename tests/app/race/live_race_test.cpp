@@ -69,7 +69,8 @@ struct Track {
     /// As a gesture does.
     void show(const Window& window)
     {
-        session.setPreview({.window = window, .drag = app::Preview::Drag::Moving});
+        session.setPreview({.windows = app::withWindow(session.now().windows(), window),
+                            .drag = app::Preview::Drag::Moving});
     }
     std::size_t roundsOn(const Window& window) const
     {

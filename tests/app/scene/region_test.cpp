@@ -113,7 +113,7 @@ ClipRegion toRegion(const std::vector<truth::Rectangle>& list, bool inside, Rand
                                 RectangleShape{{toDouble(r.min), toDouble(r.max)}},
                                 WindowOperation(r.does), true});
     }
-    return regionOf(windows);
+    return regionOf(windows, 1);
 }
 
 std::string describe(const std::vector<truth::Rectangle>& list, bool inside,

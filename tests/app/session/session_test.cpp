@@ -30,10 +30,8 @@ void setWindows(app::Session& session, const ClipWindows& windows)
 /// Whether a session's windows and region are those of its document and its preview.
 bool isUpToDate(const app::Session& session)
 {
-    ClipWindows windows = session.now().windows();
-    if (const auto& window = session.preview().window)
-        windows = withWindow(windows, *window);
-    return session.windows() == windows && session.region() == regionOf(windows);
+    const ClipWindows windows = session.preview().windows.value_or(session.now().windows());
+    return session.windows() == windows && session.region() == regionOf(windows, session.now().page());
 }
 
 /// A session whose windows are looked at whenever it says that something has changed.
@@ -76,14 +74,21 @@ private slots:
     {
         const clipping::Window a{{0, 0}, {5, 5}}, b{{2, 2}, {9, 9}}, c{{1, 1}, {3, 3}};
         const std::vector<std::function<void(app::Session&)>> steps{
-            [&](app::Session& s) { s.setPreview({.window = a}); },
+            [&](app::Session& s) {
+                s.setPreview({.windows = app::withWindow(s.now().windows(), a)});
+            },
             [&](app::Session& s) { s.history.push(new app::SetWindow(s.document, a)); },
             [&](app::Session& s) { s.setPreview({}); },
             [&](app::Session& s) {
                 setWindows(s, list({a, b}));
             },
-            [&](app::Session& s) { s.setPreview({.window = c}); },
-            [&](app::Session& s) { s.setPreview({.window = b, .line = clipping::Segment{}}); },
+            [&](app::Session& s) {
+                s.setPreview({.windows = app::withWindow(s.now().windows(), c)});
+            },
+            [&](app::Session& s) {
+                s.setPreview({.windows = app::withWindow(s.now().windows(), b),
+                              .line = clipping::Segment{}});
+            },
             [&](app::Session& s) {
                 setWindows(s, list({b, a}));
             }, // in the middle of a gesture
@@ -92,11 +97,15 @@ private slots:
             [&](app::Session& s) { ::setPage(s.document, {}); },
             [&](app::Session& s) { s.history.undo(); },
             [&](app::Session& s) { s.history.redo(); },
-            [&](app::Session& s) { s.setPreview({.window = c}); },
+            [&](app::Session& s) {
+                s.setPreview({.windows = app::withWindow(s.now().windows(), c)});
+            },
             [&](app::Session& s) {
                 s.load({app::documentOf(sheetAt(b)), {}});
             },
-            [&](app::Session& s) { s.setPreview({.window = a}); },
+            [&](app::Session& s) {
+                s.setPreview({.windows = app::withWindow(s.now().windows(), a)});
+            },
             [&](app::Session& s) { s.load({}); },
         };
         Watched session;
@@ -132,7 +141,8 @@ private slots:
     {
         app::Session session;
         setWindows(session, list({{{0, 0}, {5, 5}}, {{2, 2}, {9, 9}}}));
-        session.setPreview({.window = clipping::Window{{1, 1}, {3, 3}}});
+        session.setPreview({.windows = app::withWindow(session.now().windows(),
+                                                       clipping::Window{{1, 1}, {3, 3}})});
         QVERIFY(session.windows().list.data() == session.windows().list.data());
         QVERIFY(session.region().steps.data() == session.region().steps.data());
     }

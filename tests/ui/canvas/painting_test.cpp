@@ -102,7 +102,7 @@ private slots:
                       && !stage.session.exactness.piecesAt(stage.session.window()).empty();
         };
         dragCorner(stage, 8);
-        QVERIFY(stage.session.preview().window);
+        QVERIFY(stage.session.preview().windows);
         QCOMPARE(mostCalls, 0);
         QVERIFY(callsOutside >= 8);
         QCOMPARE(marked, paints); // every frame has its marks, so they do not flicker

@@ -199,7 +199,9 @@ private slots:
                                         Qt::LowEventPriority);
         });
         for (int i = 1; i <= 3; ++i) {
-            stage.session.setPreview({.window = clipping::Window{{0, 0}, {100., 100. - i}}});
+            stage.session.setPreview(
+                {.windows = app::withWindow(stage.session.now().windows(),
+                                            clipping::Window{{0, 0}, {100., 100. - i}})});
             stage.session.differences.finish();
             QVERIFY(filled.isEmpty());
         }

@@ -251,7 +251,8 @@ private slots:
         panel.compare();
         session.setPreview({.line = clipping::Segment{{1, 1}, {9, 9}}});
         QVERIFY((*verdict)->isVisible());
-        session.setPreview({.window = clipping::Window{{1, 1}, {9, 9}}});
+        session.setPreview({.windows = app::withWindow(session.now().windows(),
+                                                       clipping::Window{{1, 1}, {9, 9}})});
         QVERIFY(!(*verdict)->isVisible());
     }
     void theRadioButtonsChooseTheForm()

@@ -496,7 +496,7 @@ private slots:
         QVERIFY(note->text().startsWith("<b>Draw a clip window (W),</b>"));
         QVERIFY(note->text().contains("Lay window on page"));
         app::Session& session = t.window->session();
-        session.setPreview({.window = middle});
+        session.setPreview({.windows = app::withWindow(session.now().windows(), middle)});
         QVERIFY(note->text().contains("Drag the clip window"));
         session.setPreview({});
         QVERIFY(note->text().startsWith("<b>Draw a clip window (W),</b>"));

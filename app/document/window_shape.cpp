@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/window_shape.h"
+
+#include "app/document/mapped_path.h"
+#include "app/document/window_outline.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace app {
+namespace {
+
+constexpr double rounding = 1e-12; // relative to the lengths
+
+Point turned(const Point& p, double angle)
+{
+    const double sine = std::sin(angle), cosine = std::cos(angle);
+    return {p.x * cosine - p.y * sine, p.x * sine + p.y * cosine};
+}
+
+Point centreOf(const clipping::Window& box) { return (box.min + box.max) * 0.5; }
+
+clipping::Window boxOfPath(const Path& path, double tolerance)
+{
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    clipping::Window box{Point(infinite), Point(-infinite)};
+    std::vector<clipping::Segment> chords;
+    appendSegments(path, tolerance, chords);
+    for (const clipping::Segment& chord : chords)
+        box = {glm::min(box.min, glm::min(chord.a, chord.b)),
+               glm::max(box.max, glm::max(chord.a, chord.b))};
+    return box;
+}
+
+// Of a path whose curves have no known size yet: its tolerance is a part of the control points'
+// box.
+clipping::Window boxOfPath(const Path& path)
+{
+    double size = 0;
+    std::optional<Point> first;
+    path.forEachPoint([&](const Point& p) {
+        const Point apart = glm::abs(p - first.value_or(p));
+        size = std::max({size, apart.x, apart.y});
+        first = first.value_or(p);
+    });
+    return boxOfPath(path, size > 0 ? size * 1e-4 : 1);
+}
+
+PathShape asPath(const RectangleShape& rectangle)
+{
+    const auto corners = cornersOf(rectangle);
+    const Subpath ring{corners[0], {{corners[1]}, {corners[2]}, {corners[3]}}, true};
+    PathShape shape{Path({&ring, 1})};
+    if (rectangle.angle == 0)
+        shape.recipe = RectangleRecipe{rectangle.box.min, rectangle.box.max - rectangle.box.min};
+    return shape;
+}
+
+// The rectangle after a map that leaves its corners right angles.
+std::optional<RectangleShape> stillRectangle(const RectangleShape& rectangle, const AffineMap& map)
+{
+    const auto old = cornersOf(rectangle);
+    const Point corner = map(old[0]), across = map(old[1]) - corner, down = map(old[3]) - corner;
+    const double width = glm::length(across), height = glm::length(down);
+    if (!(std::abs(glm::dot(across, down)) <= rounding * width * height))
+        return std::nullopt;
+    if (rectangle.angle == 0 && map.placement()) {
+        const Point opposite = map(old[2]);
+        return RectangleShape{{glm::min(corner, opposite), glm::max(corner, opposite)}};
+    }
+    // A mirrored rectangle has the same points as a rotated one.
+    const double angle = width > 0 ? std::atan2(across.y, across.x) : std::atan2(-down.x, down.y);
+    const Point half = Point(width, height) * 0.5, centre = map(centreOf(rectangle.box));
+    return RectangleShape{{centre - half, centre + half}, angle};
+}
+
+} // namespace
+
+WindowFrame frameOf(const WindowShape& shape)
+{
+    if (const auto* rectangle = std::get_if<RectangleShape>(&shape))
+        return *rectangle;
+    return {boxOf(shape)};
+}
+
+clipping::Window boxOf(const WindowShape& shape)
+{
+    if (const auto* path = std::get_if<PathShape>(&shape))
+        return boxOfPath(path->path);
+    const auto corners = cornersOf(std::get<RectangleShape>(shape));
+    clipping::Window box{corners[0], corners[2]};
+    if (std::get<RectangleShape>(shape).angle == 0)
+        return box;
+    box = {corners[0], corners[0]};
+    for (const Point& corner : corners)
+        box = {glm::min(box.min, corner), glm::max(box.max, corner)};
+    return box;
+}
+
+WindowShape mapped(const WindowShape& shape, const AffineMap& map)
+{
+    PathShape path;
+    if (const auto* rectangle = std::get_if<RectangleShape>(&shape)) {
+        if (const auto still = stillRectangle(*rectangle, map))
+            return *still;
+        path = asPath(*rectangle);
+    } else {
+        path = std::get<PathShape>(shape);
+    }
+    transform(path.path, path.recipe, map);
+    return path;
+}
+
+// Only rectangles are rotated, and these take the frame itself.
+WindowShape fitted(const WindowShape& shape, const WindowFrame& frame)
+{
+    if (std::holds_alternative<RectangleShape>(shape))
+        return frame;
+    const auto [min, max] = boxOf(shape);
+    const Point before = max - min, after = frame.box.max - frame.box.min;
+    const Point scale(before.x > 0 ? after.x / before.x : 1, before.y > 0 ? after.y / before.y : 1);
+    return mapped(shape, {{scale.x, 0}, {0, scale.y}, min, frame.box.min});
+}
+
+WindowShape rotated(const WindowShape& shape, double angle)
+{
+    if (const auto* rectangle = std::get_if<RectangleShape>(&shape)) {
+        const double sum = std::remainder(rectangle->angle + angle, 2 * std::numbers::pi);
+        return RectangleShape{rectangle->box, std::abs(sum) < rounding ? 0 : sum};
+    }
+    return mapped(shape, rotation(-angle * 180 / std::numbers::pi, centreOf(boxOf(shape))));
+}
+
+WindowFrame resized(const WindowFrame& frame, const clipping::Window& box)
+{
+    const Point half = (box.max - box.min) * 0.5;
+    if (frame.angle == 0)
+        return {box};
+    const Point centre = outOfFrame(frame, centreOf(box));
+    return {{centre - half, centre + half}, frame.angle};
+}
+
+Point intoFrame(const WindowFrame& frame, const Point& p)
+{
+    const Point centre = centreOf(frame.box);
+    return frame.angle == 0 ? p : centre + turned(p - centre, -frame.angle);
+}
+
+Point outOfFrame(const WindowFrame& frame, const Point& p)
+{
+    const Point centre = centreOf(frame.box);
+    return frame.angle == 0 ? p : centre + turned(p - centre, frame.angle);
+}
+
+} // namespace app

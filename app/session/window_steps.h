@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/commands/edit_command.h"
+#include "app/session/session.h"
+
+#include <functional>
+
+// Undoable steps on the clip windows. "The window" is the one that tools act on
+// (Session::windowNumber).
+
+namespace app {
+
+/// The windows after the window got this shape; without one, a window more.
+ClipWindows withShape(const Session& session, const WindowShape& shape);
+
+/// Gives the window this shape; without one, adds a window.
+void setWindowShape(Session& session, const WindowShape& shape, const QString& text,
+                    Merging merging = Merging::Never);
+void moveWindow(Session& session, const Point& by, Merging merging = Merging::Never);
+
+/// The windows after one was drawn: without the choice of an operation (Session::newWindow) it
+/// takes the place of the window.
+ClipWindows withDrawn(const Session& session, const WindowShape& shape);
+void drawWindow(Session& session, const WindowShape& shape);
+
+/// Adds a window as the last and chooses it. If the drawing has as many as it may have, nothing
+/// changes and `Session::refused` says so.
+bool addWindow(Session& session, ClipWindow window);
+void removeWindow(Session& session);
+/// Moves a window to another place of the list and chooses it there.
+void reorderWindow(Session& session, std::size_t from, std::size_t to);
+/// Changes the name, the operation or the visibility of one window.
+void changeWindow(Session& session, std::size_t number, const QString& text,
+                  const std::function<void(ClipWindow&)>& change);
+
+/// The selected objects as one clip window: the areas of all their paths. Open paths are closed.
+/// Empty without objects that have an area.
+std::optional<ClipWindow> windowOfSelection(const Session& session);
+/// Adds the window's shape as an object of the current layer, in the pen's style, and selects it.
+void windowToPath(Session& session);
+
+} // namespace app
