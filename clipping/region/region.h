@@ -108,8 +108,9 @@ struct RegionProgress {
 ///    consecutive ends along the segment never change their order.
 /// 3. The reversed segment gives the reversed pieces, bit for bit.
 ///
-/// For one upright window the result is that of the row `exact` (or of `outsideAll`). A segment
-/// with a number that is not finite is in no area: it is kept or removed as a whole.
+/// For one window with area the result is that of the row `exact`, or of `outsideAll`; that joins
+/// two pieces if the part between them rounds to a point. A segment with a number that is not
+/// finite is in no area: it is kept or removed as a whole.
 RegionProgress clipAll(std::span<const Segment> in, const PreparedRegion& region,
                        std::span<RegionPiece> out, RegionProgress from = {});
 
