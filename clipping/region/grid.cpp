@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "clipping/region/grid.h"
+
+#include "clipping/ieee_numbers.h"
+
+#include <cassert>
+#include <numeric>
+#include <ranges>
+
+namespace clipping {
+namespace {
+
+/// Turns counts per cell, stored one cell later, into the first index of each cell.
+void sumUp(std::vector<std::uint32_t>& counts)
+{
+    std::partial_sum(counts.begin(), counts.end(), counts.begin());
+}
+
+/// An edge crosses the horizontal line through the references of a row: from `column` on, the
+/// winding number of its area changes by `change`.
+struct Crossed {
+    std::uint32_t column, step;
+    int change;
+};
+
+/// The numbers of columns and rows: about four cells for each edge, as square as possible; fewer
+/// for many areas, as each may have a winding number in each cell, and for edges that would each be
+/// listed in very many cells.
+glm::dvec2 partsFor(std::span<const AreaEdge> edges, std::size_t steps, const glm::dvec2& extent)
+{
+    const auto count = static_cast<double>(edges.size());
+    const double most = std::max(64.0, 0x1p24 / static_cast<double>(steps));
+    const double cells = std::min(most, std::clamp(4 * count, 16.0, 0x1p20));
+    const double ratio = extent.x / extent.y;
+    const double across = std::clamp(std::sqrt(cells * (ratio > 0 ? ratio : 1)), 1.0, cells);
+    const glm::dvec2 parts(across, cells / across);
+    double crossed = 0;
+    for (const auto& [a, b] : edges | std::views::transform(&AreaEdge::segment))
+        crossed +=
+            std::abs(b.x - a.x) / extent.x * parts.x + std::abs(b.y - a.y) / extent.y * parts.y;
+    const double room = 0x1p20 + 64 * count;
+    return crossed > room ? parts * (room / crossed) : parts;
+}
+
+} // namespace
+
+// With e = 2^-53: `of` errs by 4 e of the extent, `start` by 3 e of it and e of a coordinate; an
+// extent is at most twice the largest coordinate, and numbers are up to 2 e of it apart. That is 17
+// e of it; the margin is 32 e.
+SearchGrid::Axis::Axis(double from, double to, double parts)
+    : low(from), high(to), margin(0x1p-48 * std::max(std::abs(from), std::abs(to)))
+{
+    const double extent = to - from;
+    // Each part is far wider than the margin, so that its middle is in it.
+    const double most = std::floor(std::min(parts, extent / margin * 0x1p-12));
+    if (!std::isfinite(extent) || !(most >= 2) || !(extent >= 0x1p-1000))
+        return;
+    count = static_cast<std::size_t>(most);
+    width = extent / most;
+    perUnit = most / extent;
+}
+
+SearchGrid::SearchGrid(std::span<const AreaEdge> edges, std::size_t steps)
+{
+    if (edges.empty()) {
+        firstEdge_.assign(2, 0), firstWinding_.assign(2, 0);
+        return;
+    }
+    box_ = boxOf(edges);
+    const glm::dvec2 parts = partsFor(edges, steps, box_.max - box_.min);
+    columns_ = Axis(box_.min.x, box_.max.x, parts.x);
+    rows_ = Axis(box_.min.y, box_.max.y, parts.y);
+    listEdges(edges);
+    findWindings(edges, steps);
+}
+
+void SearchGrid::listEdges(std::span<const AreaEdge> edges)
+{
+    firstEdge_.assign(cells() + 1, 0);
+    for (const AreaEdge& edge : edges)
+        trace(edge.segment, [&](std::size_t first, std::size_t last) {
+            for (std::size_t cell = first; cell <= last; ++cell)
+                ++firstEdge_[cell + 1];
+        });
+    sumUp(firstEdge_);
+    edges_.resize(firstEdge_.back());
+    std::vector<std::uint32_t> next(firstEdge_.begin(), firstEdge_.end() - 1);
+    for (std::uint32_t i = 0; i < edges.size(); ++i)
+        trace(edges[i].segment, [&](std::size_t first, std::size_t last) {
+            for (std::size_t cell = first; cell <= last; ++cell)
+                edges_[next[cell]++] = i;
+        });
+}
+
+void SearchGrid::findWindings(std::span<const AreaEdge> edges, std::size_t steps)
+{
+    std::vector<std::vector<Crossed>> crossed(rows_.count);
+    for (const auto& [segment, step, number] : edges) {
+        const double low = std::min(segment.a.y, segment.b.y);
+        const double high = std::max(segment.a.y, segment.b.y);
+        const int up = segment.b.y > segment.a.y ? 1 : -1;
+        for (std::size_t row = rows_.of(low); row <= rows_.of(high); ++row) {
+            // Strictly between both, as the reference is infinitely little below its y.
+            if (!(low < rows_.middle(row) && rows_.middle(row) <= high))
+                continue;
+            std::size_t from = 0, to = columns_.count; // the first reference on the right
+            while (from < to) {
+                const std::size_t at = (from + to) / 2;
+                const bool right = reference(row * columns_.count + at).side(segment) != up;
+                (right ? to : from) = right ? at : at + 1;
+            }
+            crossed[row].push_back({static_cast<std::uint32_t>(from), step, -up});
+        }
+    }
+    firstWinding_.reserve(cells() + 1);
+    firstWinding_.push_back(0);
+    std::vector<int> numbers(steps, 0);
+    std::vector<std::uint32_t> inside; // the steps whose number is not 0
+    for (auto& row : crossed) {
+        std::ranges::sort(row, {}, &Crossed::column);
+        std::ranges::fill(numbers, 0);
+        inside.clear();
+        auto next = row.begin();
+        for (std::size_t column = 0; column < columns_.count; ++column) {
+            for (; next != row.end() && next->column == column; ++next) {
+                if (numbers[next->step] == 0)
+                    inside.push_back(next->step);
+                numbers[next->step] += next->change;
+                if (numbers[next->step] == 0)
+                    std::erase(inside, next->step);
+            }
+            for (const std::uint32_t step : inside)
+                windings_.push_back({step, numbers[step]});
+            firstWinding_.push_back(static_cast<std::uint32_t>(windings_.size()));
+        }
+    }
+}
+
+} // namespace clipping

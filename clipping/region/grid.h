@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "clipping/region/beside.h"
+#include "clipping/region/edges.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace clipping {
+
+/// A grid over the edges of a region. Each cell knows the edges that meet it, a reference point,
+/// and the winding numbers there.
+///
+/// A coordinate belongs to exactly one column or row, by a monotone function. Where lines are
+/// traced through the grid, margins larger than all rounding make the traced columns a superset:
+/// wherever an edge and a segment meet, a traced cell of the segment lists the edge.
+class SearchGrid {
+public:
+    /// A winding number other than 0 of one area.
+    struct Winding {
+        std::uint32_t step;
+        int number;
+    };
+
+    SearchGrid(std::span<const AreaEdge> edges, std::size_t steps);
+
+    const Window& box() const { return box_; }
+    std::size_t cells() const { return columns_.count * rows_.count; }
+    std::size_t cellOf(const glm::dvec2& p) const
+    {
+        return rows_.of(p.y) * columns_.count + columns_.of(p.x);
+    }
+    bool hasEdges(std::size_t cell) const { return firstEdge_[cell] != firstEdge_[cell + 1]; }
+    /// Indices of the edges that meet the cells from `first` to `last`, cell after cell.
+    std::span<const std::uint32_t> edgesIn(std::size_t first, std::size_t last) const
+    {
+        const std::uint32_t begin = firstEdge_[first];
+        return std::span(edges_).subspan(begin, firstEdge_[last + 1] - begin);
+    }
+    std::span<const Winding> windingsIn(std::size_t cell) const
+    {
+        return std::span(windings_).subspan(firstWinding_[cell],
+                                            firstWinding_[cell + 1] - firstWinding_[cell]);
+    }
+    Reference reference(std::size_t cell) const
+    {
+        return {{columns_.middle(cell % columns_.count), rows_.middle(cell / columns_.count)}};
+    }
+
+    /// Calls `visit(first, last)` with ranges of neighbouring cells that together contain the part
+    /// of the segment inside the box. The segment's own box must meet the grid's.
+    template <class Visit>
+    void trace(const Segment& s, Visit&& visit) const;
+
+private:
+    /// One axis: [low, high] in equal parts.
+    struct Axis {
+        double low = 0, high = 0, perUnit = 0, width = 0, margin = 0;
+        std::size_t count = 1;
+
+        Axis() = default;
+        Axis(double from, double to, double parts);
+        std::size_t of(double x) const
+        {
+            const double inside = x < low ? low : x > high ? high : x;
+            return std::min(static_cast<std::size_t>((inside - low) * perUnit), count - 1);
+        }
+        double start(std::size_t i) const { return low + static_cast<double>(i) * width; }
+        /// A coordinate within part i.
+        double middle(std::size_t i) const
+        {
+            return count == 1 ? low : low + (static_cast<double>(i) + 0.5) * width;
+        }
+    };
+
+    void listEdges(std::span<const AreaEdge> edges);
+    void findWindings(std::span<const AreaEdge> edges, std::size_t steps);
+
+    Window box_;
+    Axis columns_, rows_;
+    std::vector<std::uint32_t> firstEdge_, edges_;
+    std::vector<std::uint32_t> firstWinding_;
+    std::vector<Winding> windings_;
+};
+
+template <class Visit>
+void SearchGrid::trace(const Segment& s, Visit&& visit) const
+{
+    const bool up = s.a.y <= s.b.y;
+    const glm::dvec2 &from = up ? s.a : s.b, &to = up ? s.b : s.a;
+    const std::size_t left = columns_.of(std::min(from.x, to.x));
+    const std::size_t right = columns_.of(std::max(from.x, to.x));
+    const std::size_t bottom = rows_.of(from.y), top = rows_.of(to.y);
+    const double dx = to.x - from.x, dy = to.y - from.y;
+    const bool all = right - left < 2 || bottom == top || !std::isfinite(dx) || !std::isfinite(dy);
+    // Along the segment, the share of the way is off by 4 e, which moves x by 8 e times the larger
+    // |x|; a sum rounds once more. (`Axis::margin` covers the errors of rows and columns.)
+    const double margin = 0x1p-48 * std::max(std::abs(from.x), std::abs(to.x));
+    const auto xAt = [&](double y) {
+        return from.x + std::clamp((y - from.y) / dy, 0.0, 1.0) * dx;
+    };
+    for (std::size_t row = bottom; row <= top; ++row) {
+        std::size_t first = left, last = right;
+        if (!all) {
+            const double x = xAt(rows_.start(row) - rows_.margin);
+            const double x2 = xAt(rows_.start(row + 1) + rows_.margin);
+            const double low = std::min(x, x2) - margin, high = std::max(x, x2) + margin;
+            if (high < box_.min.x || low > box_.max.x)
+                continue;
+            first = std::max(left, columns_.of(low)), last = std::min(right, columns_.of(high));
+        }
+        visit(row * columns_.count + first, row * columns_.count + last);
+    }
+}
+
+} // namespace clipping

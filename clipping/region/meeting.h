@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "clipping/exact/order_on_line.h"
+#include "clipping/region/beside.h"
+#include "clipping/region/edges.h"
+
+#include <optional>
+
+namespace clipping {
+
+/// A segment and the line through it. A segment that is a point has a horizontal line.
+struct SweptLine {
+    explicit SweptLine(const Segment& s)
+        : segment(s),
+          line(s.a == s.b ? DirectedLine{s.a, {0, 0}, {1, 0}} : DirectedLine{s.a, s.a, s.b})
+    {
+    }
+    Segment segment;
+    DirectedLine line;
+};
+
+/// The single point that a segment and an edge have in common; an edge along the segment's line has
+/// no meeting. Whoever passes it to the left of the line sees the winding number change by `left`,
+/// whoever passes it to the right by `right`.
+struct Meeting {
+    enum class Place : std::uint8_t { Start, Between, End };
+
+    const AreaEdge* edge;
+    std::int8_t sideOfFrom, sideOfTo; ///< of the edge's ends, relative to the line
+    Place place;                      ///< on the segment
+    std::int8_t sideOfStart;          ///< of the segment's start, relative to the edge
+    Share share;                      ///< if neither of the edge's ends is the common point
+
+    int left() const { return (sideOfFrom > 0) - (sideOfTo > 0); }
+    int right() const { return (sideOfTo < 0) - (sideOfFrom < 0); }
+
+    bool atVertex() const { return sideOfFrom == 0 || sideOfTo == 0; }
+    const glm::dvec2& vertex() const { return sideOfFrom == 0 ? edge->segment.a : edge->segment.b; }
+};
+
+/// The meeting of a segment and an edge, if any.
+std::optional<Meeting> meetingOf(const SweptLine& swept, const AreaEdge& edge);
+
+/// The order of two meetings along the segment, which is not a point.
+std::strong_ordering order(const SweptLine& swept, const Meeting& p, const Meeting& q);
+
+/// The common point: each coordinate of the exact one, rounded once; never -0.
+glm::dvec2 pointOf(const SweptLine& swept, const Meeting& meeting);
+
+/// Whether a point is in an area: whether one of the faces around it is filled. `meetings` are
+/// those of the area's edges with the segment at that point, `left` and `right` the winding numbers
+/// beside the line just after it. `fills` answers for a winding number.
+template <class Fills>
+bool isFilledAround(std::span<const Meeting> meetings, int left, int right, Fills fills);
+
+/// An edge's part on one side of the line, as seen from the meeting.
+struct Spoke {
+    glm::dvec2 from, to; ///< its direction
+    int change;          ///< of the winding number where it is crossed from front to back
+};
+
+/// The spokes on one side of the line (1 for left, -1 for right), from front to back.
+std::vector<Spoke> spokesOn(int side, std::span<const Meeting> meetings);
+
+template <class Fills>
+bool isFilledAround(std::span<const Meeting> meetings, int left, int right, Fills fills)
+{
+    for (const int side : {1, -1}) {
+        int winding = side > 0 ? left : right;
+        if (fills(winding))
+            return true;
+        const auto spokes = spokesOn(side, meetings);
+        for (std::size_t i = 0; i < spokes.size(); ++i) {
+            winding += spokes[i].change;
+            const bool isLast = i + 1 == spokes.size()
+                                || cross(spokes[i].to - spokes[i].from, spokes[i].from,
+                                         spokes[i].to, spokes[i + 1].from, spokes[i + 1].to)
+                                           .sign
+                                       != 0;
+            if (isLast && fills(winding)) // there is a face behind the spoke
+                return true;
+        }
+    }
+    return false;
+}
+
+} // namespace clipping

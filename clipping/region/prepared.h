@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "clipping/region/fold.h"
+#include "clipping/region/grid.h"
+
+namespace clipping {
+
+/// What clipping needs to know about a region.
+struct PreparedRegion::Data {
+    explicit Data(const Region& region);
+
+    RegionFold fold;
+    std::vector<FillRule> rules; ///< of the steps' areas
+    std::vector<AreaEdge> edges; ///< ordered by number
+    SearchGrid grid;
+    bool keepsNone;                           ///< whether points in no area are kept
+    std::vector<std::uint8_t> keepsReference; ///< for each cell, whether its reference is kept
+
+    bool fills(std::uint32_t step, int winding) const
+    {
+        return rules[step] == FillRule::NonZero ? winding != 0 : (winding & 1) != 0;
+    }
+};
+
+} // namespace clipping

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "clipping/region/region.h"
+
+#include "clipping/frame.h"
+#include "clipping/ieee_numbers.h"
+#include "clipping/region/sweep.h"
+
+#include <glm/common.hpp>
+
+namespace clipping {
+namespace {
+
+/// What is known of a segment before its edges are looked at.
+enum class Known : std::uint8_t { Gone, Whole, Nothing };
+
+Known known(bool isKept) { return isKept ? Known::Whole : Known::Gone; }
+
+bool areApart(const Segment& s, const Window& box)
+{
+    const auto [x, x2] = std::minmax(s.a.x, s.b.x);
+    const auto [y, y2] = std::minmax(s.a.y, s.b.y);
+    return x2 < box.min.x || x > box.max.x || y2 < box.min.y || y > box.max.y;
+}
+
+/// A box as its middle and half its extent, for lines that pass it.
+class PassedBox {
+public:
+    explicit PassedBox(const Window& box)
+        : middle_(box.min / 2.0 + box.max / 2.0),
+          // Larger than half the extent by more than the middle's rounding.
+          half_((box.max / 2.0 - box.min / 2.0) * (1 + 0x1p-40)
+                + 0x1p-50 * (glm::abs(box.min) + glm::abs(box.max)) + 0x1p-1070)
+    {
+    }
+    /// Whether the line through a segment certainly passes the box without meeting it. Each
+    /// computed term is off by less than 4 e of itself; infinities and NaNs decide nothing.
+    bool isMissedBy(const Segment& s) const
+    {
+        const double dx = s.b.x - s.a.x, dy = s.b.y - s.a.y;
+        const double p = dx * (middle_.y - s.a.y), q = dy * (middle_.x - s.a.x);
+        const double reach = std::abs(dx) * half_.y + std::abs(dy) * half_.x;
+        return std::abs(p - q)
+               > reach * (1 + 0x1p-40) + 0x1p-48 * (std::abs(p) + std::abs(q)) + tiny;
+    }
+
+private:
+    glm::dvec2 middle_, half_;
+};
+
+/// Looks at a segment as far as the grid alone can tell.
+class FirstLook {
+public:
+    explicit FirstLook(const PreparedRegion::Data& region)
+        : region_(region), passed_(region.grid.box())
+    {
+    }
+    Known at(const Segment& s) const
+    {
+        if (region_.edges.empty() || !legal(s) || areApart(s, region_.grid.box()))
+            return known(region_.keepsNone);
+        const std::size_t cell = region_.grid.cellOf(s.a);
+        if (cell == region_.grid.cellOf(s.b))
+            return region_.grid.hasEdges(cell) ? Known::Nothing
+                                               : known(region_.keepsReference[cell]);
+        return passed_.isMissedBy(s) ? known(region_.keepsNone) : Known::Nothing;
+    }
+
+private:
+    const PreparedRegion::Data& region_;
+    PassedBox passed_;
+};
+
+} // namespace
+
+RegionProgress clipAll(std::span<const Segment> in, const PreparedRegion& region,
+                       std::span<RegionPiece> out, RegionProgress from)
+{
+    from.written = 0;
+    const FirstLook look(region.data());
+    LineSweep sweep(region.data());
+    for (; from.segment < in.size(); ++from.segment, from.piece = 0) {
+        const Segment& s = in[from.segment];
+        const auto source = static_cast<std::uint32_t>(from.segment);
+        const Known answer = look.at(s);
+        if (answer == Known::Gone)
+            continue;
+        const RegionPiece whole{s, source, 0, 0};
+        const auto pieces =
+            answer == Known::Whole ? std::span(&whole, 1) : sweep.piecesOf(s, source);
+        for (; from.piece < pieces.size(); ++from.piece) {
+            if (from.written == out.size())
+                return from;
+            out[from.written++] = pieces[from.piece];
+        }
+    }
+    return from;
+}
+
+std::vector<RegionPiece> clip(const Segment& segment, const PreparedRegion& region)
+{
+    const Known answer = FirstLook(region.data()).at(segment);
+    if (answer == Known::Gone)
+        return {};
+    if (answer == Known::Whole)
+        return {{segment, 0, 0, 0}};
+    LineSweep sweep(region.data());
+    const auto pieces = sweep.piecesOf(segment, 0);
+    return {pieces.begin(), pieces.end()};
+}
+
+} // namespace clipping
