@@ -3,17 +3,19 @@
 
 #include "app/document/window_shape.h"
 #include "app/session/window_steps.h"
+#include "app/session/window_kinds.h"
 #include "app/view/place.h"
-#include "app/view/which_text.h"
+#include "ui/docks/window_list.h"
 #include "ui/editing/keeping.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
-#include "ui/widgets/elided_label.h"
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/unit_box.h"
 
+#include <QCoreApplication>
 #include <QGridLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 
 namespace ui {
@@ -21,7 +23,7 @@ namespace ui {
 namespace {
 
 enum Field : std::size_t { X, Y, Width, Height };
-enum Row { Which, First, Second };
+enum Row { First, Second, Third };
 
 clipping::Window edited(const clipping::Window& window, std::size_t field, double length,
                         bool proportional)
@@ -44,8 +46,8 @@ clipping::Window edited(const clipping::Window& window, std::size_t field, doubl
 } // namespace
 
 WindowPanel::WindowPanel(app::Session& session, QWidget* parent)
-    : QWidget(parent), session_(session), which_(new ElidedLabel), chain_(new QToolButton),
-      unit_(new UnitBox(session)), pages_(new QStackedLayout(this))
+    : QWidget(parent), session_(session), list_(new WindowList(session)), operation_(new QComboBox),
+      chain_(new QToolButton), unit_(new UnitBox(session)), pages_(new QStackedLayout(this))
 {
     pages_->addWidget(makeFields());
     pages_->addWidget(makeOffer());
@@ -64,9 +66,6 @@ QWidget* WindowPanel::makeFields()
                new LengthField(tr("Width"), Range::NotNegative, none),
                new LengthField(tr("Height"), Range::NotNegative, none)};
     const QStringList labels{tr("X"), tr("Y"), tr("W"), tr("H")};
-    which_->setObjectName(QStringLiteral("which-window"));
-    which_->setFont(captionFont(font()));
-    which_->setForegroundRole(QPalette::PlaceholderText);
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(space::labelToField);
     grid->setVerticalSpacing(6);
@@ -84,12 +83,12 @@ QWidget* WindowPanel::makeFields()
         connect(fields_[i], &LengthField::taken, this, &WindowPanel::taken);
     }
     connect(unit_, &UnitBox::done, this, &WindowPanel::entered);
+    chain_->setObjectName(QStringLiteral("keep-ratio"));
     chain_->setIcon(icon("chain"));
     chain_->setCheckable(true);
     chain_->setAutoRaise(true);
     chain_->setToolTip(tr("Keep the ratio of width to height"));
     chain_->setAccessibleName(chain_->toolTip());
-    grid->addWidget(which_, Which, 0, 1, 5);
     grid->addWidget(unit_, First, 4);
     grid->addWidget(chain_, Second, 4, Qt::AlignLeft);
     grid->setColumnStretch(1, 1);
@@ -98,9 +97,76 @@ QWidget* WindowPanel::makeFields()
                              space::dockMargin);
     for (LengthField* field : fields_)
         field->setMinimumWidth(72);
+    auto* column = new QVBoxLayout;
+    column->setContentsMargins(0, 4, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(list_);
+    column->addWidget(makeTools());
+    column->addLayout(grid);
     auto* fields = new QWidget;
-    fields->setLayout(grid);
+    fields->setLayout(column);
     return fields;
+}
+
+QWidget* WindowPanel::makeTools()
+{
+    const auto button = [](std::string_view key, const QString& name) {
+        auto* made = new QToolButton;
+        made->setIcon(icon(key));
+        made->setIconSize({16, 16});
+        made->setFixedSize(24, 24);
+        made->setAutoRaise(true);
+        made->setToolTip(name);
+        made->setAccessibleName(name);
+        return made;
+    };
+    auto* add = button("plus", tr("Add a clip window"));
+    add->setPopupMode(QToolButton::InstantPopup);
+    add->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
+    add->setMenu(makeAddMenu());
+    auto* remove = button("bin", tr("Remove the clip window"));
+    connect(remove, &QToolButton::clicked, this, [this] { app::removeWindow(session_); });
+    for (const auto& name : {tr("Add"), tr("Cut out"), tr("Intersect")})
+        operation_->addItem(name);
+    operation_->setAccessibleName(tr("Operation"));
+    operation_->setToolTip(tr("What the window does with those above it"));
+    connect(operation_, &QComboBox::activated, this, [this](int chosen) {
+        if (const auto number = session_.windowNumber())
+            list_->model()->setData(list_->model()->index(int(*number), 0), chosen,
+                                    WindowModel::OperationRole);
+        emit entered();
+    });
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(space::dockMargin - 4, 2, space::dockMargin, 2);
+    row->addWidget(add);
+    row->addWidget(remove);
+    row->addStretch();
+    row->addWidget(operation_);
+    auto* tools = new QWidget;
+    tools->setLayout(row);
+    return tools;
+}
+
+QMenu* WindowPanel::makeAddMenu()
+{
+    auto* menu = new QMenu(this);
+    for (const app::WindowKind& kind : app::windowKinds()) {
+        const QString name = QCoreApplication::translate("WindowKinds", kind.name.data());
+        menu->addAction(icon(kind.key), name, this, [this, &kind] {
+            const clipping::Window page = session_.now().page().rectangle();
+            const auto quarter = (page.max - page.min) * 0.25;
+            app::addWindow(session_, {.shape = kind.make({page.min + quarter, page.max - quarter})});
+        });
+    }
+    menu->addSeparator();
+    QAction* selected = menu->addAction(tr("Selected objects"), this, [this] {
+        if (auto window = app::windowOfSelection(session_))
+            app::addWindow(session_, std::move(*window));
+    });
+    connect(menu, &QMenu::aboutToShow, this, [this, selected] {
+        selected->setEnabled(app::windowOfSelection(session_).has_value());
+    });
+    return menu;
 }
 
 QWidget* WindowPanel::makeOffer()
@@ -120,24 +186,13 @@ QWidget* WindowPanel::makeOffer()
     return offer;
 }
 
-void WindowPanel::sayWhich()
-{
-    const QString text = app::whichText(session_.windows(), session_.windowNumber());
-    which_->setWhole(text);
-    which_->setToolTip(tr("%1\nOutlines on the canvas: solid for windows that add, dashed for "
-                          "windows that cut out, dotted for windows that intersect.")
-                           .arg(text));
-    if (which_->isHidden() != text.isEmpty()) {
-        which_->setHidden(text.isEmpty());
-        emit resized();
-    }
-}
-
 void WindowPanel::follow()
 {
-    sayWhich();
-    pages_->setCurrentIndex(session_.clipWindow() ? 0 : 1);
+    pages_->setCurrentIndex(session_.windows().list.empty() ? 1 : 0);
     const auto number = session_.windowNumber();
+    operation_->setEnabled(number.has_value());
+    if (number)
+        operation_->setCurrentIndex(int(session_.windows().list[*number].operation));
     const clipping::Window window =
         number ? app::frameOf(session_.windows().list[*number].shape).box : session_.window();
     const double size = session_.now().page().millimetresPerUnit();

@@ -3,18 +3,22 @@
 
 #include "app/session/session.h"
 
+#include <QComboBox>
 #include <QStackedLayout>
 #include <QToolButton>
 
 #include <array>
 
+class QMenu;
+
 namespace ui {
 
-class ElidedLabel;
 class LengthField;
 class UnitBox;
+class WindowList;
 
-/// The clip window in numbers, also during a gesture. Each edit is one undo step.
+/// The list of clip windows, and the one that tools act on in numbers, also during a gesture. Each
+/// edit is one undo step.
 class WindowPanel : public QWidget {
     Q_OBJECT
 
@@ -25,17 +29,18 @@ signals:
     void entered(); ///< a number or a unit was entered: the focus returns to the canvas
     void refused(const QString& sentence); ///< the typed text is not a length
     void taken();                          ///< a field's value is valid again
-    void resized();                        ///< the height that it needs has changed
 
 private:
     QWidget* makeFields();
+    QWidget* makeTools();
     QWidget* makeOffer(); ///< shown if there is no clip window
+    QMenu* makeAddMenu();
     void follow();
-    void sayWhich();
     void edit(std::size_t field, double length, app::Merging merging);
 
     app::Session& session_;
-    ElidedLabel* which_; ///< which clip window of how many; hidden if there is only one
+    WindowList* list_;
+    QComboBox* operation_;
     std::array<LengthField*, 4> fields_; ///< X Y W H
     QToolButton* chain_;                 ///< checked: W and H keep their ratio
     UnitBox* unit_;

@@ -64,8 +64,6 @@ void MainWindow::connectLayout()
     connect(panelLayout_.get(), &PanelLayout::aboutToRaise, &session_.microscope,
             &app::Microscope::close);
     connect(panelLayout_.get(), &PanelLayout::aboutToBringBack, panels_.line, &LinePanel::showNow);
-    connect(panels_.window, &WindowPanel::resized, panelLayout_.get(), &PanelLayout::fit,
-            Qt::QueuedConnection);
 }
 
 } // namespace ui

@@ -207,7 +207,7 @@ private slots:
         auto* panel = t.window->findChild<WindowPanel*>();
         const auto fields = panel->findChildren<LengthField*>();
         type(fields[3], "50");
-        panel->findChild<QToolButton*>()->click();
+        panel->findChild<QToolButton*>("keep-ratio")->click();
         type(fields[2], "50");
         QCOMPARE(sheetOf(t.window->session().document).window,
                  (clipping::Window{{0, 0}, {50, 25}}));

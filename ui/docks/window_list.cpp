@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/window_list.h"
+
+#include "app/session/window_steps.h"
+#include "ui/docks/algorithm_list.h"
+#include "ui/look/look.h"
+#include "ui/look/look_icon.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QStyledItemDelegate>
+
+#include <array>
+
+namespace ui {
+
+namespace {
+
+class RowPainter : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override
+    {
+        return {160, space::rowHeight};
+    }
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override
+    {
+        const Look& look = lookOf(option.palette);
+        drawRowGround(*painter, option);
+        const bool visible = index.data(WindowModel::VisibleRole).toBool();
+        icon(visible ? "eye" : "eye-closed").paint(painter, eye(option.rect));
+        painter->setPen(visible ? look.accent : look.muted);
+        painter->setFont(semiBold(option.font));
+        constexpr std::array<char16_t, 3> signs{u'+', u'\u2212', u'\u2229'};
+        const auto sign = std::size_t(index.data(WindowModel::OperationRole).toInt());
+        painter->drawText(operation(option.rect), Qt::AlignCenter, QString(QChar(signs[sign])));
+        painter->setPen(visible ? look.text : look.muted);
+        painter->setFont(option.font);
+        const QRect name = nameBox(option.rect);
+        painter->drawText(name, Qt::AlignVCenter,
+                          option.fontMetrics.elidedText(index.data().toString(), Qt::ElideRight,
+                                                        name.width()));
+    }
+    void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
+                              const QModelIndex&) const override
+    {
+        editor->setGeometry(nameBox(option.rect));
+    }
+    bool editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
+                     const QModelIndex& index) override
+    {
+        if (event->type() != QEvent::MouseButtonRelease)
+            return false;
+        const auto& mouse = *static_cast<QMouseEvent*>(event);
+        const QRect box = eye(option.rect).adjusted(-4, -4, 4, 4);
+        if (mouse.button() != Qt::LeftButton || !box.contains(mouse.position().toPoint()))
+            return false;
+        return model->setData(index, !index.data(WindowModel::VisibleRole).toBool(),
+                              WindowModel::VisibleRole);
+    }
+
+private:
+    static QRect eye(const QRect& row)
+    {
+        return {row.left() + space::dockMargin, row.center().y() - 7, 16, 16};
+    }
+    static QRect operation(const QRect& row)
+    {
+        return {eye(row).right() + 7, row.top(), 16, row.height()};
+    }
+    static QRect nameBox(const QRect& row)
+    {
+        return row.adjusted(operation(row).right() + 9 - row.left(), 0, -space::dockMargin, 0);
+    }
+};
+
+} // namespace
+
+WindowList::WindowList(app::Session& session) : session_(session)
+{
+    auto* model = new WindowModel(session, this);
+    setModel(model);
+    setItemDelegate(new RowPainter(this));
+    setAccessibleName(tr("Clip windows"));
+    setObjectName(QStringLiteral("clip-windows"));
+    setFrameShape(QFrame::NoFrame);
+    setMouseTracking(true);
+    setEditTriggers(DoubleClicked);
+    viewport()->setAutoFillBackground(false);
+    constexpr int rows = 4;
+    setFixedHeight(rows * space::rowHeight);
+    connect(selectionModel(), &QItemSelectionModel::currentChanged, this,
+            [this](const QModelIndex& current) {
+                if (current.isValid())
+                    session_.chooseWindow(std::size_t(current.row()));
+            });
+    connect(&session, &app::Session::previewChanged, this, &WindowList::follow);
+    follow();
+}
+
+void WindowList::follow()
+{
+    const auto number = session_.windowNumber();
+    const QModelIndex now = number ? model()->index(int(*number), 0) : QModelIndex();
+    // A hidden window may stay the current row.
+    const bool shownRow = currentIndex().isValid()
+                          && currentIndex().data(WindowModel::VisibleRole).toBool();
+    if (now != currentIndex() && (now.isValid() || shownRow) && (shownRow || !currentIndex().isValid()))
+        setCurrentIndex(now);
+}
+
+void WindowList::shift(int rows)
+{
+    const int from = currentIndex().row(), to = from + rows;
+    if (from >= 0 && to >= 0 && to < model()->rowCount())
+        app::reorderWindow(session_, std::size_t(from), std::size_t(to));
+}
+
+static int rowsOf(const QKeyEvent& event)
+{
+    if (event.modifiers() != Qt::ControlModifier)
+        return 0;
+    return int(event.key() == Qt::Key_Down) - int(event.key() == Qt::Key_Up);
+}
+
+bool WindowList::event(QEvent* event)
+{
+    if (event->type() == QEvent::ShortcutOverride && rowsOf(*static_cast<QKeyEvent*>(event)) != 0) {
+        event->accept();
+        return true;
+    }
+    return QListView::event(event);
+}
+
+void WindowList::keyPressEvent(QKeyEvent* event)
+{
+    if (const int rows = rowsOf(*event))
+        return shift(rows);
+    if (event->key() == Qt::Key_Delete)
+        return app::removeWindow(session_);
+    QListView::keyPressEvent(event);
+}
+
+} // namespace ui

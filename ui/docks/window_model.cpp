@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/window_model.h"
+
+#include "app/session/window_steps.h"
+
+namespace ui {
+
+namespace {
+
+QString operationText(app::WindowOperation operation)
+{
+    return operation == app::WindowOperation::Add      ? WindowModel::tr("adds")
+           : operation == app::WindowOperation::CutOut ? WindowModel::tr("cuts out")
+                                                       : WindowModel::tr("intersects");
+}
+
+} // namespace
+
+QString nameOf(const app::WindowShape& shape)
+{
+    if (std::holds_alternative<app::RectangleShape>(shape))
+        return WindowModel::tr("Rectangle");
+    const app::Recipe& recipe = std::get<app::PathShape>(shape).recipe;
+    if (std::holds_alternative<app::EllipseRecipe>(recipe))
+        return WindowModel::tr("Ellipse");
+    if (const auto* star = std::get_if<app::StarRecipe>(&recipe))
+        return star->inner > 0 ? WindowModel::tr("Star") : WindowModel::tr("Polygon");
+    return WindowModel::tr("Path");
+}
+
+WindowModel::WindowModel(app::Session& session, QObject* parent)
+    : QAbstractListModel(parent), session_(session), shown_(session.windows())
+{
+    connect(&session, &app::Session::previewChanged, this, &WindowModel::follow);
+}
+
+// A drag changes shapes at every frame, but no row.
+void WindowModel::follow()
+{
+    const app::ClipWindows& now = session_.windows();
+    const bool same = now.list.size() == shown_.list.size();
+    if (!same)
+        beginResetModel();
+    shown_ = now;
+    if (!same)
+        endResetModel();
+    else if (!now.list.empty())
+        emit dataChanged(index(0), index(int(now.list.size()) - 1));
+}
+
+int WindowModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : int(shown_.list.size());
+}
+
+QVariant WindowModel::data(const QModelIndex& index, int role) const
+{
+    const app::ClipWindow& window = shown_.list[std::size_t(index.row())];
+    const QString name = window.name.isEmpty() ? nameOf(window.shape) : window.name;
+    switch (role) {
+    case Qt::DisplayRole:
+        return name;
+    case Qt::EditRole:
+        return window.name;
+    case VisibleRole:
+        return window.visible;
+    case OperationRole:
+        return int(window.operation);
+    case Qt::AccessibleTextRole:
+        return window.visible ? tr("%1, %2").arg(name, operationText(window.operation))
+                              : tr("%1, hidden").arg(name);
+    case Qt::ToolTipRole:
+        return tr("%1 %2. Windows apply from top to bottom. Ctrl+Up, Ctrl+Down: move; double "
+                  "click: rename")
+            .arg(name, operationText(window.operation));
+    default:
+        return {};
+    }
+}
+
+bool WindowModel::setData(const QModelIndex& index, const QVariant& value, int role)
+{
+    const auto number = std::size_t(index.row());
+    const auto change = [&](const QString& text, auto edit) {
+        app::changeWindow(session_, number, text, edit);
+        return true;
+    };
+    if (role == VisibleRole)
+        return change(value.toBool() ? tr("Show clip window") : tr("Hide clip window"),
+                      [&](app::ClipWindow& window) { window.visible = value.toBool(); });
+    if (role == OperationRole)
+        return change(tr("Change clip window's operation"), [&](app::ClipWindow& window) {
+            window.operation = app::WindowOperation(value.toInt());
+        });
+    if (role == Qt::EditRole)
+        return change(tr("Rename clip window"), [&](app::ClipWindow& window) {
+            window.name = value.toString().trimmed();
+        });
+    return false;
+}
+
+Qt::ItemFlags WindowModel::flags(const QModelIndex&) const
+{
+    return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable;
+}
+
+} // namespace ui
