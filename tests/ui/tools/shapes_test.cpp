@@ -194,6 +194,29 @@ private slots:
         hand.type("0\n");
         QVERIFY(qobject_cast<QLineEdit*>(QApplication::focusWidget())); // refused
     }
+    void aVeryLongFreehandLineEndsAtOnce()
+    {
+        constexpr int points = 300'000;
+        ShapeHand hand("pencil");
+        const auto at = [](int i) {
+            return app::Point(100 + 80 * std::cos(i * 0.01), 50 + 40 * std::sin(i * 0.0137));
+        };
+        hand.press(at(0));
+        for (int i = 1; i < points; ++i)
+            hand.move(at(i), Qt::LeftButton);
+        QElapsedTimer clock;
+        clock.start();
+        hand.canvas.grab();
+        const qint64 painting = clock.restart();
+        hand.release(at(points));
+        qInfo("%d points: painted in %lld ms, ended in %lld ms", points, painting, clock.elapsed());
+        QVERIFY(clock.elapsed() < 500 && painting < 1000);
+        QCOMPARE(hand.count(), std::size_t(1));
+        QVERIFY(hand.path().segments.size() < points / 10);
+        hand.type("15\n"); // too long to be smoothed again; for the next line
+        QCOMPARE(hand.count(), std::size_t(1));
+        QCOMPARE(hand.session.history.count(), 1);
+    }
 };
 
 QTEST_MAIN(ShapesTest)
