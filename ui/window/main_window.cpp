@@ -83,6 +83,7 @@ void MainWindow::addBars()
     toolBar_ = new ToolBar(session_, *canvas_);
     addToolBar(Qt::LeftToolBarArea, toolBar_);
     menuBar()->setCornerWidget(new WorkspaceTabs(*panelLayout_));
+    connect(panelLayout_.get(), &PanelLayout::workspaceChanged, this, &MainWindow::refreshActions);
 }
 
 void MainWindow::addModes()
