@@ -29,6 +29,7 @@ void draw(Workbench& bench, std::vector<app::Subpath> paths, const QString& undo
     objects.append(objectOf(session, paths, std::move(recipe)));
     session.history.push(
         new app::AddObjects(session.document, objects, app::containerForNew(session), undoText));
+    session.select({}); // what follows is for the new object, or for the next one
 }
 
 void pushKeepingInspected(app::Session& session, app::UndoCommand* step)

@@ -48,6 +48,16 @@ private slots:
         const auto* recipe = std::get_if<app::StarRecipe>(&hand.recipe());
         QVERIFY(recipe && recipe->points == 6 && hand.isNear(recipe->centre, {100, 50}));
     }
+    void drawingDeselectsUntilItIsUndone()
+    {
+        ShapeHand hand("polygon");
+        hand.drag({50, 50}, {60, 50});
+        hand.session.select({0});
+        hand.drag({100, 50}, {130, 50});
+        QVERIFY(hand.session.selection().empty());
+        hand.canvas.undo();
+        QCOMPARE(hand.session.selection(), (app::ObjectRanges{0}));
+    }
     void cornersAreTypedAndKept()
     {
         ShapeHand hand("polygon");
