@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/recipe.h"
 
+#include <QLabel>
 #include <QLineEdit>
+#include <QStatusBar>
 
 #include "tests/ui/tools/hand.h"
 
@@ -183,6 +185,8 @@ private slots:
         hand.type("99\n");
         const auto recipe = std::get<app::RectangleRecipe>(hand.recipe());
         QCOMPARE(recipe.radius, recipe.size.y / 2);
+        const auto* hint = hand.t.window->statusBar()->findChild<QLabel*>();
+        QVERIFY2(hint->text().contains("is kept"), qPrintable(hint->text()));
         QCOMPARE(hand.path().segments.size(), std::size_t(6)); // no sides of length 0
     }
     void freehandIsSmoothAndItsToleranceIsTypedAfterwards()
