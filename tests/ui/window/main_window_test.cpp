@@ -517,6 +517,18 @@ private slots:
         session.setPreview({});
         QVERIFY(note->text().startsWith("<b>Draw a clip window (W),</b>"));
     }
+    void theFirstStartNoteIsNotShownInTheWorkspaceDraw()
+    {
+        TestWindow t;
+        t.window->showStart();
+        t.show();
+        const auto* note = t.window->findChild<WindowNote*>();
+        QVERIFY(note->isVisible());
+        t.run("workspace-draw");
+        QTRY_VERIFY(!note->isVisible());
+        t.run("workspace-cut");
+        QTRY_VERIFY(note->isVisible());
+    }
     void theFirstStartNoteHidesNothing()
     {
         TestWindow t;
