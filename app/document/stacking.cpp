@@ -104,20 +104,27 @@ std::optional<Rearranged> movedTo(const Document& document, const ObjectRanges& 
     return draft.rearranged();
 }
 
-std::optional<Rearranged> movedContainer(const Document& document, ContainerId id,
-                                         const ContainerPlace& place, const ObjectRanges& objects)
+MoveFault faultOf(const Containers& tree, ContainerId id, const ContainerPlace& place)
 {
-    const Containers& tree = document.containers();
     const auto isGroup = [&](ContainerId of) {
         return of != 0 && tree[of].kind == Container::Kind::Group;
     };
     if (!tree.contains(id) || (place.parent != 0 && !tree.contains(place.parent)))
-        return std::nullopt; // removed meanwhile
-    if (isGroup(id) ? place.parent == 0 : isGroup(place.parent))
-        return std::nullopt;
+        return MoveFault::Removed;
     for (ContainerId around = place.parent; around != 0; around = tree.parentOf(around))
         if (around == id)
-            return std::nullopt;
+            return MoveFault::IntoItself;
+    if (isGroup(id))
+        return place.parent == 0 ? MoveFault::GroupOutOfLayer : MoveFault::None;
+    return isGroup(place.parent) ? MoveFault::LayerIntoGroup : MoveFault::None;
+}
+
+std::optional<Rearranged> movedContainer(const Document& document, ContainerId id,
+                                         const ContainerPlace& place, const ObjectRanges& objects)
+{
+    const Containers& tree = document.containers();
+    if (faultOf(tree, id, place) != MoveFault::None)
+        return std::nullopt;
     TreeDraft draft(document, objects);
     std::erase_if(draft.in(tree.parentOf(id)), [&](const TreeItem& item) { return item.id == id; });
     TreeItems& list = draft.in(place.parent);

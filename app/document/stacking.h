@@ -30,8 +30,12 @@ struct ContainerPlace {
     /// it is above everything else.
     std::optional<ContainerId> below{};
 };
+/// Why a place cannot hold a layer or group.
+enum class MoveFault : std::uint8_t { None, Removed, IntoItself, LayerIntoGroup, GroupOutOfLayer };
+MoveFault faultOf(const Containers& tree, ContainerId id, const ContainerPlace& place);
+
 /// Puts a layer or group into another place. `objects` are followed. Empty also if the place cannot
-/// hold it, or is in it.
+/// hold it.
 std::optional<Rearranged> movedContainer(const Document& document, ContainerId id,
                                          const ContainerPlace& place,
                                          const ObjectRanges& objects = {});

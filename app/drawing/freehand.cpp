@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 // After Philip J. Schneider, "An Algorithm for Automatically Fitting Digitized Curves", Graphics
 // Gems, 1990: one curve for as many points as the tolerance allows, otherwise two, which meet
@@ -28,24 +27,33 @@ constexpr double apart = 4;                      // tolerances: between two poin
 constexpr double mostBetween = 16;               // points on a line
 constexpr std::size_t mostPoints = 200;          // that one curve is tried for
 constexpr std::size_t places = 4;                // of a piece, where distances are measured
+constexpr std::size_t atOnce = 500;              // points that are simplified together
+constexpr std::size_t waiting = 1500;            // points that are fitted anew with later ones
+
+/// A fitted curve and where it ends.
+struct Piece {
+    PathSegment segment;
+    std::size_t last;        ///< the point at its end
+    std::optional<Point> on; ///< the direction in which the next one goes on; empty: at a corner
+};
 
 class Fit {
 public:
-    Fit(std::vector<Point> points, double tolerance)
-        : points_(std::move(points)), tolerance_(tolerance)
+    /// `start` is the direction at the first point; empty: that of the points.
+    Fit(std::span<const Point> points, double tolerance, const std::optional<Point>& start)
+        : points_(points), tolerance_(tolerance), start_(start)
     {
     }
 
-    Subpath path()
+    std::vector<Piece> pieces()
     {
-        Subpath path{points_.front(), {}, false};
         std::size_t from = 0;
         for (const std::size_t corner : corners()) {
-            run(path, from, corner);
+            run(from, corner);
             from = corner;
         }
-        run(path, from, points_.size() - 1);
-        return path;
+        run(from, points_.size() - 1);
+        return std::move(pieces_);
     }
 
 private:
@@ -98,16 +106,20 @@ private:
         std::size_t first, last;
         Point start, end;
     };
-    void run(Subpath& path, std::size_t first, std::size_t last) const
+    void run(std::size_t first, std::size_t last)
     {
-        std::vector<Part> parts{{first, last, unit(beyond(first, 1, first, last) - points_[first]),
+        const Point start = unit(beyond(first, 1, first, last) - points_[first]);
+        std::vector<Part> parts{{first, last, first == 0 ? start_.value_or(start) : start,
                                  unit(points_[last] - beyond(last, -1, first, last))}};
         while (!parts.empty()) {
             const Part part = parts.back();
             parts.pop_back();
-            const std::size_t split = add(path, part);
-            if (split == part.first)
+            const std::size_t split = add(part);
+            if (split == part.first) {
+                if (part.last != last)
+                    pieces_.back().on = part.end;
                 continue;
+            }
             const Point along =
                 unit(beyond(split, 1, first, last) - beyond(split, -1, first, last));
             parts.push_back({split, part.last, along, part.end});
@@ -115,7 +127,7 @@ private:
         }
     }
     /// Adds the part as one curve; otherwise returns where to split it.
-    std::size_t add(Subpath& path, const Part& part) const
+    std::size_t add(const Part& part)
     {
         if (part.last - part.first > mostPoints)
             return (part.first + part.last) / 2;
@@ -123,7 +135,7 @@ private:
         const std::size_t worst = farthest(curve, part);
         if (worst != part.first)
             return worst;
-        path.segments.push_back({curve.to, curve.control1, curve.control2, true});
+        pieces_.push_back({{curve.to, curve.control1, curve.control2, true}, part.last, {}});
         return part.first;
     }
     Bezier curveOf(const Part& part) const
@@ -158,8 +170,10 @@ private:
         return farthest;
     }
 
-    std::vector<Point> points_;
+    std::span<const Point> points_;
     double tolerance_;
+    std::optional<Point> start_;
+    std::vector<Piece> pieces_;
 };
 
 /// With points between those that are far from each other.
@@ -178,12 +192,70 @@ std::vector<Point> dense(const std::vector<Point>& points, double most)
 
 } // namespace
 
+Freehand::Freehand(const Point& start, double tolerance)
+    : tolerance_(tolerance), done_{start, {}, false}, few_{start}, later_{start}
+{
+}
+
+void Freehand::add(const Point& point)
+{
+    later_.push_back(point);
+    if (later_.size() <= atOnce)
+        return;
+    few_ = reduced();
+    later_ = {point};
+    if (few_.size() > waiting)
+        fit(few_.size() - waiting / 2);
+}
+
+std::vector<Point> Freehand::reduced() const
+{
+    std::vector<Point> all = few_;
+    const auto more = dense(simplified(later_, forPoints * tolerance_), apart * tolerance_);
+    all.insert(all.end(), more.begin() + 1, more.end());
+    return all;
+}
+
+void Freehand::fit(std::size_t before)
+{
+    std::size_t last = 0;
+    for (const Piece& piece : Fit(few_, tolerance_, direction_).pieces()) {
+        if (piece.last > before)
+            break;
+        done_.segments.push_back(piece.segment);
+        direction_ = piece.on;
+        last = piece.last;
+    }
+    few_.erase(few_.begin(), few_.begin() + std::ptrdiff_t(last));
+}
+
+Subpath Freehand::path() const
+{
+    const auto few = reduced();
+    if (done_.segments.empty() && simplified(few, forPoints * tolerance_).size() == 2)
+        return {few.front(), {{few.back()}}, false};
+    Subpath path = done_;
+    for (const Piece& piece : Fit(few, tolerance_, direction_).pieces())
+        path.segments.push_back(piece.segment);
+    return path;
+}
+
+Subpath Freehand::draft() const
+{
+    Subpath path = done_;
+    for (std::size_t i = 1; i < few_.size(); ++i)
+        path.segments.push_back({few_[i]});
+    for (std::size_t i = 1; i < later_.size(); ++i)
+        path.segments.push_back({later_[i]});
+    return path;
+}
+
 Subpath smoothed(std::span<const Point> stroke, double tolerance)
 {
-    const auto few = simplified(stroke, forPoints * tolerance);
-    if (few.size() == 2)
-        return {few[0], {{few[1]}}, false};
-    return Fit(dense(few, apart * tolerance), tolerance).path();
+    Freehand freehand(stroke.front(), tolerance);
+    for (const Point& point : stroke.subspan(1))
+        freehand.add(point);
+    return freehand.path();
 }
 
 } // namespace app

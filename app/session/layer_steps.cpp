@@ -8,11 +8,22 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <array>
 
 namespace app {
 namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("LayerSteps", text); }
+
+QString sentenceOn(MoveFault fault)
+{
+    static const std::array all{
+        QString(), tr("The layer was removed meanwhile."),
+        tr("A layer cannot be moved into itself or into a layer inside it."),
+        tr("A layer cannot be moved into a group, only into another layer."),
+        tr("A group cannot be moved out of all layers. Move it into another layer.")};
+    return all[std::size_t(fault)];
+}
 
 std::vector<ContainerId> layersIn(const Containers& tree, ContainerId parent)
 {
@@ -71,12 +82,13 @@ void moveLayer(Session& session, ContainerId layer, const ContainerPlace& place)
 {
     if (place.below == layer || place.parent == layer)
         return; // dropped onto itself
-    auto moved = movedContainer(session.now(), layer, place, session.selection());
-    if (!moved) {
-        emit session.refused(tr("A layer cannot be moved into itself, or into a group."));
+    const MoveFault fault = faultOf(session.now().containers(), layer, place);
+    if (fault != MoveFault::None) {
+        emit session.refused(sentenceOn(fault));
         return;
     }
-    if (!moved->changes())
+    auto moved = movedContainer(session.now(), layer, place, session.selection());
+    if (!moved || !moved->changes())
         return;
     const QString text = tr("Move layer %1").arg(session.now().containers()[layer].name);
     session.history.push(new RearrangeObjects(session.document, std::move(moved->edit), text));

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <unordered_set>
 
 namespace app {
 namespace {
@@ -24,26 +26,24 @@ void forEachStyle(const Objects& objects, const ObjectRanges& some, const Visit&
         });
 }
 
-/// Objects whose style has a property that a selected style has, too. Each style is looked at once.
-template <class Property>
-ObjectRanges likeBy(const Session& session, const Property& property)
+/// Objects whose style has a key that a selected style has, too. Each style is looked at once.
+template <class KeyOf>
+ObjectRanges likeBy(const Session& session, const KeyOf& keyOf)
 {
     const Objects& objects = session.now().objects();
     const StyleTable& styles = session.now().styles();
     enum class Is : std::uint8_t { Unknown, Like, Unlike };
     std::vector<Is> known(styles.size());
-    std::vector<decltype(property(styles[0]))> wanted;
+    std::unordered_set<decltype(keyOf(styles[0], StyleIndex(0)))> wanted;
     forEachStyle(objects, session.selection(), [&](std::size_t, StyleIndex style) {
         if (std::exchange(known[style], Is::Like) != Is::Like)
-            wanted.push_back(property(styles[style]));
+            wanted.insert(keyOf(styles[style], style));
     });
     ObjectRanges like;
     const ObjectRanges all(ObjectRange{0, objects.size()});
     forEachStyle(objects, all, [&](std::size_t i, StyleIndex style) {
         if (known[style] == Is::Unknown)
-            known[style] = std::ranges::find(wanted, property(styles[style])) != wanted.end()
-                               ? Is::Like
-                               : Is::Unlike;
+            known[style] = wanted.contains(keyOf(styles[style], style)) ? Is::Like : Is::Unlike;
         if (known[style] == Is::Like)
             like.insert(ObjectRange{i, i + 1});
     });
@@ -52,20 +52,22 @@ ObjectRanges likeBy(const Session& session, const Property& property)
 
 ObjectRanges sameColour(const Session& session)
 {
-    return likeBy(session,
-                  [](const Style& style) { return style.stroke ? style.stroke : style.fill; });
+    return likeBy(session, [](const Style& style, StyleIndex) {
+        const auto& colour = style.stroke ? style.stroke : style.fill;
+        return colour ? std::optional(std::bit_cast<std::uint32_t>(*colour)) : std::nullopt;
+    });
 }
 
 ObjectRanges sameWidth(const Session& session)
 {
-    return likeBy(session, [](const Style& style) {
+    return likeBy(session, [](const Style& style, StyleIndex) {
         return style.stroke ? std::optional(style.width) : std::nullopt;
     });
 }
 
 ObjectRanges sameStyle(const Session& session)
 {
-    return likeBy(session, [](const Style& style) { return style; });
+    return likeBy(session, [](const Style&, StyleIndex style) { return style; });
 }
 
 ObjectRanges sameLayer(const Session& session)

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace app {
 
@@ -52,16 +53,19 @@ void SelectionMemory::go(int index)
     if (!std::exchange(changing_, false) || from == index)
         return;
     steps_.resize(std::size_t(session_.history.count()));
-    const auto remembers = [](const Step& step) { return step.remembers; };
-    const auto first = steps_.begin() + std::min(from, index);
-    const auto end = steps_.begin() + std::max(from, index);
-    if (!std::any_of(first, end, remembers))
+    std::vector<Step*> passed; // those that remember: the others leave the selection alone
+    for (int i = std::min(from, index); i < std::max(from, index); ++i)
+        if (steps_[std::size_t(i)].remembers)
+            passed.push_back(&steps_[std::size_t(i)]);
+    if (passed.empty())
         return;
-    if (index < from)
-        std::prev(end)->after = std::move(before_);
-    const ObjectRanges& kept = index < from ? first->before : std::prev(end)->after;
-    if (index < from ? first->remembers : std::prev(end)->remembers)
-        session_.select(common(kept, editableObjects(session_.now())));
+    if (index < from) { // as if each step were undone
+        passed.back()->after = std::move(before_);
+        for (std::size_t i = 1; i < passed.size(); ++i)
+            passed[i - 1]->after = passed[i]->before;
+    }
+    const ObjectRanges& kept = index < from ? passed.front()->before : passed.back()->after;
+    session_.select(common(kept, editableObjects(session_.now())));
 }
 
 } // namespace app

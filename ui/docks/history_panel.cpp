@@ -46,8 +46,9 @@ public:
 } // namespace
 
 HistoryPanel::HistoryPanel(const app::History& history, QWidget* parent)
-    : QListView(parent), model_(new HistoryModel(history, this))
+    : model_(new HistoryModel(history, this))
 {
+    setParent(parent);
     setModel(model_);
     setItemDelegate(new StepDelegate(this));
     setUniformItemSizes(true);

@@ -2,14 +2,13 @@
 #pragma once
 
 #include "ui/docks/history_model.h"
-
-#include <QListView>
+#include "ui/widgets/panel_list.h"
 
 namespace ui {
 
 /// The steps of the history. A click or an arrow key goes to the state after a step; undone steps
 /// are muted, the saved state is marked.
-class HistoryPanel : public QListView {
+class HistoryPanel : public PanelList {
     Q_OBJECT
 
 public:
@@ -20,7 +19,6 @@ signals:
 
 protected:
     void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
-    void keyboardSearch(const QString&) override {} ///< letters must not go to other steps
 
 private:
     void follow();

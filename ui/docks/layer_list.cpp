@@ -55,7 +55,7 @@ void LayerList::keyPressEvent(QKeyEvent* event)
         return endDrag();
     const LayerCommand* command = commandOf(*event);
     if (!command)
-        return QListView::keyPressEvent(event);
+        return PanelList::keyPressEvent(event);
     if (!command->enabled || command->enabled(current()))
         command->run(current());
 }

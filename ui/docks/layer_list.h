@@ -3,9 +3,9 @@
 
 #include "app/session/layer_steps.h"
 #include "ui/docks/layer_model.h"
+#include "ui/widgets/panel_list.h"
 
 #include <QKeySequence>
-#include <QListView>
 
 #include <functional>
 
@@ -20,7 +20,7 @@ struct LayerCommand {
 };
 
 /// The list of layers. Layers are dragged above, below or into others.
-class LayerList : public QListView {
+class LayerList : public PanelList {
     Q_OBJECT
 
 public:
@@ -40,7 +40,6 @@ private:
     Target targetAt(const QPoint& at) const;
     void endDrag();
 
-    void keyboardSearch(const QString&) override {} ///< letters must not go to other layers
     bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;

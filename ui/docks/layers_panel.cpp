@@ -141,8 +141,10 @@ LayersPanel::LayersPanel(app::Session& session, QWidget* parent)
     buttons->addStretch();
     column->addLayout(buttons);
     connect(add_, &QToolButton::clicked, this, [this] {
-        if (model_->addLayer())
-            list_->setCurrentIndex(model_->index(0));
+        if (!model_->addLayer())
+            return;
+        list_->setCurrentIndex(model_->index(0));
+        list_->edit(model_->index(0)); // to give it a name
     });
     connect(remove_, &QToolButton::clicked, this,
             [this] { model_->removeLayer(session_.pen.layer); });

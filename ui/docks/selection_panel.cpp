@@ -3,6 +3,7 @@
 
 #include "app/base/numbers.h"
 #include "app/session/arrangements.h"
+#include "app/session/units.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/widgets/length_field.h"
@@ -15,13 +16,20 @@ namespace {
 
 constexpr int leastFieldWidth = 72, betweenRows = 4, buttonsInRow = 6;
 
-/// "3 objects"
-QString remarkOn(const app::ObjectRanges& selection)
+/// "3 objects", "group of 3 objects"
+QString remarkOn(const app::Session& session)
 {
     const auto tr = [](const char* text) { return SelectionPanel::tr(text); };
-    return selection.empty()       ? tr("nothing selected")
-           : selection.size() == 1 ? tr("1 object")
-                                   : tr("%1 objects").arg(app::countText(selection.size()));
+    const app::ObjectRanges& selection = session.selection();
+    if (selection.empty())
+        return tr("nothing selected");
+    const app::ContainerId group = app::groupAt(session, selection.first());
+    const bool isGroup =
+        group != 0 && selection == app::ObjectRanges(session.now().containers().rangeOf(group));
+    const QString count = app::countText(selection.size());
+    return selection.size() == 1 ? isGroup ? tr("group of 1 object") : tr("1 object")
+           : isGroup ? tr("group of %1 objects").arg(count)
+                                 : tr("%1 objects").arg(count);
 }
 
 } // namespace
@@ -145,7 +153,7 @@ void SelectionPanel::follow()
         if (!value)
             fields_[i]->showNothing();
     }
-    emit titled(remarkOn(selection));
+    emit titled(remarkOn(session_));
 }
 
 void SelectionPanel::edit(const app::SelectionNumber& number, double value, app::Merging merging)

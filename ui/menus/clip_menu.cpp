@@ -7,10 +7,12 @@
 #include "ui/menus/actions.h"
 #include "ui/widgets/algorithm_digit.h"
 #include "ui/window/main_window.h"
+#include "ui/window/workspaces.h"
 
 #include <QActionGroup>
 #include <QCoreApplication>
 #include <QMenu>
+#include <QStatusBar>
 
 namespace ui {
 
@@ -24,6 +26,30 @@ void choose(MainWindow& window, const clipping::Algorithm& algorithm)
         [&](app::Display& display) { display.variant.algorithm = &algorithm; });
 }
 
+/// In the workspace Draw the algorithm is out of sight, so digits do not change it.
+bool digitsChoose(const MainWindow& window) { return !window.workspace().folds; }
+
+/// Says why a digit does not choose the algorithm.
+void explainDigits(MainWindow& window)
+{
+    auto* action = new QAction(&window);
+    action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    window.canvas().addAction(action);
+    QList<QKeySequence> digits;
+    for (const clipping::Algorithm& row : clipping::algorithms())
+        if (const QString digit = digitOf(row); !digit.isEmpty())
+            digits << QKeySequence(digit);
+    QObject::connect(action, &QAction::triggered, &window, [&window] {
+        window.statusBar()->showMessage(
+            tr("In the workspace Draw digits do not choose the algorithm. Choose it in the menu "
+               "Clip, or in another workspace."),
+            8000);
+    });
+    QObject::connect(&window, &MainWindow::actionsOutdated, action, [&window, digits, action] {
+        action->setShortcuts(digitsChoose(window) ? QList<QKeySequence>() : digits);
+    });
+}
+
 /// Adds the algorithms, with digits as shortcuts while the canvas has the focus.
 void addAlgorithms(MainWindow& window, QMenu& menu)
 {
@@ -33,15 +59,14 @@ void addAlgorithms(MainWindow& window, QMenu& menu)
             menu.addAction(app::latin(row.name), &window, [&window, &row] { choose(window, row); });
         action->setCheckable(true);
         group->addAction(action);
-        if (const QString digit = digitOf(row); !digit.isEmpty()) {
-            action->setShortcut(QKeySequence(digit));
-            action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-            window.canvas().addAction(action);
-        }
+        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+        window.canvas().addAction(action);
         QObject::connect(&window, &MainWindow::actionsOutdated, action, [&window, &row, action] {
+            action->setShortcut(QKeySequence(digitsChoose(window) ? digitOf(row) : QString()));
             action->setChecked(window.session().display().variant.algorithm == &row);
         });
     }
+    explainDigits(window);
 }
 
 template <app::Keep keep>

@@ -7,6 +7,7 @@
 
 #include <QAction>
 #include <QCoreApplication>
+#include <QStatusBar>
 
 namespace ui {
 
@@ -67,6 +68,9 @@ std::vector<ActionInfo> styleRows()
                 [](MainWindow& w) {
                     copyStyle(w.session());
                     w.refreshActions();
+                    w.statusBar()->showMessage(tr("The style is copied. Select other objects and "
+                                                  "paste it (Ctrl+Shift+V)."),
+                                               5000);
                 },
             .submenu = submenu,
         },

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/node_chain.h"
 
+#include <QCoreApplication>
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -89,6 +91,13 @@ std::optional<app::Subpath> ChainTool::pendingPath() const
     return nodes_.size() >= 2 ? std::optional(pathOf(false)) : std::nullopt;
 }
 
+QString ChainTool::hint(const Workbench& bench) const
+{
+    return to_ && closesAt(*to_, bench)
+               ? QCoreApplication::translate("Tools", "Click to close the path.")
+               : QString();
+}
+
 void ChainTool::paint(QPainter& painter, const Workbench& bench) const
 {
     if (nodes_.empty())
@@ -144,10 +153,12 @@ app::Subpath ChainTool::pathOf(bool closed) const
 
 void ChainTool::finish(Workbench& bench, bool closed)
 {
-    auto path = nodes_.size() >= 2 ? std::optional(pathOf(closed)) : std::nullopt;
+    std::vector<app::Subpath> drawn;
+    if (nodes_.size() >= 2)
+        drawn.push_back(pathOf(closed));
     cancel(bench);
-    if (path)
-        draw(bench, {std::move(*path)}, undoText());
+    if (!drawn.empty())
+        draw(bench, std::move(drawn), undoText());
 }
 
 } // namespace ui

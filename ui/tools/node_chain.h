@@ -28,6 +28,7 @@ public:
     void accept(const app::GestureEnd& end, Workbench& bench) override;
     std::optional<app::Subpath> pendingPath() const override;
     std::size_t pendingPoints() const override { return nodes_.size(); }
+    QString hint(const Workbench& bench) const override;
     void paint(QPainter& painter, const Workbench& bench) const override;
 
 protected:

@@ -8,7 +8,8 @@
 namespace ui {
 namespace {
 
-constexpr double usualTolerance = 2; // pixels, until a tolerance is typed
+constexpr double usualTolerance = 2;           // pixels, until a tolerance is typed
+constexpr std::size_t mostCorrected = 100'000; // points that another tolerance may take 1 s for
 
 /// The tolerance is typed: on paper, or in the drawing's unit.
 const app::GestureMeasure& toleranceMeasure()
@@ -41,14 +42,16 @@ public:
         cancel(bench); // a press ends the correction
         last_.forget();
         points_ = {pointer.raw};
+        begin(toleranceIn(bench));
     }
     void move(const Pointer& pointer, Workbench& bench) override
     {
         if (last_.isOpen()) {
             if (pointer.held && std::exchange(tolerance_, pointer.numbers[0]) != tolerance_)
-                smooth_ = app::smoothed(points_, toleranceIn(bench));
+                smooth_ = smoothed(toleranceIn(bench));
         } else if (!points_.empty() && pointer.raw != points_.back()) {
             points_.push_back(pointer.raw);
+            freehand_->add(pointer.raw);
         }
     }
     void release(const Pointer& pointer, Workbench& bench) override
@@ -67,7 +70,7 @@ public:
     bool draws() const override { return true; }
     std::optional<app::Subpath> pendingPath() const override
     {
-        return points_.size() >= 2 && !last_.isOpen() ? std::optional(pathOf(points_))
+        return points_.size() >= 2 && !last_.isOpen() ? std::optional(freehand_->draft())
                                                       : std::nullopt;
     }
     std::size_t pendingPoints() const override { return last_.isOpen() ? 0 : points_.size(); }
@@ -89,7 +92,7 @@ public:
         if (!last_.reopen(bench))
             return;
         points_ = done_;
-        smooth_ = app::smoothed(points_, toleranceIn(bench));
+        smooth_ = smoothed(toleranceIn(bench));
     }
     bool corrects() const override { return last_.isOpen(); }
 
@@ -97,36 +100,48 @@ public:
     void paint(QPainter& painter, const Workbench& bench) const override
     {
         if (points_.size() >= 2)
-            preview(painter, bench, last_.isOpen() ? smooth_ : pathOf(points_));
+            preview(painter, bench, last_.isOpen() ? smooth_ : freehand_->draft());
     }
 
 private:
-    static app::Subpath pathOf(const std::vector<app::Point>& points)
-    {
-        app::Subpath path{points.front(), {}, false};
-        for (std::size_t i = 1; i < points.size(); ++i)
-            path.segments.push_back({points[i]});
-        return path;
-    }
     double toleranceIn(const Workbench& bench) const
     {
         return tolerance_ > 0 ? tolerance_ : bench.inDrawing(usualTolerance);
     }
+    void begin(double tolerance)
+    {
+        freehand_.emplace(points_.front(), tolerance);
+        fitted_ = tolerance;
+    }
+    /// Of at least two points.
+    app::Subpath smoothed(double tolerance)
+    {
+        if (tolerance != fitted_) {
+            begin(tolerance);
+            for (const app::Point& point : std::span(points_).subspan(1))
+                freehand_->add(point);
+        }
+        return freehand_->path();
+    }
     void finish(Workbench& bench)
     {
-        done_ = std::exchange(points_, {});
-        if (done_.size() < 2)
-            return;
+        if (points_.size() < 2)
+            return points_.clear();
         last_.discard();
-        draw(bench, {app::smoothed(done_, toleranceIn(bench))},
+        const double tolerance = points_.size() <= mostCorrected ? toleranceIn(bench) : fitted_;
+        draw(bench, {smoothed(tolerance)},
              QCoreApplication::translate("Commands", "Draw freehand"));
-        last_.remember(bench);
+        done_ = std::exchange(points_, {});
+        if (done_.size() <= mostCorrected)
+            last_.remember(bench);
     }
 
     std::vector<app::Point> points_;
+    std::optional<app::Freehand> freehand_; ///< of these points
+    double fitted_ = 0;                     ///< the tolerance of that
     std::vector<app::Point> done_; ///< of the last line
     app::Subpath smooth_{};        ///< during a correction
-    double tolerance_ = 0;         ///< in the drawing; 0: none was typed
+    double tolerance_ = 0; ///< in the drawing; 0: none was typed
     LastStep last_;
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/numbers.h"
 #include "app/document/recipe_outline.h"
 #include "ui/tools/corner_tool.h"
 
@@ -11,6 +12,19 @@ namespace {
 
 /// Draws a rectangle. The radius of its corners is typed, and kept for the next rectangle.
 class RectangleTool final : public CornerTool {
+public:
+    QString hint(const Workbench& bench) const override
+    {
+        const double radius = keptBy(keeps(), bench, {})[2];
+        if (radius <= 0)
+            return {};
+        const double size = bench.session.now().page().millimetresPerUnit();
+        return QCoreApplication::translate(
+                   "Tools", "The corner radius of %1 is kept. For sharp corners type Tab, Tab, 0, "
+                            "Enter while drawing.")
+            .arg(app::lengthText(radius, bench.session.display().unit, size));
+    }
+
 protected:
     const app::GestureMeasure& measure(Qt::KeyboardModifiers modifiers) const override
     {

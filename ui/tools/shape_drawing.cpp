@@ -29,6 +29,7 @@ void draw(Workbench& bench, std::vector<app::Subpath> paths, const QString& undo
     objects.append(objectOf(session, paths, std::move(recipe)));
     session.history.push(
         new app::AddObjects(session.document, objects, app::containerForNew(session), undoText));
+    session.select({}); // what follows is for the new object, or for the next one
 }
 
 void pushKeepingInspected(app::Session& session, app::UndoCommand* step)
@@ -40,15 +41,37 @@ void pushKeepingInspected(app::Session& session, app::UndoCommand* step)
         session.inspect(inspected);
 }
 
-void preview(QPainter& painter, const Workbench& bench, const app::Subpath& path)
+namespace {
+
+/// Segments that are painted as one path: many paths take less time than one that crosses itself
+/// thousands of times.
+constexpr std::size_t paintedTogether = 100;
+constexpr std::size_t mostSmooth = 2000; // more segments are painted without anti-aliasing
+
+void paint(QPainter& painter, const Workbench& bench, const app::Subpath& path)
 {
     QPainterPath outline(bench.onScreen(path.start));
-    for (const app::PathSegment& s : path.segments)
+    painter.setRenderHint(QPainter::Antialiasing, path.segments.size() <= mostSmooth);
+    std::size_t count = 0;
+    for (const app::PathSegment& s : path.segments) {
+        if (++count % paintedTogether == 0 && !path.closed) {
+            painter.drawPath(outline);
+            outline = QPainterPath(outline.currentPosition());
+        }
         s.curved ? outline.cubicTo(bench.onScreen(s.control1), bench.onScreen(s.control2),
                                    bench.onScreen(s.to))
                  : outline.lineTo(bench.onScreen(s.to));
+    }
     if (path.closed)
         outline.closeSubpath();
+    painter.drawPath(outline);
+    painter.setRenderHint(QPainter::Antialiasing);
+}
+
+} // namespace
+
+void preview(QPainter& painter, const Workbench& bench, const app::Subpath& path)
+{
     const app::Style style = app::newStyle(bench.session);
     const bool dark = bench.look.dark && !bench.session.display().asPrinted;
     const QColor page = bench.look.paper;
@@ -60,7 +83,7 @@ void preview(QPainter& painter, const Workbench& bench, const app::Subpath& path
     painter.setPen(QPen(QColor(colour.red, colour.green, colour.blue, colour.alpha), width,
                         Qt::SolidLine, Qt::FlatCap, Qt::SvgMiterJoin));
     painter.setBrush(Qt::NoBrush);
-    painter.drawPath(outline);
+    paint(painter, bench, path);
 }
 
 void markPoints(QPainter& painter, const Workbench& bench, std::span<const app::Point> points)

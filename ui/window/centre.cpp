@@ -38,6 +38,13 @@ void Centre::addNote(WindowNote& note)
             [this] { std::exchange(note_, nullptr)->deleteLater(); });
 }
 
+void Centre::allowNote(bool allowed)
+{
+    noteAllowed_ = allowed;
+    if (note_)
+        note_->setVisible(allowed && showsCanvas());
+}
+
 void Centre::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
@@ -87,7 +94,7 @@ void Centre::show(QWidget& page)
     const auto policy = microscope ? QSizePolicy::Preferred : QSizePolicy::Ignored;
     microscope_->setSizePolicy(policy, policy);
     if (note_)
-        note_->setVisible(!microscope);
+        note_->setVisible(noteAllowed_ && !microscope);
     pages_->setCurrentWidget(&page);
     placeMessages();
     for (QLayout* around : {pages_->layout(), layout(), window()->layout()}) {

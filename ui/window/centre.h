@@ -22,6 +22,7 @@ public:
     Centre(MessageStrip& strip, Canvas& canvas);
 
     void addNote(WindowNote& note); ///< until it deletes itself; the microscope hides it
+    void allowNote(bool allowed);   ///< false: it is hidden
     /// Uses this page from now on. The page before is deleted later: it may handle an event now.
     void setMicroscope(MicroscopePage* page);
     MicroscopePage* microscope() const { return microscope_; } ///< null: none yet
@@ -43,6 +44,7 @@ private:
     Canvas& canvas_;
     MicroscopePage* microscope_ = nullptr;
     WindowNote* note_ = nullptr;
+    bool noteAllowed_ = true;
 };
 
 } // namespace ui

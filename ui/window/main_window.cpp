@@ -83,6 +83,10 @@ void MainWindow::addBars()
     toolBar_ = new ToolBar(session_, *canvas_);
     addToolBar(Qt::LeftToolBarArea, toolBar_);
     menuBar()->setCornerWidget(new WorkspaceTabs(*panelLayout_));
+    connect(panelLayout_.get(), &PanelLayout::workspaceChanged, this, [this] {
+        centre_->allowNote(!workspace().folds); // it is about cutting
+        refreshActions();
+    });
 }
 
 void MainWindow::addModes()
@@ -117,6 +121,7 @@ void MainWindow::showStart()
         connect(note, &WindowNote::learnt, this,
                 [] { QSettings().setValue("windowDragged", true); });
         centre_->addNote(*note);
+        centre_->allowNote(!workspace().folds);
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/files/files.h"
 #include "ui/look/window_place.h"
+#include "ui/widgets/panel_list.h"
 #include "ui/window/centre.h"
 #include "ui/window/commands.h"
 #include "ui/window/keyboard.h"
@@ -16,11 +17,46 @@
 #include <QMimeData>
 #include <QStatusBar>
 
+#include <algorithm>
+
 namespace ui {
 
 namespace {
 
 constexpr int messageMilliseconds = 5000;
+
+bool isModifier(int key) { return key >= Qt::Key_Shift && key <= Qt::Key_ScrollLock; }
+
+/// The enabled command of the canvas with this key, or null.
+QAction* canvasCommand(const QMenuBar& menus, const QKeySequence& pressed)
+{
+    const auto all = commands(menus);
+    const auto found = std::ranges::find_if(all, [&](const QAction* action) {
+        return action->shortcutContext() == Qt::WidgetWithChildrenShortcut && action->isEnabled()
+               && action->shortcuts().contains(pressed);
+    });
+    return found == all.end() ? nullptr : *found;
+}
+
+/// A key that a list of a panel did not take does what it does on the canvas.
+void passToCanvas(const QKeyEvent& event, QWidget& canvas, const QMenuBar& menus)
+{
+    canvas.setFocus();
+    QWidget* target = canvas.window()->focusWidget();
+    const auto send = [&](QEvent::Type type) {
+        QKeyEvent copy(type, event.key(), event.modifiers(), event.nativeScanCode(),
+                       event.nativeVirtualKey(), event.nativeModifiers(), event.text(),
+                       event.isAutoRepeat());
+        copy.setAccepted(type == QEvent::KeyPress);
+        QApplication::sendEvent(target, &copy);
+        return copy.isAccepted();
+    };
+    QAction* command = canvasCommand(menus, QKeySequence(event.keyCombination()));
+    if (command && !send(QEvent::ShortcutOverride))
+        command->trigger();
+    else
+        send(QEvent::KeyPress);
+}
 
 } // namespace
 
@@ -57,6 +93,9 @@ void MainWindow::resizeEvent(QResizeEvent* event)
 /// the American one at the same place.
 void MainWindow::keyPressEvent(QKeyEvent* event)
 {
+    if (centre_->showsCanvas() && qobject_cast<PanelList*>(focusWidget())
+        && !isModifier(event->key()))
+        return passToCanvas(*event, *canvas_, *menuBar());
     if (event->key() == Qt::Key_Escape && centre_->showsCanvas())
         return canvas_->setFocus(); // from a list or a field
     const auto key = keyAtItsPlace(*event);

@@ -19,6 +19,10 @@ namespace {
 
 constexpr std::size_t bufferSize = 1 << 16;
 
+// Drawings of more objects share styles by <g>, which makes their files about half as large; other
+// programs show such a <g> as a group.
+constexpr std::size_t mostApart = 10'000;
+
 std::string lengthText(const Length& length)
 {
     const Unit unit =
@@ -144,12 +148,13 @@ private:
         appendLine(container.description);
     }
 
-    // Puts consecutive objects of one style into a <g> with that style.
+    // In large drawings, puts consecutive objects of one style into a <g> with that style.
     void appendRuns(std::size_t first, std::size_t end)
     {
         std::optional<ObjectView> begin; // first object of the run
         std::string style;
         bool grouped = false;
+        const bool shares = document_.objects().size() > mostApart;
         const auto endRun = [&] {
             if (grouped)
                 text_ += "</g>\n";
@@ -158,7 +163,8 @@ private:
             grouped = false;
         };
         document_.objects().forEach(first, end - first, [&](std::size_t, const ObjectView& object) {
-            if (begin && sameStyle(*begin, object)) {
+            const bool same = begin && sameStyle(*begin, object);
+            if (same && shares) {
                 if (!grouped) {
                     text_ += "<g" + style + ">\n";
                     appendObject(*begin, {});
@@ -168,7 +174,8 @@ private:
             } else {
                 endRun();
                 begin = object;
-                style = styleText(writtenStyle(object));
+                if (!same)
+                    style = styleText(writtenStyle(object));
             }
         });
         endRun();

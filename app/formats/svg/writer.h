@@ -6,9 +6,9 @@
 namespace app::svg {
 
 /// Writes a document so that read() returns an equal one, bit for bit (unless the precision is
-/// limited). Layers are written as Inkscape's layers, groups as <g>, consecutive objects of one
-/// style inside an anonymous <g> with that style, and the clip windows in the metadata. Returns
-/// nothing, or a sentence that says what went wrong.
+/// limited). Layers are written as Inkscape's layers, groups as <g>, and the clip windows in the
+/// metadata. With more than 10,000 objects, consecutive ones of one style are inside an anonymous
+/// <g> with that style. Returns nothing, or a sentence that says what went wrong.
 std::optional<QString> write(const Document& document, QIODevice& out, const WriteOptions& options);
 
 } // namespace app::svg

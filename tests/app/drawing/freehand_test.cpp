@@ -100,17 +100,50 @@ private slots:
             drawn(400, [](double t) { return Point(400 * t, 90 * std::sin(9 * t * t)); });
         QVERIFY(smoothed(wave, 0.5).segments.size() > smoothed(wave, 8).segments.size());
     }
-    void aVeryLongStrokeIsBearable()
+    void aStrokeIsFittedWhileItIsDrawn()
     {
-        Stroke stroke;
-        for (int i = 0; i < 100'000; ++i)
-            stroke.emplace_back(i * 0.5 + 20 * std::cos(i * 0.03), 300 * std::sin(i * 0.002));
+        constexpr int count = 1'000'000;
+        const auto at = [](int i) {
+            return Point(i * 0.5 + 20 * std::cos(i * 0.03), 300 * std::sin(i * 0.002));
+        };
+        Freehand freehand(at(0), 2);
         QElapsedTimer clock;
+        qint64 longest = 0; // nanoseconds
+        for (int i = 1; i < count; ++i) {
+            clock.start();
+            freehand.add(at(i));
+            longest = std::max(longest, clock.nsecsElapsed());
+        }
         clock.start();
-        const Subpath path = smoothed(stroke, 2);
-        qInfo("100,000 points: %lld ms, %zu nodes", clock.elapsed(), path.segments.size());
-        QVERIFY(path.segments.size() < 20'000);
-        QVERIFY(clock.elapsed() < 20'000);
+        const Subpath path = freehand.path();
+        qInfo("%d points: at most %.1f ms a point, %.1f ms at the end, %zu nodes", count,
+              double(longest) / 1e6, double(clock.nsecsElapsed()) / 1e6, path.segments.size());
+        QVERIFY(path.segments.size() < count / 5);
+        QVERIFY(clock.elapsed() < 500);
+    }
+    void curvesThatAreFittedEarlierMeetSmoothly()
+    {
+        Stroke wave;
+        for (int i = 0; i < 20'000; ++i)
+            wave.emplace_back(i * 0.5, 200 * std::sin(i * 0.002) + 40 * std::sin(i * 0.011));
+        const Subpath path = smoothed(wave, 2);
+        QVERIFY(farthest(wave, path, 2) <= 2);
+        QVERIFY2(path.segments.size() < 200, qPrintable(QString::number(path.segments.size())));
+        for (std::size_t i = 1; i < path.segments.size(); ++i) {
+            const Point& at = path.segments[i - 1].to;
+            const Point a = glm::normalize(at - path.segments[i - 1].control2),
+                        b = glm::normalize(path.segments[i].control1 - at);
+            QVERIFY(glm::dot(a, b) > 1 - 1e-9);
+        }
+    }
+    void aCornerNearAnEarlierFitStays()
+    {
+        Stroke zigzag;
+        for (int i = 0; i < 200'000; ++i)
+            zigzag.emplace_back(i * 0.7, std::abs(i % 600 - 300));
+        const Subpath path = smoothed(zigzag, 2);
+        QVERIFY2(path.segments.size() < 1400, qPrintable(QString::number(path.segments.size())));
+        QVERIFY(farthest({zigzag.begin(), zigzag.begin() + 20'000}, path, 2) <= 2);
     }
 };
 

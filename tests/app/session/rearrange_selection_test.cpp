@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/transform_objects.h"
 #include "app/document/document_builder.h"
+#include "app/session/layer_steps.h"
 #include "app/session/rearrange_selection.h"
 #include "app/session/units.h"
 
@@ -253,6 +254,16 @@ private slots:
         Drawing drawing;
         QVERIFY(!movedContainer(drawing.now(), drawing.outer, {drawing.inner}));
         QVERIFY(!movedContainer(drawing.now(), drawing.low, {drawing.outer}));
+        const auto fault = [&](ContainerId id, ContainerId into) {
+            return faultOf(drawing.tree(), id, {into});
+        };
+        QCOMPARE(fault(drawing.outer, drawing.inner), MoveFault::IntoItself);
+        QCOMPARE(fault(drawing.high, drawing.outer), MoveFault::LayerIntoGroup);
+        QCOMPARE(fault(drawing.outer, 0), MoveFault::GroupOutOfLayer);
+        QCOMPARE(fault(12345, 0), MoveFault::Removed);
+        QSignalSpy refused(&drawing, &Session::refused);
+        moveLayer(drawing, drawing.high, ContainerPlace{drawing.outer});
+        QVERIFY(refused.takeFirst()[0].toString().contains("into a group"));
         const auto nested = movedContainer(drawing.now(), drawing.low, {drawing.high});
         QVERIFY(nested);
         Document document = drawing.now();

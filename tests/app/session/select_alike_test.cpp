@@ -115,6 +115,29 @@ private slots:
         qInfo("same colour of 100,000 objects: %lld ms", timer.elapsed());
         QCOMPARE(session.selection().size(), std::size_t(50'000));
     }
+    void manyColours()
+    {
+        constexpr int count = 100'000;
+        DocumentBuilder builder;
+        builder.open({});
+        for (int i = 0; i < count; ++i)
+            builder.add(
+                {Path(clipping::Segment{{double(i), 0}, {double(i), 1}}),
+                 {.stroke = Colour{std::uint8_t(i >> 16), std::uint8_t(i >> 8), std::uint8_t(i)},
+                  .width = i + 1.0}});
+        builder.close();
+        Session session;
+        session.load({builder.take({}), {}});
+        for (const char* likeness : {"same-colour", "same-stroke-width", "same-style"}) {
+            session.select(ObjectRanges(ObjectRange{0, count / 2}));
+            QElapsedTimer timer;
+            timer.start();
+            select(session, likeness);
+            qInfo("%s of 50,000 among 100,000 distinct styles: %lld ms", likeness, timer.elapsed());
+            QCOMPARE(session.selection().size(), std::size_t(count / 2));
+            QVERIFY(timer.elapsed() < 1000); // linear; each with each would take many seconds
+        }
+    }
 };
 
 QTEST_GUILESS_MAIN(SelectAlikeTest)

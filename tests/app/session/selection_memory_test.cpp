@@ -44,6 +44,23 @@ private slots:
         drawing.history.setIndex(2);
         QCOMPARE(drawing.selection(), (ObjectRanges{1}));
     }
+    void aJumpIsLikeSingleSteps()
+    {
+        Drawing drawing;
+        const auto move = [&] {
+            drawing.history.push(new MoveObjects(drawing.document, {0}, {1, 0}));
+        };
+        move();
+        duplicateInPlace(drawing); // {3}
+        duplicateInPlace(drawing); // {4}
+        move();
+        drawing.history.setIndex(0);
+        QCOMPARE(drawing.selection(), (ObjectRanges{0}));
+        drawing.history.setIndex(2);
+        QCOMPARE(drawing.selection(), (ObjectRanges{3}));
+        drawing.history.setIndex(4);
+        QCOMPARE(drawing.selection(), (ObjectRanges{4}));
+    }
     void stepsThatKeepAllObjectsLeaveTheSelectionAlone()
     {
         Drawing drawing;

@@ -4,6 +4,7 @@
 
 #include <QLineEdit>
 #include <QMenu>
+#include <QToolButton>
 
 #include "tests/ui/test_window.h"
 
@@ -110,6 +111,49 @@ private slots:
         panel.key(Qt::Key_Return);
         QTRY_COMPARE(panel.tree(), "A XY C"); // the editor closes later
         QVERIFY(!panel.window->session().microscope.isOpen());
+    }
+    void aNewLayerIsNamedInPlace()
+    {
+        Panel panel;
+        auto* button = panel.window->findChild<LayersPanel*>()->findChildren<QToolButton*>()[0];
+        for (const char* name : {"Sky", "Sea"}) {
+            QTest::mouseClick(button, Qt::LeftButton);
+            QVERIFY(qobject_cast<QLineEdit*>(QApplication::focusWidget()));
+            QTest::keyClicks(QApplication::focusWidget(), name);
+            if (QLatin1String(name) == "Sky")
+                panel.key(Qt::Key_Return);
+            else // a click elsewhere keeps the name, too
+                QTest::mouseClick(panel.drawingArea(), Qt::LeftButton);
+            QTRY_VERIFY(!qobject_cast<QLineEdit*>(QApplication::focusWidget()));
+        }
+        QTRY_COMPARE(panel.tree(), "A B C SKY SEA");
+    }
+    void keysThatTheListDoesNotUseGoToTheCanvas()
+    {
+        Panel panel;
+        const auto& session = panel.window->session();
+        const auto clickRow = [&] { panel.click(panel.row(1).center()); };
+        panel.window->canvas().setTool("select");
+        clickRow();
+        panel.key(Qt::Key_Shift);
+        QVERIFY(qobject_cast<LayerList*>(QApplication::focusWidget()));
+        panel.key(Qt::Key_L);
+        QVERIFY(panel.window->canvas().tool() == "line");
+        QVERIFY(panel.window->canvas().isAncestorOf(QApplication::focusWidget()));
+        clickRow();
+        panel.key(Qt::Key_1); // a number of the line, not an algorithm
+        QVERIFY(qobject_cast<QLineEdit*>(QApplication::focusWidget()));
+        panel.key(Qt::Key_Escape);
+        panel.key(Qt::Key_V);
+        panel.window->session().select({0});
+        clickRow();
+        panel.key(Qt::Key_Escape);
+        QVERIFY(session.selection().empty());
+        panel.window->session().select({0});
+        panel.window->refreshActions();
+        clickRow();
+        panel.key(Qt::Key_Delete);
+        QCOMPARE(session.now().objects().size(), std::size_t(5));
     }
     void eyeAndPadlockAreClicked()
     {

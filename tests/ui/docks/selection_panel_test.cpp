@@ -4,6 +4,7 @@
 #include "ui/widgets/reference_point.h"
 
 #include <QLineEdit>
+#include <QSignalSpy>
 
 #include "tests/ui/test_window.h"
 
@@ -114,6 +115,17 @@ private slots:
         rotate->click();
         Panel::settle();
         QVERIFY(std::abs(t.field("Height")->value() - width) < 1e-9);
+    }
+    void aGroupIsNamed()
+    {
+        Panel t;
+        const QSignalSpy titled(&t.panel(), &SelectionPanel::titled);
+        t.session().select({0, 1});
+        t.settle();
+        QCOMPARE(titled.last()[0].toString(), QString("2 objects"));
+        t.run("group");
+        t.settle();
+        QCOMPARE(titled.last()[0].toString(), QString("group of 2 objects"));
     }
 };
 

@@ -9,6 +9,7 @@
 
 #include <QCheckBox>
 #include <QLineEdit>
+#include <QStatusBar>
 
 #include "tests/ui/tools/hand.h"
 
@@ -313,6 +314,7 @@ private slots:
         Person p;
         p.session.select({0});
         QTest::keyClick(&p.surface(), Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(p.t.window->statusBar()->currentMessage().contains("copied"));
         p.session.select({1, 2});
         QTest::keyClick(&p.surface(), Qt::Key_V, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY(p.style(1) == p.style(0) && p.style(2) == p.style(0));

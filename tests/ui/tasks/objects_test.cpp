@@ -66,12 +66,12 @@ private slots:
         const QString list = "Layers";
         Steps steps = rectangle("40,50");
         for (const char* corner : {"80,50", "40,90", "80,90"}) {
-            add(steps, {press("Add layer")});
+            add(steps, {press("Add layer"), enter()});
             add(steps, another(corner));
         }
         add(steps, {dragRow(list, "Layer 3", "Layer 2"), dragRow(list, "Layer 2", "Drawing"),
                     clickRow(list, "Layer 4"), key("Alt+Down"), clickRow(list, "Layer 2", 18),
-                    key("Esc"), key("Ctrl+A"), key("Right")});
+                    key("Ctrl+A"), key("Right")});
         check(steps, {box({81, 90}), box({41, 50}), box({80, 50}), box({40, 90})});
     }
     void recoloured()
@@ -81,10 +81,9 @@ private slots:
         };
         Steps steps{press("Stroke colour"), type("red"), enter()};
         add(steps, line("20,20"));
-        add(steps, {press("Add layer")});
+        add(steps, {press("Add layer"), enter()});
         add(steps, line("20,40"));
-        add(steps, {press("Stroke colour"), type("black"), enter(), clickRow("Layers", "Drawing"),
-                    key("Esc")});
+        add(steps, {press("Stroke colour"), type("black"), enter(), clickRow("Layers", "Drawing")});
         add(steps, line("20,60"));
         add(steps,
             {key("V"), click({35, 20}), key("Alt+E"), type("m"), type("c"), press("Stroke colour"),

@@ -46,6 +46,8 @@ public:
     {
         const QKeyCombination pressed = QKeySequence(sequence)[0];
         QTest::keyClick(receiver(), pressed.key(), pressed.keyboardModifiers());
+        // A name being edited in a list is finished by a queued call.
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::MetaCall);
         window_.window->files().wait();
     }
     void type(const char* text)

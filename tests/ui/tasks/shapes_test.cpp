@@ -17,6 +17,21 @@ class ShapesTest : public QObject {
             all.insert(all.end(), part.begin(), part.end());
         return all;
     }
+    /// From a path of curves.
+    static double distance(const app::Point& from, const Drawn& path)
+    {
+        double nearest = HUGE_VAL;
+        for (std::size_t i = 0; i + 3 < path.points.size(); i += 3)
+            for (double t = 0; t <= 1; t += 1.0 / 64)
+                nearest = std::min(nearest, glm::distance(from, at(path, i, t)));
+        return nearest;
+    }
+    static app::Point at(const Drawn& path, std::size_t first, double t)
+    {
+        const app::Point* p = &path.points[first];
+        const double u = 1 - t;
+        return u * u * u * p[0] + 3 * u * u * t * p[1] + 3 * u * t * t * p[2] + t * t * t * p[3];
+    }
     static Steps line(const char* from, const char* by)
     {
         return {key("L"), type(from), enter(), type(by), enter()};
@@ -108,6 +123,31 @@ private slots:
         check({key("Shift+F5"), key("D"), drag({20, 50}, {50, 20}), drag({100, 50}, {130, 80}),
                click({20, 50})},
               {{{{20, 50}, {50, 20}, {70, 20}, {100, 50}, {130, 80}, {-10, 80}, {20, 50}}, true}});
+    }
+    void pencilSmooth()
+    {
+        std::vector<app::Point> wave;
+        for (int i = 0; i <= 120; ++i)
+            wave.emplace_back(20 + i, 60 + 20 * std::sin(i / 20.0) + 0.8 * std::sin(i / 4.0));
+        const Drawn curves{
+            {{20.014440433212997, 59.967509025270758}, {22.638325737991419, 62.591394330049155},
+             {24.871078821771157, 65.98430848689712},  {27.877256317689529, 68.545126353790607},
+             {30.324195193093214, 70.629555766171507}, {44.984724258726111, 79.28226927425942},
+             {47.891696750902526, 80.33935018050542},  {49.661554761942469, 80.982934911792697},
+             {54.304866817382809, 80.639057291217512}, {56.111913357400724, 79.981949458483754},
+             {57.641150791499676, 79.425863118811421}, {73.31897681738279, 69.933266199523374},
+             {75.054151624548737, 68.545126353790607}, {79.961728691357564, 64.619064700343472},
+             {84.941020044862029, 56.588159807316174}, {90.064981949458485, 52.104693140794225},
+             {94.695075636462917, 48.053361164665297}, {100.18193032940209, 45.92656287866415},
+             {105.07581227436823, 42.812274368231044}, {108.13500160146079, 40.865517523717656},
+             {112.13088424276799, 38.323642053861811}, {116.15523465703971, 39.238267148014444},
+             {121.3672455968171, 40.422815088872902},  {135.67304610310035, 49.844265254388773},
+             {140.10108303249098, 53.534296028880867}}};
+        QVERIFY((curves.points.size() - 1) / 3 + 1 <= 12);
+        constexpr double pixel = 0.5; // the pointer moves by whole ones
+        for (const app::Point& p : wave)
+            QVERIFY(distance(p, curves) <= 0.5 + pixel / std::sqrt(2.0));
+        check({key("B"), type("0.5"), enter(), stroke(wave)}, {curves});
     }
     void gear()
     {

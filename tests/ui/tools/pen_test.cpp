@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QLabel>
 #include <QSignalSpy>
+#include <QStatusBar>
 
 #include "tests/ui/tools/hand.h"
 
@@ -82,7 +84,11 @@ private slots:
         PenHand hand;
         hand.at({20, 50}, {20, 30});
         hand.at({60, 50}, {60, 70});
+        const auto* hint = hand.t.window->statusBar()->findChild<QLabel*>();
+        hand.move({20, 50}, {});
+        QCOMPARE(hint->text(), "Click to close the path.");
         hand.at({20, 50});
+        QVERIFY(hint->text() != "Click to close the path.");
         QCOMPARE(hand.count(), std::size_t(1));
         QVERIFY(hand.path().closed);
         QCOMPARE(hand.segments(),

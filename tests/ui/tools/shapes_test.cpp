@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/recipe.h"
 
+#include <QLabel>
 #include <QLineEdit>
+#include <QStatusBar>
 
 #include "tests/ui/tools/hand.h"
 
@@ -47,6 +49,16 @@ private slots:
         QCOMPARE(hand.session.history.undoText(), QString("Draw polygon"));
         const auto* recipe = std::get_if<app::StarRecipe>(&hand.recipe());
         QVERIFY(recipe && recipe->points == 6 && hand.isNear(recipe->centre, {100, 50}));
+    }
+    void drawingDeselectsUntilItIsUndone()
+    {
+        ShapeHand hand("polygon");
+        hand.drag({50, 50}, {60, 50});
+        hand.session.select({0});
+        hand.drag({100, 50}, {130, 50});
+        QVERIFY(hand.session.selection().empty());
+        hand.canvas.undo();
+        QCOMPARE(hand.session.selection(), (app::ObjectRanges{0}));
     }
     void cornersAreTypedAndKept()
     {
@@ -173,6 +185,8 @@ private slots:
         hand.type("99\n");
         const auto recipe = std::get<app::RectangleRecipe>(hand.recipe());
         QCOMPARE(recipe.radius, recipe.size.y / 2);
+        const auto* hint = hand.t.window->statusBar()->findChild<QLabel*>();
+        QVERIFY2(hint->text().contains("is kept"), qPrintable(hint->text()));
         QCOMPARE(hand.path().segments.size(), std::size_t(6)); // no sides of length 0
     }
     void freehandIsSmoothAndItsToleranceIsTypedAfterwards()
@@ -193,6 +207,29 @@ private slots:
         hand.canvas.undo();
         hand.type("0\n");
         QVERIFY(qobject_cast<QLineEdit*>(QApplication::focusWidget())); // refused
+    }
+    void aVeryLongFreehandLineEndsAtOnce()
+    {
+        constexpr int points = 300'000;
+        ShapeHand hand("pencil");
+        const auto at = [](int i) {
+            return app::Point(100 + 80 * std::cos(i * 0.01), 50 + 40 * std::sin(i * 0.0137));
+        };
+        hand.press(at(0));
+        for (int i = 1; i < points; ++i)
+            hand.move(at(i), Qt::LeftButton);
+        QElapsedTimer clock;
+        clock.start();
+        hand.canvas.grab();
+        const qint64 painting = clock.restart();
+        hand.release(at(points));
+        qInfo("%d points: painted in %lld ms, ended in %lld ms", points, painting, clock.elapsed());
+        QVERIFY(clock.elapsed() < 500 && painting < 1000);
+        QCOMPARE(hand.count(), std::size_t(1));
+        QVERIFY(hand.path().segments.size() < points / 10);
+        hand.type("15\n"); // too long to be smoothed again; for the next line
+        QCOMPARE(hand.count(), std::size_t(1));
+        QCOMPARE(hand.session.history.count(), 1);
     }
 };
 

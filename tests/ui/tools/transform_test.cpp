@@ -254,8 +254,7 @@ private slots:
     }
     void whatWasJustDrawnIsTransformedWithoutSelectingIt()
     {
-        Hand hand;
-        hand.session.select({});
+        Hand hand; // the line that is selected is left alone
         hand.canvas->setTool("line");
         hand.type("10,20\n30,0\n");
         hand.key(Qt::Key_Return);

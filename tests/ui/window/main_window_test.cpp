@@ -9,6 +9,7 @@
 #include "ui/menus/actions.h"
 #include "ui/widgets/segments.h"
 #include "ui/widgets/window_note.h"
+#include "ui/window/workspace_tabs.h"
 
 #include <QAccessible>
 #include <QApplication>
@@ -122,6 +123,21 @@ private slots:
         field->setFocus();
         QTest::keyClick(field, Qt::Key_1);
         QCOMPARE(t.window->session().display().variant.algorithm, &all[1]);
+    }
+    void digitsChooseNoAlgorithmInTheWorkspaceDraw()
+    {
+        TestWindow t;
+        t.open(t.twoLines());
+        t.show();
+        const auto* algorithm = t.window->session().display().variant.algorithm;
+        t.run("workspace-draw");
+        QTest::keyClick(t.drawingArea(), Qt::Key_2);
+        QCOMPARE(t.window->session().display().variant.algorithm, algorithm);
+        QVERIFY(t.window->statusBar()->currentMessage().contains("do not choose the algorithm"));
+        auto* tabs = t.window->findChild<WorkspaceTabs*>();
+        QTest::mouseClick(tabs, Qt::LeftButton, {}, tabs->tabRect(3).center()); // Learn
+        QTest::keyClick(t.drawingArea(), Qt::Key_2);
+        QVERIFY(t.window->session().display().variant.algorithm != algorithm);
     }
     void lettersChooseTheTool()
     {
@@ -500,6 +516,18 @@ private slots:
         QVERIFY(note->text().contains("Drag the clip window"));
         session.setPreview({});
         QVERIFY(note->text().startsWith("<b>Draw a clip window (W),</b>"));
+    }
+    void theFirstStartNoteIsNotShownInTheWorkspaceDraw()
+    {
+        TestWindow t;
+        t.window->showStart();
+        t.show();
+        const auto* note = t.window->findChild<WindowNote*>();
+        QVERIFY(note->isVisible());
+        t.run("workspace-draw");
+        QTRY_VERIFY(!note->isVisible());
+        t.run("workspace-cut");
+        QTRY_VERIFY(note->isVisible());
     }
     void theFirstStartNoteHidesNothing()
     {

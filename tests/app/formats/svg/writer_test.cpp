@@ -67,15 +67,26 @@ private slots:
                  "<path d=\"M1 2L3 4M5 6L5 6\"");
     }
 
-    void runsOfOneStyleShareAGroup()
+    void eachObjectHasItsStyle() // other programs would show a <g> as a group
+    {
+        QCOMPARE(bodyOf(sheetWith({lineShape({0, 0}, {1, 1}), lineShape({2, 2}, {3, 3})})),
+                 "<g inkscape:groupmode=\"layer\" inkscape:label=\"Drawing\">\n"
+                 "<line x1=\"0\" y1=\"0\" x2=\"1\" y2=\"1\" fill=\"none\" stroke=\"#000000\"/>\n"
+                 "<line x1=\"2\" y1=\"2\" x2=\"3\" y2=\"3\" fill=\"none\" stroke=\"#000000\"/>\n"
+                 "</g>\n");
+    }
+
+    void runsOfOneStyleShareAGroupInLargeDrawings()
     {
         const app::Style red{.stroke = app::Colour{255, 0, 0, 51}, .width = 2};
-        QCOMPARE(bodyOf(sheetWith({lineShape({0, 0}, {1, 1}), lineShape({0, 0}, {1, 1}),
-                                   lineShape({2, 2}, {3, 3}, red)})),
+        std::vector<app::Shape> shapes(10'000, lineShape({0, 0}, {1, 1}));
+        shapes.push_back(lineShape({2, 2}, {3, 3}, red));
+        QByteArray body = bodyOf(sheetWith(shapes));
+        const QByteArray line = "<line x1=\"0\" y1=\"0\" x2=\"1\" y2=\"1\"/>\n";
+        QCOMPARE(body.count(line), 10'000);
+        QCOMPARE(body.replace(line, {}),
                  "<g inkscape:groupmode=\"layer\" inkscape:label=\"Drawing\">\n"
-                 "<g fill=\"none\" stroke=\"#000000\">\n"
-                 "<line x1=\"0\" y1=\"0\" x2=\"1\" y2=\"1\"/>\n<line x1=\"0\" y1=\"0\" x2=\"1\" "
-                 "y2=\"1\"/>\n</g>\n"
+                 "<g fill=\"none\" stroke=\"#000000\">\n</g>\n"
                  "<line x1=\"2\" y1=\"2\" x2=\"3\" y2=\"3\" fill=\"none\" stroke=\"#ff0000\" "
                  "stroke-opacity=\"0.2\" stroke-width=\"2\"/>\n</g>\n");
     }
