@@ -131,6 +131,12 @@ QString operationText(WindowOperation operation)
                                                   : Commands::tr("intersect %1");
 }
 
+QString stepText(const ClipRegion::Step& step, const Imported& imported)
+{
+    const QString place = placeText(step.box, imported);
+    return step.rings.empty() ? place : Commands::tr("a shape within %1").arg(place);
+}
+
 QString sourceText(const ParsedArguments& arguments, const Imported& imported)
 {
     const auto margin = arguments.text(QStringLiteral("margin"));
@@ -161,7 +167,7 @@ QString windowText(const ParsedArguments& arguments, const Imported& imported,
         return Commands::tr("Window (%1): %2%3.").arg(source, placeText(*window, imported), keeps);
     QStringList steps;
     for (const ClipRegion::Step& step : region.steps)
-        steps << operationText(step.operation).arg(placeText(step.box, imported));
+        steps << operationText(step.operation).arg(stepText(step, imported));
     return Commands::tr("Windows (%1): %2%3.").arg(source, steps.join(QStringLiteral("; ")), keeps);
 }
 

@@ -3,9 +3,9 @@
 
 #include "app/document/recipe_outline.h"
 
-#include <glm/common.hpp>
-
 #include <QtGlobal>
+
+#include <glm/common.hpp>
 
 #include <algorithm>
 #include <array>

@@ -92,7 +92,7 @@ bool addWindow(Session& session, ClipWindow window)
         return false;
     }
     windows.list.push_back(std::move(window));
-    push(session, std::move(windows), tr("Add clip window"));
+    push(session, std::move(windows), tr("Draw clip window"));
     session.chooseWindow(number);
     return true;
 }

@@ -40,9 +40,9 @@ public:
         painter->setPen(visible ? look.text : look.muted);
         painter->setFont(option.font);
         const QRect name = nameBox(option.rect);
-        painter->drawText(name, Qt::AlignVCenter,
-                          option.fontMetrics.elidedText(index.data().toString(), Qt::ElideRight,
-                                                        name.width()));
+        painter->drawText(
+            name, Qt::AlignVCenter,
+            option.fontMetrics.elidedText(index.data().toString(), Qt::ElideRight, name.width()));
     }
     void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
                               const QModelIndex&) const override
@@ -106,9 +106,10 @@ void WindowList::follow()
     const auto number = session_.windowNumber();
     const QModelIndex now = number ? model()->index(int(*number), 0) : QModelIndex();
     // A hidden window may stay the current row.
-    const bool shownRow = currentIndex().isValid()
-                          && currentIndex().data(WindowModel::VisibleRole).toBool();
-    if (now != currentIndex() && (now.isValid() || shownRow) && (shownRow || !currentIndex().isValid()))
+    const bool shownRow =
+        currentIndex().isValid() && currentIndex().data(WindowModel::VisibleRole).toBool();
+    if (now != currentIndex() && (now.isValid() || shownRow)
+        && (shownRow || !currentIndex().isValid()))
         setCurrentIndex(now);
 }
 

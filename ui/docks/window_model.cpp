@@ -93,9 +93,8 @@ bool WindowModel::setData(const QModelIndex& index, const QVariant& value, int r
             window.operation = app::WindowOperation(value.toInt());
         });
     if (role == Qt::EditRole)
-        return change(tr("Rename clip window"), [&](app::ClipWindow& window) {
-            window.name = value.toString().trimmed();
-        });
+        return change(tr("Rename clip window"),
+                      [&](app::ClipWindow& window) { window.name = value.toString().trimmed(); });
     return false;
 }
 

@@ -2,8 +2,8 @@
 #include "ui/docks/window_panel.h"
 
 #include "app/document/window_shape.h"
-#include "app/session/window_steps.h"
 #include "app/session/window_kinds.h"
+#include "app/session/window_steps.h"
 #include "app/view/place.h"
 #include "ui/docks/window_list.h"
 #include "ui/editing/keeping.h"
@@ -121,6 +121,7 @@ QWidget* WindowPanel::makeTools()
         return made;
     };
     auto* add = button("plus", tr("Add a clip window"));
+    add->setObjectName(QStringLiteral("add-window"));
     add->setPopupMode(QToolButton::InstantPopup);
     add->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
     add->setMenu(makeAddMenu());
@@ -155,7 +156,8 @@ QMenu* WindowPanel::makeAddMenu()
         menu->addAction(icon(kind.key), name, this, [this, &kind] {
             const clipping::Window page = session_.now().page().rectangle();
             const auto quarter = (page.max - page.min) * 0.25;
-            app::addWindow(session_, {.shape = kind.make({page.min + quarter, page.max - quarter})});
+            app::addWindow(session_,
+                           {.shape = kind.make({page.min + quarter, page.max - quarter})});
         });
     }
     menu->addSeparator();

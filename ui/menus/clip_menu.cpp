@@ -5,6 +5,7 @@
 #include "ui/editing/keeping.h"
 #include "ui/files/files.h"
 #include "ui/menus/actions.h"
+#include "ui/menus/needs.h"
 #include "ui/widgets/algorithm_digit.h"
 #include "ui/window/main_window.h"
 #include "ui/window/workspaces.h"
@@ -95,6 +96,17 @@ void setRemoved(MainWindow& window)
 
 void windowOnPage(MainWindow& window) { layWindowOnPage(window.session()); }
 
+void windowOfSelection(MainWindow& window)
+{
+    app::Session& session = window.session();
+    if (auto made = app::windowOfSelection(session))
+        app::addWindow(session, std::move(*made));
+    else
+        emit session.refused(
+            tr("None of the selected objects encloses an area, so they cannot be a "
+               "clip window. Select a closed shape."));
+}
+
 void removeWindow(MainWindow& window) { app::removeWindow(window.session()); }
 
 bool hasWindow(const MainWindow& window) { return window.session().clipWindow().has_value(); }
@@ -124,6 +136,19 @@ MenuInfo clipMenu()
                     .key = "window-on-page",
                     .text = tr("&Lay window on page"),
                     .run = windowOnPage,
+                },
+                {
+                    .key = "window-of-selection",
+                    .text = tr("&Make clip window of selection"),
+                    .run = windowOfSelection,
+                    .enabled = [](const MainWindow& w) { return !w.session().selection().empty(); },
+                    .needs = nothingSelected(),
+                },
+                {
+                    .key = "window-to-path",
+                    .text = tr("Draw window's outline as &path"),
+                    .run = [](MainWindow& w) { app::windowToPath(w.session()); },
+                    .enabled = hasWindow,
                 },
                 {
                     .key = "remove-window",

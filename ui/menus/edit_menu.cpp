@@ -3,6 +3,7 @@
 #include "ui/editing/editing.h"
 #include "ui/look/look_icon.h"
 #include "ui/menus/edit_rows.h"
+#include "ui/menus/needs.h"
 #include "ui/window/main_window.h"
 
 #include <QCoreApplication>
@@ -15,8 +16,6 @@ namespace {
 QString tr(const char* text) { return QCoreApplication::translate("EditMenu", text); }
 
 bool someSelected(const MainWindow& window) { return !window.session().selection().empty(); }
-
-QString nothingSelected() { return tr("Nothing is selected. Select an object first."); }
 
 /// The clipboard now holds a drawing, so a warning that it does not is outdated.
 void withdrawWarning(MainWindow& window)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/rearrange_selection.h"
+#include "ui/menus/needs.h"
 #include "ui/menus/object_rows.h"
 #include "ui/window/main_window.h"
 
@@ -13,8 +14,6 @@ namespace {
 QString tr(const char* text) { return QCoreApplication::translate("ObjectMenu", text); }
 
 bool someSelected(const MainWindow& window) { return !window.session().selection().empty(); }
-
-QString nothingSelected() { return tr("Nothing is selected. Select an object first."); }
 
 ActionInfo stack(std::string_view key, const QString& text, const QKeySequence& shortcut,
                  app::Stacking how)

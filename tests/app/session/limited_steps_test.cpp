@@ -9,10 +9,8 @@ using namespace app;
 
 namespace {
 
-const clipping::Window box{{1, 2}, {3, 4}};
-
-/// An empty drawing with so many clip windows, which are hidden, and so many containers.
-Document drawing(std::size_t windows, std::size_t containers)
+/// An empty drawing with so many containers.
+Document drawing(std::size_t containers)
 {
     DocumentBuilder builder;
     builder.open({.name = QStringLiteral("Drawing")});
@@ -21,9 +19,7 @@ Document drawing(std::size_t windows, std::size_t containers)
         builder.close();
     }
     builder.close();
-    ClipWindows list;
-    list.list.resize(windows, {.shape = RectangleShape{}, .visible = false});
-    return builder.take({}, {}, list);
+    return builder.take({}, {}, {});
 }
 
 /// A session that collects what it refuses.
@@ -38,31 +34,9 @@ class LimitedStepsTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void theLastClipWindowThatFitsIsDrawn()
-    {
-        Asked session(drawing(ClipWindows::most - 1, 1));
-        placeClipWindow(session, box);
-        QCOMPARE(session.now().windows().list.size(), ClipWindows::most);
-        QCOMPARE(session.clipWindow(), std::optional(box));
-        placeClipWindow(session, {{0, 0}, {9, 9}}); // there is one now: it moves
-        QCOMPARE(session.clipWindow(), std::optional(clipping::Window{{0, 0}, {9, 9}}));
-        QCOMPARE(session.history.count(), 2);
-        QCOMPARE(session.refusals.size(), 0);
-    }
-    void oneClipWindowMoreIsRefused()
-    {
-        Asked session(drawing(ClipWindows::most, 1));
-        const Document before = session.now();
-        placeClipWindow(session, box);
-        QCOMPARE(session.now(), before);
-        QCOMPARE(session.history.count(), 0); // a step that does nothing would be none
-        QCOMPARE(session.refusals.size(), 1);
-        const QString sentence = session.refusals[0][0].toString();
-        QVERIFY2(sentence.contains("has 1,000 clip windows"), qPrintable(sentence));
-    }
     void theLastLayerThatFitsIsAdded()
     {
-        Asked session(drawing(0, Containers::mostContainers - 1));
+        Asked session(drawing(Containers::mostContainers - 1));
         QVERIFY(addLayer(session, "Sky"));
         const Containers& containers = session.now().containers();
         QCOMPARE(containers.size(), Containers::mostContainers);
@@ -86,7 +60,7 @@ private slots:
     }
     void oneLayerMoreIsRefused()
     {
-        Asked session(drawing(0, Containers::mostContainers));
+        Asked session(drawing(Containers::mostContainers));
         const Document before = session.now();
         QVERIFY(!addLayer(session, "Sky"));
         QCOMPARE(session.now(), before);

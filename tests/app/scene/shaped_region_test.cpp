@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Clip windows of all shapes together: what is kept of lines, compared with points of them.
+#include "app/cut/cut.h"
+#include "app/document/document_builder.h"
+#include "app/document/recipe_outline.h"
+#include "app/document/window_outline.h"
+#include "app/scene/scene.h"
+
+#include <QTest>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <random>
+
+using namespace app;
+using clipping::Clipped;
+using clipping::Segment;
+
+namespace {
+
+constexpr double tolerance = 0.01;
+
+PathShape shapeOf(const Recipe& recipe, FillRule rule = FillRule::NonZero)
+{
+    const auto outline = outlineOf(recipe);
+    return {Path({&*outline, 1}), rule, recipe};
+}
+
+/// A rotated rectangle and a pentagram, of which a circle is cut out.
+ClipWindows windows(Keep keep)
+{
+    const Subpath pentagram{{70, 10}, {{{88, 65}}, {{41, 31}}, {{99, 31}}, {{52, 65}}}, true};
+    return {{{.shape = RectangleShape{{{10, 10}, {60, 50}}, 0.4}},
+             {.shape = PathShape{Path({&pentagram, 1}), FillRule::EvenOdd}},
+             {.shape = RectangleShape{{{0, 60}, {100, 90}}}},
+             {.shape = shapeOf(EllipseRecipe{{45, 50}, {20, 15}}),
+              .operation = WindowOperation::CutOut}},
+            keep};
+}
+
+double distanceTo(const Point& p, const Point& a, const Point& b)
+{
+    const Point way = b - a;
+    const double along = glm::clamp(glm::dot(p - a, way) / glm::dot(way, way), 0.0, 1.0);
+    return glm::distance(p, a + way * along);
+}
+
+/// Whether a point is in a window; empty if it is too near its border to say.
+std::optional<bool> isIn(const WindowShape& shape, const Point& p)
+{
+    const WindowOutline outline = outlineOf(shape, tolerance);
+    int winding = 0, crossings = 0;
+    for (const auto& ring : outline.rings)
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
+            if (distanceTo(p, a, b) < 1e-9)
+                return std::nullopt;
+            if ((a.y <= p.y) != (b.y <= p.y)
+                && a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x) > p.x) {
+                ++crossings;
+                winding += b.y > a.y ? 1 : -1;
+            }
+        }
+    return outline.rule == FillRule::EvenOdd ? crossings % 2 == 1 : winding != 0;
+}
+
+std::optional<bool> isKept(const ClipWindows& all, const Point& p)
+{
+    bool in = all.list.front().operation != WindowOperation::Add;
+    for (const ClipWindow& window : all.list) {
+        const auto here = isIn(window.shape, p);
+        if (!here)
+            return std::nullopt;
+        in = window.operation == WindowOperation::Add      ? in || *here
+             : window.operation == WindowOperation::CutOut ? in && !*here
+                                                           : in && *here;
+    }
+    return in == (all.keep == Keep::Inside);
+}
+
+std::vector<Segment> randomLines(std::size_t count)
+{
+    std::mt19937_64 random(3);
+    std::uniform_real_distribution<double> place(-10, 110);
+    std::vector<Segment> lines;
+    while (lines.size() < count)
+        lines.push_back({{place(random), place(random)}, {place(random), place(random)}});
+    return lines;
+}
+
+} // namespace
+
+class ShapedRegionTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyPointOfALineIsDecidedAsTheWindowsSay_data()
+    {
+        QTest::addColumn<int>("keep");
+        QTest::addRow("inside") << int(Keep::Inside);
+        QTest::addRow("outside") << int(Keep::Outside);
+    }
+    void everyPointOfALineIsDecidedAsTheWindowsSay()
+    {
+        QFETCH(const int, keep);
+        const ClipWindows all = windows(Keep(keep));
+        const ClipRegion region = regionOf(all, tolerance);
+        const auto lines = randomLines(400);
+        RegionClipping clipping;
+        clipping.start(region, clipping::exactAlgorithm().corrected.clipAll);
+        std::vector<Clipped> kept;
+        clipping.fold(lines, 0, kept);
+        std::size_t next = 0, looked = 0, seen = 0;
+        for (std::uint32_t line = 0; line < lines.size(); ++line) {
+            const std::size_t first = next;
+            while (next < kept.size() && kept[next].source == line)
+                ++next;
+            const auto& [a, b] = lines[line];
+            for (int i = 1; i < 50; ++i) {
+                const Point p = a + (b - a) * (i / 50.0);
+                const auto expected = isKept(all, p);
+                if (!expected)
+                    continue;
+                const bool found = std::any_of(
+                    kept.begin() + std::ptrdiff_t(first), kept.begin() + std::ptrdiff_t(next),
+                    [&](const Clipped& piece) {
+                        return glm::distance(piece.segment.a, p) + glm::distance(p, piece.segment.b)
+                               < glm::distance(piece.segment.a, piece.segment.b) + 1e-9;
+                    });
+                QCOMPARE(found, *expected);
+                ++looked;
+                seen += found;
+            }
+        }
+        QCOMPARE(next, kept.size());
+        QVERIFY(looked > 19'000 && seen > 3'000 && seen < looked - 3'000);
+    }
+    void theSceneShowsTheSameForEveryAlgorithm()
+    {
+        DocumentBuilder builder;
+        builder.open({.name = "Lines"});
+        const StyleIndex style = builder.style({.stroke = Colour{}});
+        const auto lines = randomLines(3000);
+        for (const Segment& line : lines)
+            builder.addLine(line, style);
+        builder.close();
+        EditedDocument document;
+        document.load(builder.take());
+        Scene scene(document);
+        const ClipRegion region = regionOf(windows(Keep::Inside), tolerance);
+        RegionClipping clipping;
+        clipping.start(region, clipping::exactAlgorithm().corrected.clipAll);
+        std::vector<Clipped> all;
+        clipping.fold(lines, 0, all);
+        std::size_t visible = 0;
+        for (std::size_t i = 0; i < all.size(); ++i)
+            visible += i == 0 || all[i].source != all[i - 1].source;
+        for (const clipping::Algorithm& algorithm : clipping::algorithms())
+            QCOMPARE(scene.clip(region, {&algorithm}).visible, visible);
+    }
+    void aBoxIsWholeOrGoneOnlyIfAllOfItIs()
+    {
+        const ClipWindows all = windows(Keep::Inside);
+        const ClipRegion region = regionOf(all, tolerance);
+        QCOMPARE(remainsOf(region, {{70, 80}, {80, 85}}), Remains::Whole);
+        QCOMPARE(remainsOf(region, {{-9, -9}, {-5, 100}}), Remains::Gone);
+        QCOMPARE(remainsOf(region, {{30, 25}, {31, 26}}), Remains::Pieces); // in the rotated one
+        QVERIFY(!region.single() && region.prepared);
+    }
+    void aDrawingIsCutAtItsShapes()
+    {
+        const Subpath line{{0, 50}, {{{100, 50}}}, false};
+        const Subpath wave{{0, 20}, {{{100, 20}, {30, 80}, {60, -40}, true}}, false};
+        CutOptions options{clipping::exactAlgorithm().corrected.clipAll};
+        options.region = regionOf({{{.shape = shapeOf(EllipseRecipe{{50, 50}, {20, 20}})}}}, 0.001);
+        options.tolerance = 0.001;
+        const auto part = cutAlone({Path({&line, 1}), {.stroke = Colour{}}}, options);
+        QCOMPARE(part.size(), 1u);
+        const auto left = part[0].path.subpaths();
+        QCOMPARE(left.size(), 1u);
+        QVERIFY(left[0].start == Point(30, 50) && left[0].segments.back().to == Point(70, 50));
+        options.region = regionOf(
+            {{{.shape = shapeOf(EllipseRecipe{{50, 50}, {20, 20}})}}, Keep::Outside}, 0.001);
+        const auto outside = cutAlone({Path({&line, 1}), {.stroke = Colour{}}}, options);
+        QCOMPARE(outside[0].path.subpaths().size(), 2u);
+        const auto curve = cutAlone({Path({&wave, 1}), {.stroke = Colour{}}}, options);
+        for (const Subpath& piece : curve[0].path.subpaths())
+            for (const PathSegment& segment : piece.segments)
+                QVERIFY(segment.curved); // curves stay curves
+    }
+    void windowsWithoutAreaKeepNothing()
+    {
+        for (const WindowShape& shape :
+             {WindowShape(PathShape{}), WindowShape(RectangleShape{{{5, 5}, {5, 9}}, 0.3}),
+              WindowShape(PathShape{Path(Segment{{0, 0}, {9, 9}})})}) {
+            const ClipRegion region = regionOf({{{.shape = shape}}}, tolerance);
+            RegionClipping clipping;
+            clipping.start(region, clipping::exactAlgorithm().corrected.clipAll);
+            std::vector<Clipped> kept;
+            clipping.fold(randomLines(50), 0, kept);
+            QCOMPARE(kept.size(), 0u);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(ShapedRegionTest)
+#include "shaped_region_test.moc"

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/document_builder.h"
+#include "app/document/recipe_outline.h"
+#include "app/document/window_shape.h"
+#include "app/session/window_kinds.h"
+#include "app/session/window_steps.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace app;
+
+namespace {
+
+const RectangleShape box{{{1, 2}, {3, 4}}}, other{{{5, 6}, {9, 9}}};
+
+Object drawn(const Recipe& recipe, const QString& id = {})
+{
+    const auto outline = outlineOf(recipe);
+    return {.path = Path({&*outline, 1}),
+            .style = {.stroke = Colour{}, .fillRule = FillRule::EvenOdd},
+            .particulars = {.id = id, .recipe = recipe}};
+}
+
+/// A session that collects what it refuses.
+struct Asked : Session {
+    explicit Asked(std::vector<ClipWindow> windows = {}, const std::vector<Object>& objects = {})
+    {
+        DocumentBuilder builder;
+        builder.open({.name = QStringLiteral("Drawing")});
+        for (const Object& object : objects)
+            builder.add(object);
+        builder.close();
+        load({builder.take({}, {}, {std::move(windows)}), {}});
+    }
+    const std::vector<ClipWindow>& list() const { return now().windows().list; }
+    QStringList names() const
+    {
+        QStringList names;
+        for (const ClipWindow& window : list())
+            names << window.name;
+        return names;
+    }
+    QSignalSpy refusals{this, &Session::refused};
+};
+
+} // namespace
+
+class WindowStepsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theFirstWindowIsAddedAndThenChanged()
+    {
+        Asked session;
+        QVERIFY(!session.windowNumber());
+        setWindowShape(session, box, "Place");
+        QCOMPARE(session.clipWindow(), std::optional(box.box));
+        setWindowShape(session, other, "Place");
+        QCOMPARE(session.clipWindow(), std::optional(other.box));
+        QCOMPARE(session.list().size(), 1u);
+        QCOMPARE(session.history.count(), 2);
+        setWindowShape(session, other, "Place"); // nothing changes
+        QCOMPARE(session.history.count(), 2);
+    }
+    void theLastWindowThatFitsIsAdded()
+    {
+        Asked session(std::vector<ClipWindow>(ClipWindows::most - 1, {.visible = false}));
+        setWindowShape(session, box, "Place");
+        QCOMPARE(session.list().size(), ClipWindows::most);
+        QCOMPARE(session.refusals.size(), 0);
+        const Document before = session.now();
+        QVERIFY(!addWindow(session, {.shape = other}));
+        QCOMPARE(session.now(), before);
+        QCOMPARE(session.history.count(), 1); // a step that does nothing would be none
+        QVERIFY(session.refusals[0][0].toString().contains("has 1,000 clip windows"));
+    }
+    void toolsActOnTheChosenWindowIfItIsVisible()
+    {
+        Asked session({{.name = "a", .shape = box, .visible = false},
+                       {.name = "b", .shape = box},
+                       {.name = "c", .shape = other}});
+        QCOMPARE(session.windowNumber(), std::optional<std::size_t>(1));
+        session.chooseWindow(2);
+        QCOMPARE(session.clipWindow(), std::optional(other.box));
+        QCOMPARE(session.window(), other.box); // compared there, too
+        session.chooseWindow(0);
+        QCOMPARE(session.windowNumber(), std::optional<std::size_t>(1));
+        session.chooseWindow(2);
+        removeWindow(session);
+        QCOMPARE(session.names(), QStringList({"a", "b"}));
+        QCOMPARE(session.windowNumber(), std::optional<std::size_t>(1));
+        session.history.undo();
+        QCOMPARE(session.names(), QStringList({"a", "b", "c"}));
+    }
+    void movedAndReorderedWindowsStayChosen()
+    {
+        Asked session({{.name = "a", .shape = box}, {.name = "b", .shape = other}, {.name = "c"}});
+        session.chooseWindow(1);
+        moveWindow(session, {1, -1}, Merging::WithLast);
+        moveWindow(session, {1, -1}, Merging::WithLast);
+        QCOMPARE(session.history.count(), 1);
+        QVERIFY(session.list()[1].shape == WindowShape(RectangleShape{{{7, 4}, {11, 7}}}));
+        reorderWindow(session, 1, 0);
+        QCOMPARE(session.names(), QStringList({"b", "a", "c"}));
+        QCOMPARE(session.windowNumber(), std::optional<std::size_t>(0));
+        reorderWindow(session, 0, 2);
+        QCOMPARE(session.names(), QStringList({"a", "c", "b"}));
+        QCOMPARE(session.windowNumber(), std::optional<std::size_t>(2));
+        reorderWindow(session, 2, 3);
+        QCOMPARE(session.names(), QStringList({"a", "c", "b"}));
+    }
+    void aDrawnWindowReplacesOrIsOneMore()
+    {
+        Asked session({{.name = "a", .shape = box}});
+        drawWindow(session, other);
+        QCOMPARE(session.list().size(), 1u);
+        QCOMPARE(session.clipWindow(), std::optional(other.box));
+        session.newWindow = WindowOperation::CutOut;
+        QCOMPARE(withDrawn(session, box).list.size(), 2u);
+        drawWindow(session, box);
+        QCOMPARE(session.list().size(), 2u);
+        QCOMPARE(session.list()[1].operation, WindowOperation::CutOut);
+        QCOMPARE(session.windowNumber(), std::optional<std::size_t>(1));
+    }
+    void theSelectionBecomesOneWindow()
+    {
+        const RectangleRecipe rectangle{{1, 2}, {3, 4}};
+        const StarRecipe star{{50, 50}, 10, 4, 0, 5};
+        Object line{.path = Path(clipping::Segment{{0, 0}, {1, 1}})};
+        Asked session({}, {drawn(rectangle, "frame"), drawn(star), line});
+        QVERIFY(!windowOfSelection(session));
+        session.select({2});
+        QVERIFY(!windowOfSelection(session)); // a line has no area
+        session.select({0, 2});
+        const ClipWindow frame = *windowOfSelection(session);
+        QCOMPARE(frame.name, "frame");
+        QVERIFY(frame.shape == WindowShape(RectangleShape{{{1, 2}, {4, 6}}}));
+        session.select({1});
+        const auto alone = std::get<PathShape>(windowOfSelection(session)->shape);
+        QVERIFY(alone.recipe == Recipe(star) && alone.rule == FillRule::EvenOdd);
+        session.select({0, 1});
+        const auto both = std::get<PathShape>(windowOfSelection(session)->shape);
+        QCOMPARE(both.path.subpathCount(), 2u);
+        QVERIFY(both.recipe == Recipe());
+    }
+    void aWindowsOutlineBecomesAnObject()
+    {
+        Asked session({{.shape = windowKinds()[1].make({{0, 0}, {8, 6}})}});
+        windowToPath(session);
+        QCOMPARE(session.now().objects().size(), 1u);
+        QCOMPARE(session.selection(), ObjectRanges{0});
+        const ObjectView object = session.now().objects()[0];
+        QVERIFY(object.particulars().recipe == Recipe(EllipseRecipe{{4, 3}, {4, 3}}));
+        QVERIFY(object.path().straight() == false);
+        QVERIFY(windowOfSelection(session)->shape == session.list()[0].shape);
+    }
+    void everyKindOfWindowFitsIntoItsBox()
+    {
+        const clipping::Window room{{10, 20}, {50, 40}};
+        for (const WindowKind& kind : windowKinds()) {
+            const auto [min, max] = boxOf(kind.make(room));
+            QVERIFY2(min.x >= 9.99 && min.y >= 19.99 && max.x <= 50.01 && max.y <= 40.01,
+                     kind.key.data());
+            QVERIFY2(max.y - min.y > 15, kind.key.data());
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(WindowStepsTest)
+#include "window_steps_test.moc"
