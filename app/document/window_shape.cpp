@@ -63,6 +63,9 @@ PathShape asPath(const RectangleShape& rectangle)
 // The rectangle after a map that leaves its corners right angles.
 std::optional<RectangleShape> stillRectangle(const RectangleShape& rectangle, const AffineMap& map)
 {
+    const auto& [min, max] = rectangle.box;
+    if (map.x == Point(1, 0) && map.y == Point(0, 1)) // only moved
+        return RectangleShape{{map(min), map(max)}, rectangle.angle};
     const auto old = cornersOf(rectangle);
     const Point corner = map(old[0]), across = map(old[1]) - corner, down = map(old[3]) - corner;
     const double width = glm::length(across), height = glm::length(down);

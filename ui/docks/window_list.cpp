@@ -133,7 +133,7 @@ bool WindowList::event(QEvent* event)
         event->accept();
         return true;
     }
-    return QListView::event(event);
+    return PanelList::event(event);
 }
 
 void WindowList::keyPressEvent(QKeyEvent* event)
@@ -142,7 +142,7 @@ void WindowList::keyPressEvent(QKeyEvent* event)
         return shift(rows);
     if (event->key() == Qt::Key_Delete)
         return app::removeWindow(session_);
-    QListView::keyPressEvent(event);
+    PanelList::keyPressEvent(event);
 }
 
 } // namespace ui

@@ -2,14 +2,13 @@
 #pragma once
 
 #include "ui/docks/window_model.h"
-
-#include <QListView>
+#include "ui/widgets/panel_list.h"
 
 namespace ui {
 
 /// The list of clip windows: eye, what the window does, shape, name. The current row is the window
 /// that tools act on.
-class WindowList : public QListView {
+class WindowList : public PanelList {
     Q_OBJECT
 
 public:
@@ -19,7 +18,6 @@ public:
 
 private:
     void follow();
-    void keyboardSearch(const QString&) override {} ///< letters must not go to other rows
     bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 

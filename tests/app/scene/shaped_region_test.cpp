@@ -147,7 +147,7 @@ private slots:
             builder.addLine(line, style);
         builder.close();
         EditedDocument document;
-        document.load(builder.take());
+        document.load(builder.take({}));
         Scene scene(document);
         const ClipRegion region = regionOf(windows(Keep::Inside), tolerance);
         RegionClipping clipping;

@@ -127,7 +127,7 @@ private slots:
     {
         const RectangleRecipe rectangle{{1, 2}, {3, 4}};
         const StarRecipe star{{50, 50}, 10, 4, 0, 5};
-        Object line{.path = Path(clipping::Segment{{0, 0}, {1, 1}})};
+        const Object line{Path(clipping::Segment{{0, 0}, {1, 1}}), {}};
         Asked session({}, {drawn(rectangle, "frame"), drawn(star), line});
         QVERIFY(!windowOfSelection(session));
         session.select({2});

@@ -6,6 +6,7 @@
 #include "app/view/frame_handles.h"
 
 #include <QComboBox>
+#include <QLineEdit>
 #include <QListView>
 #include <QMenu>
 #include <QToolButton>
@@ -116,10 +117,12 @@ private slots:
         QTest::keyClick(w.list, Qt::Key_Up, Qt::ControlModifier);
         QCOMPARE(w.window(0).name, "Dome");
         QCOMPARE(w.session.windowNumber(), std::optional<std::size_t>(0));
+        w.clickRow(0);
         QTest::mouseDClick(w.list->viewport(), Qt::LeftButton, {}, w.row(0, 120));
+        QTRY_VERIFY(qobject_cast<QLineEdit*>(QApplication::focusWidget()));
         QTest::keyClicks(QApplication::focusWidget(), "Kuppel");
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
-        QCOMPARE(w.window(0).name, "Kuppel");
+        QTRY_COMPARE(w.window(0).name, "Kuppel");
     }
     void aWindowOfTheSelectionIsAdded()
     {
