@@ -8,10 +8,10 @@
 
 namespace clipping {
 
-/// A signed integer wide enough for every sum of two products of three differences of doubles,
-/// divided by one of them, with all doubles in units of their common lowest bit: 2099 bits for a
-/// difference, 4200 for such a sum. Allocates nothing; the cost depends on the bits in use, not on
-/// the capacity.
+/// A signed integer wide enough for every sum of two products of three differences of doubles, with
+/// all doubles in units of their common lowest bit: 2099 bits for a difference, 6300 for such a sum
+/// of products of a difference and a determinant of four. Allocates nothing; the cost depends on
+/// the bits in use, not on the capacity.
 class ExactInteger {
 public:
     ExactInteger() = default;
@@ -40,7 +40,7 @@ private:
     static ExactInteger subtractMagnitudes(const ExactInteger& larger, const ExactInteger& smaller);
     void trim();
 
-    static constexpr std::size_t capacity = 136; // 4352 bits: 4200, plus room to shift by a word
+    static constexpr std::size_t capacity = 200; // 6400 bits: 6300, plus room to shift by a word
     std::array<std::uint32_t, capacity>
         words_; // lowest first; only the first size_ words are in use
     std::size_t size_ = 0;
