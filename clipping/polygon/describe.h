@@ -127,9 +127,19 @@ Trace traceOneInPolygon(const Segment& segment, const ConvexPolygon& polygon)
     return trace;
 }
 
+/// Clips many segments. A method may have its own function for this: `Method::many`.
+template <class Method>
+constexpr auto manyInPolygon()
+{
+    if constexpr (requires { Method::many; })
+        return Method::many;
+    else
+        return clipManyInPolygon<Method>;
+}
+
 template <class Method>
 constexpr Uses<Segment, ConvexPolygon> polygonUses{
-    clipOneInPolygon<Method>, clipManyInPolygon<Method>, countManyInPolygon<Method>,
+    clipOneInPolygon<Method>, manyInPolygon<Method>(), countManyInPolygon<Method>,
     traceOneInPolygon<Method>};
 
 } // namespace clipping

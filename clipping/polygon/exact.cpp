@@ -16,18 +16,25 @@
 // Steps have the line numbers of the pseudo-code for windows (algorithms/exact.cpp): the bounding
 // box stands for lines 1 to 4, the two edges for lines 9 and 11.
 
+#include "clipping/batch/kernels.h"
+#include "clipping/batch/sets.h"
 #include "clipping/exact/meeting.h"
 #include "clipping/ieee_numbers.h"
 #include "clipping/polygon/crossed.h"
 #include "clipping/polygon/describe.h"
+#include "clipping/polygon/edge_table.h"
 
 namespace clipping {
 namespace {
+
+std::size_t clipMany(std::span<const Segment> in, const ConvexPolygon& polygon,
+                     std::span<Clipped> out);
 
 template <class Search>
 struct ExactPolygon {
     static constexpr int rejectLine = 14, acceptLine = 25;
     static constexpr bool unframed = true; // it handles all finite numbers itself
+    static constexpr auto many = clipMany;
 
     /// Where s crosses an edge whose ends have these signs.
     template <class T>
@@ -93,7 +100,39 @@ struct ExactPolygon {
     }
 };
 
+/// From so many segments on, the vector kernel's tables are worth their preparation.
+constexpr std::size_t fewest = 32;
+
+std::size_t clipMany(std::span<const Segment> in, const ConvexPolygon& polygon,
+                     std::span<Clipped> out)
+{
+    assert(out.size() >= in.size());
+    const auto window = prepared(polygon);
+    if (!window)
+        return 0;
+    if (in.size() >= fewest && !window->flat && window->ordinary) {
+        const EdgeTable table(*window);
+        return clipBatch({in.data(), 0, in.size(), &*window, &table.table(), out.data()}).pieces;
+    }
+    std::size_t visible = 0;
+    for (std::uint32_t i = 0; i < in.size(); ++i)
+        visible += clipOneByOne(in.data(), &i, 1, *window, out.data() + visible);
+    return visible;
+}
+
 } // namespace
+
+std::size_t clipOneByOne(const Segment* segments, const std::uint32_t* indices, std::size_t count,
+                         const PreparedPolygon& polygon, Clipped* out)
+{
+    using Method = ExactPolygon<Searched>;
+    std::size_t visible = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        if (const auto piece = clipPrepared<Method>(segments[indices[i]], polygon))
+            out[visible++] = {piece->segment, indices[i],
+                              polygonCutAt(piece->numberOfA, piece->numberOfB)};
+    return visible;
+}
 
 const Uses<Segment, ConvexPolygon> exactPolygon = polygonUses<ExactPolygon<OneByOne>>;
 const Uses<Segment, ConvexPolygon> exactSearchedPolygon = polygonUses<ExactPolygon<Searched>>;

@@ -2,6 +2,8 @@
 // The promise of the row `exact` on convex polygons (clipping/polygon/exact.cpp), against rational
 // numbers: no wrong decision, every new coordinate rounded once, the same bits in both directions.
 #include "clipping/algorithm.h"
+#include "clipping/batch/kernels.h"
+#include "clipping/polygon/edge_table.h"
 
 #include <QTest>
 
@@ -101,6 +103,37 @@ bool hasArea(const ConvexPolygon& polygon)
            });
 }
 
+/// The result one segment after the other.
+std::vector<Clipped> oneByOne(const std::vector<Segment>& segments, const ConvexPolygon& polygon)
+{
+    std::vector<Clipped> all;
+    for (std::size_t i = 0; i < segments.size(); ++i)
+        if (auto piece = clipOne(*exactAlgorithm().searchedPolygon, segments[i], polygon)) {
+            piece->source = std::uint32_t(i);
+            all.push_back(*piece);
+        }
+    return all;
+}
+
+bool sameBits(const std::vector<Clipped>& p, const std::vector<Clipped>& q)
+{
+    return std::ranges::equal(p, q, [](const Clipped& one, const Clipped& other) {
+        return ::sameBits(one.segment, other.segment) && one.source == other.source
+               && one.cut == other.cut;
+    });
+}
+
+/// Regular, with its corners on a circle.
+ConvexPolygon regular(int corners, double radius, double turn)
+{
+    std::vector<glm::dvec2> all;
+    for (int i = 0; i < corners; ++i) {
+        const double angle = turn + i * 6.283185307179586 / corners;
+        all.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    }
+    return hullOf(all);
+}
+
 /// Every strictly convex polygon whose corners are points of a grid: the lowest left one first.
 std::vector<ConvexPolygon> convexPolygons(int size)
 {
@@ -152,6 +185,31 @@ void everyExactForm()
 
 class ExactPolygonTest : public QObject {
     Q_OBJECT
+
+    const ConvexPolygon polygonOfTheTest_{{{0, -2}, {3, -1}, {3, 1}, {1, 3}, {-2, 2}, {-2, -1}}};
+
+    static void compareSets(const std::vector<Segment>& segments, const ConvexPolygon& polygon,
+                            const std::string& name, bool ordinary)
+    {
+        const auto window = prepared(polygon);
+        if (!window || window->flat || !window->ordinary)
+            return;
+        const auto expected = oneByOne(segments, polygon);
+        const EdgeTable table(*window);
+        for (const InstructionSet& set : instructionSets()) {
+            if (!set.available)
+                continue;
+            std::vector<Clipped> out(segments.size());
+            const auto result = set.clipPolygon(
+                {segments.data(), 0, segments.size(), &*window, &table.table(), out.data()});
+            out.resize(result.pieces);
+            QVERIFY2(sameBits(out, expected), (name + ", " + std::string(set.name)).c_str());
+            QVERIFY2(!ordinary || result.unsettled <= 1, name.c_str());
+        }
+        std::vector<Clipped> all(segments.size());
+        all.resize(exactAlgorithm().polygon->clipAll(segments, polygon, all));
+        QVERIFY2(sameBits(all, expected), name.c_str());
+    }
 
 private slots:
     // A fifth of all segments; polygons and segments are counted through, so that all pairs of
@@ -242,6 +300,30 @@ private slots:
                 const auto found = uses->clip(s, polygon);
                 QVERIFY2(found == expected, (name + ": " + exactly(s, polygon)).c_str());
             }
+    }
+
+    // Every instruction set gives what the segments give one by one, bit for bit, edges included;
+    // and of ordinary segments it leaves next to none to them.
+    void vectorsGiveTheSameBits()
+    {
+        RandomNumbers random(23);
+        for (const auto& [name, w, segments] : hardScenes<double>(700))
+            for (const double size : {1.0, 90.0}) {
+                std::vector<ConvexPolygon> polygons{
+                    {{w.min, {w.max.x, w.min.y}, w.max, {w.min.x, w.max.y}}},
+                    {{{-2, 0}, {0, -2}, {2, 0}, {0, 2}}},
+                    {{{-size, -1}, {size, -1}, {1, size}}}};
+                for (const int n : {3, 4, 7, 9, 64, 200})
+                    polygons.push_back(regular(n, size, random.uniform(0, 6)));
+                for (const auto& polygon : polygons)
+                    compareSets(segments, polygon, name, name == "paper");
+            }
+        const auto& corners = polygonOfTheTest_.corners;
+        std::vector<Segment> related{{{NAN, 0}, {1, 1}}, {{0, 0}, {INFINITY, 1}}};
+        for (const auto& c : corners)
+            for (const auto& d : corners)
+                related.push_back({c, d}), related.push_back({2.0 * c - d, d});
+        compareSets(related, polygonOfTheTest_, "corners", false);
     }
 
     // A new end at a corner is that corner, and has the number of the edge that begins there.
