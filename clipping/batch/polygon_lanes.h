@@ -10,8 +10,9 @@
 namespace clipping {
 namespace {
 
-/// The polygon, with what does not depend on the segments in every lane.
-template <class V>
+/// The polygon, with what does not depend on the segments in every lane; `few`: up to eight
+/// corners.
+template <class V, bool few>
 struct PolygonInLanes {
     const PolygonTable& table;
     V centreX, centreY, halfWidth, halfHeight;
@@ -23,7 +24,10 @@ struct PolygonInLanes {
     }
     CLIPPING_INLINE V look(const double* numbers, V indices) const
     {
-        return table.size <= 8 ? V::lookInEight(numbers, indices) : V::look(numbers, indices);
+        if constexpr (few)
+            return V::lookInEight(numbers, indices);
+        else
+            return V::look(numbers, indices);
     }
 };
 
@@ -39,8 +43,9 @@ struct Crossed {
 /// products is off by 3e (two differences, itself) and passes at most three sums: together less
 /// than 6.1 e (|dx| (|cy - my| + |ay - my|) + |dy| (|cx - mx| + |ax - mx|)); 8e allows for the
 /// rounding of the bound.
-template <class V>
-CLIPPING_INLINE Crossed<V> crossed(const Ends<V>& s, V dx, V dy, const PolygonInLanes<V>& polygon)
+template <class V, bool few>
+CLIPPING_INLINE Crossed<V> crossed(const Ends<V>& s, V dx, V dy,
+                                   const PolygonInLanes<V, few>& polygon)
 {
     const PolygonTable& t = polygon.table;
     const V ax = s.ax - polygon.centreX, ay = s.ay - polygon.centreY;
@@ -48,24 +53,24 @@ CLIPPING_INLINE Crossed<V> crossed(const Ends<V>& s, V dx, V dy, const PolygonIn
     const V bound =
         fma(abs(dx) * (polygon.halfHeight + abs(ay)) + abs(dy) * (polygon.halfWidth + abs(ax)),
             V::of(0x1p-50), V::of(tiny));
-    const V negative = V::of(0) - bound;
     const auto side = [&](std::size_t i) {
         return fma(dx, V::of(t.offY[i]), fnma(dy, V::of(t.offX[i]), offset));
     };
-    auto wasLeft = side(t.size - 1) > bound;
-    auto any = wasLeft & ~wasLeft, unsure = any;
-    V enter = V::ofBits(0), leave = enter;
-    for (std::size_t i = 0, edge = t.size - 1; i < t.size; edge = i++) {
+    const V zero = V::of(0), last = side(t.size - 1);
+    auto wasLeft = last > zero, any = last < last;
+    V enter = V::ofBits(0), leave = enter, least = abs(last), edge = V::of(t.index[t.size - 1]);
+    for (std::size_t i = 0; i < t.size; ++i) {
         const V value = side(i);
-        const auto left = value > bound;
-        unsure = unsure | ~(left | (value < negative));
-        const auto falls = wasLeft & ~left;
-        enter = select(falls, V::ofBits(edge), enter);
-        leave = select(left & ~wasLeft, V::ofBits(edge), leave);
+        const auto left = value > zero, falls = wasLeft & ~left;
+        least = min(least, abs(value));
+        enter = select(falls, edge, enter);
+        leave = select(left & ~wasLeft, edge, leave);
         any = any | falls;
         wasLeft = left;
+        edge = V::of(t.index[i]);
     }
-    return {enter, leave, any, unsure};
+    return {enter, leave, any,
+            ~(least > bound)}; // where a value is NaN, so is the bound, or infinite
 }
 
 /// Edges of the polygon, one in each lane.
@@ -73,83 +78,63 @@ template <class V>
 struct EdgeInLanes {
     V x, y;               ///< the first corner
     VectorPair<V> ex, ey; ///< the extent
+    V reach;              ///< PolygonTable::reach
 };
-template <class V>
-CLIPPING_INLINE EdgeInLanes<V> edgeAt(V indices, const PolygonInLanes<V>& polygon)
+template <class V, bool few>
+CLIPPING_INLINE EdgeInLanes<V> edgeAt(V indices, const PolygonInLanes<V, few>& polygon)
 {
     const PolygonTable& t = polygon.table;
     const auto look = [&](const double* numbers) { return polygon.look(numbers, indices); };
     return {look(t.cornerX),
             look(t.cornerY),
             {look(t.edgeX), look(t.edgeXLow)},
-            {look(t.edgeY), look(t.edgeYLow)}};
+            {look(t.edgeY), look(t.edgeYLow)},
+            look(t.reach)};
 }
 
-/// On which side of an edge a point is; neither: too near to tell (orderBound).
+/// Where the ends of segments lie at an edge, and what that is decided by: n = (c - a) x e,
+/// positive if a is inside, and d = (b - a) x e, for the edge from c with the extent e. Neither
+/// inside nor outside: too near to tell.
 template <class V>
-struct Side {
-    typename V::Mask inside, outside;
+struct AtEdge {
+    V n, d, sizeOfN, sizeOfD; ///< the sizes: sums of the magnitudes of two products
+    typename V::Mask aInside, aOutside, bInside, bOutside;
 };
+/// n and d are off by 4e of their sizes each (orderBound), n - d by e more of both.
 template <class V>
-CLIPPING_INLINE Side<V> sideOf(V x, V y, const EdgeInLanes<V>& edge)
+CLIPPING_INLINE AtEdge<V> atEdge(const Ends<V>& s, V dx, V dy, const EdgeInLanes<V>& edge)
 {
-    const V p = (edge.x - x) * edge.ey.high, q = (edge.y - y) * edge.ex.high, depth = p - q;
-    const V bound = fma(abs(p) + abs(q), V::of(orderBound), V::of(tiny));
-    return {depth > bound, depth < V::of(0) - bound};
+    const V p = (edge.x - s.ax) * edge.ey.high, q = (edge.y - s.ay) * edge.ex.high;
+    const V u = dx * edge.ey.high, v = dy * edge.ex.high;
+    const V n = p - q, d = u - v, ofB = n - d;
+    const V sizeOfN = abs(p) + abs(q), sizeOfD = abs(u) + abs(v);
+    const V bound = fma(sizeOfN, V::of(orderBound), V::of(tiny));
+    const V boundOfB = fma(sizeOfN + sizeOfD, V::of(2 * orderBound), V::of(tiny));
+    const V zero = V::of(0);
+    return {
+        n, d, sizeOfN, sizeOfD, n > bound, n<zero - bound, ofB> boundOfB, ofB < zero - boundOfB};
 }
 
-/// `Determinant` of exact/meeting.h.
+/// Whether an extent is far enough from underflow for `nearBound`.
 template <class V>
-struct DeterminantInLanes {
-    V high, low, size;
-};
-template <class V>
-CLIPPING_INLINE DeterminantInLanes<V> determinant(const VectorPair<V>& ux, const VectorPair<V>& uy,
-                                                  const VectorPair<V>& vx, const VectorPair<V>& vy)
+CLIPPING_INLINE typename V::Mask fine(V extent)
 {
-    const V p = ux.high * vy.high, q = uy.high * vx.high, high = p - q;
-    const V lowP = fma(ux.low, vy.high, fma(ux.high, vy.low, restOfProduct(ux.high, vy.high, p)));
-    const V lowQ = fma(uy.low, vx.high, fma(uy.high, vx.low, restOfProduct(uy.high, vx.high, q)));
-    return {high, lowOfDifference(p, q, high) + (lowP - lowQ), abs(p) + abs(q)};
+    return (abs(extent) >= V::of(smallestMeeting)) | (extent == V::of(0));
 }
 
-/// `Share` of exact/meeting.h.
+/// A coordinate of the point at the share t of the way, as a number and its rest.
 template <class V>
-struct ShareInLanes {
-    V high, low, spread, skew;
-    typename V::Mask tame;
-};
-template <class V>
-CLIPPING_INLINE ShareInLanes<V> shareOf(const DeterminantInLanes<V>& n,
-                                        const DeterminantInLanes<V>& d)
+CLIPPING_INLINE VectorPair<V> pointAt(V t, V start, const VectorPair<V>& way)
 {
-    const V high = d.high + d.low, low = d.low - (high - d.high), inverse = V::of(1) / high;
-    const V share = n.high * inverse;
-    const V rest = (n.low - share * low) - restOfProduct(share, high, n.high);
-    const V size = abs(inverse), least = V::of(smallestMeeting), most = V::of(largestMeeting);
-    return {share, rest * inverse, n.size * size, d.size * size,
-            (n.size >= least) & (n.size <= most) & (d.size >= least) & (d.size <= most)
-                & (abs(high) > d.size * V::of(meetingBound))};
+    const V p = t * way.high, s = start + p, ofP = s - start;
+    const V rest = (start - (s - ofP)) + (p - ofP);
+    return {s, rest + fma(t, way.low, restOfProduct(t, way.high, p))};
 }
 
-/// `coordinateAt` of exact/meeting.h; the line's or the edge's own coordinate where that is known.
-template <class V>
-CLIPPING_INLINE Crossing<V> coordinateAt(const ShareInLanes<V>& t, V start,
-                                         const VectorPair<V>& way, V edgeStart, V edgeWay)
-{
-    const V p = way.high * t.high;
-    const V low = fma(way.low, t.high, fma(way.high, t.low, restOfProduct(way.high, t.high, p)));
-    const V s = start + p, ofP = s - start;
-    const V rest = ((start - (s - ofP)) + (p - ofP)) + low;
-    const V error = V::of(quotientBound) * (fma(abs(way.high), t.spread, abs(p) * t.skew) + abs(s));
-    const V below = s + (rest - error), above = s + (rest + error), zero = V::of(0);
-    const auto upright = way.high == zero, onEdge = edgeWay == zero;
-    return {select(upright, start, select(onEdge, edgeStart, below)) + zero, // never -0
-            upright | onEdge
-                | (t.tame & (error >= V::of(smallestMeetingBound)) & (below == above))};
-}
-
-/// `meeting` of exact/meeting.h.
+/// Where the lines meet, as exact/meeting.h has it, in lanes whose ends are on different sides of
+/// the edge; bounds.h proves `nearBound`. The share t = n / d is computed once in double. The point
+/// there misses the edge by r = (c - point) x e, which is small, so that few digits of r correct
+/// the point.
 template <class V>
 struct Meeting {
     V x, y;
@@ -157,46 +142,76 @@ struct Meeting {
 };
 template <class V>
 CLIPPING_INLINE Meeting<V> meeting(const Ends<V>& s, const VectorPair<V>& wayX,
-                                   const VectorPair<V>& wayY, const EdgeInLanes<V>& edge)
+                                   const VectorPair<V>& wayY, const EdgeInLanes<V>& edge,
+                                   const AtEdge<V>& at, bool hasUpright)
 {
-    const auto off = [](V to, V from) {
-        const V difference = to - from;
-        return VectorPair<V>{difference, lowOfDifference(to, from, difference)};
+    const V inverse = V::of(1) / at.d, t = at.n * inverse;
+    const auto x = pointAt(t, s.ax, wayX), y = pointAt(t, s.ay, wayY);
+    const V offX = edge.x - x.high, offY = edge.y - y.high;
+    const V lowX = lowOfDifference(edge.x, x.high, offX) - x.low;
+    const V lowY = lowOfDifference(edge.y, y.high, offY) - y.low;
+    const V p = offX * edge.ey.high, q = offY * edge.ex.high;
+    const V rests = restOfProduct(offX, edge.ey.high, p) - restOfProduct(offY, edge.ex.high, q);
+    const V low = fnma(offY, edge.ex.low,
+                       fma(offX, edge.ey.low, fnma(lowY, edge.ex.high, lowX * edge.ey.high)));
+    const V more = (((p - q) + rests) + low) * inverse;
+    const V size = abs(inverse);
+    const V doubt = (at.sizeOfN + at.sizeOfD + edge.reach) * size
+                    * fma(at.sizeOfD * size, V::of(steepBound), V::of(nearBound));
+    const auto tame = (abs(at.d) > at.sizeOfD * V::of(steepest))
+                      & (at.sizeOfD >= V::of(smallestMeeting))
+                      & (at.sizeOfD <= V::of(largestMeeting));
+    const auto rounded = [&](const VectorPair<V>& point, V way, V edgeAt, V edgeWay) {
+        const V rest = fma(more, way, point.low);
+        const V error = fma(abs(way), doubt, abs(point.high) * V::of(nearSumBound));
+        const V below = point.high + (rest - error), above = point.high + (rest + error);
+        const Crossing<V> found{below, (below == above) & tame};
+        const V zero = V::of(0);
+        if (!hasUpright) [[likely]]
+            return Crossing<V>{found.value + zero, found.settled}; // never -0
+        const auto onEdge = edgeWay == zero;
+        return Crossing<V>{select(onEdge, edgeAt, found.value) + zero, found.settled | onEdge};
     };
-    const auto share = shareOf(determinant(off(edge.x, s.ax), off(edge.y, s.ay), edge.ex, edge.ey),
-                               determinant(wayX, wayY, edge.ex, edge.ey));
-    const auto x = coordinateAt(share, s.ax, wayX, edge.x, edge.ex.high);
-    const auto y = coordinateAt(share, s.ay, wayY, edge.y, edge.ey.high);
-    return {x.value, y.value, x.settled & y.settled};
+    const auto foundX = rounded(x, wayX.high, edge.x, edge.ex.high);
+    const auto foundY = rounded(y, wayY.high, edge.y, edge.ey.high);
+    return {foundX.value, foundY.value, foundX.settled & foundY.settled};
 }
 
-template <class V>
-CLIPPING_INLINE Clip<V> clipPolygonLanes(const Ends<V>& s, const PolygonInLanes<V>& polygon)
+template <class V, bool few>
+CLIPPING_INLINE Clip<V> clipPolygonLanes(const Ends<V>& s, const PolygonInLanes<V, few>& polygon)
 {
     const V dx = s.bx - s.ax, dy = s.by - s.ay, zero = V::of(0);
     const Crossed<V> edges = crossed(s, dx, dy, polygon);
     const auto enter = edgeAt(edges.enter, polygon), leave = edgeAt(edges.leave, polygon);
-    const auto bEnters = sideOf(s.bx, s.by, enter), aLeaves = sideOf(s.ax, s.ay, leave);
-    const auto a = sideOf(s.ax, s.ay, enter), b = sideOf(s.bx, s.by, leave);
-    const auto gone = ~edges.any | bEnters.outside | aLeaves.outside;
-    const auto visible = edges.any & bEnters.inside & aLeaves.inside;
-    const auto known = visible & (a.inside | a.outside) & (b.inside | b.outside);
-    if (!any(visible & (a.outside | b.outside)))
+    const auto in = atEdge(s, dx, dy, enter), out = atEdge(s, dx, dy, leave);
+    const auto gone = ~edges.any | in.bOutside | out.aOutside;
+    const auto visible = edges.any & in.bInside & out.aInside;
+    const auto newA = in.aOutside, newB = out.bOutside;
+    const auto known = visible & (in.aInside | newA) & (out.bInside | newB);
+    if (!any(visible & (newA | newB)))
         return {s, zero, visible, edges.unsure | ~(gone | known)};
 
     const VectorPair<V> wayX{dx, lowOfDifference(s.bx, s.ax, dx)};
     const VectorPair<V> wayY{dy, lowOfDifference(s.by, s.ay, dy)};
-    const auto newA = meeting(s, wayX, wayY, enter), newB = meeting(s, wayX, wayY, leave);
-    const Ends<V> piece{select(a.outside, newA.x, s.ax), select(a.outside, newA.y, s.ay),
-                        select(b.outside, newB.x, s.bx), select(b.outside, newB.y, s.by)};
-    const auto movedA = ~((piece.ax == s.ax) & (piece.ay == s.ay));
-    const auto movedB = ~((piece.bx == s.bx) & (piece.by == s.by));
-    const auto open = (a.outside & ~newA.settled) | (b.outside & ~newB.settled);
     const PolygonTable& t = polygon.table;
-    return {piece,
-            select(movedA, polygon.look(t.numberForA, edges.enter), zero)
-                | select(movedB, polygon.look(t.numberForB, edges.leave), zero),
-            visible, edges.unsure | ~(gone | (known & ~open))};
+    Ends<V> piece = s;
+    V cut = zero;
+    auto open = ~(fine(dx) & fine(dy));
+    if (any(visible & newA)) {
+        const auto a = meeting(s, wayX, wayY, enter, in, t.hasUpright);
+        piece.ax = select(newA, a.x, s.ax), piece.ay = select(newA, a.y, s.ay);
+        const auto stays = (piece.ax == s.ax) & (piece.ay == s.ay);
+        cut = select(stays, zero, polygon.look(t.numberForA, edges.enter));
+        open = open | (newA & ~a.settled);
+    }
+    if (any(visible & newB)) {
+        const auto b = meeting(s, wayX, wayY, leave, out, t.hasUpright);
+        piece.bx = select(newB, b.x, s.bx), piece.by = select(newB, b.y, s.by);
+        const auto stays = (piece.bx == s.bx) & (piece.by == s.by);
+        cut = cut | select(stays, zero, polygon.look(t.numberForB, edges.leave));
+        open = open | (newB & ~b.settled);
+    }
+    return {piece, cut, visible, edges.unsure | ~(gone | (known & ~open))};
 }
 
 } // namespace

@@ -15,13 +15,17 @@ struct PolygonTable {
     std::size_t size;
     /// For each edge: its first corner, and its extent as exact pairs.
     const double *cornerX, *cornerY, *edgeX, *edgeXLow, *edgeY, *edgeYLow;
+    const double* index; ///< for each edge its index, as bits
     /// For each edge as bits: its number, shifted for the end a and for the end b of
     /// BasicClipped::cut in the upper half.
     const double *numberForA, *numberForB;
+    const double*
+        reach; ///< for each edge: 2 M (|ex| + |ey|), M the largest |coordinate| of a corner
     const double *offX, *offY; ///< each corner relative to the centre of the box, rounded
     Box<double> box;           ///< the bounding box
     double ux, uy, vx, vy;     ///< half sides of a parallelogram around that centre, enclosing it
     double acrossX, acrossY;   ///< at least |ux| + |vx| and |uy| + |vy|
+    bool hasUpright;           ///< whether an edge is horizontal or vertical
 };
 
 } // namespace clipping

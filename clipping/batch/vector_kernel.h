@@ -54,18 +54,19 @@ struct WindowShape {
 };
 
 /// The same for a polygon. Its bounding box and an enclosing parallelogram reject.
+template <bool few>
 struct PolygonShape {
     using Number = double;
     static constexpr Care usual = Care::Doubles, most = Care::Doubles;
     const PolygonBatch& batch;
 
     template <class V>
-    CLIPPING_INLINE PolygonInLanes<V> inLanes() const
+    CLIPPING_INLINE PolygonInLanes<V, few> inLanes() const
     {
-        return PolygonInLanes<V>(*batch.table);
+        return PolygonInLanes<V, few>(*batch.table);
     }
     template <Care, class V>
-    CLIPPING_INLINE Clip<V> clip(const Ends<V>& s, const PolygonInLanes<V>& polygon) const
+    CLIPPING_INLINE Clip<V> clip(const Ends<V>& s, const PolygonInLanes<V, few>& polygon) const
     {
         return clipPolygonLanes(s, polygon);
     }
@@ -190,7 +191,8 @@ CLIPPING_INLINE BatchResult clipAtWindow(const Batch<T>& batch)
 template <class V>
 CLIPPING_INLINE BatchResult clipAtPolygon(const PolygonBatch& batch)
 {
-    return clipInVectors<V, V>(PolygonShape{batch});
+    return batch.table->size <= 8 ? clipInVectors<V, V>(PolygonShape<true>{batch})
+                                  : clipInVectors<V, V>(PolygonShape<false>{batch});
 }
 
 } // namespace

@@ -63,6 +63,20 @@ constexpr double meetingBound = 0x1p-50;
 constexpr double smallestMeeting = 0x1p-400, largestMeeting = 0x1p400;
 constexpr double smallestMeetingBound = 0x1p-990;
 
+/// The same point in vectors (batch/polygon_lanes.h), where 0 < t < 1 is known, at less cost. th is
+/// Nh / Dh in double, with |Dh| > steepest PD. The point a + th d is s + l on each axis, with an
+/// error of 5 e^2 |p| + e^2 |s| for p = th dx. It misses the edge by R = (c - point) x f. Let Z = PN
+/// + PD + reach, with reach >= |sx fy| + |sy fx|: every product below is at most Z.
+///   |R| < 6.4 e Z          N off by 4e PN, D by 4e PD, the quotient by 2.1e
+///   R computed             off by 71 e^2 Z: 11.3 p - q, 2 rests, 16 + 3 low (sums; left out), 13.3
+///                          and 17.3 the last two sums, 8 from s + l and c - s
+///   more = R / Dh          off by (26 PD / |D| + 20) e^2 Z / |D| for Dh and the quotient
+/// Adding more dx to l, and the error, rounds by 40 e^2 |dx| Z / |D| + 5 e^2 |s|. The bound is
+/// (nearBound + steepBound PD / |D|) |dx| Z / |D| + nearSumBound |s|: 256, 64 and 8 e^2. `reach` is taken from the polygon's corners, between which s lies unless th is so far off
+/// that the bound leaves two numbers anyway.
+constexpr double steepest = 0x1p-40;
+constexpr double nearBound = 0x1p-98, steepBound = 0x1p-100, nearSumBound = 0x1p-103;
+
 /// For float that sum is rounded to double and then to float. The bound is larger by two roundings
 /// to double, so that the exact value stays between the two sums after the first rounding: 2e of
 /// the sum, which is |s| and at most 8e (|q| + |s|) more; that is below 2.1 e |s| + 16 e^2 |q|.

@@ -56,13 +56,16 @@ Enclosure smallestEnclosure(const PreparedPolygon& polygon, glm::dvec2 centre)
 
 EdgeTable::EdgeTable(const PreparedPolygon& polygon)
 {
-    constexpr std::size_t columns = 10;
+    constexpr std::size_t columns = 12;
     const std::size_t size = polygon.corners.size(), room = std::max<std::size_t>(size, 8);
     numbers_.resize(columns * room);
     std::array<double*, columns> column{};
     for (std::size_t i = 0; i < columns; ++i)
         column[i] = numbers_.data() + i * room;
     const auto box = boxOf(polygon.box);
+    const double largest =
+        std::max({-polygon.box.min.x, polygon.box.max.x, -polygon.box.min.y, polygon.box.max.y});
+    bool hasUpright = false;
     for (std::size_t i = 0; i < size; ++i) {
         const auto &from = polygon.corners[i], &to = polygon.corners[(i + 1) % size];
         const auto x = twoDifference(to.x, from.x), y = twoDifference(to.y, from.y);
@@ -72,10 +75,13 @@ EdgeTable::EdgeTable(const PreparedPolygon& polygon)
                              x.low,
                              y.high,
                              y.low,
+                             numberAsBits(static_cast<std::uint32_t>(i), 0),
                              numberAsBits(polygon.numbers[i], 32),
                              numberAsBits(polygon.numbers[i], 48),
+                             2 * largest * (std::abs(x.high) + std::abs(y.high)),
                              from.x - box.centreX,
                              from.y - box.centreY};
+        hasUpright = hasUpright || x.high == 0 || y.high == 0;
         for (std::size_t k = 0; k < columns; ++k)
             column[k][i] = row[k];
     }
@@ -92,13 +98,16 @@ EdgeTable::EdgeTable(const PreparedPolygon& polygon)
               column[7],
               column[8],
               column[9],
+              column[10],
+              column[11],
               box,
               u.x,
               u.y,
               v.x,
               v.y,
               up(std::abs(u.x) + std::abs(v.x)),
-              up(std::abs(u.y) + std::abs(v.y))};
+              up(std::abs(u.y) + std::abs(v.y)),
+              hasUpright};
 }
 
 } // namespace clipping
