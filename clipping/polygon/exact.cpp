@@ -27,14 +27,14 @@
 namespace clipping {
 namespace {
 
-std::size_t clipMany(std::span<const Segment> in, const ConvexPolygon& polygon,
-                     std::span<Clipped> out);
+std::size_t clipAllInPolygon(std::span<const Segment> in, const ConvexPolygon& polygon,
+                             std::span<Clipped> out);
 
 template <class Search>
 struct ExactPolygon {
     static constexpr int rejectLine = 14, acceptLine = 25;
     static constexpr bool unframed = true; // it handles all finite numbers itself
-    static constexpr auto many = clipMany;
+    static constexpr auto many = clipAllInPolygon;
 
     /// Where s crosses an edge whose ends have these signs.
     template <class T>
@@ -103,8 +103,8 @@ struct ExactPolygon {
 /// From so many segments on, the vector kernel's tables are worth their preparation.
 constexpr std::size_t fewest = 32;
 
-std::size_t clipMany(std::span<const Segment> in, const ConvexPolygon& polygon,
-                     std::span<Clipped> out)
+std::size_t clipAllInPolygon(std::span<const Segment> in, const ConvexPolygon& polygon,
+                             std::span<Clipped> out)
 {
     assert(out.size() >= in.size());
     const auto window = prepared(polygon);
