@@ -72,8 +72,9 @@ constexpr double smallestMeetingBound = 0x1p-990;
 ///                          and 17.3 the last two sums, 8 from s + l and c - s
 ///   more = R / Dh          off by (26 PD / |D| + 20) e^2 Z / |D| for Dh and the quotient
 /// Adding more dx to l, and the error, rounds by 40 e^2 |dx| Z / |D| + 5 e^2 |s|. The bound is
-/// (nearBound + steepBound PD / |D|) |dx| Z / |D| + nearSumBound |s|: 256, 64 and 8 e^2. `reach` is taken from the polygon's corners, between which s lies unless th is so far off
-/// that the bound leaves two numbers anyway.
+/// (nearBound + steepBound PD / |D|) |dx| Z / |D| + nearSumBound |s|: 256, 64 and 8 e^2. `reach` is
+/// taken from the polygon's corners, between which s lies unless th is so far off that the bound
+/// leaves two numbers anyway.
 constexpr double steepest = 0x1p-40;
 constexpr double nearBound = 0x1p-98, steepBound = 0x1p-100, nearSumBound = 0x1p-103;
 

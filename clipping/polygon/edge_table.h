@@ -10,6 +10,8 @@ namespace clipping {
 class EdgeTable {
 public:
     explicit EdgeTable(const PreparedPolygon& polygon);
+    EdgeTable(const EdgeTable&) = delete; // the table points into the numbers
+    EdgeTable& operator=(const EdgeTable&) = delete;
     const PolygonTable& table() const { return table_; }
 
 private:
