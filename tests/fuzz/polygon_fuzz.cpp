@@ -118,7 +118,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         trySearched(a, s, hull);
     }
     tryBackwards(s, hull);
-    if (!hull.corners.empty())
+    if (size % 8 == 0 && !hull.corners.empty()) // it takes its time
         tryMany(*exactAlgorithm().polygon, s, hull);
     return 0;
 }
