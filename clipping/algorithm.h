@@ -61,7 +61,7 @@ struct Uses {
 ///    its edges moved out.
 /// 3. It returns what is inside the polygon with all its edges moved in, except for k ulps of M at
 ///    the ends. `cyrus-beck` may decide visibility wrongly only where moving the edges out or in
-///    changes it; `skala` never does.
+///    changes it; `skala` and `exact` never do. `exact` rounds each new coordinate once.
 /// A polygon is prepared once per call (O(corners), the only allocation), so prefer clipAll.
 inline constexpr double polygonUlps = 32;
 

@@ -16,6 +16,7 @@
 #include "clipping/describe.h"
 #include "clipping/exact/line.h"
 #include "clipping/ieee_numbers.h"
+#include "clipping/polygon/uses.h"
 
 namespace clipping {
 namespace {
@@ -79,6 +80,8 @@ struct Exact {
 
     static constexpr bool ours = true;     // no published form
     static constexpr bool unframed = true; // it handles all finite numbers itself
+    static constexpr const auto* polygon = &exactPolygon;
+    static constexpr const auto* searchedPolygon = &exactSearchedPolygon;
 
     template <class T>
     static std::size_t many(std::span<const BasicSegment<T>> in, const BasicWindow<T>& window,

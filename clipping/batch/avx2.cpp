@@ -120,6 +120,15 @@ struct Doubles {
     {
         return storeFour(to, first, bits(which));
     }
+    /// The numbers of a table at the indices that the lanes hold as bits.
+    CLIPPING_INLINE static Doubles look(const double* table, Doubles indices)
+    {
+        return {_mm256_i64gather_pd(table, _mm256_castpd_si256(indices.v), 8)};
+    }
+    CLIPPING_INLINE static Doubles lookInEight(const double* table, Doubles indices)
+    {
+        return look(table, indices);
+    }
     CLIPPING_INLINE static Ends<Doubles> gather(const Segment* s, const std::uint32_t* at)
     {
         return joined(s + at[0], s + at[1], s + at[2], s + at[3]);
@@ -245,17 +254,18 @@ struct Floats {
     }
 };
 
-BatchResult clip(const Batch<double>& batch) { return clipInVectors<Doubles, Doubles>(batch); }
-BatchResult clipSingle(const Batch<float>& batch) { return clipInVectors<Doubles, Floats>(batch); }
+BatchResult clip(const Batch<double>& batch) { return clipAtWindow<Doubles, Doubles>(batch); }
+BatchResult clipSingle(const Batch<float>& batch) { return clipAtWindow<Doubles, Floats>(batch); }
+BatchResult clipPolygon(const PolygonBatch& batch) { return clipAtPolygon<Doubles>(batch); }
 
 } // namespace
 
-const InstructionSet avx2Set{"AVX2", true, clip, clipSingle};
+const InstructionSet avx2Set{"AVX2", true, clip, clipSingle, clipPolygon};
 
 } // namespace clipping
 
 #else
 
-const clipping::InstructionSet clipping::avx2Set{"AVX2", false, nullptr, nullptr};
+const clipping::InstructionSet clipping::avx2Set{"AVX2", false, nullptr, nullptr, nullptr};
 
 #endif

@@ -107,6 +107,18 @@ struct Doubles {
                             _mm256_maskz_compress_epi32(which.lanes, all));
         return static_cast<std::size_t>(__builtin_popcount(which.lanes));
     }
+    /// The numbers of a table at the indices that the lanes hold as bits.
+    CLIPPING_INLINE static Doubles look(const double* table, Doubles indices)
+    {
+        return {_mm512_mask_i64gather_pd(_mm512_setzero_pd(), 0xff, _mm512_castpd_si512(indices.v),
+                                         table, 8)};
+    }
+    /// The same in a table of up to eight numbers, with room for eight.
+    CLIPPING_INLINE static Doubles lookInEight(const double* table, Doubles indices)
+    {
+        return {_mm512_maskz_permutexvar_pd(0xff, _mm512_castpd_si512(indices.v),
+                                            _mm512_loadu_pd(table))};
+    }
     CLIPPING_INLINE static Ends<Doubles> gather(const Segment* s, const std::uint32_t* at)
     {
         const auto two = [&](int low, int high) {
@@ -247,17 +259,18 @@ struct Floats {
     }
 };
 
-BatchResult clip(const Batch<double>& batch) { return clipInVectors<Doubles, Doubles>(batch); }
-BatchResult clipSingle(const Batch<float>& batch) { return clipInVectors<Doubles, Floats>(batch); }
+BatchResult clip(const Batch<double>& batch) { return clipAtWindow<Doubles, Doubles>(batch); }
+BatchResult clipSingle(const Batch<float>& batch) { return clipAtWindow<Doubles, Floats>(batch); }
+BatchResult clipPolygon(const PolygonBatch& batch) { return clipAtPolygon<Doubles>(batch); }
 
 } // namespace
 
-const InstructionSet avx512Set{"AVX-512", true, clip, clipSingle};
+const InstructionSet avx512Set{"AVX-512", true, clip, clipSingle, clipPolygon};
 
 } // namespace clipping
 
 #else
 
-const clipping::InstructionSet clipping::avx512Set{"AVX-512", false, nullptr, nullptr};
+const clipping::InstructionSet clipping::avx512Set{"AVX-512", false, nullptr, nullptr, nullptr};
 
 #endif

@@ -59,4 +59,6 @@ BatchResult clipBatch(const Batch<float>& batch)
     return fastest().clipSingle(batch);
 }
 
+BatchResult clipBatch(const PolygonBatch& batch) { return fastest().clipPolygon(batch); }
+
 } // namespace clipping

@@ -19,6 +19,18 @@ struct Batch {
     BasicClipped<BasicSegment<T>>* out; ///< `source` is relative to `segments`, not to `begin`
 };
 
+struct PreparedPolygon;
+struct PolygonTable;
+
+/// The same for a convex polygon with area.
+struct PolygonBatch {
+    const Segment* segments;
+    std::size_t begin, end;
+    const PreparedPolygon* polygon;
+    const PolygonTable* table; ///< of this polygon
+    BasicClipped<Segment>* out;
+};
+
 struct BatchResult {
     std::size_t pieces;    ///< number written, in the order of the segments
     std::size_t unsettled; ///< number of segments that were left to the scalar algorithm
@@ -30,6 +42,7 @@ struct InstructionSet {
     bool available; ///< in this build and on this processor; if false, do not call the functions
     BatchResult (*clip)(const Batch<double>&);
     BatchResult (*clipSingle)(const Batch<float>&);
+    BatchResult (*clipPolygon)(const PolygonBatch&);
 };
 
 /// All instruction sets; the first is the slowest and always available.
@@ -38,5 +51,6 @@ std::span<const InstructionSet> instructionSets();
 /// `exact` for many segments with the fastest instruction set of this processor.
 template <class T>
 BatchResult clipBatch(const Batch<T>& batch);
+BatchResult clipBatch(const PolygonBatch& batch);
 
 } // namespace clipping

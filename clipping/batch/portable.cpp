@@ -118,6 +118,16 @@ struct Numbers {
     {
         return twoSegments(s + at[0], s + at[1]);
     }
+    /// The numbers of a table at the indices that the lanes hold as bits.
+    CLIPPING_INLINE static Numbers look(const double* table, Numbers indices)
+    {
+        return {Vector{static_cast<T>(table[indices.asBits()[0]]),
+                       static_cast<T>(table[indices.asBits()[1]])}};
+    }
+    CLIPPING_INLINE static Numbers lookInEight(const double* table, Numbers indices)
+    {
+        return look(table, indices);
+    }
     CLIPPING_INLINE static std::size_t storeIndices(std::uint32_t* to, std::size_t first,
                                                     Mask which)
     {
@@ -184,12 +194,13 @@ private:
 using Doubles = Numbers<double, std::int64_t>;
 using Floats = Numbers<float, std::int32_t>;
 
-BatchResult clip(const Batch<double>& batch) { return clipInVectors<Doubles, Doubles>(batch); }
-BatchResult clipSingle(const Batch<float>& batch) { return clipInVectors<Doubles, Floats>(batch); }
+BatchResult clip(const Batch<double>& batch) { return clipAtWindow<Doubles, Doubles>(batch); }
+BatchResult clipSingle(const Batch<float>& batch) { return clipAtWindow<Doubles, Floats>(batch); }
+BatchResult clipPolygon(const PolygonBatch& batch) { return clipAtPolygon<Doubles>(batch); }
 
 } // namespace
 
-const InstructionSet portableSet{"portable", true, clip, clipSingle};
+const InstructionSet portableSet{"portable", true, clip, clipSingle, clipPolygon};
 
 template <class T>
 bool canShow(const BasicWindow<T>& window)

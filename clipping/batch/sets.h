@@ -19,6 +19,9 @@ std::size_t clipOneByOne(const BasicSegment<T>* segments, const std::uint32_t* i
                          std::size_t count, const BasicWindow<T>& window,
                          BasicClipped<BasicSegment<T>>* out);
 
+std::size_t clipOneByOne(const Segment* segments, const std::uint32_t* indices, std::size_t count,
+                         const PreparedPolygon& polygon, Clipped* out);
+
 /// The window as centre and half size, the latter rounded up, for the first test of a whole block
 /// of segments. A segment whose line misses that box misses the window.
 template <class T>

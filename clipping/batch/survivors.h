@@ -2,6 +2,7 @@
 #pragma once
 
 #include "clipping/batch/lanes.h"
+#include "clipping/batch/polygon_table.h"
 #include "clipping/batch/sets.h"
 
 // The first pass of the vector kernel over a block of segments.
@@ -9,16 +10,56 @@
 namespace clipping {
 namespace {
 
+/// How far a shape around the centre reaches across the direction (dx, dy), times its length; and a
+/// sum of magnitudes that bounds its error (missBound). A window is symmetric to both axes.
+template <class V>
+struct UprightReach {
+    V halfWidth, halfHeight;
+    template <class T>
+    CLIPPING_INLINE explicit UprightReach(const Box<T>& box)
+        : halfWidth(V::of(box.halfWidth)), halfHeight(V::of(box.halfHeight))
+    {
+    }
+    struct Extent {
+        V reach, size;
+    };
+    CLIPPING_INLINE Extent of(V dx, V dy) const
+    {
+        const V reach = fma(halfWidth, abs(dy), halfHeight * abs(dx));
+        return {reach, reach};
+    }
+};
+
+/// The same for a parallelogram with the half sides u and v.
+template <class V>
+struct TurnedReach {
+    V ux, uy, vx, vy, halfWidth, halfHeight;
+    CLIPPING_INLINE explicit TurnedReach(const PolygonTable& t)
+        : ux(V::of(t.ux)), uy(V::of(t.uy)), vx(V::of(t.vx)), vy(V::of(t.vy)),
+          halfWidth(V::of(t.acrossX)), halfHeight(V::of(t.acrossY))
+    {
+    }
+    struct Extent {
+        V reach, size;
+    };
+    CLIPPING_INLINE Extent of(V dx, V dy) const
+    {
+        return {abs(fnma(uy, dx, ux * dy)) + abs(fnma(vy, dx, vx * dy)),
+                fma(halfWidth, abs(dy), halfHeight * abs(dx))};
+    }
+};
+
 /// Writes the indices of the segments that may be visible and returns their number. The output must
 /// have room for one vector more than the block.
-template <class V, class T>
+template <class V, class T, class Reach>
+// NOLINTNEXTLINE(readability-function-size): input, shape and output
 CLIPPING_INLINE std::size_t survivorsOf(const BasicSegment<T>* segments, std::size_t first,
-                                        std::size_t last, const Box<T>& box, std::uint32_t* indices)
+                                        std::size_t last, const Box<T>& box, const Reach& shape,
+                                        std::uint32_t* indices)
 {
     constexpr std::size_t ahead = 2048, row = V::width * sizeof(BasicSegment<T>); // bytes
     const auto w = inEveryLane<V>(box.window);
     const V centreX = V::of(box.centreX), centreY = V::of(box.centreY);
-    const V halfWidth = V::of(box.halfWidth), halfHeight = V::of(box.halfHeight);
     const V relative = V::of(missBound<T>), absolute = V::of(missTiny<T>);
     std::size_t count = 0, i = first;
     for (; i + V::width <= last; i += V::width) {
@@ -31,8 +72,8 @@ CLIPPING_INLINE std::size_t survivorsOf(const BasicSegment<T>* segments, std::si
                             | (max(s.ay, s.by) < w.minY) | (min(s.ay, s.by) > w.maxY);
         const V dx = s.bx - s.ax, dy = s.by - s.ay;
         const V p = (s.ax - centreX) * dy, q = (s.ay - centreY) * dx;
-        const V reach = fma(halfWidth, abs(dy), halfHeight * abs(dx));
-        const V bound = fma(reach + abs(p) + abs(q), relative, absolute);
+        const auto [reach, size] = shape.of(dx, dy);
+        const V bound = fma(size + abs(p) + abs(q), relative, absolute);
         const auto misses = abs(p - q) > reach + bound;
         count += V::storeIndices(indices + count, i, ~(beyond | misses));
     }

@@ -39,6 +39,45 @@ constexpr double quotientBound = 0x1p-99;
 template <class T>
 inline constexpr double sumBound = 0x1p-99;
 
+/// Where two lines meet (meeting.h): x is ax + dx N / D, with d = b - a, N = (c - a) x f and D = d x
+/// f, for the line from c with the extent f. All extents are exact pairs. For a determinant of two
+/// extents, p = uxh vyh and q = uyh vxh are computed exactly as pairs; let P = |p| + |q|:
+///   lowP = pe + uxh vyl + uxl vyh         off by  8.1 e^2 |p| (7 by rounding, uxl vyl left out)
+///   h + l = (p - q) + (lowP - lowQ)       off by  7.4 e^2 P more (3.1 and 4.2 by rounding)
+/// together less than 16 e^2 P, with |l| at most e |h| + 3.1 e P. D is then normalised, so that
+/// |Dl| is at most e |Dh|; that and 1 / Dh need |Dh| > meetingBound P. The quotient t = th + tl:
+///   th   = Nh times 1 / Dh                off by  at most 2.1 e |th|
+///   rest = (Nh - th Dh) + (Nl - th Dl)    off by 16 e^2 P of N (2.1, 1, 5.3 and 7.5 by rounding)
+///   tl   = rest / Dh, |rest| < 7.5 e P    off by 23.3 e^2 P / |D| (15.8; 7.5 for Dh instead of D)
+/// With the errors of N and D, t is off by less than e^2 (56 PN + 17 |t| PD) / |D|. Then, with Q =
+/// |dx| PN / |D|:
+///   p    = dxh th, exactly as ph + pe
+///   low  = pe + dxh tl + dxl th           off by 35 e^2 Q (27 by rounding, dxl tl left out)
+/// The sum s + t' of ax + p exactly and low adds e^2 |s| + 9.8 e^2 Q where t' is rounded, and the
+/// same again where the error is added to it. All that is below 111 e^2 Q + 17.1 e^2 |p| PD / |D| +
+/// 2.1 e^2 |s|: the bound is quotientBound (Q + |p| PD / |D| + |s|), 128 e^2 of each.
+///
+/// With PN and PD in this range, and a bound of at least smallestMeetingBound, that exceeds any
+/// loss by underflow 2^80 times; overflow ends as NaN.
+constexpr double meetingBound = 0x1p-50;
+constexpr double smallestMeeting = 0x1p-400, largestMeeting = 0x1p400;
+constexpr double smallestMeetingBound = 0x1p-990;
+
+/// The same point in vectors (batch/polygon_lanes.h), where 0 < t < 1 is known, at less cost. th is
+/// Nh / Dh in double, with |Dh| > steepest PD. The point a + th d is s + l on each axis, with an
+/// error of 5 e^2 |p| + e^2 |s| for p = th dx. It misses the edge by R = (c - point) x f. Let Z = PN
+/// + PD + reach, with reach >= |sx fy| + |sy fx|: every product below is at most Z.
+///   |R| < 6.4 e Z          N off by 4e PN, D by 4e PD, the quotient by 2.1e
+///   R computed             off by 71 e^2 Z: 11.3 p - q, 2 rests, 16 + 3 low (sums; left out), 13.3
+///                          and 17.3 the last two sums, 8 from s + l and c - s
+///   more = R / Dh          off by (26 PD / |D| + 20) e^2 Z / |D| for Dh and the quotient
+/// Adding more dx to l, and the error, rounds by 40 e^2 |dx| Z / |D| + 5 e^2 |s|. The bound is
+/// (nearBound + steepBound PD / |D|) |dx| Z / |D| + nearSumBound |s|: 256, 64 and 8 e^2. `reach` is
+/// taken from the polygon's corners, between which s lies unless th is so far off that the bound
+/// leaves two numbers anyway.
+constexpr double steepest = 0x1p-40;
+constexpr double nearBound = 0x1p-98, steepBound = 0x1p-100, nearSumBound = 0x1p-103;
+
 /// For float that sum is rounded to double and then to float. The bound is larger by two roundings
 /// to double, so that the exact value stays between the two sums after the first rounding: 2e of
 /// the sum, which is |s| and at most 8e (|q| + |s|) more; that is below 2.1 e |s| + 16 e^2 |q|.

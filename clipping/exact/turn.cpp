@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "clipping/exact/turn.h"
 
-#include "clipping/exact/integer.h"
+#include "clipping/exact/quotient.h"
 #include "clipping/ieee_numbers.h"
-
-#include <algorithm>
-#include <limits>
 
 namespace clipping {
 
@@ -14,10 +11,7 @@ int turnInIntegers(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c
 {
     if ((a.x == b.x || c.y == d.y) && (a.y == b.y || c.x == d.x))
         return 0;
-    int unit = std::numeric_limits<int>::max();
-    for (const double value : {a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y})
-        if (value != 0)
-            unit = std::min(unit, lowestBit(value));
+    const int unit = commonExponent({a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y});
     const auto difference = [unit](double to, double from) {
         return ExactInteger(to, unit) - ExactInteger(from, unit);
     };

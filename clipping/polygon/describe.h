@@ -22,10 +22,15 @@ std::optional<PolygonPiece<T>> clipIn(const BasicSegment<T>& s, const PreparedPo
     return polygon.flat ? clipFlat<Method>(s, in, step) : Method::clip(s, in, step);
 }
 
-/// Whether double suffices; if not, the same algorithm runs with Wide.
-inline bool easy(const Segment& s, const PreparedPolygon& polygon)
+/// Whether double suffices; if not, the same algorithm runs with Wide. A method with `unframed`
+/// handles all numbers itself.
+template <class Method>
+bool easy(const Segment& s, const PreparedPolygon& polygon)
 {
-    return polygon.ordinary && ordinary(s);
+    if constexpr (requires { Method::unframed; })
+        return true;
+    else
+        return polygon.ordinary && ordinary(s);
 }
 
 /// Sets the edge number to 0 at each end that equals the same end of the input.
@@ -43,14 +48,14 @@ std::optional<PolygonPiece<double>> clipPrepared(const Segment& s, const Prepare
 {
     if (!legal(s))
         return std::nullopt;
-    if (easy(s, polygon)) [[likely]] {
+    if (easy<Method>(s, polygon)) [[likely]] {
         const auto piece = clipIn<Method>(s, polygon, Unwatched{});
         return piece ? std::optional(named(*piece, s)) : std::nullopt;
     }
-    const auto piece = clipIn<Method>(segmentIn<Wide>(s), polygon, Unwatched{});
-    if (!piece)
-        return std::nullopt;
-    return named({inDouble(piece->segment), piece->numberOfA, piece->numberOfB}, s);
+    if constexpr (!requires { Method::unframed; })
+        if (const auto piece = clipIn<Method>(segmentIn<Wide>(s), polygon, Unwatched{}))
+            return named({inDouble(piece->segment), piece->numberOfA, piece->numberOfB}, s);
+    return std::nullopt;
 }
 
 template <class Method>
@@ -86,7 +91,10 @@ std::optional<Segment> clipCounted(const Segment& s, const PreparedPolygon& poly
         const auto piece = clipIn<Method>(segmentIn<Counted<T>>(s), polygon, step);
         return piece ? std::optional(inDouble(plain(piece->segment))) : std::nullopt;
     };
-    return easy(s, polygon) ? run(double{}) : run(Wide{});
+    if constexpr (!requires { Method::unframed; })
+        if (!easy<Method>(s, polygon))
+            return run(Wide{});
+    return run(double{});
 }
 
 template <class Method>
@@ -119,9 +127,19 @@ Trace traceOneInPolygon(const Segment& segment, const ConvexPolygon& polygon)
     return trace;
 }
 
+/// Clips many segments. A method may have its own function for this: `Method::many`.
+template <class Method>
+constexpr auto manyInPolygon()
+{
+    if constexpr (requires { Method::many; })
+        return Method::many;
+    else
+        return clipManyInPolygon<Method>;
+}
+
 template <class Method>
 constexpr Uses<Segment, ConvexPolygon> polygonUses{
-    clipOneInPolygon<Method>, clipManyInPolygon<Method>, countManyInPolygon<Method>,
+    clipOneInPolygon<Method>, manyInPolygon<Method>(), countManyInPolygon<Method>,
     traceOneInPolygon<Method>};
 
 } // namespace clipping

@@ -43,6 +43,17 @@ glm::vec<2, T> meetOnEdge(const BasicSegment<T>& edge, const Cross<T>& ofA, cons
     return clamped(met, commonBox(edge, s));
 }
 
+/// The same point, or the one of a method that has its own function for it.
+template <class Method, class T>
+glm::vec<2, T> meetFlat(const BasicSegment<T>& edge, const Cross<T>& ofA, const Cross<T>& ofB,
+                        const BasicSegment<T>& s)
+{
+    if constexpr (requires { Method::pointOn(edge, ofA.sign, ofB.sign, s); })
+        return Method::pointOn(edge, ofA.sign, ofB.sign, s);
+    else
+        return meetOnEdge(edge, ofA, ofB, s);
+}
+
 /// Clips at a polygon without area, for which normals and sides are undefined: intersects two
 /// segments. All decisions are exact, and so is the common part of collinear segments. Steps have
 /// the line numbers of the method's corrected pseudo-code for windows.
@@ -74,7 +85,9 @@ std::optional<PolygonPiece<T>> clipFlat(const BasicSegment<T>& s, const PolygonI
         if (later(piece.segment.a, piece.segment.b))
             return step.reject(Method::rejectLine);
     } else {
-        const auto met = a.sign == 0 ? s.a : b.sign == 0 ? s.b : meetOnEdge(edge, edgeA, edgeB, s);
+        const auto met = a.sign == 0   ? s.a
+                         : b.sign == 0 ? s.b
+                                       : meetFlat<Method>(edge, edgeA, edgeB, s);
         piece = {
             {met, met}, a.sign == 0 ? 0 : polygon.number(0), b.sign == 0 ? 0 : polygon.number(0)};
     }

@@ -7,6 +7,7 @@ namespace clipping {
 
 /// The functions of catalogue rows for convex polygons.
 extern const Uses<Segment, ConvexPolygon> cyrusBeckPolygon;
+extern const Uses<Segment, ConvexPolygon> exactPolygon, exactSearchedPolygon;
 extern const Uses<Segment, ConvexPolygon> skalaPolygon, skalaSearchedPolygon;
 
 } // namespace clipping

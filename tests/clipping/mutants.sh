@@ -13,6 +13,8 @@ build=$root/build/release
 testsOf() { # KEY
     case $1 in
     box/*) echo box.box ;;
+    polygon/exact | polygon/edge-table | exact/meeting* | exact/quotient) echo polygon.exact ;;
+    turned-window) echo turned_window ;;
     polygon/* | exact/turn*) echo polygon.polygon fingerprints ;;
     polyline) echo polyline ;;
     exact) echo algorithms.exact contract uses ;;
@@ -55,7 +57,7 @@ done
 fileOf() { # KEY
     local path=${1//-/_}
     [[ $path != lines_and_rays/* ]] || path=algorithms/$path
-    [[ $path == */* || $path == *.h || $path == polyline ]] || path=algorithms/$path
+    [[ $path == */* || $path == *.h || $path == polyline || $path == turned_window ]] || path=algorithms/$path
     [[ $path == *.h ]] && echo "clipping/$path" || echo "clipping/$path.cpp"
 }
 

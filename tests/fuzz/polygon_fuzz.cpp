@@ -62,6 +62,41 @@ void trySearched(const Algorithm& a, const Segment& s, const ConvexPolygon& poly
         found(std::string(a.key) + ": searched differs for " + exactly(s, polygon));
 }
 
+/// So many segments related to one that vectors clip them, against one at a time.
+void tryMany(const PolygonUses& uses, const Segment& s, const ConvexPolygon& polygon)
+{
+    std::vector<Segment> many;
+    for (int i = 0; many.size() < 40; ++i)
+        for (const auto& corner : polygon.corners)
+            many.push_back(i % 3 == 0   ? Segment{s.a, corner}
+                           : i % 3 == 1 ? Segment{corner, s.b}
+                                        : Segment{s.b + double(i) * (s.a - s.b), s.a});
+    std::vector<Clipped> out(many.size());
+    out.resize(uses.clipAll(many, polygon, out));
+    auto next = out.begin();
+    for (std::size_t i = 0; i < many.size(); ++i) {
+        const auto one = clipOne(uses, many[i], polygon);
+        const bool seen = next != out.end() && next->source == i;
+        if (seen != one.has_value()
+            || (seen && (!sameBits(next->segment, one->segment) || next->cut != one->cut)))
+            found("many differ from one for " + exactly(many[i], polygon));
+        next += seen;
+    }
+}
+
+/// The promise of `exact`: the same bits backwards, edges included.
+void tryBackwards(const Segment& s, const ConvexPolygon& polygon)
+{
+    const auto& uses = *exactAlgorithm().polygon;
+    const auto one = clipOne(uses, s, polygon), two = clipOne(uses, {s.b, s.a}, polygon);
+    if (one.has_value() != two.has_value()
+        || (one
+            && (!sameBits(one->segment, {two->segment.b, two->segment.a})
+                || polygonEdgeOfA(one->cut) != polygonEdgeOfB(two->cut)
+                || polygonEdgeOfB(one->cut) != polygonEdgeOfA(two->cut))))
+        found("exact differs backwards for " + exactly(s, polygon));
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
@@ -82,5 +117,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         trySearched(a, s, raw);
         trySearched(a, s, hull);
     }
+    tryBackwards(s, hull);
+    if (size % 8 == 0 && !hull.corners.empty()) // it takes its time
+        tryMany(*exactAlgorithm().polygon, s, hull);
     return 0;
 }

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+//
+// Exact, for convex polygons: no wrong decision on any finite input, and every coordinate of a new
+// end is that of the point where the lines of segment and edge meet, rounded once. So the result is
+// unique: it depends neither on the order of the ends, nor on the instruction set, nor on how the
+// crossed edges are found. Rounding keeps the order of numbers, so a new end is inside the bounding
+// boxes of polygon and segment, and bit for bit on a horizontal or vertical edge. It is within half
+// an ulp of its own coordinate, hence within half an ulp of M, of a point of the edge.
+//
+// The line enters through the edge from a corner on its left to one that is not, and leaves through
+// the edge back (crossed.h). What is visible lies between the two: nothing, if b is beyond the edge
+// of entry or a beyond that of exit. If the line passes through a corner, the new end is that
+// corner, with the number of the edge that begins there; a rule that does not depend on the
+// direction.
+//
+// Steps have the line numbers of the pseudo-code for windows (algorithms/exact.cpp): the bounding
+// box stands for lines 1 to 4, the two edges for lines 9 and 11.
+
+#include "clipping/batch/kernels.h"
+#include "clipping/batch/sets.h"
+#include "clipping/exact/meeting.h"
+#include "clipping/ieee_numbers.h"
+#include "clipping/polygon/crossed.h"
+#include "clipping/polygon/describe.h"
+#include "clipping/polygon/edge_table.h"
+
+namespace clipping {
+namespace {
+
+std::size_t clipAllInPolygon(std::span<const Segment> in, const ConvexPolygon& polygon,
+                             std::span<Clipped> out);
+
+template <class Search>
+struct ExactPolygon {
+    static constexpr int rejectLine = 14, acceptLine = 25;
+    static constexpr bool unframed = true; // it handles all finite numbers itself
+    static constexpr auto many = clipAllInPolygon;
+
+    /// Where s crosses an edge whose ends have these signs.
+    template <class T>
+    static glm::vec<2, T> pointOn(const BasicSegment<T>& edge, int signOfA, int signOfB,
+                                  const BasicSegment<T>& s)
+    {
+        return signOfA == 0 ? edge.a : signOfB == 0 ? edge.b : meeting(s, edge);
+    }
+
+    /// A new end, and the number of the edge on which it lies.
+    template <class T>
+    struct End {
+        glm::vec<2, T> at;
+        std::uint32_t number;
+    };
+    template <class T>
+    static End<T> endOn(std::size_t i, const DirectedLine<T>& line, const PolygonIn<T>& polygon)
+    {
+        const std::size_t next = polygon.after(i);
+        const BasicSegment<T> edge{polygon.corner(i), polygon.corner(next)};
+        const int sign = line.leftOf(edge.a).sign, signOfNext = line.leftOf(edge.b).sign;
+        return {pointOn(edge, sign, signOfNext, line.s),
+                polygon.number(sign != 0 && signOfNext == 0 ? next : i)};
+    }
+
+    template <class T, class Step>
+    static std::optional<PolygonPiece<T>> clip(const BasicSegment<T>& s,
+                                               const PolygonIn<T>& polygon, Step&& step)
+    {
+        const auto [min, max] = polygon.box();
+        if (step.test(1, (s.a.x < min.x && s.b.x < min.x) || (s.a.x > max.x && s.b.x > max.x),
+                      Edge::Left, Edge::Right))
+            return step.reject(2);
+        if (step.test(3, (s.a.y < min.y && s.b.y < min.y) || (s.a.y > max.y && s.b.y > max.y),
+                      Edge::Bottom, Edge::Top))
+            return step.reject(4);
+        const DirectedLine<T> line(s);
+        const auto crossed = Search::crossed(line, polygon);
+        if (step.test(13, !crossed))
+            return step.reject(rejectLine);
+        const auto [enter, leave] = *crossed;
+        step.let(9, "enter", int(polygon.number(enter)));
+        step.let(11, "leave", int(polygon.number(leave)));
+        const int bEnters = sideOf(s.b, enter, polygon);
+        const int aLeaves = bEnters < 0 ? -1 : sideOf(s.a, leave, polygon);
+        if (step.test(15, bEnters < 0 || aLeaves < 0))
+            return step.reject(16);
+        PolygonPiece<T> piece{s};
+        if (step.test(17, sideOf(s.a, enter, polygon) < 0)) {
+            const auto end = endOn(enter, line, polygon);
+            piece.segment.a = bEnters == 0 ? s.b : end.at;
+            piece.numberOfA = end.number;
+            step.cut(18, 0, piece.segment.a, Edge::None);
+        }
+        if (step.test(21, sideOf(s.b, leave, polygon) < 0)) {
+            const auto end = endOn(leave, line, polygon);
+            piece.segment.b = aLeaves == 0 ? s.a : end.at;
+            piece.numberOfB = end.number;
+            step.cut(22, 1, piece.segment.b, Edge::None);
+        }
+        step.accept(acceptLine, piece.segment);
+        return piece;
+    }
+};
+
+/// From so many segments on, the vector kernel's tables are worth their preparation.
+constexpr std::size_t fewest = 32;
+
+std::size_t clipAllInPolygon(std::span<const Segment> in, const ConvexPolygon& polygon,
+                             std::span<Clipped> out)
+{
+    assert(out.size() >= in.size());
+    const auto window = prepared(polygon);
+    if (!window)
+        return 0;
+    if (in.size() >= fewest && !window->flat && window->ordinary) {
+        const EdgeTable table(*window);
+        return clipBatch({in.data(), 0, in.size(), &*window, &table.table(), out.data()}).pieces;
+    }
+    std::size_t visible = 0;
+    for (std::uint32_t i = 0; i < in.size(); ++i)
+        visible += clipOneByOne(in.data(), &i, 1, *window, out.data() + visible);
+    return visible;
+}
+
+} // namespace
+
+std::size_t clipOneByOne(const Segment* segments, const std::uint32_t* indices, std::size_t count,
+                         const PreparedPolygon& polygon, Clipped* out)
+{
+    using Method = ExactPolygon<Searched>;
+    std::size_t visible = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        if (const auto piece = clipPrepared<Method>(segments[indices[i]], polygon))
+            out[visible++] = {piece->segment, indices[i],
+                              polygonCutAt(piece->numberOfA, piece->numberOfB)};
+    return visible;
+}
+
+const Uses<Segment, ConvexPolygon> exactPolygon = polygonUses<ExactPolygon<OneByOne>>;
+const Uses<Segment, ConvexPolygon> exactSearchedPolygon = polygonUses<ExactPolygon<Searched>>;
+
+} // namespace clipping

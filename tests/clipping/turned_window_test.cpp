@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Turned windows (clipping/turned_window.h) with every row, against rational numbers: the window is
+// the exact rectangle of its definition, with the cosine and sine that the library uses.
+#include "clipping/turned_window.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/clipping/rational.h"
+#include "tests/clipping/rows.h"
+#include "tests/clipping/same_bits.h"
+#include "tests/clipping/scenes.h"
+
+using namespace clipping;
+
+namespace {
+
+struct Fractions {
+    Rational x, y;
+};
+
+/// The exact window: the direction is read from the corners of a window around the origin.
+class Frame {
+public:
+    explicit Frame(const TurnedWindow& w)
+        : cx_(rational(w.centre.x)),
+          cy_(rational(w.centre.y)), half_{rational(w.half.x), rational(w.half.y)}
+    {
+        const auto axis = cornersOf({{0, 0}, {1, 0}, w.degrees}).corners[1];
+        c_ = rational(axis.x), s_ = rational(axis.y);
+    }
+    Fractions into(const glm::dvec2& p) const
+    {
+        const Rational x = rational(p.x) - cx_, y = rational(p.y) - cy_;
+        return {c_ * x + s_ * y, c_ * y - s_ * x};
+    }
+    bool has(const Fractions& p, const Rational& more) const
+    {
+        return abs(p.x) <= half_.x + more && abs(p.y) <= half_.y + more;
+    }
+    /// The parameters of the part of a segment inside the window, moved out by `more`.
+    std::optional<std::pair<Rational, Rational>> part(const Segment& s, const Rational& more) const
+    {
+        const Fractions a = into(s.a), b = into(s.b);
+        Rational from(0), to(1);
+        const auto within = [&](const Rational& start, const Rational& end, const Rational& half) {
+            const Rational zero(0), way = end - start;
+            if (half < zero || (way == zero && abs(start) > half))
+                return false;
+            if (way == zero)
+                return true;
+            const Rational t = (-half - start) / way, u = (half - start) / way;
+            from = std::max(from, std::min(t, u)), to = std::min(to, std::max(t, u));
+            return from <= to;
+        };
+        if (!within(a.x, b.x, half_.x + more) || !within(a.y, b.y, half_.y + more))
+            return std::nullopt;
+        return std::pair(from, to);
+    }
+
+private:
+    Rational cx_, cy_, c_, s_;
+    Fractions half_;
+};
+
+double ulpOf(const Segment& s, const TurnedWindow& w)
+{
+    double most = 0;
+    for (const auto& p : cornersOf(w).corners)
+        most = std::max({most, std::abs(p.x), std::abs(p.y)});
+    for (const auto& p : {s.a, s.b})
+        most = std::max({most, std::abs(p.x), std::abs(p.y)});
+    return std::max(most == 0 ? 0 : std::ldexp(1.0, std::ilogb(most) - 52), 0x1p-1074);
+}
+
+/// What is wrong with a result; empty if nothing is.
+std::string fault(const Algorithm& row, const Segment& s, const TurnedWindow& w)
+{
+    const auto found = clipTurned(row.corrected, s, w);
+    const Frame frame(w);
+    const Rational more = rational(ulpOf(s, w)) * Rational(int(turnedUlps(row)));
+    const auto least = frame.part(s, -more), most = frame.part(s, more);
+    if (!found)
+        return least ? "lost" : "";
+    if (!most)
+        return "seen where there is nothing";
+    const Rational ax = rational(s.a.x), ay = rational(s.a.y);
+    const Rational dx = rational(s.b.x) - ax, dy = rational(s.b.y) - ay, all = abs(dx) + abs(dy);
+    for (const auto& p : {found->a, found->b}) {
+        const Rational x = rational(p.x) - ax, y = rational(p.y) - ay, along = x * dx + y * dy;
+        if (p != s.a && p != s.b && !frame.has(frame.into(p), more))
+            return "outside the window";
+        if (abs(dx * y - dy * x) > more * all || along < -more * all
+            || along > dx * dx + dy * dy + more * all)
+            return "off the segment";
+    }
+    const Rational zero(0), one(1);
+    const auto way = [&](const glm::dvec2& p) {
+        return (rational(p.x) - ax) * dx + (rational(p.y) - ay) * dy;
+    };
+    const Rational length = dx * dx + dy * dy;
+    if (least
+        && (way(found->a) > least->first * length + more * all
+            || way(found->b) < least->second * length - more * all))
+        return "a part is missing";
+    if (least
+        && ((least->first == zero && !sameBits(found->a, s.a))
+            || (least->second == one && !sameBits(found->b, s.b))))
+        return "an inner end has moved";
+    return {};
+}
+
+std::string described(const Segment& s, const TurnedWindow& w)
+{
+    char text[300];
+    std::snprintf(text, sizeof text, "%a, %a, %a, %a at %a, %a, %a, %a, %a degrees", s.a.x, s.a.y,
+                  s.b.x, s.b.y, w.centre.x, w.centre.y, w.half.x, w.half.y, w.degrees);
+    return text;
+}
+
+Segment someSegment(RandomNumbers& random, const TurnedWindow& w, double size)
+{
+    const auto anywhere = [&] {
+        const double x = random.uniform(-3, 3);
+        return size * glm::dvec2(x, random.uniform(-3, 3));
+    };
+    const auto corners = cornersOf(w).corners;
+    const auto corner = corners[std::size_t(random.integer(0, 3))];
+    const auto other = corners[std::size_t(random.integer(0, 3))];
+    switch (random.integer(0, 4)) {
+    case 0:
+        return {corner, anywhere()};
+    case 1:
+        return {2.0 * corner - other, 2.0 * other - corner}; // along an edge, or a diagonal
+    case 2: {
+        const auto way = anywhere();
+        return {corner - way, corner + way};
+    }
+    default:
+        return {anywhere(), anywhere()};
+    }
+}
+
+TurnedWindow someWindow(RandomNumbers& random, double size)
+{
+    const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
+    const double width = random.integer(0, 9) == 0 ? 0 : random.uniform(0, 2);
+    const double degrees =
+        random.integer(0, 3) == 0 ? 45.0 * random.integer(-9, 9) : random.uniform(-400, 400);
+    return {size * glm::dvec2(x, y), size * glm::dvec2(width, random.uniform(0, 2)), degrees};
+}
+
+} // namespace
+
+class TurnedWindowTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyRowKeepsTheBound_data() { everyAlgorithm(); }
+    void everyRowKeepsTheBound()
+    {
+        QFETCH(const Algorithm*, algorithm);
+        RandomNumbers random(31);
+        for (int i = 0; i < 2'000; ++i) {
+            const double size =
+                std::array{1.0, 100.0, 0x1p-1070, 0x1p1021, 1e-9}[std::size_t(i % 5)];
+            const auto w = someWindow(random, i % 5 == 3 ? size / 4 : size);
+            const Segment s = someSegment(random, w, i % 5 == 3 ? size / 4 : size);
+            const auto wrong = fault(*algorithm, s, w);
+            QVERIFY2(wrong.empty(), (wrong + " for " + described(s, w)).c_str());
+        }
+    }
+
+    void aQuarterTurnIsExact_data() { everyAlgorithm(); }
+    void aQuarterTurnIsExact()
+    {
+        QFETCH(const Algorithm*, algorithm);
+        const Window upright{{-2, -3}, {2, 3}};
+        const auto wholeNumbers = hardScenes<double>(500)[1].segments;
+        for (const auto& s : wholeNumbers)
+            for (const int quarters : {-5, 0, 1, 2, 3, 4}) {
+                const bool lies = quarters % 2 != 0;
+                const auto found =
+                    clipTurned(algorithm->corrected, s, {{}, {2, 3}, 90.0 * quarters});
+                const auto expected =
+                    algorithm->corrected.clip(s, lies ? Window{{-3, -2}, {3, 2}} : upright);
+                QCOMPARE(found.has_value(), expected.has_value());
+                if (found)
+                    QVERIFY(std::abs(found->a.x - expected->a.x) < 1e-13
+                            && std::abs(found->a.y - expected->a.y) < 1e-13);
+            }
+    }
+
+    void manyTraceAndCountAgreeWithOne_data() { everyAlgorithm(); }
+    void manyTraceAndCountAgreeWithOne()
+    {
+        QFETCH(const Algorithm*, algorithm);
+        RandomNumbers random(32);
+        const TurnedWindow w{{1, 2}, {3, 1}, 30};
+        std::vector<Segment> segments;
+        for (int i = 0; i < 1'000; ++i)
+            segments.push_back(someSegment(random, w, 3));
+        segments.push_back({{-1.7e308, -1.7e308}, {1.7e308, 1.7e308}});
+        segments.push_back({{NAN, 0}, {1, 1}});
+        for (const auto* form : {&algorithm->corrected, algorithm->published}) {
+            if (!form)
+                continue;
+            std::vector<Clipped> out(segments.size());
+            out.resize(clipAllTurned(*form, segments, w, out));
+            auto next = out.begin();
+            for (std::size_t i = 0; i < segments.size(); ++i) {
+                const auto piece = clipTurned(*form, segments[i], w);
+                const bool seen = next != out.end() && next->source == i;
+                QCOMPARE(seen, piece.has_value());
+                const Trace trace = traceTurned(*form, segments[i], w);
+                QCOMPARE(trace.outcome == Outcome::Visible, seen);
+                if (!seen)
+                    continue;
+                if (form == &algorithm->corrected) {
+                    QVERIFY(sameBits(*piece, next->segment));
+                    QVERIFY(std::abs(trace.visible.a.x) <= 3 && std::abs(trace.visible.a.y) <= 1);
+                    QVERIFY(cutEdgeOfA(next->cut) != Edge::None
+                            || next->segment.a == segments[i].a);
+                }
+                ++next;
+            }
+            QVERIFY(countTurned(*form, segments, w).comparisons > 0);
+        }
+    }
+
+    void contactsArePoints()
+    {
+        const auto& exact = exactAlgorithm();
+        const TurnedWindow w{{0, 0}, {1, 1}, 90};
+        const auto found = clipTurned(exact.corrected, {{0, 2}, {2, 0}}, w);
+        QVERIFY(found && found->a == found->b && found->a == glm::dvec2(1, 1));
+    }
+
+    void cornersAreRounded()
+    {
+        const auto corners = cornersOf({{1, 2}, {4, 3}, 90}).corners;
+        const std::vector<glm::dvec2> expected{{4, -2}, {4, 6}, {-2, 6}, {-2, -2}};
+        QCOMPARE(corners, expected);
+        QVERIFY(turned({{0, 2}, {4, 4}}, 7).centre == glm::dvec2(2, 3));
+        RandomNumbers random(33);
+        for (int i = 0; i < 2'000; ++i) {
+            const auto w = someWindow(random, 10);
+            const Frame frame(w);
+            const Rational ulp = rational(ulpOf({w.centre, w.centre}, w));
+            for (const auto& corner : cornersOf(w).corners) {
+                const auto p = frame.into(corner);
+                QVERIFY(abs(abs(p.x) - rational(w.half.x)) <= Rational(4) * ulp);
+                QVERIFY(abs(abs(p.y) - rational(w.half.y)) <= Rational(4) * ulp);
+            }
+        }
+    }
+
+    void badNumbersGiveNothing()
+    {
+        const auto& form = exactAlgorithm().corrected;
+        const Segment s{{-9, 0}, {9, 0}};
+        QVERIFY(clipTurned(form, s, {{0, 0}, {1, 1}, 10}));
+        for (const double bad : {double(NAN), double(INFINITY)})
+            for (const TurnedWindow& w :
+                 {TurnedWindow{{bad, 0}, {1, 1}, 10}, TurnedWindow{{0, 0}, {1, bad}, 10},
+                  TurnedWindow{{0, 0}, {1, 1}, bad}})
+                QVERIFY(!clipTurned(form, s, w));
+        QVERIFY(!clipTurned(form, s, {{0, 0}, {-1, 1}, 10}));
+        QVERIFY(!clipTurned(form, {{-9, 0}, {double(INFINITY), 0}}, {{0, 0}, {1, 1}, 10}));
+    }
+};
+
+QTEST_APPLESS_MAIN(TurnedWindowTest)
+#include "turned_window_test.moc"
