@@ -23,14 +23,14 @@ struct Crossed {
     int change;
 };
 
-/// The numbers of columns and rows: about four cells for each edge, as square as possible; fewer
+/// The numbers of columns and rows: about two cells for each edge, as square as possible; fewer
 /// for many areas, as each may have a winding number in each cell, and for edges that would each be
 /// listed in very many cells.
 glm::dvec2 partsFor(std::span<const AreaEdge> edges, std::size_t steps, const glm::dvec2& extent)
 {
     const auto count = static_cast<double>(edges.size());
     const double most = std::max(64.0, 0x1p24 / static_cast<double>(steps));
-    const double cells = std::min(most, std::clamp(4 * count, 16.0, 0x1p20));
+    const double cells = std::min(most, std::clamp(2 * count, 16.0, 0x1p20));
     const double ratio = extent.x / extent.y;
     const double across = std::clamp(std::sqrt(cells * (ratio > 0 ? ratio : 1)), 1.0, cells);
     const glm::dvec2 parts(across, cells / across);
