@@ -76,7 +76,15 @@ private:
         }
     };
 
+    /// An edge crosses the horizontal line through the references of a row: from `column` on, the
+    /// winding number of its area changes by `change`.
+    struct Crossed {
+        std::uint32_t column, step;
+        int change;
+    };
+
     void listEdges(std::span<const AreaEdge> edges);
+    std::vector<std::vector<Crossed>> crossedRows(std::span<const AreaEdge> edges) const;
     void findWindings(std::span<const AreaEdge> edges, std::size_t steps);
 
     Window box_;

@@ -42,7 +42,12 @@ std::optional<Meeting> meetingAcross(const Segment& s, Meeting meeting)
     return meeting;
 }
 
-std::strong_ordering reversed(std::strong_ordering order) { return 0 <=> order; }
+std::strong_ordering reversed(std::strong_ordering order)
+{
+    return std::is_lt(order)   ? std::strong_ordering::greater
+           : std::is_gt(order) ? std::strong_ordering::less
+                               : order;
+}
 
 /// The order of a vertex on the line and a crossing.
 std::strong_ordering orderOfVertex(const glm::dvec2& vertex, const Meeting& crossing)
