@@ -16,13 +16,21 @@ inline int signOf(double from, double to) { return to > from ? 1 : to < from ? -
 /// A directed line: through `at`, in the direction from `from` to `to` (which differ).
 struct DirectedLine {
     glm::dvec2 at, from, to;
+    glm::dvec2 along; ///< to - from, rounded
 
+    DirectedLine(const glm::dvec2& through, const glm::dvec2& begin, const glm::dvec2& end)
+        : at(through), from(begin), to(end), along(end - begin)
+    {
+    }
     int signX() const { return signOf(from.x, to.x); }
     int signY() const { return signOf(from.y, to.y); }
     /// The side of the line on which p lies: 1 for left, -1 for right, 0 for on it.
     int side(const glm::dvec2& p) const
     {
-        return cross({to.x - from.x, to.y - from.y}, from, to, at, p).sign;
+        const double left = along.x * (p.y - at.y), right = along.y * (p.x - at.x);
+        const double value = left - right;
+        const double error = orderBound * (magnitude(left) + magnitude(right)) + tiny;
+        return value > error ? 1 : value < -error ? -1 : turnInIntegers(from, to, at, p);
     }
 };
 

@@ -3,9 +3,10 @@
 
 #include "clipping/ieee_numbers.h"
 
+#include <glm/common.hpp>
+
 #include <cassert>
 #include <numeric>
-#include <ranges>
 
 namespace clipping {
 namespace {
@@ -16,28 +17,26 @@ void sumUp(std::vector<std::uint32_t>& counts)
     std::partial_sum(counts.begin(), counts.end(), counts.begin());
 }
 
-/// An edge crosses the horizontal line through the references of a row: from `column` on, the
-/// winding number of its area changes by `change`.
-struct Crossed {
-    std::uint32_t column, step;
-    int change;
-};
+bool isTame(double extent) { return extent == 0 || (extent > 0x1p-400 && extent < 0x1p400); }
 
-/// The numbers of columns and rows: about four cells for each edge, as square as possible; fewer
+/// The numbers of columns and rows: about two cells for each edge, as square as possible; fewer
 /// for many areas, as each may have a winding number in each cell, and for edges that would each be
 /// listed in very many cells.
 glm::dvec2 partsFor(std::span<const AreaEdge> edges, std::size_t steps, const glm::dvec2& extent)
 {
     const auto count = static_cast<double>(edges.size());
     const double most = std::max(64.0, 0x1p24 / static_cast<double>(steps));
-    const double cells = std::min(most, std::clamp(4 * count, 16.0, 0x1p20));
+    const double cells = std::min(most, std::clamp(2 * count, 16.0, 0x1p20));
+    if (!isTame(extent.x) || !isTame(extent.y))
+        return {1, 1}; // `trace` would list every edge nearly everywhere
     const double ratio = extent.x / extent.y;
     const double across = std::clamp(std::sqrt(cells * (ratio > 0 ? ratio : 1)), 1.0, cells);
     const glm::dvec2 parts(across, cells / across);
     double crossed = 0;
-    for (const auto& [a, b] : edges | std::views::transform(&AreaEdge::segment))
-        crossed +=
-            std::abs(b.x - a.x) / extent.x * parts.x + std::abs(b.y - a.y) / extent.y * parts.y;
+    for (const AreaEdge& edge : edges) {
+        const glm::dvec2 share = glm::abs(edge.segment.b - edge.segment.a) / extent;
+        crossed += share.x * parts.x + share.y * parts.y;
+    }
     const double room = 0x1p20 + 64 * count;
     return crossed > room ? parts * (room / crossed) : parts;
 }
@@ -92,7 +91,8 @@ void SearchGrid::listEdges(std::span<const AreaEdge> edges)
         });
 }
 
-void SearchGrid::findWindings(std::span<const AreaEdge> edges, std::size_t steps)
+std::vector<std::vector<SearchGrid::Crossed>>
+SearchGrid::crossedRows(std::span<const AreaEdge> edges) const
 {
     std::vector<std::vector<Crossed>> crossed(rows_.count);
     for (const auto& [segment, step, number] : edges) {
@@ -100,7 +100,7 @@ void SearchGrid::findWindings(std::span<const AreaEdge> edges, std::size_t steps
         const double high = std::max(segment.a.y, segment.b.y);
         const int up = segment.b.y > segment.a.y ? 1 : -1;
         for (std::size_t row = rows_.of(low); row <= rows_.of(high); ++row) {
-            // Strictly between both, as the reference is infinitely little below its y.
+            // The reference is infinitely little below its y.
             if (!(low < rows_.middle(row) && rows_.middle(row) <= high))
                 continue;
             std::size_t from = 0, to = columns_.count; // the first reference on the right
@@ -112,11 +112,16 @@ void SearchGrid::findWindings(std::span<const AreaEdge> edges, std::size_t steps
             crossed[row].push_back({static_cast<std::uint32_t>(from), step, -up});
         }
     }
+    return crossed;
+}
+
+void SearchGrid::findWindings(std::span<const AreaEdge> edges, std::size_t steps)
+{
     firstWinding_.reserve(cells() + 1);
     firstWinding_.push_back(0);
     std::vector<int> numbers(steps, 0);
     std::vector<std::uint32_t> inside; // the steps whose number is not 0
-    for (auto& row : crossed) {
+    for (auto& row : crossedRows(edges)) {
         std::ranges::sort(row, {}, &Crossed::column);
         std::ranges::fill(numbers, 0);
         inside.clear();

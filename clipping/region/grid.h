@@ -64,9 +64,11 @@ private:
         std::size_t of(double x) const
         {
             const double inside = x < low ? low : x > high ? high : x;
-            return std::min(static_cast<std::size_t>((inside - low) * perUnit), count - 1);
+            // By way of int, to which processors convert fast.
+            const auto part = static_cast<int>((inside - low) * perUnit);
+            return std::min(static_cast<std::size_t>(part), count - 1);
         }
-        double start(std::size_t i) const { return low + static_cast<double>(i) * width; }
+        double start(std::size_t i) const { return low + static_cast<int>(i) * width; }
         /// A coordinate within part i.
         double middle(std::size_t i) const
         {
@@ -74,7 +76,15 @@ private:
         }
     };
 
+    /// An edge crosses the horizontal line through the references of a row: from `column` on, the
+    /// winding number of its area changes by `change`.
+    struct Crossed {
+        std::uint32_t column, step;
+        int change;
+    };
+
     void listEdges(std::span<const AreaEdge> edges);
+    std::vector<std::vector<Crossed>> crossedRows(std::span<const AreaEdge> edges) const;
     void findWindings(std::span<const AreaEdge> edges, std::size_t steps);
 
     Window box_;
@@ -92,25 +102,32 @@ void SearchGrid::trace(const Segment& s, Visit&& visit) const
     const std::size_t left = columns_.of(std::min(from.x, to.x));
     const std::size_t right = columns_.of(std::max(from.x, to.x));
     const std::size_t bottom = rows_.of(from.y), top = rows_.of(to.y);
-    const double dx = to.x - from.x, dy = to.y - from.y;
-    const bool all = right - left < 2 || bottom == top || !std::isfinite(dx) || !std::isfinite(dy);
-    // Along the segment, the share of the way is off by 4 e, which moves x by 8 e times the larger
-    // |x|; a sum rounds once more. (`Axis::margin` covers the errors of rows and columns.)
-    const double margin = 0x1p-48 * std::max(std::abs(from.x), std::abs(to.x));
-    const auto xAt = [&](double y) {
-        return from.x + std::clamp((y - from.y) / dy, 0.0, 1.0) * dx;
-    };
+    const double slope = (to.x - from.x) / (to.y - from.y);
+    const double reach = std::max(std::abs(from.x), std::abs(to.x));
+    // Whether nothing of what follows overflows or underflows.
+    const bool isTame = std::abs(slope) > 0x1p-900 && std::abs(slope) < 0x1p900 && reach > 0x1p-900
+                        && std::isfinite(to.y - from.y);
+    if (right - left < 2 || bottom == top || !isTame) {
+        for (std::size_t row = bottom; row <= top; ++row)
+            visit(row * columns_.count + left, row * columns_.count + right);
+        return;
+    }
+    // In the lower and upper row the segment's own ends limit it. Between them, x is off by at most
+    // 11 e times the larger |x|; rows begin within a margin, which is moved along the slope.
+    const double margin = 0x1p-48 * reach + rows_.margin * std::abs(slope);
+    double x = from.x;
+    if (from.y < rows_.start(bottom))
+        x += (rows_.start(bottom) - from.y) * slope;
     for (std::size_t row = bottom; row <= top; ++row) {
-        std::size_t first = left, last = right;
-        if (!all) {
-            const double x = xAt(rows_.start(row) - rows_.margin);
-            const double x2 = xAt(rows_.start(row + 1) + rows_.margin);
-            const double low = std::min(x, x2) - margin, high = std::max(x, x2) + margin;
-            if (high < box_.min.x || low > box_.max.x)
-                continue;
-            first = std::max(left, columns_.of(low)), last = std::min(right, columns_.of(high));
-        }
-        visit(row * columns_.count + first, row * columns_.count + last);
+        const double end = rows_.start(row + 1);
+        const double next = end < to.y ? from.x + (end - from.y) * slope : to.x;
+        const double low = std::min(x, next) - margin, high = std::max(x, next) + margin;
+        x = next;
+        if (high < box_.min.x || low > box_.max.x)
+            continue;
+        const std::size_t first = std::max(left, columns_.of(low));
+        visit(row * columns_.count + first,
+              row * columns_.count + std::min(right, columns_.of(high)));
     }
 }
 

@@ -11,26 +11,12 @@ namespace {
 
 using Place = Meeting::Place;
 
-bool boxesMeet(const Segment& s, const Segment& t)
-{
-    return std::min(s.a.x, s.b.x) <= std::max(t.a.x, t.b.x)
-           && std::min(t.a.x, t.b.x) <= std::max(s.a.x, s.b.x)
-           && std::min(s.a.y, s.b.y) <= std::max(t.a.y, t.b.y)
-           && std::min(t.a.y, t.b.y) <= std::max(s.a.y, s.b.y);
-}
-
-Meeting met(const AreaEdge& edge, int sideOfFrom, int sideOfTo, Place place)
-{
-    return {
-        &edge, static_cast<std::int8_t>(sideOfFrom), static_cast<std::int8_t>(sideOfTo), place, 0,
-        {}};
-}
-
 /// For an edge with one end on the line.
-std::optional<Meeting> meetingAtVertex(const Segment& s, Meeting meeting)
+std::optional<Meeting> meetingAtVertex(const SweptLine& swept, Meeting meeting)
 {
     const glm::dvec2& p = meeting.vertex();
-    if (!boxesMeet(s, {p, p}))
+    const Segment& s = swept.segment;
+    if (!swept.has(p))
         return std::nullopt;
     if (p == s.a)
         meeting.place = Place::Start;
@@ -56,7 +42,12 @@ std::optional<Meeting> meetingAcross(const Segment& s, Meeting meeting)
     return meeting;
 }
 
-std::strong_ordering reversed(std::strong_ordering order) { return 0 <=> order; }
+std::strong_ordering reversed(std::strong_ordering order)
+{
+    return std::is_lt(order)   ? std::strong_ordering::greater
+           : std::is_gt(order) ? std::strong_ordering::less
+                               : order;
+}
 
 /// The order of a vertex on the line and a crossing.
 std::strong_ordering orderOfVertex(const glm::dvec2& vertex, const Meeting& crossing)
@@ -79,15 +70,16 @@ std::strong_ordering orderOfVertices(const DirectedLine& line, const glm::dvec2&
 
 } // namespace
 
-std::optional<Meeting> meetingOf(const SweptLine& swept, const AreaEdge& edge)
+std::optional<Meeting> meetingOf(const SweptLine& swept, const AreaEdge& edge, int sideOfFrom,
+                                 int sideOfTo)
 {
-    if (!boxesMeet(swept.segment, edge.segment))
-        return std::nullopt;
-    const int from = swept.line.side(edge.segment.a), to = swept.line.side(edge.segment.b);
-    if (from == to)
-        return std::nullopt;
-    const Meeting meeting = met(edge, from, to, Place::Between);
-    return meeting.atVertex() ? meetingAtVertex(swept.segment, meeting)
+    const Meeting meeting{&edge,
+                          static_cast<std::int8_t>(sideOfFrom),
+                          static_cast<std::int8_t>(sideOfTo),
+                          Place::Between,
+                          0,
+                          {}};
+    return meeting.atVertex() ? meetingAtVertex(swept, meeting)
                               : meetingAcross(swept.segment, meeting);
 }
 

@@ -5,6 +5,8 @@
 #include "clipping/region/beside.h"
 #include "clipping/region/edges.h"
 
+#include <glm/common.hpp>
+
 #include <optional>
 
 namespace clipping {
@@ -13,11 +15,24 @@ namespace clipping {
 struct SweptLine {
     explicit SweptLine(const Segment& s)
         : segment(s),
-          line(s.a == s.b ? DirectedLine{s.a, {0, 0}, {1, 0}} : DirectedLine{s.a, s.a, s.b})
+          line(s.a == s.b ? DirectedLine{s.a, {0, 0}, {1, 0}} : DirectedLine{s.a, s.a, s.b}),
+          box{glm::min(s.a, s.b), glm::max(s.a, s.b)}
     {
+    }
+    bool has(const glm::dvec2& p) const ///< for a point on the line
+    {
+        return p.x >= box.min.x && p.x <= box.max.x && p.y >= box.min.y && p.y <= box.max.y;
+    }
+    /// Whether the edge certainly has no common point with the segment.
+    bool isApartFrom(const Segment& edge) const
+    {
+        const glm::dvec2 &p = edge.a, &q = edge.b;
+        return (p.x < box.min.x && q.x < box.min.x) || (p.x > box.max.x && q.x > box.max.x)
+               || (p.y < box.min.y && q.y < box.min.y) || (p.y > box.max.y && q.y > box.max.y);
     }
     Segment segment;
     DirectedLine line;
+    Window box; ///< the segment's bounding box
 };
 
 /// The single point that a segment and an edge have in common; an edge along the segment's line has
@@ -39,8 +54,18 @@ struct Meeting {
     const glm::dvec2& vertex() const { return sideOfFrom == 0 ? edge->segment.a : edge->segment.b; }
 };
 
+/// The meeting of a segment and an edge whose ends are on different sides of the line, if any.
+std::optional<Meeting> meetingOf(const SweptLine& swept, const AreaEdge& edge, int sideOfFrom,
+                                 int sideOfTo);
+
 /// The meeting of a segment and an edge, if any.
-std::optional<Meeting> meetingOf(const SweptLine& swept, const AreaEdge& edge);
+inline std::optional<Meeting> meetingOf(const SweptLine& swept, const AreaEdge& edge)
+{
+    if (swept.isApartFrom(edge.segment))
+        return std::nullopt;
+    const int from = swept.line.side(edge.segment.a), to = swept.line.side(edge.segment.b);
+    return from == to ? std::nullopt : meetingOf(swept, edge, from, to);
+}
 
 /// The order of two meetings along the segment, which is not a point.
 std::strong_ordering order(const SweptLine& swept, const Meeting& p, const Meeting& q);

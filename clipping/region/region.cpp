@@ -15,11 +15,12 @@ enum class Known : std::uint8_t { Gone, Whole, Nothing };
 
 Known known(bool isKept) { return isKept ? Known::Whole : Known::Gone; }
 
+/// Without branches, which would often be mispredicted.
 bool areApart(const Segment& s, const Window& box)
 {
-    const auto [x, x2] = std::minmax(s.a.x, s.b.x);
-    const auto [y, y2] = std::minmax(s.a.y, s.b.y);
-    return x2 < box.min.x || x > box.max.x || y2 < box.min.y || y > box.max.y;
+    const glm::dvec2 low = glm::min(s.a, s.b), high = glm::max(s.a, s.b);
+    return ((high.x < box.min.x) | (low.x > box.max.x) | (high.y < box.min.y) | (low.y > box.max.y))
+           != 0;
 }
 
 /// A box as its middle and half its extent, for lines that pass it.

@@ -3,20 +3,19 @@
 
 #include "clipping/ieee_numbers.h"
 
-#include <tuple>
-
 namespace clipping {
 namespace {
 
 bool sameEdge(const Meeting& p, const Meeting& q) { return p.edge == q.edge; }
 bool earlierEdge(const Meeting& p, const Meeting& q) { return p.edge < q.edge; }
 
-/// Orders meetings at one place by edge, each once: an edge may be listed in several cells.
-void keepOnce(std::vector<Meeting>& meetings)
+/// Sorts meetings and removes repeated ones: an edge may be listed in several cells.
+template <class Earlier>
+void keepOnce(std::vector<Meeting>& meetings, Earlier earlier)
 {
     if (meetings.size() < 2)
         return;
-    std::ranges::sort(meetings, earlierEdge);
+    std::ranges::sort(meetings, earlier);
     meetings.erase(std::unique(meetings.begin(), meetings.end(), sameEdge), meetings.end());
 }
 
@@ -78,14 +77,12 @@ bool LineSweep::findMeetings(const SweptLine& swept)
 
 void LineSweep::sortMeetings(const SweptLine& swept)
 {
-    keepOnce(atStart_);
-    keepOnce(atEnd_);
-    keepOnce(between_);
-    if (between_.size() > 1)
-        std::ranges::sort(between_, [&](const Meeting& p, const Meeting& q) {
-            const auto which = order(swept, p, q);
-            return which != 0 ? which < 0 : earlierEdge(p, q);
-        });
+    keepOnce(atStart_, earlierEdge);
+    keepOnce(atEnd_, earlierEdge);
+    keepOnce(between_, [&](const Meeting& p, const Meeting& q) {
+        const auto which = order(swept, p, q);
+        return which != 0 ? which < 0 : earlierEdge(p, q);
+    });
 }
 
 void LineSweep::turn(std::uint32_t step, int left, int right)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How fast segments are clipped at areas of any shape, beside `exact` at the area's bounding box:
-// region_clip_bench [MILLIONS [ROUNDS]]
+// region_clip_bench [MILLIONS [ROUNDS [REGION]]], with a part of a region's name
 #include "clipping/algorithm.h"
 #include "clipping/region/region.h"
 
@@ -8,6 +8,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <ctime>
 #include <numbers>
 
@@ -139,8 +140,9 @@ int main(int argc, char** argv)
         {"a coast line of 10,000 edges", {{{coast}}}, boxOf(coast)},
         {"five windows", fiveOf(window), paperWindow<double>()},
     };
+    const char* only = argc > 3 ? argv[3] : "";
     for (const Case& each : cases)
-        for (const auto& scene :
-             {paperScene<double>(count), hatching(count), strokes<double>(count)})
-            measure(each, scene, rounds);
+        for (const auto make : {paperScene<double>, hatching, strokes<double>})
+            if (std::strstr(each.name, only))
+                measure(each, make(count), rounds);
 }

@@ -115,7 +115,7 @@ private slots:
     {
         static const QRegularExpression traces(
             "8clipping10operationsE|__tls_get_addr|7CountedI|Recorder");
-        static const QRegularExpression prepares("InPolygon|PolylineRuns"); // once a call
+        static const QRegularExpression prepares("InPolygon|PolylineRuns|PreparedRegion"); // seldom
         static const QRegularExpression allocates("_Zn[wa]m|^malloc$");
         int reached = 0;
         for (const QString& name : notEmpty(fastPath(library_))) {
@@ -128,7 +128,7 @@ private slots:
         }
         qInfo(
             "%lld functions of the fast path refer to %d symbols; none of them counts or records, "
-            "and none allocates but for polygons and polylines",
+            "and none allocates but for polygons, polylines and regions",
             qlonglong(fastPath(library_).size()), reached);
     }
 

@@ -180,6 +180,23 @@ private slots:
         }));
     }
 
+    // An area as wide as 2^-900 and as high as 2^900 is prepared and clipped at as any other.
+    void extremeExtents()
+    {
+        const auto scaled = [](const glm::dvec2& p) {
+            return glm::dvec2(std::ldexp(p.x, -900), std::ldexp(p.y, 900));
+        };
+        Region region{{{{star(20'001, 7)}}}, Keep::Inside};
+        const Segment line{{-2, 0.3}, {0.1, 0.31}};
+        auto expected = clip(line, PreparedRegion(region));
+        QCOMPARE(expected.size(), 1u);
+        auto& points = region.steps[0].area.points;
+        std::ranges::transform(points, points.begin(), scaled);
+        for (RegionPiece& piece : expected)
+            piece.segment = {scaled(piece.segment.a), scaled(piece.segment.b)};
+        QVERIFY(same(clip({scaled(line.a), scaled(line.b)}, PreparedRegion(region)), expected));
+    }
+
     void everySizeOfBufferGivesTheSame()
     {
         Random random(6);

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "clipping/region/catalogue.h"
+
+#include "clipping/ieee_numbers.h"
+
+#include <algorithm>
+#include <array>
+
+namespace clipping {
+
+std::span<const RegionAlgorithm> regionAlgorithms()
+{
+    static constexpr std::array all{
+        RegionAlgorithm{"exact",
+                        "Walk along both sides of the line, counting each area's winding number, "
+                        "past edges in their exact order.",
+                        0.5, clip, clipAll},
+    };
+    return all;
+}
+
+const RegionAlgorithm* findRegionAlgorithm(std::string_view key)
+{
+    const auto all = regionAlgorithms();
+    const auto found = std::ranges::find(all, key, &RegionAlgorithm::key);
+    return found == all.end() ? nullptr : &*found;
+}
+
+} // namespace clipping
