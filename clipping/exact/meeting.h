@@ -34,13 +34,13 @@ Determinant<N> determinant(NumberPair<N> ux, NumberPair<N> uy, NumberPair<N> vx,
 /// How far along a line a point is, 0 to 1, as a number and its rest; and the two quotients that
 /// bound its error (bounds.h).
 template <class N>
-struct Share {
+struct MeetingShare {
     N high, low;
     N spread, skew; ///< PN / |D| and PD / |D|
     bool tame;      ///< whether the bounds hold
 };
 template <class N>
-Share<N> shareOf(const Determinant<N>& n, const Determinant<N>& d)
+MeetingShare<N> shareOf(const Determinant<N>& n, const Determinant<N>& d)
 {
     const auto tame = [](const Determinant<N>& x) {
         return plain(x.size) >= smallestMeeting && plain(x.size) <= largestMeeting;
@@ -57,7 +57,7 @@ Share<N> shareOf(const Determinant<N>& n, const Determinant<N>& d)
 /// A coordinate of the point at a share of the way from `start`; nothing where the bounds leave two
 /// numbers.
 template <class N>
-std::optional<N> coordinateAt(const Share<N>& t, N start, NumberPair<N> way)
+std::optional<N> coordinateAt(const MeetingShare<N>& t, N start, NumberPair<N> way)
 {
     const auto p = twoProduct(way.high, t.high);
     const N low = p.low + way.high * t.low + way.low * t.high;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "clipping/region/meeting.h"
 
-#include "clipping/exact/meeting_point.h"
+#include "clipping/exact/meeting.h"
 #include "clipping/ieee_numbers.h"
 
 #include <algorithm>
@@ -98,7 +98,7 @@ glm::dvec2 pointOf(const SweptLine& swept, const Meeting& meeting)
 {
     if (meeting.atVertex())
         return {meeting.vertex().x + 0.0, meeting.vertex().y + 0.0}; // never -0
-    return meetingPoint(swept.segment, meeting.edge->segment);
+    return clipping::meeting<double>(swept.segment, meeting.edge->segment);
 }
 
 std::vector<Spoke> spokesOn(int side, std::span<const Meeting> meetings)
