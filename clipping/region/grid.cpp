@@ -91,6 +91,19 @@ void SearchGrid::listEdges(std::span<const AreaEdge> edges)
         });
 }
 
+/// The first column whose reference in that row is on the right of an edge that crosses the row.
+std::size_t SearchGrid::firstRightOf(const Segment& edge, std::size_t row) const
+{
+    const int left = edge.b.y > edge.a.y ? 1 : -1;
+    std::size_t from = 0, to = columns_.count;
+    while (from < to) {
+        const std::size_t at = (from + to) / 2;
+        const bool isLeft = reference(row * columns_.count + at).side(edge) == left;
+        (isLeft ? from : to) = isLeft ? at + 1 : at;
+    }
+    return from;
+}
+
 std::vector<std::vector<SearchGrid::Crossed>>
 SearchGrid::crossedRows(std::span<const AreaEdge> edges) const
 {
@@ -103,13 +116,8 @@ SearchGrid::crossedRows(std::span<const AreaEdge> edges) const
             // The reference is infinitely little below its y.
             if (!(low < rows_.middle(row) && rows_.middle(row) <= high))
                 continue;
-            std::size_t from = 0, to = columns_.count; // the first reference on the right
-            while (from < to) {
-                const std::size_t at = (from + to) / 2;
-                const bool right = reference(row * columns_.count + at).side(segment) != up;
-                (right ? to : from) = right ? at : at + 1;
-            }
-            crossed[row].push_back({static_cast<std::uint32_t>(from), step, -up});
+            const std::size_t column = firstRightOf(segment, row);
+            crossed[row].push_back({static_cast<std::uint32_t>(column), step, -up});
         }
     }
     return crossed;
@@ -121,19 +129,21 @@ void SearchGrid::findWindings(std::span<const AreaEdge> edges, std::size_t steps
     firstWinding_.push_back(0);
     std::vector<int> numbers(steps, 0);
     std::vector<std::uint32_t> inside; // the steps whose number is not 0
+    const auto pass = [&](const Crossed& edge) {
+        if (numbers[edge.step] == 0)
+            inside.push_back(edge.step);
+        numbers[edge.step] += edge.change;
+        if (numbers[edge.step] == 0)
+            std::erase(inside, edge.step);
+    };
     for (auto& row : crossedRows(edges)) {
         std::ranges::sort(row, {}, &Crossed::column);
         std::ranges::fill(numbers, 0);
         inside.clear();
         auto next = row.begin();
         for (std::size_t column = 0; column < columns_.count; ++column) {
-            for (; next != row.end() && next->column == column; ++next) {
-                if (numbers[next->step] == 0)
-                    inside.push_back(next->step);
-                numbers[next->step] += next->change;
-                if (numbers[next->step] == 0)
-                    std::erase(inside, next->step);
-            }
+            for (; next != row.end() && next->column == column; ++next)
+                pass(*next);
             for (const std::uint32_t step : inside)
                 windings_.push_back({step, numbers[step]});
             firstWinding_.push_back(static_cast<std::uint32_t>(windings_.size()));

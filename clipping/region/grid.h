@@ -84,6 +84,7 @@ private:
     };
 
     void listEdges(std::span<const AreaEdge> edges);
+    std::size_t firstRightOf(const Segment& edge, std::size_t row) const;
     std::vector<std::vector<Crossed>> crossedRows(std::span<const AreaEdge> edges) const;
     void findWindings(std::span<const AreaEdge> edges, std::size_t steps);
 
