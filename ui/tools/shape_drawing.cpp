@@ -40,16 +40,30 @@ void pushKeepingInspected(app::Session& session, app::UndoCommand* step)
         session.inspect(inspected);
 }
 
+bool isText(const app::Session& session, std::size_t object)
+{
+    const auto& recipe = session.now().objects()[object].particulars().recipe;
+    return std::holds_alternative<app::TextRecipe>(recipe);
+}
+
 void preview(QPainter& painter, const Workbench& bench, const app::Subpath& path)
 {
-    QPainterPath outline(bench.onScreen(path.start));
-    for (const app::PathSegment& s : path.segments)
-        s.curved ? outline.cubicTo(bench.onScreen(s.control1), bench.onScreen(s.control2),
-                                   bench.onScreen(s.to))
-                 : outline.lineTo(bench.onScreen(s.to));
-    if (path.closed)
-        outline.closeSubpath();
-    const app::Style style = app::newStyle(bench.session);
+    preview(painter, bench, std::span(&path, 1), app::newStyle(bench.session));
+}
+
+void preview(QPainter& painter, const Workbench& bench, std::span<const app::Subpath> paths,
+             const app::Style& style)
+{
+    QPainterPath outline;
+    for (const app::Subpath& path : paths) {
+        outline.moveTo(bench.onScreen(path.start));
+        for (const app::PathSegment& s : path.segments)
+            s.curved ? outline.cubicTo(bench.onScreen(s.control1), bench.onScreen(s.control2),
+                                       bench.onScreen(s.to))
+                     : outline.lineTo(bench.onScreen(s.to));
+        if (path.closed)
+            outline.closeSubpath();
+    }
     const bool dark = bench.look.dark && !bench.session.display().asPrinted;
     const QColor page = bench.look.paper;
     app::Colour colour = style.stroke.value_or(app::Colour{});
