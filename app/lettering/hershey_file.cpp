@@ -74,9 +74,10 @@ Result<std::vector<HersheyGlyph>> readHershey(const QByteArray& bytes)
     while (!reader.atEnd()) {
         auto glyph = readGlyph(reader);
         if (!glyph || std::ssize(glyphs) == mostGlyphs)
-            return R::failure(QCoreApplication::translate(
-                "Lettering", "Glyph %1 is damaged: this is not a font of strokes.")
-                                  .arg(glyphs.size() + 1));
+            return R::failure(
+                QCoreApplication::translate("Lettering",
+                                            "Glyph %1 is damaged: this is not a font of strokes.")
+                    .arg(glyphs.size() + 1));
         glyphs.push_back(std::move(*glyph));
     }
     return R::of(std::move(glyphs));

@@ -17,8 +17,9 @@ struct HersheyGlyph {
 constexpr double hersheyCapital = 21;
 
 /// The glyphs of a file in the format of James Hurt (*.jhf), in the order of the file. A row has a
-/// number (5 characters), the number of pairs of characters (3), and the pairs: the first gives left
-/// and right, " R" lifts the pen, every other is a point. A row may be broken over several lines.
+/// number (5 characters), the number of pairs of characters (3), and the pairs: the first gives
+/// left and right, " R" lifts the pen, every other is a point. A row may be broken over several
+/// lines.
 Result<std::vector<HersheyGlyph>> readHershey(const QByteArray& bytes);
 
 } // namespace app

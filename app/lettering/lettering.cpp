@@ -114,8 +114,8 @@ private:
 Lettering lettered(const TextRecipe& text)
 {
     const StrokeFont* const font = findStrokeFont(text.font);
-    const double reach = std::max({text.size * double(longestText), std::abs(text.at.x),
-                                   std::abs(text.at.y)});
+    const double reach =
+        std::max({text.size * double(longestText), std::abs(text.at.x), std::abs(text.at.y)});
     if (!font || text.text.size() > longestText || !(text.size > 0) || !(reach < largest))
         return {};
     Writer writer(text, *font);

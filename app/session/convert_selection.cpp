@@ -9,7 +9,8 @@
 namespace app {
 namespace {
 
-constexpr std::size_t most = 10'000; // objects that are looked at after each change of the selection
+constexpr std::size_t most =
+    10'000; // objects that are looked at after each change of the selection
 
 std::vector<ChangedPath> withoutRecipes(const Session& session)
 {
@@ -39,9 +40,8 @@ void convertToPaths(Session& session)
 {
     const auto changed = withoutRecipes(session);
     if (!changed.empty())
-        session.history.push(
-            new ChangePaths(session.document, changed,
-                            QCoreApplication::translate("Commands", "Convert to path")));
+        session.history.push(new ChangePaths(
+            session.document, changed, QCoreApplication::translate("Commands", "Convert to path")));
 }
 
 } // namespace app

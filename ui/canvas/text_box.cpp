@@ -57,9 +57,8 @@ TextBox::TextBox(Controller& controller, QWidget* parent)
     connect(font_, &QComboBox::currentTextChanged, this, [this](const QString& name) {
         change([&name](app::TextRecipe& text) { text.font = name; });
     });
-    connect(size_, &LengthField::edited, this, [this](double size) {
-        change([size](app::TextRecipe& text) { text.size = size; });
-    });
+    connect(size_, &LengthField::edited, this,
+            [this](double size) { change([size](app::TextRecipe& text) { text.size = size; }); });
     const auto goOn = [this] { text_->setFocus(); };
     connect(font_, &ToolList::done, this, goOn);
     connect(size_, &LengthField::entered, this, goOn);
@@ -155,7 +154,8 @@ bool TextBox::eventFilter(QObject* watched, QEvent* event)
     }
     if (event->type() == QEvent::ShortcutOverride) {
         const auto& key = static_cast<const QKeyEvent&>(*event);
-        const bool types = !key.text().isEmpty() || key.key() < Qt::Key_F1 || key.key() > Qt::Key_F35;
+        const bool types =
+            !key.text().isEmpty() || key.key() < Qt::Key_F1 || key.key() > Qt::Key_F35;
         if (types && !(key.modifiers() & (Qt::ControlModifier | Qt::AltModifier)))
             event->accept();
     }

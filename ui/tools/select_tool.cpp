@@ -280,7 +280,8 @@ void SelectTool::release(const Pointer& pointer, Workbench& bench)
     hoveredSegment_.reset();
 }
 
-/// Enters a group, edits a text, or shows the nodes of a path; beside all objects it leaves the group.
+/// Enters a group, edits a text, or shows the nodes of a path; beside all objects it leaves the
+/// group.
 void SelectTool::doubleClick(const Pointer& pointer, Workbench& bench)
 {
     const auto object = pickedAt(pointer.raw, bench).object;

@@ -140,9 +140,8 @@ void TextTool::end(Workbench& bench)
     app::Session& session = bench.session;
     if (same && text != before_) {
         const std::array changed{app::ChangedPath{*object, app::Path(letters.paths), text}};
-        session.history.push(
-            new app::ChangePaths(session.document, changed,
-                                 QCoreApplication::translate("Commands", "Edit text")));
+        session.history.push(new app::ChangePaths(
+            session.document, changed, QCoreApplication::translate("Commands", "Edit text")));
     } else if (!same && !letters.paths.empty()) {
         draw(bench, letters.paths, QCoreApplication::translate("Commands", "Write text"), text);
     }

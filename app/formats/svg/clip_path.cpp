@@ -117,7 +117,9 @@ void TreeDrawer::addClipped(Drawn drawn, const Place& place)
     for (Drawn& one : objects) {
         countParts(one);
         const auto* text = std::get_if<TextRecipe>(&one.particulars.recipe);
-        if (text ? !makes(*text, one.paths) : !makes(one.particulars.recipe, one.paths)) // transformed, clipped, or edited elsewhere
+        if (text ? !makes(*text, one.paths)
+                 : !makes(one.particulars.recipe,
+                          one.paths)) // transformed, clipped, or edited elsewhere
             one.particulars.recipe = {};
         containers_.add(
             {Path(one.paths), std::move(one.style), std::move(one.particulars), one.hidden});

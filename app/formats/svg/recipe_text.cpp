@@ -13,7 +13,8 @@
 namespace app::svg {
 namespace {
 
-constexpr std::string_view rectangle = "rectangle", ellipse = "ellipse", star = "star", words = "text";
+constexpr std::string_view rectangle = "rectangle", ellipse = "ellipse", star = "star",
+                           words = "text";
 constexpr char quote = '\'';
 constexpr std::size_t mostNumbers = 6;
 constexpr double mostPoints = 1000;
@@ -90,8 +91,10 @@ Recipe readWords(std::string_view text)
     const auto font = text.substr(open + 1, close - open - 1);
     if (v.size() != 3)
         return {};
-    return TextRecipe{unquoted(QString::fromUtf8(text.substr(close + 2))), QString::fromUtf8(font),
-                      v[2], {v[0], v[1]}};
+    return TextRecipe{unquoted(QString::fromUtf8(text.substr(close + 2))),
+                      QString::fromUtf8(font),
+                      v[2],
+                      {v[0], v[1]}};
 }
 
 } // namespace

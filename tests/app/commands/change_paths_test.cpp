@@ -55,7 +55,8 @@ private slots:
         app::EditedDocument edited(document());
         const app::Document before = edited.now();
         const app::Recipe recipe = app::TextRecipe{"word", "font", 5, {1, 2}};
-        app::ChangePaths change(edited, std::array{app::ChangedPath{1, triangle(), recipe}}, "Text");
+        app::ChangePaths change(edited, std::array{app::ChangedPath{1, triangle(), recipe}},
+                                "Text");
         change.redo();
         QVERIFY(edited.now().objects()[1].particulars().recipe == recipe);
         QCOMPARE(edited.now().objects()[1].particulars().id, "b");

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/lettering/lettering.h"
-
 #include "app/lettering/stroke_fonts.h"
 
 #include <QTest>
@@ -110,7 +109,8 @@ private slots:
             QVERIFY(lettered(text("a", size)).paths.empty());
         QVERIFY(lettered(text("a", 1, {nan, 0})).paths.empty());
         QVERIFY(lettered({"a", "no such font", 1, {}}).paths.empty());
-        QVERIFY(lettered({QString(longestText + 1, 'a'), strokeFonts()[0].name, 1, {}}).paths.empty());
+        QVERIFY(
+            lettered({QString(longestText + 1, 'a'), strokeFonts()[0].name, 1, {}}).paths.empty());
         QVERIFY(lettered(text("")).paths.empty());
         QVERIFY(lettered(text("  \n ")).paths.empty());
     }

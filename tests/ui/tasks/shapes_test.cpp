@@ -127,7 +127,9 @@ private slots:
     void labelText()
     {
         const double unit = 20.0 / 21; // of the letters
-        const auto at = [&](double x, double y) { return app::Point(20 + x * unit, 80 + y * unit); };
+        const auto at = [&](double x, double y) {
+            return app::Point(20 + x * unit, 80 + y * unit);
+        };
         const app::Point onL = at(4, -10), top = at(4, -21);
         check({key("T"), type("20,80"), enter(), clickField("Height of capital letters"),
                key("Ctrl+A"), type("20"), enter(), type("LT"), enter(), key("V"), doubleClick(onL),
