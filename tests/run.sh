@@ -14,7 +14,7 @@ tidy) more=(clang-tidy) ;;
 fuzz) more=(clang "?libclang-rt-14-dev") ;; # the latter: libFuzzer on Debian 12
 *) more=() ;;
 esac
-bash "$root/app/install_packages.sh" "${more[@]}" g++ cmake ninja-build qt6-base-dev "?libqt6opengl6-dev" libqt6svg6-dev libgif-dev libglm-dev \
+bash "$root/app/install_packages.sh" "${more[@]}" g++ cmake ninja-build qt6-base-dev "?libqt6opengl6-dev" libqt6svg6-dev libgif-dev hershey-fonts-data libglm-dev \
     libboost-dev xvfb xauth librsvg2-bin poppler-utils texlive-latex-recommended
 cd "$root"
 export QT_LOGGING_RULES='*.debug=false'

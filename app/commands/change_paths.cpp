@@ -17,8 +17,8 @@ Edit edited(const Document& document, std::span<const ChangedPath> paths)
             continue;
         ObjectRow row = document.objects()[changed.object].row();
         row.path = changed.path;
-        if (row.particulars->recipe.index() != 0)
-            row.particulars.own().recipe = {};
+        if (row.particulars->recipe != changed.recipe)
+            row.particulars.own().recipe = changed.recipe;
         edit.objects.append(row);
     }
     if (removes)

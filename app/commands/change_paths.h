@@ -11,10 +11,11 @@ namespace app {
 struct ChangedPath {
     std::size_t object;
     Path path;
+    Recipe recipe{}; ///< what makes the new path
 };
 
 /// Replaces the paths of objects, which keep id, style and layer. A rectangle, ellipse, star or
-/// text becomes a plain path.
+/// text becomes a plain path, unless the change has a recipe.
 class ChangePaths : public EditCommand {
 public:
     static constexpr CommandKind row{"change-paths", "Changes the paths of objects"};

@@ -56,27 +56,32 @@ struct Outline {
 
 std::optional<Subpath> outlineOf(const Recipe& recipe) { return std::visit(Outline{}, recipe); }
 
+bool alike(std::span<const Subpath> a, std::span<const Subpath> b)
+{
+    double size = 0;
+    for (const Subpath& path : a) {
+        size = std::max({size, std::abs(path.start.x), std::abs(path.start.y)});
+        for (const PathSegment& s : path.segments)
+            size = std::max({size, std::abs(s.to.x), std::abs(s.to.y)});
+    }
+    const auto near = [&](const Point& p, const Point& q) {
+        const Point apart = glm::abs(p - q);
+        return apart.x <= rounding * size && apart.y <= rounding * size;
+    };
+    const auto same = [&](const PathSegment& p, const PathSegment& q) {
+        return p.curved == q.curved && near(p.to, q.to) && near(p.control1, q.control1)
+               && near(p.control2, q.control2);
+    };
+    return std::ranges::equal(a, b, [&](const Subpath& p, const Subpath& q) {
+        return p.closed == q.closed && near(p.start, q.start)
+               && std::ranges::equal(p.segments, q.segments, same);
+    });
+}
+
 bool makes(const Recipe& recipe, std::span<const Subpath> subpaths)
 {
     const auto made = outlineOf(recipe);
-    if (!made || subpaths.size() != 1 || !subpaths.front().closed
-        || subpaths.front().segments.size() != made->segments.size())
-        return false;
-    double size = 0;
-    for (const PathSegment& s : made->segments)
-        size = std::max({size, std::abs(s.to.x), std::abs(s.to.y), std::abs(made->start.x),
-                         std::abs(made->start.y)});
-    const auto near = [&](const Point& a, const Point& b) {
-        const Point apart = glm::abs(a - b);
-        return apart.x <= rounding * size && apart.y <= rounding * size;
-    };
-    return near(made->start, subpaths.front().start)
-           && std::ranges::equal(made->segments, subpaths.front().segments,
-                                 [&](const PathSegment& a, const PathSegment& b) {
-                                     return a.curved == b.curved && near(a.to, b.to)
-                                            && near(a.control1, b.control1)
-                                            && near(a.control2, b.control2);
-                                 });
+    return made && alike(std::span(&*made, 1), subpaths);
 }
 
 } // namespace app

@@ -12,7 +12,7 @@ Canvas::Parts::Parts(app::Session& session, Backend wish, Canvas& canvas)
       choice(chooseBackend(wish, wish == Backend::Raster ? GlProbe{} : probeGl())),
       corner(controller, &canvas), top(controller, Qt::Horizontal, &canvas),
       left(controller, Qt::Vertical, &canvas), panes(session.variant()),
-      readout(controller, &canvas)
+      readout(controller, &canvas), text(controller, &canvas)
 {
 }
 

@@ -140,6 +140,7 @@ void Canvas::layOut()
     QWidget& drawing = parts.activeWidget().surface().widget();
     setFocusProxy(&drawing);
     parts.readout.setSurface(&drawing);
+    parts.text.setSurface(&drawing);
     if (focused)
         drawing.setFocus();
     for (std::size_t i = parts.shown.size(); i < parts.widgets.size(); ++i)

@@ -7,6 +7,7 @@
 #include "ui/canvas/pane_widget.h"
 #include "ui/canvas/readout_box.h"
 #include "ui/canvas/ruler.h"
+#include "ui/canvas/text_box.h"
 
 namespace ui {
 
@@ -28,6 +29,7 @@ struct Canvas::Parts {
     /// The widgets of `shown`, then hidden widgets for reuse.
     std::vector<std::unique_ptr<PaneWidget>> widgets;
     ReadoutBox readout;
+    TextBox text;
     bool layingOut = false;
 };
 

@@ -82,6 +82,9 @@ public:
     void acceptNumber();  ///< ends the gesture, or its current step, with these numbers
     void stopTyping();
 
+    void typeText(const app::TextRecipe& text); ///< of the tool's text
+    void finishText();
+
     /// Moves, rotates, scales or skews the selection with the Select tool, from the keyboard.
     void transform(const app::Transformation& kind);
 

@@ -89,6 +89,8 @@ void Controller::endGesture()
 
 std::optional<app::PendingObject> Controller::pendingObject() const
 {
+    if (auto object = tool_->pendingObject(bench_))
+        return app::PendingObject{std::move(*object), app::containerForNew(session_)};
     const auto path = tool_->pendingPath();
     if (!path)
         return std::nullopt;

@@ -100,6 +100,16 @@ void Controller::transform(const app::Transformation& kind)
     steer();
 }
 
+void Controller::typeText(const app::TextRecipe& text)
+{
+    withTool([&] { tool_->typeText(text, bench_); });
+}
+
+void Controller::finishText()
+{
+    withTool([&] { tool_->finishText(bench_); });
+}
+
 void Controller::stopTyping()
 {
     typing_ = false;

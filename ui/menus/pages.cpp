@@ -91,7 +91,12 @@ void showAbout(MainWindow& window)
                "that does the clipping. It grew out of D. Matthes, V. Drakopoulos: *Another Simple "
                "but Faster Method for 2D Line Clipping*, IJCGA 9, 2019.\n\nThe program is free "
                "software under the GNU General Public License, version 3 or later; the clipping "
-               "library under the MIT licence; the samples are free for any use (CC0).\n\n%2")
+               "library under the MIT licence; the samples are free for any use (CC0).\n\nThe "
+               "letters "
+               "of strokes are the Hershey Fonts, originally created by Dr. A. V. Hershey while "
+               "working at the U. S. National Bureau of Standards. The format of the font data was "
+               "originally created by James Hurt, Cognition, Inc., 900 Technology Park Drive, "
+               "Billerica, MA 01821.\n\n%2")
                 .arg(QCoreApplication::applicationVersion(), window.canvas().backendReason()));
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/nodes/node_steps.h"
+#include "app/session/convert_selection.h"
 #include "ui/menus/object_rows.h"
 #include "ui/window/main_window.h"
 
@@ -63,6 +64,19 @@ std::vector<ActionInfo> pathRows()
             rows.push_back({.submenu = tr("&Path")}); // a separator
         rows.push_back(nodeStep(i, QKeySequence(row.shortcut)));
     }
+    rows.push_back({.submenu = tr("&Path")}); // a separator
+    rows.push_back({
+        .key = "convert-to-path",
+        .text = tr("Con&vert to path"),
+        .keys = {QKeySequence("Ctrl+Shift+P")},
+        .run =
+            [](MainWindow& w) {
+                w.canvas().endGesture();
+                app::convertToPaths(w.session());
+            },
+        .submenu = tr("&Path"),
+        .refusal = [](const MainWindow& w) { return app::convertRefusal(w.session()); },
+    });
     return rows;
 }
 

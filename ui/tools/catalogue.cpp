@@ -22,6 +22,7 @@ std::unique_ptr<Tool> makeRectangleTool();
 std::unique_ptr<Tool> makeEllipseTool();
 std::unique_ptr<Tool> makePolygonTool();
 std::unique_ptr<Tool> makeStarTool();
+std::unique_ptr<Tool> makeTextTool();
 std::unique_ptr<Tool> makeWindowTool();
 
 std::span<const ToolInfo> tools()
@@ -74,6 +75,10 @@ std::span<const ToolInfo> tools()
                  tr("Drag from the centre to a point. Up, Down: number of points, Shift: 15° steps. "
                     "Tab: numbers."),
                  QKeySequence("S"), makeStarTool},
+        ToolInfo{"text", tr("Text"),
+                 tr("Click where the text begins, then type. Click a text to edit it. Enter: end, "
+                    "Shift+Enter: new line."),
+                 QKeySequence("T"), makeTextTool},
         ToolInfo{"window", tr("Clip window"), tr("Drag to draw a clip window. Shift: square."),
                  QKeySequence("W"), makeWindowTool, ToolInfo::Group::New},
     };

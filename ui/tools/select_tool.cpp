@@ -279,7 +279,8 @@ void SelectTool::release(const Pointer& pointer, Workbench& bench)
     hoveredSegment_.reset();
 }
 
-/// Enters a group, or shows the nodes of a path; beside all objects it leaves the group.
+/// Enters a group, edits a text, or shows the nodes of a path; beside all objects it leaves the
+/// group.
 void SelectTool::doubleClick(const Pointer& pointer, Workbench& bench)
 {
     const auto object = pickedAt(pointer.raw, bench).object;
@@ -290,7 +291,10 @@ void SelectTool::doubleClick(const Pointer& pointer, Workbench& bench)
     if (enterGroupAt(bench.session, *object))
         return;
     bench.session.select({*object});
-    bench.nextTool = "nodes";
+    const bool text = isText(bench.session, *object);
+    if (text)
+        bench.nextObject = object;
+    bench.nextTool = text ? "text" : "nodes";
 }
 
 void SelectTool::click(const Pointer& pointer, Workbench& bench)

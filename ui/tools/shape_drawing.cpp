@@ -70,9 +70,20 @@ void paint(QPainter& painter, const Workbench& bench, const app::Subpath& path)
 
 } // namespace
 
+bool isText(const app::Session& session, std::size_t object)
+{
+    const auto& recipe = session.now().objects()[object].particulars().recipe;
+    return std::holds_alternative<app::TextRecipe>(recipe);
+}
+
 void preview(QPainter& painter, const Workbench& bench, const app::Subpath& path)
 {
-    const app::Style style = app::newStyle(bench.session);
+    preview(painter, bench, std::span(&path, 1), app::newStyle(bench.session));
+}
+
+void preview(QPainter& painter, const Workbench& bench, std::span<const app::Subpath> paths,
+             const app::Style& style)
+{
     const bool dark = bench.look.dark && !bench.session.display().asPrinted;
     const QColor page = bench.look.paper;
     app::Colour colour = style.stroke.value_or(app::Colour{});
@@ -83,7 +94,8 @@ void preview(QPainter& painter, const Workbench& bench, const app::Subpath& path
     painter.setPen(QPen(QColor(colour.red, colour.green, colour.blue, colour.alpha), width,
                         Qt::SolidLine, Qt::FlatCap, Qt::SvgMiterJoin));
     painter.setBrush(Qt::NoBrush);
-    paint(painter, bench, path);
+    for (const app::Subpath& path : paths)
+        paint(painter, bench, path);
 }
 
 void markPoints(QPainter& painter, const Workbench& bench, std::span<const app::Point> points)

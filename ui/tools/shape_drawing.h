@@ -13,11 +13,15 @@ app::Object objectOf(const app::Session& session, std::span<const app::Subpath> 
 void draw(Workbench& bench, std::vector<app::Subpath> paths, const QString& undoText,
           app::Recipe recipe = {});
 
+bool isText(const app::Session& session, std::size_t object);
+
 /// Pushes a step, and keeps the inspected line if the step only changes its coordinates.
 void pushKeepingInspected(app::Session& session, app::UndoCommand* step);
 
 /// Paints the preview of a path in the colour of the session's stroke style.
 void preview(QPainter& painter, const Workbench& bench, const app::Subpath& path);
+void preview(QPainter& painter, const Workbench& bench, std::span<const app::Subpath> paths,
+             const app::Style& style);
 
 /// Paints a mark on each point that was placed.
 void markPoints(QPainter& painter, const Workbench& bench, std::span<const app::Point> points);

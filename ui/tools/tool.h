@@ -44,6 +44,8 @@ struct Workbench {
     const app::SnapTo& snapTo; ///< the kinds that are on; Nothing: snapping is off
     /// The key of the tool to go on with, which replaces this one after the call; empty: this one.
     std::string_view nextTool{};
+    /// The object that the next tool begins with; empty: none. The tool takes it.
+    std::optional<std::size_t> nextObject{};
     /// The numbers that tools keep for their next object, by the key of the tool.
     std::map<std::string_view, app::Numbers> kept{};
 
@@ -74,6 +76,13 @@ constexpr double reach = 6, dragDistance = 3, snapReach = 8;
 
 /// How far an arrow key moves objects, in drawing units: 1 mm on paper, with Shift 10 mm.
 double nudge(const Workbench& bench, Qt::KeyboardModifiers modifiers);
+
+/// A text that is being typed, as the field on the canvas shows it.
+struct TypedText {
+    app::TextRecipe recipe;
+    QString remark;          ///< what is missing; may be empty
+    clipping::Window bounds; ///< of its letters, in the drawing
+};
 
 /// Turns pointer and key events into commands: one gesture, one command. During a gesture the
 /// session's preview holds its result so far. The canvas calls the tool and repaints after every
@@ -107,6 +116,11 @@ public:
     virtual QString stepText() const { return {}; }
     /// The path that end() would keep now; empty: none.
     virtual std::optional<app::Subpath> pendingPath() const { return std::nullopt; }
+    /// The object that end() would add, where it is more than a path; empty: none.
+    virtual std::optional<app::Object> pendingObject(const Workbench&) const
+    {
+        return std::nullopt;
+    }
     /// Number of points of the path being drawn.
     virtual std::size_t pendingPoints() const { return 0; }
 
@@ -118,6 +132,11 @@ public:
     /// it. Does nothing if anything else has happened since.
     virtual void reopen(Workbench&) {}
     virtual bool corrects() const { return false; } ///< a finished gesture is open again
+
+    /// What is being typed; empty: no text.
+    virtual std::optional<TypedText> typedText() const { return std::nullopt; }
+    virtual void typeText(const app::TextRecipe&, Workbench&) {} ///< text, font or size
+    virtual void finishText(Workbench& bench) { end(bench); }   ///< by Enter or Esc
 
     /// Begins to move, rotate, scale or skew the selection, if the tool can.
     virtual void transform(const app::Transformation&, const Pointer&, Workbench&) {}

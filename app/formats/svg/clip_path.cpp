@@ -6,6 +6,7 @@
 #include "app/formats/svg/refused.h"
 #include "app/formats/svg/scanner.h"
 #include "app/formats/svg/tree_drawer.h"
+#include "app/lettering/lettering.h"
 
 namespace app::svg {
 
@@ -115,7 +116,10 @@ void TreeDrawer::addClipped(Drawn drawn, const Place& place)
     }
     for (Drawn& one : objects) {
         countParts(one);
-        if (!makes(one.particulars.recipe, one.paths)) // transformed, clipped, or edited elsewhere
+        const auto* text = std::get_if<TextRecipe>(&one.particulars.recipe);
+        if (text ? !makes(*text, one.paths)
+                 : !makes(one.particulars.recipe,
+                          one.paths)) // transformed, clipped, or edited elsewhere
             one.particulars.recipe = {};
         containers_.add(
             {Path(one.paths), std::move(one.style), std::move(one.particulars), one.hidden});

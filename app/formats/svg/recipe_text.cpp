@@ -2,7 +2,9 @@
 #include "app/formats/svg/recipe_text.h"
 
 #include "app/base/number.h"
+#include "app/formats/svg/attribute_text.h"
 #include "app/formats/svg/scanner.h"
+#include "app/lettering/lettering.h"
 
 #include <cmath>
 #include <initializer_list>
@@ -11,7 +13,9 @@
 namespace app::svg {
 namespace {
 
-constexpr std::string_view rectangle = "rectangle", ellipse = "ellipse", star = "star";
+constexpr std::string_view rectangle = "rectangle", ellipse = "ellipse", star = "star",
+                           words = "text";
+constexpr char quote = '\'';
 constexpr std::size_t mostNumbers = 6;
 constexpr double mostPoints = 1000;
 
@@ -21,6 +25,20 @@ std::string text(std::string_view kind, std::initializer_list<double> numbers)
     for (const double number : numbers)
         appendNumber(all += ' ', number);
     return all;
+}
+
+std::vector<double> numbersIn(std::string_view text)
+{
+    Scanner scanner(text);
+    std::vector<double> numbers;
+    while (numbers.size() < mostNumbers) {
+        scanner.skipBlanks();
+        const auto next = scanner.number();
+        if (!next)
+            break;
+        numbers.push_back(*next);
+    }
+    return numbers;
 }
 
 struct Text {
@@ -38,25 +56,45 @@ struct Text {
     {
         return text(star, {s.centre.x, s.centre.y, s.outer, s.inner, s.turn, double(s.points)});
     }
-    template <class Other>
-    std::string operator()(const Other&) const
+    std::string operator()(const TextRecipe& t) const
     {
-        return {};
+        if (t.font.contains(quote))
+            return {};
+        QString quoted = t.text;
+        quoted.replace(u'\\', QStringLiteral("\\\\")).replace(u'\n', QStringLiteral("\\n"));
+        return text(words, {t.at.x, t.at.y, t.size})
+               + escaped(QStringLiteral(" '%1' ").arg(t.font) + quoted);
     }
+    std::string operator()(std::monostate) const { return {}; }
 };
 
-std::vector<double> numbersIn(std::string_view text)
+/// The text with the line breaks that the attribute could not hold.
+QString unquoted(const QString& quoted)
 {
-    Scanner scanner(text);
-    std::vector<double> numbers;
-    while (numbers.size() < mostNumbers) {
-        scanner.skipBlanks();
-        const auto next = scanner.number();
-        if (!next)
-            break;
-        numbers.push_back(*next);
+    QString text;
+    for (qsizetype i = 0; i < quoted.size(); ++i) {
+        const bool escapes = quoted[i] == u'\\' && i + 1 < quoted.size();
+        if (escapes)
+            ++i;
+        text += escapes && quoted[i] == u'n' ? QChar(u'\n') : quoted[i];
     }
-    return numbers;
+    return text;
+}
+
+Recipe readWords(std::string_view text)
+{
+    const auto open = text.find(quote);
+    const auto close = open == text.npos ? open : text.find(quote, open + 1);
+    if (close == text.npos || close + 2 > text.size() || text.size() > 8 * longestText)
+        return {};
+    const auto v = numbersIn(text.substr(0, open));
+    const auto font = text.substr(open + 1, close - open - 1);
+    if (v.size() != 3)
+        return {};
+    return TextRecipe{unquoted(QString::fromUtf8(text.substr(close + 2))),
+                      QString::fromUtf8(font),
+                      v[2],
+                      {v[0], v[1]}};
 }
 
 } // namespace
@@ -65,6 +103,8 @@ std::string textOf(const Recipe& recipe) { return std::visit(Text{}, recipe); }
 
 Recipe readRecipe(std::string_view text)
 {
+    if (text.starts_with(words))
+        return readWords(text.substr(words.size()));
     for (const std::string_view kind : {rectangle, ellipse, star}) {
         if (!text.starts_with(kind))
             continue;

@@ -50,6 +50,19 @@ private slots:
         change.redo();
         QVERIFY(edited.now().objects()[1].copy() == wanted);
     }
+    void aNewRecipeIsKept()
+    {
+        app::EditedDocument edited(document());
+        const app::Document before = edited.now();
+        const app::Recipe recipe = app::TextRecipe{"word", "font", 5, {1, 2}};
+        app::ChangePaths change(edited, std::array{app::ChangedPath{1, triangle(), recipe}},
+                                "Text");
+        change.redo();
+        QVERIFY(edited.now().objects()[1].particulars().recipe == recipe);
+        QCOMPARE(edited.now().objects()[1].particulars().id, "b");
+        change.undo();
+        QVERIFY(edited.now() == before);
+    }
     void anObjectWithoutAPathIsRemoved()
     {
         app::EditedDocument edited(document());

@@ -164,6 +164,22 @@ private slots:
             }
         check(all({tooth, teeth}), gear);
     }
+    void labelText()
+    {
+        const double unit = 20.0 / 21; // of the letters
+        const auto at = [&](double x, double y) {
+            return app::Point(20 + x * unit, 80 + y * unit);
+        };
+        const app::Point onL = at(4, -10), top = at(4, -21);
+        check({key("T"), type("20,80"), enter(), clickField("Height of capital letters"),
+               key("Ctrl+A"), type("20"), enter(), type("LT"), enter(), key("V"), doubleClick(onL),
+               type("LV"), enter(), key("Ctrl+Shift+P"), doubleClick(onL), click(top),
+               type("10,50"), enter()},
+              {{{{10, 50}, at(4, 0)}, false},
+               {{at(4, 0), at(16, 0)}, false},
+               {{at(18, -21), at(26, 0)}, false},
+               {{at(34, -21), at(26, 0)}, false}});
+    }
 };
 
 QTEST_MAIN(ShapesTest)

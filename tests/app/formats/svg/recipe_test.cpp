@@ -2,6 +2,8 @@
 #include "app/document/document_builder.h"
 #include "app/document/recipe_outline.h"
 #include "app/formats/format.h"
+#include "app/lettering/lettering.h"
+#include "app/lettering/stroke_fonts.h"
 
 #include <QBuffer>
 #include <QTest>
@@ -29,7 +31,9 @@ class RecipeTest : public QObject {
     {
         DocumentBuilder builder;
         builder.open({.name = "Drawing"});
-        const std::vector<Subpath> subpaths{*outlineOf(recipe)};
+        const auto* text = std::get_if<TextRecipe>(&recipe);
+        const std::vector<Subpath> subpaths =
+            text ? lettered(*text).paths : std::vector<Subpath>{*outlineOf(recipe)};
         builder.add(Object{.path = Path(subpaths),
                            .style = {.stroke = Colour{}},
                            .particulars = {.recipe = recipe}});
@@ -43,6 +47,10 @@ private slots:
         QTest::addColumn<Recipe>("recipe");
         QTest::newRow("rectangle") << Recipe(RectangleRecipe{{0.1, -3}, {7.7, 1e-3}});
         QTest::newRow("ellipse") << Recipe(EllipseRecipe{{10.1, 20}, {3.3, 4}});
+        const QString font = strokeFonts().front().name;
+        QTest::newRow("text") << Recipe(TextRecipe{"A word", font, 5.1, {0.1, 20}});
+        QTest::newRow("signs") << Recipe(
+            TextRecipe{" \"<&>' \\n\\ \n\n  λ漢\n", font, 1.0 / 3, {-7, 1e5}});
     }
     void comesBackFromAFile()
     {

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/canvas/text_box.h"
+
+#include "app/lettering/stroke_fonts.h"
+#include "ui/widgets/length_field.h"
+#include "ui/widgets/tool_list.h"
+
+#include <QKeyEvent>
+#include <QPainter>
+#include <QScopedValueRollback>
+#include <QVBoxLayout>
+
+namespace ui {
+namespace {
+
+constexpr int boxWidth = 320, sizeWidth = 92, margin = 8, mostLines = 6;
+constexpr int belowLetters = 12;
+
+} // namespace
+
+TextBox::TextBox(Controller& controller, QWidget* parent)
+    : QFrame(parent), controller_(controller), font_(new ToolList),
+      size_(new LengthField(tr("Height of capital letters"), LengthField::Range::NotNegative,
+                            LengthField::Suffix::Unit)),
+      text_(new QPlainTextEdit), remark_(new QLabel)
+{
+    setObjectName(QStringLiteral("textBox"));
+    setFixedWidth(boxWidth);
+    for (const app::StrokeFont& font : app::strokeFonts())
+        font_->addItem(font.name);
+    font_->setAccessibleName(tr("Font"));
+    font_->setToolTip(tr("Font"));
+    font_->setFixedHeight(space::fieldHeight);
+    size_->setToolTip(size_->accessibleName());
+    size_->setFixedWidth(sizeWidth);
+    text_->setAccessibleName(tr("Text"));
+    text_->setFrameStyle(QFrame::NoFrame);
+    text_->setTabChangesFocus(true);
+    text_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    text_->setContextMenuPolicy(Qt::NoContextMenu);
+    remark_->setWordWrap(true);
+    auto* options = new QHBoxLayout;
+    options->setSpacing(margin);
+    options->addWidget(font_, 1);
+    options->addWidget(size_);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(margin, margin, margin, margin);
+    column->setSpacing(6);
+    column->addWidget(text_);
+    column->addWidget(remark_);
+    column->addLayout(options);
+    hide();
+    text_->installEventFilter(this);
+    connect(text_, &QPlainTextEdit::textChanged, this, [this] {
+        change([this](app::TextRecipe& text) { text.text = text_->toPlainText(); });
+    });
+    connect(font_, &QComboBox::currentTextChanged, this, [this](const QString& name) {
+        change([&name](app::TextRecipe& text) { text.font = name; });
+    });
+    connect(size_, &LengthField::edited, this,
+            [this](double size) { change([size](app::TextRecipe& text) { text.size = size; }); });
+    const auto goOn = [this] { text_->setFocus(); };
+    connect(font_, &ToolList::done, this, goOn);
+    connect(size_, &LengthField::entered, this, goOn);
+    connect(size_, &LengthField::refused, &controller.session(), &app::Session::refused);
+    connect(&controller, &Controller::changed, this, &TextBox::follow);
+    connect(&controller, &Controller::viewChanged, this, &TextBox::follow);
+}
+
+void TextBox::setSurface(QWidget* surface)
+{
+    if (surface_)
+        surface_->removeEventFilter(this);
+    surface_ = surface;
+    surface_->installEventFilter(this);
+    follow();
+}
+
+void TextBox::follow()
+{
+    if (following_ || !surface_)
+        return;
+    const QScopedValueRollback guard(following_, true);
+    const auto text = controller_.tool().typedText();
+    if (text)
+        return show(*text);
+    if (isHidden())
+        return;
+    const bool had = isAncestorOf(window()->focusWidget());
+    hide();
+    if (had)
+        surface_->setFocus();
+}
+
+void TextBox::show(const TypedText& text)
+{
+    const bool opens = isHidden();
+    if (text_->toPlainText() != text.recipe.text) {
+        text_->setPlainText(text.recipe.text);
+        text_->moveCursor(QTextCursor::End);
+    }
+    font_->setCurrentIndex(font_->findText(text.recipe.font));
+    const app::Session& session = controller_.session();
+    if (!size_->hasFocus())
+        size_->show(text.recipe.size, session.display().unit,
+                    session.now().page().millimetresPerUnit());
+    remark_->setText(text.remark);
+    remark_->setVisible(!text.remark.isEmpty());
+    const int lines = std::clamp(text_->blockCount(), 1, mostLines);
+    text_->setFixedHeight(lines * text_->fontMetrics().lineSpacing()
+                          + int(2 * text_->document()->documentMargin()) + 2);
+    place(text);
+    QFrame::show();
+    raise();
+    if (!opens)
+        return;
+    text_->selectAll();
+    text_->setFocus();
+}
+
+/// Below the letters, inside the surface.
+void TextBox::place(const TypedText& text)
+{
+    layout()->activate();
+    resize(boxWidth, sizeHint().height());
+    const app::View& view = controller_.view();
+    const app::Point from = view.toScreen({text.recipe.at.x, text.bounds.max.y});
+    const app::Point top = view.toScreen(text.bounds.min);
+    double y = from.y + belowLetters;
+    if (y + height() > surface_->height())
+        y = std::min(top.y, view.toScreen(text.recipe.at).y - text.recipe.size * view.zoom)
+            - belowLetters - height();
+    const int x = int(std::clamp(from.x, 0.0, double(std::max(0, surface_->width() - width()))));
+    const int inside = int(std::clamp(y, 0.0, double(std::max(0, surface_->height() - height()))));
+    move(surface_->mapTo(parentWidget(), QPoint(x, inside)));
+}
+
+void TextBox::change(const std::function<void(app::TextRecipe&)>& edit)
+{
+    const auto typed = controller_.tool().typedText();
+    if (following_ || !typed)
+        return;
+    app::TextRecipe text = typed->recipe;
+    edit(text);
+    controller_.typeText(text);
+}
+
+bool TextBox::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == surface_) {
+        if (event->type() == QEvent::FocusIn && !isHidden())
+            text_->setFocus();
+        return QFrame::eventFilter(watched, event);
+    }
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto& key = static_cast<const QKeyEvent&>(*event);
+        const bool types =
+            !key.text().isEmpty() || key.key() < Qt::Key_F1 || key.key() > Qt::Key_F35;
+        if (types && !(key.modifiers() & (Qt::ControlModifier | Qt::AltModifier)))
+            event->accept();
+    }
+    if (event->type() == QEvent::KeyPress && key(static_cast<const QKeyEvent&>(*event)))
+        return true;
+    return QFrame::eventFilter(watched, event);
+}
+
+bool TextBox::key(const QKeyEvent& event)
+{
+    const bool enter = event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
+    const bool ends =
+        event.key() == Qt::Key_Escape || (enter && !(event.modifiers() & Qt::ShiftModifier));
+    if (ends)
+        controller_.finishText();
+    else if (enter)
+        text_->insertPlainText(QStringLiteral("\n"));
+    return ends || enter;
+}
+
+void TextBox::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    const Look& look = controller_.look();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(look.border, 1));
+    painter.setBrush(look.base);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
+    const QRect field = text_->geometry();
+    painter.fillRect(QRect(field.left(), field.bottom() + 1, field.width(), 2), look.selection);
+}
+
+} // namespace ui

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/change_paths.h"
+#include "app/lettering/lettering.h"
+#include "app/lettering/stroke_fonts.h"
+#include "app/session/selection_style.h"
+#include "ui/tools/picking_marks.h"
+#include "ui/tools/shape_drawing.h"
+
+#include <QCoreApplication>
+#include <QPainterPath>
+
+#include <glm/common.hpp>
+
+namespace ui {
+namespace {
+
+constexpr std::string_view kept = "text"; // the number of the font, the size in millimetres
+constexpr double usualSize = 5;           // mm
+
+/// Writes a text of strokes, and edits one. The letters are typed in a field on the canvas.
+class TextTool final : public Tool {
+public:
+    void takeUp(Workbench& bench) override
+    {
+        const auto object = std::exchange(bench.nextObject, std::nullopt);
+        if (object)
+            edit(*object, bench);
+        goesBack_ = object.has_value();
+    }
+    void press(const Pointer& pointer, Workbench& bench) override
+    {
+        end(bench);
+        goesBack_ = false;
+        const auto object = pickedAt(pointer.raw, bench).object;
+        if (object && isText(bench.session, *object))
+            edit(*object, bench);
+        else
+            begin(pointer.position, bench);
+    }
+    void cancel(Workbench&) override
+    {
+        text_.reset();
+        object_.reset();
+        letters_ = {};
+    }
+    void end(Workbench& bench) override;
+    bool busy() const override { return text_.has_value(); }
+    bool draws() const override { return true; }
+
+    std::optional<app::Gauge> gauge(const Workbench& bench) const override
+    {
+        return busy() ? std::nullopt : std::optional(gaugeOfStart(bench));
+    }
+    void accept(const app::GestureEnd& end, Workbench& bench) override { begin(end.point, bench); }
+
+    std::optional<TypedText> typedText() const override;
+    void typeText(const app::TextRecipe& text, Workbench& bench) override;
+    void finishText(Workbench& bench) override
+    {
+        end(bench);
+        if (std::exchange(goesBack_, false))
+            bench.nextTool = "select";
+    }
+    std::optional<app::Object> pendingObject(const Workbench& bench) const override
+    {
+        if (!busy() || object_ || letters_.paths.empty())
+            return std::nullopt;
+        return objectOf(bench.session, letters_.paths, *text_);
+    }
+    std::size_t pendingPoints() const override { return letters_.paths.size(); }
+
+    QCursor cursor(const Workbench&) const override
+    {
+        return busy() ? Qt::IBeamCursor : Qt::CrossCursor;
+    }
+    QString hint(const Workbench&) const override
+    {
+        return busy() ? QCoreApplication::translate(
+                   "Tools", "Type the text. Shift+Enter: new line, Enter: end, Tab: font and size.")
+                      : QString();
+    }
+    void paint(QPainter& painter, const Workbench& bench) const override;
+
+private:
+    void begin(const app::Point& at, const Workbench& bench);
+    void edit(std::size_t object, Workbench& bench);
+    void layOut() { letters_ = app::lettered(*text_); }
+    /// The object that is edited, if it is still the same.
+    const app::TextRecipe* edited(const Workbench& bench) const;
+
+    std::optional<app::TextRecipe> text_;
+    app::Lettering letters_;
+    std::optional<std::size_t> object_; ///< that is edited; empty: a new text
+    app::TextRecipe before_;            ///< the text of that object
+    bool goesBack_ = false;             ///< to the tool Select when the text is finished
+};
+
+void TextTool::begin(const app::Point& at, const Workbench& bench)
+{
+    const auto fonts = app::strokeFonts();
+    const app::Numbers numbers = keptBy(kept, bench, {0, usualSize});
+    const std::size_t font = std::min(std::size_t(numbers[0]), fonts.size() - 1);
+    const double size = numbers[1] / bench.session.now().page().millimetresPerUnit();
+    text_ = app::TextRecipe{{}, fonts[font].name, size, at};
+    object_.reset();
+    layOut();
+}
+
+void TextTool::edit(std::size_t object, Workbench& bench)
+{
+    if (object >= bench.session.now().objects().size() || !isText(bench.session, object))
+        return;
+    bench.session.select({object});
+    bench.session.inspect(std::nullopt);
+    before_ = std::get<app::TextRecipe>(
+        app::Recipe(bench.session.now().objects()[object].particulars().recipe));
+    text_ = before_;
+    object_ = object;
+    layOut();
+}
+
+const app::TextRecipe* TextTool::edited(const Workbench& bench) const
+{
+    const app::Objects& objects = bench.session.now().objects();
+    if (!object_ || *object_ >= objects.size())
+        return nullptr;
+    const auto* text = std::get_if<app::TextRecipe>(&objects[*object_].particulars().recipe);
+    return text && *text == before_ ? text : nullptr;
+}
+
+void TextTool::end(Workbench& bench)
+{
+    if (!busy())
+        return;
+    const app::TextRecipe text = *text_;
+    const app::Lettering letters = std::move(letters_);
+    const auto object = object_;
+    const bool same = edited(bench);
+    cancel(bench);
+    app::Session& session = bench.session;
+    if (same && text != before_) {
+        const std::array changed{app::ChangedPath{*object, app::Path(letters.paths), text}};
+        session.history.push(new app::ChangePaths(
+            session.document, changed, QCoreApplication::translate("Commands", "Edit text")));
+    } else if (!same && !letters.paths.empty()) {
+        draw(bench, letters.paths, QCoreApplication::translate("Commands", "Write text"), text);
+    }
+    if (const QString missing = app::missingText(letters); !missing.isEmpty())
+        emit session.refused(missing);
+}
+
+std::optional<TypedText> TextTool::typedText() const
+{
+    if (!busy())
+        return std::nullopt;
+    clipping::Window bounds{text_->at, text_->at};
+    for (const app::Subpath& path : letters_.paths) {
+        bounds = {glm::min(bounds.min, path.start), glm::max(bounds.max, path.start)};
+        for (const app::PathSegment& s : path.segments)
+            bounds = {glm::min(bounds.min, s.to), glm::max(bounds.max, s.to)};
+    }
+    return TypedText{*text_, app::missingText(letters_), bounds};
+}
+
+void TextTool::typeText(const app::TextRecipe& text, Workbench& bench)
+{
+    if (!busy() || text == *text_)
+        return;
+    const bool isFont = app::findStrokeFont(text.font);
+    text_->text = text.text.left(app::longestText);
+    if (isFont)
+        text_->font = text.font;
+    if (text.size > 0)
+        text_->size = text.size;
+    layOut();
+    if (const auto* font = app::findStrokeFont(text_->font))
+        bench.kept[kept] = {double(font - app::strokeFonts().data()),
+                            text_->size * bench.session.now().page().millimetresPerUnit()};
+}
+
+void TextTool::paint(QPainter& painter, const Workbench& bench) const
+{
+    if (!busy())
+        return;
+    app::Style style = app::newStyle(bench.session);
+    if (edited(bench)) { // covers the text as it was
+        const app::ObjectView old = bench.session.now().objects()[*object_];
+        style = old.style();
+        QPainterPath lines;
+        for (const app::Subpath& path : old.path().subpaths()) {
+            lines.moveTo(bench.onScreen(path.start));
+            for (const app::PathSegment& s : path.segments)
+                lines.lineTo(bench.onScreen(s.to));
+        }
+        painter.strokePath(lines, QPen(bench.look.paper, style.width * bench.view.zoom + 4,
+                                       Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    }
+    preview(painter, bench, letters_.paths, style);
+    const QPointF at = bench.onScreen(text_->at);
+    painter.setPen(QPen(bench.look.selection, 1));
+    painter.drawLine(at, QPointF(at.x() + 24, at.y())); // the baseline
+    painter.drawLine(at, at - QPointF(0, text_->size * bench.view.zoom));
+}
+
+} // namespace
+
+std::unique_ptr<Tool> makeTextTool() { return std::make_unique<TextTool>(); }
+
+} // namespace ui
