@@ -114,9 +114,10 @@ private:
 Lettering lettered(const TextRecipe& text)
 {
     const StrokeFont* const font = findStrokeFont(text.font);
-    const double reach =
-        std::max({text.size * double(longestText), std::abs(text.at.x), std::abs(text.at.y)});
-    if (!font || text.text.size() > longestText || !(text.size > 0) || !(reach < largest))
+    const auto small = [](double number) { return std::abs(number) < largest; }; // not for NaN
+    const bool drawable = text.size > 0 && small(text.size * double(longestText))
+                          && small(text.at.x) && small(text.at.y);
+    if (!font || !drawable || text.text.size() > longestText)
         return {};
     Writer writer(text, *font);
     writer.write();

@@ -36,6 +36,7 @@ TextBox::TextBox(Controller& controller, QWidget* parent)
     text_->setAccessibleName(tr("Text"));
     text_->setFrameStyle(QFrame::NoFrame);
     text_->setTabChangesFocus(true);
+    text_->document()->setDocumentMargin(2);
     text_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     text_->setContextMenuPolicy(Qt::NoContextMenu);
     remark_->setWordWrap(true);

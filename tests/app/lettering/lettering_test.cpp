@@ -72,11 +72,6 @@ private slots:
             const Lettering made = lettered({letters, font.name, 5, {0, 0}});
             QVERIFY2(made.missing.isEmpty(), qPrintable(made.missing.join(' ')));
         }
-        std::vector<std::vector<Subpath>> known;
-        for (const QChar letter : letters.first(20)) {
-            known.push_back(paths(qPrintable(QString(letter))));
-            QVERIFY(!known.back().empty());
-        }
     }
     void lettersWithTheSameLookAreFoundInTheirOwnAlphabet()
     {
