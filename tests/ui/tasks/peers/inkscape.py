@@ -14,6 +14,7 @@ xmlns:sodipodi="http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd" width="210mm
 <sodipodi:namedview inkscape:document-units="mm"/><g id="layer1" inkscape:label="Layer 1" inkscape:groupmode="layer"/>
 </svg>"""
 PATH_DATA = (767, 510)  # the row "d" of the XML editor, in a maximised window of 1440 x 900
+CLOSE_XML = (892, 187)
 ALIGN_LEFT, EQUAL_GAPS_DOWN = (1198, 340), (1266, 470)
 
 
@@ -36,12 +37,13 @@ class Inkscape(Player):
         self.key("ctrl+a")
         if copied:
             self.type(copied)
-            self.key("ctrl+a", "ctrl+c", *["ctrl+v"] * 7, "Home")
+            self.key("ctrl+a", "ctrl+c", *["ctrl+v"] * 7, "ctrl+Home")
         self.type(data)
         self.key("Return")
 
     def to_canvas(self):
-        self.key("Escape")
+        self.key("F1")
+        time.sleep(0.5)
 
     def fields(self, *values):
         """Types into the fields X, Y, W and H of the selection tool."""
@@ -51,6 +53,12 @@ class Inkscape(Player):
                 self.key("Tab")
             self.type(str(value))
         self.key("Return")
+
+    def field(self, x, y, text):
+        """Clicks a field and replaces what it holds."""
+        self.click(x, y)
+        self.key("ctrl+a")
+        self.type(text)
 
     def saved(self):
         self.send("search", "--name", "drawn.svg - Inkscape", "windowactivate")
@@ -82,7 +90,7 @@ def matrix(text):
 
 
 def read_path(data):
-    """The subpaths of straight lines."""
+    """The nodes of each subpath."""
     paths, x, y, letter = [], 0, 0, ""
     words = re.findall(r"[A-Za-z]|[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?", data)
     while words:
@@ -98,12 +106,20 @@ def read_path(data):
         elif letter in "vV":
             y = float(words.pop(0)) + y * relative
         else:
+            del words[:{"C": 4, "A": 5}.get(letter.upper(), 0)]
             x, y = float(words.pop(0)) + x * relative, float(words.pop(0)) + y * relative
         if letter in "mM":
             paths.append([])
             letter = "l" if relative else "L"
         paths[-1].append((x, y))
     return [path for path in paths if len(path) > 1]
+
+
+def circle(path):
+    """The circle through nodes that are spread evenly on it."""
+    nodes = list({(round(x, 9), round(y, 9)) for x, y in path})
+    centre = [sum(values) / len(nodes) for values in zip(*nodes)]
+    return (*centre, max(math.dist(centre, node) for node in nodes))
 
 
 def read_svg(root, outer=(1, 0, 0, 1, 0, 0), start=None):
@@ -132,7 +148,9 @@ def read_svg(root, outer=(1, 0, 0, 1, 0, 0), start=None):
             radius = number("r") or number("rx")
             shapes.append((*at(number("cx"), number("cy")), radius * math.hypot(m[0], m[1])))
         elif name == "path":
-            shapes += [[at(*p) for p in path] for path in read_path(element.get("d"))]
+            data = element.get("d")
+            paths = [[at(*p) for p in path] for path in read_path(data)]
+            shapes += map(circle, paths) if re.search("[cCaA]", data) else paths
     return shapes
 
 
@@ -161,6 +179,40 @@ def stairs(p):
     return [points]
 
 
+def hole_circle(p):
+    """The path effect Rotate Copies makes six copies at 60 degrees unless it is told otherwise."""
+    p.key("e")
+    p.drag((300, 300), (400, 400))
+    p.key("s")
+    p.fields(10, 10, 80, 80)
+    p.key("ctrl+d")
+    p.fields(46.7, 6.7, 6.6, 6.6)
+    p.key("ctrl+ampersand")
+    time.sleep(2)
+    p.click(1220, 774)
+    time.sleep(2)
+    p.type("rot")
+    time.sleep(1)
+    p.click(251, 273)
+    time.sleep(2)
+    p.field(1244, 647, "50\n")  # the origin
+    p.field(1244, 680, "50\n")
+    return [(50, 50, 40)] + [(*rotated([(50, 10)], 60 * i, (50, 50))[0], 3.3) for i in range(6)]
+
+
+def hexagon(p):
+    """Neither the centre nor the flat can be typed; the left end and the height can."""
+    p.key("asterisk")
+    p.drag((500, 400), (600, 400))
+    time.sleep(1)
+    p.click(85, 107)  # polygon
+    p.field(226, 107, "6\n")
+    p.key("s")
+    p.fields(50.185, 41.5, 19.63, 17)
+    corner = (60 + 17 / math.sqrt(3), 50)
+    return [rotated([corner], 60 * i, (60, 50)) + rotated([corner], 60 * i + 60, (60, 50)) for i in range(6)]
+
+
 def star(p):
     """Three lines by steps of 15 degrees, then all of them turned by 90 degrees."""
     p.path("M60,30v40")
@@ -172,9 +224,43 @@ def star(p):
 def mirrored_half(p):
     p.path("M40,50h20v20")
     p.to_canvas()
-    p.key("s", "ctrl+d", "h")
-    p.fields(60)
+    p.key("ctrl+d", "h")
+    p.field(560, 106, "60\n")  # X
     return [[(40, 50), (60, 50), (60, 70)], [(80, 50), (60, 50), (60, 70)]]
+
+
+def labels(p):
+    """Tiled clones with gaps of 10 % of the width and 20 % of the height; the original lies on the first one."""
+    p.key("r")
+    p.drag((300, 300), (400, 400))
+    p.key("s")
+    p.fields(10, 10, 30, 15)
+    p.click(59, 31)  # menu Edit, Clone, Create Tiled Clones
+    for x, y in ((86, 320), (88, 334), (250, 336), (484, 340)):
+        p.move(x, y)
+        time.sleep(0.3)
+    p.click(484, 359)
+    p.wait_for("Create Tiled Clones")
+    time.sleep(1)
+    p.field(624, 592, "4")  # rows
+    p.field(744, 592, "5")
+    p.click(575, 230)  # tab Shift
+    p.field(675, 289, "10")
+    p.field(573, 331, "20")
+    p.click(942, 698)
+    time.sleep(2)
+    return [box(10, 10, 30, 15)] + [box(10 + 33 * i, 10 + 18 * j, 30, 15) for i in range(5) for j in range(4)]
+
+
+def crossing(p):
+    """Both lines as one path. Crossings are not snapped to by default: the circle's place is typed."""
+    p.path("M20,20L80,60M20,60L80,0")
+    p.click(*CLOSE_XML)
+    p.key("e")
+    p.drag((300, 300), (400, 400))
+    p.key("s")
+    p.fields(34, 26, 20, 20)
+    return [[(20, 20), (80, 60)], [(20, 60), (80, 0)], (44, 36, 10)]
 
 
 def aligned(p):
@@ -192,7 +278,8 @@ def aligned(p):
     return [box(20, 20 + 15 * i, 20, 10) for i in range(8)]
 
 
-TASKS = {task.__name__: task for task in (wall, house_plan, stairs, star, mirrored_half, aligned)}
+TASKS = {task.__name__: task for task in (wall, house_plan, stairs, hole_circle, hexagon, star,
+                                          mirrored_half, labels, aligned, crossing)}
 
 if __name__ == "__main__":
     play(Inkscape, TASKS, sys.argv[1:])

@@ -186,9 +186,9 @@ def aligned(p):
     for x, y in corners:
         p.type(f"{x},{y}\n{x + 20},{y + 10}\n")
     for i, (x, y) in enumerate(corners):
-        p.key("Escape", *["Escape"] * (i == 0))
+        p.type("mv\n" if i == 0 else "tn\nmv\n")  # tn: select nothing
         p.click(*pixel(x + 13, y))
-        p.type("mv\n")
+        p.type("\n")
         p.click(*SOMEWHERE)
         p.type(f"@{20 - x},{20 + 15 * i - y}\n\n")
     return [box(20, 20 + 15 * i, 20, 10) for i in range(8)]
