@@ -44,8 +44,9 @@ private slots:
     }
     void holeCircle()
     {
-        Steps steps{key("E"), type("10,10"),    enter(), type("80"),  tab(), type("80"),  enter(),
-                    key("E"), type("46.7,6.7"), enter(), type("6.6"), tab(), type("6.6"), enter()};
+        Steps steps{key("E"),    type("10,10"), enter(),     type("80"),
+                    tab(),       type("80"),    enter(),     click({50.3, 10.4}, Qt::AltModifier),
+                    type("6.6"), tab(),         type("6.6"), enter()};
         const Steps more{key("O"), move({50.3, 50.2}), key("P"), key("C"), type("60"),
                          enter(),  type("5x"),         enter()};
         steps.insert(steps.end(), more.begin(), more.end());
@@ -114,11 +115,11 @@ private slots:
     void aligned()
     {
         Steps steps;
-        for (const char* corner :
-             {"40,20", "50,33", "20,47", "60,61", "35,84", "80,97", "45,109", "70,125"})
-            rectangle(steps, corner, "20", "10");
-        add(steps, {key("Ctrl+A"), key("Alt+O"), type("a"), type("l"), key("Alt+O"), type("n"),
-                    type("v")});
+        rectangle(steps, "40,20", "20", "10");
+        for (const char* by : {"10,13", "-30,14", "40,14", "-25,23", "45,13", "-35,12", "25,16"})
+            add(steps, {key("G"), key("C"), type(by), enter()});
+        add(steps, {key("Ctrl+A"), key("Ctrl+Alt+1"), press("Align left sides"),
+                    press("Spread evenly down")});
         Table table;
         for (int i = 0; i < 8; ++i)
             table.push_back(boxes({{{20, 20 + 15 * i}, {40, 30 + 15 * i}}})[0]);
