@@ -8,7 +8,7 @@ namespace app {
 QString atText(const ComparedWindow& window)
 {
     return window.isPage ? QCoreApplication::translate("ComparedWindow",
-                                                       "At the page: there is no clip window.")
+                                                       "At the page: there is no upright clip window.")
                          : QString();
 }
 

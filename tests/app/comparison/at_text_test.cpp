@@ -17,7 +17,7 @@ private slots:
     {
         QVERIFY(app::atText(app::ComparedWindow{{}, false}).isEmpty());
         QCOMPARE(app::atText(app::ComparedWindow{{}, true}),
-                 "At the page: there is no clip window.");
+                 "At the page: there is no upright clip window.");
     }
     /// What is computed follows, too.
     void hiddenWindowCountsAsNoWindow()

@@ -40,7 +40,7 @@ private slots:
         QVERIFY(caption.isHidden());
         setVisible(session, false);
         QVERIFY(!caption.isHidden());
-        QCOMPARE(caption.text(), "At the page: there is no clip window.");
+        QCOMPARE(caption.text(), "At the page: there is no upright clip window.");
         setVisible(session, true);
         QVERIFY(caption.isHidden());
     }
