@@ -35,11 +35,12 @@ CutOptions cutOptionsOf(const ParsedArguments& arguments, const Imported& import
                         const Output& output)
 {
     CutOptions options{.clipAll = usesOf(arguments).clipAll};
-    options.region = regionOf(windowsOf(arguments, imported), imported.document.page());
+    ClipWindows windows = windowsOf(arguments, imported);
     if (arguments.has(QStringLiteral("keep")))
-        options.region.keep = arguments.choice(QStringLiteral("keep"), {"inside", "outside"}) == 0
-                                  ? Keep::Inside
-                                  : Keep::Outside;
+        windows.keep = arguments.choice(QStringLiteral("keep"), {"inside", "outside"}) == 0
+                           ? Keep::Inside
+                           : Keep::Outside;
+    options.region = regionOf(windows, imported.document.page());
     options.tolerance = toleranceOf(arguments, imported.document.page());
     options.keepContacts = output.format->holds == Holds::SeparateLines;
     return options;

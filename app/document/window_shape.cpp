@@ -47,7 +47,7 @@ clipping::Window boxOfPath(const Path& path)
         size = std::max({size, apart.x, apart.y});
         first = first.value_or(p);
     });
-    return boxOfPath(path, size > 0 ? size * 1e-4 : 1);
+    return first ? boxOfPath(path, size > 0 ? size * 1e-4 : 1) : clipping::Window{};
 }
 
 PathShape asPath(const RectangleShape& rectangle)
@@ -82,6 +82,12 @@ std::optional<RectangleShape> stillRectangle(const RectangleShape& rectangle, co
 }
 
 } // namespace
+
+bool isEmpty(const WindowShape& shape)
+{
+    const auto* path = std::get_if<PathShape>(&shape);
+    return path && path->path.subpathCount() == 0;
+}
 
 WindowFrame frameOf(const WindowShape& shape)
 {
@@ -125,6 +131,8 @@ WindowShape fitted(const WindowShape& shape, const WindowFrame& frame)
         return frame;
     const auto [min, max] = boxOf(shape);
     const Point before = max - min, after = frame.box.max - frame.box.min;
+    if ((before.x > 0 && !(after.x > 0)) || (before.y > 0 && !(after.y > 0)))
+        return shape; // it could never be widened again
     const Point scale(before.x > 0 ? after.x / before.x : 1, before.y > 0 ? after.y / before.y : 1);
     return mapped(shape, {{scale.x, 0}, {0, scale.y}, min, frame.box.min});
 }
@@ -133,7 +141,14 @@ WindowShape rotated(const WindowShape& shape, double angle)
 {
     if (const auto* rectangle = std::get_if<RectangleShape>(&shape)) {
         const double sum = std::remainder(rectangle->angle + angle, 2 * std::numbers::pi);
-        return RectangleShape{rectangle->box, std::abs(sum) < rounding ? 0 : sum};
+        const double quarters = std::round(sum / (std::numbers::pi / 2));
+        if (std::abs(sum - quarters * (std::numbers::pi / 2)) > rounding)
+            return RectangleShape{rectangle->box, sum};
+        if (std::fmod(quarters, 2) == 0)
+            return RectangleShape{rectangle->box};
+        const Point centre = centreOf(rectangle->box);
+        const Point half = (rectangle->box.max - rectangle->box.min) * 0.5;
+        return RectangleShape{{centre - Point(half.y, half.x), centre + Point(half.y, half.x)}};
     }
     return mapped(shape, rotation(-angle * 180 / std::numbers::pi, centreOf(boxOf(shape))));
 }

@@ -15,7 +15,9 @@ namespace app {
 using WindowFrame = RectangleShape;
 WindowFrame frameOf(const WindowShape& shape);
 
-/// The upright bounding box.
+/// Whether it is a path without points.
+bool isEmpty(const WindowShape& shape);
+/// The bounding box along the axes; of an empty path the origin.
 clipping::Window boxOf(const WindowShape& shape);
 
 /// A rectangle stays one if it is moved, rotated, or scaled along its sides; otherwise it becomes a
@@ -23,10 +25,11 @@ clipping::Window boxOf(const WindowShape& shape);
 WindowShape mapped(const WindowShape& shape, const AffineMap& map);
 
 /// The shape, stretched so that its frame becomes `frame`, which has the same angle. A side of
-/// length zero is only moved.
+/// length zero is only moved; a path is not squeezed to one.
 WindowShape fitted(const WindowShape& shape, const WindowFrame& frame);
 
-/// The shape, rotated about the centre of its frame (radians, from x towards y).
+/// The shape, rotated about the centre of its frame (radians, from x towards y). A rectangle that
+/// is rotated by a multiple of 90° has the angle 0.
 WindowShape rotated(const WindowShape& shape, double angle);
 
 /// `frame` with the box `box`, both given in the frame's own directions, at the centre of `frame`.

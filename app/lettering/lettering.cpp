@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace app {
 namespace {
@@ -90,8 +91,8 @@ private:
              {boxMargin, 0}},
             1, {0, 0});
         x_ += boxWidth;
-        if (const QString text = textOf(c); !done.missing.contains(text))
-            done.missing << text;
+        if (known_.insert(c).second)
+            done.missing << textOf(c);
     }
     void add(const std::vector<Point>& stroke, double scale, const Point& shift)
     {
@@ -106,6 +107,7 @@ private:
 
     const TextRecipe& text_;
     const StrokeFont& font_;
+    std::set<char32_t> known_;    // missing characters
     double unit_, x_ = 0, y_ = 0; // x and y in the font's units
 };
 
@@ -128,9 +130,13 @@ QString missingText(const Lettering& lettering)
 {
     if (lettering.missing.isEmpty())
         return {};
+    constexpr qsizetype named = 10;
+    QStringList first = lettering.missing.first(std::min(named, lettering.missing.size()));
+    if (lettering.missing.size() > named)
+        first << QStringLiteral("…");
     return QCoreApplication::translate("Lettering",
                                        "The font has no %1: a box stands in its place.", nullptr)
-        .arg(lettering.missing.join(QStringLiteral(", ")));
+        .arg(first.join(QStringLiteral(", ")));
 }
 
 bool makes(const TextRecipe& text, std::span<const Subpath> subpaths)

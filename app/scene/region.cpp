@@ -135,8 +135,11 @@ Remains remainsOf(const ClipRegion& region, const clipping::Window& box)
     if (!isProper(box))
         return Remains::Pieces;
     Share share = region.startsFull() ? Share::All : Share::None;
-    for (const ClipRegion::Step& step : region.steps)
-        share = after(step.operation, share, shareIn(step, box));
+    for (const ClipRegion::Step& step : region.steps) {
+        const Point size = step.box.max - step.box.min;
+        const bool flat = region.prepared && !(size.x > 0 && size.y > 0);
+        share = after(step.operation, share, flat ? Share::None : shareIn(step, box));
+    }
     if (share == Share::Some)
         return Remains::Pieces;
     return (share == Share::All) == (region.keep == Keep::Inside) ? Remains::Whole : Remains::Gone;

@@ -36,9 +36,10 @@ struct ClipRegion {
         friend bool operator==(const Step&, const Step&) = default;
     };
     std::vector<Step> steps{};
-    Keep keep = Keep::Inside;
+    Keep keep = Keep::Inside; ///< if there is a `prepared`, it has the same
     /// Clips at all steps together, with exact decisions; null if all of them are upright
-    /// rectangles, at which every algorithm can clip.
+    /// rectangles, at which every algorithm can clip. Here a rectangle without area contains
+    /// nothing.
     std::shared_ptr<const clipping::PreparedRegion> prepared{};
     friend bool operator==(const ClipRegion& a, const ClipRegion& b)
     {

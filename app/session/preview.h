@@ -16,6 +16,7 @@ struct Preview {
 
     std::optional<ClipWindows> windows{}; ///< empty: the document's
     Drag drag = Drag::None;
+    double angle = 0; ///< by which the clip window was rotated; radians, from x towards y
     std::optional<clipping::Segment> line{}; ///< the line being drawn
 
     friend bool operator==(const Preview&, const Preview&) = default;

@@ -33,9 +33,14 @@ void Session::updateWindows()
 {
     windows_ = preview_.windows.value_or(now().windows());
     region_ = regionOf(windows_, now().page());
+    updateChoice();
+}
+
+void Session::updateChoice()
+{
     windowNumber_ = actedOn(windows_, chosenWindow_);
     clipWindow_.reset();
-    if (windowNumber_)
+    if (windowNumber_ && !isEmpty(windows_.list[*windowNumber_].shape))
         clipWindow_ = boxOf(windows_.list[*windowNumber_].shape);
     compared_ = comparedWindow(windows_, now().page(), windowNumber_);
 }
@@ -44,7 +49,7 @@ void Session::chooseWindow(std::size_t number)
 {
     if (std::exchange(chosenWindow_, number) == number)
         return;
-    updateWindows();
+    updateChoice();
     emit previewChanged();
 }
 

@@ -74,8 +74,6 @@ public:
     Pen pen;
     std::optional<std::size_t> guide{}; ///< the number of the chosen guide, which may be gone
     ArrangeOptions arrange;
-    /// What a clip window that is drawn does; empty: it replaces the window that tools act on.
-    std::optional<WindowOperation> newWindow{};
 
     const Document& now() const { return document.now(); }
 
@@ -146,6 +144,7 @@ signals:
 
 private:
     void updateWindows();
+    void updateChoice();
     void follow(const DocumentChange& change);
     void say(const DocumentChange& change);
 

@@ -4,13 +4,15 @@
 #include "app/base/numbers.h"
 #include "app/commands/add_objects.h"
 #include "app/commands/set_windows.h"
-#include "app/document/recipe_outline.h"
 #include "app/document/window_outline.h"
 #include "app/document/window_shape.h"
+#include "app/session/arrange_selection.h"
 #include "app/session/selection_style.h"
 #include "app/session/units.h"
 
 #include <QCoreApplication>
+
+#include <glm/common.hpp>
 
 #include <algorithm>
 
@@ -26,7 +28,6 @@ void push(Session& session, ClipWindows windows, const QString& text,
         session.history.push(new SetWindows(session.document, std::move(windows), text, merging));
 }
 
-// Upright rectangles keep their sides; other shapes become paths of the same form.
 std::vector<Subpath> subpathsOf(const WindowShape& shape)
 {
     if (const auto* path = std::get_if<PathShape>(&shape))
@@ -37,10 +38,17 @@ std::vector<Subpath> subpathsOf(const WindowShape& shape)
 
 } // namespace
 
+// A preview may have a window more than the document.
+static std::optional<std::size_t> numberIn(const ClipWindows& windows, const Session& session)
+{
+    const auto number = session.windowNumber();
+    return number && *number < windows.list.size() ? number : std::nullopt;
+}
+
 ClipWindows withShape(const Session& session, const WindowShape& shape)
 {
     ClipWindows windows = session.now().windows();
-    if (const auto number = session.windowNumber(); number && *number < windows.list.size())
+    if (const auto number = numberIn(windows, session))
         windows.list[*number].shape = shape;
     else
         windows.list.push_back({.shape = shape});
@@ -50,10 +58,10 @@ ClipWindows withShape(const Session& session, const WindowShape& shape)
 void setWindowShape(Session& session, const WindowShape& shape, const QString& text,
                     Merging merging)
 {
-    if (session.windowNumber())
+    if (numberIn(session.now().windows(), session))
         push(session, withShape(session, shape), text, merging);
     else
-        addWindow(session, {.shape = shape});
+        addWindows(session, {{.shape = shape}}, text);
 }
 
 void moveWindow(Session& session, const Point& by, Merging merging)
@@ -63,46 +71,44 @@ void moveWindow(Session& session, const Point& by, Merging merging)
                        tr("Move clip window"), merging);
 }
 
-ClipWindows withDrawn(const Session& session, const WindowShape& shape)
+ClipWindows withAnother(const Session& session, const WindowShape& shape)
 {
-    if (!session.newWindow)
-        return withShape(session, shape);
     ClipWindows windows = session.now().windows();
-    windows.list.push_back({.shape = shape, .operation = *session.newWindow});
+    windows.list.push_back({.shape = shape});
     return windows;
 }
 
-void drawWindow(Session& session, const WindowShape& shape)
+bool addWindows(Session& session, std::vector<ClipWindow> added, const QString& text)
 {
-    if (session.newWindow)
-        addWindow(session, {.shape = shape, .operation = *session.newWindow});
-    else
-        setWindowShape(session, shape, tr("Draw clip window"));
+    ClipWindows windows = session.now().windows();
+    auto& list = windows.list;
+    if (list.size() + added.size() > ClipWindows::most) {
+        emit session.refused(
+            tr("No clip window was added. This drawing has %1 clip windows, hidden "
+               "ones included, and cannot have more than %2. Delete a clip window "
+               "first.")
+                .arg(countText(list.size()), countText(ClipWindows::most)));
+        return false;
+    }
+    for (ClipWindow& window : added)
+        list.push_back(std::move(window));
+    const std::size_t last = list.size() - 1;
+    push(session, std::move(windows), text);
+    session.chooseWindow(last);
+    return true;
 }
 
 bool addWindow(Session& session, ClipWindow window)
 {
-    ClipWindows windows = session.now().windows();
-    const std::size_t number = windows.list.size();
-    if (number == ClipWindows::most) {
-        emit session.refused(
-            tr("No clip window was drawn. This drawing has %1 clip windows, hidden "
-               "ones included, and cannot take more. Delete a clip window first.")
-                .arg(countText(ClipWindows::most)));
-        return false;
-    }
-    windows.list.push_back(std::move(window));
-    push(session, std::move(windows), tr("Draw clip window"));
-    session.chooseWindow(number);
-    return true;
+    return addWindows(session, {std::move(window)}, tr("Draw clip window"));
 }
 
 void removeWindow(Session& session)
 {
-    const auto number = session.windowNumber();
+    ClipWindows windows = session.now().windows();
+    const auto number = numberIn(windows, session);
     if (!number)
         return;
-    ClipWindows windows = session.now().windows();
     windows.list.erase(windows.list.begin() + std::ptrdiff_t(*number));
     push(session, std::move(windows), tr("Remove clip window"));
     session.chooseWindow(*number > 0 ? *number - 1 : 0);
@@ -133,34 +139,32 @@ void changeWindow(Session& session, std::size_t number, const QString& text,
     push(session, std::move(windows), text);
 }
 
-std::optional<ClipWindow> windowOfSelection(const Session& session)
+static ClipWindow windowOf(const ObjectView& object)
+{
+    const auto& particulars = object.particulars();
+    const Path path = object.path();
+    const auto* rectangle = std::get_if<RectangleRecipe>(&particulars.recipe);
+    if (rectangle && rectangle->radius == 0) {
+        const Point opposite = rectangle->corner + rectangle->size;
+        return {particulars.id, RectangleShape{{glm::min(rectangle->corner, opposite),
+                                                glm::max(rectangle->corner, opposite)}}};
+    }
+    return {particulars.id, PathShape{path, object.style().fillRule, particulars.recipe}};
+}
+
+std::vector<ClipWindow> windowsOfSelection(const Session& session)
 {
     const Objects& objects = session.now().objects();
-    std::vector<Subpath> all;
-    PathShape shape;
-    QString name;
+    std::vector<ClipWindow> windows;
     for (const std::size_t number : session.selection()) {
         const ObjectView object = objects[number];
         if (!object.path().hasArea())
             continue;
-        if (all.empty()) {
-            shape.recipe = object.particulars().recipe;
-            shape.rule = object.style().fillRule;
-            name = object.particulars().id;
-        }
-        for (Subpath& path : object.path().subpaths())
-            all.push_back(std::move(path));
+        windows.push_back(windowOf(object));
+        if (windows.size() > ClipWindows::most)
+            break; // too many in any case
     }
-    if (all.empty())
-        return std::nullopt;
-    if (!makes(shape.recipe, all))
-        shape.recipe = {};
-    const auto* rectangle = std::get_if<RectangleRecipe>(&shape.recipe);
-    if (rectangle && rectangle->radius == 0)
-        return ClipWindow{name,
-                          RectangleShape{{rectangle->corner, rectangle->corner + rectangle->size}}};
-    shape.path = Path(all);
-    return ClipWindow{name, std::move(shape)};
+    return windows;
 }
 
 void windowToPath(Session& session)
@@ -174,13 +178,19 @@ void windowToPath(Session& session)
         object.particulars.recipe = path->recipe;
         object.style.fillRule = path->rule;
     }
-    const std::size_t before = session.now().objects().size();
+    const Containers& tree = session.now().containers();
+    const ContainerId into = containerForNew(session);
+    if (!tree.shown(into) || tree.locked(into)) {
+        emit session.refused(tr("The layer %1 is locked or hidden, so nothing was drawn. Select "
+                                "another layer, or unlock and show this one.")
+                                 .arg(groupName(tree[into])));
+        return;
+    }
     Objects objects = session.now().objects().slice(0, 0);
     objects.append(object);
-    session.history.push(new AddObjects(session.document, objects, containerForNew(session),
-                                        tr("Draw clip window's outline")));
-    if (session.now().objects().size() == before + 1)
-        session.select(ObjectRanges(ObjectRange{before, before + 1}));
+    session.history.push(
+        new AddObjects(session.document, objects, into, tr("Draw clip window's outline")));
+    session.select(justAdded(session));
 }
 
 } // namespace app

@@ -19,13 +19,12 @@ void setWindowShape(Session& session, const WindowShape& shape, const QString& t
                     Merging merging = Merging::Never);
 void moveWindow(Session& session, const Point& by, Merging merging = Merging::Never);
 
-/// The windows after one was drawn: without the choice of an operation (Session::newWindow) it
-/// takes the place of the window.
-ClipWindows withDrawn(const Session& session, const WindowShape& shape);
-void drawWindow(Session& session, const WindowShape& shape);
+/// The windows with one more.
+ClipWindows withAnother(const Session& session, const WindowShape& shape);
 
-/// Adds a window as the last and chooses it. If the drawing has as many as it may have, nothing
-/// changes and `Session::refused` says so.
+/// Adds windows after the others, in one step, and chooses the last of them. If the drawing has not
+/// room for all, nothing changes and `Session::refused` says so.
+bool addWindows(Session& session, std::vector<ClipWindow> windows, const QString& text);
 bool addWindow(Session& session, ClipWindow window);
 void removeWindow(Session& session);
 /// Moves a window to another place of the list and chooses it there.
@@ -34,9 +33,8 @@ void reorderWindow(Session& session, std::size_t from, std::size_t to);
 void changeWindow(Session& session, std::size_t number, const QString& text,
                   const std::function<void(ClipWindow&)>& change);
 
-/// The selected objects as one clip window: the areas of all their paths. Open paths are closed.
-/// Empty without objects that have an area.
-std::optional<ClipWindow> windowOfSelection(const Session& session);
+/// One clip window for each selected object that encloses an area. Open paths are closed.
+std::vector<ClipWindow> windowsOfSelection(const Session& session);
 /// Adds the window's shape as an object of the current layer, in the pen's style, and selects it.
 void windowToPath(Session& session);
 

@@ -26,12 +26,12 @@ struct Crossed {
 
 /// The directed line of a segment; for a single point, the horizontal line to the right.
 template <class T>
-struct DirectedLine {
+struct OrientedLine {
     BasicSegment<T> s;
     glm::vec<2, T> along;
     bool isPoint;
 
-    explicit DirectedLine(const BasicSegment<T>& segment)
+    explicit OrientedLine(const BasicSegment<T>& segment)
         : s(segment), along{s.b.x - s.a.x, s.b.y - s.a.y}, isPoint(s.a == s.b)
     {
     }
@@ -58,7 +58,7 @@ struct DirectedLine {
 
 struct OneByOne {
     template <class T>
-    static std::optional<Crossed> crossed(const DirectedLine<T>& line, const PolygonIn<T>& polygon)
+    static std::optional<Crossed> crossed(const OrientedLine<T>& line, const PolygonIn<T>& polygon)
     {
         std::optional<std::size_t> enter, leave, enterClosed, leaveClosed;
         const std::size_t last = polygon.size() - 1;
@@ -102,19 +102,19 @@ struct Searched {
     /// The corner furthest to the right of the line (side 1) or to its left (-1): the start of the
     /// first edge whose direction has reached that of the line, or the opposite one.
     template <class T>
-    static std::size_t furthest(int side, const DirectedLine<T>& line, const PolygonIn<T>& polygon)
+    static std::size_t furthest(int side, const OrientedLine<T>& line, const PolygonIn<T>& polygon)
     {
         const bool up = (side > 0) == line.isUpwards();
         const std::size_t edge = first(polygon.size(), [&](std::size_t i) {
             const auto from = polygon.corner(i), to = polygon.corner(polygon.after(i));
-            const bool edgeUp = DirectedLine<T>::upwards(from, to);
+            const bool edgeUp = OrientedLine<T>::upwards(from, to);
             return edgeUp != up ? up : side * line.turnOf(from, to) >= 0;
         });
         return edge == polygon.size() ? 0 : edge;
     }
 
     template <class T>
-    static std::optional<Crossed> crossed(const DirectedLine<T>& line, const PolygonIn<T>& polygon)
+    static std::optional<Crossed> crossed(const OrientedLine<T>& line, const PolygonIn<T>& polygon)
     {
         const std::size_t n = polygon.size();
         const std::size_t right = furthest(1, line, polygon), left = furthest(-1, line, polygon);

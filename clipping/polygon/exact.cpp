@@ -51,7 +51,7 @@ struct ExactPolygon {
         std::uint32_t number;
     };
     template <class T>
-    static End<T> endOn(std::size_t i, const DirectedLine<T>& line, const PolygonIn<T>& polygon)
+    static End<T> endOn(std::size_t i, const OrientedLine<T>& line, const PolygonIn<T>& polygon)
     {
         const std::size_t next = polygon.after(i);
         const BasicSegment<T> edge{polygon.corner(i), polygon.corner(next)};
@@ -71,7 +71,7 @@ struct ExactPolygon {
         if (step.test(3, (s.a.y < min.y && s.b.y < min.y) || (s.a.y > max.y && s.b.y > max.y),
                       Edge::Bottom, Edge::Top))
             return step.reject(4);
-        const DirectedLine<T> line(s);
+        const OrientedLine<T> line(s);
         const auto crossed = Search::crossed(line, polygon);
         if (step.test(13, !crossed))
             return step.reject(rejectLine);

@@ -19,7 +19,7 @@ struct SkalaPolygon {
     static constexpr int rejectLine = 23, acceptLine = 29;
 
     template <class T>
-    static glm::vec<2, T> meet(const DirectedLine<T>& line, std::size_t i,
+    static glm::vec<2, T> meet(const OrientedLine<T>& line, std::size_t i,
                                const PolygonIn<T>& polygon)
     {
         const BasicSegment<T> edge{polygon.corner(i), polygon.corner(polygon.after(i))};
@@ -30,7 +30,7 @@ struct SkalaPolygon {
     static std::optional<PolygonPiece<T>> clip(const BasicSegment<T>& s,
                                                const PolygonIn<T>& polygon, Step&& step)
     {
-        const DirectedLine<T> line(s);
+        const OrientedLine<T> line(s);
         const auto crossed = Search::crossed(line, polygon);
         if (step.test(22, !crossed))
             return step.reject(rejectLine);

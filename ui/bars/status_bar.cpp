@@ -206,7 +206,10 @@ void StatusBar::showAlgorithm(const app::Variant& variant)
     algorithm_->setWidest(published ? widest + mark : widest);
     algorithm_->setText(app::latin(variant.algorithm->abbreviation)
                         + (published ? mark : QString()));
-    algorithm_->setToolTip(app::latin(variant.algorithm->name));
+    const bool exactly = session_.region().prepared != nullptr;
+    algorithm_->setToolTip(exactly ? tr("At windows that are not all upright rectangles, Clearcut "
+                                        "cuts exactly, whichever algorithm is chosen.")
+                                   : app::latin(variant.algorithm->name));
 }
 
 void StatusBar::resizeEvent(QResizeEvent* event)

@@ -122,7 +122,7 @@ public:
 
     /// The current clip window, also during a gesture.
     std::optional<clipping::Window> clipWindow() const { return session_.clipWindow(); }
-    /// clipWindow(), or the page if there is none.
+    /// The rectangle at which algorithms are compared.
     clipping::Window window() const { return session_.window(); }
     /// The handle that adds a clip window (window_offer.h), in logical pixels; empty if none is
     /// offered.

@@ -21,7 +21,7 @@ void Controller::fitSelection()
     bounds ? navigation_.show(*bounds) : fitDrawing();
 }
 
-void Controller::fitWindow() { navigation_.show(window()); }
+void Controller::fitWindow() { navigation_.show(clipWindow().value_or(window())); }
 
 static double pixelsPerUnit(const app::Page& page)
 {

@@ -138,11 +138,12 @@ QString labelText(const Controller& controller)
     const app::Unit unit = controller.session().display().unit;
     const app::WindowFrame frame = app::frameOf(actedOn(controller).shape);
     const app::Preview::Drag drag = controller.session().preview().drag;
-    if (drag == app::Preview::Drag::Rotating)
-        return QStringLiteral("%1°").arg(app::numberText(-glm::degrees(frame.angle), 1));
+    if (drag == app::Preview::Drag::Rotating) // by how much, counterclockwise
+        return QStringLiteral("%1°").arg(
+            app::numberText(-glm::degrees(controller.session().preview().angle), 1));
     if (drag != app::Preview::Drag::Moving)
         return app::sizeText(frame.box.max - frame.box.min, unit, page.millimetresPerUnit());
-    const app::Point place = controller.clipWindow()->min - app::originOf(page, unit);
+    const app::Point place = frame.box.min - app::originOf(page, unit);
     return QStringLiteral("%1, %2").arg(app::lengthNumber(place.x, unit, page.millimetresPerUnit()),
                                         app::lengthText(place.y, unit, page.millimetresPerUnit()));
 }

@@ -5,6 +5,7 @@
 #include "ui/docks/algorithm_list.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/widgets/keep_choice.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -86,6 +87,7 @@ WindowList::WindowList(app::Session& session) : session_(session)
     setItemDelegate(new RowPainter(this));
     setAccessibleName(tr("Clip windows"));
     setObjectName(QStringLiteral("clip-windows"));
+    keepChoice(*this);
     setFrameShape(QFrame::NoFrame);
     setMouseTracking(true);
     setEditTriggers(DoubleClicked);
@@ -97,19 +99,19 @@ WindowList::WindowList(app::Session& session) : session_(session)
                 if (current.isValid())
                     session_.chooseWindow(std::size_t(current.row()));
             });
-    connect(&session, &app::Session::previewChanged, this, &WindowList::follow);
+    // Later: a press on the row of a hidden window makes it the current row first.
+    connect(&session, &app::Session::previewChanged, this, &WindowList::follow,
+            Qt::QueuedConnection);
     follow();
 }
 
+// A hidden window is never the current row: what acts on the current row must be seen.
 void WindowList::follow()
 {
     const auto number = session_.windowNumber();
-    const QModelIndex now = number ? model()->index(int(*number), 0) : QModelIndex();
-    // A hidden window may stay the current row.
-    const bool shownRow =
-        currentIndex().isValid() && currentIndex().data(WindowModel::VisibleRole).toBool();
-    if (now != currentIndex() && (now.isValid() || shownRow)
-        && (shownRow || !currentIndex().isValid()))
+    const bool shown = number && int(*number) < model()->rowCount();
+    const QModelIndex now = shown ? model()->index(int(*number), 0) : QModelIndex();
+    if (now != currentIndex())
         setCurrentIndex(now);
 }
 

@@ -3,6 +3,8 @@
 
 #include "app/session/window_steps.h"
 
+#include <algorithm>
+
 namespace ui {
 
 namespace {
@@ -15,6 +17,12 @@ QString operationText(app::WindowOperation operation)
 }
 
 } // namespace
+
+static bool looksAlike(const app::ClipWindow& a, const app::ClipWindow& b)
+{
+    return a.name == b.name && a.operation == b.operation && a.visible == b.visible
+           && nameOf(a.shape) == nameOf(b.shape);
+}
 
 QString nameOf(const app::WindowShape& shape)
 {
@@ -34,17 +42,18 @@ WindowModel::WindowModel(app::Session& session, QObject* parent)
     connect(&session, &app::Session::previewChanged, this, &WindowModel::follow);
 }
 
-// A drag changes shapes at every frame, but no row.
+// A drag changes shapes at every frame, but rarely a row.
 void WindowModel::follow()
 {
     const app::ClipWindows& now = session_.windows();
     const bool same = now.list.size() == shown_.list.size();
+    const bool alike = std::ranges::equal(now.list, shown_.list, looksAlike);
     if (!same)
         beginResetModel();
     shown_ = now;
     if (!same)
         endResetModel();
-    else if (!now.list.empty())
+    else if (!alike)
         emit dataChanged(index(0), index(int(now.list.size()) - 1));
 }
 

@@ -10,6 +10,7 @@
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/widgets/length_field.h"
+#include "ui/widgets/tool_list.h"
 #include "ui/widgets/unit_box.h"
 
 #include <QCoreApplication>
@@ -46,7 +47,7 @@ clipping::Window edited(const clipping::Window& window, std::size_t field, doubl
 } // namespace
 
 WindowPanel::WindowPanel(app::Session& session, QWidget* parent)
-    : QWidget(parent), session_(session), list_(new WindowList(session)), operation_(new QComboBox),
+    : QWidget(parent), session_(session), list_(new WindowList(session)), operation_(new ToolList),
       chain_(new QToolButton), unit_(new UnitBox(session)), pages_(new QStackedLayout(this))
 {
     pages_->addWidget(makeFields());
@@ -108,34 +109,42 @@ QWidget* WindowPanel::makeFields()
     return fields;
 }
 
-QWidget* WindowPanel::makeTools()
+static QToolButton* button(std::string_view key, const QString& name)
 {
-    const auto button = [](std::string_view key, const QString& name) {
-        auto* made = new QToolButton;
-        made->setIcon(icon(key));
-        made->setIconSize({16, 16});
-        made->setFixedSize(24, 24);
-        made->setAutoRaise(true);
-        made->setToolTip(name);
-        made->setAccessibleName(name);
-        return made;
-    };
-    auto* add = button("plus", tr("Add a clip window"));
-    add->setObjectName(QStringLiteral("add-window"));
+    auto* made = new QToolButton;
+    made->setIcon(icon(key));
+    made->setIconSize({16, 16});
+    made->setFixedSize(24, 24);
+    made->setAutoRaise(true);
+    made->setToolTip(name);
+    made->setAccessibleName(name);
+    return made;
+}
+
+QToolButton* WindowPanel::makeAdd()
+{
+    QToolButton* add = button("plus", tr("Add a clip window"));
     add->setPopupMode(QToolButton::InstantPopup);
     add->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
     add->setMenu(makeAddMenu());
+    return add;
+}
+
+QWidget* WindowPanel::makeTools()
+{
+    QToolButton* add = makeAdd();
+    add->setObjectName(QStringLiteral("add-window"));
     auto* remove = button("bin", tr("Remove the clip window"));
     connect(remove, &QToolButton::clicked, this, [this] { app::removeWindow(session_); });
     for (const auto& name : {tr("Add"), tr("Cut out"), tr("Intersect")})
         operation_->addItem(name);
     operation_->setAccessibleName(tr("Operation"));
     operation_->setToolTip(tr("What the window does with those above it"));
+    connect(operation_, &ToolList::done, this, &WindowPanel::entered);
     connect(operation_, &QComboBox::activated, this, [this](int chosen) {
         if (const auto number = session_.windowNumber())
             list_->model()->setData(list_->model()->index(int(*number), 0), chosen,
                                     WindowModel::OperationRole);
-        emit entered();
     });
     auto* row = new QHBoxLayout;
     row->setContentsMargins(space::dockMargin - 4, 2, space::dockMargin, 2);
@@ -162,12 +171,11 @@ QMenu* WindowPanel::makeAddMenu()
     }
     menu->addSeparator();
     QAction* selected = menu->addAction(tr("Selected objects"), this, [this] {
-        if (auto window = app::windowOfSelection(session_))
-            app::addWindow(session_, std::move(*window));
+        app::addWindows(session_, app::windowsOfSelection(session_),
+                        tr("Make clip windows of selection"));
     });
-    connect(menu, &QMenu::aboutToShow, this, [this, selected] {
-        selected->setEnabled(app::windowOfSelection(session_).has_value());
-    });
+    connect(menu, &QMenu::aboutToShow, this,
+            [this, selected] { selected->setEnabled(!app::windowsOfSelection(session_).empty()); });
     return menu;
 }
 
@@ -177,10 +185,14 @@ QWidget* WindowPanel::makeOffer()
     text->setWordWrap(true);
     auto* button = new QPushButton(tr("Lay window on page"));
     button->setToolTip(tr("Add a clip window that covers the whole page"));
-    connect(button, &QPushButton::clicked, this, [this] { layWindowOnPage(session_); });
+    connect(button, &QPushButton::clicked, this, [this] {
+        layWindowOnPage(session_);
+        fields_[X]->setFocus(); // its numbers are typed next
+    });
     auto* row = new QHBoxLayout;
     row->addWidget(text, 1);
     row->addWidget(button, 0, Qt::AlignVCenter);
+    row->addWidget(makeAdd());
     row->setContentsMargins(space::dockMargin, space::dockMargin, space::dockMargin,
                             space::dockMargin);
     auto* offer = new QWidget;
@@ -193,6 +205,9 @@ void WindowPanel::follow()
     pages_->setCurrentIndex(session_.windows().list.empty() ? 1 : 0);
     const auto number = session_.windowNumber();
     operation_->setEnabled(number.has_value());
+    chain_->setEnabled(number.has_value());
+    for (LengthField* field : fields_)
+        field->setEnabled(number.has_value());
     if (number)
         operation_->setCurrentIndex(int(session_.windows().list[*number].operation));
     const clipping::Window window =
@@ -219,7 +234,9 @@ void WindowPanel::edit(std::size_t field, double length, app::Merging merging)
     const clipping::Window after = edited(before, field, place + length, chain_->isChecked());
     if (after != before)
         app::setWindowShape(
-            session_, app::fitted(shape, {after, frame.angle}),
+            session_,
+            app::fitted(shape, field == X || field == Y ? app::WindowFrame{after, frame.angle}
+                                                        : app::resized(frame, after)),
             field == X || field == Y ? tr("Move clip window") : tr("Resize clip window"), merging);
 }
 

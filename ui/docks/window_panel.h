@@ -3,7 +3,6 @@
 
 #include "app/session/session.h"
 
-#include <QComboBox>
 #include <QStackedLayout>
 #include <QToolButton>
 
@@ -14,6 +13,7 @@ class QMenu;
 namespace ui {
 
 class LengthField;
+class ToolList;
 class UnitBox;
 class WindowList;
 
@@ -34,13 +34,14 @@ private:
     QWidget* makeFields();
     QWidget* makeTools();
     QWidget* makeOffer(); ///< shown if there is no clip window
+    QToolButton* makeAdd();
     QMenu* makeAddMenu();
     void follow();
     void edit(std::size_t field, double length, app::Merging merging);
 
     app::Session& session_;
     WindowList* list_;
-    QComboBox* operation_;
+    ToolList* operation_;
     std::array<LengthField*, 4> fields_; ///< X Y W H
     QToolButton* chain_;                 ///< checked: W and H keep their ratio
     UnitBox* unit_;

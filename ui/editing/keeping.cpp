@@ -22,8 +22,16 @@ void setKeep(app::Session& session, app::Keep keep)
 
 void layWindowOnPage(app::Session& session)
 {
-    app::setWindowShape(session, app::RectangleShape{session.now().page().rectangle()},
-                        QCoreApplication::translate("Clip", "Lay clip window on page"));
+    const app::RectangleShape page{session.now().page().rectangle()};
+    const QString text = QCoreApplication::translate("Clip", "Lay clip window on page");
+    const auto number = session.windowNumber();
+    const bool replaces =
+        number
+        && std::holds_alternative<app::RectangleShape>(session.windows().list[*number].shape);
+    if (replaces)
+        app::setWindowShape(session, page, text);
+    else
+        app::addWindows(session, {{.shape = page}}, text);
 }
 
 } // namespace ui

@@ -96,20 +96,22 @@ void setRemoved(MainWindow& window)
 
 void windowOnPage(MainWindow& window) { layWindowOnPage(window.session()); }
 
-void windowOfSelection(MainWindow& window)
+void windowsOfSelection(MainWindow& window)
 {
     app::Session& session = window.session();
-    if (auto made = app::windowOfSelection(session))
-        app::addWindow(session, std::move(*made));
+    auto made = app::windowsOfSelection(session);
+    if (made.empty())
+        emit session.refused(tr("None of the selected objects encloses an area, so they cannot be "
+                                "clip windows. Select a closed shape."));
     else
-        emit session.refused(
-            tr("None of the selected objects encloses an area, so they cannot be a "
-               "clip window. Select a closed shape."));
+        app::addWindows(session, std::move(made), tr("Make clip windows of selection"));
 }
 
 void removeWindow(MainWindow& window) { app::removeWindow(window.session()); }
 
-bool hasWindow(const MainWindow& window) { return window.session().clipWindow().has_value(); }
+bool hasWindow(const MainWindow& window) { return window.session().windowNumber().has_value(); }
+
+QString noWindow() { return tr("No clip window is visible. Draw one first (W)."); }
 
 } // namespace
 
@@ -138,9 +140,9 @@ MenuInfo clipMenu()
                     .run = windowOnPage,
                 },
                 {
-                    .key = "window-of-selection",
-                    .text = tr("&Make clip window of selection"),
-                    .run = windowOfSelection,
+                    .key = "windows-of-selection",
+                    .text = tr("&Make clip windows of selection"),
+                    .run = windowsOfSelection,
                     .enabled = [](const MainWindow& w) { return !w.session().selection().empty(); },
                     .needs = nothingSelected(),
                 },
@@ -149,12 +151,14 @@ MenuInfo clipMenu()
                     .text = tr("Draw window's outline as &path"),
                     .run = [](MainWindow& w) { app::windowToPath(w.session()); },
                     .enabled = hasWindow,
+                    .needs = noWindow(),
                 },
                 {
                     .key = "remove-window",
                     .text = tr("&Remove clip window"),
                     .run = removeWindow,
                     .enabled = hasWindow,
+                    .needs = noWindow(),
                 },
                 {},
                 {

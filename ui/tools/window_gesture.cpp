@@ -30,9 +30,9 @@ void WindowGesture::start(app::Handle handle, const Pointer& pointer, const Work
         state_ = State{handle, pointer, pointer, session.windows().list[*number].shape};
 }
 
-void WindowGesture::startNew(const Pointer& pointer)
+void WindowGesture::startNew(const Pointer& pointer, Drawn drawn)
 {
-    state_ = State{{1, 1}, pointer, pointer, std::nullopt};
+    state_ = State{{1, 1}, pointer, pointer, std::nullopt, drawn};
 }
 
 void WindowGesture::follow(const Pointer& pointer, const Workbench& bench)
@@ -72,8 +72,10 @@ void WindowGesture::proceed(const Pointer& pointer, Workbench& bench)
 {
     follow(pointer, bench);
     const auto now = shape();
-    bench.session.setPreview(now ? app::Preview{.windows = after(*now, bench), .drag = drag()}
-                                 : app::Preview{});
+    app::Preview preview;
+    if (now)
+        preview = {.windows = after(*now, bench), .drag = drag(), .angle = angle()};
+    bench.session.setPreview(preview);
 }
 
 void WindowGesture::cancel(Workbench& bench)
@@ -89,11 +91,14 @@ void WindowGesture::finish(const Pointer& pointer, Workbench& bench)
     const auto result = shape();
     const app::Preview::Drag what = drag();
     const bool isNew = state_ && !state_->start;
+    const bool another = isNew && state_->drawn == Drawn::Another;
     state_.reset();
-    if (result && isNew)
-        app::drawWindow(bench.session, *result);
+    if (result && another)
+        app::addWindow(bench.session, {.shape = *result});
     else if (result)
-        app::setWindowShape(bench.session, *result, nameOf(what));
+        app::setWindowShape(bench.session, *result,
+                            isNew ? QCoreApplication::translate("Commands", "Draw clip window")
+                                  : nameOf(what));
     bench.session.setPreview({});
 }
 
@@ -117,25 +122,40 @@ app::WindowShape WindowGesture::dragged() const
 {
     if (moves())
         return app::mapped(*state_->start, app::translation(state_->moved.by));
+    if (state_->handle == app::rotationHandle)
+        return app::rotated(*state_->start, angle());
     const auto modifiers = state_->to.modifiers;
     const app::WindowFrame start = app::frameOf(*state_->start);
     const app::Handle handle = state_->handle;
     app::Point from = state_->from.raw, to = state_->to.raw;
-    if (state_->to.position != state_->to.raw && handle != app::rotationHandle) {
+    if (state_->to.position != state_->to.raw) {
         from = app::outOfFrame(start, app::placeOf(handle, start.box));
         to = state_->to.position;
     }
     const auto proportion =
         modifiers & Qt::ShiftModifier ? app::Proportion::Kept : app::Proportion::Free;
     const auto frame = app::dragged(start, handle, from, to, proportion, anchorOf(modifiers));
-    return handle == app::rotationHandle ? app::rotated(*state_->start, frame.angle - start.angle)
-                                         : app::fitted(*state_->start, frame);
+    return app::fitted(*state_->start, frame);
 }
 
 app::ClipWindows WindowGesture::after(const app::WindowShape& shape, const Workbench& bench) const
 {
-    return state_->start ? app::withShape(bench.session, shape)
-                         : app::withDrawn(bench.session, shape);
+    const bool another = !state_->start && state_->drawn == Drawn::Another;
+    return another ? app::withAnother(bench.session, shape) : app::withShape(bench.session, shape);
+}
+
+// By which the rotation handle was turned so far.
+double WindowGesture::angle() const
+{
+    if (!state_ || !state_->start || state_->handle != app::rotationHandle)
+        return 0;
+    const app::WindowFrame start = app::frameOf(*state_->start);
+    const auto proportion =
+        state_->to.modifiers & Qt::ShiftModifier ? app::Proportion::Kept : app::Proportion::Free;
+    return app::dragged(start, state_->handle, state_->from.raw, state_->to.raw, proportion,
+                        app::Anchor::Opposite)
+               .angle
+           - start.angle;
 }
 
 app::Preview::Drag WindowGesture::drag() const

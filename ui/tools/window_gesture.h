@@ -12,7 +12,10 @@ class WindowGesture {
 public:
     /// On the window that tools act on.
     void start(app::Handle handle, const Pointer& pointer, const Workbench& bench);
-    void startNew(const Pointer& pointer); ///< drags a new clip window from corner to corner
+    /// Drags a clip window from corner to corner. It replaces the window that tools act on, or is
+    /// another one.
+    enum class Drawn : std::uint8_t { Replaces, Another };
+    void startNew(const Pointer& pointer, Drawn drawn);
     void proceed(const Pointer& pointer, Workbench& bench);
     void finish(const Pointer& pointer, Workbench& bench);
     void cancel(Workbench& bench);
@@ -31,11 +34,13 @@ private:
     app::WindowShape dragged() const;
     app::ClipWindows after(const app::WindowShape& shape, const Workbench& bench) const;
     app::Preview::Drag drag() const;
+    double angle() const;
 
     struct State {
         app::Handle handle;
         Pointer from, to;
         std::optional<app::WindowShape> start; ///< empty: a new window
+        Drawn drawn = Drawn::Replaces;
         bool drags = false;
         app::MovedSnap moved{}; ///< if the whole window is moved
     };

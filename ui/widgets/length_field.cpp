@@ -240,13 +240,17 @@ void LengthField::keyPressEvent(QKeyEvent* event)
     const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     if (enters && isBlank())
         return emit entered(); // Qt would show the last number
-    if (enters && !takesTyped()) {
-        event->accept(); // a dialog must not close with the old number
+    const bool isLength = bool(typed(text()));
+    const bool fits = !enters || takesTyped();
+    if (!fits)
+        event->accept();    // a dialog must not close with the old number
+    if (!fits && !isLength) // Qt would show the last number in a mixed field
         return selectAll();
-    }
     const bool types = lineEdit()->isModified();
     QDoubleSpinBox::keyPressEvent(event);
-    if (enters) {
+    if (!fits)
+        event->accept();
+    if (enters && fits) {
         if (types)
             finishMixed();
         emit taken();

@@ -53,6 +53,22 @@ private slots:
         const auto moved = std::get<RectangleShape>(mapped(old, translation({5, 7})));
         QVERIFY(near(moved.box, {{15, 27}, {21, 35}}) && moved.angle == 0.25);
     }
+    void quarterTurnsLeaveARectangleUpright()
+    {
+        const WindowShape old = RectangleShape{{{10, 20}, {16, 28}}};
+        QVERIFY(rotated(old, pi / 2) == WindowShape(RectangleShape{{{9, 21}, {17, 27}}}));
+        QVERIFY(rotated(old, -pi) == old);
+        QVERIFY(std::get<RectangleShape>(rotated(old, 0.1)).angle == 0.1);
+    }
+    void degeneratePathsStayWhatTheyAre()
+    {
+        QVERIFY(isEmpty(PathShape{}) && !isEmpty(RectangleShape{}));
+        QVERIFY(boxOf(PathShape{}) == clipping::Window{});
+        const Subpath ring{{0, 0}, {{{4, 0}}, {{0, 2}}}, true};
+        const WindowShape triangle = PathShape{Path({&ring, 1})};
+        QVERIFY(fitted(triangle, {{{1, 1}, {1, 9}}})
+                == triangle); // it could never be widened again
+    }
     void aSkewedRectangleBecomesAPath()
     {
         const WindowShape skewed =

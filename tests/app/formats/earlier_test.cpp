@@ -51,15 +51,17 @@ private slots:
         QTest::addColumn<QString>("file");
         QTest::addColumn<QString>("today"); // what it is today, saved again
         QTest::newRow("the first") << "plan-a65b602.svg"
-                                   << "plan-c9d7f62.svg";
+                                   << "plan-0827a8d.svg";
         QTest::newRow("lines unfilled") << "plan-c9d7f62.svg"
-                                        << "plan-c9d7f62.svg";
+                                        << "plan-0827a8d.svg";
         QTest::newRow("with metadata") << "plan-bd1048b.svg"
-                                       << "plan-fd42f48.svg";
+                                       << "plan-metadata-0827a8d.svg";
         QTest::newRow("the window apart") << "plan-fd42f48.svg"
-                                          << "plan-fd42f48.svg";
+                                          << "plan-metadata-0827a8d.svg";
         QTest::newRow("left unsaved") << "leftover-c9d7f62.svg"
-                                      << "plan-c9d7f62.svg";
+                                      << "plan-0827a8d.svg";
+        QTest::newRow("a style for each object") << "plan-0827a8d.svg"
+                                                 << "plan-0827a8d.svg";
     }
     void aDrawing()
     {
@@ -83,7 +85,8 @@ private slots:
         };
         const QByteArray first = picture("plan-a65b602.svg");
         QVERIFY(first.size() > 1000);
-        for (const char* file : {"plan-c9d7f62.svg", "plan-bd1048b.svg", "plan-fd42f48.svg"})
+        for (const char* file :
+             {"plan-c9d7f62.svg", "plan-bd1048b.svg", "plan-fd42f48.svg", "plan-0827a8d.svg"})
             QVERIFY2(picture(file) == first, file);
     }
 

@@ -251,7 +251,7 @@ private slots:
                 const auto expected = keptOf({{{window, WindowOperation::Add}}, keep}, line);
                 using enum WindowOperation;
                 const Keep other = keep == Keep::Inside ? Keep::Outside : Keep::Inside;
-                for (const auto& [steps, of] : std::initializer_list<ClipRegion>{
+                for (const ClipRegion& region : std::initializer_list<ClipRegion>{
                          {{{window, Add}, {window, Add}}, keep},
                          {{{window, Add}, {away, CutOut}}, keep},
                          {{{window, Intersect}}, keep},
@@ -259,7 +259,7 @@ private slots:
                          {{{away, Add}, {window, Add}}, keep},
                          {{{window, CutOut}}, other},
                          {{{away, CutOut}, {window, CutOut}}, other}})
-                    QVERIFY(sameBits(keptOf({steps, of}, line), expected));
+                    QVERIFY(sameBits(keptOf(region, line), expected));
             }
         }
     }
@@ -421,20 +421,25 @@ private slots:
         QCOMPARE(foldOf({{1, 0}, {2, 0}}, Segment{{3, infinity}, {4, 0}}).size(), 1u);
         QCOMPARE(foldOf({{-9, 0}, {9, 0}}, std::nullopt)[0].segment, (Segment{{-9, 0}, {9, 0}}));
     }
-    void otherShapesAndHiddenWindowsAreLeftOut()
+    void hiddenWindowsAreLeftOutAndOtherShapesArePrepared()
     {
         const RectangleShape straight{{{1, 2}, {3, 4}}}, turned{{{1, 2}, {3, 4}}, 0.5};
         const Subpath triangle{{0, 0}, {{{1, 0}}, {{0, 1}}}, true};
         const PathShape polygon{Path({&triangle, 1})};
-        ClipWindows windows{
-            {{{}, polygon}, {{}, turned}, {{}, straight, WindowOperation::Add, false}}};
+        const auto hidden = WindowOperation::Add;
+        ClipWindows windows{{{{}, polygon, hidden, false}, {{}, straight, hidden, false}}};
         const Page page;
-        QVERIFY(regionOf(windows).everything());
+        QVERIFY(regionOf(windows, 1).everything());
         QCOMPARE(comparedWindow(windows, page), (ComparedWindow{page.rectangle(), true}));
         windows.list.push_back({{}, straight, WindowOperation::CutOut});
-        windows.list.push_back({{}, RectangleShape{{{0, 0}, {1, 1}}}});
-        QCOMPARE(regionOf(windows).steps.size(), 2u);
-        QVERIFY(regionOf(windows).startsFull());
+        QVERIFY(!regionOf(windows, 1).prepared && regionOf(windows, 1).startsFull());
+        windows.list.push_back({{}, turned});
+        windows.list.push_back({{}, polygon});
+        const ClipRegion region = regionOf(windows, 1);
+        QVERIFY(region.prepared && region.startsFull());
+        QCOMPARE(region.steps.size(), 3u);
+        QCOMPARE(region.steps[1].rings.at(0).size(), 4u);
+        QVERIFY(region.steps[2].box == (clipping::Window{{0, 0}, {1, 1}}));
         QCOMPARE(comparedWindow(windows, page), (ComparedWindow{straight.box, false}));
     }
     void manyWindowsFoldAsWell()

@@ -169,6 +169,18 @@ private slots:
         QCOMPARE(remainsOf(region, {{30, 25}, {31, 26}}), Remains::Pieces); // in the rotated one
         QVERIFY(!region.single() && region.prepared);
     }
+    void aWindowWithoutAreaBesideAShapeKeepsNothing()
+    {
+        ClipWindows all = windows(Keep::Inside);
+        all.list = {all.list[0], {.shape = RectangleShape{{{5, 95}, {5, 99}}}}};
+        const ClipRegion region = regionOf(all, tolerance);
+        QCOMPARE(remainsOf(region, {{5, 96}, {5, 97}}), Remains::Gone);
+        RegionClipping clipping;
+        clipping.start(region, clipping::exactAlgorithm().corrected.clipAll);
+        std::vector<Clipped> kept;
+        clipping.fold(std::vector{Segment{{5, 96}, {5, 97}}}, 0, kept);
+        QCOMPARE(kept.size(), 0u);
+    }
     void aDrawingIsCutAtItsShapes()
     {
         const Subpath line{{0, 50}, {{{100, 50}}}, false};

@@ -110,39 +110,43 @@ private slots:
         reorderWindow(session, 2, 3);
         QCOMPARE(session.names(), QStringList({"a", "c", "b"}));
     }
-    void aDrawnWindowReplacesOrIsOneMore()
+    void anotherWindowIsOneMore()
     {
         Asked session({{.name = "a", .shape = box}});
-        drawWindow(session, other);
-        QCOMPARE(session.list().size(), 1u);
-        QCOMPARE(session.clipWindow(), std::optional(other.box));
-        session.newWindow = WindowOperation::CutOut;
-        QCOMPARE(withDrawn(session, box).list.size(), 2u);
-        drawWindow(session, box);
-        QCOMPARE(session.list().size(), 2u);
-        QCOMPARE(session.list()[1].operation, WindowOperation::CutOut);
-        QCOMPARE(session.windowNumber(), std::optional<std::size_t>(1));
+        QCOMPARE(withShape(session, other).list.size(), 1u);
+        QCOMPARE(withAnother(session, other).list.size(), 2u);
+        QVERIFY(addWindows(session, {{.shape = other}, {.shape = box}}, "Two"));
+        QCOMPARE(session.list().size(), 3u);
+        QCOMPARE(session.history.count(), 1);
+        QCOMPARE(session.windowNumber(), std::optional<std::size_t>(2));
     }
-    void theSelectionBecomesOneWindow()
+    void aPreviewMayHaveAWindowMore()
     {
-        const RectangleRecipe rectangle{{1, 2}, {3, 4}};
+        Asked session(std::vector<ClipWindow>(ClipWindows::most, {.visible = false}));
+        session.setPreview({.windows = withAnother(session, box)});
+        QCOMPARE(session.windowNumber(), std::optional(ClipWindows::most));
+        setWindowShape(session, other, "Place");
+        removeWindow(session);
+        QCOMPARE(session.list().size(), ClipWindows::most);
+        QCOMPARE(session.history.count(), 0);
+        QCOMPARE(session.refusals.size(), 1);
+    }
+    void everySelectedAreaBecomesAWindow()
+    {
+        const RectangleRecipe rectangle{{4, 6}, {-3, -4}}; // from a file: the other way round
         const StarRecipe star{{50, 50}, 10, 4, 0, 5};
         const Object line{Path(clipping::Segment{{0, 0}, {1, 1}}), {}};
         Asked session({}, {drawn(rectangle, "frame"), drawn(star), line});
-        QVERIFY(!windowOfSelection(session));
+        QVERIFY(windowsOfSelection(session).empty());
         session.select({2});
-        QVERIFY(!windowOfSelection(session)); // a line has no area
-        session.select({0, 2});
-        const ClipWindow frame = *windowOfSelection(session);
-        QCOMPARE(frame.name, "frame");
-        QVERIFY(frame.shape == WindowShape(RectangleShape{{{1, 2}, {4, 6}}}));
-        session.select({1});
-        const auto alone = std::get<PathShape>(windowOfSelection(session)->shape);
+        QVERIFY(windowsOfSelection(session).empty()); // a line has no area
+        session.select({0, 1, 2});
+        const auto windows = windowsOfSelection(session);
+        QCOMPARE(windows.size(), 2u);
+        QCOMPARE(windows[0].name, "frame");
+        QVERIFY(windows[0].shape == WindowShape(RectangleShape{{{1, 2}, {4, 6}}}));
+        const auto alone = std::get<PathShape>(windows[1].shape);
         QVERIFY(alone.recipe == Recipe(star) && alone.rule == FillRule::EvenOdd);
-        session.select({0, 1});
-        const auto both = std::get<PathShape>(windowOfSelection(session)->shape);
-        QCOMPARE(both.path.subpathCount(), 2u);
-        QVERIFY(both.recipe == Recipe());
     }
     void aWindowsOutlineBecomesAnObject()
     {
@@ -152,8 +156,8 @@ private slots:
         QCOMPARE(session.selection(), ObjectRanges{0});
         const ObjectView object = session.now().objects()[0];
         QVERIFY(object.particulars().recipe == Recipe(EllipseRecipe{{4, 3}, {4, 3}}));
-        QVERIFY(object.path().straight() == false);
-        QVERIFY(windowOfSelection(session)->shape == session.list()[0].shape);
+        QVERIFY(!object.path().straight());
+        QVERIFY(windowsOfSelection(session)[0].shape == session.list()[0].shape);
     }
     void everyKindOfWindowFitsIntoItsBox()
     {

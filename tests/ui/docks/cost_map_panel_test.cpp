@@ -183,9 +183,8 @@ private slots:
         stage.show();
         const app::CostPlan before = *stage.panel.live().asked();
         const app::Point by(7, 5);
-        stage.session.setPreview(
-            {.windows = app::withWindow(stage.session.now().windows(),
-                                        {{window.min + by, window.max + by}})});
+        stage.session.setPreview({.windows = app::withWindow(stage.session.now().windows(),
+                                                             {window.min + by, window.max + by})});
         QCOMPARE(stage.panel.live().asked()->window, window); // the frame comes first
         QTRY_COMPARE(stage.panel.live().asked()->window, stage.session.window());
         QVERIFY(glm::distance(stage.panel.live().asked()->fixed, before.fixed + by) < 1e-9);

@@ -128,6 +128,7 @@ private slots:
         t.show();
         app::Session& session = t.window->session();
         QCOMPARE(sheetOf(session.document).window, (clipping::Window{{-50, -50}, {50, 50}}));
+        t.run("window-on-page");
         const auto fields = t.window->findChild<WindowPanel*>()->findChildren<LengthField*>();
         QCOMPARE(fields[0]->text(), "0.00");
         type(fields[0], "10");

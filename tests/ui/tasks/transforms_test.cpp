@@ -104,10 +104,27 @@ private slots:
     {
         Steps steps;
         rectangle(steps, "20,20", "60", "40");
-        add(steps,
-            {key("E"), click({50.4, 39.7}, Qt::AltModifier), type("10"), tab(), type("10"), enter(),
-             key("G"), type("-20,0"), enter(), key("E"), click({30.3, 40.4}, Qt::AltModifier),
-             type("16"), tab(), type("16"), enter(), key("G"), key("C"), type("40,0"), enter()});
+        add(steps, {key("E"),
+                    click({50.4, 39.7}, Qt::AltModifier),
+                    type("10"),
+                    tab(),
+                    type("10"),
+                    enter(),
+                    key("G"),
+                    type("-20,0"),
+                    enter(),
+                    key("E"),
+                    click({30.3, 40.4}, Qt::AltModifier),
+                    type("16"),
+                    tab(),
+                    type("16"),
+                    enter(),
+                    key("V"),
+                    click({35, 40}),
+                    key("G"),
+                    key("C"),
+                    type("40,0"),
+                    enter()});
         Table table = boxes({{{20, 20}, {80, 60}}});
         table.insert(table.end(), {circle({30, 40}, 5), circle({30, 40}, 8), circle({70, 40}, 5)});
         check(steps, table);

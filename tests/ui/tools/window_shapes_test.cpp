@@ -55,10 +55,10 @@ private slots:
     void aClickChoosesAWindowAndADragMovesIt()
     {
         Windows w;
-        QCOMPARE(w.list->currentIndex().row(), 0);
+        QTRY_COMPARE(w.list->currentIndex().row(), 0);
         w.click({140, 50});
         QCOMPARE(w.session.windowNumber(), std::optional<std::size_t>(1));
-        QCOMPARE(w.list->currentIndex().row(), 1);
+        QTRY_COMPARE(w.list->currentIndex().row(), 1);
         QCOMPARE(w.session.history.count(), 0);
         w.drag({140, 50}, {150, 55});
         QCOMPARE(w.session.history.count(), 1);
@@ -101,8 +101,17 @@ private slots:
         w.drag({50, 50}, {50, 30}); // the hall now covers a part of the first line
         QCOMPARE(visible(), 1u);
         w.clickRow(1);
+        QTRY_COMPARE(w.list->currentIndex().row(), 1);
         QTest::keyClick(w.list, Qt::Key_Delete);
         QCOMPARE(w.session.now().windows().list.size(), 1u);
+    }
+    void withControlAnotherWindowIsDrawn()
+    {
+        Windows w;
+        w.drag({30, 40}, {60, 60}, Qt::ControlModifier); // inside the hall
+        QCOMPARE(w.session.now().windows().list.size(), 3u);
+        QCOMPARE(w.session.windowNumber(), std::optional<std::size_t>(2));
+        QVERIFY(w.window(0).shape == app::WindowShape(app::RectangleShape{{{20, 30}, {80, 70}}}));
     }
     void theListHidesRenamesAndReorders()
     {
@@ -118,6 +127,7 @@ private slots:
         QCOMPARE(w.window(0).name, "Dome");
         QCOMPARE(w.session.windowNumber(), std::optional<std::size_t>(0));
         w.clickRow(0);
+        QTRY_COMPARE(w.list->currentIndex().row(), 0);
         QTest::mouseDClick(w.list->viewport(), Qt::LeftButton, {}, w.row(0, 120));
         QTRY_VERIFY(qobject_cast<QLineEdit*>(QApplication::focusWidget()));
         QTest::keyClicks(QApplication::focusWidget(), "Kuppel");
