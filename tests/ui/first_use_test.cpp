@@ -160,6 +160,9 @@ private slots:
         auto* panel = t.window->findChild<LayersPanel*>();
         panel->findChild<QToolButton*>()->click();
         auto* list = panel->findChild<QListView*>();
+        QTRY_VERIFY(list->viewport()->findChild<QLineEdit*>()); // the new layer is given a name
+        QTest::keyClick(list->viewport()->findChild<QLineEdit*>(), Qt::Key_Return);
+        QTRY_VERIFY(!list->viewport()->findChild<QLineEdit*>());
         const auto before = qInstallMessageHandler(collect);
         for (const int row : {0, 1}) {
             list->setCurrentIndex(list->model()->index(row, 0));

@@ -452,7 +452,7 @@ private slots:
         session.document.apply({.windows = windows});
         const auto* list = t.window->findChild<QListView*>("clip-windows");
         QVERIFY(list->isVisible());
-        QCOMPARE(list->currentIndex().data().toString(), "Main");
+        QTRY_COMPARE(list->currentIndex().data().toString(), "Main");
         QCOMPARE(list->model()->rowCount(), 3);
         const int height = t.window->findChild<QDockWidget*>("window")->height();
         windows.list = {{.name = "Main", .shape = box(10)}};
