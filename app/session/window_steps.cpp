@@ -71,20 +71,13 @@ void moveWindow(Session& session, const Point& by, Merging merging)
                        tr("Move clip window"), merging);
 }
 
-ClipWindows withAnother(const Session& session, const WindowShape& shape)
-{
-    ClipWindows windows = session.now().windows();
-    windows.list.push_back({.shape = shape});
-    return windows;
-}
-
 bool addWindows(Session& session, std::vector<ClipWindow> added, const QString& text)
 {
     ClipWindows windows = session.now().windows();
     auto& list = windows.list;
     if (list.size() + added.size() > ClipWindows::most) {
         emit session.refused(
-            tr("No clip window was added. This drawing has %1 clip windows, hidden "
+            tr("No clip window was drawn. This drawing has %1 clip windows, hidden "
                "ones included, and cannot have more than %2. Delete a clip window "
                "first.")
                 .arg(countText(list.size()), countText(ClipWindows::most)));

@@ -19,9 +19,6 @@ void setWindowShape(Session& session, const WindowShape& shape, const QString& t
                     Merging merging = Merging::Never);
 void moveWindow(Session& session, const Point& by, Merging merging = Merging::Never);
 
-/// The windows with one more.
-ClipWindows withAnother(const Session& session, const WindowShape& shape);
-
 /// Adds windows after the others, in one step, and chooses the last of them. If the drawing has not
 /// room for all, nothing changes and `Session::refused` says so.
 bool addWindows(Session& session, std::vector<ClipWindow> windows, const QString& text);

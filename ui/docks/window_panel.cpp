@@ -195,8 +195,12 @@ QWidget* WindowPanel::makeOffer()
     row->addWidget(makeAdd());
     row->setContentsMargins(space::dockMargin, space::dockMargin, space::dockMargin,
                             space::dockMargin);
+    auto* column = new QVBoxLayout;
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addLayout(row);
+    column->addStretch();
     auto* offer = new QWidget;
-    offer->setLayout(row);
+    offer->setLayout(column);
     return offer;
 }
 

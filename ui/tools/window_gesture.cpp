@@ -30,9 +30,9 @@ void WindowGesture::start(app::Handle handle, const Pointer& pointer, const Work
         state_ = State{handle, pointer, pointer, session.windows().list[*number].shape};
 }
 
-void WindowGesture::startNew(const Pointer& pointer, Drawn drawn)
+void WindowGesture::startNew(const Pointer& pointer)
 {
-    state_ = State{{1, 1}, pointer, pointer, std::nullopt, drawn};
+    state_ = State{{1, 1}, pointer, pointer, std::nullopt};
 }
 
 void WindowGesture::follow(const Pointer& pointer, const Workbench& bench)
@@ -74,7 +74,8 @@ void WindowGesture::proceed(const Pointer& pointer, Workbench& bench)
     const auto now = shape();
     app::Preview preview;
     if (now)
-        preview = {.windows = after(*now, bench), .drag = drag(), .angle = angle()};
+        preview = {
+            .windows = app::withShape(bench.session, *now), .drag = drag(), .angle = angle()};
     bench.session.setPreview(preview);
 }
 
@@ -91,11 +92,8 @@ void WindowGesture::finish(const Pointer& pointer, Workbench& bench)
     const auto result = shape();
     const app::Preview::Drag what = drag();
     const bool isNew = state_ && !state_->start;
-    const bool another = isNew && state_->drawn == Drawn::Another;
     state_.reset();
-    if (result && another)
-        app::addWindow(bench.session, {.shape = *result});
-    else if (result)
+    if (result)
         app::setWindowShape(bench.session, *result,
                             isNew ? QCoreApplication::translate("Commands", "Draw clip window")
                                   : nameOf(what));
@@ -136,12 +134,6 @@ app::WindowShape WindowGesture::dragged() const
         modifiers & Qt::ShiftModifier ? app::Proportion::Kept : app::Proportion::Free;
     const auto frame = app::dragged(start, handle, from, to, proportion, anchorOf(modifiers));
     return app::fitted(*state_->start, frame);
-}
-
-app::ClipWindows WindowGesture::after(const app::WindowShape& shape, const Workbench& bench) const
-{
-    const bool another = !state_->start && state_->drawn == Drawn::Another;
-    return another ? app::withAnother(bench.session, shape) : app::withShape(bench.session, shape);
 }
 
 // By which the rotation handle was turned so far.

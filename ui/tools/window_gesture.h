@@ -12,10 +12,8 @@ class WindowGesture {
 public:
     /// On the window that tools act on.
     void start(app::Handle handle, const Pointer& pointer, const Workbench& bench);
-    /// Drags a clip window from corner to corner. It replaces the window that tools act on, or is
-    /// another one.
-    enum class Drawn : std::uint8_t { Replaces, Another };
-    void startNew(const Pointer& pointer, Drawn drawn);
+    /// Drags the window that tools act on anew, from corner to corner; without one, a first one.
+    void startNew(const Pointer& pointer);
     void proceed(const Pointer& pointer, Workbench& bench);
     void finish(const Pointer& pointer, Workbench& bench);
     void cancel(Workbench& bench);
@@ -32,7 +30,6 @@ private:
     std::optional<app::WindowShape> shape() const;
     app::WindowShape drawn() const;
     app::WindowShape dragged() const;
-    app::ClipWindows after(const app::WindowShape& shape, const Workbench& bench) const;
     app::Preview::Drag drag() const;
     double angle() const;
 
@@ -40,7 +37,6 @@ private:
         app::Handle handle;
         Pointer from, to;
         std::optional<app::WindowShape> start; ///< empty: a new window
-        Drawn drawn = Drawn::Replaces;
         bool drags = false;
         app::MovedSnap moved{}; ///< if the whole window is moved
     };

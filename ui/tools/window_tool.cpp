@@ -6,14 +6,12 @@
 namespace ui {
 namespace {
 
-/// Edits clip windows: a drag outside them draws one (with Ctrl, anywhere: another one), a drag
-/// inside one chooses and moves it, a handle of the chosen one resizes or rotates it.
+/// Edits clip windows: a drag outside them draws the window anew, a drag inside one chooses and
+/// moves it, a handle of the chosen one resizes or rotates it.
 class WindowTool final : public Tool {
 public:
     void press(const Pointer& pointer, Workbench& bench) override
     {
-        if (pointer.modifiers & Qt::ControlModifier)
-            return gesture_.startNew(pointer, WindowGesture::Drawn::Another);
         hoveredHandle_ = handleUnder(pointer, bench);
         if (hoveredHandle_)
             return gesture_.start(*hoveredHandle_, pointer, bench);
@@ -21,7 +19,7 @@ public:
             bench.session.chooseWindow(*other);
             return gesture_.start({}, pointer, bench);
         }
-        gesture_.startNew(pointer, WindowGesture::Drawn::Replaces);
+        gesture_.startNew(pointer);
     }
     void move(const Pointer& pointer, Workbench& bench) override
     {

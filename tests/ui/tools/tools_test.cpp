@@ -346,7 +346,7 @@ private slots:
         const QPoint under = stage.at(handle) + QPoint(0, 13 + 8);
         QTest::mouseClick(&stage.surface(), Qt::LeftButton, {}, under);
         QCOMPARE(session.clipWindow(), std::optional(page));
-        QCOMPARE(session.history.undoText(), "Draw clip window");
+        QCOMPARE(session.history.undoText(), "Lay clip window on page");
     }
 
     void aDoubleClickOnTheOfferDoesNotReachTheTool()

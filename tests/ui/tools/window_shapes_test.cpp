@@ -105,14 +105,6 @@ private slots:
         QTest::keyClick(w.list, Qt::Key_Delete);
         QCOMPARE(w.session.now().windows().list.size(), 1u);
     }
-    void withControlAnotherWindowIsDrawn()
-    {
-        Windows w;
-        w.drag({30, 40}, {60, 60}, Qt::ControlModifier); // inside the hall
-        QCOMPARE(w.session.now().windows().list.size(), 3u);
-        QCOMPARE(w.session.windowNumber(), std::optional<std::size_t>(2));
-        QVERIFY(w.window(0).shape == app::WindowShape(app::RectangleShape{{{20, 30}, {80, 70}}}));
-    }
     void theListHidesRenamesAndReorders()
     {
         Windows w;
