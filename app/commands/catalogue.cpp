@@ -11,7 +11,6 @@
 #include "app/commands/set_containers.h"
 #include "app/commands/set_guides.h"
 #include "app/commands/set_style.h"
-#include "app/commands/set_window.h"
 #include "app/commands/set_windows.h"
 #include "app/commands/transform_objects.h"
 
@@ -33,7 +32,6 @@ std::span<const CommandKind> commandKinds()
         ChangePaths::row,
         RearrangeObjects::row,
         SetStyle::row,
-        SetWindow::row,
         SetWindows::row,
         SetGuides::row,
         SetContainers::row,

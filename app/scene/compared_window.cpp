@@ -5,12 +5,6 @@
 
 namespace app {
 
-static auto first(std::vector<ClipWindow>& list)
-{
-    return std::ranges::find_if(
-        list, [](const ClipWindow& w) { return w.visible && axisAlignedBox(w.shape); });
-}
-
 std::optional<std::size_t> actedOn(const ClipWindows& windows, std::size_t chosen)
 {
     const auto& list = windows.list;
@@ -26,15 +20,6 @@ std::optional<clipping::Window> firstWindow(const ClipWindows& windows)
         if (const auto box = axisAlignedBox(window.shape); box && window.visible)
             return box;
     return std::nullopt;
-}
-
-ClipWindows withWindow(ClipWindows windows, const clipping::Window& window)
-{
-    if (const auto old = first(windows.list); old != windows.list.end())
-        old->shape = RectangleShape{window};
-    else if (windows.list.size() < ClipWindows::most)
-        windows.list.push_back({.shape = RectangleShape{window}});
-    return windows;
 }
 
 ComparedWindow comparedWindow(const ClipWindows& windows, const Page& page,

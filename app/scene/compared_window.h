@@ -19,9 +19,6 @@ std::optional<std::size_t> actedOn(const ClipWindows& windows, std::size_t chose
 
 /// The first visible axis-aligned rectangle, if any.
 std::optional<clipping::Window> firstWindow(const ClipWindows& windows);
-/// Moves that rectangle to `window`. Without one it adds a clip window, unless there are already
-/// `ClipWindows::most`.
-ClipWindows withWindow(ClipWindows windows, const clipping::Window& window);
 
 /// The window with the number `first` if it is a visible axis-aligned rectangle, else the first one
 /// that is, regardless of its operation; otherwise the page.

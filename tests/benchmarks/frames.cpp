@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "tests/app/document/one_window.h"
 #include "tests/benchmarks/short_lines.h"
 
 namespace {
@@ -85,8 +86,8 @@ Figures moved(app::Session& session, ui::Canvas& canvas, const std::function<voi
         const app::Point by(i, 0);
         const auto move = [&] {
             session.setPreview(
-                {.windows = app::withWindow(session.now().windows(),
-                                            clipping::Window{start.min + by, start.max + by}),
+                {.windows = withWindow(session.now().windows(),
+                                       clipping::Window{start.min + by, start.max + by}),
                  .drag = app::Preview::Drag::Moving});
         };
         figures.times.push_back(frame(canvas, move, finish));

@@ -10,6 +10,7 @@
 
 #include <array>
 
+#include "tests/app/document/one_window.h"
 #include "tests/app/document/sheet_edits.h"
 #include "tests/ui/test_window.h"
 
@@ -272,12 +273,12 @@ private slots:
         QSignalSpy changed(&session, &app::Session::previewChanged);
         session.setPreview({});
         QCOMPARE(changed.size(), 0);
-        session.setPreview({.windows = app::withWindow(session.now().windows(), start),
+        session.setPreview({.windows = withWindow(session.now().windows(), start),
                             .drag = app::Preview::Drag::Moving});
-        session.setPreview({.windows = app::withWindow(session.now().windows(), start),
+        session.setPreview({.windows = withWindow(session.now().windows(), start),
                             .drag = app::Preview::Drag::Moving});
         QCOMPARE(changed.size(), 1);
-        session.setPreview({.windows = app::withWindow(session.now().windows(), start),
+        session.setPreview({.windows = withWindow(session.now().windows(), start),
                             .drag = app::Preview::Drag::Sizing});
         QCOMPARE(changed.size(), 2);
         session.document.load({});

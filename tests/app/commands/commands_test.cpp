@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "tests/app/commands/random_commands.h"
+#include "tests/app/document/one_window.h"
 #include "tests/app/document/sheet_edits.h"
 
 namespace {
@@ -138,8 +139,8 @@ private slots:
         history.setClock([] { return std::chrono::steady_clock::time_point(); });
         const auto before = sheetOf(session.document);
         for (int i = 0; i < 3; ++i)
-            history.push(new app::SetWindow(session.document, {{i * 1.0, 0}, {i + 9.0, 9}},
-                                            app::Merging::WithLast));
+            history.push(
+                setWindow(session.document, {{i * 1.0, 0}, {i + 9.0, 9}}, app::Merging::WithLast));
         QCOMPARE(history.count(), 2); // the first changed its size, too
         history.undo();
         QCOMPARE(sheetOf(session.document).window, (clipping::Window{{0, 0}, {9, 9}}));

@@ -12,7 +12,6 @@
 #include "app/commands/set_containers.h"
 #include "app/commands/set_guides.h"
 #include "app/commands/set_style.h"
-#include "app/commands/set_window.h"
 #include "app/commands/set_windows.h"
 #include "app/commands/transform_objects.h"
 #include "app/document/regrouping.h"
@@ -228,10 +227,6 @@ inline const std::vector<RandomCommands::Maker> RandomCommands::makers{
     {"change-paths", [](RandomCommands& r) { return r.changePaths(); }},
     {"rearrange-objects", [](RandomCommands& r) { return r.rearrange(); }},
     {"set-style", [](RandomCommands& r) { return r.restyle(); }},
-    {"set-window",
-     [](RandomCommands& r) -> app::UndoCommand* {
-         return new app::SetWindow(r.document_, r.rectangle());
-     }},
     {"set-guides",
      [](RandomCommands& r) -> app::UndoCommand* {
          return new app::SetGuides(r.document_, r.random_.guides(), "Guides");

@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "tests/app/document/first_window.h"
+#include "tests/app/document/one_window.h"
 #include "tests/app/document/sheet_edits.h"
 
 using clipping::Window;
@@ -17,7 +18,7 @@ private slots:
     {
         QVERIFY(app::atText(app::ComparedWindow{{}, false}).isEmpty());
         QCOMPARE(app::atText(app::ComparedWindow{{}, true}),
-                 "At the page: there is no upright clip window.");
+                 "At the page: no clip window is a rectangle along the axes.");
     }
     /// What is computed follows, too.
     void hiddenWindowCountsAsNoWindow()
@@ -35,9 +36,8 @@ private slots:
         ::setPage(session.document, page);
         session.differences.finish();
         QCOMPARE(session.differences.found().window, page.rectangle());
-        session.setPreview(
-            {.windows = app::withWindow(session.now().windows(),
-                                        Window{{1, 1}, {2, 2}})}); // one is being drawn
+        session.setPreview({.windows = withWindow(session.now().windows(),
+                                                  Window{{1, 1}, {2, 2}})}); // one is being drawn
         QVERIFY(app::atText(session.compared()).isEmpty());
         session.setPreview({});
         QVERIFY(!app::atText(session.compared()).isEmpty());

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/set_window.h"
 #include "app/session/session.h"
 
 #include <QElapsedTimer>
@@ -9,6 +8,7 @@
 #include <random>
 
 #include "tests/app/comparison/random_lines.h"
+#include "tests/app/document/one_window.h"
 #include "tests/app/document/sheet_edits.h"
 #include "tests/app/scene/scene_lines_of.h"
 
@@ -79,8 +79,8 @@ private slots:
 
         // Several changes in one event are looked at once.
         const Window other{{50, 50}, {200, 350}};
-        session.history.push(new app::SetWindow(session.document, {{0, 0}, {10, 10}}));
-        session.history.push(new app::SetWindow(session.document, other));
+        session.history.push(setWindow(session.document, {{0, 0}, {10, 10}}));
+        session.history.push(setWindow(session.document, other));
         QVERIFY(!session.differences.upToDate());
         QTRY_COMPARE(changed.size(), 2);
         QCOMPARE(found.window, other);
@@ -148,7 +148,7 @@ private slots:
         const auto expected = atOnce(session, kwcAgainstExact(), moved);
         QVERIFY(expected != before);
         QVERIFY(session.differences.piecesAt(moved).empty()); // to ask computes nothing
-        session.setPreview({.windows = app::withWindow(session.now().windows(), moved)});
+        session.setPreview({.windows = withWindow(session.now().windows(), moved)});
         QVERIFY(session.differences.piecesAt(moved).empty());
         QCoreApplication::sendPostedEvents(); // before anybody paints
         const auto pieces = session.differences.piecesAt(moved);
@@ -180,7 +180,7 @@ private slots:
         Window moved = paper;
         for (int i = 1; i <= 5; ++i) {
             moved = {paper.min + double(i), paper.max + double(i)};
-            session.setPreview({.windows = app::withWindow(session.now().windows(), moved)});
+            session.setPreview({.windows = withWindow(session.now().windows(), moved)});
             QCoreApplication::processEvents();
             QVERIFY(!session.differences.upToDate());
             QCOMPARE(changed.size(), 1); // panels hear at once that their figures are old
@@ -188,16 +188,16 @@ private slots:
         QTRY_VERIFY(session.differences.upToDate());
         QCOMPARE(begun.size(), 1);
         QCOMPARE(session.differences.found().list, atOnce(session, kwcAgainstExact(), moved));
-        session.history.push(new app::SetWindow(session.document, moved));
+        session.history.push(setWindow(session.document, moved));
         session.setPreview({});
         QVERIFY(session.differences.upToDate());
         // One that is dropped costs nothing.
-        session.setPreview({.windows = app::withWindow(session.now().windows(), paper)});
+        session.setPreview({.windows = withWindow(session.now().windows(), paper)});
         QVERIFY(!session.differences.upToDate());
         session.setPreview({});
         QVERIFY(session.differences.upToDate());
         QVERIFY(!session.differences.piecesAt(moved).empty());
-        session.setPreview({.windows = app::withWindow(session.now().windows(), paper)});
+        session.setPreview({.windows = withWindow(session.now().windows(), paper)});
         ::splice(session.document, 0, 1, {});
         session.setPreview({}); // the lines are others meanwhile
         QVERIFY(!session.differences.upToDate());

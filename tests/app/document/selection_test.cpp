@@ -2,7 +2,6 @@
 #include "app/commands/move_objects.h"
 #include "app/commands/remove_objects.h"
 #include "app/commands/set_containers.h"
-#include "app/commands/set_window.h"
 #include "app/commands/set_windows.h"
 #include "app/scene/bounds.h"
 #include "app/session/session.h"
@@ -12,6 +11,7 @@
 #include <functional>
 #include <random>
 
+#include "tests/app/document/one_window.h"
 #include "tests/app/document/sheet.h"
 #include "tests/app/document/sheet_edits.h"
 #include "tests/app/document/three_layers.h"
@@ -37,7 +37,7 @@ private slots:
         session.select({1, 6, 9});
         QCOMPARE(session.selectionBounds(), (clipping::Window{{1, 0}, {7, 3}}));
         setMark(session);
-        session.history.push(new app::SetWindow(session.document, {{0, 0}, {2, 5}}));
+        session.history.push(setWindow(session.document, {{0, 0}, {2, 5}}));
         session.select({9, 6, 1}); // the same
         session.inspect(3);
         app::ClipWindows windows = session.now().windows();

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "tests/app/comparison/random_lines.h"
+#include "tests/app/document/one_window.h"
 #include "tests/app/document/sheet_edits.h"
 #include "tests/app/scene/scene_lines_of.h"
 
@@ -73,7 +74,7 @@ private slots:
             QVERIFY(piece.source < 2'000);
 
         const Window moved{{120, 90}, {320, 240}};
-        session.setPreview({.windows = app::withWindow(session.now().windows(), moved)});
+        session.setPreview({.windows = withWindow(session.now().windows(), moved)});
         QCoreApplication::sendPostedEvents(); // before anybody paints
         QVERIFY(isUpToDateAt(session, moved));
         QCOMPARE(painted(session, moved), session.exactness.found().list.size());
@@ -100,7 +101,7 @@ private slots:
         QCOMPARE(begun.size(), 1);
         QVERIFY(isUpToDateAt(session, paper));
         session.setPreview(
-            {.windows = app::withWindow(session.now().windows(), Window{{0, 0}, {50, 50}})});
+            {.windows = withWindow(session.now().windows(), Window{{0, 0}, {50, 50}})});
         QVERIFY(!session.exactness.upToDate());
         session.exactness.finish();
         QVERIFY(isUpToDateAt(session, {{0, 0}, {50, 50}}));

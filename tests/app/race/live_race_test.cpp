@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/set_window.h"
 #include "app/race/live_race.h"
 #include "app/session/session.h"
 
@@ -8,6 +7,7 @@
 
 #include <array>
 
+#include "tests/app/document/one_window.h"
 #include "tests/app/document/sheet.h"
 
 using namespace clipping;
@@ -69,7 +69,7 @@ struct Track {
     /// As a gesture does.
     void show(const Window& window)
     {
-        session.setPreview({.windows = app::withWindow(session.now().windows(), window),
+        session.setPreview({.windows = withWindow(session.now().windows(), window),
                             .drag = app::Preview::Drag::Moving});
     }
     std::size_t roundsOn(const Window& window) const
@@ -215,7 +215,7 @@ private slots:
         Track t(2000);
         t.race.start();
         t.show(moved(5));
-        t.session.history.push(new app::SetWindow(t.session.document, moved(5)));
+        t.session.history.push(setWindow(t.session.document, moved(5)));
         t.session.setPreview({});
         QTRY_VERIFY(t.race.upToDate());
         QVERIFY(t.roundsOn(moved(5)) >= 1);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/set_window.h"
 #include "app/document/document_builder.h"
 #include "app/scene/bounds.h"
 #include "app/session/arrange_selection.h"
@@ -76,7 +75,7 @@ private slots:
     {
         for (const AlignmentTarget& target : alignmentTargets()) {
             Drawing drawing;
-            drawing.history.push(new SetWindow(drawing.document, {{5, 6}, {7, 8}}));
+            drawing.history.push(setWindow(drawing.document, {{5, 6}, {7, 8}}));
             drawing.arrange.alignTo = target.key;
             drawing.select({0, 3});
             align(drawing, 1, AlignTo::Least);
@@ -147,3 +146,4 @@ private slots:
 
 QTEST_GUILESS_MAIN(ArrangeSelectionTest)
 #include "arrange_selection_test.moc"
+#include "tests/app/document/one_window.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/set_window.h"
 #include "app/session/session.h"
 
 #include <QSignalSpy>
 #include <QTest>
 
 #include "tests/app/document/first_window.h"
+#include "tests/app/document/one_window.h"
 #include "tests/app/document/sheet_edits.h"
 
 using app::ClipWindows;
@@ -31,7 +31,8 @@ void setWindows(app::Session& session, const ClipWindows& windows)
 bool isUpToDate(const app::Session& session)
 {
     const ClipWindows windows = session.preview().windows.value_or(session.now().windows());
-    return session.windows() == windows && session.region() == regionOf(windows, session.now().page());
+    return session.windows() == windows
+           && session.region() == regionOf(windows, session.now().page());
 }
 
 /// A session whose windows are looked at whenever it says that something has changed.
@@ -74,20 +75,16 @@ private slots:
     {
         const clipping::Window a{{0, 0}, {5, 5}}, b{{2, 2}, {9, 9}}, c{{1, 1}, {3, 3}};
         const std::vector<std::function<void(app::Session&)>> steps{
-            [&](app::Session& s) {
-                s.setPreview({.windows = app::withWindow(s.now().windows(), a)});
-            },
-            [&](app::Session& s) { s.history.push(new app::SetWindow(s.document, a)); },
+            [&](app::Session& s) { s.setPreview({.windows = withWindow(s.now().windows(), a)}); },
+            [&](app::Session& s) { s.history.push(setWindow(s.document, a)); },
             [&](app::Session& s) { s.setPreview({}); },
             [&](app::Session& s) {
                 setWindows(s, list({a, b}));
             },
+            [&](app::Session& s) { s.setPreview({.windows = withWindow(s.now().windows(), c)}); },
             [&](app::Session& s) {
-                s.setPreview({.windows = app::withWindow(s.now().windows(), c)});
-            },
-            [&](app::Session& s) {
-                s.setPreview({.windows = app::withWindow(s.now().windows(), b),
-                              .line = clipping::Segment{}});
+                s.setPreview(
+                    {.windows = withWindow(s.now().windows(), b), .line = clipping::Segment{}});
             },
             [&](app::Session& s) {
                 setWindows(s, list({b, a}));
@@ -97,15 +94,11 @@ private slots:
             [&](app::Session& s) { ::setPage(s.document, {}); },
             [&](app::Session& s) { s.history.undo(); },
             [&](app::Session& s) { s.history.redo(); },
-            [&](app::Session& s) {
-                s.setPreview({.windows = app::withWindow(s.now().windows(), c)});
-            },
+            [&](app::Session& s) { s.setPreview({.windows = withWindow(s.now().windows(), c)}); },
             [&](app::Session& s) {
                 s.load({app::documentOf(sheetAt(b)), {}});
             },
-            [&](app::Session& s) {
-                s.setPreview({.windows = app::withWindow(s.now().windows(), a)});
-            },
+            [&](app::Session& s) { s.setPreview({.windows = withWindow(s.now().windows(), a)}); },
             [&](app::Session& s) { s.load({}); },
         };
         Watched session;
@@ -141,8 +134,8 @@ private slots:
     {
         app::Session session;
         setWindows(session, list({{{0, 0}, {5, 5}}, {{2, 2}, {9, 9}}}));
-        session.setPreview({.windows = app::withWindow(session.now().windows(),
-                                                       clipping::Window{{1, 1}, {3, 3}})});
+        session.setPreview(
+            {.windows = withWindow(session.now().windows(), clipping::Window{{1, 1}, {3, 3}})});
         QVERIFY(session.windows().list.data() == session.windows().list.data());
         QVERIFY(session.region().steps.data() == session.region().steps.data());
     }

@@ -4,6 +4,7 @@
 
 #include <QSignalSpy>
 
+#include "tests/app/document/one_window.h"
 #include "tests/app/document/sheet_edits.h"
 #include "tests/ui/test_window.h"
 
@@ -183,8 +184,8 @@ private slots:
         stage.show();
         const app::CostPlan before = *stage.panel.live().asked();
         const app::Point by(7, 5);
-        stage.session.setPreview({.windows = app::withWindow(stage.session.now().windows(),
-                                                             {window.min + by, window.max + by})});
+        stage.session.setPreview({.windows = withWindow(stage.session.now().windows(),
+                                                        {window.min + by, window.max + by})});
         QCOMPARE(stage.panel.live().asked()->window, window); // the frame comes first
         QTRY_COMPARE(stage.panel.live().asked()->window, stage.session.window());
         QVERIFY(glm::distance(stage.panel.live().asked()->fixed, before.fixed + by) < 1e-9);

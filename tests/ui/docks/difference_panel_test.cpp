@@ -9,6 +9,7 @@
 #include <QSignalSpy>
 #include <QToolButton>
 
+#include "tests/app/document/one_window.h"
 #include "tests/app/document/sheet_edits.h"
 #include "tests/ui/test_window.h"
 
@@ -200,8 +201,8 @@ private slots:
         });
         for (int i = 1; i <= 3; ++i) {
             stage.session.setPreview(
-                {.windows = app::withWindow(stage.session.now().windows(),
-                                            clipping::Window{{0, 0}, {100., 100. - i}})});
+                {.windows = withWindow(stage.session.now().windows(),
+                                       clipping::Window{{0, 0}, {100., 100. - i}})});
             stage.session.differences.finish();
             QVERIFY(filled.isEmpty());
         }

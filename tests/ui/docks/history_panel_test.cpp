@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/set_window.h"
 #include "app/session/session.h"
 #include "ui/docks/history_panel.h"
 
@@ -13,7 +12,7 @@ class HistoryPanelTest : public QObject {
 
     static void push(app::Session& session, double width)
     {
-        session.history.push(new app::SetWindow(session.document, {{0, 0}, {width, 5}}));
+        session.history.push(setWindow(session.document, {{0, 0}, {width, 5}}));
     }
     static QStringList texts(const HistoryPanel& panel)
     {
@@ -83,3 +82,4 @@ private slots:
 
 QTEST_MAIN(HistoryPanelTest)
 #include "history_panel_test.moc"
+#include "tests/app/document/one_window.h"

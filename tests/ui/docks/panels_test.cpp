@@ -19,6 +19,7 @@
 
 #include <functional>
 
+#include "tests/app/document/one_window.h"
 #include "tests/app/document/sheet_edits.h"
 #include "tests/ui/test_window.h"
 
@@ -252,8 +253,8 @@ private slots:
         panel.compare();
         session.setPreview({.line = clipping::Segment{{1, 1}, {9, 9}}});
         QVERIFY((*verdict)->isVisible());
-        session.setPreview({.windows = app::withWindow(session.now().windows(),
-                                                       clipping::Window{{1, 1}, {9, 9}})});
+        session.setPreview(
+            {.windows = withWindow(session.now().windows(), clipping::Window{{1, 1}, {9, 9}})});
         QVERIFY(!(*verdict)->isVisible());
     }
     void theRadioButtonsChooseTheForm()

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/commands/set_window.h"
 #include "ui/files/files.h"
 
 #include <QApplication>
@@ -10,6 +9,7 @@
 #include <QMimeData>
 #include <QPushButton>
 
+#include "tests/app/document/one_window.h"
 #include "tests/app/document/sheet.h"
 #include "tests/ui/files/slow_disk.h"
 #include "tests/ui/test_window.h"
@@ -30,7 +30,7 @@ struct Desk : TestWindow {
     Files& files() const { return window->files(); }
     void change(const clipping::Window& clip) const
     {
-        session().history.push(new app::SetWindow(session().document, clip));
+        session().history.push(setWindow(session().document, clip));
     }
     /// As the system sends it.
     void type(Qt::Key key, Qt::KeyboardModifiers with = {}) const

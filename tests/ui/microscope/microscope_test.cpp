@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/set_window.h"
 #include "ui/bars/status_bar.h"
 #include "ui/docks/difference_panel.h"
 #include "ui/docks/line_panel.h"
@@ -17,6 +16,7 @@
 
 #include <utility>
 
+#include "tests/app/document/one_window.h"
 #include "tests/app/document/sheet_edits.h"
 #include "tests/ui/test_window.h"
 
@@ -31,7 +31,7 @@ public:
     {
         t.open(t.twoLines());
         app::Session& session = t.window->session();
-        session.history.push(new app::SetWindow(session.document, {{25, 25}, {75, 75}}));
+        session.history.push(setWindow(session.document, {{25, 25}, {75, 75}}));
         t.show();
         QTest::keyClick(t.drawingArea(), Qt::Key_F2);
     }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/set_style.h"
-#include "app/commands/set_window.h"
 #include "app/lessons/lesson.h"
 #include "app/scene/bounds.h"
 #include "ui/bars/option_bar.h"
@@ -21,6 +20,7 @@
 #include <QMimeData>
 #include <QStatusBar>
 
+#include "tests/app/document/one_window.h"
 #include "tests/app/document/sheet.h"
 #include "tests/app/document/sheet_edits.h"
 #include "tests/ui/test_window.h"
@@ -37,7 +37,7 @@ bool inFront(const QDockWidget* dock) { return dock->isVisible() && dock->x() >=
 void setWindow(TestWindow& t, const clipping::Window& window)
 {
     app::Session& session = t.window->session();
-    session.history.push(new app::SetWindow(session.document, window));
+    session.history.push(setWindow(session.document, window));
 }
 
 } // namespace
@@ -512,7 +512,7 @@ private slots:
         QVERIFY(note->text().startsWith("<b>Draw a clip window (W),</b>"));
         QVERIFY(note->text().contains("Lay window on page"));
         app::Session& session = t.window->session();
-        session.setPreview({.windows = app::withWindow(session.now().windows(), middle)});
+        session.setPreview({.windows = withWindow(session.now().windows(), middle)});
         QVERIFY(note->text().contains("Drag the clip window"));
         session.setPreview({});
         QVERIFY(note->text().startsWith("<b>Draw a clip window (W),</b>"));

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/set_window.h"
 #include "ui/window/workspaces.h"
 
 #include <QDockWidget>
