@@ -30,7 +30,7 @@ ConvexPolygon cornersOf(const TurnedWindow& window);
 constexpr double turnedUlps(const Algorithm& algorithm) { return 6 * algorithm.ulps + 20; }
 
 /// A form of any row, applied to a turned window: the segment is turned into the window's frame,
-/// clipped there at the upright window from -half to half, and the piece is turned back.
+/// clipped there at the axis-aligned window from -half to half, and the piece is turned back.
 ///
 /// With a corrected form:
 /// 1. For finite input it returns the part inside the window, directed from a to b; a single common

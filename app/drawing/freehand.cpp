@@ -28,7 +28,7 @@ constexpr double mostBetween = 16;               // points on a line
 constexpr std::size_t mostPoints = 200;          // that one curve is tried for
 constexpr std::size_t places = 4;                // of a piece, where distances are measured
 constexpr std::size_t atOnce = 500;              // points that are simplified together
-constexpr std::size_t waiting = 1500;            // points that are fitted anew with later ones
+constexpr std::size_t waiting = 1500; // the last points of a stroke, whose curves may still change
 
 /// A fitted curve and where it ends.
 struct Piece {

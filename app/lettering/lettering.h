@@ -22,7 +22,7 @@ struct Lettering {
 /// Empty if there is no such font, or the text is too long or too large.
 Lettering lettered(const TextRecipe& text);
 
-/// What is missing, in one sentence; empty if nothing is.
+/// One sentence that names the letters that the font lacks; empty if it has all.
 QString missingText(const Lettering& lettering);
 
 /// Whether the subpaths are those of the text, apart from rounding.

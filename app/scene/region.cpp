@@ -78,11 +78,14 @@ ClipRegion::Step stepOf(const ClipWindow& window, double tolerance)
 }
 
 // A window without a border contains nothing; then its box is not proper either.
-bool isUpright(const ClipRegion::Step& step) { return step.rings.empty() && isProper(step.box); }
+bool isAxisAligned(const ClipRegion::Step& step)
+{
+    return step.rings.empty() && isProper(step.box);
+}
 
 clipping::Area areaOf(const ClipRegion::Step& step)
 {
-    if (isUpright(step))
+    if (isAxisAligned(step))
         return clipping::areaOf(step.box);
     clipping::Area area;
     area.rule = clipping::FillRule(step.rule);

@@ -30,14 +30,15 @@ struct ClipRegion {
     struct Step {
         clipping::Window box; ///< contains nothing if `min > max` or a number is not finite
         WindowOperation operation;
-        /// The border of a window that is no upright rectangle; `box` is its bounding box then.
+        /// The border of a window that is not an axis-aligned rectangle; `box` is its bounding box
+        /// then.
         std::vector<std::vector<Point>> rings{};
         FillRule rule = FillRule::NonZero;
         friend bool operator==(const Step&, const Step&) = default;
     };
     std::vector<Step> steps{};
     Keep keep = Keep::Inside; ///< if there is a `prepared`, it has the same
-    /// Clips at all steps together, with exact decisions; null if all of them are upright
+    /// Clips at all steps together, with exact decisions; null if all of them are axis-aligned
     /// rectangles, at which every algorithm can clip. Here a rectangle without area contains
     /// nothing.
     std::shared_ptr<const clipping::PreparedRegion> prepared{};
@@ -57,7 +58,8 @@ struct ClipRegion {
     std::optional<clipping::Window> single() const;
 };
 
-/// Marks, in `Clipped::cut`, an end at the border of a window that is no upright rectangle.
+/// Marks, in `Clipped::cut`, an end at the border of a window that is not an axis-aligned
+/// rectangle.
 inline constexpr clipping::Edge borderEdge = clipping::Edge::Near;
 
 /// The region of the visible windows. Curves become inscribed polygons, no farther than `tolerance`

@@ -23,8 +23,8 @@ public:
     std::size_t clip(std::span<const clipping::Segment> lines, std::size_t first,
                      std::span<clipping::Clipped> out);
     /// Appends the pieces that the region keeps of each line. It must have a window. At windows
-    /// that are not all upright rectangles the lines are clipped with exact decisions, whatever the
-    /// algorithm is.
+    /// that are not all axis-aligned rectangles the lines are clipped with exact decisions,
+    /// whatever the algorithm is.
     void fold(std::span<const clipping::Segment> lines, std::size_t first,
               std::vector<clipping::Clipped>& kept);
     /// The time that the algorithm has used since `start`, without the time for combining pieces.

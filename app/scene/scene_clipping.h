@@ -13,7 +13,7 @@ class SceneClipping {
 public:
     /// Clips all lines. The algorithm `exact` first tests boxes and then clips only the lines near
     /// an edge; any other algorithm clips every line. The pieces have the same bits as those of a
-    /// single call for all lines. At windows that are not all upright
+    /// single call for all lines. At windows that are not all axis-aligned
     /// rectangles every algorithm is replaced by exact decisions. Without a window nothing is
     /// clipped. The frame is valid until the next call and as long as `lines`.
     SceneFrame clip(const SceneLines& lines, const ClipRegion& region, ClipAll clipAll);

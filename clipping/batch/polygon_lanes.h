@@ -143,7 +143,7 @@ struct Meeting {
 template <class V>
 CLIPPING_INLINE Meeting<V> meeting(const Ends<V>& s, const VectorPair<V>& wayX,
                                    const VectorPair<V>& wayY, const EdgeInLanes<V>& edge,
-                                   const AtEdge<V>& at, bool hasUpright)
+                                   const AtEdge<V>& at, bool hasAxisAligned)
 {
     const V inverse = V::of(1) / at.d, t = at.n * inverse;
     const auto x = pointAt(t, s.ax, wayX), y = pointAt(t, s.ay, wayY);
@@ -167,7 +167,7 @@ CLIPPING_INLINE Meeting<V> meeting(const Ends<V>& s, const VectorPair<V>& wayX,
         const V below = point.high + (rest - error), above = point.high + (rest + error);
         const Crossing<V> found{below, (below == above) & tame};
         const V zero = V::of(0);
-        if (!hasUpright) [[likely]]
+        if (!hasAxisAligned) [[likely]]
             return Crossing<V>{found.value + zero, found.settled}; // never -0
         const auto onEdge = edgeWay == zero;
         return Crossing<V>{select(onEdge, edgeAt, found.value) + zero, found.settled | onEdge};
@@ -198,14 +198,14 @@ CLIPPING_INLINE Clip<V> clipPolygonLanes(const Ends<V>& s, const PolygonInLanes<
     V cut = zero;
     auto open = ~(fine(dx) & fine(dy));
     if (any(visible & newA)) {
-        const auto a = meeting(s, wayX, wayY, enter, in, t.hasUpright);
+        const auto a = meeting(s, wayX, wayY, enter, in, t.hasAxisAligned);
         piece.ax = select(newA, a.x, s.ax), piece.ay = select(newA, a.y, s.ay);
         const auto stays = (piece.ax == s.ax) & (piece.ay == s.ay);
         cut = select(stays, zero, polygon.look(t.numberForA, edges.enter));
         open = open | (newA & ~a.settled);
     }
     if (any(visible & newB)) {
-        const auto b = meeting(s, wayX, wayY, leave, out, t.hasUpright);
+        const auto b = meeting(s, wayX, wayY, leave, out, t.hasAxisAligned);
         piece.bx = select(newB, b.x, s.bx), piece.by = select(newB, b.y, s.by);
         const auto stays = (piece.bx == s.bx) & (piece.by == s.by);
         cut = cut | select(stays, zero, polygon.look(t.numberForB, edges.leave));

@@ -25,7 +25,7 @@ struct PolygonTable {
     Box<double> box;           ///< the bounding box
     double ux, uy, vx, vy;     ///< half sides of a parallelogram around that centre, enclosing it
     double acrossX, acrossY;   ///< at least |ux| + |vx| and |uy| + |vy|
-    bool hasUpright;           ///< whether an edge is horizontal or vertical
+    bool hasAxisAligned;       ///< whether an edge is horizontal or vertical
 };
 
 } // namespace clipping

@@ -13,10 +13,10 @@ namespace {
 /// How far a shape around the centre reaches across the direction (dx, dy), times its length; and a
 /// sum of magnitudes that bounds its error (missBound). A window is symmetric to both axes.
 template <class V>
-struct UprightReach {
+struct WindowReach {
     V halfWidth, halfHeight;
     template <class T>
-    CLIPPING_INLINE explicit UprightReach(const Box<T>& box)
+    CLIPPING_INLINE explicit WindowReach(const Box<T>& box)
         : halfWidth(V::of(box.halfWidth)), halfHeight(V::of(box.halfHeight))
     {
     }

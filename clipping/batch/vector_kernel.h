@@ -37,7 +37,7 @@ struct WindowShape {
     CLIPPING_INLINE std::size_t survivors(std::size_t first, std::size_t last,
                                           std::uint32_t* indices) const
     {
-        return survivorsOf<First>(batch.segments, first, last, box, UprightReach<First>(box),
+        return survivorsOf<First>(batch.segments, first, last, box, WindowReach<First>(box),
                                   indices);
     }
     template <class First>

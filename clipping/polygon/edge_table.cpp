@@ -65,7 +65,7 @@ EdgeTable::EdgeTable(const PreparedPolygon& polygon)
     const auto box = boxOf(polygon.box);
     const double largest =
         std::max({-polygon.box.min.x, polygon.box.max.x, -polygon.box.min.y, polygon.box.max.y});
-    bool hasUpright = false;
+    bool hasAxisAligned = false;
     for (std::size_t i = 0; i < size; ++i) {
         const auto &from = polygon.corners[i], &to = polygon.corners[(i + 1) % size];
         const auto x = twoDifference(to.x, from.x), y = twoDifference(to.y, from.y);
@@ -81,7 +81,7 @@ EdgeTable::EdgeTable(const PreparedPolygon& polygon)
                              2 * largest * (std::abs(x.high) + std::abs(y.high)),
                              from.x - box.centreX,
                              from.y - box.centreY};
-        hasUpright = hasUpright || x.high == 0 || y.high == 0;
+        hasAxisAligned = hasAxisAligned || x.high == 0 || y.high == 0;
         for (std::size_t k = 0; k < columns; ++k)
             column[k][i] = row[k];
     }
@@ -107,7 +107,7 @@ EdgeTable::EdgeTable(const PreparedPolygon& polygon)
               v.y,
               up(std::abs(u.x) + std::abs(v.x)),
               up(std::abs(u.y) + std::abs(v.y)),
-              hasUpright};
+              hasAxisAligned};
 }
 
 } // namespace clipping

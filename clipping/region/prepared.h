@@ -6,7 +6,7 @@
 
 namespace clipping {
 
-/// What clipping needs to know about a region.
+/// A region with its edges ordered and in a grid, so that lines are clipped fast.
 struct PreparedRegion::Data {
     explicit Data(const Region& region);
 

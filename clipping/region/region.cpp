@@ -10,8 +10,8 @@
 namespace clipping {
 namespace {
 
-/// What is known of a segment before its edges are looked at.
-enum class Known : std::uint8_t { Gone, Whole, Nothing };
+/// What the region's bounding box and grid tell about a segment, before any edge is tested.
+enum class Known : std::uint8_t { Gone, Whole, Undecided };
 
 Known known(bool isKept) { return isKept ? Known::Whole : Known::Gone; }
 
@@ -61,9 +61,9 @@ public:
             return known(region_.keepsNone);
         const std::size_t cell = region_.grid.cellOf(s.a);
         if (cell == region_.grid.cellOf(s.b))
-            return region_.grid.hasEdges(cell) ? Known::Nothing
+            return region_.grid.hasEdges(cell) ? Known::Undecided
                                                : known(region_.keepsReference[cell]);
-        return passed_.isMissedBy(s) ? known(region_.keepsNone) : Known::Nothing;
+        return passed_.isMissedBy(s) ? known(region_.keepsNone) : Known::Undecided;
     }
 
 private:

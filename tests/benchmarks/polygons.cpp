@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How long `exact` takes for convex polygons, compared with an upright window in the same rounds:
-// polygons [LINES] [ROUNDS]. Prints ns a line, and the median ratio with the middle half of rounds.
+// How long `exact` takes for convex polygons, compared with an axis-aligned window in the same
+// rounds: polygons [LINES] [ROUNDS]. Prints ns a line, and the median ratio with the middle half of
+// rounds.
 #include "clipping/turned_window.h"
 
 #include <cmath>

@@ -177,7 +177,7 @@ private slots:
     void aQuarterTurnIsExact()
     {
         QFETCH(const Algorithm*, algorithm);
-        const Window upright{{-2, -3}, {2, 3}};
+        const Window axisAligned{{-2, -3}, {2, 3}};
         const auto wholeNumbers = hardScenes<double>(500)[1].segments;
         for (const auto& s : wholeNumbers)
             for (const int quarters : {-5, 0, 1, 2, 3, 4}) {
@@ -185,7 +185,7 @@ private slots:
                 const auto found =
                     clipTurned(algorithm->corrected, s, {{}, {2, 3}, 90.0 * quarters});
                 const auto expected =
-                    algorithm->corrected.clip(s, lies ? Window{{-3, -2}, {3, 2}} : upright);
+                    algorithm->corrected.clip(s, lies ? Window{{-3, -2}, {3, 2}} : axisAligned);
                 QCOMPARE(found.has_value(), expected.has_value());
                 if (found)
                     QVERIFY(std::abs(found->a.x - expected->a.x) < 1e-13

@@ -36,7 +36,7 @@ class WindowShapeTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void anUprightRectangleStaysUprightBitForBit()
+    void anAxisAlignedRectangleStaysSoBitForBit()
     {
         const RectangleShape old{{{1, 2}, {4, 6}}};
         QVERIFY(mapped(old, translation({0.5, -1}))
@@ -53,7 +53,7 @@ private slots:
         const auto moved = std::get<RectangleShape>(mapped(old, translation({5, 7})));
         QVERIFY(near(moved.box, {{15, 27}, {21, 35}}) && moved.angle == 0.25);
     }
-    void quarterTurnsLeaveARectangleUpright()
+    void quarterTurnsLeaveARectangleAxisAligned()
     {
         const WindowShape old = RectangleShape{{{10, 20}, {16, 28}}};
         QVERIFY(rotated(old, pi / 2) == WindowShape(RectangleShape{{{9, 21}, {17, 27}}}));

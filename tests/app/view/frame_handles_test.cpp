@@ -24,7 +24,7 @@ View unitView()
     return view;
 }
 
-const WindowFrame upright{{{40, 60}, {160, 140}}};
+const WindowFrame unrotated{{{40, 60}, {160, 140}}};
 const WindowFrame quarter{{{40, 60}, {160, 140}}, glm::radians(90.0)}; // (60, 40)-(140, 160)
 
 } // namespace
@@ -35,9 +35,9 @@ class FrameHandlesTest : public QObject {
 private slots:
     void handlesFollowTheRotation()
     {
-        QCOMPARE(placedHandles(upright, unitView()).size(), 9u);
-        QCOMPARE(handleAt({100, 32}, upright, unitView()), std::optional(rotationHandle));
-        QCOMPARE(handleAt({160, 100}, upright, unitView()), (std::optional(Handle{1, 0})));
+        QCOMPARE(placedHandles(unrotated, unitView()).size(), 9u);
+        QCOMPARE(handleAt({100, 32}, unrotated, unitView()), std::optional(rotationHandle));
+        QCOMPARE(handleAt({160, 100}, unrotated, unitView()), (std::optional(Handle{1, 0})));
         // A quarter turn from x towards y takes the upper side to the right.
         QCOMPARE(handleAt({168, 100}, quarter, unitView()), std::optional(rotationHandle));
         QCOMPARE(handleAt({100, 160}, quarter, unitView()), (std::optional(Handle{1, 0})));
@@ -56,16 +56,16 @@ private slots:
     }
     void theRotationHandleTurnsAboutTheCentre()
     {
-        const auto free = dragged(upright, rotationHandle, {100, 30}, {170, 100}, Proportion::Free,
-                                  Anchor::Opposite);
-        QVERIFY(free.box == upright.box);
+        const auto free = dragged(unrotated, rotationHandle, {100, 30}, {170, 100},
+                                  Proportion::Free, Anchor::Opposite);
+        QVERIFY(free.box == unrotated.box);
         QVERIFY(std::abs(free.angle - glm::radians(90.0)) < 1e-12);
-        const auto step = dragged(upright, rotationHandle, {100, 30}, {112, 32}, Proportion::Kept,
+        const auto step = dragged(unrotated, rotationHandle, {100, 30}, {112, 32}, Proportion::Kept,
                                   Anchor::Opposite); // 10°: the nearest step is 15°
         QVERIFY(std::abs(step.angle - glm::radians(15.0)) < 1e-12);
         const auto back =
             dragged(step, rotationHandle, {100, 30}, {82, 32}, Proportion::Kept, Anchor::Opposite);
-        QCOMPARE(back.angle, 0.0); // upright again, for every algorithm
+        QCOMPARE(back.angle, 0.0); // axis-aligned again, for every algorithm
     }
     void theWindowUnderThePointer()
     {

@@ -288,9 +288,9 @@ private slots:
         }
     }
 
-    // As a polygon, an upright window gives the same ends as a window, bit for bit but for -0.
-    void uprightWindows_data() { everyExactForm(); }
-    void uprightWindows()
+    // As a polygon, an axis-aligned window gives the same ends as a window, bit for bit but for -0.
+    void axisAlignedWindows_data() { everyExactForm(); }
+    void axisAlignedWindows()
     {
         QFETCH(const PolygonUses*, uses);
         for (const auto& [name, w, segments] : hardScenes<double>(2'000))

@@ -63,10 +63,10 @@ private slots:
     }
     void crossingsOfHorizontalAndVerticalLinesAreExact()
     {
-        const Segment level{{-7, 0.1}, {93, 0.1}}, upright{{0.3, -50}, {0.3, 70}};
-        QCOMPARE(app::crossing(level, upright), std::optional(Point(0.3, 0.1)));
-        QCOMPARE(app::crossing(upright, level), std::optional(Point(0.3, 0.1)));
-        const auto slanted = app::crossing(Segment{{-3, -5}, {4, 9.1}}, level);
+        const Segment horizontal{{-7, 0.1}, {93, 0.1}}, vertical{{0.3, -50}, {0.3, 70}};
+        QCOMPARE(app::crossing(horizontal, vertical), std::optional(Point(0.3, 0.1)));
+        QCOMPARE(app::crossing(vertical, horizontal), std::optional(Point(0.3, 0.1)));
+        const auto slanted = app::crossing(Segment{{-3, -5}, {4, 9.1}}, horizontal);
         QCOMPARE(slanted->y, 0.1);
     }
     void parallelAndInfiniteSegmentsDoNotCross()
