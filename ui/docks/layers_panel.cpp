@@ -4,9 +4,9 @@
 #include "app/base/numbers.h"
 #include "app/view/visible_colour.h"
 #include "ui/docks/algorithm_list.h"
-#include "ui/look/look.h"
-#include "ui/look/look_icon.h"
+#include "ui/widgets/icon_button.h"
 #include "ui/widgets/keep_choice.h"
+#include "ui/widgets/row_painter.h"
 #include "ui/widgets/tabular.h"
 
 #include <QMouseEvent>
@@ -18,14 +18,9 @@ namespace ui {
 
 namespace {
 
-class RowPainter : public QStyledItemDelegate {
+class LayerPainter : public RowPainter {
 public:
-    using QStyledItemDelegate::QStyledItemDelegate;
-
-    QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override
-    {
-        return {160, space::rowHeight};
-    }
+    using RowPainter::RowPainter;
 
     void paint(QPainter* painter, const QStyleOptionViewItem& given,
                const QModelIndex& index) const override
@@ -35,7 +30,7 @@ public:
         const QStyleOptionViewItem option = indented(given, index);
         const bool visible = index.data(LayerModel::VisibleRole).toBool();
         const bool locked = index.data(LayerModel::LockedRole).toBool();
-        icon(visible ? "eye" : "eye-closed").paint(painter, eye(option.rect));
+        drawEye(*painter, option.rect, visible);
         icon(locked ? "lock" : "unlock")
             .paint(painter, lock(option.rect), Qt::AlignCenter,
                    locked ? QIcon::Normal : QIcon::Disabled);
@@ -43,11 +38,7 @@ public:
                                  12);
         if (const auto colour = index.data(Qt::DecorationRole).value<QColor>(); colour.isValid())
             painter->fillRect(strokeColour, shown(colour, look));
-        painter->setPen(visible ? look.text : look.muted);
-        painter->setFont(option.font);
-        painter->drawText(nameBox(option.rect), Qt::AlignVCenter,
-                          option.fontMetrics.elidedText(index.data().toString(), Qt::ElideRight,
-                                                        nameBox(option.rect).width()));
+        drawName(*painter, option, nameBox(option.rect), index.data().toString(), !visible);
         painter->setPen(look.muted);
         painter->setFont(captionFont(option.font));
         const QString count = app::countText(index.data(LayerModel::CountRole).toULongLong());
@@ -91,14 +82,6 @@ private:
         option.rect.adjust(std::min(depth - 1, deepest) * indent, 0, 0, 0);
         return option;
     }
-    static bool hits(const QRect& icon, const QPoint& at)
-    {
-        return icon.adjusted(-4, -4, 4, 4).contains(at);
-    }
-    static QRect eye(const QRect& row)
-    {
-        return {row.left() + space::dockMargin, row.center().y() - 7, 16, 16};
-    }
     static QRect lock(const QRect& row)
     {
         return {row.right() - space::dockMargin - 15, row.center().y() - 7, 16, 16};
@@ -125,10 +108,10 @@ private:
 
 LayersPanel::LayersPanel(app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session), model_(new LayerModel(session, this)),
-      list_(new LayerList(session, model_)), add_(button("plus", tr("Add layer"))),
-      remove_(button("bin", tr("Delete layer")))
+      list_(new LayerList(session, model_)), add_(iconButton("plus", tr("Add layer"))),
+      remove_(iconButton("bin", tr("Delete layer")))
 {
-    list_->setItemDelegate(new RowPainter(list_));
+    list_->setItemDelegate(new LayerPainter(list_));
     keepChoice(*list_);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 4, 0, 4);
@@ -158,18 +141,6 @@ LayersPanel::LayersPanel(app::Session& session, QWidget* parent)
     connect(model_, &QAbstractItemModel::modelReset, this, &LayersPanel::follow);
     connect(&session, &app::Session::loaded, this, &LayersPanel::follow);
     follow();
-}
-
-QToolButton* LayersPanel::button(std::string_view key, const QString& name)
-{
-    auto* button = new QToolButton;
-    button->setIcon(icon(key));
-    button->setIconSize({16, 16});
-    button->setFixedSize(24, 24);
-    button->setAutoRaise(true);
-    button->setToolTip(name);
-    button->setAccessibleName(name);
-    return button;
 }
 
 void LayersPanel::follow()

@@ -15,7 +15,6 @@ public:
     explicit LayersPanel(app::Session& session, QWidget* parent = nullptr);
 
 private:
-    QToolButton* button(std::string_view icon, const QString& name);
     void follow();
 
     app::Session& session_;

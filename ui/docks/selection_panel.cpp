@@ -5,7 +5,7 @@
 #include "app/session/arrangements.h"
 #include "app/session/units.h"
 #include "ui/look/look.h"
-#include "ui/look/look_icon.h"
+#include "ui/widgets/icon_button.h"
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/reference_point.h"
 
@@ -35,7 +35,7 @@ QString remarkOn(const app::Session& session)
 } // namespace
 
 SelectionPanel::SelectionPanel(app::Session& session, QWidget* parent)
-    : QWidget(parent), session_(session), reference_(new ReferencePoint), chain_(new QToolButton)
+    : QWidget(parent), session_(session), reference_(new ReferencePoint), chain_(ratioButton())
 {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(space::dockMargin, space::labelToField, space::dockMargin,
@@ -86,11 +86,6 @@ QLayout* SelectionPanel::makeNumbers()
         fields_.push_back(field);
         needSelection_.insert(needSelection_.end(), {label, field});
     }
-    chain_->setIcon(icon("chain"));
-    chain_->setCheckable(true);
-    chain_->setAutoRaise(true);
-    chain_->setToolTip(tr("Keep the ratio of width to height"));
-    chain_->setAccessibleName(chain_->toolTip());
     needSelection_.insert(needSelection_.end(), {reference_, chain_});
     grid->addWidget(reference_, 0, 4, 2, 1, Qt::AlignCenter);
     grid->addWidget(chain_, 2, 4, Qt::AlignCenter);

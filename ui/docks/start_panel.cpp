@@ -5,13 +5,11 @@
 #include "app/base/numbers.h"
 #include "ui/docks/algorithm_list.h"
 #include "ui/docks/gallery.h"
-#include "ui/look/look.h"
-#include "ui/look/look_icon.h"
+#include "ui/widgets/row_painter.h"
 #include "ui/widgets/start_button.h"
 
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QPainter>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
@@ -21,14 +19,9 @@ namespace {
 
 enum Role { PathRole = Qt::UserRole, LinesRole, DayRole };
 
-class RecentPainter : public QStyledItemDelegate {
+class RecentPainter : public RowPainter {
 public:
-    using QStyledItemDelegate::QStyledItemDelegate;
-
-    QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override
-    {
-        return {160, space::rowHeight};
-    }
+    using RowPainter::RowPainter;
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override
@@ -45,11 +38,7 @@ public:
         const QString lines = index.data(LinesRole).toString();
         const int counts = day + 12 + metrics.horizontalAdvance(lines);
         const QRect name = option.rect.adjusted(24, 0, -counts - 8, 0);
-        painter->setFont(option.font);
-        painter->setPen(there ? look.text : look.muted);
-        painter->drawText(
-            name, Qt::AlignVCenter,
-            option.fontMetrics.elidedText(index.data().toString(), Qt::ElideMiddle, name.width()));
+        drawName(*painter, option, name, index.data().toString(), !there, Qt::ElideMiddle);
         painter->setFont(captionFont(option.font));
         painter->setPen(look.muted);
         painter->drawText(option.rect.adjusted(0, 0, -day - 12, 0),

@@ -3,14 +3,11 @@
 
 #include "app/session/window_steps.h"
 #include "ui/docks/algorithm_list.h"
-#include "ui/look/look.h"
-#include "ui/look/look_icon.h"
 #include "ui/widgets/keep_choice.h"
+#include "ui/widgets/row_painter.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
-#include <QPainter>
-#include <QStyledItemDelegate>
 
 #include <array>
 
@@ -18,32 +15,23 @@ namespace ui {
 
 namespace {
 
-class RowPainter : public QStyledItemDelegate {
+class WindowPainter : public RowPainter {
 public:
-    using QStyledItemDelegate::QStyledItemDelegate;
+    using RowPainter::RowPainter;
 
-    QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override
-    {
-        return {160, space::rowHeight};
-    }
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override
     {
         const Look& look = lookOf(option.palette);
         drawRowGround(*painter, option);
         const bool visible = index.data(WindowModel::VisibleRole).toBool();
-        icon(visible ? "eye" : "eye-closed").paint(painter, eye(option.rect));
+        drawEye(*painter, option.rect, visible);
         painter->setPen(visible ? look.accent : look.muted);
         painter->setFont(semiBold(option.font));
         constexpr std::array<char16_t, 3> signs{u'+', u'\u2212', u'\u2229'};
         const auto sign = std::size_t(index.data(WindowModel::OperationRole).toInt());
         painter->drawText(operation(option.rect), Qt::AlignCenter, QString(QChar(signs[sign])));
-        painter->setPen(visible ? look.text : look.muted);
-        painter->setFont(option.font);
-        const QRect name = nameBox(option.rect);
-        painter->drawText(
-            name, Qt::AlignVCenter,
-            option.fontMetrics.elidedText(index.data().toString(), Qt::ElideRight, name.width()));
+        drawName(*painter, option, nameBox(option.rect), index.data().toString(), !visible);
     }
     void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
                               const QModelIndex&) const override
@@ -56,18 +44,13 @@ public:
         if (event->type() != QEvent::MouseButtonRelease)
             return false;
         const auto& mouse = *static_cast<QMouseEvent*>(event);
-        const QRect box = eye(option.rect).adjusted(-4, -4, 4, 4);
-        if (mouse.button() != Qt::LeftButton || !box.contains(mouse.position().toPoint()))
+        if (mouse.button() != Qt::LeftButton || !hits(eye(option.rect), mouse.position().toPoint()))
             return false;
         return model->setData(index, !index.data(WindowModel::VisibleRole).toBool(),
                               WindowModel::VisibleRole);
     }
 
 private:
-    static QRect eye(const QRect& row)
-    {
-        return {row.left() + space::dockMargin, row.center().y() - 7, 16, 16};
-    }
     static QRect operation(const QRect& row)
     {
         return {eye(row).right() + 7, row.top(), 16, row.height()};
@@ -84,7 +67,7 @@ WindowList::WindowList(app::Session& session) : session_(session)
 {
     auto* model = new WindowModel(session, this);
     setModel(model);
-    setItemDelegate(new RowPainter(this));
+    setItemDelegate(new WindowPainter(this));
     setAccessibleName(tr("Clip windows"));
     setObjectName(QStringLiteral("clip-windows"));
     keepChoice(*this);
@@ -99,7 +82,7 @@ WindowList::WindowList(app::Session& session) : session_(session)
                 if (current.isValid())
                     session_.chooseWindow(std::size_t(current.row()));
             });
-    // Later: a press on the row of a hidden window makes it the current row first.
+    // Queued: a press on the row of a hidden window makes it the current row before this.
     connect(&session, &app::Session::previewChanged, this, &WindowList::follow,
             Qt::QueuedConnection);
     follow();

@@ -8,7 +8,7 @@
 #include "ui/docks/window_list.h"
 #include "ui/editing/keeping.h"
 #include "ui/look/look.h"
-#include "ui/look/look_icon.h"
+#include "ui/widgets/icon_button.h"
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/tool_list.h"
 #include "ui/widgets/unit_box.h"
@@ -24,7 +24,6 @@ namespace ui {
 namespace {
 
 enum Field : std::size_t { X, Y, Width, Height };
-enum Row { First, Second, Third };
 
 clipping::Window edited(const clipping::Window& window, std::size_t field, double length,
                         bool proportional)
@@ -48,7 +47,7 @@ clipping::Window edited(const clipping::Window& window, std::size_t field, doubl
 
 WindowPanel::WindowPanel(app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session), list_(new WindowList(session)), operation_(new ToolList),
-      chain_(new QToolButton), unit_(new UnitBox(session)), pages_(new QStackedLayout(this))
+      chain_(ratioButton()), unit_(new UnitBox(session)), pages_(new QStackedLayout(this))
 {
     pages_->addWidget(makeFields());
     pages_->addWidget(makeOffer());
@@ -74,7 +73,7 @@ QWidget* WindowPanel::makeFields()
         auto* label = new QLabel(labels[qsizetype(i)]);
         label->setForegroundRole(QPalette::PlaceholderText);
         label->setBuddy(fields_[i]);
-        const int row = First + int(i % 2);
+        const int row = int(i % 2);
         grid->addWidget(label, row, i < 2 ? 0 : 2);
         grid->addWidget(fields_[i], row, i < 2 ? 1 : 3);
         connect(fields_[i], &LengthField::edited, this,
@@ -85,13 +84,8 @@ QWidget* WindowPanel::makeFields()
     }
     connect(unit_, &UnitBox::done, this, &WindowPanel::entered);
     chain_->setObjectName(QStringLiteral("keep-ratio"));
-    chain_->setIcon(icon("chain"));
-    chain_->setCheckable(true);
-    chain_->setAutoRaise(true);
-    chain_->setToolTip(tr("Keep the ratio of width to height"));
-    chain_->setAccessibleName(chain_->toolTip());
-    grid->addWidget(unit_, First, 4);
-    grid->addWidget(chain_, Second, 4, Qt::AlignLeft);
+    grid->addWidget(unit_, 0, 4);
+    grid->addWidget(chain_, 1, 4, Qt::AlignLeft);
     grid->setColumnStretch(1, 1);
     grid->setColumnStretch(3, 1);
     grid->setContentsMargins(space::dockMargin, space::dockMargin, space::dockMargin,
@@ -109,21 +103,9 @@ QWidget* WindowPanel::makeFields()
     return fields;
 }
 
-static QToolButton* button(std::string_view key, const QString& name)
-{
-    auto* made = new QToolButton;
-    made->setIcon(icon(key));
-    made->setIconSize({16, 16});
-    made->setFixedSize(24, 24);
-    made->setAutoRaise(true);
-    made->setToolTip(name);
-    made->setAccessibleName(name);
-    return made;
-}
-
 QToolButton* WindowPanel::makeAdd()
 {
-    QToolButton* add = button("plus", tr("Add a clip window"));
+    QToolButton* add = iconButton("plus", tr("Add a clip window"));
     add->setPopupMode(QToolButton::InstantPopup);
     add->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
     add->setMenu(makeAddMenu());
@@ -134,7 +116,7 @@ QWidget* WindowPanel::makeTools()
 {
     QToolButton* add = makeAdd();
     add->setObjectName(QStringLiteral("add-window"));
-    auto* remove = button("bin", tr("Remove the clip window"));
+    auto* remove = iconButton("bin", tr("Remove the clip window"));
     connect(remove, &QToolButton::clicked, this, [this] { app::removeWindow(session_); });
     for (const auto& name : {tr("Add"), tr("Cut out"), tr("Intersect")})
         operation_->addItem(name);
@@ -214,8 +196,8 @@ void WindowPanel::follow()
         field->setEnabled(number.has_value());
     if (number)
         operation_->setCurrentIndex(int(session_.windows().list[*number].operation));
-    const clipping::Window window =
-        number ? app::frameOf(session_.windows().list[*number].shape).box : session_.window();
+    const auto& frame = session_.windowFrame();
+    const clipping::Window window = frame ? frame->box : session_.window();
     const double size = session_.now().page().millimetresPerUnit();
     const app::Point place =
         window.min - app::originOf(session_.now().page(), session_.display().unit);
@@ -227,11 +209,10 @@ void WindowPanel::follow()
 
 void WindowPanel::edit(std::size_t field, double length, app::Merging merging)
 {
-    const auto number = session_.windowNumber();
-    if (!number)
+    if (!session_.windowFrame())
         return;
-    const app::WindowShape& shape = session_.windows().list[*number].shape;
-    const app::WindowFrame frame = app::frameOf(shape);
+    const app::WindowShape& shape = session_.windows().list[*session_.windowNumber()].shape;
+    const app::WindowFrame frame = *session_.windowFrame();
     const clipping::Window& before = frame.box;
     const app::Point origin = app::originOf(session_.now().page(), session_.display().unit);
     const double place = field == X ? origin.x : field == Y ? origin.y : 0;

@@ -44,7 +44,7 @@ void explainDigits(MainWindow& window)
         window.statusBar()->showMessage(
             tr("In the workspace Draw digits do not choose the algorithm. Choose it in the menu "
                "Clip, or in another workspace."),
-            8000);
+            MainWindow::messageMilliseconds);
     });
     QObject::connect(&window, &MainWindow::actionsOutdated, action, [&window, digits, action] {
         action->setShortcuts(digitsChoose(window) ? QList<QKeySequence>() : digits);

@@ -70,7 +70,7 @@ std::vector<ActionInfo> styleRows()
                     w.refreshActions();
                     w.statusBar()->showMessage(tr("The style is copied. Select other objects and "
                                                   "paste it (Ctrl+Shift+V)."),
-                                               5000);
+                                               MainWindow::messageMilliseconds);
                 },
             .submenu = submenu,
         },

@@ -32,6 +32,8 @@ class MainWindow : public QMainWindow {
     Q_OBJECT
 
 public:
+    static constexpr int messageMilliseconds = 5000; ///< in the status bar
+
     explicit MainWindow(Backend backend = Backend::Automatic, QWidget* parent = nullptr);
     ~MainWindow() override;
 

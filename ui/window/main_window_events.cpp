@@ -23,8 +23,6 @@ namespace ui {
 
 namespace {
 
-constexpr int messageMilliseconds = 5000;
-
 bool isModifier(int key) { return key >= Qt::Key_Shift && key <= Qt::Key_ScrollLock; }
 
 /// The enabled command of the canvas with this key, or null.
