@@ -46,6 +46,7 @@ StatusBar::StatusBar(app::Session& session, Canvas& canvas, QWidget* parent)
     connect(&canvas, &Canvas::hint, this, &StatusBar::showHint);
     connect(&canvas, &Canvas::toolChanged, this, [this] { showHint({}); });
     connect(&session, &app::Session::displayChanged, this, &StatusBar::keepRoom);
+    connect(&session, &app::Session::previewChanged, this, &StatusBar::explainAlgorithm);
     connect(&session, &app::Session::loaded, this, &StatusBar::forgetFrames);
     connect(&session, &app::Session::loaded, this, &StatusBar::keepRoom);
     for (const auto signal : {&app::Microscope::openChanged, &app::Microscope::tracedLineChanged,
@@ -206,10 +207,18 @@ void StatusBar::showAlgorithm(const app::Variant& variant)
     algorithm_->setWidest(published ? widest + mark : widest);
     algorithm_->setText(app::latin(variant.algorithm->abbreviation)
                         + (published ? mark : QString()));
-    const bool exactly = session_.region().prepared != nullptr;
-    algorithm_->setToolTip(exactly ? tr("At windows that are not all upright rectangles, Clearcut "
-                                        "cuts exactly, whichever algorithm is chosen.")
-                                   : app::latin(variant.algorithm->name));
+    explainAlgorithm();
+}
+
+void StatusBar::explainAlgorithm()
+{
+    const bool exactly = session_.region().prepared && !session_.microscope.isOpen();
+    const app::Variant& shown = session_.microscope.isOpen()
+                                    ? session_.microscope.tracedLine().variant
+                                    : session_.variant();
+    algorithm_->setToolTip(exactly ? tr("A clip window is not a rectangle along the axes, so "
+                                        "Clearcut clips exactly, whichever algorithm is chosen.")
+                                   : app::latin(shown.algorithm->name));
 }
 
 void StatusBar::resizeEvent(QResizeEvent* event)

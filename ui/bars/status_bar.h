@@ -41,6 +41,7 @@ private:
     void showPosition(std::optional<app::Point> position);
     void showStep();
     void showAlgorithm(const app::Variant& variant);
+    void explainAlgorithm(); ///< in its tooltip
     void showZoom();
     void keepRoom();
     void addZoomMenu();
