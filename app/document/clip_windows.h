@@ -24,8 +24,8 @@ struct RectangleShape {
     double angle = 0;
     friend bool operator==(const RectangleShape&, const RectangleShape&) = default;
 };
-/// What a path encloses by its fill rule. Its subpaths are closed, whatever they say. The recipe is
-/// the shape that the path was made from, as for objects.
+/// What a path encloses by its fill rule; open subpaths count as closed. The recipe is the shape
+/// that the path was made from, as for objects.
 struct PathShape {
     Path path{};
     FillRule rule = FillRule::NonZero;

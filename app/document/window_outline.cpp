@@ -2,6 +2,7 @@
 #include "app/document/window_outline.h"
 
 #include "app/document/direction.h"
+#include "app/document/window_frame.h"
 
 #include <glm/common.hpp>
 
@@ -75,21 +76,6 @@ struct Outline {
 };
 
 } // namespace
-
-std::array<Point, 4> cornersOf(const RectangleShape& rectangle)
-{
-    const auto& [min, max] = rectangle.box;
-    std::array<Point, 4> corners{min, {max.x, min.y}, max, {min.x, max.y}};
-    if (rectangle.angle == 0)
-        return corners;
-    const Point centre = (min + max) * 0.5;
-    const double sine = std::sin(rectangle.angle), cosine = std::cos(rectangle.angle);
-    for (Point& corner : corners) {
-        const Point by = corner - centre;
-        corner = centre + Point(by.x * cosine - by.y * sine, by.x * sine + by.y * cosine);
-    }
-    return corners;
-}
 
 WindowOutline outlineOf(const WindowShape& shape, double tolerance)
 {

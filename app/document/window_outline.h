@@ -17,10 +17,6 @@ struct WindowOutline {
 /// inscribed polygons. Empty for a rectangle that contains nothing.
 WindowOutline outlineOf(const WindowShape& shape, double tolerance);
 
-/// The four corners of a rectangle, from the smallest x and y towards larger x; a rectangle that is
-/// not rotated has the bits of its box.
-std::array<Point, 4> cornersOf(const RectangleShape& rectangle);
-
 /// The tolerance of curved clip windows, on paper.
 constexpr double windowMillimetres = 0.01;
 

@@ -2,7 +2,6 @@
 #include "app/document/window_shape.h"
 
 #include "app/document/mapped_path.h"
-#include "app/document/window_outline.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -15,12 +14,6 @@ namespace app {
 namespace {
 
 constexpr double rounding = 1e-12; // relative to the lengths
-
-Point turned(const Point& p, double angle)
-{
-    const double sine = std::sin(angle), cosine = std::cos(angle);
-    return {p.x * cosine - p.y * sine, p.x * sine + p.y * cosine};
-}
 
 Point centreOf(const clipping::Window& box) { return (box.min + box.max) * 0.5; }
 
@@ -50,21 +43,13 @@ clipping::Window boxOfPath(const Path& path)
     return first ? boxOfPath(path, size > 0 ? size * 1e-4 : 1) : clipping::Window{};
 }
 
-PathShape asPath(const RectangleShape& rectangle)
-{
-    const auto corners = cornersOf(rectangle);
-    const Subpath ring{corners[0], {{corners[1]}, {corners[2]}, {corners[3]}}, true};
-    PathShape shape{Path({&ring, 1})};
-    if (rectangle.angle == 0)
-        shape.recipe = RectangleRecipe{rectangle.box.min, rectangle.box.max - rectangle.box.min};
-    return shape;
-}
+bool isMove(const AffineMap& map) { return map.x == Point(1, 0) && map.y == Point(0, 1); }
 
 // The rectangle after a map that leaves its corners right angles.
 std::optional<RectangleShape> stillRectangle(const RectangleShape& rectangle, const AffineMap& map)
 {
     const auto& [min, max] = rectangle.box;
-    if (map.x == Point(1, 0) && map.y == Point(0, 1)) // only moved
+    if (isMove(map))
         return RectangleShape{{map(min), map(max)}, rectangle.angle};
     const auto old = cornersOf(rectangle);
     const Point corner = map(old[0]), across = map(old[1]) - corner, down = map(old[3]) - corner;
@@ -82,6 +67,19 @@ std::optional<RectangleShape> stillRectangle(const RectangleShape& rectangle, co
 }
 
 } // namespace
+
+PathShape pathOf(const WindowShape& shape)
+{
+    if (const auto* path = std::get_if<PathShape>(&shape))
+        return *path;
+    const auto& rectangle = std::get<RectangleShape>(shape);
+    const auto corners = cornersOf(rectangle);
+    const Subpath ring{corners[0], {{corners[1]}, {corners[2]}, {corners[3]}}, true};
+    PathShape path{Path({&ring, 1})};
+    if (rectangle.angle == 0)
+        path.recipe = RectangleRecipe{rectangle.box.min, rectangle.box.max - rectangle.box.min};
+    return path;
+}
 
 bool isEmpty(const WindowShape& shape)
 {
@@ -112,15 +110,17 @@ clipping::Window boxOf(const WindowShape& shape)
 
 WindowShape mapped(const WindowShape& shape, const AffineMap& map)
 {
-    PathShape path;
-    if (const auto* rectangle = std::get_if<RectangleShape>(&shape)) {
+    if (const auto* rectangle = std::get_if<RectangleShape>(&shape))
         if (const auto still = stillRectangle(*rectangle, map))
             return *still;
-        path = asPath(*rectangle);
+    PathShape path = pathOf(shape);
+    if (isMove(map)) { // at every move of the pointer, and paths may be long
+        const Placement where{{1, 1}, map.to - map.from};
+        path.path = path.path.placed(where);
+        path.recipe = placed(path.recipe, where);
     } else {
-        path = std::get<PathShape>(shape);
+        transform(path.path, path.recipe, map);
     }
-    transform(path.path, path.recipe, map);
     return path;
 }
 
@@ -151,27 +151,6 @@ WindowShape rotated(const WindowShape& shape, double angle)
         return RectangleShape{{centre - Point(half.y, half.x), centre + Point(half.y, half.x)}};
     }
     return mapped(shape, rotation(-angle * 180 / std::numbers::pi, centreOf(boxOf(shape))));
-}
-
-WindowFrame resized(const WindowFrame& frame, const clipping::Window& box)
-{
-    const Point half = (box.max - box.min) * 0.5;
-    if (frame.angle == 0)
-        return {box};
-    const Point centre = outOfFrame(frame, centreOf(box));
-    return {{centre - half, centre + half}, frame.angle};
-}
-
-Point intoFrame(const WindowFrame& frame, const Point& p)
-{
-    const Point centre = centreOf(frame.box);
-    return frame.angle == 0 ? p : centre + turned(p - centre, -frame.angle);
-}
-
-Point outOfFrame(const WindowFrame& frame, const Point& p)
-{
-    const Point centre = centreOf(frame.box);
-    return frame.angle == 0 ? p : centre + turned(p - centre, frame.angle);
 }
 
 } // namespace app

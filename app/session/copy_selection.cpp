@@ -52,19 +52,18 @@ void duplicateInPlace(Session& session)
 
 void paste(Session& session, const Document& drawing, PastePlace place)
 {
-    const Containers& tree = session.now().containers();
-    const ContainerId into = containerForNew(session);
-    if (!tree.shown(into) || tree.locked(into)) {
+    if (!mayAddObjects(session)) {
         emit session.refused(tr("The layer %1 is locked or hidden, so nothing was pasted. Select "
                                 "another layer, or unlock and show this one.")
-                                 .arg(groupName(tree[into])));
+                                 .arg(nameForNew(session)));
         return;
     }
     const Point step(stepMillimetres / session.now().page().millimetresPerUnit());
     const Point by = place == PastePlace::InPlace
                          ? Point(0)
                          : copyOffset(session.now(), drawing.objects(), step);
-    push(session, withDrawing(session.now(), movedBy(drawing, by), into), tr("Paste"));
+    push(session, withDrawing(session.now(), movedBy(drawing, by), containerForNew(session)),
+         tr("Paste"));
 }
 
 } // namespace app

@@ -40,8 +40,11 @@ void Session::updateChoice()
 {
     windowNumber_ = actedOn(windows_, chosenWindow_);
     clipWindow_.reset();
-    if (windowNumber_ && !isEmpty(windows_.list[*windowNumber_].shape))
-        clipWindow_ = boxOf(windows_.list[*windowNumber_].shape);
+    windowFrame_.reset();
+    if (windowNumber_ && !isEmpty(windows_.list[*windowNumber_].shape)) {
+        windowFrame_ = frameOf(windows_.list[*windowNumber_].shape);
+        clipWindow_ = boxOf(*windowFrame_);
+    }
     compared_ = comparedWindow(windows_, now().page(), windowNumber_);
 }
 

@@ -5,6 +5,7 @@
 #include "app/commands/transform_objects.h"
 #include "app/comparison/live_differences.h"
 #include "app/document/object_ranges.h"
+#include "app/document/window_frame.h"
 #include "app/exactness/live_exactness.h"
 #include "app/formats/format.h"
 #include "app/lessons/course.h"
@@ -88,8 +89,9 @@ public:
     /// else the first visible one; empty without a visible window.
     std::optional<std::size_t> windowNumber() const { return windowNumber_; }
     void chooseWindow(std::size_t number);
-    /// The bounding box of that window.
+    /// The bounding box of that window, and the frame that its handles stand on.
     const std::optional<clipping::Window>& clipWindow() const { return clipWindow_; }
+    const std::optional<WindowFrame>& windowFrame() const { return windowFrame_; }
     /// All current clip windows, including the preview's.
     const ClipWindows& windows() const { return windows_; }
     /// The same for `Scene::clip`.
@@ -154,11 +156,12 @@ private:
     mutable std::optional<std::optional<clipping::Window>> selectionBounds_; ///< as far as known
     std::optional<std::size_t> inspected_;
     Preview preview_;
-    // What each frame reads of the current clip windows.
+    // Derived from the document's clip windows or the preview's, whenever these change.
     ClipWindows windows_;
     ClipRegion region_;
     ComparedWindow compared_;
     std::optional<clipping::Window> clipWindow_;
+    std::optional<WindowFrame> windowFrame_;
     std::optional<std::size_t> windowNumber_;
     std::size_t chosenWindow_ = 0; ///< may be hidden, or gone
     QString path_;

@@ -104,6 +104,18 @@ ContainerId layerForNew(const Session& session)
     return id;
 }
 
+bool mayAddObjects(const Session& session)
+{
+    const Containers& tree = session.now().containers();
+    const ContainerId into = containerForNew(session);
+    return tree.shown(into) && !tree.locked(into);
+}
+
+QString nameForNew(const Session& session)
+{
+    return groupName(session.now().containers()[containerForNew(session)]);
+}
+
 ObjectRanges selectableObjects(const Session& session)
 {
     return common(editableObjects(session.now()), ObjectRanges(selectableRange(session)));

@@ -18,6 +18,9 @@ ObjectRanges unitsOf(const Session& session, const ObjectRanges& found, FoundGro
 /// Where new objects go: the entered group, or the current layer.
 ContainerId containerForNew(const Session& session);
 ContainerId layerForNew(const Session& session); ///< the layer around it
+/// Whether objects may be added there: it is neither locked nor hidden.
+bool mayAddObjects(const Session& session);
+QString nameForNew(const Session& session); ///< of the entered group or layer, for people
 /// All objects that may be selected: those of the entered group, or of the drawing.
 ObjectRanges selectableObjects(const Session& session);
 

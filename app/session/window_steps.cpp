@@ -4,7 +4,6 @@
 #include "app/base/numbers.h"
 #include "app/commands/add_objects.h"
 #include "app/commands/set_windows.h"
-#include "app/document/window_outline.h"
 #include "app/document/window_shape.h"
 #include "app/session/arrange_selection.h"
 #include "app/session/selection_style.h"
@@ -26,14 +25,6 @@ void push(Session& session, ClipWindows windows, const QString& text,
 {
     if (windows != session.now().windows())
         session.history.push(new SetWindows(session.document, std::move(windows), text, merging));
-}
-
-std::vector<Subpath> subpathsOf(const WindowShape& shape)
-{
-    if (const auto* path = std::get_if<PathShape>(&shape))
-        return path->path.subpaths();
-    const auto corners = cornersOf(std::get<RectangleShape>(shape));
-    return {{corners[0], {{corners[1]}, {corners[2]}, {corners[3]}}, true}};
 }
 
 } // namespace
@@ -165,24 +156,20 @@ void windowToPath(Session& session)
     const auto number = session.windowNumber();
     if (!number)
         return;
-    const ClipWindow& window = session.windows().list[*number];
-    Object object{Path(subpathsOf(window.shape)), newStyle(session)};
-    if (const auto* path = std::get_if<PathShape>(&window.shape)) {
-        object.particulars.recipe = path->recipe;
-        object.style.fillRule = path->rule;
-    }
-    const Containers& tree = session.now().containers();
-    const ContainerId into = containerForNew(session);
-    if (!tree.shown(into) || tree.locked(into)) {
+    if (!mayAddObjects(session)) {
         emit session.refused(tr("The layer %1 is locked or hidden, so nothing was drawn. Select "
                                 "another layer, or unlock and show this one.")
-                                 .arg(groupName(tree[into])));
+                                 .arg(nameForNew(session)));
         return;
     }
+    PathShape shape = pathOf(session.windows().list[*number].shape);
+    Object object{shape.path, newStyle(session)};
+    object.particulars.recipe = shape.recipe;
+    object.style.fillRule = shape.rule;
     Objects objects = session.now().objects().slice(0, 0);
     objects.append(object);
-    session.history.push(
-        new AddObjects(session.document, objects, into, tr("Draw clip window's outline")));
+    session.history.push(new AddObjects(session.document, objects, containerForNew(session),
+                                        tr("Draw clip window's outline")));
     session.select(justAdded(session));
 }
 

@@ -1,56 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/area_at.h"
 
-#include <algorithm>
+#include "app/view/crossings.h"
 
 namespace app {
 namespace {
-
-using clipping::Segment;
-
-/// The winding number of an outline around a point, and the number of crossings of a ray from the
-/// point with the outline. Open paths are filled as if closed.
-class Crossings {
-public:
-    explicit Crossings(const Point& point) : p_(point) {}
-
-    void add(const Segment& line)
-    {
-        if (open_ && line.a != last_)
-            close();
-        if (!open_)
-            start_ = line.a;
-        open_ = true;
-        count(line);
-        last_ = line.b;
-    }
-    void close()
-    {
-        if (open_ && last_ != start_)
-            count({last_, start_});
-        open_ = false;
-    }
-    bool inside(FillRule rule) const
-    {
-        return rule == FillRule::EvenOdd ? crossings_ % 2 == 1 : winding_ != 0;
-    }
-
-private:
-    void count(const Segment& s)
-    {
-        if ((s.a.y <= p_.y) == (s.b.y <= p_.y))
-            return;
-        const double x = s.a.x + (s.b.x - s.a.x) * ((p_.y - s.a.y) / (s.b.y - s.a.y));
-        if (x <= p_.x)
-            return;
-        ++crossings_;
-        winding_ += s.b.y > s.a.y ? 1 : -1;
-    }
-
-    Point p_, start_{}, last_{};
-    bool open_ = false;
-    int winding_ = 0, crossings_ = 0;
-};
 
 class Search {
 public:

@@ -11,8 +11,8 @@
 namespace app {
 namespace {
 
-// A point on screen, as if the frame were upright; and back.
-Point upright(const WindowFrame& frame, const View& view, const Point& screen)
+// A point on screen, as if the frame were not rotated; and back.
+Point unrotated(const WindowFrame& frame, const View& view, const Point& screen)
 {
     return frame.angle == 0 ? screen : view.toScreen(intoFrame(frame, view.toDrawing(screen)));
 }
@@ -54,7 +54,7 @@ std::vector<PlacedHandle> placedHandles(const WindowFrame& frame, const View& vi
 
 std::optional<Handle> handleAt(const Point& screen, const WindowFrame& frame, const View& view)
 {
-    const Point at = upright(frame, view, screen);
+    const Point at = unrotated(frame, view, screen);
     const Point away = glm::abs(at - placeOfRotation(frame, view));
     constexpr double reach = 12;
     if (away.x <= reach && away.y <= reach)

@@ -33,19 +33,14 @@ void Controller::setTool(std::string_view key)
 }
 
 // New objects must not be added to a locked or hidden layer.
-bool Controller::mayDraw() const
-{
-    const app::Containers& containers = session_.now().containers();
-    const app::ContainerId layer = app::containerForNew(session_);
-    return !tool_->draws() || (containers.shown(layer) && !containers.locked(layer));
-}
+bool Controller::mayDraw() const { return !tool_->draws() || app::mayAddObjects(session_); }
 
 QString Controller::hint() const
 {
     if (!mayDraw())
         return tr("The layer %1 is locked or hidden. Select another layer, or unlock and show this "
                   "one.")
-            .arg(app::groupName(session_.now().containers()[app::containerForNew(session_)]));
+            .arg(app::nameForNew(session_));
     const QString now = tool_->hint(bench_);
     return now.isEmpty() ? toolInfo_->hint : now;
 }

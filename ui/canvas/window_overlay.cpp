@@ -111,7 +111,7 @@ void paintOthers(QPainter& painter, const Controller& controller)
 
 void paintHandles(QPainter& painter, const Controller& controller, const Look& look)
 {
-    const app::WindowFrame frame = app::frameOf(actedOn(controller).shape);
+    const app::WindowFrame& frame = *controller.session().windowFrame();
     const auto placed = app::placedHandles(frame, controller.view());
     painter.setPen(QPen(look.accent, 1));
     painter.setBrush(Qt::NoBrush);
@@ -136,7 +136,7 @@ QString labelText(const Controller& controller)
 {
     const app::Page& page = controller.session().now().page();
     const app::Unit unit = controller.session().display().unit;
-    const app::WindowFrame frame = app::frameOf(actedOn(controller).shape);
+    const app::WindowFrame& frame = *controller.session().windowFrame();
     const app::Preview::Drag drag = controller.session().preview().drag;
     if (drag == app::Preview::Drag::Rotating) // by how much, counterclockwise
         return QStringLiteral("%1°").arg(
@@ -235,7 +235,7 @@ std::vector<QRectF> windowFurniture(const Controller& controller, const Pane& pa
         edge.adjust(-outline, -outline, outline, outline);
     if (!isFurnished(controller, pane, window))
         return places;
-    const app::WindowFrame frame = app::frameOf(actedOn(controller).shape);
+    const app::WindowFrame& frame = *controller.session().windowFrame();
     for (const auto& [handle, at] : app::placedHandles(frame, controller.view()))
         places.push_back(
             QRectF(at.x - handleSize / 2, at.y - handleSize / 2, handleSize, handleSize));

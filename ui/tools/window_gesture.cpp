@@ -26,14 +26,12 @@ static QString nameOf(app::Preview::Drag drag)
 void WindowGesture::start(app::Handle handle, const Pointer& pointer, const Workbench& bench)
 {
     const app::Session& session = bench.session;
-    if (const auto number = session.windowNumber())
-        state_ = State{handle, pointer, pointer, session.windows().list[*number].shape};
+    if (const auto& frame = session.windowFrame())
+        state_ = State{handle, pointer, pointer,
+                       session.windows().list[*session.windowNumber()].shape, *frame};
 }
 
-void WindowGesture::startNew(const Pointer& pointer)
-{
-    state_ = State{{1, 1}, pointer, pointer, std::nullopt};
-}
+void WindowGesture::startNew(const Pointer& pointer) { state_ = State{{1, 1}, pointer, pointer}; }
 
 void WindowGesture::follow(const Pointer& pointer, const Workbench& bench)
 {
@@ -54,7 +52,7 @@ app::MovedSnap WindowGesture::moved(const Workbench& bench) const
     if (straight)
         by[fixed] = 0;
     app::MovedSnap moved =
-        bench.moved(app::ownPointsOf(app::boxOf(*state_->start)), by, state_->to.modifiers, {},
+        bench.moved(app::ownPointsOf(app::boxOf(state_->frame)), by, state_->to.modifiers, {},
                     app::SnapTo::All.without("window"));
     if (straight && moved.by[fixed] != 0) {
         moved = {moved.by};
@@ -123,7 +121,7 @@ app::WindowShape WindowGesture::dragged() const
     if (state_->handle == app::rotationHandle)
         return app::rotated(*state_->start, angle());
     const auto modifiers = state_->to.modifiers;
-    const app::WindowFrame start = app::frameOf(*state_->start);
+    const app::WindowFrame& start = state_->frame;
     const app::Handle handle = state_->handle;
     app::Point from = state_->from.raw, to = state_->to.raw;
     if (state_->to.position != state_->to.raw) {
@@ -141,7 +139,7 @@ double WindowGesture::angle() const
 {
     if (!state_ || !state_->start || state_->handle != app::rotationHandle)
         return 0;
-    const app::WindowFrame start = app::frameOf(*state_->start);
+    const app::WindowFrame& start = state_->frame;
     const auto proportion =
         state_->to.modifiers & Qt::ShiftModifier ? app::Proportion::Kept : app::Proportion::Free;
     return app::dragged(start, state_->handle, state_->from.raw, state_->to.raw, proportion,
@@ -174,12 +172,11 @@ Qt::CursorShape cursorOf(app::Handle handle, double angle)
 std::optional<app::Handle> windowHandleAt(const app::Point& screen, const Workbench& bench)
 {
     const app::Session& session = bench.session;
-    const auto number = session.windowNumber();
-    if (!number)
+    const auto& frame = session.windowFrame();
+    if (!frame)
         return std::nullopt;
-    const app::WindowShape& shape = session.windows().list[*number].shape;
-    const app::WindowFrame frame = app::frameOf(shape);
-    const auto handle = app::handleAt(screen, frame, bench.view);
+    const app::WindowShape& shape = session.windows().list[*session.windowNumber()].shape;
+    const auto handle = app::handleAt(screen, *frame, bench.view);
     // The frame of a path is not its outline.
     if (handle == app::Handle{} && std::holds_alternative<app::PathShape>(shape))
         return std::nullopt;

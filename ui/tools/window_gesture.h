@@ -36,7 +36,8 @@ private:
     struct State {
         app::Handle handle;
         Pointer from, to;
-        std::optional<app::WindowShape> start; ///< empty: a new window
+        std::optional<app::WindowShape> start{}; ///< empty: a new window
+        app::WindowFrame frame{};                ///< of `start`
         bool drags = false;
         app::MovedSnap moved{}; ///< if the whole window is moved
     };

@@ -89,11 +89,8 @@ bool WindowTool::key(QKeyEvent& event, Workbench& bench)
 
 QCursor WindowTool::cursor(const Workbench& bench) const
 {
-    const app::Session& session = bench.session;
-    const auto number = session.windowNumber();
-    if (!hoveredHandle_ || !number)
-        return Qt::CrossCursor;
-    return cursorOf(*hoveredHandle_, app::frameOf(session.windows().list[*number].shape).angle);
+    const auto& frame = bench.session.windowFrame();
+    return hoveredHandle_ && frame ? cursorOf(*hoveredHandle_, frame->angle) : Qt::CrossCursor;
 }
 
 } // namespace

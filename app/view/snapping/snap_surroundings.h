@@ -19,7 +19,8 @@ struct SnapSurroundings {
     std::vector<Bezier> curves{};            ///< path segments that are curves
     std::vector<clipping::Segment> chords{}; ///< all lines, and the chords of the curves
     std::vector<Point> centres{};
-    std::vector<clipping::Segment> windowEdges{}, pageEdges{};
+    std::vector<clipping::Segment> windowEdges{}; ///< of visible clip windows; none of curves
+    std::vector<clipping::Segment> pageEdges{};
     std::vector<Guide> guides{};
     std::optional<GridPoints> grid{};
 };

@@ -74,30 +74,23 @@ static std::vector<std::vector<Point>> straightRings(const WindowShape& shape)
     return outlineOf(shape, 1).rings;
 }
 
-std::vector<clipping::Segment> edgesOf(const ClipWindows& windows)
+static std::vector<clipping::Segment> edgesNear(const SnapSurroundings& near,
+                                                const WindowShape& shape)
 {
     std::vector<clipping::Segment> edges;
-    for (const ClipWindow& window : windows.list) {
-        if (!window.visible)
-            continue;
-        for (const auto& ring : straightRings(window.shape))
-            for (std::size_t i = 0; i < ring.size(); ++i)
-                edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
-    }
+    for (const auto& ring : straightRings(shape))
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
+            if (isNear(near, glm::min(a, b), glm::max(a, b)))
+                edges.push_back({a, b});
+        }
     return edges;
-}
-
-std::vector<clipping::Segment> edgesOf(const clipping::Window& rectangle)
-{
-    ClipWindows one;
-    one.list.push_back({.shape = RectangleShape{rectangle}});
-    return edgesOf(one);
 }
 
 std::optional<Snap> snapToEdges(const Point& pointer, double radius, const clipping::Window& window)
 {
     SnapSurroundings near{pointer, radius};
-    near.windowEdges = edgesOf(window);
+    near.windowEdges = edgesNear(near, RectangleShape{window});
     SnapOffers offers(pointer, radius);
     offers.begin(snapKind("window"));
     snapKind("window").find(near, offers);
@@ -214,9 +207,12 @@ SnapSurroundings Snapper::around(const SnapQuery& query) const
     if (query.to.has("centres"))
         near.centres = centres_.near(query.pointer, query.radius, query.without);
     if (query.to.has("window"))
-        near.windowEdges = edgesOf(document_.now().windows());
+        for (const ClipWindow& window : document_.now().windows().list)
+            if (window.visible)
+                std::ranges::copy(edgesNear(near, window.shape),
+                                  std::back_inserter(near.windowEdges));
     if (query.to.has("page"))
-        near.pageEdges = edgesOf(document_.now().page().rectangle());
+        near.pageEdges = edgesNear(near, RectangleShape{document_.now().page().rectangle()});
     return near;
 }
 

@@ -62,11 +62,6 @@ private:
     CentreIndex centres_;
 };
 
-/// The edges of the visible clip windows, each window's in order.
-std::vector<clipping::Segment> edgesOf(const ClipWindows& windows);
-/// The four edges, in order.
-std::vector<clipping::Segment> edgesOf(const clipping::Window& rectangle);
-
 /// The nearest place on a window's edges, or a corner.
 std::optional<Snap> snapToEdges(const Point& pointer, double radius,
                                 const clipping::Window& window);
