@@ -140,7 +140,7 @@ private slots:
         const auto before = sheetOf(session.document);
         for (int i = 0; i < 3; ++i)
             history.push(
-                setWindow(session.document, {{i * 1.0, 0}, {i + 9.0, 9}}, app::Merging::WithLast));
+                windowStep(session.document, {{i * 1.0, 0}, {i + 9.0, 9}}, app::Merging::WithLast));
         QCOMPARE(history.count(), 2); // the first changed its size, too
         history.undo();
         QCOMPARE(sheetOf(session.document).window, (clipping::Window{{0, 0}, {9, 9}}));

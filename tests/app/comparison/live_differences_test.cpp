@@ -79,8 +79,8 @@ private slots:
 
         // Several changes in one event are looked at once.
         const Window other{{50, 50}, {200, 350}};
-        session.history.push(setWindow(session.document, {{0, 0}, {10, 10}}));
-        session.history.push(setWindow(session.document, other));
+        session.history.push(windowStep(session.document, {{0, 0}, {10, 10}}));
+        session.history.push(windowStep(session.document, other));
         QVERIFY(!session.differences.upToDate());
         QTRY_COMPARE(changed.size(), 2);
         QCOMPARE(found.window, other);
@@ -188,7 +188,7 @@ private slots:
         QTRY_VERIFY(session.differences.upToDate());
         QCOMPARE(begun.size(), 1);
         QCOMPARE(session.differences.found().list, atOnce(session, kwcAgainstExact(), moved));
-        session.history.push(setWindow(session.document, moved));
+        session.history.push(windowStep(session.document, moved));
         session.setPreview({});
         QVERIFY(session.differences.upToDate());
         // One that is dropped costs nothing.

@@ -22,8 +22,8 @@ inline app::ClipWindows withWindow(app::ClipWindows windows, const clipping::Win
 }
 
 /// The command that draws or moves that window.
-inline app::SetWindows* setWindow(app::EditedDocument& document, const clipping::Window& window,
-                                  app::Merging merging = app::Merging::Never)
+inline app::SetWindows* windowStep(app::EditedDocument& document, const clipping::Window& window,
+                                   app::Merging merging = app::Merging::Never)
 {
     return new app::SetWindows(document, withWindow(document.now().windows(), window),
                                "Move clip window", merging);

@@ -37,7 +37,7 @@ private slots:
         session.select({1, 6, 9});
         QCOMPARE(session.selectionBounds(), (clipping::Window{{1, 0}, {7, 3}}));
         setMark(session);
-        session.history.push(setWindow(session.document, {{0, 0}, {2, 5}}));
+        session.history.push(windowStep(session.document, {{0, 0}, {2, 5}}));
         session.select({9, 6, 1}); // the same
         session.inspect(3);
         app::ClipWindows windows = session.now().windows();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Clip windows as straight edges.
 #include "app/document/recipe_outline.h"
+#include "app/document/window_frame.h"
 #include "app/document/window_outline.h"
 
 #include <QTest>

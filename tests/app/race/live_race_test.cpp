@@ -215,7 +215,7 @@ private slots:
         Track t(2000);
         t.race.start();
         t.show(moved(5));
-        t.session.history.push(setWindow(t.session.document, moved(5)));
+        t.session.history.push(windowStep(t.session.document, moved(5)));
         t.session.setPreview({});
         QTRY_VERIFY(t.race.upToDate());
         QVERIFY(t.roundsOn(moved(5)) >= 1);

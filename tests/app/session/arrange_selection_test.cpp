@@ -7,6 +7,8 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/app/document/one_window.h"
+
 using namespace app;
 
 namespace {
@@ -75,7 +77,7 @@ private slots:
     {
         for (const AlignmentTarget& target : alignmentTargets()) {
             Drawing drawing;
-            drawing.history.push(setWindow(drawing.document, {{5, 6}, {7, 8}}));
+            drawing.history.push(windowStep(drawing.document, {{5, 6}, {7, 8}}));
             drawing.arrange.alignTo = target.key;
             drawing.select({0, 3});
             align(drawing, 1, AlignTo::Least);

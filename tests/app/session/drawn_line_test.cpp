@@ -98,7 +98,7 @@ private slots:
         app::DrawnLine drawn(session);
         session.load({app::documentOf(sheetOf({across, half})), {}});
         drawn.look(0);
-        session.history.push(setWindow(session.document, {{0, 0}, {8, 8}}));
+        session.history.push(windowStep(session.document, {{0, 0}, {8, 8}}));
         QCOMPARE(session.microscope.tracedLine().window, (clipping::Window{{0, 0}, {8, 8}}));
         session.history.push(new app::MoveObjects(session.document, {0}, {1, 0}));
         QCOMPARE(session.microscope.tracedLine().line, (clipping::Segment{{-4, 5}, {16, 6}}));
@@ -123,7 +123,7 @@ private slots:
         session.microscope.setTracedLine(tracedLine);
         QVERIFY(drawn.changed());
         QVERIFY(session.now() == before);
-        session.history.push(setWindow(session.document, {{0, 0}, {8, 8}}));
+        session.history.push(windowStep(session.document, {{0, 0}, {8, 8}}));
         QCOMPARE(session.microscope.tracedLine().line.a, app::Point(-7, 3));
         QCOMPARE(session.microscope.tracedLine().window.max, app::Point(8, 8));
         session.history.push(new app::MoveObjects(session.document, {0}, {1, 0}));
@@ -141,7 +141,7 @@ private slots:
         session.load({document, {}});
         drawn.look(0);
         QVERIFY(session.microscope.tracedLine().windowIsPage);
-        session.history.push(setWindow(session.document, {{0, 0}, {8, 8}}));
+        session.history.push(windowStep(session.document, {{0, 0}, {8, 8}}));
         QVERIFY(!session.microscope.tracedLine().windowIsPage);
         session.history.undo();
         QVERIFY(session.microscope.tracedLine().windowIsPage);
@@ -170,7 +170,7 @@ private slots:
                                      .y = app::YAxis::Up};
         session.microscope.setTracedLine(lesson);
         QVERIFY(!drawn.line());
-        session.history.push(setWindow(session.document, {{0, 0}, {8, 8}}));
+        session.history.push(windowStep(session.document, {{0, 0}, {8, 8}}));
         session.inspect(1);
         app::Display display = session.display();
         display.variant.algorithm = clipping::findAlgorithm("skala");

@@ -76,7 +76,7 @@ private slots:
         const clipping::Window a{{0, 0}, {5, 5}}, b{{2, 2}, {9, 9}}, c{{1, 1}, {3, 3}};
         const std::vector<std::function<void(app::Session&)>> steps{
             [&](app::Session& s) { s.setPreview({.windows = withWindow(s.now().windows(), a)}); },
-            [&](app::Session& s) { s.history.push(setWindow(s.document, a)); },
+            [&](app::Session& s) { s.history.push(windowStep(s.document, a)); },
             [&](app::Session& s) { s.setPreview({}); },
             [&](app::Session& s) {
                 setWindows(s, list({a, b}));

@@ -12,7 +12,7 @@ class HistoryPanelTest : public QObject {
 
     static void push(app::Session& session, double width)
     {
-        session.history.push(setWindow(session.document, {{0, 0}, {width, 5}}));
+        session.history.push(windowStep(session.document, {{0, 0}, {width, 5}}));
     }
     static QStringList texts(const HistoryPanel& panel)
     {

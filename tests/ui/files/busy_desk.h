@@ -30,7 +30,7 @@ struct Desk : TestWindow {
     Files& files() const { return window->files(); }
     void change(const clipping::Window& clip) const
     {
-        session().history.push(setWindow(session().document, clip));
+        session().history.push(windowStep(session().document, clip));
     }
     /// As the system sends it.
     void type(Qt::Key key, Qt::KeyboardModifiers with = {}) const

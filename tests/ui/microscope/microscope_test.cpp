@@ -31,7 +31,7 @@ public:
     {
         t.open(t.twoLines());
         app::Session& session = t.window->session();
-        session.history.push(setWindow(session.document, {{25, 25}, {75, 75}}));
+        session.history.push(windowStep(session.document, {{25, 25}, {75, 75}}));
         t.show();
         QTest::keyClick(t.drawingArea(), Qt::Key_F2);
     }

@@ -37,7 +37,7 @@ bool inFront(const QDockWidget* dock) { return dock->isVisible() && dock->x() >=
 void setWindow(TestWindow& t, const clipping::Window& window)
 {
     app::Session& session = t.window->session();
-    session.history.push(setWindow(session.document, window));
+    session.history.push(windowStep(session.document, window));
 }
 
 } // namespace
