@@ -137,14 +137,25 @@ QStringList readingAndWritingLimits()
     return limitsOf([](const Format&) { return true; });
 }
 
+static Imported readAs(const QString& path, const Format& format)
+{
+    auto imported = readFile(path, &format);
+    if (!imported)
+        throw Failure{imported.error};
+    return std::move(*imported.value);
+}
+
+Imported readDrawing(const QString& path)
+{
+    const Format* format = formatToRead(path);
+    return readAs(path, format ? *format : formats()[0]);
+}
+
 Imported readDrawing(const ParsedArguments& arguments, const QString& path)
 {
     if (path != standardStream) {
         const bool there = QFileInfo::exists(path) && !QFileInfo(path).isDir();
-        auto imported = readFile(path, there ? &readFormatOf(arguments, path) : &formats()[0]);
-        if (!imported)
-            throw Failure{imported.error};
-        return std::move(*imported.value);
+        return readAs(path, there ? readFormatOf(arguments, path) : formats()[0]);
     }
     const Format& format = readFormatOf(arguments, path);
     QFile in;

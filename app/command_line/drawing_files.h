@@ -24,7 +24,9 @@ void sayHiddenLeftOut(std::size_t count, const Format& format);
 QStringList readingLimits();
 QStringList readingAndWritingLimits();
 
-/// Reads the drawing in `path`; throws Failure.
+/// Reads the drawing in the file `path`, whose type its name shows; throws Failure.
+Imported readDrawing(const QString& path);
+/// The same for the input of a command, which may be standard input, or have a type that is given.
 Imported readDrawing(const ParsedArguments& arguments, const QString& path);
 
 /// The target of a drawing, known before anything is read, so that a wrong usage is reported first.

@@ -2,6 +2,7 @@
 #include "app/command_line/parsed_arguments.h"
 
 #include "app/base/number.h"
+#include "app/command_line/given_value.h"
 #include "app/command_line/nearest.h"
 #include "app/command_line/refusal.h"
 
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 namespace app {
@@ -43,21 +43,6 @@ QString refusalOf(const QCommandLineParser& parser, const Command& command)
         .arg(dashed(unknown.front()), dashed(nearestTo(unknown.front().toLower(), names)));
 }
 
-// Whether a number or a length is beyond the range of calculation: its form is correct.
-bool isTooLarge(const QString& text)
-{
-    const std::string all = trimmed(text);
-    const char* const first = all.data() + (all.starts_with('+') ? 1 : 0);
-    double value = 0;
-    const auto [end, error] = std::from_chars(first, all.data() + all.size(), value);
-    const std::string_view number(first, std::size_t(end - first));
-    // A number that is too small has the same error code.
-    if (error != std::errc::result_out_of_range || number.find("e-") != number.npos
-        || number.find("E-") != number.npos)
-        return false;
-    return parseLength('0' + std::string(end)).has_value();
-}
-
 std::optional<quint64> wholeNumber(const QString& text)
 {
     bool isNumber = false;
@@ -77,6 +62,8 @@ ParsedArguments::ParsedArguments(const Command& command, const QStringList& argu
     for (const Option& option : optionsOf(command)) {
         QCommandLineOption row(option.names);
         row.setValueName(option.value);
+        for (const QString& name : option.names)
+            longNames_[name] = option.names.last();
         parser_.addOption(row);
     }
     if (!parser_.parse(QStringList(QString()) + arguments))
@@ -98,19 +85,17 @@ std::optional<QString> ParsedArguments::text(const QString& option) const
 
 void ParsedArguments::refuse(const QString& option, const QString& expected) const
 {
-    throw WrongUsage{
-        Commands::tr("--%1 %2: give %3.").arg(option, parser_.value(option), expected)};
+    app::refuse({option, parser_.value(option)}, expected);
 }
 
-void ParsedArguments::refuseNumbers(const QString& option, const QString& expected) const
+std::vector<GivenValue> ParsedArguments::inOrder(const QStringList& options) const
 {
-    const QString value = parser_.value(option);
-    const QStringList parts = value.split(u',');
-    const auto found = std::ranges::find_if(parts, isTooLarge);
-    if (found == parts.end())
-        refuse(option, expected);
-    throw WrongUsage{Commands::tr("--%1 %2: “%3” is too large; numbers go up to 1.79e308.")
-                         .arg(option, value, found->trimmed())};
+    std::vector<GivenValue> given;
+    std::map<QString, qsizetype> seen;
+    for (const QString& name : parser_.optionNames())
+        if (const QString& option = longNames_.at(name); options.contains(option))
+            given.push_back({option, parser_.values(option).value(seen[option]++)});
+    return given;
 }
 
 std::optional<quint64> ParsedArguments::count(const QString& option, quint64 least,
@@ -152,18 +137,13 @@ std::optional<std::array<Length, 4>> ParsedArguments::rectangle(const QString& o
     const auto value = text(option);
     if (!value)
         return std::nullopt;
+    const QString expected = Commands::tr("four lengths XMIN,YMIN,XMAX,YMAX such as "
+                                          "-100,-75,100,75 or 0,0,10cm,70mm");
+    const auto given = lengthsOf({option, *value}, *value, expected);
+    if (given.size() != 4)
+        app::refuse({option, *value}, expected);
     std::array<Length, 4> lengths;
-    const QStringList parts = value->split(u',');
-    bool fits = parts.size() == 4;
-    for (qsizetype i = 0; fits && i < 4; ++i) {
-        const auto length = parseLength(parts[i].toStdString());
-        fits = length && length->unit != Unit::Percent;
-        lengths[std::size_t(i)] = length.value_or(Length{});
-    }
-    if (!fits)
-        refuseNumbers(option,
-                      Commands::tr("four lengths XMIN,YMIN,XMAX,YMAX such as -100,-75,100,75 or "
-                                   "0,0,10cm,70mm"));
+    std::ranges::copy(given, lengths.begin());
     return lengths;
 }
 
@@ -219,7 +199,8 @@ std::optional<std::array<double, 4>> ParsedArguments::numbers(const QString& opt
         numbers[std::size_t(i)] = number.value_or(0);
     }
     if (!fits)
-        refuseNumbers(option, Commands::tr("four numbers %1 such as -100,-75,100,75").arg(names));
+        refuseNumbers({option, *value},
+                      Commands::tr("four numbers %1 such as -100,-75,100,75").arg(names));
     return numbers;
 }
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/base/length.h"
 #include "app/command_line/command.h"
+#include "app/command_line/given_value.h"
 #include "app/comparison/variants.h"
 #include "app/formats/format.h"
 
 #include <QCommandLineParser>
 
 #include <array>
+#include <map>
 #include <optional>
 
 namespace app {
@@ -25,6 +26,10 @@ public:
     QStringList operands() const { return parser_.positionalArguments(); }
     /// The value as written; empty if the option was not given.
     std::optional<QString> text(const QString& option) const;
+
+    /// The values of these options in the order in which they were given, which may be several
+    /// times; "" for an option without a value.
+    std::vector<GivenValue> inOrder(const QStringList& options) const;
 
     /// A whole number from `least` to `most`.
     std::optional<quint64> count(const QString& option, quint64 least, quint64 most) const;
@@ -45,10 +50,9 @@ public:
 
 private:
     [[noreturn]] void refuse(const QString& option, const QString& expected) const;
-    /// The same for comma-separated numbers, one of which may be too large.
-    [[noreturn]] void refuseNumbers(const QString& option, const QString& expected) const;
 
     QCommandLineParser parser_;
+    std::map<QString, QString> longNames_; ///< of each option, by all its names
 };
 
 /// The output of `clearcut KEY --help`.

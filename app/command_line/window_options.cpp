@@ -2,7 +2,9 @@
 #include "app/command_line/window_options.h"
 
 #include "app/base/number.h"
+#include "app/command_line/drawing_numbers.h"
 #include "app/command_line/refusal.h"
+#include "app/command_line/window_forms.h"
 #include "app/formats/rectangle_text.h"
 #include "app/scene/compared_window.h"
 
@@ -13,51 +15,81 @@
 namespace app {
 namespace {
 
-// The origin of lengths with a unit.
-Point cornerOf(const Imported& imported)
+// The options that give clip windows.
+constexpr struct {
+    const char* option;
+    WindowOperation operation;
+} givers[]{{"window", WindowOperation::Add},
+           {"page", WindowOperation::Add},
+           {"cut-out", WindowOperation::CutOut},
+           {"intersect", WindowOperation::Intersect}};
+
+std::vector<GivenValue> given(const ParsedArguments& arguments)
 {
-    return imported.paged ? imported.document.page().min : Point{};
+    QStringList options;
+    for (const auto& giver : givers)
+        options << QString::fromLatin1(giver.option);
+    return arguments.inOrder(options);
 }
 
-// Whether an option gives the window.
-bool isChosen(const ParsedArguments& arguments)
+// The page, smaller by the margin.
+clipping::Window pageOf(const ParsedArguments& arguments, const Imported& imported)
 {
-    return arguments.has(QStringLiteral("window")) || arguments.has(QStringLiteral("page"));
+    const Page& page = imported.document.page();
+    const auto margin = arguments.length(QStringLiteral("margin"));
+    const double less = margin ? toUserUnits(*margin, page.millimetresPerUnit()) : 0;
+    const clipping::Window window{page.min + less, page.min + page.size - less};
+    for (const double number : {window.min.x, window.min.y, window.max.x, window.max.y})
+        if (!std::isfinite(number))
+            throw WrongUsage{Commands::tr("The window is too large for this drawing's unit: give "
+                                          "smaller lengths.")};
+    if (window.min.x > window.max.x || window.min.y > window.max.y)
+        throw WrongUsage{Commands::tr("--margin %1 is too large: nothing of the page is left.")
+                             .arg(*arguments.text(QStringLiteral("margin")))};
+    return window;
 }
 
-bool isBare(const Length& length) { return length.unit == Unit::User; }
-
-// Plain numbers and lengths have different origins, so a rectangle of both would be misplaced.
-void refuseMixture(const ParsedArguments& arguments, const std::array<Length, 4>& lengths)
+void refuseContradictions(const ParsedArguments& arguments)
 {
-    if (std::ranges::any_of(lengths, isBare) && !std::ranges::all_of(lengths, isBare))
-        throw WrongUsage{
-            Commands::tr(
-                "--window %1: give all four numbers with a unit, counted from the paper's top left "
-                "corner, or all four without a unit, in the drawing's own coordinates.")
-                .arg(*arguments.text(QStringLiteral("window")))};
+    const bool page = arguments.has(QStringLiteral("page"));
+    if (arguments.has(QStringLiteral("margin")) && !page)
+        throw WrongUsage{Commands::tr("--margin needs --page: it makes the page smaller.")};
+    if (arguments.has(QStringLiteral("window")) && page)
+        throw WrongUsage{Commands::tr("Give either --window or --page, not both.")};
 }
 
-// A window without area is valid: it is closed, and keeps what lies on it.
-void refuseInverted(const ParsedArguments& arguments, const clipping::Window& window)
+// A list of windows has no brackets: what is outside one shape would remove the others.
+void refuseSeveral(const GivenValue& value, std::size_t count)
 {
-    const bool beyond = window.min.x > window.max.x, below = window.min.y > window.max.y;
-    if (!beyond && !below)
-        return;
-    if (const auto margin = arguments.text(QStringLiteral("margin")))
-        throw WrongUsage{
-            Commands::tr("--margin %1 is too large: nothing of the page is left.").arg(*margin)};
-    throw WrongUsage{
-        beyond ? Commands::tr("The window is inverted: its left edge is beyond its right edge. "
-                              "Give XMIN,YMIN,XMAX,YMAX.")
-               : Commands::tr("The window is inverted: its top edge is beyond its bottom edge. "
-                              "Give XMIN,YMIN,XMAX,YMAX.")};
+    if (value.option == QLatin1StringView("intersect") && count > 1)
+        throw WrongUsage{Commands::tr("--%1 %2: these are %3 shapes, and an intersection needs "
+                                      "one. Make them one path first.")
+                             .arg(value.option, value.text)
+                             .arg(count)};
 }
 
-// A length is relative to the paper's corner, a plain number to the drawing's origin.
-double placeOf(const Length& length, double corner, double unit)
+ClipWindows givenWindows(const ParsedArguments& arguments, const Imported& imported)
 {
-    return isBare(length) ? length.value : corner + toUserUnits(length, unit);
+    refuseContradictions(arguments);
+    ClipWindows windows;
+    for (const GivenValue& value : given(arguments)) {
+        const auto* giver = std::ranges::find(
+            givers, value.option, [](const auto& each) { return QLatin1StringView(each.option); });
+        auto shapes =
+            value.option == QLatin1StringView("page")
+                ? std::vector<ClipWindow>{{.shape = RectangleShape{pageOf(arguments, imported)}}}
+                : windowsOf(value, imported);
+        refuseSeveral(value, shapes.size());
+        for (ClipWindow& window : shapes) {
+            window.operation = giver->operation;
+            windows.list.push_back(std::move(window));
+        }
+    }
+    if (windows.list.size() > ClipWindows::most)
+        throw WrongUsage{Commands::tr("There are %1 clip windows. A drawing can have %2.")
+                             .arg(windows.list.size())
+                             .arg(ClipWindows::most)};
+    return windows;
 }
 
 } // namespace
@@ -77,6 +109,28 @@ std::vector<Option> windowOptions()
     };
 }
 
+std::vector<Option> shapedWindowOptions()
+{
+    std::vector<Option> options = windowOptions();
+    QStringList forms;
+    for (const WindowForm& form : windowForms())
+        forms << QString::fromUtf8(form.usage.data(), qsizetype(form.usage.size()));
+    options.front().value = QStringLiteral("WINDOW");
+    options.front().meaning =
+        Commands::tr("A clip window: %1. Bare numbers are the drawing's own coordinates; lengths "
+                     "with a unit, such as 10mm, count from the paper's top left corner. May be "
+                     "given several times: each adds to what those before it keep (the drawing's "
+                     "clip windows, otherwise its page).")
+            .arg(forms.join(QStringLiteral(", ")));
+    const std::vector<Option> more{
+        {{"cut-out"}, "WINDOW", Commands::tr("Cut this window out of what those before it keep.")},
+        {{"intersect"},
+         "WINDOW",
+         Commands::tr("Keep only what this window and those before it have in common.")}};
+    options.insert(options.begin() + 1, more.begin(), more.end());
+    return options;
+}
+
 clipping::Window windowOf(const Imported& imported)
 {
     const Page& page = imported.document.page();
@@ -86,40 +140,24 @@ clipping::Window windowOf(const Imported& imported)
 
 clipping::Window windowOf(const ParsedArguments& arguments, const Imported& imported)
 {
-    const Page& page = imported.document.page();
-    const double unit = page.millimetresPerUnit();
-    const auto margin = arguments.length(QStringLiteral("margin"));
-    if (margin && !arguments.has(QStringLiteral("page")))
-        throw WrongUsage{Commands::tr("--margin needs --page: it makes the page smaller.")};
-    clipping::Window window = windowOf(imported);
-    if (const auto r = arguments.rectangle(QStringLiteral("window"))) {
-        if (arguments.has(QStringLiteral("page")))
-            throw WrongUsage{Commands::tr("Give either --window or --page, not both.")};
-        refuseMixture(arguments, *r);
-        const Point corner = cornerOf(imported);
-        const auto place = [&](std::size_t i) {
-            return placeOf((*r)[i], i % 2 == 0 ? corner.x : corner.y, unit);
-        };
-        window = {{place(0), place(1)}, {place(2), place(3)}};
-    } else if (arguments.has(QStringLiteral("page"))) {
-        const double less = margin ? toUserUnits(*margin, unit) : 0;
-        window = {page.min + less, page.min + page.size - less};
-    }
-    for (const double number : {window.min.x, window.min.y, window.max.x, window.max.y})
-        if (!std::isfinite(number))
-            throw WrongUsage{Commands::tr("The window is too large for this drawing's unit: give "
-                                          "smaller lengths.")};
-    refuseInverted(arguments, window);
-    return window;
+    const ClipWindows windows = givenWindows(arguments, imported);
+    if (windows.list.empty())
+        return windowOf(imported);
+    const auto box = axisAlignedBox(windows.list.front().shape);
+    if (!box || windows.list.size() > 1)
+        throw WrongUsage{Commands::tr("Algorithms are compared at one rectangle along the axes: "
+                                      "give --window XMIN,YMIN,XMAX,YMAX.")};
+    return *box;
 }
 
 ClipWindows windowsOf(const ParsedArguments& arguments, const Imported& imported)
 {
-    const ClipWindows& saved = imported.document.windows();
-    const clipping::Window window = windowOf(arguments, imported); // throws for invalid options
-    if (!isChosen(arguments) && cuts(saved))
-        return saved;
-    return {{{.shape = RectangleShape{window}}}};
+    ClipWindows windows = givenWindows(arguments, imported);
+    if (!windows.list.empty())
+        return windows;
+    if (cuts(imported.document.windows()))
+        return imported.document.windows();
+    return {{{.shape = RectangleShape{windowOf(imported)}}}};
 }
 
 namespace {
@@ -140,7 +178,8 @@ QString stepText(const ClipRegion::Step& step, const Imported& imported)
 QString sourceText(const ParsedArguments& arguments, const Imported& imported)
 {
     const auto margin = arguments.text(QStringLiteral("margin"));
-    if (arguments.has(QStringLiteral("window")))
+    const auto all = given(arguments);
+    if (std::ranges::any_of(all, [](const auto& v) { return v.option != u"page"; }))
         return Commands::tr("given");
     if (margin)
         return Commands::tr("the page, margin %1").arg(*margin);

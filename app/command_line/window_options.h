@@ -9,18 +9,21 @@ namespace app {
 /// The options of every command that clips a drawing at a window: --window, --page and --margin.
 std::vector<Option> windowOptions();
 
+/// The same for windows of any shape, of which there may be several
+/// (app/command_line/window_forms.h).
+std::vector<Option> shapedWindowOptions();
+
 /// The drawing's own window: the first visible clip window that is an axis-aligned rectangle;
 /// otherwise the page, or, in a file without a page, the bounds of everything drawn.
 clipping::Window windowOf(const Imported& imported);
 
-/// The clip window given by the options, in user units; otherwise the drawing's own. Plain numbers
-/// are relative to the user origin, lengths with a unit to the paper's top left corner (in a file
-/// without a page: to the user origin). Throws WrongUsage for a window that mixes the two, and for
-/// an inverted one.
+/// The clip window given by the options, in user units; otherwise the drawing's own. Throws
+/// WrongUsage unless it is an axis-aligned rectangle.
 clipping::Window windowOf(const ParsedArguments& arguments, const Imported& imported);
 
-/// All clip windows given by the options; otherwise the drawing's visible ones, with the side that
-/// it keeps, or else the result of `windowOf`. Always contains a window that clips.
+/// All clip windows given by the options, in the order in which they were given; otherwise the
+/// drawing's visible ones, with the side that it keeps, or else the result of `windowOf`. Always
+/// contains a window that clips.
 ClipWindows windowsOf(const ParsedArguments& arguments, const Imported& imported);
 
 /// "Window (the page): -40,-40,40,40 in …": the source of `windowsOf`, and each window as

@@ -4,14 +4,13 @@
 #include "app/base/numbers.h"
 #include "app/commands/add_objects.h"
 #include "app/commands/set_windows.h"
+#include "app/document/object_window.h"
 #include "app/document/window_shape.h"
 #include "app/session/arrange_selection.h"
 #include "app/session/selection_style.h"
 #include "app/session/units.h"
 
 #include <QCoreApplication>
-
-#include <glm/common.hpp>
 
 #include <algorithm>
 
@@ -123,31 +122,15 @@ void changeWindow(Session& session, std::size_t number, const QString& text,
     push(session, std::move(windows), text);
 }
 
-static ClipWindow windowOf(const ObjectView& object)
-{
-    const auto& particulars = object.particulars();
-    const Path path = object.path();
-    const auto* rectangle = std::get_if<RectangleRecipe>(&particulars.recipe);
-    if (rectangle && rectangle->radius == 0) {
-        const Point opposite = rectangle->corner + rectangle->size;
-        return {particulars.id, RectangleShape{{glm::min(rectangle->corner, opposite),
-                                                glm::max(rectangle->corner, opposite)}}};
-    }
-    return {particulars.id, PathShape{path, object.style().fillRule, particulars.recipe}};
-}
-
 std::vector<ClipWindow> windowsOfSelection(const Session& session)
 {
-    const Objects& objects = session.now().objects();
     std::vector<ClipWindow> windows;
-    for (const std::size_t number : session.selection()) {
-        const ObjectView object = objects[number];
-        if (!object.path().hasArea())
-            continue;
-        windows.push_back(windowOf(object));
-        if (windows.size() > ClipWindows::most)
-            break; // too many in any case
-    }
+    for (const std::size_t number : session.selection())
+        if (auto window = windowOf(session.now().objects()[number])) {
+            windows.push_back(std::move(*window));
+            if (windows.size() > ClipWindows::most)
+                break; // too many in any case
+        }
     return windows;
 }
 
