@@ -10,10 +10,9 @@ CropToWindow::CropToWindow(EditedDocument& document, const CutOptions& options)
 {
 }
 
-CropToWindow::CropToWindow(EditedDocument& document, Cut cut)
-    : EditCommand(row, document, std::move(cut.edit),
-                  QCoreApplication::translate("Commands", "Crop to window")),
-      counts_(cut.counts)
+CropToWindow::CropToWindow(EditedDocument& document, Cut cut, const PermanentCut& kind)
+    : EditCommand(row, document, cut.edit, QCoreApplication::translate("PermanentCuts", kind.name)),
+      counts_(cut.counts), changes_(!cut.edit.splices.empty())
 {
 }
 

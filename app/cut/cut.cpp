@@ -2,6 +2,7 @@
 #include "app/cut/cut.h"
 
 #include "app/cut/cut_object.h"
+#include "app/cut/fresh_ids.h"
 #include "clipping/outside.h"
 
 #include <algorithm>
@@ -183,8 +184,12 @@ private:
         cut_.counts.unfilled += object.style.fill && object.path.hasArea();
         cut_.edit.splices.push_back(
             {std::uint32_t(member.object), 1, std::uint32_t(result.left.size())});
-        for (const Object& left : result.left)
+        for (std::size_t i = 0; i < result.left.size(); ++i) {
+            Object left = result.left[i];
+            if (i > 0)
+                left.particulars.id = ids_.next(object.particulars.id);
             cut_.edit.objects.append(left);
+        }
     }
 
     void noteWhole(std::size_t object)
@@ -208,6 +213,7 @@ private:
     const double tolerance_;
     const ObjectRanges hidden_, locked_;
     Clipping clipping_;
+    FreshIds ids_{document_};
     Batch batch_;
     Cut cut_;
 };

@@ -40,7 +40,8 @@ struct Cut {
 };
 
 /// Cuts the document at its clip windows. Consecutive visible parts of one subpath form one subpath
-/// (also across the start of a closed subpath). Objects kept whole are unchanged, closed and
+/// (also across the start of a closed subpath). Further objects made of one get ids with a number,
+/// "wall-2". Objects kept whole are unchanged, closed and
 /// filled; cut objects are open and unfilled. Cut curves are split, not replaced by chords. Every
 /// end made by the cut lies on a window's edge, bit for bit inside the window. Hidden objects stay
 /// hidden.

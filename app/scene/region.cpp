@@ -131,6 +131,15 @@ ClipRegion regionOf(const ClipWindows& windows, const Page& page)
     return regionOf(windows, windowMillimetres / page.millimetresPerUnit());
 }
 
+ClipRegion withKeep(ClipRegion region, Keep keep)
+{
+    if (region.keep == keep)
+        return region;
+    region.keep = keep;
+    prepare(region);
+    return region;
+}
+
 Remains remainsOf(const ClipRegion& region, const clipping::Window& box)
 {
     if (region.everything())

@@ -58,6 +58,9 @@ struct ClipRegion {
     std::optional<clipping::Window> single() const;
 };
 
+/// The same windows with the other side kept, or the same one.
+ClipRegion withKeep(ClipRegion region, Keep keep);
+
 /// Marks, in `Clipped::cut`, an end at the border of a window that is not an axis-aligned
 /// rectangle.
 inline constexpr clipping::Edge borderEdge = clipping::Edge::Near;

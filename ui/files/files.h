@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/cut/cut.h"
+#include "app/cut/permanent_cuts.h"
 #include "app/recovery/recover.h"
 #include "app/session/recent_files.h"
 #include "app/session/samples.h"
@@ -39,7 +39,7 @@ public:
     void save(Answer saved = {});
     void saveAs(Answer saved = {});
     void exportCut();
-    void crop(); ///< undoable
+    void cutPermanently(const app::PermanentCut& kind); ///< undoable
     void mayClose(const Answer& answer);
     /// Opens a drawing that an earlier run left, with its history, marked as unsaved; false:
     /// cancelled, or its file was unreadable and has been set aside.
@@ -84,8 +84,8 @@ private:
     void write(const QString& path, const Answer& saved);
 
     void noteSaved(const app::Saved& saved, const QString& path);
-    void cropNow(const Turn& turn);
-    void showCrop(app::Cut cut);
+    void cutNow(const app::PermanentCut& kind, const Turn& turn);
+    void showCut(app::Cut cut, const app::PermanentCut& kind);
     void noteRecent();
     QString folder() const;
     QString proposal(const QString& ending) const;

@@ -4,6 +4,7 @@
 #include "app/formats/export_cut.h"
 #include "ui/files/files.h"
 
+#include <QCoreApplication>
 #include <QFileInfo>
 
 #include <new>
@@ -45,51 +46,56 @@ void Files::exportCut()
     });
 }
 
-void Files::crop()
+void Files::cutPermanently(const app::PermanentCut& kind)
 {
-    background_.inTurn([this](const Turn& turn) { cropNow(turn); });
+    background_.inTurn([this, &kind](const Turn& turn) { cutNow(kind, turn); });
 }
 
-void Files::cropNow(const Turn& turn)
+void Files::cutNow(const app::PermanentCut& kind, const Turn& turn)
 {
     emit documentWanted();
     app::CutOptions options = cutOptions();
     options.scope = app::CutScope::Editable;
     using Cropped = std::optional<app::Cut>; // empty: not enough memory
     background_.run(
-        tr("Cropping…"),
-        [document = session_.now(), options](const app::Follower&) -> Cropped {
+        tr("Cutting…"),
+        [document = session_.now(), options, &kind](const app::Follower&) -> Cropped {
             try {
-                return app::cut(document, options);
+                return kind.make(document, options);
             } catch (const std::bad_alloc&) {
                 return std::nullopt;
             }
         },
-        [this, turn, document = session_.now()](std::optional<Cropped> cut) {
+        [this, &kind, turn, document = session_.now()](std::optional<Cropped> cut) {
             if (!cut)
                 return;
             if (!*cut)
                 return emit told({Message::Kind::Warning,
-                                  tr("The drawing was not cropped: there is not enough memory. "
-                                     "Close other programs, and crop again.")});
+                                  tr("The drawing was not cut: there is not enough memory. "
+                                     "Close other programs, and try again.")});
             if (!sameAddress(document, session_.now())) // not by the person, who had to wait
-                return cropNow(turn);
-            showCrop(std::move(**cut));
+                return cutNow(kind, turn);
+            showCut(std::move(**cut), kind);
         },
         InBackground::Cancel::Drops);
 }
 
-void Files::showCrop(app::Cut cut)
+void Files::showCut(app::Cut cut, const app::PermanentCut& kind)
 {
-    auto command = std::make_unique<app::CropToWindow>(session_.document, std::move(cut));
+    auto command = std::make_unique<app::CropToWindow>(session_.document, std::move(cut), kind);
     const app::CutCounts counts = command->counts();
-    if (const QString leftAlone = app::leftAloneText(counts); !command->changes())
-        return emit told({Message::Kind::Done,
-                          leftAlone.isEmpty()
-                              ? tr("Nothing was cropped: the clip window keeps all of the drawing.")
-                              : tr("Nothing was cropped.") + leftAlone});
+    const auto text = [](const char* each) {
+        return QCoreApplication::translate("PermanentCuts", each);
+    };
+    if (!command->changes()) {
+        const QString leftAlone = app::leftAloneText(counts);
+        return emit told(
+            {Message::Kind::Done, text(kind.nothing)
+                                      + (leftAlone.isEmpty() ? QStringLiteral(": ") + text(kind.why)
+                                                             : u'.' + leftAlone)});
+    }
     session_.history.push(command.release());
-    emit told({Message::Kind::Done, tr("Cropped: %1").arg(app::cutText(counts))});
+    emit told({Message::Kind::Done, text(kind.done).arg(app::cutText(counts))});
 }
 
 } // namespace ui

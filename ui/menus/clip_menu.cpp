@@ -129,9 +129,26 @@ MenuInfo clipMenu()
             {
                 {
                     .key = "crop",
-                    .text = tr("&Crop to window"),
+                    .text = tr("&Crop to windows"),
                     .keys = {QKeySequence("Ctrl+Shift+X")},
-                    .run = [](MainWindow& w) { w.files().crop(); },
+                    .run =
+                        [](MainWindow& w) { w.files().cutPermanently(app::permanentCut("crop")); },
+                    .enabled = some,
+                },
+                {
+                    .key = "cut-out",
+                    .text = tr("Cut &out windows"),
+                    .run =
+                        [](MainWindow& w) {
+                            w.files().cutPermanently(app::permanentCut("cut-out"));
+                        },
+                    .enabled = some,
+                },
+                {
+                    .key = "split",
+                    .text = tr("&Split at windows"),
+                    .run =
+                        [](MainWindow& w) { w.files().cutPermanently(app::permanentCut("split")); },
                     .enabled = some,
                 },
                 {

@@ -164,7 +164,7 @@ private slots:
         QCOMPARE(cut.sheet.shapes[0].style.dashOffset, 4.5);
         QCOMPARE(cut.sheet.shapes[1].style.dashOffset, 13.5);
         QCOMPARE(cut.sheet.shapes[0].id, QStringLiteral("s"));
-        QVERIFY(cut.sheet.shapes[1].id.isEmpty());
+        QCOMPARE(cut.sheet.shapes[1].id, QStringLiteral("s-2"));
     }
 
     void aCurveIsSplitOnItself()

@@ -98,7 +98,7 @@ private slots:
     void aCropIsThatOfTheDrawingItChanges()
     {
         const Desk desk;
-        desk.files().crop();
+        desk.files().cutPermanently(app::permanentCut("crop"));
         desk.change(small); // before the result arrives
         desk.files().wait();
         QCOMPARE(desk.session().scene.lines().size(), std::size_t(1));

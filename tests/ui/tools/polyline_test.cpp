@@ -282,7 +282,7 @@ private:
             {"Esc", [](Hand& hand) { hand.key(Qt::Key_Escape); }},
             {"Crop",
              [](Hand& hand) {
-                 hand.window.files().crop();
+                 hand.window.files().cutPermanently(app::permanentCut("crop"));
                  hand.window.files().wait();
              }},
             {"panes",

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cut/permanent_cuts.h"
+
+#include "app/cut/split.h"
+
+#include <QtGlobal>
+
+#include <algorithm>
+#include <array>
+
+namespace app {
+namespace {
+
+Cut cutOut(const Document& document, const CutOptions& options)
+{
+    CutOptions outside = options;
+    outside.region = withKeep(options.region, Keep::Outside);
+    return cut(document, outside);
+}
+
+constexpr std::array kinds{
+    PermanentCut{"crop", QT_TRANSLATE_NOOP("PermanentCuts", "Crop to windows"),
+                 QT_TRANSLATE_NOOP("PermanentCuts", "Cropped: %1"),
+                 QT_TRANSLATE_NOOP("PermanentCuts", "Nothing was cropped"),
+                 QT_TRANSLATE_NOOP("PermanentCuts", "the clip window keeps all of the drawing."),
+                 cut},
+    PermanentCut{"cut-out", QT_TRANSLATE_NOOP("PermanentCuts", "Cut out windows"),
+                 QT_TRANSLATE_NOOP("PermanentCuts", "Cut out: %1"),
+                 QT_TRANSLATE_NOOP("PermanentCuts", "Nothing was cut out"),
+                 QT_TRANSLATE_NOOP("PermanentCuts", "no object is inside the clip windows."),
+                 cutOut},
+    PermanentCut{
+        "split", QT_TRANSLATE_NOOP("PermanentCuts", "Split at windows"),
+        QT_TRANSLATE_NOOP("PermanentCuts",
+                          "Split: %1 What is outside the clip windows is on a layer of its own."),
+        QT_TRANSLATE_NOOP("PermanentCuts", "Nothing was split"),
+        QT_TRANSLATE_NOOP("PermanentCuts", "no object is outside the clip windows."), split},
+};
+
+} // namespace
+
+std::span<const PermanentCut> permanentCuts() { return kinds; }
+
+const PermanentCut& permanentCut(std::string_view key)
+{
+    return *std::ranges::find(kinds, key, &PermanentCut::key);
+}
+
+} // namespace app

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cut/cut.h"
+
+#include <string_view>
+
+namespace app {
+
+/// A way to cut a drawing permanently at its clip windows: a command of the menu and a step of the
+/// history. The texts are in the context "PermanentCuts".
+struct PermanentCut {
+    std::string_view key;
+    const char* name;    ///< of the command and the step: "Crop to windows"
+    const char* done;    ///< "Cropped: %1"
+    const char* nothing; ///< what is said if no object changes: "Nothing was cropped"
+    const char* why;     ///< usually: "the clip window keeps all of the drawing."
+    Cut (*make)(const Document& document, const CutOptions& options);
+};
+
+/// All of them, in the order of menus.
+std::span<const PermanentCut> permanentCuts();
+const PermanentCut& permanentCut(std::string_view key); ///< which must exist
+
+} // namespace app

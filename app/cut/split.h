@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cut/cut.h"
+
+namespace app {
+
+/// Divides the objects at the clip windows, whichever side these keep. What is inside stays in its
+/// layer and group; what is outside goes to a new layer above all others. In the counts, `whole`
+/// includes objects that are wholly outside.
+Cut split(const Document& document, const CutOptions& options);
+
+} // namespace app
