@@ -3,6 +3,7 @@
 #include "app/command_line/drawing_files.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
+#include "app/command_line/tile_options.h"
 #include "app/command_line/window_options.h"
 #include "app/cut/cut.h"
 #include "app/document/contents.h"
@@ -145,6 +146,7 @@ void clip(const ParsedArguments& arguments)
     stopwatch.lap(Commands::tr("read"));
 
     const CutOptions options = cutOptionsOf(arguments, imported, output);
+    const auto plan = tilePlanOf(arguments, imported.document.page());
     Document before = imported.document;
     const std::size_t dropped = dropHidden(arguments, output, before);
     if (output.format->holds == Holds::SeparateLines)
@@ -159,7 +161,10 @@ void clip(const ParsedArguments& arguments)
     output.options.sources = rowsOf(imported, before, result);
     if (options.region.keep == Keep::Inside)
         output.options.bounds = options.region.single();
-    writeDrawing(after, output);
+    if (plan)
+        writeTiles(*plan, after, options, output, input);
+    else
+        writeDrawing(after, output);
     stopwatch.lap(Commands::tr("write"));
 
     if (!arguments.has(QStringLiteral("quiet"))) {
@@ -180,7 +185,7 @@ void clip(const ParsedArguments& arguments)
 
 Command clipCommand()
 {
-    std::vector<Option> options = windowOptions();
+    std::vector<Option> options = shapedWindowOptions();
     const std::vector<Option> further{
         {{"k", "keep"},
          "inside|outside",
@@ -199,7 +204,7 @@ Command clipCommand()
                       "and stay hidden if the type of the output can hide them (svg). Locked "
                       "layers are always cut.")},
     };
-    for (const auto& more : {further, writingOptions(), readingOptions()})
+    for (const auto& more : {further, tileOptions(), writingOptions(), readingOptions()})
         options.insert(options.end(), more.begin(), more.end());
     options.push_back(
         {{"q", "quiet"}, {}, Commands::tr("Do not report windows, counts and losses.")});
@@ -211,6 +216,8 @@ Command clipCommand()
             std::move(options),
             {"clearcut clip plan.svg --page --margin 10mm -o plan-cut.svg",
              "clearcut clip map.svg -w 0,0,210mm,297mm --keep outside -a nln -o hole.pdf",
+             "clearcut clip map.svg -w circle:50mm,50mm,40mm --cut-out shape:lake -o round.svg",
+             "clearcut clip poster.svg --page --tiles a4 --overlap 5mm --marks -o poster.pdf",
              "clearcut clip - --from csv -w -100,-75,100,75 --to csv -o - < lines.csv"},
             1,
             clip,

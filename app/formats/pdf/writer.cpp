@@ -70,19 +70,22 @@ private:
     bool failed_ = false;
 };
 
-std::string pageObject(const Point& size, double userUnit, const std::string& resources)
+std::string reference(std::size_t object) { return std::to_string(object) + " 0 R"; }
+
+std::string pageObject(const Point& size, double userUnit, std::size_t contents,
+                       const std::string& resources)
 {
     std::string page = "<</Type/Page/Parent 2 0 R/MediaBox[0 0 " + text(size.x) + ' ' + text(size.y)
-                       + "]/Contents 4 0 R/Resources<<" + resources
+                       + "]/Contents " + reference(contents) + "/Resources<<" + resources
                        + ">>/Group<</S/Transparency/CS/DeviceRGB>>";
     if (userUnit > 1)
         page += "/UserUnit " + text(userUnit);
     return page + ">>";
 }
 
-} // namespace
-
-std::optional<QString> write(const Document& document, QIODevice& out, const WriteOptions& options)
+// Adds a page as the object `number`, and its content as the next one.
+void addPage(Objects& objects, std::size_t number, const Document& document,
+             const WriteOptions& options)
 {
     const Paper paper = paperOf(document.page());
     const Point points = paper.millimetres * pointsPerMillimetre;
@@ -93,15 +96,33 @@ std::optional<QString> write(const Document& document, QIODevice& out, const Wri
     Content content(options);
     content.place(scale, {-paper.corner.x * scale, size.y + paper.corner.y * scale});
     visitSeen(document, [&](const Object& object) { content.paint(object); });
+    objects.add(pageObject(size, userUnit, number + 1, content.resources()));
+    objects.addStream(content.bytes());
+}
 
+} // namespace
+
+std::optional<QString> writePages(std::size_t count, const PageMaker& page, QIODevice& out,
+                                  const WriteOptions& options)
+{
+    constexpr std::size_t first = 3, objectsOfPage = 2;
+    std::string kids;
+    for (std::size_t i = 0; i < count; ++i)
+        kids += reference(first + objectsOfPage * i) + ' ';
     Objects objects(out);
     objects.add("<</Type/Catalog/Pages 2 0 R>>");
-    objects.add("<</Type/Pages/Kids[3 0 R]/Count 1>>");
-    objects.add(pageObject(size, userUnit, content.resources()));
-    objects.addStream(content.bytes());
+    objects.add("<</Type/Pages/Kids[" + kids + "]/Count " + std::to_string(count) + ">>");
+    for (std::size_t i = 0; i < count && !objects.failed(); ++i)
+        addPage(objects, first + objectsOfPage * i, page(i), options);
     objects.add("<</Producer(Clearcut " CLEARCUT_VERSION ")>>");
-    objects.finish("/Root 1 0 R/Info 5 0 R");
+    objects.finish("/Root 1 0 R/Info " + reference(first + objectsOfPage * count));
     return objects.failed() ? std::optional(out.errorString() + u'.') : std::nullopt;
+}
+
+std::optional<QString> write(const Document& document, QIODevice& out, const WriteOptions& options)
+{
+    return writePages(
+        1, [&](std::size_t) { return document; }, out, options);
 }
 
 } // namespace app::pdf

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/tiles/marks.h"
+
+#include "app/document/recipe_outline.h"
+#include "app/lettering/lettering.h"
+#include "app/lettering/stroke_fonts.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+constexpr double thin = 0.25; // millimetres
+
+class Marks {
+public:
+    Marks(const Tiling& tiling, const Tile& tile, double margin, double millimetresPerUnit)
+        : tiling_(tiling), tile_(tile), unit_(1 / millimetresPerUnit), margin_(margin * unit_),
+          arm_(std::min(margin * 0.4, 3.0) * unit_)
+    {
+        style_.stroke = Colour{};
+        style_.width = thin * unit_;
+    }
+
+    std::vector<Object> take() { return std::move(objects_); }
+
+    void addAll(const QString& title)
+    {
+        const auto& [min, max] = tile_.window;
+        addRegistration();
+        for (const Point& corner : {min, Point(max.x, min.y), max, Point(min.x, max.y)})
+            addCorner(corner);
+        addLabel(title);
+    }
+
+private:
+    struct Neighbours {
+        bool before, after; ///< along an axis
+    };
+    Neighbours neighbours(int axis) const
+    {
+        return axis == 0 ? Neighbours{tile_.column > 1, tile_.column < tiling_.columns}
+                         : Neighbours{tile_.row > 1, tile_.row < tiling_.rows};
+    }
+
+    // The middles of the strips shared with the neighbours along an axis.
+    std::vector<double> shared(int axis) const
+    {
+        const auto& [min, max] = tile_.window;
+        const double overlap = overlapOf(axis);
+        std::vector<double> places;
+        if (neighbours(axis).before)
+            places.push_back(min[axis] + overlap / 2);
+        if (neighbours(axis).after)
+            places.push_back(max[axis] - overlap / 2);
+        return places;
+    }
+
+    // Two tiles in the same row, or column, tell how far they overlap.
+    double overlapOf(int axis) const
+    {
+        const Tile& first = tiling_.tiles.front();
+        const std::size_t next = axis == 0 ? 1 : std::size_t(tiling_.columns);
+        return next < tiling_.tiles.size()
+                   ? first.window.max[axis] - tiling_.tiles[next].window.min[axis]
+                   : 0;
+    }
+
+    void addRegistration()
+    {
+        for (const int axis : {0, 1})
+            for (const double along : shared(axis))
+                for (const double across : {tile_.window.min[1 - axis] - margin_ / 2,
+                                            tile_.window.max[1 - axis] + margin_ / 2}) {
+                    Point at;
+                    at[axis] = along;
+                    at[1 - axis] = across;
+                    addCross(at);
+                }
+    }
+
+    void addCross(const Point& at)
+    {
+        const EllipseRecipe ring{at, Point(arm_ * 0.6)};
+        add({*outlineOf(ring),
+             {at - Point(arm_, 0), {{at + Point(arm_, 0)}}, false},
+             {at - Point(0, arm_), {{at + Point(0, arm_)}}, false}});
+    }
+
+    // Lines in the directions in which no neighbour follows: there, a mark is near.
+    void addCorner(const Point& corner)
+    {
+        for (const int axis : {0, 1}) {
+            const bool low = corner[axis] == tile_.window.min[axis];
+            const int other = 1 - axis;
+            const bool lowOther = corner[other] == tile_.window.min[other];
+            const Neighbours beside = neighbours(other);
+            if (lowOther ? beside.before : beside.after)
+                continue;
+            Point away(0);
+            away[axis] = low ? -1 : 1;
+            add({{corner + away * (margin_ / 2 - arm_),
+                  {{corner + away * (margin_ / 2 + arm_)}},
+                  false}});
+        }
+    }
+
+    void addLabel(const QString& title)
+    {
+        const double size = std::min(margin_ * 0.25, 2.5 * unit_);
+        const QString text = QCoreApplication::translate("Tiles", "%1 %2-%3 of %4 × %5")
+                                 .arg(title)
+                                 .arg(tile_.row)
+                                 .arg(tile_.column)
+                                 .arg(tiling_.rows)
+                                 .arg(tiling_.columns)
+                                 .trimmed();
+        const Point at =
+            tile_.window.min
+            + Point(3 * arm_, tile_.window.max.y - tile_.window.min.y + margin_ / 2 + size / 2);
+        add(lettered({text, strokeFonts().front().name, size, at}).paths);
+    }
+
+    void add(const std::vector<Subpath>& paths)
+    {
+        if (!paths.empty())
+            objects_.push_back({.path = Path(paths), .style = style_});
+    }
+
+    const Tiling& tiling_;
+    const Tile& tile_;
+    double unit_, margin_, arm_; // in user units
+    Style style_;
+    std::vector<Object> objects_;
+};
+
+} // namespace
+
+std::vector<Object> marksOf(const Tiling& tiling, const Tile& tile, double margin,
+                            double millimetresPerUnit, const QString& title)
+{
+    Marks marks(tiling, tile, margin, millimetresPerUnit);
+    marks.addAll(title);
+    return marks.take();
+}
+
+} // namespace app
