@@ -13,6 +13,17 @@ constexpr double rounding = 1e-9; // relative to the size
 
 bool alike(const Point& scale) { return std::abs(scale.x) == std::abs(scale.y); }
 
+/// A text after a map that keeps angles. It is mirrored by a map that turns x to y the other way.
+TextRecipe turned(TextRecipe text, const AffineMap& map)
+{
+    const Point along = map.x * std::cos(text.turn) + map.y * std::sin(text.turn);
+    text.at = map(text.at);
+    text.size *= map.scale();
+    text.turn = std::atan2(along.y, along.x);
+    text.mirrored ^= map.x.x * map.y.y < map.x.y * map.y.x;
+    return text;
+}
+
 struct Placed {
     const Placement& where;
 
@@ -40,10 +51,14 @@ struct Placed {
     }
     Recipe operator()(const TextRecipe& r) const
     {
-        const double size = where.scale.x;
-        if (size != where.scale.y || size < 0) // a font has no stretched or mirrored letters
+        if (!alike(where.scale)) // a font has no stretched letters
             return {};
-        return TextRecipe{r.text, r.font, r.size * size, where(r.at)};
+        TextRecipe text = r;
+        if (where.scale.x != where.scale.y || where.scale.x < 0)
+            text = turned(r, {{where.scale.x, 0}, {0, where.scale.y}});
+        text.size = r.size * std::abs(where.scale.x);
+        text.at = where(r.at);
+        return text;
     }
 };
 
@@ -84,6 +99,10 @@ struct Turned {
         const double size = map.scale();
         return StarRecipe{map(r.centre), r.outer * size, r.inner * size,
                           std::atan2(first.y, first.x), r.points};
+    }
+    Recipe operator()(const TextRecipe& r) const
+    {
+        return keepsShape ? Recipe(turned(r, map)) : Recipe{};
     }
 
 private:

@@ -33,15 +33,17 @@ struct StarRecipe {
 struct TextRecipe {
     QString text, font;
     double size = 0;
-    Point at; ///< the start of the baseline
+    Point at;              ///< the start of the baseline
+    double turn = 0;       ///< the direction of the baseline
+    bool mirrored = false; ///< the letters stand on the other side of the baseline, head down
     friend bool operator==(const TextRecipe&, const TextRecipe&) = default;
 };
 using Recipe = std::variant<std::monostate, RectangleRecipe, EllipseRecipe, StarRecipe, TextRecipe>;
 
 /// The recipe of the transformed path; empty if no recipe of its kind makes that path.
 Recipe placed(const Recipe& recipe, const Placement& where);
-/// The same for any map. A rectangle, an ellipse or a text that is turned has no recipe, unless it
-/// is a circle or turned by a multiple of 90°.
+/// The same for any map. A rectangle or an ellipse that is turned has no recipe, unless it is a
+/// circle or turned by a multiple of 90°.
 Recipe mapped(const Recipe& recipe, const AffineMap& map);
 
 } // namespace app

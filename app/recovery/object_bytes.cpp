@@ -32,11 +32,13 @@ struct WriteRecipe {
     void operator()(const StarRecipe& r) const { out.put(r); }
     void operator()(const TextRecipe& r) const
     {
-        const auto& [text, font, size, at] = r;
+        const auto& [text, font, size, at, turn, mirrored] = r;
         out.put(text);
         out.put(font);
         out.put(size);
         out.put(at);
+        out.put(turn);
+        out.put(std::uint8_t(mirrored));
     }
 };
 
@@ -58,6 +60,8 @@ Recipe readRecipe(ByteReader& in)
         text.font = in.text();
         text.size = in.get<double>();
         text.at = in.get<Point>();
+        text.turn = in.get<double>();
+        text.mirrored = in.flag();
         return text;
     }
     default:

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/text_box.h"
 
-#include "app/lettering/stroke_fonts.h"
+#include "app/lettering/lettering.h"
+#include "ui/widgets/font_list.h"
 #include "ui/widgets/length_field.h"
-#include "ui/widgets/tool_list.h"
 
 #include <QKeyEvent>
 #include <QPainter>
@@ -15,21 +15,18 @@ namespace {
 
 constexpr int boxWidth = 320, sizeWidth = 92, margin = 8, mostLines = 6;
 constexpr int belowLetters = 12;
+constexpr double level = 0.01; // the sine of the angle up to which a text does not go down
 
 } // namespace
 
 TextBox::TextBox(Controller& controller, QWidget* parent)
-    : QFrame(parent), controller_(controller), font_(new ToolList),
+    : QFrame(parent), controller_(controller), font_(new FontList),
       size_(new LengthField(tr("Height of capital letters"), LengthField::Range::NotNegative,
                             LengthField::Suffix::Unit)),
       text_(new QPlainTextEdit), remark_(new QLabel)
 {
     setObjectName(QStringLiteral("textBox"));
     setFixedWidth(boxWidth);
-    for (const app::StrokeFont& font : app::strokeFonts())
-        font_->addItem(font.name);
-    font_->setAccessibleName(tr("Font"));
-    font_->setToolTip(tr("Font"));
     font_->setFixedHeight(space::fieldHeight);
     size_->setToolTip(size_->accessibleName());
     size_->setFixedWidth(sizeWidth);
@@ -55,13 +52,12 @@ TextBox::TextBox(Controller& controller, QWidget* parent)
     connect(text_, &QPlainTextEdit::textChanged, this, [this] {
         change([this](app::TextRecipe& text) { text.text = text_->toPlainText(); });
     });
-    connect(font_, &QComboBox::currentTextChanged, this, [this](const QString& name) {
-        change([&name](app::TextRecipe& text) { text.font = name; });
-    });
+    connect(font_, &QComboBox::currentIndexChanged, this,
+            [this] { change([this](app::TextRecipe& text) { text.font = font_->font(); }); });
     connect(size_, &LengthField::edited, this,
             [this](double size) { change([size](app::TextRecipe& text) { text.size = size; }); });
     const auto goOn = [this] { text_->setFocus(); };
-    connect(font_, &ToolList::done, this, goOn);
+    connect(font_, &FontList::done, this, goOn);
     connect(size_, &LengthField::entered, this, goOn);
     connect(size_, &LengthField::refused, &controller.session(), &app::Session::refused);
     connect(&controller, &Controller::changed, this, &TextBox::follow);
@@ -100,7 +96,7 @@ void TextBox::show(const TypedText& text)
         text_->setPlainText(text.recipe.text);
         text_->moveCursor(QTextCursor::End);
     }
-    font_->setCurrentIndex(font_->findText(text.recipe.font));
+    font_->show(text.recipe.font);
     const app::Session& session = controller_.session();
     if (!size_->hasFocus())
         size_->show(text.recipe.size, session.display().unit,
@@ -119,19 +115,21 @@ void TextBox::show(const TypedText& text)
     text_->setFocus();
 }
 
-/// Below the letters, inside the surface.
+/// Below the letters, or above them where they go down, so that they do not push it while they are
+/// typed; inside the surface.
 void TextBox::place(const TypedText& text)
 {
     layout()->activate();
     resize(boxWidth, sizeHint().height());
     const app::View& view = controller_.view();
-    const app::Point from = view.toScreen({text.recipe.at.x, text.bounds.max.y});
-    const app::Point top = view.toScreen(text.bounds.min);
-    double y = from.y + belowLetters;
-    if (y + height() > surface_->height())
-        y = std::min(top.y, view.toScreen(text.recipe.at).y - text.recipe.size * view.zoom)
-            - belowLetters - height();
-    const int x = int(std::clamp(from.x, 0.0, double(std::max(0, surface_->width() - width()))));
+    const app::Point along = app::alongOf(text.recipe);
+    const app::Point min = view.toScreen(text.bounds.min), max = view.toScreen(text.bounds.max);
+    const double below = max.y + belowLetters, above = min.y - belowLetters - height();
+    const bool fitsBelow = below + height() <= surface_->height();
+    const bool prefersAbove = along.y > level && above >= 0;
+    const double y = prefersAbove || !fitsBelow ? above : below;
+    const double left = along.x < -level ? max.x - width() : min.x;
+    const int x = int(std::clamp(left, 0.0, double(std::max(0, surface_->width() - width()))));
     const int inside = int(std::clamp(y, 0.0, double(std::max(0, surface_->height() - height()))));
     move(surface_->mapTo(parentWidget(), QPoint(x, inside)));
 }

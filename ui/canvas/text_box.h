@@ -9,8 +9,8 @@
 
 namespace ui {
 
+class FontList;
 class LengthField;
-class ToolList;
 
 /// The text that is being typed, below its letters on the canvas, with its font and size. It has
 /// the keyboard as long as there is such a text.
@@ -36,7 +36,7 @@ private:
 
     Controller& controller_;
     QWidget* surface_ = nullptr;
-    ToolList* font_;
+    FontList* font_;
     LengthField* size_;
     QPlainTextEdit* text_;
     QLabel* remark_;

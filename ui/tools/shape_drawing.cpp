@@ -76,6 +76,16 @@ bool isText(const app::Session& session, std::size_t object)
     return std::holds_alternative<app::TextRecipe>(recipe);
 }
 
+QColor shownColour(const app::Colour& colour, const Workbench& bench)
+{
+    const QColor page = bench.look.paper;
+    const app::Colour paper{std::uint8_t(page.red()), std::uint8_t(page.green()),
+                            std::uint8_t(page.blue())};
+    const bool dark = bench.look.dark && !bench.session.display().asPrinted;
+    const app::Colour shown = dark ? app::visibleColour(colour, paper) : colour;
+    return {shown.red, shown.green, shown.blue, shown.alpha};
+}
+
 void preview(QPainter& painter, const Workbench& bench, const app::Subpath& path)
 {
     preview(painter, bench, std::span(&path, 1), app::newStyle(bench.session));
@@ -84,15 +94,9 @@ void preview(QPainter& painter, const Workbench& bench, const app::Subpath& path
 void preview(QPainter& painter, const Workbench& bench, std::span<const app::Subpath> paths,
              const app::Style& style)
 {
-    const bool dark = bench.look.dark && !bench.session.display().asPrinted;
-    const QColor page = bench.look.paper;
-    app::Colour colour = style.stroke.value_or(app::Colour{});
-    if (dark)
-        colour = app::visibleColour(colour, {std::uint8_t(page.red()), std::uint8_t(page.green()),
-                                             std::uint8_t(page.blue())});
+    const QColor colour = shownColour(style.stroke.value_or(app::Colour{}), bench);
     const double width = std::max(0.75, style.width * bench.view.zoom);
-    painter.setPen(QPen(QColor(colour.red, colour.green, colour.blue, colour.alpha), width,
-                        Qt::SolidLine, Qt::FlatCap, Qt::SvgMiterJoin));
+    painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::FlatCap, Qt::SvgMiterJoin));
     painter.setBrush(Qt::NoBrush);
     for (const app::Subpath& path : paths)
         paint(painter, bench, path);

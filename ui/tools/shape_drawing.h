@@ -18,6 +18,9 @@ bool isText(const app::Session& session, std::size_t object);
 /// Pushes a step, and keeps the inspected line if the step only changes its coordinates.
 void pushKeepingInspected(app::Session& session, app::UndoCommand* step);
 
+/// The colour as the canvas shows it: visible on dark paper.
+QColor shownColour(const app::Colour& colour, const Workbench& bench);
+
 /// Paints the preview of a path in the colour of the session's stroke style.
 void preview(QPainter& painter, const Workbench& bench, const app::Subpath& path);
 void preview(QPainter& painter, const Workbench& bench, std::span<const app::Subpath> paths,

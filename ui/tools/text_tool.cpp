@@ -1,23 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/change_paths.h"
+#include "app/document/path_points.h"
 #include "app/lettering/lettering.h"
+#include "app/lettering/outline_fonts.h"
 #include "app/lettering/stroke_fonts.h"
 #include "app/session/selection_style.h"
+#include "app/view/painter_path.h"
 #include "ui/tools/picking_marks.h"
 #include "ui/tools/shape_drawing.h"
 
 #include <QCoreApplication>
-#include <QPainterPath>
 
 #include <glm/common.hpp>
 
 namespace ui {
 namespace {
 
-constexpr std::string_view kept = "text"; // the number of the font, the size in millimetres
+constexpr std::string_view kept = "text"; // the size in millimetres
 constexpr double usualSize = 5;           // mm
+constexpr double baseline = 24;           // pixels of the mark
 
-/// Writes a text of strokes, and edits one. The letters are typed in a field on the canvas.
+/// Writes a text of strokes or outlines, and edits one. The letters are typed in a field on the
+/// canvas.
 class TextTool final : public Tool {
 public:
     void takeUp(Workbench& bench) override
@@ -85,6 +89,8 @@ private:
     void begin(const app::Point& at, const Workbench& bench);
     void edit(std::size_t object, Workbench& bench);
     void layOut() { letters_ = app::lettered(*text_); }
+    QString remark() const;
+    void paintLetters(QPainter& painter, const Workbench& bench, const app::Style& style) const;
     /// The object that is edited, if it is still the same.
     const app::TextRecipe* edited(const Workbench& bench) const;
 
@@ -97,11 +103,11 @@ private:
 
 void TextTool::begin(const app::Point& at, const Workbench& bench)
 {
-    const auto fonts = app::strokeFonts();
-    const app::Numbers numbers = keptBy(kept, bench, {0, usualSize});
-    const std::size_t font = std::min(std::size_t(numbers[0]), fonts.size() - 1);
-    const double size = numbers[1] / bench.session.now().page().millimetresPerUnit();
-    text_ = app::TextRecipe{{}, fonts[font].name, size, at};
+    const double size =
+        keptBy(kept, bench, {usualSize})[0] / bench.session.now().page().millimetresPerUnit();
+    const QString font =
+        app::hasFont(bench.keptFont) ? bench.keptFont : app::strokeFonts().front().name;
+    text_ = app::TextRecipe{{}, font, size, at};
     object_.reset();
     layOut();
 }
@@ -117,6 +123,8 @@ void TextTool::edit(std::size_t object, Workbench& bench)
     text_ = before_;
     object_ = object;
     layOut();
+    // They stay as they are until the text changes, even if the font is another one by now.
+    letters_.paths = bench.session.now().objects()[object].path().subpaths();
 }
 
 const app::TextRecipe* TextTool::edited(const Workbench& bench) const
@@ -135,47 +143,80 @@ void TextTool::end(Workbench& bench)
     const app::TextRecipe text = *text_;
     const app::Lettering letters = std::move(letters_);
     const auto object = object_;
-    const bool same = edited(bench);
+    const bool same = edited(bench), changed = text != before_;
+    const QString said = !object || changed ? remark() : QString();
     cancel(bench);
     app::Session& session = bench.session;
-    if (same && text != before_) {
-        const std::array changed{app::ChangedPath{*object, app::Path(letters.paths), text}};
+    if (same && changed) {
+        const std::array paths{app::ChangedPath{*object, app::Path(letters.paths), text}};
         session.history.push(new app::ChangePaths(
-            session.document, changed, QCoreApplication::translate("Commands", "Edit text")));
+            session.document, paths, QCoreApplication::translate("Commands", "Edit text")));
     } else if (!same && !letters.paths.empty()) {
         draw(bench, letters.paths, QCoreApplication::translate("Commands", "Write text"), text);
     }
-    if (const QString missing = app::missingText(letters); !missing.isEmpty())
-        emit session.refused(missing);
+    if (!said.isEmpty())
+        emit session.refused(said);
+}
+
+/// Which font and which letters are missing; may be empty.
+QString TextTool::remark() const
+{
+    QStringList all;
+    const bool instead =
+        object_ && !app::hasFont(before_.font)
+        && (text_->font == before_.font || text_->font == app::fontInsteadOf(before_.font));
+    if (instead)
+        all << app::missingFontText(before_.font);
+    if (const QString missing = app::missingText(letters_); !missing.isEmpty())
+        all << missing;
+    return all.join(u' ');
 }
 
 std::optional<TypedText> TextTool::typedText() const
 {
     if (!busy())
         return std::nullopt;
-    clipping::Window bounds{text_->at, text_->at};
+    const app::Point top = text_->at - app::downOf(*text_) * text_->size;
+    clipping::Window bounds{glm::min(text_->at, top), glm::max(text_->at, top)};
     for (const app::Subpath& path : letters_.paths) {
         bounds = {glm::min(bounds.min, path.start), glm::max(bounds.max, path.start)};
         for (const app::PathSegment& s : path.segments)
             bounds = {glm::min(bounds.min, s.to), glm::max(bounds.max, s.to)};
     }
-    return TypedText{*text_, app::missingText(letters_), bounds};
+    return TypedText{*text_, remark(), bounds};
 }
 
 void TextTool::typeText(const app::TextRecipe& text, Workbench& bench)
 {
     if (!busy() || text == *text_)
         return;
-    const bool isFont = app::findStrokeFont(text.font);
-    text_->text = text.text.left(app::longestText);
-    if (isFont)
+    if (app::hasFont(text.font))
         text_->font = text.font;
+    else if (!app::hasFont(text_->font))
+        text_->font = app::fontInsteadOf(text_->font);
+    text_->text = text.text.left(app::longestText);
     if (text.size > 0)
         text_->size = text.size;
     layOut();
-    if (const auto* font = app::findStrokeFont(text_->font))
-        bench.kept[kept] = {double(font - app::strokeFonts().data()),
-                            text_->size * bench.session.now().page().millimetresPerUnit()};
+    bench.keptFont = text_->font;
+    bench.kept[kept] = {text_->size * bench.session.now().page().millimetresPerUnit()};
+}
+
+QPainterPath onScreen(const Workbench& bench, std::vector<app::Subpath> paths, app::FillRule rule)
+{
+    for (app::Subpath& path : paths)
+        app::forEachPoint(path, [&](app::Point& p) { p = bench.view.toScreen(p); });
+    return app::painterPath(paths, rule);
+}
+
+void TextTool::paintLetters(QPainter& painter, const Workbench& bench,
+                            const app::Style& style) const
+{
+    if (style.fill)
+        painter.fillPath(onScreen(bench, letters_.paths, style.fillRule),
+                         shownColour(*style.fill, bench));
+    if (style.stroke || !style.fill)
+        preview(painter, bench, letters_.paths, style);
 }
 
 void TextTool::paint(QPainter& painter, const Workbench& bench) const
@@ -186,20 +227,19 @@ void TextTool::paint(QPainter& painter, const Workbench& bench) const
     if (edited(bench)) { // covers the text as it was
         const app::ObjectView old = bench.session.now().objects()[*object_];
         style = old.style();
-        QPainterPath lines;
-        for (const app::Subpath& path : old.path().subpaths()) {
-            lines.moveTo(bench.onScreen(path.start));
-            for (const app::PathSegment& s : path.segments)
-                lines.lineTo(bench.onScreen(s.to));
-        }
+        const QPainterPath lines = onScreen(bench, old.path().subpaths(), style.fillRule);
         painter.strokePath(lines, QPen(bench.look.paper, style.width * bench.view.zoom + 4,
                                        Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        if (style.fill)
+            painter.fillPath(lines, bench.look.paper);
     }
-    preview(painter, bench, letters_.paths, style);
+    paintLetters(painter, bench, style);
+    const app::Point along = app::alongOf(*text_), up = -app::downOf(*text_);
     const QPointF at = bench.onScreen(text_->at);
     painter.setPen(QPen(bench.look.selection, 1));
-    painter.drawLine(at, QPointF(at.x() + 24, at.y())); // the baseline
-    painter.drawLine(at, at - QPointF(0, text_->size * bench.view.zoom));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawLine(at, at + QPointF(along.x, along.y) * baseline);
+    painter.drawLine(at, bench.onScreen(text_->at + up * text_->size));
 }
 
 } // namespace

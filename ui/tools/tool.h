@@ -48,6 +48,7 @@ struct Workbench {
     std::optional<std::size_t> nextObject{};
     /// The numbers that tools keep for their next object, by the key of the tool.
     std::map<std::string_view, app::Numbers> kept{};
+    QString keptFont{}; ///< of the last text that was typed; empty: none was
 
     QPointF onScreen(const app::Point& p) const
     {
@@ -136,7 +137,7 @@ public:
     /// What is being typed; empty: no text.
     virtual std::optional<TypedText> typedText() const { return std::nullopt; }
     virtual void typeText(const app::TextRecipe&, Workbench&) {} ///< text, font or size
-    virtual void finishText(Workbench& bench) { end(bench); }   ///< by Enter or Esc
+    virtual void finishText(Workbench& bench) { end(bench); }    ///< by Enter or Esc
 
     /// Begins to move, rotate, scale or skew the selection, if the tool can.
     virtual void transform(const app::Transformation&, const Pointer&, Workbench&) {}

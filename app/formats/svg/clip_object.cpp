@@ -125,8 +125,10 @@ std::optional<ClippedObject> clipObject(const Drawn& drawn, const ConvexRegion& 
     if (!area.paths.empty() && drawn.style.fill)
         result.objects.push_back(std::move(area));
     addStroke(drawn, std::move(runs), result.objects);
-    if (!result.objects.empty())
+    if (!result.objects.empty()) {
         result.objects.front().particulars = drawn.particulars;
+        result.objects.front().particulars.recipe = {};
+    }
     return result;
 }
 

@@ -8,7 +8,8 @@ namespace app::svg {
 
 /// The objects that a clip path leaves of an object: the object itself if it is entirely inside;
 /// otherwise the clipped area, filled as before, and above it the stroke as open runs, with curves
-/// split and dashes continued. The first object keeps the particulars. Empty if the object is
+/// split and dashes continued. The first object keeps the
+/// particulars, apart from the recipe. Empty if the object is
 /// entirely outside.
 struct ClippedObject {
     std::vector<Drawn> objects;

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Clip paths, and viewports that hide everything outside them: the content of both is really cut.
-#include "app/document/recipe_outline.h"
 #include "app/formats/svg/clip_object.h"
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/refused.h"
 #include "app/formats/svg/scanner.h"
 #include "app/formats/svg/tree_drawer.h"
-#include "app/lettering/lettering.h"
 
 namespace app::svg {
 
@@ -116,11 +114,6 @@ void TreeDrawer::addClipped(Drawn drawn, const Place& place)
     }
     for (Drawn& one : objects) {
         countParts(one);
-        const auto* text = std::get_if<TextRecipe>(&one.particulars.recipe);
-        if (text ? !makes(*text, one.paths)
-                 : !makes(one.particulars.recipe,
-                          one.paths)) // transformed, clipped, or edited elsewhere
-            one.particulars.recipe = {};
         containers_.add(
             {Path(one.paths), std::move(one.style), std::move(one.particulars), one.hidden});
     }

@@ -1,25 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/recipe_text.h"
 
+#include "app/base/checksum.h"
 #include "app/base/number.h"
+#include "app/document/path_points.h"
+#include "app/document/recipe_outline.h"
 #include "app/formats/svg/attribute_text.h"
 #include "app/formats/svg/scanner.h"
 #include "app/lettering/lettering.h"
+#include "app/lettering/stroke_fonts.h"
 
 #include <cmath>
-#include <initializer_list>
 #include <vector>
 
 namespace app::svg {
 namespace {
 
 constexpr std::string_view rectangle = "rectangle", ellipse = "ellipse", star = "star",
-                           words = "text";
+                           words = "text", outlines = "outlines";
 constexpr char quote = '\'';
 constexpr std::size_t mostNumbers = 6;
 constexpr double mostPoints = 1000;
 
-std::string text(std::string_view kind, std::initializer_list<double> numbers)
+std::string text(std::string_view kind, const std::vector<double>& numbers)
 {
     std::string all(kind);
     for (const double number : numbers)
@@ -41,7 +44,45 @@ std::vector<double> numbersIn(std::string_view text)
     return numbers;
 }
 
+/// 16 hexadecimal digits, which change with any point; -0 counts as 0, as in files.
+QString checksum(std::span<const Subpath> subpaths)
+{
+    std::uint64_t sum = mixed(std::uint64_t(subpaths.size()));
+    for (const Subpath& path : subpaths) {
+        sum = mixed(sum ^ (2 * path.segments.size() + (path.closed ? 1 : 0)));
+        forEachPoint(path, [&](const Point& p) {
+            sum = mixed(sum ^ mixed(p.x + 0.0));
+            sum = mixed(sum ^ mixed(p.y + 0.0));
+        });
+    }
+    return QStringLiteral("%1").arg(sum, 16, 16, QChar(u'0'));
+}
+
+/// The text without line breaks, which an attribute cannot hold, and without the sign `quote`.
+QString quoted(QString text)
+{
+    return text.replace(u'\\', QStringLiteral("\\\\")).replace(u'\n', QStringLiteral("\\n"));
+}
+QString quotedFont(const QString& font)
+{
+    return quoted(font).replace(u'\'', QStringLiteral("\\q"));
+}
+QString unquoted(const QString& quoted)
+{
+    QString text;
+    for (qsizetype i = 0; i < quoted.size(); ++i) {
+        const bool escapes = quoted[i] == u'\\' && i + 1 < quoted.size();
+        if (escapes)
+            ++i;
+        const bool breaks = escapes && quoted[i] == u'n', quotes = escapes && quoted[i] == u'q';
+        text += breaks ? QChar(u'\n') : quotes ? QChar(quote) : quoted[i];
+    }
+    return text;
+}
+
 struct Text {
+    const Path& path;
+
     std::string operator()(const RectangleRecipe& r) const
     {
         const auto& [corner, size, radius] = r;
@@ -58,53 +99,52 @@ struct Text {
     }
     std::string operator()(const TextRecipe& t) const
     {
-        if (t.font.contains(quote))
-            return {};
-        QString quoted = t.text;
-        quoted.replace(u'\\', QStringLiteral("\\\\")).replace(u'\n', QStringLiteral("\\n"));
-        return text(words, {t.at.x, t.at.y, t.size})
-               + escaped(QStringLiteral(" '%1' ").arg(t.font) + quoted);
+        const bool strokes = findStrokeFont(t.font);
+        std::vector<double> numbers{t.at.x, t.at.y, t.size};
+        if (t.turn != 0 || t.mirrored)
+            numbers.push_back(t.turn);
+        if (t.mirrored)
+            numbers.push_back(1);
+        QString rest = QStringLiteral(" '") + quotedFont(t.font) + QStringLiteral("' ");
+        if (!strokes)
+            rest += checksum(path.subpaths()) + u' ';
+        return text(strokes ? words : outlines, numbers) + escaped(rest + quoted(t.text));
     }
     std::string operator()(std::monostate) const { return {}; }
 };
 
-/// The text with the line breaks that the attribute could not hold.
-QString unquoted(const QString& quoted)
-{
-    QString text;
-    for (qsizetype i = 0; i < quoted.size(); ++i) {
-        const bool escapes = quoted[i] == u'\\' && i + 1 < quoted.size();
-        if (escapes)
-            ++i;
-        text += escapes && quoted[i] == u'n' ? QChar(u'\n') : quoted[i];
-    }
-    return text;
-}
+/// A text, and the checksum of its path if it has one.
+struct ReadText {
+    TextRecipe recipe;
+    QString checksum{};
+};
 
-Recipe readWords(std::string_view text)
+std::optional<ReadText> readText(std::string_view text, bool hasChecksum)
 {
     const auto open = text.find(quote);
     const auto close = open == text.npos ? open : text.find(quote, open + 1);
     if (close == text.npos || close + 2 > text.size() || text.size() > 8 * longestText)
-        return {};
+        return std::nullopt;
     const auto v = numbersIn(text.substr(0, open));
-    const auto font = text.substr(open + 1, close - open - 1);
-    if (v.size() != 3)
-        return {};
-    return TextRecipe{unquoted(QString::fromUtf8(text.substr(close + 2))),
-                      QString::fromUtf8(font),
-                      v[2],
-                      {v[0], v[1]}};
+    if (v.size() < 3 || v.size() > 5)
+        return std::nullopt;
+    QString rest = QString::fromUtf8(text.substr(close + 2)), sum;
+    if (hasChecksum) {
+        sum = rest.section(u' ', 0, 0);
+        rest.remove(0, sum.size() + 1);
+    }
+    const auto font = QString::fromUtf8(text.substr(open + 1, close - open - 1));
+    return ReadText{{unquoted(rest),
+                     unquoted(font),
+                     v[2],
+                     {v[0], v[1]},
+                     v.size() > 3 ? v[3] : 0,
+                     v.size() > 4 && v[4] != 0},
+                    sum};
 }
 
-} // namespace
-
-std::string textOf(const Recipe& recipe) { return std::visit(Text{}, recipe); }
-
-Recipe readRecipe(std::string_view text)
+Recipe readShape(std::string_view text)
 {
-    if (text.starts_with(words))
-        return readWords(text.substr(words.size()));
     for (const std::string_view kind : {rectangle, ellipse, star}) {
         if (!text.starts_with(kind))
             continue;
@@ -118,6 +158,32 @@ Recipe readRecipe(std::string_view text)
             return StarRecipe{{v[0], v[1]}, v[2], v[3], v[4], int(v[5])};
     }
     return {};
+}
+
+} // namespace
+
+std::string textOf(const Recipe& recipe, const Path& path)
+{
+    return std::visit(Text{path}, recipe);
+}
+
+Recipe readRecipe(std::string_view text, std::span<const Subpath> subpaths)
+{
+    if (text.starts_with(words)) {
+        const auto read = readText(text.substr(words.size()), false);
+        return read && findStrokeFont(read->recipe.font) && makes(read->recipe, subpaths)
+                   ? Recipe(read->recipe)
+                   : Recipe{};
+    }
+    if (text.starts_with(outlines)) {
+        const auto read = readText(text.substr(outlines.size()), true);
+        return read && read->recipe.text.size() <= longestText
+                       && read->checksum == checksum(subpaths)
+                   ? Recipe(read->recipe)
+                   : Recipe{};
+    }
+    Recipe shape = readShape(text);
+    return makes(shape, subpaths) ? shape : Recipe{};
 }
 
 } // namespace app::svg

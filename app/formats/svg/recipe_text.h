@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/path.h"
 #include "app/document/recipe.h"
 
 #include <string>
@@ -11,14 +12,18 @@
 // radius of its corners, "ellipse 5 5 3 2" its centre and radii, "star 5 5 9 4 0.5 7" its centre,
 // both radii, the angle of its first corner in radians, and the number of its points (StarRecipe),
 // "text 5 20 7 'Hershey Sans 1-stroke' One\nTwo" the start of the baseline, the height of capitals,
-// the font and the text, with \n for a line break and \\ for a backslash.
+// the font and the text, with \n for a line break and \\ for a backslash. After the height may
+// stand the direction of the baseline in radians, and 1 for a mirrored text.
+// "outlines 5 20 7 'DejaVu Sans' 0123456789abcdef One" is a text in an installed font. The number
+// before the text is a checksum of the path, because the font may be missing where it is read.
 
 namespace app::svg {
 
 /// The value of the attribute, escaped; "" without a recipe.
-std::string textOf(const Recipe& recipe);
+std::string textOf(const Recipe& recipe, const Path& path);
 
-/// No recipe if the text is not one of the above. Throws Refused as Scanner::number does.
-Recipe readRecipe(std::string_view text);
+/// No recipe if the text is not one of the above, or if it does not make the path of `subpaths`.
+/// Throws Refused as Scanner::number does.
+Recipe readRecipe(std::string_view text, std::span<const Subpath> subpaths);
 
 } // namespace app::svg

@@ -249,7 +249,7 @@ void TreeDrawer::drawOutline(Node node, const Place& around)
     const Node named = place.repeated ? around.use : node;
     if (named != noNode)
         drawn.particulars = particularsOf(named);
-    drawn.particulars.recipe = readRecipe(tree_.attribute(node, "clearcut:recipe"));
+    drawn.particulars.recipe = readRecipe(tree_.attribute(node, "clearcut:recipe"), drawn.paths);
     addClipped(std::move(drawn), place);
 }
 

@@ -2,7 +2,6 @@
 #include "app/formats/svg/window_text.h"
 
 #include "app/base/number.h"
-#include "app/document/recipe_outline.h"
 #include "app/formats/svg/attribute_text.h"
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/outline_text.h"
@@ -45,7 +44,7 @@ void appendShape(std::string& text, const PathShape& shape)
     appendAttribute(text, "d", data);
     if (shape.rule == FillRule::EvenOdd)
         appendAttribute(text, "rule", evenOdd);
-    if (const std::string recipe = textOf(shape.recipe); !recipe.empty())
+    if (const std::string recipe = textOf(shape.recipe, shape.path); !recipe.empty())
         appendAttribute(text, "recipe", recipe);
 }
 
@@ -122,8 +121,7 @@ try {
     PathShape shape{Path(outline.paths)};
     if (tree.attribute(node, "rule") == evenOdd)
         shape.rule = FillRule::EvenOdd;
-    if (Recipe recipe = readRecipe(tree.attribute(node, "recipe")); makes(recipe, outline.paths))
-        shape.recipe = std::move(recipe);
+    shape.recipe = readRecipe(tree.attribute(node, "recipe"), outline.paths);
     return shape;
 } catch (const Refused&) { // a coordinate is not finite
     return std::nullopt;

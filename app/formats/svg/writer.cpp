@@ -192,7 +192,7 @@ private:
         const Particulars& particulars = object.particulars();
         if (!particulars.id.isEmpty())
             appendAttribute(text_, "id", escaped(particulars.id));
-        if (const std::string recipe = svg::textOf(particulars.recipe); !recipe.empty())
+        if (const std::string recipe = svg::textOf(particulars.recipe, path); !recipe.empty())
             appendAttribute(text_, "clearcut:recipe", recipe);
         if (object.hidden())
             appendAttribute(text_, "display", "none");

@@ -124,13 +124,20 @@ private:
             return nullptr;
         return new app::CopyObjects(document_, app::copying(now(), chosen, maps), "Copy");
     }
-    // Some objects take the path of another one; a few lose it and are removed.
+    // Some objects take the path of another one, some as a text; a few lose it and are removed.
     app::UndoCommand* changePaths()
     {
         std::vector<app::ChangedPath> paths;
         for (const std::size_t object : some())
-            paths.push_back({object, random_.below(20) == 0 ? app::Path() : random_.object().path});
+            paths.push_back({object, random_.below(20) == 0 ? app::Path() : random_.object().path,
+                             random_.below(3) == 0 ? text() : app::Recipe{}});
         return new app::ChangePaths(document_, paths, "Nodes");
+    }
+    // Of a font that is not installed: replaying needs none.
+    app::Recipe text()
+    {
+        return app::TextRecipe{random_.text(),       "No such font", 3, {1, 2}, 0.5,
+                               random_.below(2) == 0};
     }
     app::UndoCommand* restyle()
     {

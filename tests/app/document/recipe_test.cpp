@@ -45,8 +45,8 @@ private slots:
         QCOMPARE(kept(move), (std::vector{true, true, true, true, true}));
         QCOMPARE(kept(twice), (std::vector{true, true, true, true, true}));
         QCOMPARE(kept(wide), (std::vector{true, false, true, false, false}));
-        QCOMPARE(kept(mirror), (std::vector{true, true, true, true, false}));
-        QCOMPARE(kept(upsideDown), (std::vector{true, true, true, true, false}));
+        QCOMPARE(kept(mirror), (std::vector{true, true, true, true, true}));
+        QCOMPARE(kept(upsideDown), (std::vector{true, true, true, true, true}));
         QCOMPARE(kept(flat), (std::vector{false, false, false, false, false}));
         QVERIFY(placed(Recipe{}, twice) == Recipe{});
         QVERIFY(placed(all[0], wide.then(flat)) == Recipe{});
@@ -59,6 +59,15 @@ private slots:
         QVERIFY(placed(all[2], wide) == Recipe(EllipseRecipe{{3, 2}, {9, 4}}));
         QVERIFY(placed(all[2], upsideDown) == Recipe(EllipseRecipe{{1, 1}, {3, 4}}));
         QVERIFY(placed(all[4], twice) == Recipe(TextRecipe{"Text", "Sans", 24, {2, 5}}));
+    }
+    void aMirroredTextKnowsIt()
+    {
+        const auto below = std::get<TextRecipe>(placed(all[4], upsideDown));
+        QVERIFY(below.mirrored && below.turn == 0 && below.at == Point(1, 1) && below.size == 12);
+        const auto turned = std::get<TextRecipe>(placed(below, mirror));
+        QVERIFY(!turned.mirrored && std::abs(turned.turn) == std::numbers::pi);
+        QVERIFY(placed(turned, move)
+                == Recipe(TextRecipe{"Text", "Sans", 12, {14, -6}, turned.turn}));
     }
     void aStarTurnsWithItsFirstPoint()
     {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/lettering/lettering.h"
+#include "app/lettering/outline_fonts.h"
 #include "app/lettering/stroke_fonts.h"
 
 #include <QTest>
 
 #include <limits>
+#include <numbers>
 #include <set>
 
 using namespace app;
@@ -108,6 +110,24 @@ private slots:
             lettered({QString(longestText + 1, 'a'), strokeFonts()[0].name, 1, {}}).paths.empty());
         QVERIFY(lettered(text("")).paths.empty());
         QVERIFY(lettered(text("  \n ")).paths.empty());
+    }
+    void aTurnedTextGoesAlongItsLine()
+    {
+        TextRecipe turned = text("L", 21, {10, 30});
+        turned.turn = std::numbers::pi / 2; // down the page
+        auto made = lettered(turned).paths;
+        QCOMPARE(made.size(), std::size_t(2));
+        QVERIFY(made[0].start == Point(31, 34) && made[0].segments[0].to == Point(10, 34));
+        QVERIFY(made[1].segments[0].to == Point(10, 46));
+        turned.turn = 0;
+        turned.mirrored = true; // below the line
+        made = lettered(turned).paths;
+        QVERIFY(made[0].start == Point(14, 51) && made[1].segments[0].to == Point(26, 30));
+    }
+    void withoutAScreenThereAreNoInstalledFonts()
+    {
+        QVERIFY(outlineFonts().isEmpty());
+        QCOMPARE(fontInsteadOf("No such font"), strokeFonts().front().name);
     }
     void itsPathsAreRecognised()
     {

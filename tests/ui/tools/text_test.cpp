@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/add_objects.h"
 #include "app/lettering/lettering.h"
+#include "app/lettering/outline_fonts.h"
+#include "app/lettering/stroke_fonts.h"
 
+#include <QComboBox>
 #include <QInputMethodEvent>
+#include <QLabel>
 #include <QPlainTextEdit>
 #include <QSignalSpy>
+
+#include <algorithm>
+#include <numbers>
 
 #include "tests/ui/tools/hand.h"
 
@@ -20,6 +28,8 @@ class TextTest : public QObject {
                 &session.now().objects()[object].particulars().recipe);
         }
         QPlainTextEdit& field() { return *canvas.findChild<QPlainTextEdit*>(); }
+        QComboBox& fonts() { return *field().parentWidget()->findChild<QComboBox*>(); }
+        QString remark() { return field().parentWidget()->findChild<QLabel*>()->text(); }
         QString written(std::size_t object = 0)
         {
             return text(object) ? text(object)->text : QStringLiteral("(no text)");
@@ -30,6 +40,23 @@ class TextTest : public QObject {
                    && app::makes(*text(object), session.now().objects()[object].path().subpaths());
         }
     };
+
+    /// A font whose name types itself: no other one begins with the letter.
+    static QString typableFont()
+    {
+        for (const QString& font : app::outlineFonts()) {
+            const auto begins = [&](const QString& other) {
+                return other.startsWith(font.front(), Qt::CaseInsensitive);
+            };
+            const bool stroke = std::ranges::any_of(
+                app::strokeFonts(), [&](const app::StrokeFont& f) { return begins(f.name); });
+            if (font.front().unicode() < 128 && font.front().isLetter() && !stroke
+                && !app::lettered({"LT", font, 5, {}}).paths.empty()
+                && *std::ranges::find_if(app::outlineFonts(), begins) == font)
+                return font;
+        }
+        return {};
+    }
 
 private slots:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
@@ -197,6 +224,113 @@ private slots:
         hand.canvas.setTool("select");
         Hand::key(Qt::Key_Right);
         QVERIFY(hand.isDrawn() && hand.isNear(hand.text()->at, {21, 50}));
+    }
+    void fontsStandBelowTheirHeadings()
+    {
+        Writer hand;
+        hand.click({20, 50});
+        const QComboBox& fonts = hand.fonts();
+        const auto enabled = [&](int row) {
+            return bool(fonts.model()->flags(fonts.model()->index(row, 0)) & Qt::ItemIsEnabled);
+        };
+        QCOMPARE(fonts.currentText(), app::strokeFonts().front().name);
+        const int strokes = int(app::strokeFonts().size());
+        QVERIFY(!enabled(0) && enabled(1) && enabled(strokes));
+        QVERIFY(fonts.itemText(0).contains("plotters"));
+        if (app::outlineFonts().isEmpty())
+            QSKIP("no outline font is installed");
+        QVERIFY(!enabled(strokes + 1) && enabled(strokes + 2));
+        QCOMPARE(fonts.count(), strokes + 2 + int(app::outlineFonts().size()));
+    }
+    void aFontIsFoundByItsFirstLetter()
+    {
+        const QString font = typableFont();
+        if (font.isEmpty())
+            QSKIP("no outline font with Latin letters is installed");
+        Writer hand;
+        hand.click({20, 50});
+        hand.type("LT");
+        Hand::key(Qt::Key_Tab);
+        const auto tool = hand.canvas.tool();
+        QTest::keyClick(QApplication::focusWidget(), font.front().toLatin1());
+        QCOMPARE(hand.fonts().currentText(), font);
+        Hand::key(Qt::Key_Return); // back to the text
+        Hand::key(Qt::Key_Return);
+        QVERIFY(hand.count() == 1 && hand.canvas.tool() == tool);
+        QVERIFY(hand.text()->font == font && hand.isDrawn());
+        for (const app::Subpath& path : hand.paths())
+            QVERIFY(path.closed);
+        const auto style = hand.session.now().objects()[0].style();
+        QVERIFY(style.fillRule == app::FillRule::NonZero);
+        hand.click({100, 50}); // the font is kept for the next text
+        hand.type("T\n");
+        QCOMPARE(hand.text(1)->font, font);
+        hand.session.select({0});
+        hand.canvas.setTool("select");
+        Hand::key(Qt::Key_C, Qt::ControlModifier);
+        Hand::key(Qt::Key_V, Qt::ControlModifier);
+        QVERIFY(hand.count() == 3 && hand.isDrawn(2));
+    }
+    void aMissingFontIsNamedAndReplacedOnceTheTextChanges()
+    {
+        Writer hand;
+        app::Objects objects = hand.session.now().objects().slice(0, 0);
+        const app::TextRecipe before{"LT", "No such font", 5, {18, 50}};
+        objects.append(app::Object{.path = app::Path(std::vector{corner()}),
+                                   .style = {.stroke = app::Colour{}},
+                                   .particulars = {.recipe = before}});
+        hand.session.history.push(new app::AddObjects(hand.session.document, objects,
+                                                      app::containerForNew(hand.session), "Text"));
+        QSignalSpy refused(&hand.session, &app::Session::refused);
+        hand.canvas.setTool("select");
+        hand.doubleClick({60, 20});
+        QCOMPARE(hand.field().toPlainText(), "LT");
+        QVERIFY(hand.remark().contains("No such font"));
+        QVERIFY(hand.fonts().currentIndex() < 0);
+        QCOMPARE(hand.fonts().placeholderText(), "No such font");
+        Hand::key(Qt::Key_Return);
+        QVERIFY(hand.path() == corner() && *hand.text() == before);
+        QVERIFY(hand.session.history.count() == 1 && refused.isEmpty());
+
+        const QString instead = app::fontInsteadOf("No such font");
+        hand.doubleClick({60, 20});
+        hand.type("LV");
+        QVERIFY(hand.remark().contains(instead));
+        QCOMPARE(hand.fonts().currentText(), instead);
+        Hand::key(Qt::Key_Return);
+        QVERIFY(hand.text()->font == instead && hand.isDrawn());
+        QVERIFY(refused.size() == 1 && refused[0][0].toString().contains("No such font"));
+        hand.session.history.undo();
+        QVERIFY(hand.path() == corner() && *hand.text() == before);
+    }
+    void aTurnedTextKeepsItsAngleWhenItIsEdited()
+    {
+        Writer hand;
+        hand.click({60, 50});
+        hand.type("LT\n");
+        const app::Point at = hand.text()->at;
+        hand.session.select({0});
+        hand.canvas.setTool("select");
+        hand.type("o30\n");
+        QVERIFY(hand.text() && hand.isDrawn());
+        const app::TextRecipe turned = *hand.text();
+        QVERIFY(std::abs(turned.turn + std::numbers::pi / 6) < 1e-9 && turned.at != at);
+        hand.doubleClick(hand.path().start);
+        QCOMPARE(hand.field().toPlainText(), "LT");
+        QVERIFY(hand.field().isVisible());
+        hand.type("LTLT\n");
+        QVERIFY(hand.written() == "LTLT" && hand.isDrawn());
+        QVERIFY(hand.text()->turn == turned.turn && hand.text()->at == turned.at);
+    }
+    void aMirroredTextStaysAText()
+    {
+        Writer hand;
+        hand.click({60, 50});
+        hand.type("LT\n");
+        hand.session.select({0});
+        hand.canvas.setTool("select");
+        Hand::key(Qt::Key_H, Qt::ShiftModifier);
+        QVERIFY(hand.isDrawn() && hand.text()->mirrored);
     }
     void whatIsTypedIsRecoverable()
     {

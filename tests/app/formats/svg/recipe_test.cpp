@@ -27,13 +27,21 @@ class RecipeTest : public QObject {
         out.open(QIODevice::WriteOnly);
         return formats().front().write(document, out, {}) ? QByteArray() : out.data();
     }
+    static std::vector<Subpath> letters()
+    {
+        return {{{0.1, -0.0}, {{{5, 0}, {2, 3}, {7.25, 1.0 / 3}, true}, {{5, 9}}}, true},
+                {{1, 1}, {{{2, 1}}, {{2, 2}}}, true}};
+    }
     static Document drawn(const Recipe& recipe)
+    {
+        const auto* text = std::get_if<TextRecipe>(&recipe);
+        return drawn(recipe,
+                     text ? lettered(*text).paths : std::vector<Subpath>{*outlineOf(recipe)});
+    }
+    static Document drawn(const Recipe& recipe, const std::vector<Subpath>& subpaths)
     {
         DocumentBuilder builder;
         builder.open({.name = "Drawing"});
-        const auto* text = std::get_if<TextRecipe>(&recipe);
-        const std::vector<Subpath> subpaths =
-            text ? lettered(*text).paths : std::vector<Subpath>{*outlineOf(recipe)};
         builder.add(Object{.path = Path(subpaths),
                            .style = {.stroke = Colour{}},
                            .particulars = {.recipe = recipe}});
@@ -51,6 +59,8 @@ private slots:
         QTest::newRow("text") << Recipe(TextRecipe{"A word", font, 5.1, {0.1, 20}});
         QTest::newRow("signs") << Recipe(
             TextRecipe{" \"<&>' \\n\\ \n\n  λ漢\n", font, 1.0 / 3, {-7, 1e5}});
+        QTest::newRow("turned") << Recipe(TextRecipe{"A word", font, 5.1, {0.1, 20}, 1.1});
+        QTest::newRow("mirrored") << Recipe(TextRecipe{"word", font, 5, {0, 0}, -0.5, true});
     }
     void comesBackFromAFile()
     {
@@ -60,6 +70,44 @@ private slots:
         QCOMPARE(back.objects().size(), std::size_t(1));
         QVERIFY(back.objects()[0].particulars().recipe == recipe);
         QVERIFY(back.objects()[0].path() == document.objects()[0].path());
+    }
+    // The letters of an installed font are verified by a checksum: it may be missing here.
+    void textsOfFontsThatAreMissingComeBack_data()
+    {
+        QTest::addColumn<QString>("font");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("simple") << "No such font"
+                                << "A word";
+        QTest::newRow("signs") << "It's a \\'\\q font"
+                               << " <&>'\\q\n 12 λ漢 ";
+        QTest::newRow("no words") << "No such font"
+                                  << "";
+    }
+    void textsOfFontsThatAreMissingComeBack()
+    {
+        QFETCH(QString, font);
+        QFETCH(QString, words);
+        for (const auto& [turn, mirrored] : {std::pair(0.0, false), {0.7, false}, {0.0, true}}) {
+            const TextRecipe recipe{words, font, 5, {1, 2}, turn, mirrored};
+            const Document document = drawn(recipe, letters());
+            const QByteArray file = written(document);
+            const Document back = read(file);
+            QCOMPARE(back.objects().size(), std::size_t(1));
+            QVERIFY(back.objects()[0].particulars().recipe == Recipe(recipe));
+            QVERIFY(back.objects()[0].path() == document.objects()[0].path());
+            QCOMPARE(written(back), file);
+        }
+    }
+    void goesWhereLettersWereMoved()
+    {
+        const QByteArray file =
+            written(drawn(TextRecipe{"A word", "No such font", 5, {1, 2}}, letters()));
+        for (const char* const part : {"7.25", "0.1"}) {
+            QByteArray edited = file;
+            QVERIFY(edited.contains(part));
+            edited.replace(part, "7.26");
+            QVERIFY(read(edited).objects()[0].particulars().recipe == Recipe{});
+        }
     }
     // Whoever moved a corner in another program did not know of the recipe.
     void goesWhereThePathIsAnotherOne_data()

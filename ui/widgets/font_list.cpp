@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/font_list.h"
+
+#include "app/lettering/outline_fonts.h"
+#include "app/lettering/stroke_fonts.h"
+
+#include <QAbstractItemView>
+#include <QStandardItemModel>
+
+namespace ui {
+namespace {
+
+constexpr int popupWidth = 280, mostVisible = 20, minimumLength = 12;
+
+} // namespace
+
+FontList::FontList(QWidget* parent) : ToolList(parent)
+{
+    setAccessibleName(tr("Font"));
+    setSizeAdjustPolicy(AdjustToMinimumContentsLengthWithIcon);
+    setMinimumContentsLength(minimumLength);
+    setMaxVisibleItems(mostVisible);
+    view()->setMinimumWidth(popupWidth);
+    view()->setTextElideMode(Qt::ElideRight);
+}
+
+// Only when it is first shown: asking the system for its fonts takes time.
+void FontList::fill()
+{
+    addHeading(tr("Single strokes, for plotters"));
+    for (const app::StrokeFont& font : app::strokeFonts())
+        addItem(font.name, font.name);
+    if (app::outlineFonts().isEmpty())
+        return;
+    addHeading(tr("Outlines, of installed fonts"));
+    for (const QString& font : app::outlineFonts())
+        addItem(font, font);
+}
+
+void FontList::addHeading(const QString& text)
+{
+    addItem(text);
+    const int row = count() - 1;
+    qobject_cast<QStandardItemModel*>(model())->item(row)->setEnabled(false);
+    QFont small = view()->font();
+    small.setBold(true);
+    setItemData(row, small, Qt::FontRole);
+}
+
+void FontList::show(const QString& font)
+{
+    if (count() == 0)
+        fill();
+    setPlaceholderText(font);
+    setCurrentIndex(findData(font));
+    const bool strokes = app::findStrokeFont(font);
+    setToolTip(strokes          ? tr("Font: single strokes, which a plotter follows once")
+               : font.isEmpty() ? tr("Font")
+                                : tr("Font: outlines, filled or stroked as the style says"));
+}
+
+QString FontList::font() const { return currentData().toString(); }
+
+} // namespace ui
