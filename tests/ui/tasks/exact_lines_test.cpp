@@ -45,8 +45,9 @@ private slots:
             const app::Point at(20 + 290 * i, 190 - 170 * i);
             steps.push_back({{at, at + app::Point(0, -170), at + app::Point(290, -170)}});
         }
-        check({key("P"), type("20,190"), enter(), type("0,-170"), enter(), type("290,0"), enter(),
-               key("G"), key("C"), type("290,-170"), enter(), type("6x"), enter()},
+        check({key("P"), type("20,190"), enter(), move({20.2, 100}), type("170"), enter(),
+               move({90, 20.2}), type("290"), enter(), key("G"), key("C"), type("290,-170"),
+               enter(), type("6x"), enter()},
               steps);
     }
     /// Four outer walls with two faces each, three walls between the rooms and a short one. The
@@ -54,21 +55,37 @@ private slots:
     void housePlan()
     {
         Steps steps{key("L")};
-        const auto chain = [&](std::initializer_list<const char*> points) {
-            for (const char* point : points)
-                add(steps, {type(point), enter()});
+        // A wall goes where the pointer is, as far as is typed.
+        const auto wall = [&](const app::Point& aim, const char* length) {
+            add(steps, {move(aim), type(length), enter()});
         };
-        const auto next = [&](std::initializer_list<const char*> points) {
-            add(steps, {enter()});
-            chain(points);
-        };
-        chain({"20,20", "160,0", "0,120", "-68,0"});
-        next({"92,140", "-72,0", "0,-120"});
-        next({"26,26", "148,0", "0,108", "-62,0"});
-        next({"92,134", "-66,0", "0,-108"});
-        next({"65,26", "0,24"});
-        next({"65,68", "0,66"});
-        next({"137,80", "37,0"});
+        const auto begin = [&](const char* point) { add(steps, {type(point), enter()}); };
+        begin("20,20");
+        wall({100, 20.3}, "160");
+        wall({180.3, 90}, "120");
+        wall({150, 140.3}, "68");
+        add(steps, {enter()});
+        begin("92,140");
+        wall({50, 140.3}, "72");
+        wall({20.3, 90}, "120");
+        add(steps, {enter()});
+        begin("26,26");
+        wall({100, 26.3}, "148");
+        wall({174.3, 80}, "108");
+        wall({150, 134.3}, "62");
+        add(steps, {enter()});
+        begin("92,134");
+        wall({50, 134.3}, "66");
+        wall({26.3, 90}, "108");
+        add(steps, {enter()});
+        begin("65,26");
+        wall({65.3, 40}, "24");
+        add(steps, {enter()});
+        begin("65,68");
+        wall({65.3, 100}, "66");
+        add(steps, {enter()});
+        begin("137,80");
+        wall({150, 80.3}, "37");
         add(steps, {key("V"), click({65, 35}), click({65, 100}, Qt::ShiftModifier), key("G"),
                     key("C"), type("36,0"), enter(), type("2x"), enter()});
         Table table{{{{20, 20}, {180, 20}}},    {{{180, 20}, {180, 140}}},
