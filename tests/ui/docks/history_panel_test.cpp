@@ -5,6 +5,8 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/app/document/one_window.h"
+
 using namespace ui;
 
 class HistoryPanelTest : public QObject {

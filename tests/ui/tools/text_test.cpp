@@ -3,6 +3,7 @@
 #include "app/lettering/lettering.h"
 #include "app/lettering/outline_fonts.h"
 #include "app/lettering/stroke_fonts.h"
+#include "app/session/units.h"
 
 #include <QComboBox>
 #include <QInputMethodEvent>
