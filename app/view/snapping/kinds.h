@@ -16,6 +16,7 @@ SnapKind perpendicular();
 SnapKind onPath();
 SnapKind windowEdges();
 SnapKind pageEdges();
+SnapKind axes();
 SnapKind guideKind();
 SnapKind gridKind();
 SnapKind alignmentKind();

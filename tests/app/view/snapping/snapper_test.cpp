@@ -75,6 +75,16 @@ private slots:
         const auto snap = stage.at({0.5, 0.4}, "ends middles on-path");
         QVERIFY(snap && snap->point == end);
     }
+    void aLineNearAnAxisRunsAlongIt()
+    {
+        const SnapStage stage({lineFrom({50, 9}, {51, 30})});
+        QCOMPARE(stage.textAt({80, 22}, "axes", Point(20, 20)), "80 20 along an axis");
+        QCOMPARE(stage.textAt({18.5, -40}, "axes", Point(20, 20)), "20 -40 along an axis");
+        QCOMPARE(stage.textAt({80, 22}, "axes"), "nothing");                 // no line
+        QCOMPARE(stage.textAt({40, 22}, "axes", Point(20, 20)), "nothing");  // over 3 degrees
+        QCOMPARE(stage.textAt({200, 24}, "axes", Point(20, 20)), "nothing"); // too far away
+        QCOMPARE(stage.textAt({50.4, 10}, "axes ends", Point(20, 10)), "50 9 end");
+    }
     void aPointWinsOverAnEdgeAndTheNearestPointWins()
     {
         const SnapStage stage({lineFrom({0, 0}, {4, 0})}, oneWindow);
