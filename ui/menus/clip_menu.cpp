@@ -137,7 +137,7 @@ MenuInfo clipMenu()
                 },
                 {
                     .key = "cut-out",
-                    .text = tr("Cut &out windows"),
+                    .text = tr("Cut o&ut windows"),
                     .run =
                         [](MainWindow& w) {
                             w.files().cutPermanently(app::permanentCut("cut-out"));
@@ -146,7 +146,7 @@ MenuInfo clipMenu()
                 },
                 {
                     .key = "split",
-                    .text = tr("&Split at windows"),
+                    .text = tr("Spli&t at windows"),
                     .run =
                         [](MainWindow& w) { w.files().cutPermanently(app::permanentCut("split")); },
                     .enabled = some,

@@ -25,6 +25,7 @@ inline app::ClipWindows withWindow(app::ClipWindows windows, const clipping::Win
 inline app::SetWindows* windowStep(app::EditedDocument& document, const clipping::Window& window,
                                    app::Merging merging = app::Merging::Never)
 {
-    return new app::SetWindows(document, withWindow(document.now().windows(), window),
-                               "Move clip window", merging);
+    return new app::SetWindows(
+        document, withWindow(document.now().windows(), window),
+        document.now().windows().list.empty() ? "Draw clip window" : "Move clip window", merging);
 }

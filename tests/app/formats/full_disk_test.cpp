@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/latin.h"
 #include "app/base/replace_file.h"
+#include "app/base/usual_algorithm.h"
 #include "app/charts/chart_file.h"
 #include "app/charts/record_chart.h"
 #include "app/command_line/command.h"
@@ -13,6 +14,7 @@
 #include "app/session/save.h"
 #include "app/session/session.h"
 #include "app/teaching/trace_file.h"
+#include "app/tiles/sheets.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -95,6 +97,16 @@ std::vector<Writer> madeWriters()
                                return writeFile(app::documentOf(twoLines(400)), path);
                            }});
         }
+    all.push_back({"sheets", "pdf", [](const QString& path) {
+                       const Document drawing = documentOf(twoLines());
+                       const TilePlan plan{.columns = 2, .rows = 2};
+                       return writeSheets({drawing,
+                                           plan,
+                                           *tilingOf(drawing.page(), plan).value,
+                                           {.clipAll = usualAlgorithm().corrected.clipAll},
+                                           {}},
+                                          path, *findFormat(u"pdf"), {});
+                   }});
     all.push_back({"session", "svg", [](const QString& path) {
                        const Saved saved = save(Session().beginSaving(), path);
                        return saved.end == Saved::End::Written ? std::nullopt
