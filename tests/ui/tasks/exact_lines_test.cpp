@@ -61,7 +61,7 @@ private slots:
         };
         const auto begin = [&](const char* point) { add(steps, {type(point), enter()}); };
         begin("20,20");
-        wall({100, 20.3}, "160");
+        add(steps, {type("160"), enter()}); // to the right, until the pointer says otherwise
         wall({180.3, 90}, "120");
         wall({150, 140.3}, "68");
         add(steps, {enter()});

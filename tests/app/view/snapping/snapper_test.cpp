@@ -155,6 +155,8 @@ private slots:
             });
             if (kind.key == "intersections")
                 QVERIFY(through >= 2);
+            else if (kind.key == "axes")
+                QVERIFY(snap->point.x == from.x || snap->point.y == from.y);
             else if (kind.key != "page")
                 QVERIFY(through >= 1);
             const auto isEnd = [&](const auto& line) {
