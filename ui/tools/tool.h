@@ -116,12 +116,17 @@ public:
     virtual QString stepText() const { return {}; }
     /// The path that end() would keep now; empty: none.
     virtual std::optional<app::Subpath> pendingPath() const { return std::nullopt; }
-    /// The object that end() would add, where it is more than a path; empty: none.
+    /// The object that end() would add or change, where it is more than a path; empty: none.
     virtual std::optional<app::Object> pendingObject(const Workbench&) const
     {
         return std::nullopt;
     }
-    /// Number of points of the path being drawn.
+    /// The object that pendingObject() replaces; empty: it is a new one.
+    virtual std::optional<std::size_t> replacedObject(const Workbench&) const
+    {
+        return std::nullopt;
+    }
+    /// Number of points of the path being drawn, or of changes of the text being typed.
     virtual std::size_t pendingPoints() const { return 0; }
 
     /// Which numbers may be typed now, and what they refer to; empty: none.
@@ -136,7 +141,7 @@ public:
     /// What is being typed; empty: no text.
     virtual std::optional<TypedText> typedText() const { return std::nullopt; }
     virtual void typeText(const app::TextRecipe&, Workbench&) {} ///< text, font or size
-    virtual void finishText(Workbench& bench) { end(bench); }   ///< by Enter or Esc
+    virtual void finishText(Workbench& bench) { end(bench); }    ///< by Enter or Esc
 
     /// Begins to move, rotate, scale or skew the selection, if the tool can.
     virtual void transform(const app::Transformation&, const Pointer&, Workbench&) {}
