@@ -2,9 +2,13 @@
 #include "app/commands/resize_objects.h"
 
 #include "app/commands/move_objects.h"
+#include "app/commands/scale_stroke.h"
+#include "app/commands/set_style.h"
 #include "app/document/path_points.h"
 
 #include <QCoreApplication>
+
+#include <cmath>
 
 namespace app {
 
@@ -34,32 +38,40 @@ bool keepsCorner(const clipping::Window& from, const clipping::Window& to)
     return fitting(from, to)(from.min) == to.min;
 }
 
-Derivation derivationOf(const clipping::Window& from, const clipping::Window& to)
+Derivation derivationOf(const clipping::Window& from, const clipping::Window& to,
+                        StrokeScaling strokes)
 {
-    return keepsCorner(from, to) ? Derivation{Derivation::How::Placed, fitting(from, to)}
-                                 : Derivation{};
+    return strokes == StrokeScaling::Keep && keepsCorner(from, to)
+               ? Derivation{Derivation::How::Placed, fitting(from, to)}
+               : Derivation{};
 }
 
 Edit resized(const Document& document, const ObjectRanges& objects, const clipping::Window& from,
-             const clipping::Window& to)
+             const clipping::Window& to, StrokeScaling strokes)
 {
     const Placement where = fitting(from, to);
     const bool placed = keepsCorner(from, to);
-    return changed(document, objects, [&](ObjectRow& object, StyleTable&) {
+    const double area = std::abs(where.scale.x * where.scale.y);
+    const double scale = strokes == StrokeScaling::Scale ? std::sqrt(area) : 1;
+    StyleChanges restyled([&](Style& style) { scaleStroke(style, scale); });
+    return changed(document, objects, [&](ObjectRow& object, StyleTable& styles) {
         Path path = placed ? Path() : fitted(object.path, from, to);
         place(object, where);
         if (!placed)
             object.path = std::move(path);
+        if (scale != 1)
+            restyled(object, styles);
     });
 }
 
 } // namespace
 
 ResizeObjects::ResizeObjects(EditedDocument& document, const ObjectRanges& objects,
-                             const clipping::Window& from, const clipping::Window& to)
-    : EditCommand(row, document, resized(document.now(), objects, from, to),
+                             const clipping::Window& from, const clipping::Window& to,
+                             StrokeScaling strokes)
+    : EditCommand(row, document, resized(document.now(), objects, from, to, strokes),
                   QCoreApplication::translate("Commands", "Resize selection"), Merging::Never,
-                  derivationOf(from, to))
+                  derivationOf(from, to, strokes))
 {
 }
 

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/commands/edit_command.h"
+#include "app/commands/transform_objects.h"
 
 namespace app {
 
-/// Moves and scales objects so that the content of the rectangle `from` fills `to`. Stroke widths
-/// stay. Along an axis on which `from` has no extent, objects are only moved.
+/// Moves and scales objects so that the content of the rectangle `from` fills `to`. Along an axis
+/// on which `from` has no extent, objects are only moved. Strokes are scaled by the root of the
+/// factor of areas, or keep their widths.
 class ResizeObjects : public EditCommand {
 public:
     static constexpr CommandKind row{"resize-objects", "Moves and scales objects"};
 
     ResizeObjects(EditedDocument& document, const ObjectRanges& objects,
-                  const clipping::Window& from, const clipping::Window& to);
+                  const clipping::Window& from, const clipping::Window& to,
+                  StrokeScaling strokes = StrokeScaling::Keep);
 };
 
 /// The placement that maps the rectangle `from` onto `to`.

@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/transform_objects.h"
 
+#include "app/commands/scale_stroke.h"
 #include "app/commands/set_style.h"
 #include "app/document/copies.h"
 #include "app/document/mapped_path.h"
 
 namespace app {
 namespace {
-
-void scaleStroke(Style& style, double scale)
-{
-    style.width *= scale;
-    style.dashOffset *= scale;
-    for (double& dash : style.dashes)
-        dash *= scale;
-}
 
 Edit transformed(const Document& document, const ObjectRanges& objects, const AffineMap& map,
                  StrokeScaling strokes)

@@ -275,12 +275,9 @@ void Journal::setOrigin(const JournalOrigin& origin)
     appendLater(originRecord(origin));
 }
 
-void Journal::setInHand(std::optional<PendingObject> object)
+void Journal::setInHand(std::optional<ObjectInHand> object)
 {
-    const auto same = [](const PendingObject& a, const PendingObject& b) {
-        return a.into == b.into && a.object == b.object;
-    };
-    if (object.has_value() == inHand_.has_value() && (!object || same(*object, *inHand_)))
+    if (object == inHand_)
         return;
     inHand_ = std::move(object);
     append(inHandRecord(inHand_), timeOfRecord);

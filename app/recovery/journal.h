@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/object_in_hand.h"
 #include "app/recovery/journal_base.h"
 #include "app/recovery/journal_thread.h"
 
@@ -44,8 +45,8 @@ public:
     void discard(); ///< removes the files: there is nothing to recover. The last call.
 
     void setOrigin(const JournalOrigin& origin);
-    /// The object being drawn, or none. The last step of a recovered drawing.
-    void setInHand(std::optional<PendingObject> object);
+    /// The object being drawn or edited, or none. The last step of a recovered drawing.
+    void setInHand(std::optional<ObjectInHand> object);
 
     QString folder() const { return folder_; }
     /// Waits until the document is on the disk; returns whether it is.
@@ -99,7 +100,7 @@ private:
     QDeadlineTimer nextAttempt_;     ///< after a failure
     std::vector<std::string> later_; ///< records that wait until the log is open
     JournalOrigin origin_;
-    std::optional<PendingObject> inHand_;
+    std::optional<ObjectInHand> inHand_;
     std::atomic<bool> complete_ = true;
     LogSync sync_;
     JobThread jobs_; ///< last: it ends before its data

@@ -87,15 +87,28 @@ std::string originRecord(const JournalOrigin& origin)
     return std::move(out.bytes());
 }
 
-std::string inHandRecord(const std::optional<PendingObject>& object)
+std::string inHandRecord(const std::optional<ObjectInHand>& object)
 {
     ByteWriter out = started(RecordKind::InHand);
     out.put(std::uint8_t(object.has_value()));
     if (object) {
         out.put(object->into);
         ObjectBytes().write(out, object->object);
+        if (object->replaces)
+            out.put(std::uint32_t(*object->replaces));
     }
     return std::move(out.bytes());
+}
+
+std::optional<ObjectInHand> readInHand(ByteReader& in)
+{
+    if (!in.flag())
+        return std::nullopt;
+    const auto into = in.get<ContainerId>();
+    ObjectInHand object({ObjectReader().object(in), into});
+    if (!in.atEnd())
+        object.replaces = in.get<std::uint32_t>();
+    return object;
 }
 
 bool JournalState::follow(std::string_view record)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/object_in_hand.h"
 #include "app/recovery/change_bytes.h"
 #include "app/recovery/frames.h"
 #include "app/recovery/leftover.h"
@@ -20,7 +21,7 @@ enum class RecordKind : std::uint8_t {
     Index,  ///< undo, redo: the number of steps that are done
     Clean,  ///< the number of steps at which the document is saved, if any
     Origin, ///< name and path
-    InHand  ///< the object being drawn, or that there is none; a step ends it, too
+    InHand  ///< the object being drawn or edited, or that there is none; a step ends it, too
 };
 
 /// What a journal is about, apart from the drawing.
@@ -37,7 +38,8 @@ std::string stepRecord(const EditCommand& done, const Document& now, bool joined
 std::string indexRecord(StepNumber index);
 std::string cleanRecord(std::optional<StepNumber> clean);
 std::string originRecord(const JournalOrigin& origin);
-std::string inHandRecord(const std::optional<PendingObject>& object);
+std::string inHandRecord(const std::optional<ObjectInHand>& object);
+std::optional<ObjectInHand> readInHand(ByteReader& in);
 
 /// Begins a frame: the place of its header.
 ByteWriter startedFrame();

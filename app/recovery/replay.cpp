@@ -2,6 +2,7 @@
 #include "app/recovery/replay.h"
 
 #include "app/commands/add_objects.h"
+#include "app/commands/change_paths.h"
 
 #include <QCoreApplication>
 
@@ -98,11 +99,7 @@ bool Replay::followClean(std::optional<StepNumber> clean)
 
 bool Replay::followInHand(ByteReader& in)
 {
-    std::optional<PendingObject> object;
-    if (in.flag()) {
-        const auto into = in.get<ContainerId>();
-        object = PendingObject{ObjectReader().object(in), into};
-    }
+    auto object = readInHand(in);
     if (!in.ok() || !in.atEnd())
         return false;
     inHand_ = std::move(object);
@@ -112,14 +109,10 @@ bool Replay::followInHand(ByteReader& in)
 Recovered Replay::take()
 {
     if (inHand_) {
-        Objects objects = now().objects().slice(0, 0);
-        objects.append(inHand_->object);
-        const Containers& containers = now().containers();
-        const bool known = inHand_->into != 0 && containers.contains(inHand_->into);
-        const ContainerId into = known ? inHand_->into : containers.childrenOf(0).back();
         history_.push(
-            new AddObjects(document_, objects, into,
-                           QCoreApplication::translate("recovery", "Recover unfinished object")));
+            new EditCommand(inHand_->replaces ? ChangePaths::row : AddObjects::row, document_,
+                            keeping(now(), *inHand_),
+                            QCoreApplication::translate("recovery", "Recover unfinished object")));
         inHand_.reset();
     }
     return {now(), recorded(history_, all), std::move(origin_)};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/object_in_hand.h"
 #include "app/recovery/journal_base.h"
 
 namespace app {
@@ -21,7 +22,7 @@ public:
     bool follow(std::string_view record);
     const Document& now() const { return document_.now(); }
     const History& history() const { return history_; }
-    const std::optional<PendingObject>& inHand() const { return inHand_; }
+    const std::optional<ObjectInHand>& inHand() const { return inHand_; }
     /// The drawing, in which the object in hand is the last step.
     Recovered take();
 
@@ -36,7 +37,7 @@ private:
     History history_;
     StepNumber firstStep_; ///< of history_ before it forgets any
     JournalOrigin origin_;
-    std::optional<PendingObject> inHand_;
+    std::optional<ObjectInHand> inHand_;
 };
 
 } // namespace app

@@ -31,14 +31,7 @@ UnsavedWork::Written UnsavedWork::write() const
         return {};
     if (document_.inHand) {
         document = withOwnStyles(document); // keeps the edited document's styles
-        Objects objects = document.objects().slice(0, 0);
-        objects.append(document_.inHand->object);
-        // The layer may have been deleted meanwhile.
-        const ContainerId said = document_.inHand->into;
-        const ContainerId into = document.containers().contains(said)
-                                     ? said
-                                     : document.containers().childrenOf(0).back();
-        document.apply(adding(document, objects, into));
+        document.apply(keeping(document, *document_.inHand));
     }
     return {true, writeLeftover(document, document_.origin, document_.file)};
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/document/edited_document.h"
+#include "app/document/object_in_hand.h"
 #include "app/recovery/leftover.h"
 
 #include <mutex>
@@ -20,7 +21,7 @@ public:
         Origin origin;
         QString sample;       ///< key of the sample that it was opened from; empty: none
         bool changed = false; ///< since the last save
-        std::optional<PendingObject> inHand{}; ///< the object being drawn
+        std::optional<ObjectInHand> inHand{}; ///< the object being drawn or edited
     };
     void tell(Document document);
 

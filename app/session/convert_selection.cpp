@@ -6,11 +6,26 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace app {
 namespace {
 
-constexpr std::size_t most =
-    10'000; // objects that are looked at after each change of the selection
+// Blocks of objects without particulars, the usual ones of large drawings, are skipped.
+bool anyHasRecipe(const Objects& objects, const ObjectRange& range)
+{
+    for (std::size_t i = range.first; i < range.end;) {
+        const std::size_t number = objects.blockOf(i);
+        const ObjectBlock& block = *objects.blocks()[number];
+        const std::size_t first = objects.firstOf(number);
+        const std::size_t end = std::min(range.end, first + block.size());
+        for (; i < end && !block.particulars.empty(); ++i)
+            if (block.particulars[i - first]->recipe.index() != 0)
+                return true;
+        i = end;
+    }
+    return false;
+}
 
 std::vector<ChangedPath> withoutRecipes(const Session& session)
 {
@@ -26,11 +41,8 @@ std::vector<ChangedPath> withoutRecipes(const Session& session)
 
 QString convertRefusal(const Session& session)
 {
-    const Objects& objects = session.now().objects();
-    if (session.selection().size() > most)
-        return {};
-    for (const std::size_t object : session.selection())
-        if (objects[object].particulars().recipe.index() != 0)
+    for (const ObjectRange& range : session.selection().ranges())
+        if (anyHasRecipe(session.now().objects(), range))
             return {};
     return QCoreApplication::translate("Commands",
                                        "Select a text, rectangle, ellipse, polygon or star first.");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/canvas.h"
 
+#include "app/document/object_in_hand.h"
 #include "ui/canvas/canvas_parts.h"
 
 #include <QEvent>
@@ -65,7 +66,7 @@ void Canvas::goToStep(int index) { parts_->controller.goToStep(index); }
 QString Canvas::undoText() const { return parts_->controller.undoText(); }
 QString Canvas::redoText() const { return parts_->controller.redoText(); }
 void Canvas::endGesture() { parts_->controller.endGesture(); }
-std::optional<app::PendingObject> Canvas::pendingObject() const
+std::optional<app::ObjectInHand> Canvas::pendingObject() const
 {
     return parts_->controller.pendingObject();
 }

@@ -16,6 +16,10 @@
 #include <optional>
 #include <string_view>
 
+namespace app {
+struct ObjectInHand;
+}
+
 namespace ui {
 
 /// The drawing on the screen, with rulers and the current tool. All segments are clipped at every
@@ -53,7 +57,7 @@ public:
     QString redoText() const;
     /// Ends the gesture and keeps what is complete, so that the document is as it is seen.
     void endGesture();
-    std::optional<app::PendingObject> pendingObject() const; ///< what endGesture() would keep now
+    std::optional<app::ObjectInHand> pendingObject() const; ///< what endGesture() would keep now
 
     /// The kinds of places that the pointer snaps to, while snapping is on.
     app::SnapTo snapping() const;

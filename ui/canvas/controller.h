@@ -17,6 +17,10 @@
 #include <string_view>
 #include <vector>
 
+namespace app {
+struct ObjectInHand;
+}
+
 namespace ui {
 
 /// Frames with equal keys have equal pictures.
@@ -108,7 +112,7 @@ public:
     /// Ends the gesture and keeps what is complete. To be called before the document is read or the
     /// view changes under the pointer.
     void endGesture();
-    std::optional<app::PendingObject> pendingObject() const; ///< what endGesture() would keep now
+    std::optional<app::ObjectInHand> pendingObject() const; ///< what endGesture() would keep now
 
     /// Undo or redo one step: a corner of the polyline being drawn, else a step of the history.
     /// During a drag, undo() cancels the drag and redo() does nothing.

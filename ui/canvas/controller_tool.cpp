@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/object_in_hand.h"
 #include "app/session/units.h"
 #include "ui/canvas/controller.h"
 #include "ui/tools/shape_drawing.h"
@@ -82,15 +83,15 @@ void Controller::endGesture()
         withTool([&] { tool_->end(bench_); });
 }
 
-std::optional<app::PendingObject> Controller::pendingObject() const
+std::optional<app::ObjectInHand> Controller::pendingObject() const
 {
+    const app::ContainerId into = app::containerForNew(session_);
     if (auto object = tool_->pendingObject(bench_))
-        return app::PendingObject{std::move(*object), app::containerForNew(session_)};
+        return app::ObjectInHand({std::move(*object), into}, tool_->replacedObject(bench_));
     const auto path = tool_->pendingPath();
     if (!path)
         return std::nullopt;
-    return app::PendingObject{objectOf(session_, std::span(&*path, 1)),
-                              app::containerForNew(session_)};
+    return app::ObjectInHand({objectOf(session_, std::span(&*path, 1)), into});
 }
 
 } // namespace ui

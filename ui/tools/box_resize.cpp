@@ -38,8 +38,8 @@ void BoxResize::accept(const app::GestureEnd& end, Workbench& bench)
     now_.reset();
     if (session.selection().empty())
         return; // removed meanwhile
-    pushKeepingInspected(session,
-                         new app::ResizeObjects(session.document, session.selection(), from, to));
+    pushKeepingInspected(session, new app::ResizeObjects(session.document, session.selection(),
+                                                         from, to, session.arrange.strokes));
 }
 
 app::Point BoxResize::fixed() const

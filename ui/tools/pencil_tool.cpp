@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/numbers.h"
 #include "app/drawing/freehand.h"
 #include "ui/tools/last_step.h"
 #include "ui/tools/shape_drawing.h"
@@ -41,6 +42,7 @@ public:
     {
         cancel(bench); // a press ends the correction
         last_.forget();
+        isLastTooLong_ = false;
         points_ = {pointer.raw};
         begin(toleranceIn(bench));
     }
@@ -86,6 +88,12 @@ public:
         tolerance_ = end.numbers[0];
         if (last_.isOpen())
             finish(bench);
+        else if (isLastTooLong_)
+            emit bench.session.refused(
+                QCoreApplication::translate(
+                    "Tools", "A freehand line of more than %1 points cannot be smoothed again. The "
+                             "next line gets this tolerance.")
+                    .arg(app::countText(mostCorrected)));
     }
     void reopen(Workbench& bench) override
     {
@@ -132,16 +140,18 @@ private:
         draw(bench, {smoothed(tolerance)},
              QCoreApplication::translate("Commands", "Draw freehand"));
         done_ = std::exchange(points_, {});
-        if (done_.size() <= mostCorrected)
+        isLastTooLong_ = done_.size() > mostCorrected;
+        if (!isLastTooLong_)
             last_.remember(bench);
     }
 
     std::vector<app::Point> points_;
     std::optional<app::Freehand> freehand_; ///< of these points
     double fitted_ = 0;                     ///< the tolerance of that
-    std::vector<app::Point> done_; ///< of the last line
-    app::Subpath smooth_{};        ///< during a correction
-    double tolerance_ = 0; ///< in the drawing; 0: none was typed
+    std::vector<app::Point> done_;          ///< of the last line
+    app::Subpath smooth_{};                 ///< during a correction
+    bool isLastTooLong_ = false;            ///< too long to be smoothed again
+    double tolerance_ = 0;                  ///< in the drawing; 0: none was typed
     LastStep last_;
 };
 

@@ -46,6 +46,7 @@ public:
         text_.reset();
         object_.reset();
         letters_ = {};
+        changes_ = 0;
     }
     void end(Workbench& bench) override;
     bool busy() const override { return text_.has_value(); }
@@ -65,13 +66,12 @@ public:
         if (std::exchange(goesBack_, false))
             bench.nextTool = "select";
     }
-    std::optional<app::Object> pendingObject(const Workbench& bench) const override
+    std::optional<app::Object> pendingObject(const Workbench& bench) const override;
+    std::optional<std::size_t> replacedObject(const Workbench& bench) const override
     {
-        if (!busy() || object_ || letters_.paths.empty())
-            return std::nullopt;
-        return objectOf(bench.session, letters_.paths, *text_);
+        return edited(bench) ? object_ : std::nullopt;
     }
-    std::size_t pendingPoints() const override { return letters_.paths.size(); }
+    std::size_t pendingPoints() const override { return changes_; }
 
     QCursor cursor(const Workbench&) const override
     {
@@ -88,7 +88,11 @@ public:
 private:
     void begin(const app::Point& at, const Workbench& bench);
     void edit(std::size_t object, Workbench& bench);
-    void layOut() { letters_ = app::lettered(*text_); }
+    void layOut()
+    {
+        letters_ = app::lettered(*text_);
+        ++changes_;
+    }
     QString remark() const;
     void paintLetters(QPainter& painter, const Workbench& bench, const app::Style& style) const;
     /// The object that is edited, if it is still the same.
@@ -98,6 +102,7 @@ private:
     app::Lettering letters_;
     std::optional<std::size_t> object_; ///< that is edited; empty: a new text
     app::TextRecipe before_;            ///< the text of that object
+    std::size_t changes_ = 0;           ///< of text, font and size
     bool goesBack_ = false;             ///< to the tool Select when the text is finished
 };
 
@@ -134,6 +139,19 @@ const app::TextRecipe* TextTool::edited(const Workbench& bench) const
         return nullptr;
     const auto* text = std::get_if<app::TextRecipe>(&objects[*object_].particulars().recipe);
     return text && *text == before_ ? text : nullptr;
+}
+
+std::optional<app::Object> TextTool::pendingObject(const Workbench& bench) const
+{
+    const bool same = edited(bench);
+    if (!busy() || letters_.paths.empty() || (same && *text_ == before_))
+        return std::nullopt;
+    if (!same)
+        return objectOf(bench.session, letters_.paths, *text_);
+    app::Object object = bench.session.now().objects()[*object_].copy();
+    object.path = app::Path(letters_.paths);
+    object.particulars.recipe = *text_;
+    return object;
 }
 
 void TextTool::end(Workbench& bench)

@@ -117,12 +117,17 @@ public:
     virtual QString stepText() const { return {}; }
     /// The path that end() would keep now; empty: none.
     virtual std::optional<app::Subpath> pendingPath() const { return std::nullopt; }
-    /// The object that end() would add, where it is more than a path; empty: none.
+    /// The object that end() would add or change, where it is more than a path; empty: none.
     virtual std::optional<app::Object> pendingObject(const Workbench&) const
     {
         return std::nullopt;
     }
-    /// Number of points of the path being drawn.
+    /// The object that pendingObject() replaces; empty: it is a new one.
+    virtual std::optional<std::size_t> replacedObject(const Workbench&) const
+    {
+        return std::nullopt;
+    }
+    /// Number of points of the path being drawn, or of changes of the text being typed.
     virtual std::size_t pendingPoints() const { return 0; }
 
     /// Which numbers may be typed now, and what they refer to; empty: none.

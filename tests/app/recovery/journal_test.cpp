@@ -221,6 +221,20 @@ private slots:
         QCOMPARE(replayed(drawing.journal.folder())->document.objects().size(), std::size_t(3));
         QVERIFY(!journalState(drawing.journal.folder())->unsaved());
     }
+    void anEditedObjectIsReplaced()
+    {
+        RecordedDrawing drawing(lines(3), above());
+        Object edited = drawing.document.now().objects()[1].copy();
+        edited.path = Path({{0, 0}, {7, 7}});
+        drawing.journal.setInHand(ObjectInHand({edited, 0}, 1));
+        const auto found = replayed(drawing.journal.folder());
+        QCOMPARE(found->document.objects().size(), std::size_t(3));
+        QVERIFY(found->document.objects()[1].copy() == edited);
+        QVERIFY(found->document.objects()[2].path() == drawing.document.now().objects()[2].path());
+        QCOMPARE(found->history.index, 1);
+        drawing.journal.setInHand(ObjectInHand({edited, 0}, 99)); // it is gone: a new one
+        QCOMPARE(replayed(drawing.journal.folder())->document.objects().size(), std::size_t(4));
+    }
     void aStepEndsTheObjectInHand()
     {
         RecordedDrawing drawing(lines(3), above());

@@ -152,6 +152,26 @@ const std::map<QString, Scenario>& scenarios()
         {"look", [](MainWindow&) { ready(); }},
         {"draw", [](MainWindow& w) { drawLine(w), ready(); }},
         {"polyline", [](MainWindow& w) { clickCorners(w), ready(); }},
+        {"text",
+         [](MainWindow& w) {
+             w.canvas().setTool("text");
+             QTest::mouseClick(area(w), Qt::LeftButton, {}, {100, 100});
+             QTest::keyClicks(QApplication::focusWidget(), "Wall");
+             QTimer::singleShot(500, ready);
+         }},
+        {"edited text",
+         [](MainWindow& w) {
+             w.canvas().setTool("text");
+             QTest::mouseClick(area(w), Qt::LeftButton, {}, {100, 100});
+             QTest::keyClicks(QApplication::focusWidget(), "W");
+             QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+             w.canvas().setTool("select");
+             const auto start = w.session().now().objects()[1].path().subpaths()[0].start;
+             const app::Point on = w.canvas().view().toScreen(start);
+             QTest::mouseDClick(area(w), Qt::LeftButton, {}, {qRound(on.x), qRound(on.y)});
+             QTest::keyClicks(QApplication::focusWidget(), "Wall");
+             QTimer::singleShot(500, ready);
+         }},
         {"one corner",
          [](MainWindow& w) {
              w.canvas().setTool("polyline");
@@ -281,9 +301,11 @@ private slots:
         QTest::addColumn<int>("shapes");
         for (const int signal : {SIGTERM, SIGHUP, SIGINT})
             QTest::addRow("a line, %s", strsignal(signal)) << "draw" << signal << 2;
-        for (const char* const killed : {"draw", "polyline", "busy", "dialog"})
+        for (const char* const killed :
+             {"draw", "polyline", "text", "edited text", "busy", "dialog"})
             QTest::addRow("%s, killed", killed) << killed << SIGKILL << 2;
-        QTest::addRow("a polyline in hand") << "polyline" << SIGTERM << 2;
+        for (const char* const inHand : {"polyline", "text", "edited text"})
+            QTest::addRow("%s in hand", inHand) << inHand << SIGTERM << 2;
         QTest::addRow("while it is busy") << "busy" << SIGTERM << 2;
         QTest::addRow("while it saves") << "saving" << SIGTERM << 2;
         QTest::addRow("while the disk is slow") << "slow save" << SIGTERM << 2;
@@ -309,10 +331,16 @@ private slots:
         QCOMPARE(left.size(), std::size_t(1));
         QCOMPARE(left[0].origin.name, "plan.svg");
         QCOMPARE(left[0].origin.path, home.drawing());
-        const auto sheet = app::sheetOf(app::recover(left[0]).value->document);
+        const app::Document recovered = app::recover(left[0]).value->document;
+        const auto sheet = app::sheetOf(recovered);
         QCOMPARE(int(sheet.shapes.size()), shapes);
         if (scenario == "polyline")
             QCOMPARE(sheet.shapes.back().paths[0].segments.size(), std::size_t(2));
+        if (scenario.endsWith("text")) {
+            const app::Recipe recipe = recovered.objects()[1].particulars().recipe;
+            const auto* text = std::get_if<app::TextRecipe>(&recipe);
+            QVERIFY(text && text->text == "Wall");
+        }
     }
     void withoutUnsavedWorkNothingIsLeftBehind()
     {

@@ -156,15 +156,25 @@ private slots:
         QVERIFY(hand.isNear(hand.path().start, {20, 50}) && hand.isNear(hand.end(), {80, 50}));
         QCOMPARE(hand.session.history.count(), 1);
     }
-    void escDiscardsIt()
+    // One or two points are no arc: nothing of them is kept, neither by Esc nor in the journal.
+    void escDiscardsThePointsAndNothingThatIsFinished()
     {
         ArcHand hand;
-        hand.click({20, 50});
-        hand.click({80, 50});
+        hand.clickThrice({20, 50}, {80, 50}, {50, 20});
+        hand.click({20, 90});
+        hand.click({80, 90});
+        QVERIFY(!hand.canvas.pendingObject());
         Hand::key(Qt::Key_Escape);
-        hand.move({50, 20}, {});
-        hand.click({50, 20});
-        QCOMPARE(hand.count(), std::size_t(0));
+        QCOMPARE(hand.count(), std::size_t(1));
+        QCOMPARE(hand.canvas.tool(), std::string_view("arc")); // only the gesture has ended
+        hand.move({50, 70}, {});
+        hand.click({50, 70}); // the first point of another arc
+        QCOMPARE(hand.count(), std::size_t(1));
+        Hand::key(Qt::Key_Escape);
+        Hand::key(Qt::Key_Escape);
+        QCOMPARE(hand.canvas.tool(), std::string_view("select"));
+        QCOMPARE(hand.count(), std::size_t(1));
+        QCOMPARE(hand.session.history.count(), 1);
     }
 };
 

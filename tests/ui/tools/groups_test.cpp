@@ -88,6 +88,30 @@ private slots:
         drawing.key(Qt::Key_Escape);
         QVERIFY(drawing.session.selection().empty());
     }
+    void escapeBacksOutOneLevelEachTime() // field, node, nodes, group, selection
+    {
+        Drawing drawing;
+        const auto field = [] { return qobject_cast<QLineEdit*>(QApplication::focusWidget()); };
+        drawing.doubleClick({50, 40});
+        drawing.doubleClick({50, 40});
+        drawing.click({100, 40});
+        QCOMPARE(drawing.session.nodes.summary().selected, std::size_t(1));
+        drawing.type("5");
+        QVERIFY(field());
+        drawing.key(Qt::Key_Escape);
+        QVERIFY(!field());
+        QCOMPARE(drawing.session.nodes.summary().selected, std::size_t(1));
+        drawing.key(Qt::Key_Escape);
+        QVERIFY(!drawing.session.nodes.someSelected() && drawing.canvas.tool() == "nodes");
+        drawing.key(Qt::Key_Escape);
+        QVERIFY(drawing.canvas.tool() == "select" && drawing.session.entered.id() != 0);
+        drawing.key(Qt::Key_Escape);
+        QVERIFY(drawing.session.entered.id() == 0 && !drawing.session.selection().empty());
+        drawing.key(Qt::Key_Escape);
+        QVERIFY(drawing.session.selection().empty());
+        QCOMPARE(drawing.session.history.count(), 1); // the group itself
+        QCOMPARE(drawing.session.now().objects().size(), std::size_t(4));
+    }
     void aClickOutsideLeavesTheGroup()
     {
         Drawing drawing;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/object_in_hand.h"
+
 #include <glm/geometric.hpp>
 
 #include "tests/app/document/sheet.h"

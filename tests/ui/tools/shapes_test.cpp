@@ -227,9 +227,13 @@ private slots:
         QVERIFY(clock.elapsed() < 500 && painting < 1000);
         QCOMPARE(hand.count(), std::size_t(1));
         QVERIFY(hand.path().segments.size() < points / 10);
+        QString said;
+        QObject::connect(&hand.session, &app::Session::refused, &hand.canvas,
+                         [&said](const QString& sentence) { said = sentence; });
         hand.type("15\n"); // too long to be smoothed again; for the next line
         QCOMPARE(hand.count(), std::size_t(1));
         QCOMPARE(hand.session.history.count(), 1);
+        QVERIFY2(said.contains("100,000"), qPrintable(said));
     }
 };
 

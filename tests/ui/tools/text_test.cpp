@@ -342,6 +342,44 @@ private slots:
         QVERIFY(pending);
         const auto* text = std::get_if<app::TextRecipe>(&pending->object.particulars.recipe);
         QVERIFY(text && text->text == "LT");
+        QVERIFY(!pending->replaces);
+    }
+    void whatIsTypedIntoATextIsRecoverable()
+    {
+        Writer hand;
+        hand.click({20, 50});
+        hand.type("L\n");
+        hand.session.select({0});
+        const app::Object before = hand.session.now().objects()[0].copy();
+        hand.click(hand.path().start);
+        QVERIFY(!hand.canvas.pendingObject()); // nothing has changed
+        hand.type("LT");
+        const auto pending = hand.canvas.pendingObject();
+        QVERIFY(pending && pending->replaces == std::size_t(0));
+        QCOMPARE(hand.session.history.count(), 1);
+        hand.session.document.apply(app::keeping(hand.session.now(), *pending));
+        QCOMPARE(hand.count(), std::size_t(1));
+        QVERIFY(hand.written() == "LT" && hand.isDrawn());
+        QVERIFY(hand.session.now().objects()[0].style() == before.style);
+    }
+    // Also a letter that has as many strokes as the one before it.
+    void eachChangeIsToldToTheJournal()
+    {
+        Writer hand;
+        hand.click({20, 50});
+        hand.type("L");
+        QString told;
+        QObject::connect(&hand.canvas, &ui::Canvas::stepsChanged, &hand.canvas, [&] {
+            if (const auto pending = hand.canvas.pendingObject())
+                told = std::get<app::TextRecipe>(pending->object.particulars.recipe).text;
+        });
+        Hand::key(Qt::Key_Backspace);
+        hand.type("V");
+        QTRY_COMPARE(told, QString("V"));
+        QTest::qWait(200);
+        hand.field().selectAll();
+        hand.type("L");
+        QTRY_COMPARE(told, QString("L"));
     }
     void convertedItIsAPath()
     {

@@ -227,6 +227,23 @@ private slots:
         QCOMPARE(bounds(stage, 0), (clipping::Window{{70, 40}, {90, 40}}));
     }
 
+    void theHandlesObeyTheChoiceForStrokes()
+    {
+        for (const bool scales : {false, true}) {
+            Stage stage(raster, {line({70, 40}, {90, 40}), line({70, 60}, {80, 60})});
+            const double width = stage.session.now().objects()[0].style().width;
+            stage.session.arrange.strokes =
+                scales ? app::StrokeScaling::Scale : app::StrokeScaling::Keep;
+            stage.session.select({0, 1}); // 70, 40 to 90, 60
+            stage.drag({90, 60}, {110, 80});
+            QVERIFY(near(bounds(stage, 0), {{70, 40}, {110, 40}}));
+            const double now = stage.session.now().objects()[1].style().width;
+            QVERIFY(std::abs(now - width * (scales ? 2 : 1)) < 0.1 * width);
+            stage.session.history.undo();
+            QCOMPARE(stage.session.now().objects()[1].style().width, width);
+        }
+    }
+
     // Hovering and painting use the stored box, however many objects are selected. A different box,
     // put in its place, stays until something changes.
     void theSelectionBoxIsCalculatedOnce()
