@@ -26,6 +26,11 @@ class LayerList : public PanelList {
 public:
     LayerList(app::Session& session, LayerModel* model);
 
+    app::ContainerId layerOf(const QModelIndex& index) const { return layers_->layerOf(index); }
+
+signals:
+    void colourWanted(app::ContainerId layer);
+
 private:
     /// Where a dragged layer would go, and how this is shown.
     struct Target {

@@ -31,6 +31,7 @@ std::vector<LayerCommand> LayerList::makeCommands()
     return {
         {tr("Rename"), QKeySequence(Qt::Key_F2),
          [this](ContainerId layer) { edit(layers_->indexOf(layer)); }},
+        {tr("Colour of new objects…"), {}, [this](ContainerId layer) { emit colourWanted(layer); }},
         {tr("Hide"), {}, set(LayerModel::VisibleRole, false), is(LayerModel::VisibleRole, true)},
         {tr("Show"), {}, set(LayerModel::VisibleRole, true), is(LayerModel::VisibleRole, false)},
         {tr("Lock"), {}, set(LayerModel::LockedRole, true), is(LayerModel::LockedRole, false)},

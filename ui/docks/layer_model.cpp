@@ -2,6 +2,7 @@
 #include "ui/docks/layer_model.h"
 
 #include "app/commands/set_containers.h"
+#include "app/session/layer_colour.h"
 #include "app/session/layer_report.h"
 #include "app/session/layer_steps.h"
 #include "app/session/limited_steps.h"
@@ -74,11 +75,13 @@ QVariant LayerModel::data(const QModelIndex& index, int role) const
     case DepthRole:
         return session_.now().containers().depthOf(id);
     case Qt::DecorationRole:
-        if (const auto strokeColour = app::strokeColourOf(session_.now(), id))
-            return QColor(strokeColour->red, strokeColour->green, strokeColour->blue);
+        if (auto colour = app::layerColour(session_.now(), id);
+            colour || (colour = app::strokeColourOf(session_.now(), id)))
+            return QColor(colour->red, colour->green, colour->blue);
         return {};
     case Qt::ToolTipRole:
-        return tr("Double click: rename. Alt+click on the eye: show only this layer. Drag: move.");
+        return tr("Double click: rename. Click the colour: choose that of new objects. Alt+click "
+                  "on the eye: show only this layer. Drag: move.");
     case Qt::AccessibleTextRole:
         return tr("%1, %2, %3")
             .arg(layer.name, layer.visible ? tr("shown") : tr("hidden"),

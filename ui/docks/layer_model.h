@@ -14,6 +14,7 @@ class LayerModel : public QAbstractListModel {
 
 public:
     enum Role { VisibleRole = Qt::UserRole, LockedRole, CountRole, DepthRole };
+    // Qt::DecorationRole: the layer's colour, else that of its first object
 
     explicit LayerModel(app::Session& session, QObject* parent = nullptr);
 

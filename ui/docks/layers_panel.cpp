@@ -2,14 +2,20 @@
 #include "ui/docks/layers_panel.h"
 
 #include "app/base/numbers.h"
+#include "app/document/styles_in_use.h"
+#include "app/session/layer_colour.h"
+#include "app/session/recent_colours.h"
+#include "app/view/colour_chart.h"
 #include "app/view/visible_colour.h"
 #include "ui/docks/algorithm_list.h"
+#include "ui/widgets/colour_popup.h"
 #include "ui/widgets/icon_button.h"
 #include "ui/widgets/keep_choice.h"
 #include "ui/widgets/row_painter.h"
 #include "ui/widgets/tabular.h"
 
 #include <QMouseEvent>
+#include <QSettings>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -34,10 +40,13 @@ public:
         icon(locked ? "lock" : "unlock")
             .paint(painter, lock(option.rect), Qt::AlignCenter,
                    locked ? QIcon::Normal : QIcon::Disabled);
-        const QRect strokeColour(eye(option.rect).right() + 9, option.rect.center().y() - 5, 12,
-                                 12);
-        if (const auto colour = index.data(Qt::DecorationRole).value<QColor>(); colour.isValid())
-            painter->fillRect(strokeColour, shown(colour, look));
+        const QRect square = swatch(option.rect);
+        if (const auto colour = index.data(Qt::DecorationRole).value<QColor>(); colour.isValid()) {
+            painter->fillRect(square, shown(colour, look));
+        } else {
+            painter->setPen(look.border);
+            painter->drawRect(square.adjusted(0, 0, -1, -1));
+        }
         drawName(*painter, option, nameBox(option.rect), index.data().toString(), !visible);
         painter->setPen(look.muted);
         painter->setFont(captionFont(option.font));
@@ -66,6 +75,11 @@ public:
             static_cast<LayerModel*>(model)->showOnly(index);
             return true;
         }
+        if (hits(swatch(option.rect), at)) {
+            auto* list = static_cast<LayerList*>(parent());
+            emit list->colourWanted(list->layerOf(index));
+            return true;
+        }
         for (const auto& [box, role] : {std::pair(eye(option.rect), LayerModel::VisibleRole),
                                         std::pair(lock(option.rect), LayerModel::LockedRole)})
             if (hits(box, at))
@@ -81,6 +95,10 @@ private:
         const int depth = index.data(LayerModel::DepthRole).toInt();
         option.rect.adjust(std::min(depth - 1, deepest) * indent, 0, 0, 0);
         return option;
+    }
+    static QRect swatch(const QRect& row)
+    {
+        return {eye(row).right() + 9, row.center().y() - 5, 12, 12};
     }
     static QRect lock(const QRect& row)
     {
@@ -109,8 +127,16 @@ private:
 LayersPanel::LayersPanel(app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session), model_(new LayerModel(session, this)),
       list_(new LayerList(session, model_)), add_(iconButton("plus", tr("Add layer"))),
-      remove_(iconButton("bin", tr("Delete layer")))
+      remove_(iconButton("bin", tr("Delete layer"))), row_(new QWidget(list_->viewport())),
+      colours_(new ColourPopup(this))
 {
+    row_->hide();
+    colours_->hideEyedropper();
+    connect(list_, &LayerList::colourWanted, this, &LayersPanel::chooseColour);
+    connect(colours_, &ColourPopup::picked, this, [this](const std::optional<app::Colour>& colour) {
+        if (session_.now().containers().contains(coloured_))
+            app::setLayerColour(session_, coloured_, colour);
+    });
     list_->setItemDelegate(new LayerPainter(list_));
     keepChoice(*list_);
     auto* column = new QVBoxLayout(this);
@@ -141,6 +167,16 @@ LayersPanel::LayersPanel(app::Session& session, QWidget* parent)
     connect(model_, &QAbstractItemModel::modelReset, this, &LayersPanel::follow);
     connect(&session, &app::Session::loaded, this, &LayersPanel::follow);
     follow();
+}
+
+void LayersPanel::chooseColour(app::ContainerId layer)
+{
+    constexpr std::size_t rows = 2;
+    coloured_ = layer;
+    row_->setGeometry(list_->visualRect(model_->indexOf(layer)));
+    colours_->open(*row_,
+                   {app::coloursInUse(session_.now().objects(), rows * app::coloursInRow),
+                    app::recentColours(QSettings()), app::layerColour(session_.now(), layer)});
 }
 
 void LayersPanel::follow()

@@ -7,6 +7,8 @@
 
 namespace ui {
 
+class ColourPopup;
+
 /// The layers: eye, colour, name, number of objects, padlock. New objects go to the selected layer.
 class LayersPanel : public QWidget {
     Q_OBJECT
@@ -15,12 +17,16 @@ public:
     explicit LayersPanel(app::Session& session, QWidget* parent = nullptr);
 
 private:
+    void chooseColour(app::ContainerId layer);
     void follow();
 
     app::Session& session_;
     LayerModel* model_;
     LayerList* list_;
     QToolButton *add_, *remove_;
+    QWidget* row_; ///< the place of a row: never shown, the colours open below it
+    ColourPopup* colours_;
+    app::ContainerId coloured_ = 0; ///< the layer for which the colours are open
 };
 
 } // namespace ui

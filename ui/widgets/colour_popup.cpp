@@ -72,15 +72,15 @@ void ColourPopup::addField()
     none->setFocusPolicy(Qt::StrongFocus);
     none->setToolTip(tr("No colour"));
     connect(none, &QToolButton::clicked, this, [this] { pick(std::nullopt); });
-    auto* eyedropper = new QToolButton;
-    eyedropper->setObjectName(QStringLiteral("eyedropper"));
-    eyedropper->setIcon(icon("eyedropper"));
-    eyedropper->setFixedSize(space::fieldHeight, space::fieldHeight);
-    eyedropper->setAutoRaise(true);
-    eyedropper->setFocusPolicy(Qt::StrongFocus);
-    eyedropper->setToolTip(tr("Take the colour of a line in the drawing"));
-    eyedropper->setAccessibleName(eyedropper->toolTip());
-    connect(eyedropper, &QToolButton::clicked, this, [this] {
+    eyedropper_ = new QToolButton;
+    eyedropper_->setObjectName(QStringLiteral("eyedropper"));
+    eyedropper_->setIcon(icon("eyedropper"));
+    eyedropper_->setFixedSize(space::fieldHeight, space::fieldHeight);
+    eyedropper_->setAutoRaise(true);
+    eyedropper_->setFocusPolicy(Qt::StrongFocus);
+    eyedropper_->setToolTip(tr("Take the colour of a line in the drawing"));
+    eyedropper_->setAccessibleName(eyedropper_->toolTip());
+    connect(eyedropper_, &QToolButton::clicked, this, [this] {
         close();
         emit eyedropperWanted();
     });
@@ -88,7 +88,7 @@ void ColourPopup::addField()
     row->setContentsMargins(0, space::labelToField, 0, 0);
     row->addWidget(field_, 1);
     row->addWidget(none);
-    row->addWidget(eyedropper);
+    row->addWidget(eyedropper_);
     static_cast<QVBoxLayout*>(layout())->addLayout(row);
     sentence_->setFont(captionFont(font()));
     sentence_->setWordWrap(true);
@@ -97,6 +97,8 @@ void ColourPopup::addField()
                             2 * QFontMetrics(sentence_->font()).lineSpacing() + 2);
     layout()->addWidget(sentence_);
 }
+
+void ColourPopup::hideEyedropper() { eyedropper_->hide(); }
 
 void ColourPopup::say(const QString& sentence, bool isError)
 {

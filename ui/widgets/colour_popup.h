@@ -8,6 +8,7 @@
 
 class QLabel;
 class QLineEdit;
+class QToolButton;
 
 namespace ui {
 
@@ -30,6 +31,7 @@ public:
     explicit ColourPopup(QWidget* parent);
 
     void open(const QWidget& below, const ColourOffer& offer);
+    void hideEyedropper(); ///< where it has no canvas
 
 signals:
     void picked(const std::optional<app::Colour>& colour);
@@ -47,6 +49,7 @@ private:
 
     std::map<const Swatches*, QLabel*> captions_;
     Swatches *inDrawing_, *recent_, *chart_;
+    QToolButton* eyedropper_;
     QLineEdit* field_;
     QLabel* sentence_;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/document_builder.h"
+#include "app/session/selection_style.h"
 #include "ui/docks/layers_panel.h"
+#include "ui/widgets/colour_popup.h"
 
 #include <QLineEdit>
 #include <QMenu>
@@ -71,6 +73,28 @@ private slots:
         Panel panel;
         QCOMPARE(panel.list->model()->index(0, 0).data(LayerModel::CountRole).toInt(), 3);
         QCOMPARE(panel.list->model()->index(2, 0).data(LayerModel::CountRole).toInt(), 1);
+    }
+    void aClickOnTheColourChoosesThatOfNewObjects()
+    {
+        Panel panel;
+        app::Session& session = panel.window->session();
+        const auto* colours = panel.window->findChild<LayersPanel*>()->findChild<ColourPopup*>();
+        const QPoint swatch(panel.row(1).left() + space::dockMargin + 30,
+                            panel.row(1).center().y());
+        panel.click(swatch);
+        QVERIFY(colours->isVisible());
+        for (const char c : {'f', 'f', '0', '0', '0', '0'})
+            QTest::keyClick(QApplication::focusWidget(), c);
+        panel.key(Qt::Key_Return);
+        QVERIFY(!colours->isVisible());
+        QCOMPARE(session.history.undoText(), "Layer colour");
+        QCOMPARE(panel.list->model()->index(1, 0).data(Qt::DecorationRole).value<QColor>(),
+                 QColor(255, 0, 0));
+        QVERIFY(session.now().containers()[session.pen.layer].name == "b"); // it is chosen, too
+        QVERIFY(app::newStyle(session).stroke == (app::Colour{255, 0, 0}));
+        session.history.undo();
+        QCOMPARE(panel.list->model()->index(1, 0).data(Qt::DecorationRole).value<QColor>(),
+                 QColor(0, 0, 0));
     }
     void layersAreDragged()
     {
