@@ -58,6 +58,7 @@ StylePanel::StylePanel(app::Session& session, Canvas& canvas, QWidget* parent)
       pattern_(new QLineEdit),
       caps_(new Segments(tr("Caps"), {tr("Butt"), tr("Round"), tr("Square")})),
       joins_(new Segments(tr("Joins"), {tr("Miter"), tr("Round"), tr("Bevel")})),
+      fillRule_(new Segments(tr("Fill rule"), {tr("Nonzero"), tr("Even-odd")})),
       miterLimit_(makeField(tr("Miter limit"), LengthField::Suffix::None)), ofLayer_(new QCheckBox)
 {
     auto* column = new QVBoxLayout(this);
@@ -69,6 +70,7 @@ StylePanel::StylePanel(app::Session& session, Canvas& canvas, QWidget* parent)
     column->addLayout(makeWidth());
     column->addLayout(makePattern());
     column->addLayout(makeCorners());
+    column->addLayout(makeFillRule());
     makeLayer();
     column->addWidget(ofLayer_);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
@@ -235,6 +237,19 @@ QLayout* StylePanel::makeCorners()
     return line;
 }
 
+QLayout* StylePanel::makeFillRule()
+{
+    connect(fillRule_, &Segments::picked, this, [this](int rule) {
+        change([rule](app::Style& style) { style.fillRule = app::FillRule(rule); },
+               tr("Fill rule"));
+    });
+    auto* line = row();
+    line->addWidget(captionFor(fillRule_, tr("Fill rule")));
+    line->addStretch(1);
+    line->addWidget(fillRule_);
+    return line;
+}
+
 app::Scale StylePanel::scale() const
 {
     return {session_.display().unit, session_.now().page().millimetresPerUnit()};
@@ -296,6 +311,13 @@ void StylePanel::followLines(std::span<const app::Style> styles)
     };
     show(*caps_, app::common(styles, &app::Style::cap));
     show(*joins_, app::common(styles, &app::Style::join));
+    show(*fillRule_, app::common(styles, &app::Style::fillRule));
+    const bool filled = std::ranges::any_of(styles, [](const app::Style& s) { return s.fill; });
+    fillRule_->setEnabled(filled);
+    fillRule_->setToolTip(
+        filled ? tr("What is filled where a path crosses itself. Nonzero: all that it winds "
+                    "around. Even-odd: every second area stays empty.")
+               : tr("Nothing here has a fill. Choose a fill colour first."));
 }
 
 void StylePanel::paintIcons()

@@ -17,8 +17,9 @@ class Swatches;
 class ToolList;
 
 /// The style of the selected objects, or of new ones if nothing is selected: colours of stroke and
-/// fill, width, dashes, caps, joins. Each choice is one undo step. Where objects differ, it says
-/// "mixed" or marks no choice. Its height is always the same. While it is hidden it does nothing.
+/// fill, width, dashes, caps, joins, fill rule. Each choice is one undo step. Where objects differ,
+/// it says "mixed" or marks no choice. Its height is always the same. While it is hidden it does
+/// nothing.
 class StylePanel : public QWidget {
     Q_OBJECT
 
@@ -43,6 +44,7 @@ private:
     QLayout* makeWidth();
     QLayout* makeCorners();
     QLayout* makePattern();
+    QLayout* makeFillRule();
     void makeLayer();
     LengthField* makeField(const QString& name, LengthField::Suffix suffix);
     void follow();
@@ -62,7 +64,7 @@ private:
     LengthField* width_;
     ToolList* dashes_;
     QLineEdit* pattern_;
-    Segments *caps_, *joins_;
+    Segments *caps_, *joins_, *fillRule_;
     LengthField* miterLimit_;
     QCheckBox* ofLayer_;
     QTimer soon_; ///< merges several changes in one event into one update

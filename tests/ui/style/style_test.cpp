@@ -92,6 +92,24 @@ private slots:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
     void init() { QSettings().remove("recentColours"); }
 
+    void theFillRuleIsForFilledObjects()
+    {
+        Person p;
+        p.session.select({0});
+        p.open();
+        auto* rule = p.named<Segments>("Fill rule");
+        QVERIFY(rule && !rule->isEnabled() && rule->toolTip().contains("fill"));
+        app::setColour(p.session, &Style::fill, green);
+        p.settle();
+        QVERIFY(rule->isEnabled());
+        QCOMPARE(rule->chosen(), int(app::FillRule::NonZero));
+        p.choose("Even-odd");
+        QCOMPARE(p.style(0).fillRule, app::FillRule::EvenOdd);
+        QCOMPARE(p.session.history.undoText(), "Fill rule");
+        QCOMPARE(rule->chosen(), int(app::FillRule::EvenOdd));
+        p.canvas.undo();
+        QCOMPARE(p.style(0).fillRule, app::FillRule::NonZero);
+    }
     void digitsChangeTheStrokeOfTheSelectionInOneStep()
     {
         Person p;
