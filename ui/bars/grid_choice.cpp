@@ -4,6 +4,7 @@
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/widgets/length_field.h"
+#include "ui/widgets/room_for_text.h"
 
 #include <QHBoxLayout>
 
@@ -27,8 +28,7 @@ GridChoice::GridChoice(app::Session& session)
     switch_->setAccessibleName(tr("Grid"));
     switch_->setToolTip(tr("Show the grid, and snap to it (Shift+F5)"));
     spacing_->setToolTip(tr("Grid spacing on paper"));
-    spacing_->setFixedWidth(spacing_->fontMetrics().horizontalAdvance(QStringLiteral("000.00 mm"))
-                            + 28);
+    new RoomForText(*spacing_, QStringLiteral("000.00 mm"), 28);
     connect(switch_, &QToolButton::clicked, this, [this](bool on) {
         session_.changeDisplay([on](app::Display& display) { display.grid.shown = on; });
     });

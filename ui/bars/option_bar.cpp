@@ -10,6 +10,7 @@
 #include "ui/style/style_popup.h"
 #include "ui/widgets/dash_icon.h"
 #include "ui/widgets/length_field.h"
+#include "ui/widgets/room_for_text.h"
 #include "ui/widgets/segments.h"
 #include "ui/widgets/tool_list.h"
 
@@ -89,8 +90,7 @@ void OptionBar::addStroke()
     addWidget(strokeColour_);
     addCaption(tr("Stroke"))->setForegroundRole(QPalette::WindowText);
     width_->setToolTip(tr("Stroke width"));
-    width_->setFixedWidth(width_->fontMetrics().horizontalAdvance(QStringLiteral("00.000 mm"))
-                          + 28);
+    new RoomForText(*width_, QStringLiteral("00.000 mm"), 28);
     addWidget(width_);
     dashes_->setToolTip(tr("Dashes"));
     dashes_->setAccessibleName(tr("Dashes"));
@@ -218,12 +218,17 @@ QLabel* OptionBar::addCaption(const QString& text)
 
 void OptionBar::resizeEvent(QResizeEvent* event)
 {
+    fitInto(event->size().width());
+    QToolBar::resizeEvent(event);
+}
+
+void OptionBar::fitInto(int width)
+{
     for (int step = 0; step < steps; ++step) {
         arrange(step);
-        if (sizeHint().width() <= event->size().width())
+        if (sizeHint().width() <= width)
             break;
     }
-    QToolBar::resizeEvent(event);
 }
 
 /// Step 0 shows everything; each further step takes less room.
@@ -242,6 +247,8 @@ void OptionBar::changeEvent(QEvent* event)
     QToolBar::changeEvent(event);
     if (event->type() == QEvent::PaletteChange)
         paintIcons();
+    if (event->type() == QEvent::FontChange) // when its fields have followed, too
+        QMetaObject::invokeMethod(this, [this] { fitInto(width()); }, Qt::QueuedConnection);
 }
 
 /// Repaints the icons that are pixmaps, which do not follow the palette like other icons.

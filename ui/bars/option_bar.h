@@ -49,6 +49,7 @@ private:
     void addClipping();
     void addPanes(Canvas& canvas);
     void addExport();
+    void fitInto(int width);
     void arrange(int step);
     QLabel* addCaption(const QString& text);
     void paintIcons();

@@ -4,6 +4,7 @@
 #include "app/base/latin.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/widgets/room_for_text.h"
 #include "ui/widgets/ticking_menu.h"
 
 #include <QHBoxLayout>
@@ -40,7 +41,7 @@ SnapChoice::SnapChoice(Canvas& canvas)
     kinds_->setObjectName(QStringLiteral("snap-kinds"));
     kinds_->setProperty("framed", true);
     kinds_->setFixedHeight(space::fieldHeight);
-    kinds_->setFixedWidth(kinds_->fontMetrics().horizontalAdvance(countText(10, 10)) + 36);
+    new RoomForText(*kinds_, countText(10, 10), 36);
     kinds_->setPopupMode(QToolButton::InstantPopup);
     kinds_->setToolTip(tr("Choose the kinds of places to snap to"));
     kinds_->setMenu(menu_);

@@ -6,6 +6,7 @@
 #include "app/view/place.h"
 #include "ui/look/look.h"
 #include "ui/tools/tool.h"
+#include "ui/widgets/elided_label.h"
 #include "ui/widgets/status_cell.h"
 #include "ui/widgets/zoom_button.h"
 
@@ -21,7 +22,7 @@ constexpr int widthForRenderer = 1200;
 } // namespace
 
 StatusBar::StatusBar(app::Session& session, Canvas& canvas, QWidget* parent)
-    : QStatusBar(parent), session_(session), canvas_(canvas), hint_(new QLabel),
+    : QStatusBar(parent), session_(session), canvas_(canvas), hint_(new ElidedLabel),
       position_(new StatusCell(tr("Pointer"))), visible_(new StatusCell(tr("Visible lines"))),
       algorithm_(new StatusCell(tr("Algorithm"))), times_(new StatusCell(tr("Times"))),
       renderer_(new StatusCell(tr("Renderer"))), zoom_(new ZoomButton)
@@ -30,8 +31,7 @@ StatusBar::StatusBar(app::Session& session, Canvas& canvas, QWidget* parent)
     setFixedHeight(space::statusHeight);
     hint_->setFont(captionFont(font()));
     hint_->setForegroundRole(QPalette::PlaceholderText);
-    hint_->setAccessibleName(tr("Hint"));
-    hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    hint_->setObjectName(QStringLiteral("hint"));
     hint_->setContentsMargins(8, 0, 0, 0);
     addWidget(hint_, 1);
     for (QWidget* cell : {position_, visible_, algorithm_, times_, renderer_})
@@ -63,8 +63,8 @@ QString StatusBar::position() const { return position_->text(); }
 void StatusBar::showHint(const QString& hint)
 {
     const ToolInfo* tool = session_.microscope.isOpen() ? nullptr : findTool(canvas_.tool());
-    hint_->setText(!hint.isEmpty() || !tool ? hint : tool->hint);
-    hint_->setToolTip(hint_->text());
+    hint_->setWhole(!hint.isEmpty() || !tool ? hint : tool->hint);
+    hint_->setToolTip(hint_->whole());
 }
 
 void StatusBar::note(const FrameTimes& times)
@@ -192,6 +192,7 @@ void StatusBar::keepRoom()
     renderer_->setWidest(QStringLiteral("OpenGL"));
     renderer_->setText(canvas_.backend() == Backend::OpenGL ? tr("OpenGL") : tr("Raster"));
     renderer_->setToolTip(canvas_.backendReason());
+    zoom_->setWidest(tr("%1 % ▾").arg(u"10,000"));
     showZoom();
 }
 
@@ -242,7 +243,6 @@ void StatusBar::addZoomMenu()
     zoom_->setMenu(menu);
     zoom_->setAccessibleName(tr("Zoom"));
     zoom_->setToolTip(tr("Zoom"));
-    zoom_->setWidest(tr("%1 % ▾").arg(u"10,000"));
     addPermanentWidget(zoom_);
 }
 

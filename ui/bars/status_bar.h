@@ -5,12 +5,12 @@
 #include "ui/canvas/canvas.h"
 
 #include <QElapsedTimer>
-#include <QLabel>
 #include <QStatusBar>
 #include <QTimer>
 
 namespace ui {
 
+class ElidedLabel;
 class StatusCell;
 class ZoomButton;
 
@@ -48,7 +48,7 @@ private:
 
     app::Session& session_;
     Canvas& canvas_;
-    QLabel* hint_;
+    ElidedLabel* hint_;
     StatusCell *position_, *visible_, *algorithm_, *times_, *renderer_;
     ZoomButton* zoom_;
     app::FrameStatistics clip_, draw_;

@@ -66,15 +66,16 @@ void addShortcuts(QString& rows, const QMenu& menu)
 
 void showShortcuts(MainWindow& window)
 {
-    QString text;
+    QString text = QStringLiteral("<table>"); // one, so that the keys of all menus are aligned
     for (const QAction* top : window.menuBar()->actions()) {
         QString rows;
         addShortcuts(rows, *top->menu());
         QString name = top->text();
         if (!rows.isEmpty())
-            text += QStringLiteral("<h3>%1</h3><table>%2</table>").arg(name.remove(u'&'), rows);
+            text += QStringLiteral("<tr><td colspan='2'><h3>%1</h3></td></tr>%2")
+                        .arg(name.remove(u'&'), rows);
     }
-    text += QStringLiteral("<h3>%1</h3><p>%2</p>")
+    text += QStringLiteral("</table><h3>%1</h3><p>%2</p>")
                 .arg(tr("On the canvas"),
                      tr("Wheel: zoom around the pointer. Middle button or Space and drag: move the "
                         "view. Alt and arrow keys: move the clip window; Shift: ten times as far. "

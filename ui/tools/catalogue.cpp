@@ -31,23 +31,24 @@ std::span<const ToolInfo> tools()
     // THE CATALOGUE. To add a tool: write its file, declare its maker above, and add its row here.
     static const std::array all{
         ToolInfo{"select", tr("Select"),
-                 tr("Click an object, or drag a box around objects. Shift adds. Double click shows "
-                    "nodes, or enters a group."),
+                 tr("Click an object, or drag a box. Shift adds. Double click: show nodes, or enter a "
+                    "group."),
                  QKeySequence("V"), makeSelectTool},
         ToolInfo{"nodes", tr("Nodes"),
-                 tr("Click a path to show its nodes. Drag nodes, handles and segments; double "
-                    "click on the path adds a node."),
+                 tr("Click a path, then drag its nodes, handles and segments. Double click on it: add a "
+                    "node."),
                  QKeySequence("N"), makeNodesTool},
         ToolInfo{"hand", tr("Hand"), tr("Drag to move the view."), QKeySequence("H"), makeHandTool},
         ToolInfo{"zoom", tr("Zoom"),
                  tr("Drag a rectangle to zoom to it. Click to zoom in, Alt+click to zoom out."),
                  QKeySequence("Z"), makeZoomTool},
-        ToolInfo{"line", tr("Line"), tr("Click from point to point, or drag. Type a length, Tab, an angle, Enter. Shift: 15° "
-                    "steps, Ctrl: no snapping. Esc: end."),
+        ToolInfo{"line", tr("Line"),
+                 tr("Click points, or drag. Type a length, Tab, an angle, Enter. Shift: 15° steps, Esc: "
+                    "end."),
                  QKeySequence("L"), makeLineTool, ToolInfo::Group::New},
         ToolInfo{"polyline", tr("Polyline"),
-                 tr("Click to place corners, or type a length, Tab, an angle, Enter. Ctrl+Z removes "
-                    "the last corner. Esc ends and keeps the polyline."),
+                 tr("Click corners, or type a length, Tab, an angle, Enter. Ctrl+Z: corner back, Esc: "
+                    "end."),
                  QKeySequence("P"), makePolylineTool},
         ToolInfo{"pen", tr("Pen"),
                  tr("Click: corner, drag: smooth node, Alt: cusp. Click the start to close. Ctrl+Z: "
@@ -60,12 +61,11 @@ std::span<const ToolInfo> tools()
         ToolInfo{"pencil", tr("Pencil"), tr("Drag to draw freehand. Then type a tolerance, Enter: how smooth it is."), QKeySequence("B"),
                  makePencilTool},
         ToolInfo{"rectangle", tr("Rectangle"),
-                 tr("Drag, or click two corners. Type a width, Tab, a height, Tab, a corner radius, "
-                    "Enter. Shift: square, Alt: from the centre."),
+                 tr("Drag, or type a width, Tab, a height, Tab, a corner radius, Enter. Shift: square, "
+                    "Alt: centre."),
                  QKeySequence("R"), makeRectangleTool},
         ToolInfo{"ellipse", tr("Ellipse"),
-                 tr("Drag, or click two corners. Type a width, Tab, a height, Enter. Shift: circle, "
-                    "Alt: from the centre."),
+                 tr("Drag, or type a width, Tab, a height, Enter. Shift: circle, Alt: from the centre."),
                  QKeySequence("E"), makeEllipseTool},
         ToolInfo{"polygon", tr("Polygon"),
                  tr("Drag from the centre to a corner. Up, Down: corners, Shift: 15° steps, Alt: to a "
@@ -76,8 +76,8 @@ std::span<const ToolInfo> tools()
                     "Tab: numbers."),
                  QKeySequence("S"), makeStarTool},
         ToolInfo{"text", tr("Text"),
-                 tr("Click where the text begins, then type. Click a text to edit it. Enter: end, "
-                    "Shift+Enter: new line."),
+                 tr("Click where the text begins, or a text to edit it. Enter: end, Shift+Enter: new "
+                    "line."),
                  QKeySequence("T"), makeTextTool},
         ToolInfo{"window", tr("Clip window"), tr("Drag to draw a clip window. Shift: square. Click: choose a window."),
                  QKeySequence("W"), makeWindowTool, ToolInfo::Group::New},

@@ -377,12 +377,12 @@ QString SelectTool::hint(const Workbench& bench) const
         const auto layer = containers.layerOf(object);
         if (const app::ContainerId group = app::groupAt(session, object))
             return QCoreApplication::translate(
-                       "Tools", "%1 of %2 objects in %3. Click selects it, double click enters it, "
-                                "Alt+click selects one object.")
+                       "Tools", "%1 of %2 objects in %3. Click: select, double click: enter, "
+                                "Alt+click: one object.")
                 .arg(app::groupName(containers[group]),
                      app::countText(containers.rangeOf(group).size()), containers[layer].name);
-        return QCoreApplication::translate("Tools", "Line %1 in %2. Click selects it, dragging "
-                                                    "moves it, double click shows its nodes.")
+        return QCoreApplication::translate("Tools", "Line %1 in %2. Click: select, drag: move, "
+                                                    "double click: show its nodes.")
             .arg(app::countText(*hoveredSegment_ + 1), containers[layer].name);
     }
     if (!session.selection().empty())

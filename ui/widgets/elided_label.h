@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QEvent>
 #include <QLabel>
 
 namespace ui {
@@ -20,8 +21,15 @@ public:
         setAccessibleName(text);
         elide();
     }
+    const QString& whole() const { return whole_; }
 
 protected:
+    void changeEvent(QEvent* event) override
+    {
+        QLabel::changeEvent(event);
+        if (event->type() == QEvent::FontChange)
+            elide();
+    }
     void resizeEvent(QResizeEvent* event) override
     {
         QLabel::resizeEvent(event);
@@ -29,7 +37,10 @@ protected:
     }
 
 private:
-    void elide() { setText(fontMetrics().elidedText(whole_, Qt::ElideRight, width())); }
+    void elide()
+    {
+        setText(fontMetrics().elidedText(whole_, Qt::ElideRight, contentsRect().width()));
+    }
 
     QString whole_;
 };

@@ -5,6 +5,8 @@
 
 #include <QMenu>
 #include <QMenuBar>
+#include <QTextBrowser>
+#include <QTextTable>
 
 #include "tests/not_empty.h"
 #include "tests/ui/test_window.h"
@@ -65,6 +67,18 @@ class MenusTest : public QObject {
     }
 
 private slots:
+    void theKeysOfAllMenusAreInOneColumn()
+    {
+        TestWindow t;
+        t.show();
+        t.run("shortcuts");
+        const auto* page = t.window->findChild<QTextBrowser*>();
+        QVERIFY(page && page->toPlainText().contains("Ctrl+Shift+V"));
+        int tables = 0;
+        for (const QTextFrame* frame : page->document()->rootFrame()->childFrames())
+            tables += qobject_cast<const QTextTable*>(frame) != nullptr;
+        QCOMPARE(tables, 1);
+    }
     void noTwoEntriesOfAMenuHaveTheSameLetter()
     {
         const TestWindow t;

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/bars/option_bar.h"
+#include "ui/tools/tool.h"
+#include "ui/widgets/elided_label.h"
+#include "ui/widgets/length_field.h"
+#include "ui/widgets/tabular.h"
+#include "ui/widgets/zoom_button.h"
+
+#include <QStatusBar>
+
+#include "tests/ui/test_window.h"
+
+using namespace ui;
+
+// The hints in the status bar.
+class StatusBarTest : public QObject {
+    Q_OBJECT
+
+    struct Window : TestWindow {
+        explicit Window(const QSize& size)
+        {
+            window->resize(size);
+            show();
+            QCoreApplication::processEvents();
+            hint = window->statusBar()->findChild<ElidedLabel*>("hint");
+        }
+        int room() const { return hint->contentsRect().width(); }
+        int widthOf(const QString& text) const
+        {
+            return hint->fontMetrics().horizontalAdvance(text);
+        }
+        ElidedLabel* hint = nullptr;
+    };
+
+private slots:
+    void theHintOfEveryToolFits()
+    {
+        Window w({1280, 800});
+        for (const ToolInfo& tool : tools()) {
+            w.window->canvas().setTool(tool.key);
+            QCOMPARE(w.hint->whole(), tool.hint);
+            QVERIFY2(w.widthOf(tool.hint) <= w.room(),
+                     qPrintable(QStringLiteral("%1: %2 of %3 pixels")
+                                    .arg(tool.name)
+                                    .arg(w.widthOf(tool.hint))
+                                    .arg(w.room())));
+            QCOMPARE(w.hint->text(), tool.hint);
+        }
+    }
+    void aLongHintIsElidedAndWholeInItsTooltip()
+    {
+        Window w({1000, 800});
+        const QString sentence = QStringLiteral("A sentence of several words. ").repeated(20);
+        emit w.window->canvas().hint(sentence);
+        QVERIFY(w.hint->text().endsWith(u'…') && w.widthOf(w.hint->text()) <= w.room());
+        QCOMPARE(w.hint->toolTip(), sentence);
+    }
+    void presentingCutsNoField()
+    {
+        Window w({1280, 800});
+        const int before = w.hint->fontMetrics().height();
+        w.run("presentation");
+        QTRY_VERIFY(w.hint->fontMetrics().height() > before);
+        const OptionBar& bar = w.window->optionBar();
+        int seen = 0;
+        for (const LengthField* field : bar.findChildren<LengthField*>())
+            if (field->isVisible()) {
+                QTRY_COMPARE(field->seenText(), field->text());
+                ++seen;
+            }
+        QVERIFY(seen > 0);
+        const auto* zoom = w.window->statusBar()->findChild<ZoomButton*>();
+        QVERIFY(tabularWidth(zoom->fontMetrics(), "10,000 % ▾") < zoom->width());
+        w.run("presentation");
+        QTRY_COMPARE(w.hint->fontMetrics().height(), before);
+    }
+};
+
+QTEST_MAIN(StatusBarTest)
+#include "status_bar_test.moc"
