@@ -32,6 +32,8 @@ struct Drawn {
 using Table = std::vector<Drawn>;
 
 class Player {
+    static constexpr int longestWait = 5000; // milliseconds; only a key that opens nothing takes it
+
 public:
     Player()
     {
@@ -55,9 +57,9 @@ public:
         for (const char* c = text; *c; ++c) {
             const auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
             QTest::keyClick(receiver(), *c);
-            if (menu) // a submenu opens some milliseconds after its key
+            if (menu) // a submenu opens some time after its key
                 (void)QTest::qWaitFor([menu] { return QApplication::activePopupWidget() != menu; },
-                                      200);
+                                      longestWait);
         }
     }
     void move(const app::Point& p, Qt::MouseButtons buttons = {}, Qt::KeyboardModifiers with = {})
