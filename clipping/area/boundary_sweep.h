@@ -3,6 +3,7 @@
 
 #include "clipping/area/both_sides.h"
 #include "clipping/area/boundary.h"
+#include "clipping/area/edge_stops.h"
 
 namespace clipping {
 
@@ -10,13 +11,14 @@ namespace clipping {
 ///
 /// It walks along each edge, past all edges that meet it in their exact order, and keeps the
 /// winding numbers on both sides. A part of the edge with the result on one side only is a piece of
-/// the boundary. Edges that coincide have the same sides: only the first of them gives a piece.
+/// the boundary. Edges that coincide have the same sides: only the first of them gives a piece, of
+/// the area's edges and then the window's.
 class BoundarySweep {
 public:
     BoundarySweep(const PreparedRegion::Data& area, const PreparedRegion::Data& window);
 
-    void walkAreaEdge(const AreaEdge& edge);
-    void walkWindowEdge(const AreaEdge& edge);
+    void walkAreaEdge(const AreaEdge& edge) { walk(edge, area_, window_); }
+    void walkWindowEdge(const AreaEdge& edge) { walk(edge, window_, area_); }
 
     /// All pieces so far, without those that rounding made a point.
     std::span<const BoundaryPiece> pieces() const { return pieces_; }
@@ -30,15 +32,10 @@ private:
         const PreparedRegion::Data& region;
         BothSides sides;
         bool isWindow;
+        const AreaEdge* entered = nullptr; ///< the edge at whose start the sides are
 
         bool isApartFrom(const Segment& s) const;
-    };
-    /// A place on the edge where something changes.
-    struct Stop {
-        Meeting meeting;
-        Input* input; ///< to which the meeting's edge belongs
-        int covers;   ///< 0, or for an edge along this one that comes before it: 1 where it begins,
-                      ///< -1 where it ends, and nothing else changes
+        void enter(const SweptLine& swept, const AreaEdge& edge);
     };
     /// An end of a piece.
     struct Place {
@@ -47,16 +44,15 @@ private:
     };
 
     void walk(const AreaEdge& edge, Input& own, Input& other);
-    void findStops(const SweptLine& swept, const AreaEdge& edge, Input& own, Input& input);
-    void sortStops(const SweptLine& swept);
-    int coversFrom(const SweptLine& swept);
-    void passStops(const SweptLine& swept, const AreaEdge& edge, const Input& own);
-    bool isBoundary(const Input& own);
-    void append(const AreaEdge& edge, const Input& own, const Place& from, const Place& to);
+    bool findStops(const SweptLine& swept, const AreaEdge& edge, bool isOwn, const Input& input);
+    void passStops(const SweptLine& swept, const AreaEdge& edge, bool isOfWindow);
+    std::size_t pass(const SweptLine& swept, std::size_t first, int& covers);
+    Place placeOf(const SweptLine& swept, std::size_t stop) const;
+    bool isBoundary(bool isOfWindow);
+    void append(const AreaEdge& edge, bool isOfWindow, const Place& from, const Place& to);
 
     Input area_, window_;
-    std::vector<Stop> stops_;
-    std::vector<const AreaEdge*> along_; ///< edges along this one that come before it
+    EdgeStops stops_;
     std::vector<BoundaryPiece> pieces_;
     bool isEmpty_ = true, isWhole_ = true;
 };

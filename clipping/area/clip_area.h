@@ -18,7 +18,7 @@ namespace clipping {
 /// What a window leaves of an area.
 enum class AreaPart : std::uint8_t {
     None,   ///< nothing with area
-    Whole,  ///< the area with all its edges: the rings are left empty, use the input
+    Whole,  ///< the area, unchanged: the rings are left empty, use the input
     Cut,    ///< the rings of the result
     Refused ///< a number is not finite, or area and window both reach to infinity
 };
@@ -51,8 +51,9 @@ struct ClippedArea {
 /// The result is the closure of the points off all edges that both keep. So where area and window
 /// merely touch, in points or along edges, there is nothing.
 /// 1. Where edges meet, the order of these places and what is inside are decided exactly, for all
-///    finite numbers. Whether the part is None, Whole or Cut is exact, with one exception: an edge
-///    outside the window that has inside on neither side makes a whole area Cut.
+///    finite numbers. So it is exact whether the part is None, Whole or Cut, except for edges of
+///    the area that have inside on neither side: one outside the window makes a whole area Cut, and
+///    if there are no others, None may be Whole.
 /// 2. A corner that is a corner of an input edge is returned bit for bit, except that -0 becomes 0.
 ///    Every other corner is the exact point with each coordinate rounded once to the nearest
 ///    double: it is off by at most half an ulp of that coordinate, and lies on a horizontal or
