@@ -12,12 +12,6 @@
 namespace clipping {
 namespace {
 
-bool isFinite(const Area& area)
-{
-    return std::ranges::all_of(
-        area.points, [](const auto& p) { return std::isfinite(p.x) && std::isfinite(p.y); });
-}
-
 /// Appends the edges of an area whose first point has the index `first` among all points.
 void append(std::vector<AreaEdge>& edges, const Area& area, std::uint32_t step, std::size_t first)
 {
@@ -39,6 +33,12 @@ void append(std::vector<AreaEdge>& edges, const Area& area, std::uint32_t step, 
 }
 
 } // namespace
+
+bool isFinite(const Area& area)
+{
+    return std::ranges::all_of(
+        area.points, [](const auto& p) { return std::isfinite(p.x) && std::isfinite(p.y); });
+}
 
 Area areaOf(const Window& w)
 {

@@ -16,7 +16,15 @@ struct AreaEdge {
 /// are left out.
 std::vector<AreaEdge> edgesOf(const Region& region);
 
+/// Whether all points of an area are finite.
+bool isFinite(const Area& area);
+
 /// The bounding box of the edges; at least one.
 Window boxOf(std::span<const AreaEdge> edges);
+
+inline bool contains(const Window& box, const glm::dvec2& p)
+{
+    return p.x >= box.min.x && p.x <= box.max.x && p.y >= box.min.y && p.y <= box.max.y;
+}
 
 } // namespace clipping

@@ -53,6 +53,15 @@ public:
     template <class Visit>
     void trace(const Segment& s, Visit&& visit) const;
 
+    /// The same for a box.
+    template <class Visit>
+    void trace(const Window& box, Visit&& visit) const
+    {
+        const std::size_t left = columns_.of(box.min.x), right = columns_.of(box.max.x);
+        for (std::size_t row = rows_.of(box.min.y); row <= rows_.of(box.max.y); ++row)
+            visit(row * columns_.count + left, row * columns_.count + right);
+    }
+
 private:
     /// One axis: [low, high] in equal parts.
     struct Axis {

@@ -11,8 +11,10 @@ PreparedRegion::Data::Data(const Region& region)
     : fold(region), edges(edgesOf(region)), grid(edges, region.steps.size()),
       keepsNone(fold.keeps(fold.inNone()))
 {
-    for (const Region::Step& step : region.steps)
+    for (const Region::Step& step : region.steps) {
         rules.push_back(step.area.rule);
+        isFinite = isFinite && clipping::isFinite(step.area);
+    }
     keepsReference.reserve(grid.cells());
     for (std::size_t cell = 0; cell < grid.cells(); ++cell) {
         RegionFold::Words state = fold.inNone();

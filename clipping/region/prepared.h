@@ -14,6 +14,7 @@ struct PreparedRegion::Data {
     std::vector<FillRule> rules; ///< of the steps' areas
     std::vector<AreaEdge> edges; ///< ordered by number
     SearchGrid grid;
+    bool isFinite = true;                     ///< whether all numbers are
     bool keepsNone;                           ///< whether points in no area are kept
     std::vector<std::uint8_t> keepsReference; ///< for each cell, whether its reference is kept
 

@@ -19,11 +19,6 @@ void keepOnce(std::vector<Meeting>& meetings, Earlier earlier)
     meetings.erase(std::unique(meetings.begin(), meetings.end(), sameEdge), meetings.end());
 }
 
-bool contains(const Window& box, const glm::dvec2& p)
-{
-    return p.x >= box.min.x && p.x <= box.max.x && p.y >= box.min.y && p.y <= box.max.y;
-}
-
 /// The meetings of the first area among these, which are ordered by edge.
 std::span<const Meeting> ofFirstArea(std::span<const Meeting> meetings)
 {

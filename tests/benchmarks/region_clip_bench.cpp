@@ -9,45 +9,15 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <ctime>
-#include <numbers>
 
+#include "tests/benchmarks/processor_time.h"
+#include "tests/benchmarks/region_shapes.h"
 #include "tests/benchmarks/scenes.h"
 #include "tests/benchmarks/timing.h"
 
 using namespace clipping;
 
 namespace {
-
-Area circle(int corners, double radius)
-{
-    Area area;
-    for (int i = 0; i < corners; ++i) {
-        const double angle = 2 * std::numbers::pi * i / corners;
-        area.points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
-    }
-    return area;
-}
-
-/// A ragged island: each side of a hexagon is divided at its displaced middle, again and again.
-Area coastLine(std::size_t edges)
-{
-    RandomNumbers random(7);
-    auto points = circle(6, 500).points;
-    while (points.size() < edges) {
-        std::vector<glm::dvec2> finer;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const auto &p = points[i], &q = points[(i + 1) % points.size()];
-            const glm::dvec2 along = q - p;
-            finer.push_back(p);
-            if (points.size() + i < edges)
-                finer.push_back(p + 0.5 * along
-                                + random.uniform(-0.3, 0.3) * glm::dvec2(-along.y, along.x));
-        }
-        points = std::move(finer);
-    }
-    return {std::move(points)};
-}
 
 Window boxOf(const Area& area)
 {
@@ -78,14 +48,6 @@ Scene<double> hatching(std::size_t count)
         const auto a = anywhere<double>(random, 600, 600);
         to.push_back({a, a + anywhere<double>(random, 2, 2)});
     });
-}
-
-/// In milliseconds of processor time: what others do on the machine counts little.
-double processorTime()
-{
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return double(time.tv_sec) * 1e3 + double(time.tv_nsec) * 1e-6;
 }
 
 struct Case {

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "clipping/region/beside.h"
+
+#include <cmath>
+
+namespace clipping {
+
+/// Whether p comes before q in the direction of a line on which both lie.
+inline bool comesBefore(const DirectedLine& line, const glm::dvec2& p, const glm::dvec2& q)
+{
+    return line.signX() != 0 ? line.signX() * signOf(p.x, q.x) > 0
+                             : line.signY() * signOf(p.y, q.y) > 0;
+}
+
+/// The share, 0 to 1, of the way along an edge at which a point lies: on the longer axis, where the
+/// point is between the edge's ends. Three roundings: two differences and a quotient.
+inline double shareAlong(const Segment& edge, const glm::dvec2& p)
+{
+    const auto share = [](double from, double to, double x) {
+        const double way = to - from;
+        return std::isfinite(way) ? (x - from) / way : (x / 2 - from / 2) / (to / 2 - from / 2);
+    };
+    const bool isLevel =
+        std::abs(edge.b.x / 2 - edge.a.x / 2) >= std::abs(edge.b.y / 2 - edge.a.y / 2);
+    return isLevel && edge.a.x != edge.b.x ? share(edge.a.x, edge.b.x, p.x)
+                                           : share(edge.a.y, edge.b.y, p.y);
+}
+
+} // namespace clipping

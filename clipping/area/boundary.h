@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "clipping/area/clip_area.h"
+#include "clipping/region/edges.h"
+
+namespace clipping {
+
+/// A part of an edge that has the result on its left and not on its right.
+struct BoundaryPiece {
+    glm::dvec2 from, to;  ///< rounded; never -0
+    const AreaEdge* edge; ///< whose part it is
+    bool isReversed;      ///< whether it runs against the edge
+    EdgeOrigin origin;
+
+    /// Two points of the piece's line, in its direction.
+    const glm::dvec2& behind() const { return isReversed ? edge->segment.b : edge->segment.a; }
+    const glm::dvec2& ahead() const { return isReversed ? edge->segment.a : edge->segment.b; }
+};
+
+/// Joins pieces to rings. At every point as many pieces begin as end.
+ClippedArea ringsOf(std::span<const BoundaryPiece> pieces);
+
+} // namespace clipping

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "clipping/area/clip_area.h"
+
+#include "clipping/area/boundary_sweep.h"
+#include "clipping/ieee_numbers.h"
+
+#include <glm/common.hpp>
+
+#include <numeric>
+#include <optional>
+
+namespace clipping {
+namespace {
+
+using Data = PreparedRegion::Data;
+
+/// The edges of the window that may meet the area's bounding box: their indices, ascending.
+std::vector<std::uint32_t> edgesNear(const Data& window, const Data& area)
+{
+    std::vector<std::uint32_t> near;
+    if (window.edges.empty())
+        return near;
+    if (area.keepsNone) {
+        near.resize(window.edges.size());
+        std::iota(near.begin(), near.end(), 0);
+        return near;
+    }
+    window.grid.trace(area.grid.box(), [&](std::size_t first, std::size_t last) {
+        const auto listed = window.grid.edgesIn(first, last);
+        near.insert(near.end(), listed.begin(), listed.end());
+    });
+    std::ranges::sort(near);
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    return near;
+}
+
+/// What the window leaves of all within a box, if no edge of the window is near it.
+std::optional<AreaPart> lookAt(const Window& box, const Data& window)
+{
+    const auto known = [](bool isKept) { return isKept ? AreaPart::Whole : AreaPart::None; };
+    const Window& all = window.grid.box();
+    if (window.edges.empty() || box.max.x < all.min.x || box.min.x > all.max.x
+        || box.max.y < all.min.y || box.min.y > all.max.y)
+        return known(window.keepsNone);
+    bool isFree = true;
+    window.grid.trace(box, [&](std::size_t first, std::size_t last) {
+        isFree = isFree && window.grid.edgesIn(first, last).empty();
+    });
+    if (!isFree)
+        return std::nullopt;
+    return known(window.keepsReference[window.grid.cellOf(box.min)] != 0);
+}
+
+ClippedArea clipped(const Data& area, const Data& window)
+{
+    BoundarySweep sweep(area, window);
+    for (const AreaEdge& edge : area.edges)
+        sweep.walkAreaEdge(edge);
+    for (const std::uint32_t i : edgesNear(window, area))
+        sweep.walkWindowEdge(window.edges[i]);
+    if (sweep.isEmpty())
+        return {};
+    return sweep.isWhole() ? ClippedArea{AreaPart::Whole} : ringsOf(sweep.pieces());
+}
+
+} // namespace
+
+ClippedArea clipArea(const PreparedRegion& area, const PreparedRegion& window)
+{
+    const Data &a = area.data(), &w = window.data();
+    if (!a.isFinite || !w.isFinite || (a.keepsNone && w.keepsNone))
+        return {AreaPart::Refused};
+    if (!a.keepsNone) {
+        if (a.edges.empty())
+            return {};
+        if (const auto part = lookAt(a.grid.box(), w))
+            return {*part};
+    }
+    return clipped(a, w);
+}
+
+ClippedArea clipArea(const Area& area, const PreparedRegion& window)
+{
+    const Data& w = window.data();
+    if (!isFinite(area) || !w.isFinite)
+        return {AreaPart::Refused};
+    if (area.points.empty())
+        return {};
+    Window box{area.points[0], area.points[0]};
+    for (const glm::dvec2& p : area.points)
+        box = {glm::min(box.min, p), glm::max(box.max, p)};
+    if (const auto part = lookAt(box, w))
+        return {*part};
+    return clipArea(PreparedRegion({{{area}}}), window);
+}
+
+} // namespace clipping

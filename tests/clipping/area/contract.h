@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The contract of clipping/area/clip_area.h, as far as a result alone can show it.
+
+#include "clipping/area/clip_area.h"
+
+#include <cmath>
+#include <string>
+
+#include "tests/clipping/rational.h"
+
+namespace area_contract {
+
+using clipping::ClippedArea;
+
+/// Calls `visit(index, from, to)` for each edge of a result.
+template <class Visit>
+void forEdges(const ClippedArea& result, Visit&& visit)
+{
+    std::size_t begin = 0;
+    for (const std::size_t end : result.ringEnds) {
+        for (std::size_t i = begin; i < end; ++i)
+            visit(i, result.points[i], result.points[i + 1 == end ? begin : i + 1]);
+        begin = end;
+    }
+}
+
+/// The winding number of a result at a point; nothing if an edge is too near to tell.
+inline std::optional<int> windingAt(const ClippedArea& result, const glm::dvec2& p, double near)
+{
+    int winding = 0;
+    bool isSure = true;
+    forEdges(result, [&](std::size_t, const glm::dvec2& from, const glm::dvec2& to) {
+        const bool isAbove = from.y > p.y;
+        if (std::abs(from.y - p.y) < near || std::abs(to.y - p.y) < near)
+            isSure = isSure && std::max(from.x, to.x) < p.x - near;
+        if (isAbove == (to.y > p.y))
+            return;
+        const double side = (to.x - from.x) * (p.y - from.y) - (to.y - from.y) * (p.x - from.x);
+        isSure = isSure && std::abs(side) > near;
+        if (isAbove ? side < 0 : side > 0)
+            winding += isAbove ? -1 : 1;
+    });
+    return isSure ? std::optional(winding) : std::nullopt;
+}
+
+/// The exact area of a result: positive, as its outer rings are counter-clockwise.
+inline Rational exactArea(const ClippedArea& result)
+{
+    // In whole multiples of the lowest bit of all numbers.
+    using Whole = Rational::int_type;
+    int lowest = 0;
+    for (const auto& p : result.points)
+        for (const double x : {p.x, p.y})
+            if (x != 0)
+                lowest = std::min(lowest, std::ilogb(x) - 52);
+    const auto whole = [&](double x) {
+        return x == 0 ? Whole(0) : Whole((rational(x) * Rational(Whole(1) << -lowest)).numerator());
+    };
+    Whole twice = 0;
+    forEdges(result, [&](std::size_t, const glm::dvec2& from, const glm::dvec2& to) {
+        twice += whole(from.x) * whole(to.y) - whole(from.y) * whole(to.x);
+    });
+    return Rational(twice, Whole(1) << (1 - 2 * lowest));
+}
+
+/// How the edges break what is promised of their origins; empty if they do not. `reach` is the
+/// largest number.
+inline std::string originFault(const ClippedArea& result, const clipping::PreparedRegion& area,
+                               const clipping::PreparedRegion& window, double reach)
+{
+    if (result.points.size() != result.origins.size())
+        return "not one origin for each point";
+    std::string fault;
+    forEdges(result, [&](std::size_t i, const glm::dvec2& from, const glm::dvec2& to) {
+        const auto& [number, isOfWindow, begin, end] = result.origins[i];
+        const auto source = (isOfWindow ? window : area).edge(number).segment;
+        const auto at = [&](double share) { return source.a * (1 - share) + source.b * share; };
+        const double near = 8 * reach * 0x1p-52;
+        if (from == to)
+            fault = "an edge is a point";
+        if (!(begin >= 0 && begin <= 1 && end >= 0 && end <= 1 && begin != end))
+            fault = "wrong shares";
+        for (const auto& [share, p] : {std::pair(begin, from), std::pair(end, to)}) {
+            if ((share == 0 && p != source.a) || (share == 1 && p != source.b))
+                fault = "an end is not that of its edge";
+            if (std::abs(at(share).x - p.x) > near || std::abs(at(share).y - p.y) > near)
+                fault = "not at its share of the edge";
+        }
+    });
+    return fault;
+}
+
+/// Whether a ring visits a corner twice.
+inline bool visitsTwice(const ClippedArea& result)
+{
+    std::size_t begin = 0;
+    for (const std::size_t end : result.ringEnds) {
+        auto ring = std::vector(result.points.begin() + std::ptrdiff_t(begin),
+                                result.points.begin() + std::ptrdiff_t(end));
+        const auto before = [](const glm::dvec2& p, const glm::dvec2& q) {
+            return p.x != q.x ? p.x < q.x : p.y < q.y;
+        };
+        std::sort(ring.begin(), ring.end(), before);
+        if (std::adjacent_find(ring.begin(), ring.end()) != ring.end())
+            return true;
+        begin = end;
+    }
+    return false;
+}
+
+} // namespace area_contract
