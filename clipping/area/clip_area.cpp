@@ -34,21 +34,38 @@ std::vector<std::uint32_t> edgesNear(const Data& window, const Data& area)
     return near;
 }
 
-/// What the window leaves of all within a box, if no edge of the window is near it.
-std::optional<AreaPart> lookAt(const Window& box, const Data& window)
+bool areApart(const Window& p, const Window& q)
 {
+    return p.max.x < q.min.x || p.min.x > q.max.x || p.max.y < q.min.y || p.min.y > q.max.y;
+}
+
+/// Whether a segment has no point in a box.
+bool misses(const Segment& s, const Window& box)
+{
+    if (areApart({glm::min(s.a, s.b), glm::max(s.a, s.b)}, box))
+        return true;
+    const int side = leftOf(s.a, s.b, box.min).sign;
+    return side != 0 && leftOf(s.a, s.b, box.max).sign == side
+           && leftOf(s.a, s.b, {box.min.x, box.max.y}).sign == side
+           && leftOf(s.a, s.b, {box.max.x, box.min.y}).sign == side;
+}
+
+/// What the window leaves of all within a box, if none of its edges meets the box.
+std::optional<AreaPart> lookAt(const Window& box, const PreparedRegion& region)
+{
+    const Data& window = region.data();
     const auto known = [](bool isKept) { return isKept ? AreaPart::Whole : AreaPart::None; };
-    const Window& all = window.grid.box();
-    if (window.edges.empty() || box.max.x < all.min.x || box.min.x > all.max.x
-        || box.max.y < all.min.y || box.min.y > all.max.y)
+    if (window.edges.empty() || areApart(box, window.grid.box()))
         return known(window.keepsNone);
     bool isFree = true;
     window.grid.trace(box, [&](std::size_t first, std::size_t last) {
-        isFree = isFree && window.grid.edgesIn(first, last).empty();
+        isFree = isFree && std::ranges::all_of(window.grid.edgesIn(first, last), [&](auto i) {
+                     return misses(window.edges[i].segment, box);
+                 });
     });
     if (!isFree)
         return std::nullopt;
-    return known(window.keepsReference[window.grid.cellOf(box.min)] != 0);
+    return known(!clip({box.min, box.min}, region).empty());
 }
 
 ClippedArea clipped(const Data& area, const Data& window)
@@ -73,7 +90,7 @@ ClippedArea clipArea(const PreparedRegion& area, const PreparedRegion& window)
     if (!a.keepsNone) {
         if (a.edges.empty())
             return {};
-        if (const auto part = lookAt(a.grid.box(), w))
+        if (const auto part = lookAt(a.grid.box(), window))
             return {*part};
     }
     return clipped(a, w);
@@ -89,7 +106,7 @@ ClippedArea clipArea(const Area& area, const PreparedRegion& window)
     Window box{area.points[0], area.points[0]};
     for (const glm::dvec2& p : area.points)
         box = {glm::min(box.min, p), glm::max(box.max, p)};
-    if (const auto part = lookAt(box, w))
+    if (const auto part = lookAt(box, window))
         return {*part};
     return clipArea(PreparedRegion({{{area}}}), window);
 }
