@@ -23,33 +23,34 @@ public:
                 addEdges(regions_[r]->steps[i].area, {r, i});
     }
 
-    /// Whether a point off all edges is kept. Its numbers and those of the edges are so small that
-    /// this is exact in N.
+    /// Whether a point off all edges is kept. In double, all numbers must be so short that this is
+    /// exact.
     template <class N>
-    bool keeps(const glm::vec<2, N>& p) const
+    bool keeps(const region_oracle::Point<N>& p) const
     {
         Windings windings = none();
-        for (const auto& [edge, line, of] : edges_) {
-            const bool isAbove = N(edge.a.y) > p.y;
-            if (isAbove == (N(edge.b.y) > p.y))
+        for (const auto& [segment, line, of] : edges_) {
+            const auto from = numbers<N>(segment.a), to = numbers<N>(segment.b);
+            const bool isAbove = from.y > p.y;
+            if (isAbove == (to.y > p.y))
                 continue;
-            const N side = N(edge.b.x - edge.a.x) * (p.y - N(edge.a.y))
-                           - N(edge.b.y - edge.a.y) * (p.x - N(edge.a.x));
+            const N side = region_oracle::cross<N>(to - from, p - from);
             if (isAbove ? side < N(0) : side > N(0))
                 windings[of.region][of.step] += isAbove ? -1 : 1;
         }
         return keeps(windings);
     }
 
-    /// The sum of the areas of all slabs, each exact before it is converted to Sum.
+    /// The area that is kept: `convert` turns exact lengths into numbers of type Sum, which are
+    /// multiplied and added.
     template <class Sum, class Convert>
     Sum area(Convert convert) const
     {
         const auto heights = sortedHeights();
         Sum sum(0);
         for (std::size_t i = 0; i + 1 < heights.size(); ++i)
-            sum += convert(widthAt((heights[i] + heights[i + 1]) / F(2))
-                           * (heights[i + 1] - heights[i]));
+            sum += widthAt<Sum>((heights[i] + heights[i + 1]) / F(2), convert)
+                   * convert(heights[i + 1] - heights[i]);
         return sum;
     }
 
@@ -81,6 +82,15 @@ private:
     static region_oracle::Point<F> at(const glm::dvec2& p)
     {
         return {region_oracle::fraction<F>(p.x), region_oracle::fraction<F>(p.y)};
+    }
+
+    template <class N>
+    static region_oracle::Point<N> numbers(const glm::dvec2& p)
+    {
+        if constexpr (std::is_same_v<N, double>)
+            return {p.x, p.y};
+        else
+            return {rational(p.x), rational(p.y)};
     }
 
     Windings none() const
@@ -133,7 +143,8 @@ private:
     }
 
     /// How much of a horizontal line that meets no corner is kept.
-    F widthAt(const F& y) const
+    template <class Sum, class Convert>
+    Sum widthAt(const F& y, Convert convert) const
     {
         struct Passed {
             F x;
@@ -150,10 +161,10 @@ private:
         std::sort(passed.begin(), passed.end(),
                   [](const Passed& p, const Passed& q) { return p.x < q.x; });
         Windings windings = none();
-        F width(0);
+        Sum width(0);
         for (std::size_t i = 0; i < passed.size(); ++i) {
             if (i > 0 && keeps(windings))
-                width += passed[i].x - passed[i - 1].x;
+                width += convert(passed[i].x - passed[i - 1].x);
             windings[passed[i].of.region][passed[i].of.step] += passed[i].change;
         }
         return width;
