@@ -78,8 +78,6 @@ void report(const Imported& imported, const Document& before, const CutCounts& c
                        .arg(counts.gone);
     if (counts.opened > 0)
         text += Commands::tr("; closed paths opened: %1").arg(counts.opened);
-    if (counts.unfilled > 0)
-        text += Commands::tr("; fills lost, only the outline is cut: %1").arg(counts.unfilled);
     say(text + u'.');
     if (hidden > 0)
         say(Commands::tr("Hidden shapes are cut like the others: %1 left and still hidden, %2 "

@@ -166,22 +166,25 @@ private:
     void cutMember(const Batch::Member& member, std::span<const Clipped> kept)
     {
         const auto chords = batch_.chordsOf(member);
-        const bool whole = std::ranges::equal(chords, kept, {}, &Chord::segment, &Clipped::segment);
-        if (whole)
+        const ObjectView view = objects()[member.object];
+        const bool filled = view.style().fill && view.path().hasArea();
+        if (!filled && std::ranges::equal(chords, kept, {}, &Chord::segment, &Clipped::segment))
             return noteWhole(member.object);
-        if (kept.empty()) {
-            ++cut_.counts.gone;
+        if (!filled && kept.empty())
             return remove(member.object);
-        }
-        const Object object = objects()[member.object].copy();
+        const Object object = view.copy();
+        std::optional<AreaLeft> area;
+        if (filled)
+            area = areas_.left(object.path, object.style.fillRule, chords);
         const CutObject result =
-            cutObject(object, tolerance_, chords, kept, member.first, options_.region);
+            cutObject(object, tolerance_, chords, kept, member.first, options_.region, area);
         if (result.whole)
             return noteWhole(member.object);
+        if (result.left.empty())
+            return remove(member.object);
         ++cut_.counts.cut;
         cut_.counts.hidden += object.hidden || hidden_.contains(member.object);
         cut_.counts.opened += result.opened;
-        cut_.counts.unfilled += object.style.fill && object.path.hasArea();
         cut_.edit.splices.push_back(
             {std::uint32_t(member.object), 1, std::uint32_t(result.left.size())});
         for (std::size_t i = 0; i < result.left.size(); ++i) {
@@ -200,6 +203,7 @@ private:
 
     void remove(std::size_t object)
     {
+        ++cut_.counts.gone;
         auto& splices = cut_.edit.splices;
         if (!splices.empty() && splices.back().added == 0
             && splices.back().first + splices.back().removed == object)
@@ -213,6 +217,7 @@ private:
     const double tolerance_;
     const ObjectRanges hidden_, locked_;
     Clipping clipping_;
+    AreaCut areas_{options_.region};
     FreshIds ids_{document_};
     Batch batch_;
     Cut cut_;
@@ -233,7 +238,10 @@ std::vector<Object> cutAlone(const Object& object, const CutOptions& options)
     flatten(object.path, options.tolerance, chords);
     Clipping clipping(options);
     const auto kept = clipping.keptOf(chords);
-    CutObject result = cutObject(object, options.tolerance, chords, kept, 0, options.region);
+    std::optional<AreaLeft> area;
+    if (object.style.fill && object.path.hasArea())
+        area = AreaCut(options.region).left(object.path, object.style.fillRule, chords);
+    CutObject result = cutObject(object, options.tolerance, chords, kept, 0, options.region, area);
     return result.whole ? std::vector{object} : std::move(result.left);
 }
 

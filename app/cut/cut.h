@@ -20,13 +20,11 @@ struct CutOptions {
 
 /// Counts of objects and lines after a cut, for the report.
 struct CutCounts {
-    std::size_t whole = 0;    ///< objects that came back unchanged
-    std::size_t cut = 0;      ///< objects of which a part remains
-    std::size_t gone = 0;     ///< objects of which nothing remains
-    std::size_t opened = 0;   ///< closed subpaths that became open
-    std::size_t unfilled = 0; ///< objects that lost their fill (now outlined in its colour if they
-                              ///< had no stroke)
-    std::size_t hidden = 0;   ///< hidden objects that were cut like visible ones, and stay hidden
+    std::size_t whole = 0;  ///< objects that came back unchanged
+    std::size_t cut = 0;    ///< objects of which a part remains
+    std::size_t gone = 0;   ///< objects of which nothing remains
+    std::size_t opened = 0; ///< closed subpaths that became open
+    std::size_t hidden = 0; ///< hidden objects that were cut like visible ones, and stay hidden
     std::size_t leftHidden = 0, leftLocked = 0;        ///< not cut by CutScope::Editable
     std::size_t segmentsBefore = 0, segmentsAfter = 0; ///< of the objects that were cut
 };
@@ -41,8 +39,9 @@ struct Cut {
 
 /// Cuts the document at its clip windows. Consecutive visible parts of one subpath form one subpath
 /// (also across the start of a closed subpath). Further objects made of one get ids with a number,
-/// "wall-2". Objects kept whole are unchanged, closed and
-/// filled; cut objects are open and unfilled. Cut curves are split, not replaced by chords. Every
+/// "wall-2". Objects kept whole are unchanged; cut outlines
+/// are open. A cut area stays filled (area_cut.h), without a stroke along the cut; its stroke
+/// becomes an object of its own above it. Cut curves are split, not replaced by chords. Every
 /// end made by the cut lies on a window's edge, bit for bit inside the window. Hidden objects stay
 /// hidden.
 Cut cut(const Document& document, const CutOptions& options);

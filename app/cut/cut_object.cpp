@@ -27,10 +27,31 @@ std::vector<KeptPart> partsOf(std::size_t chords, std::span<const Clipped>& piec
     return parts;
 }
 
+// What is left of the area, without a stroke along the cut.
+std::vector<Object> areasOf(const Object& object, const AreaLeft& area)
+{
+    if (!area.whole && area.paths.empty())
+        return {};
+    Object filled = object;
+    filled.style.stroke.reset();
+    filled.particulars.recipe = {};
+    if (!area.whole)
+        filled.path = Path(area.paths);
+    return {filled};
+}
+
+Object outlineOf(Object object)
+{
+    object.style.stroke = lineColour(object);
+    object.style.fill.reset();
+    return object;
+}
+
 } // namespace
 
 CutObject cutObject(const Object& object, double tolerance, std::span<const Chord> chords,
-                    std::span<const Clipped> pieces, std::size_t first, const ClipRegion& region)
+                    std::span<const Clipped> pieces, std::size_t first, const ClipRegion& region,
+                    const std::optional<AreaLeft>& area)
 {
     const ClosedStart closedStart =
         object.style.dashes.empty() ? ClosedStart::Join : ClosedStart::Break;
@@ -47,12 +68,14 @@ CutObject cutObject(const Object& object, double tolerance, std::span<const Chor
         chords = chords.subspan(count);
         first += count;
     }
+    result.whole = result.whole && (!area || area->whole);
     if (result.whole)
         return result;
-    Object outline = object;
-    outline.style.stroke = lineColour(object);
-    outline.style.fill.reset();
-    result.left = objectsOfRuns(std::move(outline), std::move(runs));
+    if (area)
+        result.left = areasOf(object, *area);
+    if (!area || object.style.stroke)
+        std::ranges::move(objectsOfRuns(outlineOf(object), std::move(runs)),
+                          std::back_inserter(result.left));
     return result;
 }
 

@@ -112,21 +112,52 @@ private slots:
         QVERIFY(cutAt(sheet, Keep::Outside).sheet.shapes.empty());
     }
 
-    void aCutFillBecomesAnOutline()
+    void aCutAreaStaysFilled()
     {
-        const app::Colour red{255, 0, 0, 255};
-        const auto cut =
-            cutAt(sheetOf({{{0, 0}, {{{9, 0}}, {{9, 9}}}, true}}, {.fill = red}), Keep::Inside);
-        QCOMPARE(cut.counts.unfilled, 1u);
-        QCOMPARE(cut.sheet.shapes[0].style.stroke, std::optional(red));
-        QVERIFY(!cut.sheet.shapes[0].style.fill);
+        const app::Style red{.fill = app::Colour{255, 0, 0, 255}};
+        const auto cut = cutAt(sheetOf({{{0, 0}, {{{9, 0}}, {{9, 9}}}, true}}, red), Keep::Inside);
+        QCOMPARE(cut.sheet.shapes.size(), 1u);
+        QCOMPARE(cut.sheet.shapes[0].style, red);
+        QCOMPARE(cut.sheet.shapes[0].id, QStringLiteral("s"));
+        QCOMPARE(cut.sheet.shapes[0].paths,
+                 (std::vector{Subpath{{0, 0}, {{{3, 0}}, {{3, 2}}, {{2, 2}}}, true}}));
+    }
+
+    // No stroke runs along the cut.
+    void anAreaWithAStrokeBecomesTwoObjects()
+    {
+        const app::Colour red{255, 0, 0, 255}, blue{0, 0, 255, 255};
+        const Subpath triangle{{0, 0}, {{{9, 0}}, {{9, 9}}}, true};
+        const auto cut = cutAt(sheetOf({triangle}, {.stroke = blue, .fill = red}), Keep::Inside);
+        QCOMPARE(cut.sheet.shapes.size(), 2u);
+        QVERIFY(!cut.sheet.shapes[0].style.stroke);
+        QCOMPARE(cut.sheet.shapes[0].style.fill, std::optional(red));
+        QVERIFY(!cut.sheet.shapes[1].style.fill);
+        QCOMPARE(cut.sheet.shapes[1].style.stroke, std::optional(blue));
+        QCOMPARE(cut.sheet.shapes[1].id, QStringLiteral("s-2"));
+        QCOMPARE(cut.sheet.shapes[1].paths,
+                 (std::vector{Subpath{{2, 2}, {{{0, 0}}, {{3, 0}}}, false}}));
+    }
+
+    // None of its lines is in the window, or all of them are.
+    void anAreaAroundAWindowIsCut()
+    {
+        const app::Style red{.fill = app::Colour{255, 0, 0, 255}};
+        const Subpath square{{-9, -9}, {{{9, -9}}, {{9, 9}}, {{-9, 9}}}, true};
+        const auto inside = cutAt(sheetOf({square}, red), Keep::Inside);
+        QCOMPARE(inside.sheet.shapes.size(), 1u);
+        QCOMPARE(inside.sheet.shapes[0].paths,
+                 (std::vector{Subpath{{-1, -2}, {{{3, -2}}, {{3, 2}}, {{-1, 2}}}, true}}));
+        const auto outside = cutAt(sheetOf({square}, red), Keep::Outside);
+        QCOMPARE(outside.sheet.shapes.size(), 1u);
+        QCOMPARE(outside.sheet.shapes[0].paths.size(), 2u); // with a hole
+        QCOMPARE(outside.counts.cut, 1u);
     }
 
     void aLineHasNothingToFill()
     {
         const app::Style filled{.fill = app::Colour{}};
         const auto cut = cutAt(sheetOf({{{0, 0}, {{{9, 0}}}, false}}, filled), Keep::Inside);
-        QCOMPARE(cut.counts.unfilled, 0u);
         QVERIFY(!cut.sheet.shapes[0].style.stroke && !cut.sheet.shapes[0].style.fill);
     }
 
