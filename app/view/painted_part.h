@@ -17,6 +17,7 @@ public:
 
     PaintedPart(const SceneFrame& frame, Painted which) : frame_(frame), which_(which) {}
 
+    Painted which() const { return which_; }
     Remains remains(std::size_t block, std::size_t chunk) const;
 
     /// The pieces of a chunk with Remains::Pieces, in the order of the lines; `source` is numbered

@@ -23,14 +23,17 @@ DrawList drawList(const StyleTable& styles, const SceneLines& lines, PaintedPart
         for (std::size_t i = 0; i < block.chunks.size(); ++i) {
             const SceneChunk& chunk = block.chunks[i];
             const Remains remains = part.remains(at, i);
-            if (remains == Remains::Gone)
+            if (remains == Remains::Gone && !(options.region && styles[chunk.style].fill))
                 continue;
             if (style != chunk.style)
                 builder.setStyle(styles[*(style = chunk.style)]);
+            const std::size_t end = block.endOfChunk(i);
             if (remains == Remains::Whole)
-                builder.addWhole(at, i, chunk.first, block.endOfChunk(i));
+                builder.addWhole(at, i, chunk.first, end);
             else
-                builder.addPieces(at, part.pieces(at, i));
+                builder.addPieces(at, i, chunk.first, end,
+                                  remains == Remains::Gone ? PaintedPart::Pieces()
+                                                           : part.pieces(at, i));
         }
     }
     return builder.take();

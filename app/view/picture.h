@@ -20,7 +20,7 @@ bool outlines(const SceneLines& lines, std::span<const ObjectRange> selection);
 
 /// A frame as the canvases paint it. `lines` are the frame's lines, `styles` the styles of their
 /// document. Everything is clipped to the view, so that painters get no huge numbers at deep zoom.
-/// Dashed strokes are divided into dashes. Objects kept whole are filled, cut objects are outlines.
+/// Dashed strokes are divided into dashes. Areas are cut at the clip windows.
 /// Strokes move by less than a quarter of a pixel where many points fall into one pixel.
 Picture picture(const StyleTable& styles, const SceneLines& lines, const SceneFrame& frame,
                 const PictureOptions& options);

@@ -3,6 +3,7 @@
 
 #include "app/document/object_ranges.h"
 #include "app/document/style.h"
+#include "app/scene/region.h"
 #include "app/view/removed_part.h"
 #include "app/view/view.h"
 
@@ -22,6 +23,9 @@ struct Ghosting {
 struct PictureOptions {
     View view;
     RemovedPart removed = RemovedPart::Ghosted;
+    /// The clip windows at which areas are cut, as long as the options live. Null: areas are filled
+    /// if all their lines are painted.
+    const ClipRegion* region = nullptr;
     std::optional<Colour> page; ///< make all colours visible on this page colour; empty: leave them
                                 ///< unchanged
     double leastWidth = 0.75;   ///< logical pixels; thinner strokes are drawn this wide

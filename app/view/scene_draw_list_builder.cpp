@@ -7,7 +7,8 @@ namespace app {
 SceneDrawListBuilder::SceneDrawListBuilder(const SceneLines& lines, const PaintedPart& part,
                                            const PictureOptions& options,
                                            std::size_t expectedPieces)
-    : lines_(lines), part_(part), builder_(options, expectedPieces)
+    : lines_(lines), part_(part), cutFill_(options.region, part.which()),
+      builder_(options, expectedPieces)
 {
 }
 
@@ -41,16 +42,41 @@ void SceneDrawListBuilder::addWhole(std::size_t block, std::size_t chunk, std::s
     }
 }
 
-void SceneDrawListBuilder::addPieces(std::size_t block, std::span<const clipping::Clipped> pieces)
+void SceneDrawListBuilder::addPieces(std::size_t block, std::size_t chunk, std::size_t first,
+                                     std::size_t end, std::span<const clipping::Clipped> pieces)
 {
     goTo(block);
     if (!style_->stroke && !style_->fill)
         return;
+    const bool areas = style_->fill && cutFill_.cuts();
+    if (areas && pieces.empty() && isEmpty(block_->chunks[chunk].box, first, end))
+        return;
     for (const clipping::Clipped& piece : pieces) {
+        if (areas)
+            enterUpTo(piece.source, first);
         enter(piece.source);
         if (strokes_)
             builder_.stroke(piece, block_->segments[piece.source], before(piece.source));
     }
+    if (areas)
+        enterUpTo(end, first);
+}
+
+// Enters each object with a line in [line, end).
+void SceneDrawListBuilder::enterUpTo(std::size_t end, std::size_t& line)
+{
+    while (line < end) {
+        enter(line);
+        line = objectEnd_;
+    }
+}
+
+// Whether no area of these lines has a visible part, as far as their box tells.
+bool SceneDrawListBuilder::isEmpty(const FloatBox& box, std::size_t first, std::size_t end) const
+{
+    return beginsObject(first) && beginsObject(end)
+           && (isOutside(box, builder_.filled())
+               || cutFill_.remains(box.window()) == Remains::Gone);
 }
 
 void SceneDrawListBuilder::goTo(std::size_t block)
@@ -107,10 +133,7 @@ void SceneDrawListBuilder::enterObjectOf(std::size_t line)
     if (style_->fill || builder_.isDashed())
         findObject(object);
     if (style_->fill) {
-        const bool whole = isWhole();
-        if (whole)
-            builder_.fill(outline_);
-        strokes_ = style_->stroke || !whole;
+        strokes_ = !fillObject() || style_->stroke;
         begun_ = false;
     }
     if (strokes_ && !begun_)
@@ -136,6 +159,26 @@ void SceneDrawListBuilder::findObject(std::size_t object)
             object + 1 == block.objects() && at + 1 < blocks.size() && blocks[at + 1]->continues;
     }
     lengths_ = LengthsBefore(outline_);
+}
+
+// Fills what is painted of the current object. False: nothing, because its lines are not all
+// painted and the windows are not known; its outline is shown then.
+bool SceneDrawListBuilder::fillObject()
+{
+    if (!cutFill_.cuts()) {
+        const bool whole = isWhole();
+        if (whole)
+            builder_.fill(outline_);
+        return whole;
+    }
+    const Remains remains = cutFill_.remains(boxOf(outline_));
+    if (remains == Remains::Whole)
+        builder_.fill(outline_);
+    if (remains == Remains::Pieces) {
+        cutOutline_ = cutFill_.clip(outline_, style_->fillRule);
+        builder_.fill({std::span<const clipping::Segment>(cutOutline_)});
+    }
+    return true;
 }
 
 bool SceneDrawListBuilder::isWhole() const

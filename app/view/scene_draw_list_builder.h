@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/scene/scene_lines.h"
+#include "app/view/cut_fill.h"
 #include "app/view/draw_list_builder.h"
 #include "app/view/painted_part.h"
 
@@ -11,7 +12,7 @@ namespace app {
 /// costs only a test of its box.
 class SceneDrawListBuilder {
 public:
-    /// `part` is the part that will be added: an object is filled if all of it is in `part`.
+    /// `part` is the part that will be added: of an area, what is in it (CutFill).
     SceneDrawListBuilder(const SceneLines& lines, const PaintedPart& part,
                          const PictureOptions& options, std::size_t expectedPieces);
 
@@ -19,8 +20,10 @@ public:
     void setStyle(const Style& style);
     /// Adds the lines [first, end) of a chunk, whole.
     void addWhole(std::size_t block, std::size_t chunk, std::size_t first, std::size_t end);
-    /// Adds pieces of a chunk.
-    void addPieces(std::size_t block, std::span<const clipping::Clipped> pieces);
+    /// Adds pieces of a chunk with the lines [first, end), possibly none. Areas may reach into the
+    /// painted part although none of their lines does.
+    void addPieces(std::size_t block, std::size_t chunk, std::size_t first, std::size_t end,
+                   std::span<const clipping::Clipped> pieces);
 
     DrawList take() { return builder_.take(); }
 
@@ -31,6 +34,7 @@ private:
     };
 
     void goTo(std::size_t block);
+    bool isEmpty(const FloatBox& box, std::size_t first, std::size_t end) const;
     bool skips(const FloatBox& box, std::size_t first, std::size_t end);
     void enter(std::size_t line)
     {
@@ -38,13 +42,16 @@ private:
             enterObjectOf(line);
     }
     void enterObjectOf(std::size_t line);
+    void enterUpTo(std::size_t end, std::size_t& line);
     void findObject(std::size_t object);
+    bool fillObject();
     bool beginsObject(std::size_t line) const;
     bool isWhole() const;
     double before(std::size_t line);
 
     const SceneLines& lines_;
     const PaintedPart& part_;
+    CutFill cutFill_;
     DrawListBuilder builder_;
     const Style* style_ = nullptr;
     bool begun_ = false; // whether the draw command for stroked-only objects has begun
@@ -58,6 +65,7 @@ private:
     bool strokes_ = false;
     std::vector<Lines> objectLines_;
     Outline outline_;
+    std::vector<clipping::Segment> cutOutline_;
     std::size_t firstLine_ = 0; // in the scene
     LengthsBefore lengths_;
 };

@@ -48,9 +48,10 @@ QImage thumbnail(const Document& document, const QSize& points, double pixelRati
     cover(view, document.page(), window);
     const SceneLines lines = linesOf(document);
     SceneClipping clips;
-    const SceneFrame frame = clips.clip(lines, regionOf(document.windows(), document.page()),
-                                        clipping::exactAlgorithm().corrected.clipAll);
-    PictureOptions options{.view = view, .page = plain(colours.page)};
+    const ClipRegion region = regionOf(document.windows(), document.page());
+    const SceneFrame frame =
+        clips.clip(lines, region, clipping::exactAlgorithm().corrected.clipAll);
+    PictureOptions options{.view = view, .region = &region, .page = plain(colours.page)};
     options.leastWidth = 0.5;
     const QSize pixels = points * pixelRatio;
     const QImage art =

@@ -46,6 +46,7 @@ struct Stage {
         const app::ClipRegion region{{{window, app::WindowOperation::Add}}, keep};
         const app::SceneFrame frame =
             clips.clip(lines, region, clipping::exactAlgorithm().corrected.clipAll);
+        options.region = &region;
         return app::picture(document.styles(), lines, frame, options);
     }
     QImage image() { return app::rasterised(picture(), {0, 100}, {100, 1, 0.32}); }
@@ -70,17 +71,31 @@ class PictureTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void onlyWholeObjectsAreFilled()
+    void areasAreCutAtTheWindow()
     {
         Stage stage(
             {filledSquare({10, 10}, 20), filledSquare({40, 10}, 20), filledSquare({70, 10}, 20)});
         const app::Picture picture = stage.picture();
-        QCOMPARE(fillsIn(picture.kept), std::size_t(1));
-        QCOMPARE(fillsIn(picture.ghost), std::size_t(1));
+        QCOMPARE(fillsIn(picture.kept), std::size_t(2));
+        QCOMPARE(fillsIn(picture.ghost), std::size_t(2));
         const QImage image = stage.image();
         QCOMPARE(image.pixelColor(20, 20), QColor(200, 0, 0));
-        QCOMPARE(image.pixelColor(45, 20).alpha(), 0);
-        QVERIFY(std::abs(image.pixelColor(80, 20).alpha() - 0.32 * 255) < 2);
+        QCOMPARE(image.pixelColor(45, 20), QColor(200, 0, 0));
+        for (const int x : {55, 80})
+            QVERIFY(std::abs(image.pixelColor(x, 20).alpha() - 0.32 * 255) < 2);
+    }
+    // None of its lines is kept, or all of them are.
+    void anAreaAroundTheWindowIsCut()
+    {
+        for (const bool inside : {true, false}) {
+            Stage stage({filledSquare({-20, -20}, 140)});
+            stage.window = {{30, 30}, {60, 60}};
+            stage.keep = inside ? app::Keep::Inside : app::Keep::Outside;
+            stage.options.removed = app::RemovedPart::Hidden;
+            const QImage image = stage.image();
+            QCOMPARE(image.pixelColor(45, 45).alpha(), inside ? 255 : 0);
+            QCOMPARE(image.pixelColor(80, 45).alpha(), inside ? 0 : 255);
+        }
     }
     void theRemovedPartIsHiddenOrShown()
     {
@@ -108,14 +123,15 @@ private slots:
         QCOMPARE(stage.image().pixelColor(80, 20), QColor(200, 0, 0));
         QVERIFY(std::abs(stage.image().pixelColor(20, 20).alpha() - 0.32 * 255) < 2);
     }
-    void anAreaWithoutStrokeIsOutlinedWhenCut()
+    void anAreaWithoutStrokeHasNoneWhenCut()
     {
         app::Object area = filledSquare({40, 10}, 20);
         area.style.stroke.reset();
         Stage stage({area});
         const app::Picture picture = stage.picture();
         QCOMPARE(picture.kept.commands.size(), std::size_t(1));
-        QCOMPARE(picture.kept.commands[0].stroke->colour, (app::Colour{200, 0, 0}));
+        QVERIFY(!picture.kept.commands[0].stroke);
+        QCOMPARE(picture.kept.commands[0].fill, (app::Colour{200, 0, 0}));
     }
     void oneStrokeIsOnePolylineAndCutEndsAreButt()
     {

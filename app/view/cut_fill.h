@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/scene/area_windows.h"
+#include "app/view/outline.h"
+#include "app/view/painted_part.h"
+
+namespace app {
+
+/// The part of filled areas that a picture shows: inside the clip windows, or what these remove.
+class CutFill {
+public:
+    /// Without a region, and for Painted::All, areas are shown whole.
+    CutFill(const ClipRegion* region, Painted part);
+
+    bool cuts() const { return windows_ != nullptr; }
+    /// What is shown of anything in a box, as far as the box tells.
+    Remains remains(const clipping::Window& box) const;
+    /// What is shown of an area, as rings: each line begins where the one before it ends.
+    std::vector<clipping::Segment> clip(const Outline& outline, FillRule rule) const;
+
+private:
+    ClipRegion region_;
+    std::shared_ptr<const clipping::PreparedRegion> windows_;
+};
+
+/// The bounding box of an outline, which must not be empty.
+clipping::Window boxOf(const Outline& outline);
+
+} // namespace app
