@@ -159,10 +159,10 @@ void TextTool::end(Workbench& bench)
     if (!busy())
         return;
     const app::TextRecipe text = *text_;
-    const app::Lettering letters = std::move(letters_);
     const auto object = object_;
     const bool same = edited(bench), changed = text != before_;
     const QString said = !object || changed ? remark() : QString();
+    const app::Lettering letters = std::move(letters_);
     cancel(bench);
     app::Session& session = bench.session;
     if (same && changed) {
