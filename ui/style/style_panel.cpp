@@ -312,7 +312,8 @@ void StylePanel::followLines(std::span<const app::Style> styles)
     show(*caps_, app::common(styles, &app::Style::cap));
     show(*joins_, app::common(styles, &app::Style::join));
     show(*fillRule_, app::common(styles, &app::Style::fillRule));
-    const bool filled = std::ranges::any_of(styles, [](const app::Style& s) { return s.fill; });
+    const bool filled =
+        std::ranges::any_of(styles, [](const app::Style& s) { return s.fill.has_value(); });
     fillRule_->setEnabled(filled);
     fillRule_->setToolTip(
         filled ? tr("What is filled where a path crosses itself. Nonzero: all that it winds "
