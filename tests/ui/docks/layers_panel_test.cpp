@@ -139,7 +139,8 @@ private slots:
     void aNewLayerIsNamedInPlace()
     {
         Panel panel;
-        auto* button = panel.window->findChild<LayersPanel*>()->findChildren<QToolButton*>()[0];
+        auto* button = panel.window->findChild<LayersPanel*>()->findChildren<QToolButton*>(
+            QString(), Qt::FindDirectChildrenOnly)[0];
         for (const char* name : {"Sky", "Sea"}) {
             QTest::mouseClick(button, Qt::LeftButton);
             QVERIFY(qobject_cast<QLineEdit*>(QApplication::focusWidget()));

@@ -379,7 +379,8 @@ private slots:
         TestWindow t;
         t.open(t.twoLines());
         t.show();
-        const auto buttons = t.window->findChild<LayersPanel*>()->findChildren<QToolButton*>();
+        const auto buttons = t.window->findChild<LayersPanel*>()->findChildren<QToolButton*>(
+            QString(), Qt::FindDirectChildrenOnly);
         QCOMPARE(buttons.size(), 2);
         QCOMPARE(buttons[0]->toolTip(), "Add layer");
         QCOMPARE(buttons[1]->toolTip(), "Delete layer");

@@ -145,6 +145,13 @@ void recover(MainWindow& window, const std::function<void()>& then)
     when([&window] { return window.isWindowModified(); }, then);
 }
 
+/// The window may become active a moment later.
+QWidget* focused()
+{
+    (void)QTest::qWaitFor([] { return QApplication::focusWidget() != nullptr; });
+    return QApplication::focusWidget();
+}
+
 using Scenario = std::function<void(MainWindow&)>;
 const std::map<QString, Scenario>& scenarios()
 {
@@ -156,20 +163,20 @@ const std::map<QString, Scenario>& scenarios()
          [](MainWindow& w) {
              w.canvas().setTool("text");
              QTest::mouseClick(area(w), Qt::LeftButton, {}, {100, 100});
-             QTest::keyClicks(QApplication::focusWidget(), "Wall");
+             QTest::keyClicks(focused(), "Wall");
              QTimer::singleShot(500, ready);
          }},
         {"edited text",
          [](MainWindow& w) {
              w.canvas().setTool("text");
              QTest::mouseClick(area(w), Qt::LeftButton, {}, {100, 100});
-             QTest::keyClicks(QApplication::focusWidget(), "W");
-             QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+             QTest::keyClicks(focused(), "W");
+             QTest::keyClick(focused(), Qt::Key_Return);
              w.canvas().setTool("select");
              const auto start = w.session().now().objects()[1].path().subpaths()[0].start;
              const app::Point on = w.canvas().view().toScreen(start);
              QTest::mouseDClick(area(w), Qt::LeftButton, {}, {qRound(on.x), qRound(on.y)});
-             QTest::keyClicks(QApplication::focusWidget(), "Wall");
+             QTest::keyClicks(focused(), "Wall");
              QTimer::singleShot(500, ready);
          }},
         {"one corner",

@@ -103,7 +103,7 @@ private slots:
         p.settle();
         QVERIFY(rule->isEnabled());
         QCOMPARE(rule->chosen(), int(app::FillRule::NonZero));
-        p.choose("Even-odd");
+        p.choose("Fill rule: Even-odd");
         QCOMPARE(p.style(0).fillRule, app::FillRule::EvenOdd);
         QCOMPARE(p.session.history.undoText(), "Fill rule");
         QCOMPARE(rule->chosen(), int(app::FillRule::EvenOdd));
