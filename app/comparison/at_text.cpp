@@ -8,7 +8,7 @@ namespace app {
 QString atText(const ComparedWindow& window)
 {
     return window.isPage ? QCoreApplication::translate(
-               "ComparedWindow", "At the page: no clip window is a rectangle along the axes.")
+               "ComparedWindow", "At the page: no clip window along the axes.")
                          : QString();
 }
 

@@ -18,7 +18,7 @@ private slots:
     {
         QVERIFY(app::atText(app::ComparedWindow{{}, false}).isEmpty());
         QCOMPARE(app::atText(app::ComparedWindow{{}, true}),
-                 "At the page: no clip window is a rectangle along the axes.");
+                 "At the page: no clip window along the axes.");
     }
     /// What is computed follows, too.
     void hiddenWindowCountsAsNoWindow()

@@ -40,7 +40,7 @@ private slots:
         QVERIFY(caption.isHidden());
         setVisible(session, false);
         QVERIFY(!caption.isHidden());
-        QCOMPARE(caption.text(), "At the page: no clip window is a rectangle along the axes.");
+        QCOMPARE(caption.text(), "At the page: no clip window along the axes.");
         setVisible(session, true);
         QVERIFY(caption.isHidden());
     }
