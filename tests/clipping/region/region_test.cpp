@@ -46,7 +46,7 @@ Segments kept(const Segment& line, const std::vector<Step>& steps, Keep keep = K
 }
 
 const Window left{{0, 0}, {2, 2}}, right{{2, 0}, {4, 2}};
-const Window all{{0, 0}, {4, 2}}, middle{{1, -1}, {3, 3}};
+const Window both{{0, 0}, {4, 2}}, middle{{1, -1}, {3, 3}};
 
 Segments segmentsOf(std::span<const Clipped> pieces)
 {
@@ -105,10 +105,10 @@ private slots:
     }
     void aCutOutRemovesItsBorder()
     {
-        QCOMPARE(kept({{2, -1}, {2, 3}}, {{all}, {left, CutOut}}), Segments{});
-        QCOMPARE(kept({{0, 1}, {4, 1}}, {{all}, {left, CutOut}}), (Segments{{{2, 1}, {4, 1}}}));
-        QCOMPARE(kept({{2, 1}, {2, 1}}, {{all}, {left, CutOut}}), Segments{});
-        QCOMPARE(kept({{0, 1}, {4, 1}}, {{all}, {middle, CutOut}}),
+        QCOMPARE(kept({{2, -1}, {2, 3}}, {{both}, {left, CutOut}}), Segments{});
+        QCOMPARE(kept({{0, 1}, {4, 1}}, {{both}, {left, CutOut}}), (Segments{{{2, 1}, {4, 1}}}));
+        QCOMPARE(kept({{2, 1}, {2, 1}}, {{both}, {left, CutOut}}), Segments{});
+        QCOMPARE(kept({{0, 1}, {4, 1}}, {{both}, {middle, CutOut}}),
                  (Segments{{{0, 1}, {1, 1}}, {{3, 1}, {4, 1}}}));
     }
     void aCutOutMetInAPointRemovesNothing()
@@ -135,9 +135,9 @@ private slots:
     void stepsAreFoldedFromTheTop()
     {
         const Segment line{{-1, 1}, {5, 1}};
-        QCOMPARE(kept(line, {{all}, {middle, CutOut}, {{{1.5, 0}, {2.5, 2}}}}),
+        QCOMPARE(kept(line, {{both}, {middle, CutOut}, {{{1.5, 0}, {2.5, 2}}}}),
                  (Segments{{{0, 1}, {1, 1}}, {{1.5, 1}, {2.5, 1}}, {{3, 1}, {4, 1}}}));
-        QCOMPARE(kept(line, {{{{1.5, 0}, {2.5, 2}}}, {all}, {middle, CutOut}}),
+        QCOMPARE(kept(line, {{{{1.5, 0}, {2.5, 2}}}, {both}, {middle, CutOut}}),
                  (Segments{{{0, 1}, {1, 1}}, {{3, 1}, {4, 1}}}));
     }
     void outsideEndsOnTheSameBorders()
