@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/nodes/node_moves.h"
 
+#include "app/nodes/node_places.h"
 #include "app/nodes/node_types.h"
 
 #include <glm/geometric.hpp>
@@ -9,21 +10,6 @@
 #include <cmath>
 
 namespace app {
-namespace {
-
-void alignAround(NodeSubpath& subpath)
-{
-    for (std::size_t i = 0; i < subpath.nodes.size(); ++i) {
-        if (subpath.nodes[i].type == NodeType::Corner || subpath.isEnd(i))
-            continue;
-        const bool near = subpath.nodes[i].selected || subpath.nodes[*subpath.next(i)].selected
-                          || subpath.nodes[*subpath.previous(i)].selected;
-        if (near)
-            alignToLine(subpath, i);
-    }
-}
-
-} // namespace
 
 std::optional<Point> handleOf(const NodeSubpath& subpath, std::size_t node, HandleSide side)
 {
@@ -49,7 +35,7 @@ bool moveSelected(NodePath& path, const Point& by)
                 any = true;
             }
         if (any)
-            alignAround(subpath);
+            alignAroundSelected(subpath);
     }
     return true;
 }

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/node_fields.h"
+
+#include "ui/look/look.h"
+#include "ui/widgets/length_field.h"
+#include "ui/widgets/quiet_label.h"
+#include "ui/widgets/segments.h"
+
+#include <QGridLayout>
+
+#include <array>
+
+namespace ui {
+namespace {
+
+constexpr int betweenRows = 4;
+constexpr int typeRow = 3;
+constexpr std::array<std::string_view, 3> typeSteps{"corner-nodes", "smooth-nodes",
+                                                    "symmetric-nodes"}; // as app::NodeType
+
+} // namespace
+
+NodeFields::NodeFields(app::Session& session, QWidget* parent)
+    : QWidget(parent), session_(session),
+      type_(new Segments(tr("Type of node"), {tr("Corner"), tr("Smooth"), tr("Symmetric")}))
+{
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(space::labelToField);
+    grid->setVerticalSpacing(betweenRows);
+    const std::array rows{tr("Node"), tr("In"), tr("Out"), tr("Type")};
+    for (int row = 0; row < int(rows.size()); ++row)
+        grid->addWidget(quietLabel(rows[std::size_t(row)]), row, 0);
+    for (const app::NodeNumber& number : app::nodeNumbers()) {
+        const int i = int(fields_.size()), row = i / 2, column = 1 + i % 2 * 2;
+        fields_.push_back(makeField(number));
+        QLabel* label = quietLabel(number.label);
+        label->setBuddy(fields_.back());
+        grid->addWidget(label, row, column);
+        grid->addWidget(fields_.back(), row, column + 1);
+    }
+    grid->addWidget(type_, typeRow, 1, 1, 4, Qt::AlignLeft);
+    grid->setColumnStretch(2, 1);
+    grid->setColumnStretch(4, 1);
+    grid->setRowStretch(typeRow + 1, 1);
+    connect(type_, &Segments::picked, this, &NodeFields::setType);
+}
+
+LengthField* NodeFields::makeField(const app::NodeNumber& number)
+{
+    const auto range = number.quantity == app::Quantity::Length ? LengthField::Range::NotNegative
+                                                                : LengthField::Range::Any;
+    auto* field = new LengthField(number.name, range, LengthField::Suffix::Unit);
+    connect(field, &LengthField::edited, this,
+            [this, &number](double value, app::Merging merging) {
+                app::setNodeNumber(session_, number, value, merging);
+                follow(); // a refused number disappears
+            });
+    connect(field, &LengthField::entered, this, &NodeFields::entered);
+    connect(field, &LengthField::refused, this, &NodeFields::refused);
+    connect(field, &LengthField::taken, this, &NodeFields::taken);
+    return field;
+}
+
+void NodeFields::follow()
+{
+    const double size = session_.now().page().millimetresPerUnit();
+    const auto numbers = app::nodeNumbers();
+    for (std::size_t i = 0; i < fields_.size(); ++i) {
+        const auto value = app::nodeValue(session_, numbers[i]);
+        const bool isAngle = numbers[i].quantity == app::Quantity::Angle;
+        const app::Unit unit = isAngle ? app::Unit::User : session_.display().unit;
+        const double scale = isAngle ? 1 : size;
+        fields_[i]->setEnabled(value.has_value());
+        fields_[i]->setToolTip(value ? numbers[i].name : numbers[i].missing);
+        if (value && value->mixed)
+            fields_[i]->showMixed(value->first, unit, scale);
+        else
+            fields_[i]->show(value ? value->first : 0, unit, scale);
+        if (!value)
+            fields_[i]->showNothing();
+    }
+    followType();
+}
+
+void NodeFields::followType()
+{
+    const auto type = app::typeOfNodes(session_);
+    type ? type_->choose(int(*type)) : type_->chooseNone();
+    const QString why = session_.nodes.refusal(app::nodeStep(typeSteps.front()));
+    type_->setEnabled(why.isEmpty());
+    type_->setToolTip(why);
+}
+
+void NodeFields::setType(int type)
+{
+    session_.nodes.run(app::nodeStep(typeSteps[std::size_t(type)]));
+    follow();
+}
+
+} // namespace ui
