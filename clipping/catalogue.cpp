@@ -25,6 +25,7 @@ using Catalogue = List<
     struct MidpointSubdivision,
     struct SobkowPospisilYang,
     struct SlaterBarsky,
+    struct WindingNumber,
     struct Exact
 >;
 // clang-format on

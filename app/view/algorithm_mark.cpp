@@ -91,6 +91,7 @@ std::span<const OwnMark> ownMarks()
         OwnMark{"MD", 0x590251, 0xBA5686, polygon(6, half / 6)},
         OwnMark{"SPY", 0x8348FA, 0x865EE6, cross(45)},
         OwnMark{"SB", 0x545ABA, 0xC684B5, arch()},
+        OwnMark{"WN", 0x676F48, 0x93AC00, polygon(5, 0)},
         OwnMark{"MS", 0x7C3908, 0x968A38, bar()},
     };
     return marks;

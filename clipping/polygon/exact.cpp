@@ -18,11 +18,11 @@
 
 #include "clipping/batch/kernels.h"
 #include "clipping/batch/sets.h"
-#include "clipping/exact/meeting.h"
 #include "clipping/ieee_numbers.h"
 #include "clipping/polygon/crossed.h"
 #include "clipping/polygon/describe.h"
 #include "clipping/polygon/edge_table.h"
+#include "clipping/polygon/exact_ends.h"
 
 namespace clipping {
 namespace {
@@ -31,34 +31,10 @@ std::size_t clipAllInPolygon(std::span<const Segment> in, const ConvexPolygon& p
                              std::span<Clipped> out);
 
 template <class Search>
-struct ExactPolygon {
+struct ExactPolygon : ExactEnds {
     static constexpr int rejectLine = 14, acceptLine = 25;
     static constexpr bool unframed = true; // it handles all finite numbers itself
     static constexpr auto many = clipAllInPolygon;
-
-    /// Where s crosses an edge whose ends have these signs.
-    template <class T>
-    static glm::vec<2, T> pointOn(const BasicSegment<T>& edge, int signOfA, int signOfB,
-                                  const BasicSegment<T>& s)
-    {
-        return signOfA == 0 ? edge.a : signOfB == 0 ? edge.b : meeting(s, edge);
-    }
-
-    /// A new end, and the number of the edge on which it lies.
-    template <class T>
-    struct End {
-        glm::vec<2, T> at;
-        std::uint32_t number;
-    };
-    template <class T>
-    static End<T> endOn(std::size_t i, const OrientedLine<T>& line, const PolygonIn<T>& polygon)
-    {
-        const std::size_t next = polygon.after(i);
-        const BasicSegment<T> edge{polygon.corner(i), polygon.corner(next)};
-        const int sign = line.leftOf(edge.a).sign, signOfNext = line.leftOf(edge.b).sign;
-        return {pointOn(edge, sign, signOfNext, line.s),
-                polygon.number(sign != 0 && signOfNext == 0 ? next : i)};
-    }
 
     template <class T, class Step>
     static std::optional<PolygonPiece<T>> clip(const BasicSegment<T>& s,

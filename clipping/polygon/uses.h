@@ -9,5 +9,6 @@ namespace clipping {
 extern const Uses<Segment, ConvexPolygon> cyrusBeckPolygon;
 extern const Uses<Segment, ConvexPolygon> exactPolygon, exactSearchedPolygon;
 extern const Uses<Segment, ConvexPolygon> skalaPolygon, skalaSearchedPolygon;
+extern const Uses<Segment, ConvexPolygon> windingNumberPolygon;
 
 } // namespace clipping

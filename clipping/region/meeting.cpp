@@ -60,6 +60,8 @@ std::strong_ordering orderOfVertex(const glm::dvec2& vertex, const Meeting& cros
                                         : std::strong_ordering::greater;
 }
 
+} // namespace
+
 std::strong_ordering orderOfVertices(const DirectedLine& line, const glm::dvec2& p,
                                      const glm::dvec2& q)
 {
@@ -68,17 +70,10 @@ std::strong_ordering orderOfVertices(const DirectedLine& line, const glm::dvec2&
     return line.signY() * signOf(q.y, p.y) <=> 0;
 }
 
-} // namespace
-
 std::optional<Meeting> meetingOf(const SweptLine& swept, const AreaEdge& edge, int sideOfFrom,
                                  int sideOfTo)
 {
-    const Meeting meeting{&edge,
-                          static_cast<std::int8_t>(sideOfFrom),
-                          static_cast<std::int8_t>(sideOfTo),
-                          Place::Between,
-                          0,
-                          {}};
+    const Meeting meeting = crossingOf(edge, sideOfFrom, sideOfTo);
     return meeting.atVertex() ? meetingAtVertex(swept, meeting)
                               : meetingAcross(swept.segment, meeting);
 }

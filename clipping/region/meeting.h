@@ -54,6 +54,17 @@ struct Meeting {
     const glm::dvec2& vertex() const { return sideOfFrom == 0 ? edge->segment.a : edge->segment.b; }
 };
 
+/// The crossing of a line and an edge whose ends are on different sides of it, not yet placed.
+inline Meeting crossingOf(const AreaEdge& edge, int sideOfFrom, int sideOfTo)
+{
+    return {&edge,
+            static_cast<std::int8_t>(sideOfFrom),
+            static_cast<std::int8_t>(sideOfTo),
+            Meeting::Place::Between,
+            0,
+            {}};
+}
+
 /// The meeting of a segment and an edge whose ends are on different sides of the line, if any.
 std::optional<Meeting> meetingOf(const SweptLine& swept, const AreaEdge& edge, int sideOfFrom,
                                  int sideOfTo);
@@ -66,6 +77,10 @@ inline std::optional<Meeting> meetingOf(const SweptLine& swept, const AreaEdge& 
     const int from = swept.line.side(edge.segment.a), to = swept.line.side(edge.segment.b);
     return from == to ? std::nullopt : meetingOf(swept, edge, from, to);
 }
+
+/// The order of two points on the line along it.
+std::strong_ordering orderOfVertices(const DirectedLine& line, const glm::dvec2& p,
+                                     const glm::dvec2& q);
 
 /// The order of two meetings along the segment, which is not a point.
 std::strong_ordering order(const SweptLine& swept, const Meeting& p, const Meeting& q);

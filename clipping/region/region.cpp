@@ -3,6 +3,7 @@
 
 #include "clipping/frame.h"
 #include "clipping/ieee_numbers.h"
+#include "clipping/region/resume.h"
 #include "clipping/region/sweep.h"
 
 #include <glm/common.hpp>
@@ -71,42 +72,39 @@ private:
     PassedBox passed_;
 };
 
+/// The row `exact`: the first look, and the sweep where that leaves the answer open.
+class ExactPieces {
+public:
+    explicit ExactPieces(const PreparedRegion::Data& region) : look_(region), sweep_(region) {}
+
+    std::span<const RegionPiece> of(const Segment& segment, std::uint32_t source)
+    {
+        const Known answer = look_.at(segment);
+        if (answer == Known::Undecided)
+            return sweep_.piecesOf(segment, source);
+        whole_ = {segment, source, 0, 0};
+        return {&whole_, answer == Known::Whole ? 1U : 0U};
+    }
+
+private:
+    FirstLook look_;
+    LineSweep sweep_;
+    RegionPiece whole_{};
+};
+
 } // namespace
 
 RegionProgress clipAll(std::span<const Segment> in, const PreparedRegion& region,
                        std::span<RegionPiece> out, RegionProgress from)
 {
-    from.written = 0;
-    const FirstLook look(region.data());
-    LineSweep sweep(region.data());
-    for (; from.segment < in.size(); ++from.segment, from.piece = 0) {
-        const Segment& s = in[from.segment];
-        const auto source = static_cast<std::uint32_t>(from.segment);
-        const Known answer = look.at(s);
-        if (answer == Known::Gone)
-            continue;
-        const RegionPiece whole{s, source, 0, 0};
-        const auto pieces =
-            answer == Known::Whole ? std::span(&whole, 1) : sweep.piecesOf(s, source);
-        for (; from.piece < pieces.size(); ++from.piece) {
-            if (from.written == out.size())
-                return from;
-            out[from.written++] = pieces[from.piece];
-        }
-    }
-    return from;
+    ExactPieces pieces(region.data());
+    return clipEach(in, pieces, out, from);
 }
 
 std::vector<RegionPiece> clip(const Segment& segment, const PreparedRegion& region)
 {
-    const Known answer = FirstLook(region.data()).at(segment);
-    if (answer == Known::Gone)
-        return {};
-    if (answer == Known::Whole)
-        return {{segment, 0, 0, 0}};
-    LineSweep sweep(region.data());
-    const auto pieces = sweep.piecesOf(segment, 0);
-    return {pieces.begin(), pieces.end()};
+    ExactPieces pieces(region.data());
+    return piecesOf(segment, pieces);
 }
 
 } // namespace clipping

@@ -2,7 +2,7 @@
 #include "tests/clipping/formulas/evaluate.h"
 
 #include "clipping/clamped.h"
-#include "clipping/exact/line.h"
+#include "clipping/exact/turn.h"
 #include "clipping/outcode.h"
 
 #include <bit>
@@ -30,6 +30,16 @@ double held(double value, const Scope& scope)
     return clipping::clamped(value, w.min[scope.axis], w.max[scope.axis]);
 }
 
+/// Whether a point is beyond the edge of the step.
+bool isBeyond(const glm::dvec2& p, const Scope& scope)
+{
+    if (scope.edge == clipping::Edge::None)
+        throw Unreadable("beyond(...) is of no edge here");
+    const auto axis = clipping::axisOf(scope.edge);
+    const double level = clipping::levelOf(scope.edge, scope.window());
+    return scope.edge == clipping::lowerEdge(axis) ? p[axis] < level : p[axis] > level;
+}
+
 double sign(std::strong_ordering order)
 {
     return std::is_lt(order) ? -1 : std::is_gt(order) ? 1 : 0;
@@ -50,6 +60,10 @@ double valueOfFunction(const Expression& e, const Scope& scope)
     const double second = valueOf(e.parts[1], scope);
     if (e.name == "order")
         return sign(clipping::orderInIntegers(x1, y1, x2, y2, first, second));
+    if (e.name == "side")
+        return clipping::turnInIntegers({x1, y1}, {x2, y2}, {x1, y1}, {first, second});
+    if (e.name == "beyond")
+        return isBeyond({first, second}, scope);
     if (e.name == "min")
         return std::min(first, second);
     if (e.name == "max")

@@ -179,6 +179,7 @@ void everyExactForm()
     QTest::addColumn<const PolygonUses*>("uses");
     QTest::newRow("polygon") << exactAlgorithm().polygon;
     QTest::newRow("searched") << exactAlgorithm().searchedPolygon;
+    QTest::newRow("winding number") << findAlgorithm("winding-number")->polygon;
 }
 
 } // namespace
@@ -209,6 +210,9 @@ class ExactPolygonTest : public QObject {
         std::vector<Clipped> all(segments.size());
         all.resize(exactAlgorithm().polygon->clipAll(segments, polygon, all));
         QVERIFY2(sameBits(all, expected), name.c_str());
+        all.resize(segments.size());
+        all.resize(findAlgorithm("winding-number")->polygon->clipAll(segments, polygon, all));
+        QVERIFY2(sameBits(all, expected), (name + ", winding number").c_str());
     }
 
 private slots:

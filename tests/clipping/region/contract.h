@@ -3,6 +3,8 @@
 
 // The contract of clipping/region/region.h, checked with fractions.
 
+#include "clipping/region/catalogue.h"
+
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -109,12 +111,18 @@ inline std::string reversalFault(const std::vector<clipping::RegionPiece>& piece
     return same ? "" : "differs from the reversed segment";
 }
 
-/// Both, for one segment.
+/// Both, for one segment and every row that clips at regions.
 template <class F>
 std::string faultAt(const clipping::Segment& s, const region_oracle::Truth<F>& truth,
                     const clipping::PreparedRegion& region)
 {
-    const auto pieces = clip(s, region);
-    const auto wrong = fault(pieces, s, truth, region);
-    return wrong.empty() ? reversalFault(pieces, clip({s.b, s.a}, region)) : wrong;
+    for (const clipping::RegionAlgorithm& form : clipping::regionAlgorithms()) {
+        const auto pieces = form.clip(s, region);
+        auto wrong = fault(pieces, s, truth, region);
+        if (wrong.empty())
+            wrong = reversalFault(pieces, form.clip({s.b, s.a}, region));
+        if (!wrong.empty())
+            return std::string(form.key) + ": " + wrong;
+    }
+    return {};
 }
