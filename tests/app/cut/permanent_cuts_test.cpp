@@ -105,7 +105,7 @@ private slots:
     {
         Sheet sheet = drawing();
         sheet.layers[1].locked = true;
-        const Made split = made("split", sheet, {.scope = app::CutScope::Editable});
+        const Made split = made("split", sheet, {.leaveLocked = true});
         QCOMPARE(rowsOf(split.sheet),
                  (QStringList{"Lower/in 1..2", "Upper/through -5..15", "Outside/out 20..22"}));
         QCOMPARE(split.counts.leftLocked, 1u);
