@@ -32,7 +32,8 @@ constexpr std::array kinds{
     PermanentCut{
         "split", QT_TRANSLATE_NOOP("PermanentCuts", "Split at windows"),
         QT_TRANSLATE_NOOP("PermanentCuts",
-                          "Split: %1 What is outside the clip windows is on a layer of its own."),
+                          "Split: %1 What is outside the clip windows is on layers of its own, "
+                          "named “…, outside”."),
         QT_TRANSLATE_NOOP("PermanentCuts", "Nothing was split"),
         QT_TRANSLATE_NOOP("PermanentCuts", "no object is outside the clip windows."), split},
 };
