@@ -27,6 +27,7 @@ struct CutCounts {
     std::size_t leftHidden = 0, leftLocked = 0; ///< not cut, as the options say
     std::size_t cutLocked = 0;    ///< objects on locked layers that a cut changed or removed
     std::size_t dropped = 0;      ///< pieces shorter than the least length
+    std::size_t fillsRemoved = 0; ///< by app::occlude
     std::size_t segmentsBefore = 0, segmentsAfter = 0; ///< of the objects that were cut
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cut/permanent_cuts.h"
 
+#include "app/cut/occlude.h"
 #include "app/cut/split.h"
 
 #include <QtGlobal>
@@ -36,6 +37,10 @@ constexpr std::array kinds{
                           "named “…, outside”."),
         QT_TRANSLATE_NOOP("PermanentCuts", "Nothing was split"),
         QT_TRANSLATE_NOOP("PermanentCuts", "no object is outside the clip windows."), split},
+    PermanentCut{"occlude", QT_TRANSLATE_NOOP("PermanentCuts", "Remove covered lines"),
+                 QT_TRANSLATE_NOOP("PermanentCuts", "Covered lines removed: %1"),
+                 QT_TRANSLATE_NOOP("PermanentCuts", "No covered lines were removed"),
+                 QT_TRANSLATE_NOOP("PermanentCuts", "no object is filled."), occlude},
 };
 
 } // namespace
