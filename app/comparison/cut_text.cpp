@@ -36,6 +36,8 @@ QString cutText(const CutCounts& counts)
     addFirst(counts.gone, "%1 object left out", "%1 objects left out", "%1 left out");
     QString text = parts.isEmpty() ? tr("there was nothing to cut.") : parts.join(tr(", ")) + u'.';
     addCount(text, counts.opened, "Opened: %1.");
+    addCount(text, counts.dropped, "Short pieces dropped: %1.");
+    addCount(text, counts.fillsRemoved, "Fills removed: %1.");
     addCount(text, counts.hidden, "Still hidden: %1.");
     return text + leftAloneText(counts);
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cut/cut.h"
 
-#include "app/cut/cut_object.h"
-#include "app/cut/fresh_ids.h"
+#include "app/cut/cut_edit.h"
 #include "clipping/outside.h"
 
 #include <algorithm>
@@ -109,50 +108,50 @@ private:
     std::vector<Clipped> kept_, outside_;
 };
 
+CutOptions withTolerance(CutOptions options, const Page& page)
+{
+    if (!(options.tolerance > 0))
+        options.tolerance = usualTolerance(page);
+    return options;
+}
+
 class Cutter {
 public:
-    Cutter(const Document& document, const CutOptions& options)
-        : document_(document), options_(options),
-          tolerance_(options.tolerance > 0 ? options.tolerance : usualTolerance(document.page())),
-          hidden_(document.containers().hiddenRanges()),
-          locked_(document.containers().lockedRanges()), clipping_(options)
+    Cutter(const Document& document, const CutOptions& options, Grouping grouping)
+        : objects_(document.objects()), options_(withTolerance(options, document.page())),
+          edit_(document, grouping), clipping_(options_)
     {
-        cut_.edit.objects = objects().slice(0, 0);
     }
 
-    Cut cut()
+    /// Empty if the document cannot hold the groups.
+    std::optional<Cut> cut()
     {
-        objects().forEach(0, objects().size(), [&](std::size_t i, const ObjectView& object) {
-            if (!reached(i, object))
+        objects_.forEach(0, objects_.size(), [&](std::size_t i, const ObjectView& object) {
+            if (!reached(i))
                 return;
-            batch_.add(i, object, tolerance_);
+            batch_.add(i, object, options_.tolerance);
             if (batch_.chords().size() >= chordsAtOnce)
                 cutBatch();
         });
         cutBatch();
-        if (!cut_.edit.splices.empty())
-            cut_.edit.containers = document_.containers().spliced(cut_.edit.splices);
-        return std::move(cut_);
+        return edit_.take();
     }
 
 private:
-    const Objects& objects() const { return document_.objects(); }
-
-    bool reached(std::size_t i, const ObjectView& object)
+    bool reached(std::size_t i)
     {
-        if (options_.scope == CutScope::Everything)
-            return true;
-        const bool locked = locked_.contains(i), hidden = object.hidden() || hidden_.contains(i);
-        cut_.counts.leftLocked += locked;
-        cut_.counts.leftHidden += hidden && !locked;
+        const bool locked = options_.leaveLocked && edit_.isLocked(i);
+        const bool hidden = !locked && options_.leaveHidden && edit_.isHidden(i);
+        edit_.counts().leftLocked += locked;
+        edit_.counts().leftHidden += hidden;
         return !locked && !hidden;
     }
 
     void cutBatch()
     {
         std::span<const Clipped> kept = clipping_.keptOf(batch_.chords());
-        cut_.counts.segmentsBefore += batch_.chords().size();
-        cut_.counts.segmentsAfter += kept.size();
+        edit_.counts().segmentsBefore += batch_.chords().size();
+        edit_.counts().segmentsAfter += kept.size();
         for (const Batch::Member& member : batch_.members()) {
             const auto end = std::ranges::find_if(
                 kept, [&](const Clipped& piece) { return piece.source >= member.end; });
@@ -166,61 +165,31 @@ private:
     void cutMember(const Batch::Member& member, std::span<const Clipped> kept)
     {
         const auto chords = batch_.chordsOf(member);
-        const ObjectView view = objects()[member.object];
+        const ObjectView view = objects_[member.object];
         const bool filled = view.style().fill && view.path().hasArea();
         if (!filled && std::ranges::equal(chords, kept, {}, &Chord::segment, &Clipped::segment))
-            return noteWhole(member.object);
+            return edit_.keep(member.object);
         if (!filled && kept.empty())
-            return remove(member.object);
+            return edit_.remove(member.object);
         const Object object = view.copy();
         std::optional<AreaLeft> area;
         if (filled)
             area = areas_.left(object.path, object.style.fillRule, chords);
-        const CutObject result =
-            cutObject(object, tolerance_, chords, kept, member.first, options_.region, area);
+        CutObject result = cutObject(object, options_, chords, kept, member.first, area);
         if (result.whole)
-            return noteWhole(member.object);
+            return edit_.keep(member.object);
+        edit_.counts().dropped += result.dropped;
         if (result.left.empty())
-            return remove(member.object);
-        ++cut_.counts.cut;
-        cut_.counts.hidden += object.hidden || hidden_.contains(member.object);
-        cut_.counts.opened += result.opened;
-        cut_.edit.splices.push_back(
-            {std::uint32_t(member.object), 1, std::uint32_t(result.left.size())});
-        for (std::size_t i = 0; i < result.left.size(); ++i) {
-            Object left = result.left[i];
-            if (i > 0)
-                left.particulars.id = ids_.next(object.particulars.id);
-            cut_.edit.objects.append(left);
-        }
+            return edit_.remove(member.object);
+        edit_.cut(member.object, std::move(result));
     }
 
-    void noteWhole(std::size_t object)
-    {
-        ++cut_.counts.whole;
-        cut_.counts.hidden += objects()[object].hidden() || hidden_.contains(object);
-    }
-
-    void remove(std::size_t object)
-    {
-        ++cut_.counts.gone;
-        auto& splices = cut_.edit.splices;
-        if (!splices.empty() && splices.back().added == 0
-            && splices.back().first + splices.back().removed == object)
-            ++splices.back().removed;
-        else
-            splices.push_back({std::uint32_t(object), 1, 0});
-    }
-
-    const Document& document_;
-    const CutOptions& options_;
-    const double tolerance_;
-    const ObjectRanges hidden_, locked_;
+    const Objects& objects_;
+    const CutOptions options_;
+    CutEdit edit_;
     Clipping clipping_;
     AreaCut areas_{options_.region};
-    FreshIds ids_{document_};
     Batch batch_;
-    Cut cut_;
 };
 
 } // namespace
@@ -228,7 +197,9 @@ private:
 Cut cut(const Document& document, const CutOptions& options)
 {
     assert(options.clipAll);
-    return Cutter(document, options).cut();
+    if (auto made = Cutter(document, options, Grouping::Yes).cut())
+        return std::move(*made);
+    return *Cutter(document, options, Grouping::No).cut();
 }
 
 std::vector<Object> cutAlone(const Object& object, const CutOptions& options)
@@ -241,7 +212,7 @@ std::vector<Object> cutAlone(const Object& object, const CutOptions& options)
     std::optional<AreaLeft> area;
     if (object.style.fill && object.path.hasArea())
         area = AreaCut(options.region).left(object.path, object.style.fillRule, chords);
-    CutObject result = cutObject(object, options.tolerance, chords, kept, 0, options.region, area);
+    CutObject result = cutObject(object, options, chords, kept, 0, area);
     return result.whole ? std::vector{object} : std::move(result.left);
 }
 

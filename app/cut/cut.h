@@ -6,16 +6,15 @@
 
 namespace app {
 
-/// The objects that a cut acts on. Everything includes hidden and locked objects, so that no
-/// geometry stays on the wrong side. Editable leaves hidden and locked objects whole.
-enum class CutScope : std::uint8_t { Everything, Editable };
-
 struct CutOptions {
     ClipAll clipAll = nullptr; ///< from the algorithm; not null
     ClipRegion region{};       ///< without a window nothing is cut
     double tolerance = 0;      ///< for curves, in user units; 0: 0.05 mm on paper
     bool keepContacts = false; ///< single points of a longer line (CSV keeps them)
-    CutScope scope = CutScope::Everything;
+    bool leaveLocked = false;  ///< locked objects stay whole
+    bool leaveHidden = false;  ///< hidden objects stay whole
+    bool closeAreas = false;   ///< the stroke of a cut area runs along the cut, too
+    double leastLength = 0;    ///< shorter pieces of cut lines are dropped (user units)
 };
 
 /// Counts of objects and lines after a cut, for the report.
@@ -25,7 +24,10 @@ struct CutCounts {
     std::size_t gone = 0;   ///< objects of which nothing remains
     std::size_t opened = 0; ///< closed subpaths that became open
     std::size_t hidden = 0; ///< hidden objects that were cut like visible ones, and stay hidden
-    std::size_t leftHidden = 0, leftLocked = 0;        ///< not cut by CutScope::Editable
+    std::size_t leftHidden = 0, leftLocked = 0; ///< not cut, as the options say
+    std::size_t cutLocked = 0;    ///< objects on locked layers that a cut changed or removed
+    std::size_t dropped = 0;      ///< pieces shorter than the least length
+    std::size_t fillsRemoved = 0; ///< by app::occlude
     std::size_t segmentsBefore = 0, segmentsAfter = 0; ///< of the objects that were cut
 };
 
@@ -40,10 +42,12 @@ struct Cut {
 /// Cuts the document at its clip windows. Consecutive visible parts of one subpath form one subpath
 /// (also across the start of a closed subpath). Further objects made of one get ids with a number,
 /// "wall-2". Objects kept whole are unchanged; cut outlines
-/// are open. A cut area stays filled (area_cut.h), without a stroke along the cut; its stroke
-/// becomes an object of its own above it. Cut curves are split, not replaced by chords. Every
-/// end made by the cut lies on a window's edge, bit for bit inside the window. Hidden objects stay
-/// hidden.
+/// are open. A cut area stays filled (area_cut.h). If it has a stroke, it becomes a group in its
+/// place, with its id: the area, and above it the lines, so that no stroke runs along the cut. With
+/// `closeAreas` it stays one object instead, whose stroke follows the cut; its lines that enclose
+/// nothing are then above it. Where a document can hold no further groups, the parts are objects
+/// with numbered ids. Cut curves are split, not replaced by chords. Every end made by the cut lies
+/// on a window's edge, bit for bit inside the window. Hidden objects stay hidden.
 Cut cut(const Document& document, const CutOptions& options);
 
 /// What remains of one object, bottom to top. `options.tolerance` must not be 0.

@@ -5,6 +5,7 @@
 #include "app/document/line_colour.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace app {
@@ -27,17 +28,42 @@ std::vector<KeptPart> partsOf(std::size_t chords, std::span<const Clipped>& piec
     return parts;
 }
 
-// What is left of the area, without a stroke along the cut.
-std::vector<Object> areasOf(const Object& object, const AreaLeft& area)
+double lengthOf(const Subpath& path, double tolerance)
 {
-    if (!area.whole && area.paths.empty())
+    std::vector<Chord> chords;
+    flatten(path, tolerance, chords);
+    double length = 0;
+    for (const Chord& chord : chords)
+        length += std::hypot(chord.segment.b.x - chord.segment.a.x,
+                             chord.segment.b.y - chord.segment.a.y);
+    return length;
+}
+
+bool isTooShort(const Subpath& path, const CutOptions& options)
+{
+    return options.leastLength > 0 && lengthOf(path, options.tolerance) < options.leastLength;
+}
+
+bool enclosesNothing(const Subpath& path)
+{
+    return path.segments.empty() || (path.segments.size() == 1 && !path.segments[0].curved);
+}
+
+// What is left of the area.
+std::vector<Object> areasOf(const Object& object, const std::vector<Subpath>& paths)
+{
+    if (paths.empty())
         return {};
     Object filled = object;
-    filled.style.stroke.reset();
     filled.particulars.recipe = {};
-    if (!area.whole)
-        filled.path = Path(area.paths);
+    filled.path = Path(paths);
     return {filled};
+}
+
+Object withoutStroke(Object object)
+{
+    object.style.stroke.reset();
+    return object;
 }
 
 Object outlineOf(Object object)
@@ -47,35 +73,85 @@ Object outlineOf(Object object)
     return object;
 }
 
+// The lines of an object, cut.
+class CutLines {
+public:
+    CutLines(const Object& object, const CutOptions& options)
+        : object_(object), options_(options),
+          closedStart_(object.style.dashes.empty() ? ClosedStart::Join : ClosedStart::Break)
+    {
+    }
+
+    void cut(std::span<const Chord> chords, std::span<const Clipped> pieces, std::size_t first)
+    {
+        for (const Subpath& path : object_.path.subpaths()) {
+            const std::size_t count = chordCount(path, options_.tolerance);
+            add(path, chords.first(count), partsOf(count, pieces, first));
+            chords = chords.subspan(count);
+            first += count;
+        }
+    }
+
+    bool whole() const { return whole_; }
+    std::size_t opened() const { return opened_; }
+    std::size_t dropped() const { return dropped_; }
+    /// The lines of all subpaths, or of those that enclose nothing.
+    std::vector<Object> take() { return objectsOfRuns(outlineOf(object_), std::move(runs_)); }
+    std::vector<Object> takeLoose() { return objectsOfRuns(outlineOf(object_), std::move(loose_)); }
+
+private:
+    void add(const Subpath& path, std::span<const Chord> chords, const std::vector<KeptPart>& parts)
+    {
+        auto kept = joinRuns(path, chords, parts, options_.region, closedStart_);
+        const bool unchanged = kept.size() == 1 && kept.front().path == path;
+        if (!unchanged)
+            dropped_ +=
+                std::erase_if(kept, [&](const Run& run) { return isTooShort(run.path, options_); });
+        whole_ = whole_ && unchanged;
+        opened_ += path.closed && !unchanged && !kept.empty();
+        if (enclosesNothing(path))
+            loose_.insert(loose_.end(), kept.begin(), kept.end());
+        std::ranges::move(kept, std::back_inserter(runs_));
+    }
+
+    const Object& object_;
+    const CutOptions& options_;
+    const ClosedStart closedStart_;
+    std::vector<Run> runs_, loose_;
+    bool whole_ = true;
+    std::size_t opened_ = 0, dropped_ = 0;
+};
+
 } // namespace
 
-CutObject cutObject(const Object& object, double tolerance, std::span<const Chord> chords,
-                    std::span<const Clipped> pieces, std::size_t first, const ClipRegion& region,
+CutObject cutObject(const Object& object, const CutOptions& options, std::span<const Chord> chords,
+                    std::span<const Clipped> pieces, std::size_t first,
                     const std::optional<AreaLeft>& area)
 {
-    const ClosedStart closedStart =
-        object.style.dashes.empty() ? ClosedStart::Join : ClosedStart::Break;
-    CutObject result{.whole = true};
-    std::vector<Run> runs;
-    for (const Subpath& path : object.path.subpaths()) {
-        const std::size_t count = chordCount(path, tolerance);
-        const auto parts = partsOf(count, pieces, first);
-        auto kept = joinRuns(path, chords.first(count), parts, region, closedStart);
-        const bool unchanged = kept.size() == 1 && kept.front().path == path;
-        result.whole = result.whole && unchanged;
-        result.opened += path.closed && !unchanged && !kept.empty();
-        std::ranges::move(kept, std::back_inserter(runs));
-        chords = chords.subspan(count);
-        first += count;
-    }
-    result.whole = result.whole && (!area || area->whole);
-    if (result.whole)
+    CutLines lines(object, options);
+    lines.cut(chords, pieces, first);
+    if (lines.whole() && (!area || area->whole))
+        return {.whole = true};
+    const bool stroked = object.style.stroke.has_value();
+    CutObject result{.opened = lines.opened(), .dropped = lines.dropped()};
+    if (!area) {
+        result.left = lines.take();
         return result;
-    if (area)
-        result.left = areasOf(object, *area);
-    if (!area || object.style.stroke)
-        std::ranges::move(objectsOfRuns(outlineOf(object), std::move(runs)),
+    }
+    std::vector<Subpath> rings = area->whole ? object.path.subpaths() : area->paths;
+    if (options.closeAreas && stroked) {
+        result.opened = 0;
+        result.dropped =
+            std::erase_if(rings, [&](const Subpath& ring) { return isTooShort(ring, options); });
+        result.left = areasOf(object, rings);
+    } else {
+        result.left = areasOf(withoutStroke(object), rings);
+    }
+    const std::size_t areas = result.left.size();
+    if (stroked)
+        std::ranges::move(options.closeAreas ? lines.takeLoose() : lines.take(),
                           std::back_inserter(result.left));
+    result.parted = areas > 0 && result.left.size() > areas;
     return result;
 }
 

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "app/cut/area_cut.h"
-#include "app/document/object.h"
-#include "app/scene/region.h"
+#include "app/cut/cut.h"
 
 namespace app {
 
@@ -11,15 +10,16 @@ namespace app {
 struct CutObject {
     bool whole = false;         ///< the whole object, unchanged
     std::vector<Object> left{}; ///< otherwise the remaining parts, bottom to top
+    bool parted = false;        ///< `left` begins with the area, and its lines follow
     std::size_t opened = 0;     ///< closed subpaths that became open
+    std::size_t dropped = 0;    ///< pieces shorter than the least length
 };
 
 /// Cuts an object, given the kept pieces of its lines, and the area that is left if it is filled.
-/// A filled object with a stroke becomes two: the area, and above it the lines. `chords` are those
-/// of `flatten(object.path, tolerance)`. `pieces` are in the order of the chords, and their sources
-/// count from `first`.
-CutObject cutObject(const Object& object, double tolerance, std::span<const Chord> chords,
+/// `chords` are those of `flatten(object.path, options.tolerance)`. `pieces` are in the order of
+/// the chords, and their sources count from `first`.
+CutObject cutObject(const Object& object, const CutOptions& options, std::span<const Chord> chords,
                     std::span<const clipping::Clipped> pieces, std::size_t first,
-                    const ClipRegion& region, const std::optional<AreaLeft>& area);
+                    const std::optional<AreaLeft>& area);
 
 } // namespace app

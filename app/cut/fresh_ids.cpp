@@ -3,21 +3,28 @@
 
 namespace app {
 
+QSet<QString> idsOf(const Document& document)
+{
+    QSet<QString> ids;
+    document.objects().forEach(
+        0, document.objects().size(),
+        [&](std::size_t, const ObjectView& object) { ids.insert(object.particulars().id); });
+    for (const ContainerId each : document.containers().inOrder())
+        ids.insert(document.containers()[each].svgId);
+    ids.remove(QString());
+    return ids;
+}
+
 QString FreshIds::next(const QString& id)
 {
     if (id.isEmpty())
         return {};
-    if (!std::exchange(known_, true)) {
-        document_.objects().forEach(
-            0, document_.objects().size(),
-            [&](std::size_t, const ObjectView& object) { taken_.insert(object.particulars().id); });
-        for (const ContainerId each : document_.containers().inOrder())
-            taken_.insert(document_.containers()[each].svgId);
-    }
+    if (!taken_)
+        taken_ = idsOf(*document_);
     for (int number = 2;; ++number)
         if (const QString fresh = QStringLiteral("%1-%2").arg(id).arg(number);
-            !taken_.contains(fresh)) {
-            taken_.insert(fresh);
+            !taken_->contains(fresh)) {
+            taken_->insert(fresh);
             return fresh;
         }
 }

@@ -5,21 +5,27 @@
 
 #include <QSet>
 
+#include <optional>
+
 namespace app {
 
-/// Ids for the further pieces of objects that a cut divides: "wall-2", "wall-3", none of which the
-/// document has already.
+/// The ids of all objects, layers and groups that have one.
+QSet<QString> idsOf(const Document& document);
+
+/// Ids for the further pieces of objects that a cut divides: "wall-2", "wall-3", none of which is
+/// taken already.
 class FreshIds {
 public:
-    explicit FreshIds(const Document& document) : document_(document) {}
+    /// The ids of the document are taken. They are read at the first call: most cuts need none.
+    explicit FreshIds(const Document& document) : document_(&document) {}
+    explicit FreshIds(QSet<QString> taken) : taken_(std::move(taken)) {}
 
     /// Empty if `id` is: an object without an id does not get one.
     QString next(const QString& id);
 
 private:
-    const Document& document_;
-    bool known_ = false;
-    QSet<QString> taken_; ///< read at the first call: most cuts need none
+    const Document* document_ = nullptr;
+    std::optional<QSet<QString>> taken_{};
 };
 
 } // namespace app

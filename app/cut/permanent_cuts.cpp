@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cut/permanent_cuts.h"
 
+#include "app/cut/occlude.h"
 #include "app/cut/split.h"
 
 #include <QtGlobal>
@@ -32,9 +33,14 @@ constexpr std::array kinds{
     PermanentCut{
         "split", QT_TRANSLATE_NOOP("PermanentCuts", "Split at windows"),
         QT_TRANSLATE_NOOP("PermanentCuts",
-                          "Split: %1 What is outside the clip windows is on a layer of its own."),
+                          "Split: %1 What is outside the clip windows is on layers of its own, "
+                          "named “…, outside”."),
         QT_TRANSLATE_NOOP("PermanentCuts", "Nothing was split"),
         QT_TRANSLATE_NOOP("PermanentCuts", "no object is outside the clip windows."), split},
+    PermanentCut{"occlude", QT_TRANSLATE_NOOP("PermanentCuts", "Remove covered lines"),
+                 QT_TRANSLATE_NOOP("PermanentCuts", "Covered lines removed: %1"),
+                 QT_TRANSLATE_NOOP("PermanentCuts", "No covered lines were removed"),
+                 QT_TRANSLATE_NOOP("PermanentCuts", "no object is filled."), occlude},
 };
 
 } // namespace

@@ -7,7 +7,7 @@
 
 namespace app {
 
-/// A way to cut a drawing permanently at its clip windows: a command of the menu and a step of the
+/// A way to cut a drawing permanently, at its clip windows or below its areas: a command of the menu and a step of the
 /// history. The texts are in the context "PermanentCuts".
 struct PermanentCut {
     std::string_view key;

@@ -3,6 +3,7 @@
 
 #include "app/cut/fresh_ids.h"
 #include "app/cut/layer_above.h"
+#include "app/cut/outside_layers.h"
 
 #include <QCoreApplication>
 
@@ -15,30 +16,54 @@ Cut cutKeeping(const Document& document, CutOptions options, Keep keep)
     return cut(document, options);
 }
 
-// What is outside the windows, of the objects that the inner cut changes; no other has a part
-// there.
-Objects outsideParts(const Document& document, const Cut& inside, const Cut& outside)
+ObjectRanges changedBy(const Cut& cut)
 {
-    Objects parts = document.objects().slice(0, 0);
-    FreshIds ids(document);
-    std::size_t next = 0, added = 0; // of the outer cut's splices and objects
-    const auto& splices = outside.edit.splices;
-    for (const Splice& removed : inside.edit.splices) {
-        for (std::size_t i = removed.first; i < removed.first + removed.removed; ++i) {
-            while (next < splices.size() && splices[next].first + splices[next].removed <= i)
-                added += splices[next++].added;
-            if (next == splices.size() || splices[next].first > i) {
-                parts.append(document.objects()[i].copy()); // wholly outside
-                continue;
-            }
-            for (std::size_t k = 0; k < splices[next].added; ++k) {
-                Object part = outside.edit.objects[added + k].copy();
-                part.particulars.id = ids.next(document.objects()[i].particulars().id);
-                parts.append(part);
-            }
+    ObjectRanges changed;
+    for (const Splice& splice : cut.edit.splices)
+        changed.insert(ObjectRange{splice.first, std::size_t(splice.first) + splice.removed});
+    return changed;
+}
+
+// Of the parts outside the windows, those of objects that the inner cut changes; no other object
+// has a part there. Their ids differ from those inside.
+Document outsideParts(const Document& document, const CutOptions& options, const Cut& inside)
+{
+    const Cut outer = cutKeeping(document, options, Keep::Outside);
+    Document inner = document, all = document;
+    inner.apply(inside.edit);
+    all.apply(outer.edit);
+    const QSet<QString> insideIds = idsOf(inner);
+    FreshIds ids(idsOf(document) + insideIds + idsOf(all));
+    const ObjectRanges changed = changedBy(inside);
+    DocumentParts parts{.page = all.page(), .objects = all.objects().slice(0, 0)};
+    std::vector<Splice> others;
+    std::uint32_t number = 0;
+    for (const std::uint32_t source : sourcesOf(outer, document.objects().size())) {
+        if (!changed.contains(source)) {
+            others.push_back({number++, 1, 0});
+            continue;
         }
+        ObjectRow row = all.objects()[number++].row();
+        if (insideIds.contains(row.particulars->id))
+            row.particulars.own().id = ids.next(document.objects()[source].particulars().id);
+        parts.objects.append(row);
     }
-    return parts;
+    parts.containers = all.containers().spliced(others);
+    return Document(std::move(parts));
+}
+
+// All that is outside on one layer.
+Edit withOneLayer(const Document& document, Edit inside, const Document& outside)
+{
+    Document inner = document;
+    inner.apply(inside);
+    const auto [tree, layer] =
+        withLayerAbove(inner, QCoreApplication::translate("PermanentCuts", "Outside"));
+    inside.splices.push_back(
+        {std::uint32_t(document.objects().size()), 0, std::uint32_t(outside.objects().size())});
+    inside.objects.append(outside.objects());
+    inside.containers = tree.spliced(inner.objects().size(), 0, outside.objects().size(), layer);
+    return inside;
 }
 
 } // namespace
@@ -46,22 +71,13 @@ Objects outsideParts(const Document& document, const Cut& inside, const Cut& out
 Cut split(const Document& document, const CutOptions& options)
 {
     Cut result = cutKeeping(document, options, Keep::Inside);
-    const Cut outside = cutKeeping(document, options, Keep::Outside);
-    const Objects parts = outsideParts(document, result, outside);
+    const Document outside = outsideParts(document, options, result);
+    if (outside.objects().empty())
+        return result;
     result.counts.whole += result.counts.gone;
     result.counts.gone = 0;
-    if (parts.size() == 0)
-        return result;
-    auto [tree, layer] =
-        withLayerAbove(document, QCoreApplication::translate("PermanentCuts", "Outside"));
-    std::vector<ContainerId> into;
-    for (const Splice& splice : result.edit.splices)
-        into.push_back(tree.containerOf(splice.first));
-    const auto end = std::uint32_t(document.objects().size());
-    result.edit.splices.push_back({end, 0, std::uint32_t(parts.size())});
-    into.push_back(layer);
-    result.edit.objects.append(parts);
-    result.edit.containers = tree.spliced(result.edit.splices, into);
+    auto edit = withOutsideLayers(document, result.edit, outside);
+    result.edit = edit ? std::move(*edit) : withOneLayer(document, result.edit, outside);
     return result;
 }
 

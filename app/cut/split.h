@@ -6,8 +6,10 @@
 namespace app {
 
 /// Divides the objects at the clip windows, whichever side these keep. What is inside stays in its
-/// layer and group; what is outside goes to a new layer above all others. In the counts, `whole`
-/// includes objects that are wholly outside.
+/// layer and group. What is outside goes to a layer of its own above each layer, "Roads, outside",
+/// with the same inner layers and groups (outside_layers.h); if the document can have no such
+/// layers, to one layer above all others. In the counts, `whole` includes objects that are wholly
+/// outside.
 Cut split(const Document& document, const CutOptions& options);
 
 } // namespace app

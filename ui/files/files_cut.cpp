@@ -55,7 +55,8 @@ void Files::cutNow(const app::PermanentCut& kind, const Turn& turn)
 {
     emit documentWanted();
     app::CutOptions options = cutOptions();
-    options.scope = app::CutScope::Editable;
+    options.leaveLocked = true;
+    options.leaveHidden = true;
     using Cropped = std::optional<app::Cut>; // empty: not enough memory
     background_.run(
         tr("Cutting…"),

@@ -74,7 +74,7 @@ private slots:
         app::CutOptions options;
         options.clipAll = clipping::findAlgorithm("exact")->corrected.clipAll;
         options.region.steps = {{before.window, app::WindowOperation::Add}};
-        options.scope = app::CutScope::Editable;
+        options.leaveLocked = options.leaveHidden = true;
         app::CropToWindow crop(document, options);
         QCOMPARE(crop.counts().cut, 1u);
         QCOMPARE(crop.counts().leftLocked, 1u);
@@ -91,7 +91,7 @@ private slots:
             QCOMPARE(after[i] == before.shapes[i], i != 1);
         QCOMPARE(after[1].paths[0].start.x, 1.0);
 
-        options.scope = app::CutScope::Everything; // as the command line cuts
+        options.leaveLocked = options.leaveHidden = false; // as the command line cuts
         app::Document other = app::documentOf(before);
         const app::Cut all = app::cut(other, options);
         other.apply(all.edit);

@@ -210,7 +210,9 @@ private:
         app::CutOptions options;
         options.clipAll = clipping::algorithms().front().corrected.clipAll;
         options.region = app::regionOf(now().windows(), now().page());
-        options.scope = app::CutScope::Editable;
+        options.leaveLocked = true;
+        options.leaveHidden = random_.below(2) == 0;
+        options.closeAreas = random_.below(2) == 0;
         return new app::CropToWindow(document_, options);
     }
 

@@ -31,7 +31,28 @@ struct Left {
     Sheet sheet;
     app::CutCounts counts;
     std::vector<std::uint32_t> sources;
+    app::Document document{};
 };
+
+// Each group with the number of its objects.
+QStringList groupsOf(const app::Document& document)
+{
+    const app::Containers& tree = document.containers();
+    QStringList groups;
+    for (const app::ContainerId id : tree.inOrder())
+        if (tree[id].kind == app::Container::Kind::Group)
+            groups << QStringLiteral("%1: %2").arg(tree[id].svgId).arg(tree.rangeOf(id).size());
+    return groups;
+}
+
+std::pair<app::Document, app::CutCounts> cutAt(app::Document document, app::CutOptions options)
+{
+    options.clipAll = clipping::exactAlgorithm().corrected.clipAll;
+    options.region = {{{window, app::WindowOperation::Add}}};
+    const app::Cut cut = app::cut(document, options);
+    document.apply(cut.edit);
+    return {document, cut.counts};
+}
 
 Left cutAt(const Sheet& sheet, const app::ClipRegion& region, double tolerance = 1e-3)
 {
@@ -40,7 +61,7 @@ Left cutAt(const Sheet& sheet, const app::ClipRegion& region, double tolerance =
     const app::Cut cut = app::cut(document, {algorithm->corrected.clipAll, region, tolerance});
     const auto sources = app::sourcesOf(cut, document.objects().size());
     document.apply(cut.edit);
-    return {app::sheetOf(document), cut.counts, sources};
+    return {app::sheetOf(document), cut.counts, sources, document};
 }
 
 Left cutAt(const Sheet& sheet, Keep keep, double tolerance = 1e-3)
@@ -124,7 +145,7 @@ private slots:
     }
 
     // No stroke runs along the cut.
-    void anAreaWithAStrokeBecomesTwoObjects()
+    void anAreaWithAStrokeBecomesAGroup()
     {
         const app::Colour red{255, 0, 0, 255}, blue{0, 0, 255, 255};
         const Subpath triangle{{0, 0}, {{{9, 0}}, {{9, 9}}}, true};
@@ -134,9 +155,87 @@ private slots:
         QCOMPARE(cut.sheet.shapes[0].style.fill, std::optional(red));
         QVERIFY(!cut.sheet.shapes[1].style.fill);
         QCOMPARE(cut.sheet.shapes[1].style.stroke, std::optional(blue));
-        QCOMPARE(cut.sheet.shapes[1].id, QStringLiteral("s-2"));
         QCOMPARE(cut.sheet.shapes[1].paths,
                  (std::vector{Subpath{{2, 2}, {{{0, 0}}, {{3, 0}}}, false}}));
+        QCOMPARE(groupsOf(cut.document), QStringList{"s: 2"});
+        QCOMPARE(cut.sheet.shapes[0].id + cut.sheet.shapes[1].id, QString());
+    }
+
+    // Also between other objects, in groups, and with dashes.
+    void theGroupStandsWhereTheAreaStood()
+    {
+        app::Style both{.stroke = app::Colour{}, .fill = app::Colour{}};
+        const auto square = [](double x) {
+            return std::vector{Subpath{{x, 0}, {{{x + 5, 0}}, {{x + 5, 5}}, {{x, 5}}}, true}};
+        };
+        app::DocumentBuilder builder;
+        builder.open({.name = "layer"});
+        builder.add({app::Path(square(8)), both, {.id = "gone"}});
+        builder.open({.kind = app::Container::Kind::Group, .svgId = "houses"});
+        builder.add({app::Path(square(1)), both, {.id = "first", .title = "<title/>"}});
+        builder.add({app::Path(clipping::Segment{{0, 0}, {9, 0}}), both, {.id = "line"}});
+        both.dashes = {3, 1};
+        builder.add({app::Path(square(-3)), both, {.id = "dashed"}});
+        builder.close();
+        builder.close();
+        const auto [document, counts] = cutAt(builder.take({}), {});
+        QCOMPARE(groupsOf(document), (QStringList{"houses: 5", "first: 2", "dashed: 2"}));
+        const auto groups = document.containers().inOrder();
+        QCOMPARE(document.containers()[groups[2]].title, QStringLiteral("<title/>"));
+        QCOMPARE(document.containers().rangeOf(groups[2]), (app::ObjectRange{0, 2}));
+        QCOMPARE(document.objects()[2].particulars().id, QStringLiteral("line"));
+        QCOMPARE(counts.cut, 3u);
+    }
+
+    void cuttingTwiceChangesNothing()
+    {
+        std::mt19937_64 random(21);
+        const app::Style both{.stroke = app::Colour{}, .fill = app::Colour{}};
+        for (int i = 0; i < 200; ++i) {
+            const auto sheet =
+                sheetOf({randomPath(random, false), randomPath(random, false)}, both);
+            const auto once = cutAt(app::documentOf(sheet), {}).first;
+            QVERIFY(cutAt(once, {}).first == once);
+        }
+    }
+
+    void aCutAreaCanBeClosedAlongTheWindow()
+    {
+        const app::Style both{.stroke = app::Colour{1, 2, 3}, .fill = app::Colour{}};
+        const Subpath triangle{{0, 0}, {{{9, 0}}, {{9, 9}}}, true};
+        const Subpath spur{{-5, 1}, {{{0, 1}}}, false};
+        const auto sheet = sheetOf({triangle}, both);
+        const auto [document, counts] = cutAt(app::documentOf(sheet), {.closeAreas = true});
+        const Sheet cut = app::sheetOf(document);
+        QCOMPARE(cut.shapes.size(), 1u);
+        QCOMPARE(cut.shapes[0].style, both);
+        QCOMPARE(cut.shapes[0].id, QStringLiteral("s"));
+        QCOMPARE(cut.shapes[0].paths,
+                 (std::vector{Subpath{{0, 0}, {{{3, 0}}, {{3, 2}}, {{2, 2}}}, true}}));
+        QCOMPARE(counts.opened, 0u);
+
+        const auto more = app::documentOf(sheetOf({triangle, spur}, both));
+        const Sheet two = app::sheetOf(cutAt(more, {.closeAreas = true}).first);
+        QCOMPARE(two.shapes.size(), 2u);
+        QCOMPARE(two.shapes[1].paths, (std::vector{Subpath{{-1, 1}, {{{0, 1}}}, false}}));
+    }
+
+    void shortPiecesCanBeDropped()
+    {
+        // Pieces of 0.5 at the left edge and of 2 at the right one; and a whole line of 0.1.
+        const auto sheet = sheetOf({{{-3, 0}, {{{-0.5, 0}}}, false},
+                                    {{1, 0}, {{{9, 0}}}, false},
+                                    {{0, 1}, {{{0, 1.1}}}, false}});
+        const auto [document, counts] = cutAt(app::documentOf(sheet), {.leastLength = 1});
+        QCOMPARE(app::sheetOf(document).shapes.at(0).paths,
+                 (std::vector{Subpath{{1, 0}, {{{3, 0}}}, false},
+                              Subpath{{0, 1}, {{{0, 1.1}}}, false}}));
+        QCOMPARE(counts.dropped, 1u);
+        const auto [none, both] =
+            cutAt(app::documentOf(sheetOf({{{-3, 0}, {{{-0.5, 0}}}, false}})), {.leastLength = 1});
+        QCOMPARE(none.objects().size(), 0u);
+        QCOMPARE(both.dropped, 1u);
+        QCOMPARE(both.gone, 1u);
     }
 
     // None of its lines is in the window, or all of them are.

@@ -45,6 +45,27 @@ Made made(std::string_view key, const Sheet& sheet, const app::CutOptions& more 
     return {app::sheetOf(document), cut.counts, document};
 }
 
+QString treeOf(const app::Document& document)
+{
+    const app::Containers& tree = document.containers();
+    QString text;
+    std::size_t object = 0;
+    const app::Containers::Parts parts = tree.parts();
+    for (const app::ContainerMark& mark : parts.marks) {
+        if (mark.id != 0 && mark.closes)
+            text += QStringLiteral("] ");
+        if (mark.id != 0 && !mark.closes)
+            text += tree[mark.id].name
+                    + (tree[mark.id].svgId.isEmpty() ? QString() : u'#' + tree[mark.id].svgId)
+                    + u'[';
+        for (std::size_t end = object + mark.objects; object < end; ++object) {
+            const QString id = document.objects()[object].particulars().id;
+            text += (id.isEmpty() ? QStringLiteral("-") : id) + u' ';
+        }
+    }
+    return text;
+}
+
 QStringList rowsOf(const Sheet& sheet)
 {
     QStringList rows;
@@ -85,9 +106,10 @@ private slots:
     void splittingKeepsBothPartsOnLayersOfTheirOwn()
     {
         const Made split = made("split", drawing());
-        QCOMPARE(rowsOf(split.sheet),
-                 (QStringList{"Lower/in 1..2", "Upper/through 0..10", "Outside/out 20..22",
-                              "Outside/through-2 -5..0", "Outside/through-2 10..15"}));
+        QCOMPARE(
+            rowsOf(split.sheet),
+            (QStringList{"Lower/in 1..2", "Lower, outside/out 20..22", "Upper/through 0..10",
+                         "Upper, outside/through-2 -5..0", "Upper, outside/through-2 10..15"}));
         QCOMPARE(split.counts.whole, 2u);
         QCOMPARE(split.counts.cut, 1u);
         QCOMPARE(split.counts.gone, 0u);
@@ -105,9 +127,9 @@ private slots:
     {
         Sheet sheet = drawing();
         sheet.layers[1].locked = true;
-        const Made split = made("split", sheet, {.scope = app::CutScope::Editable});
-        QCOMPARE(rowsOf(split.sheet),
-                 (QStringList{"Lower/in 1..2", "Upper/through -5..15", "Outside/out 20..22"}));
+        const Made split = made("split", sheet, {.leaveLocked = true});
+        QCOMPARE(rowsOf(split.sheet), (QStringList{"Lower/in 1..2", "Lower, outside/out 20..22",
+                                                   "Upper/through -5..15"}));
         QCOMPARE(split.counts.leftLocked, 1u);
     }
 
@@ -115,7 +137,66 @@ private slots:
     {
         Sheet sheet = drawing();
         sheet.shapes[0].id = QStringLiteral("through-2");
-        QVERIFY(rowsOf(made("split", sheet).sheet).contains("Outside/through-3 -5..0"));
+        QVERIFY(rowsOf(made("split", sheet).sheet).contains("Upper, outside/through-3 -5..0"));
+    }
+
+    // Each object, group and inner layer with its id, and in brackets what it holds.
+    void splittingMirrorsLayersAndGroups()
+    {
+        const auto add = [](app::DocumentBuilder& builder, const char* id, const Point& a,
+                            const Point& b, const app::Style& style) {
+            const Subpath box{a, {{{b.x, a.y}}, {b}, {{a.x, b.y}}}, true};
+            builder.add({app::Path({&box, 1}), style, {.id = id}});
+        };
+        const app::Style stroke{.stroke = app::Colour{}};
+        const app::Style both{.stroke = app::Colour{}, .fill = app::Colour{}};
+        app::DocumentBuilder builder;
+        builder.open({.name = "Roads", .svgId = "roads"});
+        add(builder, "a", {5, 5}, {15, 6}, stroke);
+        builder.open({.kind = app::Container::Kind::Group, .svgId = "g"});
+        add(builder, "b", {5, 5}, {15, 6}, both);
+        add(builder, "c", {1, 1}, {2, 2}, both);
+        builder.close();
+        builder.open({.name = "Paths"});
+        builder.open({.kind = app::Container::Kind::Group, .svgId = "h"});
+        add(builder, "d", {15, 5}, {16, 6}, both);
+        builder.close();
+        builder.close();
+        add(builder, "e", {15, 5}, {16, 6}, both);
+        builder.close();
+        builder.open({.name = "Houses"});
+        add(builder, "f", {15, 5}, {16, 6}, both);
+        add(builder, "g1", {1, 5}, {6, 6}, both);
+        builder.close();
+        builder.open({.name = "Inside"});
+        add(builder, "i", {1, 5}, {6, 6}, both);
+        builder.close();
+        app::Document document = builder.take({});
+        const app::Document before = document;
+        app::CutOptions options{.clipAll = app::usualAlgorithm().corrected.clipAll};
+        options.region = {{{window, app::WindowOperation::Add}}};
+        const app::Cut split = app::permanentCut("split").make(document, options);
+        const app::Edit back = document.apply(split.edit);
+        QCOMPARE(treeOf(document), QStringLiteral("Roads#roads[a #g[#b[- - ] c ] Paths[] ] "
+                                                  "Roads, outside#roads-2[a-2 #g-2[#b-2[- - ] ] "
+                                                  "Paths, outside[#h[d ] ] e ] "
+                                                  "Houses[g1 ] Houses, outside[f ] Inside[i ] "));
+        document.apply(back);
+        QVERIFY(document.objects() == before.objects());
+        QVERIFY(document.containers() == before.containers());
+    }
+
+    // Where the document can have no further layers.
+    void thePartsOutsideThenShareALayer()
+    {
+        Sheet sheet = drawing();
+        sheet.layers.resize(app::Containers::mostLayers);
+        const Made split = made("split", sheet);
+        QCOMPARE(split.document.containers().childrenOf(0).size(), app::Containers::mostLayers);
+        const QStringList rows = rowsOf(split.sheet);
+        QCOMPARE(rows.size(), 5);
+        QVERIFY(rows.contains("/out 20..22") && rows.contains("/through-2 -5..0"));
+        QCOMPARE(split.sheet.shapes.back().layer + 1, app::Containers::mostLayers);
     }
 
     void furtherPiecesOfADashedLineGetNumberedIds()

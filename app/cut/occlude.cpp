@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cut/occlude.h"
+
+#include "app/cut/area_outline.h"
+#include "app/cut/covering.h"
+#include "app/cut/cut_edit.h"
+
+namespace app {
+namespace {
+
+constexpr std::uint8_t opaque = 255;
+
+class Occlusion {
+public:
+    Occlusion(const Document& document, const CutOptions& options)
+        : document_(document), options_(options), edit_(document, Grouping::No)
+    {
+        if (!(options_.tolerance > 0))
+            options_.tolerance = usualTolerance(document.page());
+        options_.region = {};
+    }
+
+    Cut made()
+    {
+        Covering covering(areas());
+        document_.objects().forEach(0, document_.objects().size(),
+                                    [&](std::size_t i, const ObjectView& object) {
+                                        if (reached(i))
+                                            cut(i, object, covering);
+                                    });
+        return *edit_.take(); // there are no groups, so it is never empty
+    }
+
+private:
+    // All areas that cover something, and how many of them are not above each object.
+    std::vector<clipping::Area> areas()
+    {
+        std::vector<clipping::Area> areas;
+        document_.objects().forEach(
+            0, document_.objects().size(), [&](std::size_t i, const ObjectView& object) {
+                const auto& fill = object.style().fill;
+                if (fill && fill->alpha == opaque && object.path().hasArea() && !edit_.isHidden(i))
+                    areas.push_back(areaOf(object));
+                notAbove_.push_back(std::uint32_t(areas.size()));
+            });
+        return areas;
+    }
+
+    clipping::Area areaOf(const ObjectView& object)
+    {
+        chords_.clear();
+        flatten(object.path(), options_.tolerance, chords_);
+        return flatAreaOf(object.path().subpaths(), object.style().fillRule, chords_).area;
+    }
+
+    bool reached(std::size_t i)
+    {
+        const bool locked = options_.leaveLocked && edit_.isLocked(i);
+        const bool hidden = !locked && edit_.isHidden(i);
+        edit_.counts().leftLocked += locked;
+        edit_.counts().leftHidden += hidden;
+        return !locked && !hidden;
+    }
+
+    void cut(std::size_t i, const ObjectView& view, Covering& covering)
+    {
+        const bool filled = view.style().fill.has_value();
+        edit_.counts().fillsRemoved += filled && view.path().hasArea();
+        if (filled && !view.style().stroke)
+            return edit_.remove(i);
+        chords_.clear();
+        flatten(view.path(), options_.tolerance, chords_);
+        const auto visible = covering.visible(chords_, notAbove_[i]);
+        edit_.counts().segmentsBefore += chords_.size();
+        edit_.counts().segmentsAfter += visible.size();
+        Object object = view.copy();
+        object.style.fill.reset();
+        CutObject result = cutObject(object, options_, chords_, visible, 0, std::nullopt);
+        edit_.counts().dropped += result.dropped;
+        if (result.whole)
+            return filled ? edit_.change(i, object) : edit_.keep(i);
+        if (result.left.empty())
+            return edit_.remove(i);
+        edit_.cut(i, std::move(result));
+    }
+
+    const Document& document_;
+    CutOptions options_;
+    CutEdit edit_;
+    std::vector<std::uint32_t> notAbove_;
+    std::vector<Chord> chords_;
+};
+
+} // namespace
+
+Cut occlude(const Document& document, const CutOptions& options)
+{
+    return Occlusion(document, options).made();
+}
+
+} // namespace app
