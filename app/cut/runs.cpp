@@ -210,7 +210,8 @@ std::vector<Run> joinRuns(const Subpath& path, std::span<const Chord> chords,
 std::vector<Object> objectsOfRuns(Object object, std::vector<Run> runs)
 {
     object.particulars.recipe = {};
-    object.style.cap = Cap::Butt;
+    if (object.style.dashes.empty()) // dashes would shrink without their caps, and dots vanish
+        object.style.cap = Cap::Butt;
     std::vector<Subpath> all;
     std::vector<Object> objects;
     const double offset = object.style.dashOffset;

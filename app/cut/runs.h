@@ -39,7 +39,8 @@ std::vector<Run> joinRuns(const Subpath& path, std::span<const Chord> chords,
 
 /// Makes one object of the runs, painted like `object`; or several where dashes must continue, as
 /// an object has only one dash offset. Only the first keeps the id, title and description; none
-/// keeps the recipe. Ends are butt caps: other caps would reach beyond the cut.
+/// keeps the recipe. Ends are butt caps, because other caps would reach beyond the cut; dashes
+/// keep theirs.
 std::vector<Object> objectsOfRuns(Object object, std::vector<Run> runs);
 
 } // namespace app

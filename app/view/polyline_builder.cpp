@@ -54,21 +54,20 @@ void PolylineBuilder::finish(bool capAtEnd)
     if (pattern_.empty())
         push({openAt_, count, closed, open_->capAtStart, capAtEnd});
     else
-        finishDashed(capAtEnd);
+        finishDashed();
     open_.reset();
 }
 
-void PolylineBuilder::finishDashed(bool capAtEnd)
+// All dashes have caps, also where a cut ends one, as in an exported drawing (cut/runs.h).
+void PolylineBuilder::finishDashed()
 {
     const std::vector<QPointF> line(drawList_.points.begin() + openAt_, drawList_.points.end());
     drawList_.points.resize(openAt_);
     const auto all = dashes(line, pattern_, open_->phase * view_.zoom, shortestPattern);
-    for (std::size_t i = 0; i < all.size(); ++i) {
+    for (const auto& dash : all) {
         const auto first = std::uint32_t(drawList_.points.size());
-        drawList_.points.insert(drawList_.points.end(), all[i].begin(), all[i].end());
-        const bool atStart = all[i].front() == line.front(), atEnd = all[i].back() == line.back();
-        push({first, std::uint32_t(all[i].size()), false, !atStart || open_->capAtStart,
-              !atEnd || capAtEnd});
+        drawList_.points.insert(drawList_.points.end(), dash.begin(), dash.end());
+        push({first, std::uint32_t(dash.size()), false, true, true});
     }
 }
 

@@ -54,7 +54,7 @@ private:
     void begin(const SeenPart& part, double phase);
     void proceed(const Point& to);
     void finish(bool capAtEnd);
-    void finishDashed(bool capAtEnd);
+    void finishDashed();
     void push(const Polyline& polyline);
     bool liesOnAnother(const Polyline& polyline);
 

@@ -283,6 +283,17 @@ private slots:
         QCOMPARE(cutAt(sheetOf({point}), Keep::Inside).sheet, sheetOf({point}));
     }
 
+    void onlyDashesKeepTheirCaps()
+    {
+        for (const bool dotted : {true, false}) {
+            app::Style style{.stroke = app::Colour{}, .width = 2, .cap = app::Cap::Round};
+            if (dotted)
+                style.dashes = {0, 4};
+            const auto kept = cutAt(sheetOf({{{-5, 0}, {{{5, 0}}}, false}}, style), Keep::Inside);
+            QCOMPARE(kept.sheet.shapes[0].style.cap, dotted ? app::Cap::Round : app::Cap::Butt);
+        }
+    }
+
     void dashesGoOnWhereTheyWere()
     {
         app::Style style{.stroke = app::Colour{}};

@@ -145,6 +145,16 @@ private slots:
         QVERIFY(!picture.ghost.polylines[0].capAtStart && picture.ghost.polylines[0].capAtEnd);
         QCOMPARE(picture.kept.points.back(), QPointF(50, 40));
     }
+    void cutDashesKeepTheirCaps()
+    {
+        Stage stage({object(
+            {{10, 10}, {{{80, 10}}}, false},
+            {.stroke = app::Colour{}, .width = 2, .dashes = {0, 4}, .cap = app::Cap::Round})});
+        const app::Picture picture = stage.picture();
+        QVERIFY(picture.kept.polylines.size() >= 10);
+        for (const app::Polyline& dot : picture.kept.polylines)
+            QVERIFY(dot.capAtStart && dot.capAtEnd);
+    }
     void deepZoomHandsOutNoHugeNumbers()
     {
         Stage stage({filledSquare({-1e6, -1e6}, 2.1e6), filledSquare({10, 10}, 20)});
