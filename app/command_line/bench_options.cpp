@@ -144,7 +144,7 @@ std::vector<Option> experimentOptions()
         {{"r", "runs"},
          "N",
          Commands::tr("Number of runs (10, or as many as are needed to tell which algorithms "
-                      "differ: 12 for 11 algorithms).")},
+                      "differ: 12 for 12 algorithms).")},
         {{"warmup"},
          "N",
          Commands::tr("Number of runs before the measured ones, which do not count (1).")},

@@ -36,7 +36,7 @@ std::map<QString, Heading> timeHeadings()
           Headings::tr(
               "p of the exact signed-rank test against the lowest median, paired by run, with "
               "Holm's correction. The same runs decide which algorithm has the lowest median: with "
-              "eleven equal algorithms, some p is below 0.05 in about one of ten experiments.")}},
+              "twelve equal algorithms, some p is below 0.05 in about one of ten experiments.")}},
         {"median_ns",
          {Headings::tr("Median\nns"),
           Headings::tr("Nanoseconds per line: half of the runs took less.")}},

@@ -90,7 +90,7 @@ QStringList ratioNotes(const Ranking& ranking)
                       + Experiments::tr(
                           " p: the p-value of the same test against the lowest median alone, with "
                           "Holm's correction. The same runs decide which algorithm has the lowest "
-                          "median: with eleven equal algorithms, some p is below 0.05 in about one "
+                          "median: with twelve equal algorithms, some p is below 0.05 in about one "
                           "of ten experiments. Ranks and letters do not depend on this p. A "
                           "significant difference of less than 1 % counts as practically equal.")
                 : ratio};

@@ -200,15 +200,15 @@ CLIPPING_INLINE Clip<V> clipPolygonLanes(const Ends<V>& s, const PolygonInLanes<
     if (any(visible & newA)) {
         const auto a = meeting(s, wayX, wayY, enter, in, t.hasAxisAligned);
         piece.ax = select(newA, a.x, s.ax), piece.ay = select(newA, a.y, s.ay);
-        const auto stays = (piece.ax == s.ax) & (piece.ay == s.ay);
-        cut = select(stays, zero, polygon.look(t.numberForA, edges.enter));
+        const auto unnamed = t.namesEveryCut ? ~newA : (piece.ax == s.ax) & (piece.ay == s.ay);
+        cut = select(unnamed, zero, polygon.look(t.numberForA, edges.enter));
         open = open | (newA & ~a.settled);
     }
     if (any(visible & newB)) {
         const auto b = meeting(s, wayX, wayY, leave, out, t.hasAxisAligned);
         piece.bx = select(newB, b.x, s.bx), piece.by = select(newB, b.y, s.by);
-        const auto stays = (piece.bx == s.bx) & (piece.by == s.by);
-        cut = cut | select(stays, zero, polygon.look(t.numberForB, edges.leave));
+        const auto unnamed = t.namesEveryCut ? ~newB : (piece.bx == s.bx) & (piece.by == s.by);
+        cut = cut | select(unnamed, zero, polygon.look(t.numberForB, edges.leave));
         open = open | (newB & ~b.settled);
     }
     return {piece, cut, visible, edges.unsure | ~(gone | (known & ~open))};

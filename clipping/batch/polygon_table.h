@@ -26,6 +26,7 @@ struct PolygonTable {
     double ux, uy, vx, vy;     ///< half sides of a parallelogram around that centre, enclosing it
     double acrossX, acrossY;   ///< at least |ux| + |vx| and |uy| + |vy|
     bool hasAxisAligned;       ///< whether an edge is horizontal or vertical
+    bool namesEveryCut;        ///< that of the PreparedPolygon
 };
 
 } // namespace clipping

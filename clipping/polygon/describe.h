@@ -50,7 +50,8 @@ std::optional<PolygonPiece<double>> clipPrepared(const Segment& s, const Prepare
         return std::nullopt;
     if (easy<Method>(s, polygon)) [[likely]] {
         const auto piece = clipIn<Method>(s, polygon, Unwatched{});
-        return piece ? std::optional(named(*piece, s)) : std::nullopt;
+        return piece ? std::optional(polygon.namesEveryCut ? *piece : named(*piece, s))
+                     : std::nullopt;
     }
     if constexpr (!requires { Method::unframed; })
         if (const auto piece = clipIn<Method>(segmentIn<Wide>(s), polygon, Unwatched{}))

@@ -107,7 +107,8 @@ EdgeTable::EdgeTable(const PreparedPolygon& polygon)
               v.y,
               up(std::abs(u.x) + std::abs(v.x)),
               up(std::abs(u.y) + std::abs(v.y)),
-              hasAxisAligned};
+              hasAxisAligned,
+              polygon.namesEveryCut};
 }
 
 } // namespace clipping

@@ -19,6 +19,8 @@ struct PreparedPolygon {
     Window box;                         ///< the bounding box
     bool flat;                          ///< one or two corners: a point, or a segment
     bool ordinary;                      ///< in the sense of frame.h
+    /// Whether a new end has an edge number even where rounding brings it back to the input's end.
+    bool namesEveryCut = false;
 };
 
 /// Nothing for a polygon that contains nothing: one without corners, with a non-finite number,

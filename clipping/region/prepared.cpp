@@ -2,6 +2,7 @@
 #include "clipping/region/prepared.h"
 
 #include "clipping/ieee_numbers.h"
+#include "clipping/region/convex.h"
 
 #include <cassert>
 
@@ -9,7 +10,7 @@ namespace clipping {
 
 PreparedRegion::Data::Data(const Region& region)
     : fold(region), edges(edgesOf(region)), grid(edges, region.steps.size()),
-      keepsNone(fold.keeps(fold.inNone()))
+      keepsNone(fold.keeps(fold.inNone())), convex(convexRegion(region))
 {
     for (const Region::Step& step : region.steps) {
         rules.push_back(step.area.rule);

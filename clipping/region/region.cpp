@@ -3,6 +3,7 @@
 
 #include "clipping/frame.h"
 #include "clipping/ieee_numbers.h"
+#include "clipping/region/convex.h"
 #include "clipping/region/resume.h"
 #include "clipping/region/sweep.h"
 
@@ -97,6 +98,10 @@ private:
 RegionProgress clipAll(std::span<const Segment> in, const PreparedRegion& region,
                        std::span<RegionPiece> out, RegionProgress from)
 {
+    if (const ConvexRegion* convex = region.data().convex.get()) {
+        LineSweep sweep(region.data());
+        return clipAllConvex(in, *convex, sweep, out, from);
+    }
     ExactPieces pieces(region.data());
     return clipEach(in, pieces, out, from);
 }

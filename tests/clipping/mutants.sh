@@ -13,7 +13,8 @@ build=$root/build/release
 testsOf() { # KEY
     case $1 in
     box/*) echo box.box ;;
-    polygon/exact | polygon/edge-table | exact/meeting* | exact/quotient) echo polygon.exact ;;
+    winding-number | region/winding-number) echo algorithms.winding_number ;;
+    polygon/exact | polygon/winding-number | polygon/exact-ends* | polygon/edge-table | exact/meeting* | exact/quotient) echo polygon.exact ;;
     turned-window) echo turned_window ;;
     polygon/* | exact/turn*) echo polygon.polygon fingerprints ;;
     polyline) echo polyline ;;

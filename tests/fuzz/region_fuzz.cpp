@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Regions of up to three areas: where the numbers are not too far apart, the contract against
-// fractions; and for all numbers, that both directions agree, that the pieces are in order, and
-// that any buffer will do.
+// fractions; and for all numbers, that both directions and all rows agree, that the pieces are in
+// order, and that any buffer will do.
 #include <array>
 
 #include "tests/clipping/region/contract.h"
@@ -79,6 +79,9 @@ void checkAny(const Segment& s, const Region& region, const PreparedRegion& prep
         found("more pieces with a small buffer for " + exactly(s, region));
     if (const auto wrong = reversalFault(pieces, clip({s.b, s.a}, prepared)); !wrong.empty())
         found(wrong + " for " + exactly(s, region));
+    for (const RegionAlgorithm& row : regionAlgorithms())
+        if (!std::ranges::equal(row.clip(s, prepared), pieces, same))
+            found(std::string(row.key) + " differs for " + exactly(s, region));
 }
 
 } // namespace

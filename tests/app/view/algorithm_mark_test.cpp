@@ -84,7 +84,7 @@ private slots:
             dark.insert(mark.dark.rgb());
             QVERIFY2(std::ranges::find(paths, mark.path) == paths.end(), row.key.data());
             paths.push_back(mark.path);
-            QVERIFY(mark.light.lightness() < mark.dark.lightness());
+            QVERIFY(qGray(mark.light.rgb()) < qGray(mark.dark.rgb()));
         }
         QCOMPARE(light.size(), rows.size());
         QCOMPARE(dark.size(), rows.size());
