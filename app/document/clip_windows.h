@@ -44,7 +44,8 @@ struct ClipWindow {
     QString name{};
     WindowShape shape{};
     WindowOperation operation = WindowOperation::Add;
-    bool visible = true; ///< hidden windows have no effect
+    bool visible = true;            ///< hidden windows have no effect
+    std::optional<Colour> colour{}; ///< on the screen; empty: that of all windows
     friend bool operator==(const ClipWindow&, const ClipWindow&) = default;
 };
 

@@ -63,7 +63,7 @@ void writeWindows(ByteWriter& out, const ClipWindows& windows)
     ObjectBytes paths;
     const auto& [list, keep] = windows;
     out.putCount(list.size());
-    for (const auto& [name, shape, operation, visible] : list) {
+    for (const auto& [name, shape, operation, visible, colour] : list) {
         out.put(name);
         const auto* own = std::get_if<PathShape>(&shape);
         out.put(std::uint8_t(own != nullptr));
@@ -73,6 +73,9 @@ void writeWindows(ByteWriter& out, const ClipWindows& windows)
             out.put(std::get<RectangleShape>(shape));
         out.put(std::uint8_t(operation));
         out.put(std::uint8_t(visible));
+        out.put(std::uint8_t(colour.has_value()));
+        if (colour)
+            out.put(*colour);
     }
     out.put(std::uint8_t(keep));
 }
@@ -92,6 +95,8 @@ ClipWindows readWindows(ByteReader& in)
             window.shape = in.get<RectangleShape>();
         window.operation = in.choice(WindowOperation::Intersect);
         window.visible = in.flag();
+        if (in.flag())
+            window.colour = in.get<Colour>();
     }
     windows.keep = in.choice(Keep::Outside);
     return windows;

@@ -4,8 +4,8 @@
 namespace app {
 namespace {
 
-constexpr std::string_view baseMark = "clearcut journal base 4\n";
-constexpr std::string_view logMark = "clearcut journal log 4\n";
+constexpr std::string_view baseMark = "clearcut journal base 5\n";
+constexpr std::string_view logMark = "clearcut journal log 5\n";
 
 void append(std::string& bytes, ByteWriter& frame, std::uint64_t number)
 {

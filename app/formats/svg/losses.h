@@ -108,6 +108,10 @@ inline constexpr LossKind unknownKeep{
 inline constexpr LossKind unknownVisible{
     QT_TRANSLATE_NOOP("svg", "unknown value %1 of “visible” (yes or no) was read as yes"),
     QT_TRANSLATE_NOOP("svg", "unknown values %1 of “visible” (yes or no) were read as yes"), true};
+inline constexpr LossKind unknownColour{
+    QT_TRANSLATE_NOOP("svg", "unknown colour %1 of a clip window was replaced by the usual one"),
+    QT_TRANSLATE_NOOP("svg", "unknown colours %1 of clip windows were replaced by the usual one"),
+    true};
 inline constexpr LossKind containers{
     QT_TRANSLATE_NOOP("svg", "group beyond the limit was dissolved"),
     QT_TRANSLATE_NOOP("svg", "groups beyond the limit were dissolved"), true};

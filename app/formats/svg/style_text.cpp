@@ -7,9 +7,7 @@
 #include <algorithm>
 
 namespace app::svg {
-namespace {
 
-// Writes the opacity as a separate attribute, as not every program reads #rrggbbaa.
 void appendPaint(std::string& text, std::string_view name, const std::optional<Colour>& colour)
 {
     if (!colour) {
@@ -29,8 +27,6 @@ void appendPaint(std::string& text, std::string_view name, const std::optional<C
         appendAttribute(text, std::string(name) + "-opacity", alpha);
     }
 }
-
-} // namespace
 
 std::string styleText(const Style& style)
 {

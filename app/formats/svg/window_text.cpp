@@ -3,12 +3,14 @@
 
 #include "app/base/number.h"
 #include "app/formats/svg/attribute_text.h"
+#include "app/formats/svg/colour.h"
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/outline_text.h"
 #include "app/formats/svg/path_data.h"
 #include "app/formats/svg/recipe_text.h"
 #include "app/formats/svg/refused.h"
 #include "app/formats/svg/scanner.h"
+#include "app/formats/svg/style_text.h"
 
 #include <algorithm>
 #include <array>
@@ -69,6 +71,8 @@ void appendWindow(std::string& text, const ClipWindow& window, Keep keep)
         appendAttribute(text, "operation", operations[std::size_t(window.operation)]);
     if (!window.visible)
         appendAttribute(text, "visible", "no");
+    if (window.colour)
+        appendPaint(text, "colour", window.colour);
     if (keep == Keep::Outside)
         appendAttribute(text, "keep", "outside");
     std::visit([&](const auto& shape) { appendShape(text, shape); }, window.shape);
@@ -177,6 +181,15 @@ bool saysSecond(const Tree& tree, Node node, std::string_view attribute,
     return text == words[1];
 }
 
+// Empty: the usual one.
+std::optional<Colour> colourOf(std::string_view text, Report& report)
+{
+    const auto colour = text.empty() ? std::nullopt : parseColour(text);
+    if (!text.empty() && !colour)
+        report.add(losses::unknownColour, text);
+    return colour;
+}
+
 std::optional<ClipWindow> windowOf(const Tree& tree, Node node, Report& report)
 {
     auto shape = shapeOf(tree, node);
@@ -191,7 +204,8 @@ std::optional<ClipWindow> windowOf(const Tree& tree, Node node, Report& report)
     else
         return ClipWindow{
             QString::fromUtf8(tree.attribute(node, "name")), std::move(*shape), *operation,
-            !saysSecond(tree, node, "visible", {"yes", "no"}, losses::unknownVisible, report)};
+            !saysSecond(tree, node, "visible", {"yes", "no"}, losses::unknownVisible, report),
+            colourOf(tree.attribute(node, "colour"), report)};
     return std::nullopt;
 }
 

@@ -9,7 +9,7 @@
 
 // Clip windows as elements of the root's metadata, in order. Default values are not written:
 //   <clearcut:window xmin="0" ymin="0" xmax="9" ymax="9"/>
-//   <clearcut:window name="Hole" operation="cut-out" visible="no" xmin=… angle="0.5rad"/>
+//   <clearcut:window name="Hole" operation="cut-out" visible="no" colour="#c2410c" xmin=…/>
 //   <clearcut:window operation="intersect" corners="0 0 9 0 9 9"/>
 // The first element carries keep="outside" for all windows; without windows, an element without a
 // shape carries it.
@@ -21,7 +21,7 @@ std::string textOf(const ClipWindows& windows);
 
 /// Reads the windows that Clearcut wrote into a file. Windows are dropped and reported if they are
 /// inverted, have a missing or invalid number or an unknown operation, or exceed
-/// `ClipWindows::most`. An unknown value of keep or visible is reported and replaced by the
+/// `ClipWindows::most`. An unknown value of keep, visible or colour is reported and replaced by the
 /// default.
 ClipWindows readWindows(const Tree& tree, Report& report);
 

@@ -87,6 +87,36 @@ static std::vector<clipping::Segment> edgesNear(const SnapSurroundings& near,
     return edges;
 }
 
+// An ellipse offers its centre and its outermost points.
+static void addEllipse(const EllipseRecipe& ellipse, const SnapQuery& query, SnapSurroundings& near)
+{
+    if (query.to.has("centres"))
+        near.centres.push_back(ellipse.centre);
+    const Point x(ellipse.radii.x, 0), y(0, ellipse.radii.y);
+    for (const Point& away : {x, y, -x, -y})
+        if (const Point p = ellipse.centre + away; isNear(near, p, p))
+            near.windowEdges.push_back({p, p});
+}
+
+static void addWindow(const WindowShape& shape, const SnapQuery& query, SnapSurroundings& near)
+{
+    if (const auto* path = std::get_if<PathShape>(&shape))
+        if (const auto* ellipse = std::get_if<EllipseRecipe>(&path->recipe))
+            addEllipse(*ellipse, query, near);
+    std::ranges::copy(edgesNear(near, shape), std::back_inserter(near.windowEdges));
+}
+
+// The clip windows that are snapped to.
+static std::vector<const WindowShape*> windowsFor(const SnapQuery& query, const Document& document)
+{
+    std::vector<const WindowShape*> shapes;
+    const auto& list = document.windows().list;
+    for (std::size_t i = 0; query.to.has("window") && i < list.size(); ++i)
+        if (list[i].visible && i != query.withoutWindow)
+            shapes.push_back(&list[i].shape);
+    return shapes;
+}
+
 std::optional<Snap> snapToEdges(const Point& pointer, double radius, const clipping::Window& window)
 {
     SnapSurroundings near{pointer, radius};
@@ -187,10 +217,9 @@ std::vector<clipping::Window> Snapper::boxesAround(const Point& centre,
         boxes.push_back({*query.from, *query.from});
     if (query.to.has("page"))
         boxes.push_back(document_.now().page().rectangle());
-    if (query.to.has("window"))
-        for (const ClipWindow& window : document_.now().windows().list)
-            if (const auto box = axisAlignedBox(window.shape); box && window.visible)
-                boxes.push_back(*box);
+    for (const WindowShape* shape : windowsFor(query, document_.now()))
+        if (const auto box = axisAlignedBox(*shape))
+            boxes.push_back(*box);
     return boxes;
 }
 
@@ -206,11 +235,8 @@ SnapSurroundings Snapper::around(const SnapQuery& query) const
     addLines(query, near);
     if (query.to.has("centres"))
         near.centres = centres_.near(query.pointer, query.radius, query.without);
-    if (query.to.has("window"))
-        for (const ClipWindow& window : document_.now().windows().list)
-            if (window.visible)
-                std::ranges::copy(edgesNear(near, window.shape),
-                                  std::back_inserter(near.windowEdges));
+    for (const WindowShape* shape : windowsFor(query, document_.now()))
+        addWindow(*shape, query, near);
     if (query.to.has("page"))
         near.pageEdges = edgesNear(near, RectangleShape{document_.now().page().rectangle()});
     return near;

@@ -17,6 +17,8 @@ struct SnapQuery {
     SnapTo to = SnapTo::All;
     std::optional<Point> from{}; ///< where the line that is being drawn begins
     ObjectRanges without{};      ///< objects that are not snapped to
+    /// The number of a clip window that is not snapped to: the one that is dragged.
+    std::optional<std::size_t> withoutWindow{};
     /// The part of the drawing that is seen: its objects are aligned with. Empty: with none.
     std::optional<clipping::Window> seen{};
     std::optional<GridPoints> grid{}; ///< the grid, if it is shown

@@ -19,7 +19,8 @@ SnapKind windowEdges()
             .glyph = window,
             .find = [](const SnapSurroundings& near, SnapOffers& offers) {
                 for (const auto& edge : near.windowEdges) {
-                    offers.addCorner(edge.a);
+                    if (edge.a != edge.b) // otherwise an outermost point of an ellipse
+                        offers.addCorner(edge.a);
                     offers.add(nearestOn(edge, near.pointer));
                 }
             }};

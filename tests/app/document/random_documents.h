@@ -24,7 +24,9 @@ public:
         app::ClipWindows windows;
         for (auto n = below(4); n > 0; --n)
             windows.list.push_back(
-                {text(), windowShape(), app::WindowOperation(below(3)), below(2) == 0});
+                {text(), windowShape(), app::WindowOperation(below(3)), below(2) == 0,
+                 below(2) == 0 ? std::optional(app::Colour{1, 2, std::uint8_t(below(256))})
+                               : std::nullopt});
         windows.keep = app::Keep(below(2));
         return windows;
     }

@@ -71,7 +71,7 @@ private slots:
     {
         using app::WindowOperation;
         const app::ClipWindows windows{
-            {{"<A>", box, WindowOperation::CutOut, false},
+            {{"<A>", box, WindowOperation::CutOut, false, app::Colour{1, 32, 255}},
              {{}, app::RectangleShape{{{1, 2}, {3, 4}}, 1.0 / 3}, WindowOperation::Intersect},
              {"B", polygon({{0, 0}, {9, 0.1}, {5, 1.0 / 3}})},
              {{}, app::PathShape{}},
@@ -79,7 +79,7 @@ private slots:
             app::Keep::Outside};
         QCOMPARE(metadataOf(windows),
                  "<metadata><clearcut:window name=\"&lt;A>\" operation=\"cut-out\" visible=\"no\" "
-                 "keep=\"outside\" xmin=\"0.1\" ymin=\"-2\" xmax=\"3\" ymax=\"40\"/>"
+                 "colour=\"#0120ff\" keep=\"outside\" xmin=\"0.1\" ymin=\"-2\" xmax=\"3\" ymax=\"40\"/>"
                  "<clearcut:window operation=\"intersect\" xmin=\"1\" ymin=\"2\" xmax=\"3\" "
                  "ymax=\"4\" angle=\"0.3333333333333333rad\"/>"
                  "<clearcut:window name=\"B\" d=\"M0 0L9 0.1L5 0.3333333333333333Z\"/>"
@@ -113,6 +113,18 @@ private slots:
         QCOMPARE(metadataOf(outside), "<metadata><clearcut:window keep=\"outside\"/></metadata>");
         QVERIFY(read("<c:window keep='outside'/>") == outside);
         QCOMPARE(reportOn("<c:window keep='outside'/>"), "");
+    }
+    void anUnknownColourIsTheUsualOne()
+    {
+        const QByteArray window = "<c:window colour='reddish' xmin='.1' ymin='-2' xmax='3' "
+                                  "ymax='40'/>";
+        QVERIFY(!read(window).list[0].colour);
+        QVERIFY2(reportOn(window).contains("unknown colour “reddish” of a clip window"),
+                 qPrintable(reportOn(window)));
+        QCOMPARE(read("<c:window colour='teal' xmin='0' ymin='0' xmax='3' ymax='4'/>")
+                     .list[0]
+                     .colour,
+                 std::optional(app::Colour{0, 128, 128}));
     }
     void aForeignFileHasNone()
     {
