@@ -27,10 +27,28 @@ struct DirectedLine {
     /// The side of the line on which p lies: 1 for left, -1 for right, 0 for on it.
     int side(const glm::dvec2& p) const
     {
-        const double left = along.x * (p.y - at.y), right = along.y * (p.x - at.x);
-        const double value = left - right;
-        const double error = orderBound * (magnitude(left) + magnitude(right)) + tiny;
+        const auto [value, error] = sideAsNumber(p);
         return value > error ? 1 : value < -error ? -1 : turnInIntegers(from, to, at, p);
+    }
+    /// Whether both ends of an edge are certainly on the same side. Without branches, which would
+    /// often be mispredicted.
+    bool certainlyMisses(const Segment& edge) const
+    {
+        const auto [atA, errorOfA] = sideAsNumber(edge.a);
+        const auto [atB, errorOfB] = sideAsNumber(edge.b);
+        const bool areLeft = (atA > errorOfA) & (atB > errorOfB);
+        const bool areRight = (atA < -errorOfA) & (atB < -errorOfB);
+        return areLeft | areRight;
+    }
+
+private:
+    struct SideAsNumber {
+        double value, error;
+    };
+    SideAsNumber sideAsNumber(const glm::dvec2& p) const
+    {
+        const double left = along.x * (p.y - at.y), right = along.y * (p.x - at.x);
+        return {left - right, orderBound * (magnitude(left) + magnitude(right)) + tiny};
     }
 };
 

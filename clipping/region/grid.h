@@ -72,7 +72,8 @@ private:
         Axis(double from, double to, double parts);
         std::size_t of(double x) const
         {
-            const double inside = x < low ? low : x > high ? high : x;
+            // Without branches, which would often be mispredicted.
+            const double above = low > x ? low : x, inside = high < above ? high : above;
             // By way of int, to which processors convert fast.
             const auto part = static_cast<int>((inside - low) * perUnit);
             return std::min(static_cast<std::size_t>(part), count - 1);

@@ -30,14 +30,32 @@ bool LineSweep::findMeetings(const SweptLine& swept)
 {
     meetings_.clear();
     bool any = false;
+    std::size_t count = 0;
     region_.grid.trace(swept.segment, [&](std::size_t first, std::size_t last) {
-        for (const std::uint32_t edge : region_.grid.edgesIn(first, last)) {
-            any = true;
-            if (const auto meeting = meetingOf(swept, region_.edges[edge]))
-                meetings_.add(*meeting);
-        }
+        const auto edges = region_.grid.edgesIn(first, last);
+        if (edges.empty())
+            return;
+        any = true;
+        count = addNear(swept.line, edges, count);
     });
+    for (const std::uint32_t edge : std::span(near_).first(count))
+        if (const auto meeting = meetingOf(swept, region_.edges[edge]))
+            meetings_.add(*meeting);
     return any;
+}
+
+/// Adds the edges that the line may meet to the first `count` ones in `near_`; returns their
+/// number.
+std::size_t LineSweep::addNear(const DirectedLine& line, std::span<const std::uint32_t> edges,
+                               std::size_t count)
+{
+    if (near_.size() < count + edges.size())
+        near_.resize(2 * (count + edges.size()));
+    for (const std::uint32_t edge : edges) {
+        near_[count] = edge;
+        count += !line.certainlyMisses(region_.edges[edge].segment);
+    }
+    return count;
 }
 
 /// Counts the windings beside the start of the segment.

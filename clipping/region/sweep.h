@@ -18,12 +18,15 @@ public:
 
 private:
     bool findMeetings(const SweptLine& swept);
+    std::size_t addNear(const DirectedLine& line, std::span<const std::uint32_t> edges,
+                        std::size_t count);
     void enterAt(const SweptLine& swept);
     bool keepsStart(const Segment& segment) const;
 
     const PreparedRegion::Data& region_;
     LineWalk walk_;
     Meetings meetings_;
+    std::vector<std::uint32_t> near_; ///< edges that the line may meet
     RegionPiece whole_{};
 };
 

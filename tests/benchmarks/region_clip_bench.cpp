@@ -10,9 +10,9 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "tests/benchmarks/map_lines.h"
 #include "tests/benchmarks/processor_time.h"
 #include "tests/benchmarks/region_shapes.h"
-#include "tests/benchmarks/scenes.h"
 #include "tests/benchmarks/timing.h"
 
 using namespace clipping;
@@ -104,7 +104,7 @@ int main(int argc, char** argv)
     };
     const char* only = argc > 3 ? argv[3] : "";
     for (const Case& each : cases)
-        for (const auto make : {paperScene<double>, hatching, strokes<double>})
+        for (const auto make : {paperScene<double>, hatching, strokes<double>, mapLines})
             if (std::strstr(each.name, only))
                 measure(each, make(count), rounds);
 }

@@ -20,6 +20,30 @@ inline clipping::Area circle(int corners, double radius)
     return area;
 }
 
+/// A ragged island that does not cross itself, seen from its middle: other libraries refuse one
+/// that does.
+inline clipping::Area simpleCoastLine(std::size_t edges)
+{
+    RandomNumbers random(8);
+    std::vector<double> radii(6, 450);
+    for (double most = 120; radii.size() < edges; most *= 0.55) {
+        std::vector<double> finer;
+        for (std::size_t i = 0; i < radii.size(); ++i) {
+            const double next = radii[(i + 1) % radii.size()];
+            finer.push_back(radii[i]);
+            finer.push_back((radii[i] + next) / 2 + random.uniform(-most, most));
+        }
+        radii = std::move(finer);
+    }
+    clipping::Area area;
+    for (std::size_t i = 0; i < edges; ++i) {
+        const double angle = 2 * std::numbers::pi * double(i) / double(edges);
+        const double radius = radii[i * radii.size() / edges];
+        area.points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    }
+    return area;
+}
+
 /// A ragged island: each side of a hexagon is divided at its displaced middle, again and again.
 inline clipping::Area coastLine(std::size_t edges)
 {

@@ -95,6 +95,39 @@ private slots:
             }
     }
 
+    // A new end is within K ulps of the segment and of the window's edge. Where these meet at an
+    // angle whose sine is at least 1/8, the second cut is within 8 * 2K of the first along the
+    // segment, and K ulps off it: 17 K on each axis.
+    void cuttingTwiceChangesNextToNothing_data() { everyAlgorithm(); }
+    void cuttingTwiceChangesNextToNothing()
+    {
+        QFETCH(const Algorithm*, algorithm);
+        RandomNumbers random(33);
+        const TurnedWindow w{{10, -20}, {150, 90}, 30};
+        const auto across = [&](const Segment& s) { // the sines at both pairs of edges
+            const Segment turnedBack =
+                traceTurned(algorithm->corrected, s, {w.centre, {1e6, 1e6}, 30}).visible;
+            const glm::dvec2 d = turnedBack.b - turnedBack.a;
+            return std::min(std::abs(d.x), std::abs(d.y)) / std::hypot(d.x, d.y);
+        };
+        int seen = 0;
+        for (int i = 0; i < 2'000; ++i) {
+            const Segment s = someSegment(random, w, 150);
+            const auto once = clipTurned(algorithm->corrected, s, w);
+            if (!once || once->a == once->b || across(s) < 0.125)
+                continue;
+            const double most = 17 * turnedUlps(*algorithm) * ulpOf(s, w);
+            if (std::hypot(once->b.x - once->a.x, once->b.y - once->a.y) < 4 * most)
+                continue; // as good as a contact
+            const auto again = clipTurned(algorithm->corrected, *once, w);
+            QVERIFY2(again.has_value(), described(s, w).c_str());
+            for (const glm::dvec2& d : {again->a - once->a, again->b - once->b})
+                QVERIFY2(std::max(std::abs(d.x), std::abs(d.y)) <= most, described(s, w).c_str());
+            ++seen;
+        }
+        QVERIFY(seen > 300);
+    }
+
     void manyTraceAndCountAgreeWithOne_data() { everyAlgorithm(); }
     void manyTraceAndCountAgreeWithOne()
     {

@@ -111,18 +111,18 @@ inline std::string reversalFault(const std::vector<clipping::RegionPiece>& piece
     return same ? "" : "differs from the reversed segment";
 }
 
-/// Both, for one segment and every row that clips at regions.
+/// Both, for one segment; and whether every row that clips at regions gives the same pieces.
 template <class F>
 std::string faultAt(const clipping::Segment& s, const region_oracle::Truth<F>& truth,
                     const clipping::PreparedRegion& region)
 {
-    for (const clipping::RegionAlgorithm& form : clipping::regionAlgorithms()) {
-        const auto pieces = form.clip(s, region);
-        auto wrong = fault(pieces, s, truth, region);
-        if (wrong.empty())
-            wrong = reversalFault(pieces, form.clip({s.b, s.a}, region));
-        if (!wrong.empty())
-            return std::string(form.key) + ": " + wrong;
-    }
-    return {};
+    const auto pieces = clip(s, region);
+    const auto same = [](const clipping::RegionPiece& p, const clipping::RegionPiece& q) {
+        return sameBits(p.segment, q.segment) && p.edgeOfA == q.edgeOfA && p.edgeOfB == q.edgeOfB;
+    };
+    for (const clipping::RegionAlgorithm& row : clipping::regionAlgorithms())
+        if (!std::ranges::equal(row.clip(s, region), pieces, same))
+            return std::string(row.key) + " differs";
+    const auto wrong = fault(pieces, s, truth, region);
+    return wrong.empty() ? reversalFault(pieces, clip({s.b, s.a}, region)) : wrong;
 }
