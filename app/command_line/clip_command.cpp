@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/usual_algorithm.h"
+#include "app/command_line/cut_options.h"
 #include "app/command_line/drawing_files.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
@@ -43,6 +44,7 @@ CutOptions cutOptionsOf(const ParsedArguments& arguments, const Imported& import
                            : Keep::Outside;
     options.region = regionOf(windows, imported.document.page());
     options.tolerance = toleranceOf(arguments, imported.document.page());
+    takeCuttingOptions(arguments, imported.document.page(), options);
     options.keepContacts = output.format->holds == Holds::SeparateLines;
     return options;
 }
@@ -79,11 +81,15 @@ void report(const Imported& imported, const Document& before, const CutCounts& c
     if (counts.opened > 0)
         text += Commands::tr("; closed paths opened: %1").arg(counts.opened);
     say(text + u'.');
-    if (hidden > 0)
+    if (counts.leftHidden > 0)
+        say(Commands::tr("Hidden shapes are left whole: %1.").arg(counts.leftHidden));
+    else if (hidden > 0)
         say(Commands::tr("Hidden shapes are cut like the others: %1 left and still hidden, %2 "
                          "removed. --drop-hidden leaves out all of them.")
                 .arg(counts.hidden)
                 .arg(hidden - counts.hidden));
+    if (const QString further = furtherCountsText(counts); !further.isEmpty())
+        say(further);
 }
 
 /// Removes hidden objects if requested, or if the file cannot hide them; returns their number.
@@ -147,6 +153,7 @@ void clip(const ParsedArguments& arguments)
     const auto plan = tilePlanOf(arguments, imported.document.page());
     Document before = imported.document;
     const std::size_t dropped = dropHidden(arguments, output, before);
+    const auto covered = occludeIfWanted(arguments, options, before); // rows of CSV have no areas
     if (output.format->holds == Holds::SeparateLines)
         before = flattened(std::move(before), options.tolerance);
     Cut result = cut(before, options);
@@ -166,6 +173,8 @@ void clip(const ParsedArguments& arguments)
     stopwatch.lap(Commands::tr("write"));
 
     if (!arguments.has(QStringLiteral("quiet"))) {
+        if (covered)
+            say(occlusionText(*covered));
         report(imported, before, result.counts);
         sayDropped(arguments, output, dropped);
         say(windowText(arguments, imported, options.region));
@@ -202,7 +211,8 @@ Command clipCommand()
                       "and stay hidden if the type of the output can hide them (svg). Locked "
                       "layers are always cut.")},
     };
-    for (const auto& more : {further, tileOptions(), writingOptions(), readingOptions()})
+    for (const auto& more :
+         {further, cuttingOptions(), tileOptions(), writingOptions(), readingOptions()})
         options.insert(options.end(), more.begin(), more.end());
     options.push_back(
         {{"q", "quiet"}, {}, Commands::tr("Do not report windows, counts and losses.")});
@@ -215,6 +225,7 @@ Command clipCommand()
             {"clearcut clip plan.svg --page --margin 10mm -o plan-cut.svg",
              "clearcut clip map.svg -w 0,0,210mm,297mm --keep outside -a nln -o hole.pdf",
              "clearcut clip map.svg -w circle:50mm,50mm,40mm --cut-out shape:lake -o round.svg",
+             "clearcut clip plan.svg --page --occlude --min-length 1mm -o plotter.svg",
              "clearcut clip poster.svg --page --tiles a4 --overlap 5mm --marks -o poster.pdf",
              "clearcut clip - --from csv -w -100,-75,100,75 --to csv -o - < lines.csv"},
             1,

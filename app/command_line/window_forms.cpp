@@ -120,17 +120,29 @@ void refuseNothing(const GivenValue& value, const Windows& windows)
                                               .arg(name, nearestTo(name, names)))};
 }
 
+Windows shapesOf(const GivenValue& value, const Document& drawing, const ObjectRange& range)
+{
+    Windows windows = windowsOf(drawing, range);
+    refuseNothing(value, windows);
+    return windows;
+}
+
+// An object, or the objects of a group or layer.
 Windows shape(const GivenValue& value, const QString& id, const Imported& imported)
 {
-    const Objects& objects = imported.document.objects();
+    const Document& drawing = imported.document;
     QStringList ids;
-    for (std::size_t i = 0; i < objects.size(); ++i) {
-        const QString& here = objects[i].particulars().id;
-        if (here == id && !id.isEmpty()) {
-            const Windows windows = windowsOf(imported.document, {i, i + 1});
-            refuseNothing(value, windows);
-            return windows;
-        }
+    for (std::size_t i = 0; i < drawing.objects().size(); ++i) {
+        const QString& here = drawing.objects()[i].particulars().id;
+        if (here == id && !id.isEmpty())
+            return shapesOf(value, drawing, {i, i + 1});
+        if (!here.isEmpty())
+            ids << here;
+    }
+    for (const ContainerId each : drawing.containers().inOrder()) {
+        const QString& here = drawing.containers()[each].svgId;
+        if (here == id && !id.isEmpty())
+            return shapesOf(value, drawing, drawing.containers().rangeOf(each));
         if (!here.isEmpty())
             ids << here;
     }
@@ -144,11 +156,8 @@ Windows layer(const GivenValue& value, const QString& name, const Imported& impo
     for (const ContainerId id : tree.inOrder()) {
         if (tree[id].kind != Container::Kind::Layer)
             continue;
-        if (tree[id].name == name) {
-            const Windows windows = windowsOf(imported.document, tree.rangeOf(id));
-            refuseNothing(value, windows);
-            return windows;
-        }
+        if (tree[id].name == name)
+            return shapesOf(value, imported.document, tree.rangeOf(id));
         names << tree[id].name;
     }
     refuseName(value, name, names, Commands::tr("the drawing has no layer."));

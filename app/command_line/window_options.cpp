@@ -7,6 +7,7 @@
 #include "app/command_line/window_forms.h"
 #include "app/formats/rectangle_text.h"
 #include "app/scene/compared_window.h"
+#include "app/scene/united_windows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,17 +56,17 @@ void refuseContradictions(const ParsedArguments& arguments)
     if (arguments.has(QStringLiteral("margin")) && !page)
         throw WrongUsage{Commands::tr("--margin needs --page: it makes the page smaller.")};
     if (arguments.has(QStringLiteral("window")) && page)
-        throw WrongUsage{Commands::tr("Give either --window or --page, not both.")};
+        throw WrongUsage{
+            Commands::tr("Give either --window or --page, not both. To add the page to "
+                         "other windows, write --window page.")};
 }
 
-// A list of windows has no brackets: what is outside one shape would remove the others.
-void refuseSeveral(const GivenValue& value, std::size_t count)
+// A list of windows has no brackets: each of several shapes would intersect the others.
+void uniteIfNeeded(std::vector<ClipWindow>& shapes, const GivenValue& value, const Page& page)
 {
-    if (value.option == QLatin1StringView("intersect") && count > 1)
-        throw WrongUsage{Commands::tr("--%1 %2: these are %3 shapes, and an intersection needs "
-                                      "one. Make them one path first.")
-                             .arg(value.option, value.text)
-                             .arg(count)};
+    const bool intersects = value.option == QLatin1StringView("intersect");
+    if (shapes.size() > ClipWindows::most || (intersects && shapes.size() > 1))
+        shapes = {{.shape = united(shapes, page)}};
 }
 
 ClipWindows givenWindows(const ParsedArguments& arguments, const Imported& imported)
@@ -79,7 +80,7 @@ ClipWindows givenWindows(const ParsedArguments& arguments, const Imported& impor
             value.option == QLatin1StringView("page")
                 ? std::vector<ClipWindow>{{.shape = RectangleShape{pageOf(arguments, imported)}}}
                 : windowsOf(value, imported);
-        refuseSeveral(value, shapes.size());
+        uniteIfNeeded(shapes, value, imported.document.page());
         for (ClipWindow& window : shapes) {
             window.operation = giver->operation;
             windows.list.push_back(std::move(window));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cut/area_outline.h"
 
-#include "app/document/bezier.h"
+#include "app/cut/curve_at_edge.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,12 +38,6 @@ bool goesOn(const Side& side, const Side& next)
     return side.curved && next.curved && side.subpath == next.subpath
            && side.segment == next.segment && side.to == next.from
            && (side.from < side.to) == (next.from < next.to);
-}
-
-double signOfSide(const clipping::Segment& line, const Point& p)
-{
-    const Point along = line.b - line.a, to = p - line.a;
-    return along.x * to.y - along.y * to.x;
 }
 
 /// The rings of a clipped area, one after the other.
@@ -139,19 +133,11 @@ private:
     {
         if (t == chord.t0 || t == chord.t1)
             return true;
-        const Bezier curve = curveOf(path_[side.subpath], side.segment);
-        double low = chord.t0, high = chord.t1;
-        const bool atLow = signOfSide(edge, curve.at(low)) > 0;
-        if (atLow == (signOfSide(edge, curve.at(high)) > 0))
+        const auto found = crossing(curveOf(path_[side.subpath], side.segment), chord, edge);
+        if (!found)
             return false;
-        for (double middle = (low + high) / 2; middle > low && middle < high;
-             middle = (low + high) / 2)
-            ((signOfSide(edge, curve.at(middle)) > 0) == atLow ? low : high) = middle;
-        t = low;
-        cut = curve.at(low);
-        for (const int axis : {0, 1})
-            if (edge.a[axis] == edge.b[axis])
-                cut[axis] = edge.a[axis];
+        t = found->t;
+        cut = found->point;
         return true;
     }
 

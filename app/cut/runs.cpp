@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cut/runs.h"
 
-#include "app/document/bezier.h"
+#include "app/cut/curve_at_edge.h"
 
 #include <glm/common.hpp>
 
@@ -13,11 +13,7 @@ namespace {
 
 using clipping::Edge;
 
-/// The parameter and the point where a run begins or ends.
-struct End {
-    double t;
-    Point point;
-};
+using End = CurvePoint; // where a run begins or ends
 
 Point startOf(const Subpath& path, std::size_t segment)
 {
@@ -58,6 +54,25 @@ const clipping::Window* windowAt(const ClipRegion& region, const Point& p, Edge 
     return region.steps.size() == 1 ? &region.steps.front().box : nullptr;
 }
 
+// The edge of a window of any shape that cuts the chord at this point; the windows are prepared.
+std::optional<clipping::Segment> borderAt(const ClipRegion& region, const clipping::Segment& chord,
+                                          const Point& cut)
+{
+    for (const auto& piece : clipping::clip(chord, *region.prepared))
+        for (const auto& [end, edge] :
+             {std::pair(piece.segment.a, piece.edgeOfA), std::pair(piece.segment.b, piece.edgeOfB)})
+            if (end == cut && edge != 0)
+                return region.prepared->edge(edge).segment;
+    return std::nullopt;
+}
+
+std::optional<End> endAtBorder(const Bezier& curve, const Chord& chord, const Point& cut,
+                               const ClipRegion& region)
+{
+    const auto edge = region.prepared ? borderAt(region, chord.segment, cut) : std::nullopt;
+    return edge ? crossing(curve, chord, *edge) : std::nullopt;
+}
+
 // The point at which the curve itself crosses the edge's line, by bisection within the chord's
 // interval. If the curve does not cross it (the chord cuts a corner that the curve misses), the
 // chord's own cut.
@@ -68,22 +83,20 @@ End refined(const Bezier& curve, const Chord& chord, const Point& cut, Edge edge
     const int longer = std::abs(along.x) > std::abs(along.y) ? 0 : 1; // no squares: no overflow
     const double s =
         along[longer] != 0 ? (cut[longer] - chord.segment.a[longer]) / along[longer] : 0.0;
-    const double guess = chord.t0 + (chord.t1 - chord.t0) * std::clamp(s, 0.0, 1.0);
-    if (edge == Edge::None || edge == borderEdge)
-        return {guess, cut};
+    const End onChord{chord.t0 + (chord.t1 - chord.t0) * std::clamp(s, 0.0, 1.0), cut};
+    if (edge == borderEdge)
+        return endAtBorder(curve, chord, cut, region).value_or(onChord);
+    if (edge == Edge::None)
+        return onChord;
     const int axis = edge == Edge::Left || edge == Edge::Right ? 0 : 1;
-    const auto beyond = [&](double t) { return curve.at(t)[axis] > cut[axis]; };
-    double low = chord.t0, high = chord.t1;
-    const bool atLow = beyond(low);
-    if (atLow == beyond(high))
-        return {guess, cut};
-    for (double middle = (low + high) / 2; middle > low && middle < high; middle = (low + high) / 2)
-        (beyond(middle) == atLow ? low : high) = middle;
-    Point point = curve.at(low);
+    const auto t = passage(curve, chord, [&](const Point& p) { return p[axis] > cut[axis]; });
+    if (!t)
+        return onChord;
+    Point point = curve.at(*t);
     if (const clipping::Window* window = windowAt(region, cut, edge))
         point = glm::clamp(point, window->min, window->max);
     point[axis] = cut[axis];
-    return {low, point};
+    return {*t, point};
 }
 
 class Runs {

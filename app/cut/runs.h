@@ -27,11 +27,11 @@ struct Run {
 
 /// Joins the kept parts of `path` into runs. `chords` are those of `flatten(path, …)`; `parts` are
 /// in the path's order. Lines keep the ends of the parts bit for bit. Curves are split, not
-/// replaced by chords: a cut moves to the point where the curve itself meets the edge. One of its
-/// coordinates is then the edge's own; the other stays within a window of `region` that has this
-/// edge. If everything is kept, the path is returned unchanged; otherwise all runs are open. A run
-/// across the start of a closed path is one run, except with ClosedStart::Break (for dashed
-/// strokes, whose dashes restart there).
+/// replaced by chords: a cut moves to the point where the curve itself meets the edge. On a
+/// horizontal or vertical edge one of its coordinates is the edge's own; for rectangles the other
+/// stays within a window of `region` that has this edge. If everything is kept, the path is
+/// returned unchanged; otherwise all runs are open. A run across the start of a closed path is one
+/// run, except with ClosedStart::Break (for dashed strokes, whose dashes restart there).
 enum class ClosedStart : std::uint8_t { Join, Break };
 std::vector<Run> joinRuns(const Subpath& path, std::span<const Chord> chords,
                           std::span<const KeptPart> parts, const ClipRegion& region,

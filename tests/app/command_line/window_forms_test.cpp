@@ -24,8 +24,9 @@ const QByteArray drawing =
     "viewBox='-100 -50 200 100'>"
     "<rect id='box' x='-20' y='-10' width='40' height='20'/>"
     "<path id='line' d='M-99,0 99,0' stroke='black' fill='none'/>"
-    "<g i:groupmode='layer' i:label='Lakes'>"
-    "<circle id='lake' cx='50' cy='0' r='10'/><circle id='pond' cx='-50' cy='0' r='5'/></g></svg>";
+    "<g i:groupmode='layer' i:label='Lakes' id='lakes'><g id='both'>"
+    "<circle id='lake' cx='50' cy='0' r='10'/><circle id='pond' cx='-50' cy='0' "
+    "r='5'/></g></g></svg>";
 
 app::Imported imported()
 {
@@ -111,6 +112,8 @@ private slots:
                  app::WindowShape(RectangleShape{{{-20, -10}, {20, 10}}}));
         QCOMPARE(windows("layer:Lakes").size(), 2u);
         QCOMPARE(windows("layer:Lakes")[1].name, "pond");
+        QCOMPARE(windows("shape:lakes"), windows("layer:Lakes")); // its id
+        QCOMPARE(windows("shape:both").size(), 2u);
     }
 
     void masksLieOnTheirPapersCorner()
@@ -171,18 +174,31 @@ private slots:
                  "-99 -90;-80 -5;5 99;");
     }
 
-    void anIntersectionNeedsOneShape()
+    void severalShapesAreUnitedBeforeTheyIntersect()
     {
-        const auto run = clearcut({"clip", "-", "--from", "svg", "--to", "csv", "-o", "-", "-w",
-                                   "page", "--intersect", "layer:Lakes"},
-                                  drawing);
+        for (const char* lakes : {"layer:Lakes", "shape:lakes"}) {
+            const auto run = clearcut({"clip", "-", "--from", "svg", "--to", "csv", "-o", "-", "-w",
+                                       "page", "--intersect", QString::fromUtf8(lakes)},
+                                      drawing);
+            QCOMPARE(run.code, 0);
+            QVERIFY2(run.out.contains("\n-55,0,-45,0,") && run.out.contains("\n40,0,60,0,"),
+                     run.out);
+        }
+    }
+
+    void thePageAndAWindowAreGivenAlike()
+    {
+        const auto run = clearcut(
+            {"clip", "-", "--from", "svg", "--to", "csv", "-o", "-", "-w", "0,0,1,1", "--page"},
+            drawing);
         QCOMPARE(run.code, 2);
-        QVERIFY2(run.err.contains("these are 2 shapes"), run.err.constData());
+        QVERIFY2(run.err.contains("write --window page"), run.err);
     }
 
     void aComparisonNeedsARectangle()
     {
-        const auto run = clearcut({"compare", "-", "--from", "svg", "-w", "circle:0,0,9", "-a", "md"}, drawing);
+        const auto run =
+            clearcut({"compare", "-", "--from", "svg", "-w", "circle:0,0,9", "-a", "md"}, drawing);
         QCOMPARE(run.code, 2);
         QVERIFY2(run.err.contains("one rectangle along the axes"), run.err.constData());
     }

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/cut_options.h"
+
+#include "app/command_line/refusal.h"
+#include "app/cut/occlude.h"
+
+#include <cmath>
+
+namespace app {
+namespace {
+
+QString key(const char* option) { return QString::fromLatin1(option); }
+
+} // namespace
+
+std::vector<Option> cuttingOptions()
+{
+    return {
+        {{"close"},
+         {},
+         Commands::tr(
+             "Let the stroke of a filled shape follow the cut. Otherwise the shape becomes "
+             "a group of its area and its lines, without a stroke along the cut.")},
+        {{"min-length"},
+         "LENGTH",
+         Commands::tr("Leave out pieces of cut lines that are shorter (0).")},
+        {{"leave-hidden"}, {}, Commands::tr("Leave hidden shapes and layers whole.")},
+        {{"occlude"},
+         {},
+         Commands::tr(
+             "First remove the lines below filled shapes, then all fills, as plotters need "
+             "it. White fills cover lines, too; transparent ones do not.")},
+    };
+}
+
+void takeCuttingOptions(const ParsedArguments& arguments, const Page& page, CutOptions& options)
+{
+    options.closeAreas = arguments.has(key("close"));
+    options.leaveHidden = arguments.has(key("leave-hidden"));
+    if (options.leaveHidden && arguments.has(key("drop-hidden")))
+        throw WrongUsage{Commands::tr("Give either --leave-hidden or --drop-hidden, not both.")};
+    if (const auto length = arguments.length(key("min-length")))
+        options.leastLength = toUserUnits(*length, page.millimetresPerUnit());
+    if (!(options.leastLength >= 0 && std::isfinite(options.leastLength)))
+        throw WrongUsage{Commands::tr("--min-length %1: give a length of 0 or more.")
+                             .arg(*arguments.text(key("min-length")))};
+}
+
+std::optional<CutCounts> occludeIfWanted(const ParsedArguments& arguments,
+                                         const CutOptions& options, Document& document)
+{
+    if (!arguments.has(key("occlude")))
+        return std::nullopt;
+    const Cut made = occlude(document, options);
+    document.apply(made.edit);
+    return made.counts;
+}
+
+QString occlusionText(const CutCounts& counts)
+{
+    return Commands::tr("Shapes with covered lines: %1 cut, %2 removed; fills removed: %3.")
+        .arg(counts.cut)
+        .arg(counts.gone)
+        .arg(counts.fillsRemoved);
+}
+
+QString furtherCountsText(const CutCounts& counts)
+{
+    QStringList sentences;
+    if (counts.dropped > 0)
+        sentences
+            << Commands::tr("Pieces shorter than --min-length left out: %1.").arg(counts.dropped);
+    if (counts.cutLocked > 0)
+        sentences
+            << Commands::tr(
+                   "Locked layers are cut like the others; shapes cut or removed on them: %1.")
+                   .arg(counts.cutLocked);
+    return sentences.join(u'\n');
+}
+
+} // namespace app

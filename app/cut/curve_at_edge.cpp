@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cut/curve_at_edge.h"
+
+namespace app {
+namespace {
+
+bool isLeftOf(const clipping::Segment& line, const Point& p)
+{
+    const Point along = line.b - line.a, to = p - line.a;
+    return along.x * to.y - along.y * to.x > 0;
+}
+
+} // namespace
+
+std::optional<CurvePoint> crossing(const Bezier& curve, const Chord& chord,
+                                   const clipping::Segment& edge)
+{
+    const auto t = passage(curve, chord, [&](const Point& p) { return isLeftOf(edge, p); });
+    if (!t)
+        return std::nullopt;
+    CurvePoint found{*t, curve.at(*t)};
+    for (const int axis : {0, 1})
+        if (edge.a[axis] == edge.b[axis])
+            found.point[axis] = edge.a[axis];
+    return found;
+}
+
+} // namespace app
