@@ -37,9 +37,11 @@ std::optional<ClipWindow> windowOf(const ObjectView& object)
     if (!path.hasArea())
         return std::nullopt;
     const auto& particulars = object.particulars();
+    const auto* text = std::get_if<TextRecipe>(&particulars.recipe);
+    const QString name = text ? text->text.section(u'\n', 0, 0) : particulars.id;
     if (const auto box = rectangleOf(path))
-        return ClipWindow{particulars.id, RectangleShape{*box}};
-    return ClipWindow{particulars.id, PathShape{path, object.style().fillRule, particulars.recipe}};
+        return ClipWindow{name, RectangleShape{*box}};
+    return ClipWindow{name, PathShape{path, object.style().fillRule, particulars.recipe}};
 }
 
 } // namespace app

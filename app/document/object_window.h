@@ -8,8 +8,8 @@
 
 namespace app {
 
-/// The clip window with the shape, the fill rule and the id of an object; empty if the object
-/// encloses nothing, such as a single line.
+/// The clip window with the shape, the fill rule and the id of an object, or the first line of a
+/// text, as its name; empty if the object encloses nothing, such as a single line.
 std::optional<ClipWindow> windowOf(const ObjectView& object);
 
 } // namespace app

@@ -42,6 +42,14 @@ struct Pen {
     ContainerId layer = 0; ///< Session ensures that it is one of the document's layers
 };
 
+/// What the tool Clip window draws next: not part of the document.
+struct WindowPen {
+    enum class Use : std::uint8_t { Add, CutOut, Intersect, Replace };
+
+    std::string_view kind = "rectangle"; ///< key of the shape (window_kinds.h)
+    Use use = Use::Add; ///< what the new window does; Replace: it takes the chosen one's place
+};
+
 /// How commands on the selection work: not part of the document.
 struct ArrangeOptions {
     StrokeScaling strokes = StrokeScaling::Keep; ///< when objects are scaled
@@ -73,6 +81,7 @@ public:
     NodeEditing nodes{*this};                     ///< of the selected objects
     EnteredGroup entered{*this};                  ///< the group that is being edited, if any
     Pen pen;
+    WindowPen windowPen;                ///< setWindowPen() changes it
     std::optional<std::size_t> guide{}; ///< the number of the chosen guide, which may be gone
     ArrangeOptions arrange;
 

@@ -2,6 +2,7 @@
 #include "app/session/window_kinds.h"
 
 #include "app/document/recipe_outline.h"
+#include "app/drawing/centred_shapes.h"
 
 #include <QtGlobal>
 
@@ -16,6 +17,11 @@ namespace {
 
 Point centreOf(const clipping::Window& box) { return (box.min + box.max) * 0.5; }
 
+clipping::Window boxOf(const WindowDrag& drag)
+{
+    return between(drag.from, drag.to, drag.proportion, drag.anchor);
+}
+
 WindowShape made(const Recipe& recipe)
 {
     const auto outline = outlineOf(recipe);
@@ -23,11 +29,13 @@ WindowShape made(const Recipe& recipe)
 }
 
 WindowShape rectangle(const clipping::Window& box) { return RectangleShape{box}; }
+WindowShape rectangleDrawn(const WindowDrag& drag) { return rectangle(boxOf(drag)); }
 
 WindowShape ellipse(const clipping::Window& box)
 {
     return made(EllipseRecipe{centreOf(box), (box.max - box.min) * 0.5});
 }
+WindowShape ellipseDrawn(const WindowDrag& drag) { return ellipse(boxOf(drag)); }
 
 StarRecipe starIn(const clipping::Window& box, int points, double inner)
 {
@@ -37,17 +45,54 @@ StarRecipe starIn(const clipping::Window& box, int points, double inner)
 }
 
 WindowShape hexagon(const clipping::Window& box) { return made(starIn(box, 6, 0)); }
+WindowShape polygonDrawn(const WindowDrag& drag)
+{
+    return made(polygonTo(drag.from, drag.to, drag.numbers, drag.anchor));
+}
+const GestureMeasure& ofPolygon(Proportion, Anchor) { return polygonMeasure(); }
+
 WindowShape star(const clipping::Window& box) { return made(starIn(box, 5, 0.45)); }
+WindowShape starDrawn(const WindowDrag& drag)
+{
+    return made(starTo(drag.from, drag.to, drag.numbers));
+}
+const GestureMeasure& ofStar(Proportion, Anchor) { return starMeasure(); }
 
 constexpr std::array kinds{
-    WindowKind{"rectangle", QT_TRANSLATE_NOOP("WindowKinds", "Rectangle"), rectangle},
-    WindowKind{"ellipse", QT_TRANSLATE_NOOP("WindowKinds", "Ellipse"), ellipse},
-    WindowKind{"polygon", QT_TRANSLATE_NOOP("WindowKinds", "Hexagon"), hexagon},
-    WindowKind{"star", QT_TRANSLATE_NOOP("WindowKinds", "Star"), star},
+    WindowKind{"rectangle", QT_TRANSLATE_NOOP("WindowKinds", "Rectangle"),
+               QT_TRANSLATE_NOOP("WindowKinds",
+                                 "Drag beside the windows to draw one. Shift: square, Alt: centre. "
+                                 "Drag a window to move it."),
+               rectangle, rectangleDrawn, widthAndHeight},
+    WindowKind{"ellipse", QT_TRANSLATE_NOOP("WindowKinds", "Ellipse"),
+               QT_TRANSLATE_NOOP("WindowKinds",
+                                 "Drag beside the windows to draw one. Shift: circle, Alt: centre. "
+                                 "Drag a window to move it."),
+               ellipse, ellipseDrawn, widthAndHeight},
+    WindowKind{"polygon", QT_TRANSLATE_NOOP("WindowKinds", "Regular polygon"),
+               QT_TRANSLATE_NOOP("WindowKinds",
+                                 "Drag from the centre to a corner. Up, Down: number of corners. "
+                                 "Alt: to the middle of a side."),
+               hexagon, polygonDrawn, ofPolygon, usualPolygon},
+    WindowKind{"star", QT_TRANSLATE_NOOP("WindowKinds", "Star"),
+               QT_TRANSLATE_NOOP("WindowKinds",
+                                 "Drag from the centre to a point. Up, Down: number of points. "
+                                 "Shift: 15° steps."),
+               star, starDrawn, ofStar, usualStar},
+    WindowKind{"polyline", QT_TRANSLATE_NOOP("WindowKinds", "Polygon, corner by corner"),
+               QT_TRANSLATE_NOOP("WindowKinds",
+                                 "Click corner by corner. Click the first corner, or press Enter, "
+                                 "to close the window.")},
 };
 
 } // namespace
 
 std::span<const WindowKind> windowKinds() { return kinds; }
+
+const WindowKind& windowKind(std::string_view key)
+{
+    const auto found = std::ranges::find(kinds, key, &WindowKind::key);
+    return found == kinds.end() ? kinds.front() : *found;
+}
 
 } // namespace app

@@ -54,6 +54,52 @@ void setWindowShape(Session& session, const WindowShape& shape, const QString& t
         addWindows(session, {{.shape = shape}}, text);
 }
 
+void setWindowPen(Session& session, const WindowPen& pen)
+{
+    session.windowPen = pen;
+    emit session.displayChanged(); // bars and tools show it
+}
+
+static WindowOperation operationOf(WindowPen::Use use)
+{
+    using Use = WindowPen::Use;
+    return use == Use::CutOut      ? WindowOperation::CutOut
+           : use == Use::Intersect ? WindowOperation::Intersect
+                                   : WindowOperation::Add;
+}
+
+// While it is drawn, the drawn window is in the preview, and it is the window that tools act on.
+static std::optional<std::size_t> replacedBy(const Session& session)
+{
+    return session.windowPen.use == WindowPen::Use::Replace
+               ? numberIn(session.now().windows(), session)
+               : std::nullopt;
+}
+
+DrawnWindow withDrawn(const Session& session, const WindowShape& shape)
+{
+    ClipWindows windows = session.now().windows();
+    const auto replaced = replacedBy(session);
+    const std::size_t number = replaced.value_or(windows.list.size());
+    if (replaced)
+        windows.list[number].shape = shape;
+    else
+        windows.list.push_back({.shape = shape, .operation = operationOf(session.windowPen.use)});
+    return {std::move(windows), number};
+}
+
+void drawWindow(Session& session, const WindowShape& shape)
+{
+    if (replacedBy(session)) {
+        push(session, withDrawn(session, shape).windows, tr("Draw clip window"));
+        return;
+    }
+    if (!addWindow(session, {.shape = shape, .operation = operationOf(session.windowPen.use)}))
+        return;
+    if (session.windowPen.use != WindowPen::Use::Replace)
+        setWindowPen(session, {session.windowPen.kind, WindowPen::Use::Add});
+}
+
 void moveWindow(Session& session, const Point& by, Merging merging)
 {
     if (const auto number = session.windowNumber())
@@ -132,6 +178,24 @@ std::vector<ClipWindow> windowsOfSelection(const Session& session)
                 break; // too many in any case
         }
     return windows;
+}
+
+void addWindowsOfSelection(Session& session)
+{
+    auto made = windowsOfSelection(session);
+    const std::size_t all = session.selection().size(), count = made.size();
+    if (made.empty()) {
+        emit session.refused(tr("None of the selected objects encloses an area, so they cannot be "
+                                "clip windows. Select a closed shape."));
+        return;
+    }
+    if (!addWindows(session, std::move(made), tr("Make clip windows of selection")) || count == all)
+        return;
+    emit session.refused(
+        all - count == 1 ? tr("1 of the %1 selected objects encloses no area and was left out.")
+                               .arg(countText(all))
+                         : tr("%1 of the %2 selected objects enclose no area and were left out.")
+                               .arg(countText(all - count), countText(all)));
 }
 
 void windowToPath(Session& session)

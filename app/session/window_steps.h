@@ -17,6 +17,18 @@ ClipWindows withShape(const Session& session, const WindowShape& shape);
 /// Gives the window this shape; without one, adds a window.
 void setWindowShape(Session& session, const WindowShape& shape, const QString& text,
                     Merging merging = Merging::Never);
+/// What is drawn next, and what it does.
+void setWindowPen(Session& session, const WindowPen& pen);
+/// The windows after a window of this shape was drawn with the session's pen, and its number.
+struct DrawnWindow {
+    ClipWindows windows;
+    std::size_t number;
+};
+DrawnWindow withDrawn(const Session& session, const WindowShape& shape);
+/// Draws it, and chooses it. A window that cuts out or intersects is one: the next one adds.
+/// Refused if there is no room for it.
+void drawWindow(Session& session, const WindowShape& shape);
+
 void moveWindow(Session& session, const Point& by, Merging merging = Merging::Never);
 
 /// Adds windows after the others, in one step, and chooses the last of them. If the drawing has not
@@ -26,12 +38,14 @@ bool addWindow(Session& session, ClipWindow window);
 void removeWindow(Session& session);
 /// Moves a window to another place of the list and chooses it there.
 void reorderWindow(Session& session, std::size_t from, std::size_t to);
-/// Changes the name, the operation or the visibility of one window.
+/// Changes the name, the operation, the visibility or the colour of one window.
 void changeWindow(Session& session, std::size_t number, const QString& text,
                   const std::function<void(ClipWindow&)>& change);
 
 /// One clip window for each selected object that encloses an area. Open paths are closed.
 std::vector<ClipWindow> windowsOfSelection(const Session& session);
+/// Adds them in one step. `Session::refused` says how many objects were left out, and why.
+void addWindowsOfSelection(Session& session);
 /// Adds the window's shape as an object of the current layer, in the pen's style, and selects it.
 void windowToPath(Session& session);
 

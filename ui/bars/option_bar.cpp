@@ -4,6 +4,7 @@
 #include "app/drawing/dash_patterns.h"
 #include "ui/bars/grid_choice.h"
 #include "ui/bars/snap_choice.h"
+#include "ui/bars/window_options.h"
 #include "ui/editing/keeping.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
@@ -51,14 +52,17 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas)
       keep_(new Segments(tr("Keep"), {tr("Inside"), tr("Outside")})),
       removed_(new Segments(tr("Removed part"), {tr("Ghosted"), tr("Hidden"), tr("Shown")})),
       panes_(new Segments(tr("Panes"), {tr("1"), tr("2"), tr("4"), tr("All")})),
-      export_(new QToolButton)
+      window_(new WindowOptions(session, canvas)), export_(new QToolButton)
 {
     setObjectName(QStringLiteral("options"));
     setIconSize({18, 18});
     setFixedHeight(space::optionsHeight);
     setContentsMargins(6, 0, 8, 0);
     addSeparator();
+    const qsizetype before = actions().size();
     addStroke();
+    ofOthers_ = actions().mid(before);
+    ofWindow_ << addWidget(window_);
     const auto focusCanvas = [&canvas] { canvas.setFocus(); };
     connect(dashes_, &ToolList::done, &canvas, focusCanvas);
     addSeparator();
@@ -81,8 +85,20 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas)
     connect(&session, &app::Session::selectionChanged, this, &OptionBar::followStyle);
     connect(&session, &app::Session::loaded, this, &OptionBar::followStyle, Qt::QueuedConnection);
     connect(&session.document, &app::EditedDocument::changed, this, &OptionBar::followDisplay);
+    connect(&canvas, &Canvas::toolChanged, this, [this, &canvas] { showOptionsOf(canvas.tool()); });
+    showOptionsOf(canvas.tool());
     followDisplay();
     paintIcons();
+}
+
+void OptionBar::showOptionsOf(std::string_view tool)
+{
+    isWindow_ = tool == "window";
+    for (QAction* action : ofOthers_)
+        action->setVisible(!isWindow_);
+    for (QAction* action : ofWindow_)
+        action->setVisible(isWindow_);
+    fitInto(width());
 }
 
 void OptionBar::addStroke()
@@ -141,9 +157,11 @@ void OptionBar::takeColour(app::PaintPart part)
 
 void OptionBar::addClipping()
 {
+    const qsizetype before = actions().size();
     addCaption(tr("Keep"));
     addWidget(keep_);
     addSeparator();
+    ofOthers_ += actions().mid(before);
     addCaption(tr("Removed part"));
     addWidget(removed_);
     connect(keep_, &Segments::picked, this,
@@ -237,7 +255,7 @@ void OptionBar::arrange(int step)
     export_->setToolButtonStyle(step < 1 ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
     for (QAction* action : actions())
         if (captions_.contains(qobject_cast<QLabel*>(widgetForAction(action))))
-            action->setVisible(step < 2);
+            action->setVisible(step < 2 && !(isWindow_ && ofOthers_.contains(action)));
     grid_->showSpacing(step < 3);
     snapping_->showKinds(step < 4);
 }
@@ -248,7 +266,8 @@ void OptionBar::changeEvent(QEvent* event)
     if (event->type() == QEvent::PaletteChange)
         paintIcons();
     if (event->type() == QEvent::FontChange) // when its fields have followed, too
-        QMetaObject::invokeMethod(this, [this] { fitInto(width()); }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this, [this] { fitInto(width()); }, Qt::QueuedConnection);
 }
 
 /// Repaints the icons that are pixmaps, which do not follow the palette like other icons.

@@ -15,8 +15,10 @@ class Segments;
 class SnapChoice;
 class StylePopup;
 class ToolList;
+class WindowOptions;
 
-/// The bar across the top: undo, redo, the stroke of selected or new objects, snapping, the side
+/// The bar across the top: undo, redo, the stroke of selected or new objects, or the options of the
+/// tool Clip window in their place, snapping, the side
 /// that is kept and how the removed part is shown, panes, export. If it is narrow, it first drops
 /// the export button's text, then captions, then the grid's spacing, then the list of kinds to snap
 /// to.
@@ -48,6 +50,7 @@ private:
     void addStroke();
     void addClipping();
     void addPanes(Canvas& canvas);
+    void showOptionsOf(std::string_view tool);
     void addExport();
     void fitInto(int width);
     void arrange(int step);
@@ -65,6 +68,10 @@ private:
     SnapChoice* snapping_;
     GridChoice* grid_;
     Segments *keep_, *removed_, *panes_;
+    WindowOptions* window_;
+    /// Only for the tool Clip window; and not for it: the stroke, and Keep, which its panel has.
+    QList<QAction*> ofWindow_, ofOthers_;
+    bool isWindow_ = false;
     QList<QLabel*> captions_;
     QToolButton* export_;
 };

@@ -23,6 +23,7 @@ std::optional<app::Snap> Controller::snapAt(const app::Point& raw,
         query.from = readout_->gauge().start.from;
     query.grid = bench_.grid();
     query.guides = bench_.guides();
+    query.withoutWindow = tool_->draggedWindow();
     if (tool_->busy())
         query.seen = view().visible();
     return snapper_.at(query);

@@ -6,6 +6,7 @@
 #include "app/view/frame_handles.h"
 #include "app/view/place.h"
 #include "ui/canvas/window_offer.h"
+#include "ui/canvas/window_tags.h"
 
 #include <QPainterPath>
 
@@ -85,14 +86,18 @@ const app::ClipWindow& actedOn(const Controller& controller)
     return session.windows().list[*session.windowNumber()];
 }
 
-// Windows that add are solid; the other operations have different dashes.
-Qt::PenStyle dashesOf(app::WindowOperation operation)
+// Windows that add are solid; the other operations have different dashes, in pixels.
+void setDashes(QPen& pen, app::WindowOperation operation)
 {
-    static const std::map<app::WindowOperation, Qt::PenStyle> styles{
-        {app::WindowOperation::Add, Qt::SolidLine},
-        {app::WindowOperation::CutOut, Qt::DashLine},
-        {app::WindowOperation::Intersect, Qt::DotLine}};
-    return styles.at(operation);
+    static const std::map<app::WindowOperation, QList<qreal>> dashes{
+        {app::WindowOperation::Add, {}},
+        {app::WindowOperation::CutOut, {7, 4}},
+        {app::WindowOperation::Intersect, {2, 3}}};
+    QList<qreal> pattern = dashes.at(operation);
+    for (qreal& length : pattern)
+        length /= pen.widthF();
+    if (!pattern.isEmpty())
+        pen.setDashPattern(pattern);
 }
 
 // Paints the drawing's other windows with thin lines.
@@ -104,25 +109,47 @@ void paintOthers(QPainter& painter, const Controller& controller)
     for (std::size_t i = 0; i < list.size(); ++i) {
         if (!list[i].visible || i == session.windowNumber())
             continue;
-        painter.setPen(QPen(controller.look().accent, 1, dashesOf(list[i].operation)));
+        QPen pen(colourOf(list[i], controller), 1);
+        setDashes(pen, list[i].operation);
+        painter.setPen(pen);
         painter.drawPath(outlineOnScreen(controller.view(), list[i].shape));
     }
 }
 
-void paintHandles(QPainter& painter, const Controller& controller, const Look& look)
+// The centre about which the window is rotated, and the line to the handle that rotates it.
+void paintPivot(QPainter& painter, const Controller& controller, const app::WindowFrame& frame)
+{
+    const auto onScreen = [&](app::Handle handle) {
+        const app::Point at =
+            controller.view().toScreen(app::outOfFrame(frame, app::placeOf(handle, frame.box)));
+        return QPointF(at.x, at.y);
+    };
+    constexpr double arm = 4;
+    const QPointF centre = onScreen({});
+    painter.drawLine(centre - QPointF(arm, 0), centre + QPointF(arm, 0));
+    painter.drawLine(centre - QPointF(0, arm), centre + QPointF(0, arm));
+    for (const auto& [handle, at] : app::placedHandles(frame, controller.view()))
+        if (handle == app::rotationHandle)
+            painter.drawLine(onScreen({0, -1}), QPointF(at.x, at.y));
+}
+
+void paintHandles(QPainter& painter, const Controller& controller)
 {
     const app::WindowFrame& frame = *controller.session().windowFrame();
     const auto placed = app::placedHandles(frame, controller.view());
-    painter.setPen(QPen(look.accent, 1));
+    const QColor colour = colourOf(actedOn(controller), controller);
+    painter.setPen(QPen(colour, 1));
     painter.setBrush(Qt::NoBrush);
     if (std::holds_alternative<app::PathShape>(actedOn(controller).shape)) {
-        painter.setPen(QPen(look.accent, 1, Qt::DotLine));
+        painter.setPen(QPen(colour, 1, Qt::DotLine));
         painter.drawPath(outlineOnScreen(controller.view(), frame));
     }
-    painter.setPen(QPen(look.accent, outline));
+    painter.setPen(QPen(colour, 1));
+    paintPivot(painter, controller, frame);
+    painter.setPen(QPen(colour, outline));
     for (const auto& [handle, at] : placed) {
         const bool hovered = controller.tool().hoveredHandle() == handle;
-        painter.setBrush(hovered ? look.accent : controller.pageColour());
+        painter.setBrush(hovered ? colour : controller.pageColour());
         const QRectF place(at.x - handleSize / 2 + 0.5, at.y - handleSize / 2 + 0.5, handleSize - 1,
                            handleSize - 1);
         if (handle == app::rotationHandle)
@@ -199,7 +226,6 @@ void paintWindow(QPainter& painter, const Controller& controller, const Pane& pa
         return;
     }
     paintOthers(painter, controller);
-    const Look& look = controller.look();
     const QRectF window = boxOnScreen(controller);
     const QPainterPath border = outlineOnScreen(controller.view(), actedOn(controller).shape);
     const bool hovered = controller.tool().hoveredHandle() == app::Handle{};
@@ -210,14 +236,16 @@ void paintWindow(QPainter& painter, const Controller& controller, const Pane& pa
     painter.setBrush(Qt::NoBrush);
     painter.setPen(pen);
     painter.drawPath(border);
-    pen.setColor(look.accent);
+    pen.setColor(colourOf(actedOn(controller), controller));
     pen.setWidthF(width);
-    pen.setStyle(dashesOf(actedOn(controller).operation));
+    setDashes(pen, actedOn(controller).operation);
     painter.setPen(pen);
     painter.drawPath(border);
+    if (pane.active)
+        paintTags(painter, controller);
     if (!isFurnished(controller, pane, window))
         return;
-    paintHandles(painter, controller, look);
+    paintHandles(painter, controller);
     paintLabel(painter, controller, window);
 }
 
@@ -233,6 +261,9 @@ std::vector<QRectF> windowFurniture(const Controller& controller, const Pane& pa
                                QRectF(window.topRight(), QSizeF(0, window.height()))};
     for (QRectF& edge : places)
         edge.adjust(-outline, -outline, outline, outline);
+    if (pane.active)
+        for (const WindowTag& tag : windowTags(controller, font))
+            places.push_back(tag.place);
     if (!isFurnished(controller, pane, window))
         return places;
     const app::WindowFrame& frame = *controller.session().windowFrame();

@@ -2,14 +2,18 @@
 #include "ui/docks/window_list.h"
 
 #include "app/session/window_steps.h"
+#include "app/session/window_words.h"
 #include "ui/docks/algorithm_list.h"
 #include "ui/widgets/keep_choice.h"
 #include "ui/widgets/row_painter.h"
 
+#include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 
-#include <array>
+#include <algorithm>
+#include <string>
+#include <utility>
 
 namespace ui {
 
@@ -25,12 +29,18 @@ public:
         const Look& look = lookOf(option.palette);
         drawRowGround(*painter, option);
         const bool visible = index.data(WindowModel::VisibleRole).toBool();
+        const auto own = index.data(WindowModel::ColourRole).value<QColor>();
+        const QColor colour = !visible ? look.muted : own.isValid() ? own : look.accent;
+        drawDots(*painter, option.rect, look.muted);
         drawEye(*painter, option.rect, visible);
-        painter->setPen(visible ? look.accent : look.muted);
+        painter->setPen(visible ? look.text : look.muted);
         painter->setFont(semiBold(option.font));
-        constexpr std::array<char16_t, 3> signs{u'+', u'\u2212', u'\u2229'};
-        const auto sign = std::size_t(index.data(WindowModel::OperationRole).toInt());
-        painter->drawText(operation(option.rect), Qt::AlignCenter, QString(QChar(signs[sign])));
+        const auto sign = app::WindowOperation(index.data(WindowModel::OperationRole).toInt());
+        painter->drawText(operation(option.rect), Qt::AlignCenter, app::signOf(sign));
+        const QRect place = shape(option.rect);
+        const std::string key = index.data(WindowModel::IconRole).toString().toStdString();
+        painter->drawPixmap(
+            place, tinted(icon(key), place.size(), painter->device()->devicePixelRatioF(), colour));
         drawName(*painter, option, nameBox(option.rect), index.data().toString(), !visible);
     }
     void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
@@ -55,9 +65,20 @@ private:
     {
         return {eye(row).right() + 7, row.top(), 16, row.height()};
     }
+    static QRect shape(const QRect& row)
+    {
+        return {operation(row).right() + 7, row.center().y() - 7, 16, 16};
+    }
     static QRect nameBox(const QRect& row)
     {
-        return row.adjusted(operation(row).right() + 9 - row.left(), 0, -space::dockMargin, 0);
+        return row.adjusted(shape(row).right() + 9 - row.left(), 0, -space::dockMargin, 0);
+    }
+    /// Says that the row can be dragged.
+    static void drawDots(QPainter& painter, const QRect& row, const QColor& colour)
+    {
+        for (const int x : {0, 4})
+            for (const int y : {-4, 0, 4})
+                painter.fillRect(row.left() + 3 + x, row.center().y() + y, 2, 2, colour);
     }
 };
 
@@ -75,7 +96,7 @@ WindowList::WindowList(app::Session& session) : session_(session)
     setMouseTracking(true);
     setEditTriggers(DoubleClicked);
     viewport()->setAutoFillBackground(false);
-    constexpr int rows = 4;
+    constexpr int rows = 3;
     setFixedHeight(rows * space::rowHeight);
     connect(selectionModel(), &QItemSelectionModel::currentChanged, this,
             [this](const QModelIndex& current) {
@@ -128,6 +149,64 @@ void WindowList::keyPressEvent(QKeyEvent* event)
     if (event->key() == Qt::Key_Delete)
         return app::removeWindow(session_);
     PanelList::keyPressEvent(event);
+}
+
+void WindowList::mousePressEvent(QMouseEvent* event)
+{
+    const QModelIndex row = indexAt(event->pos());
+    if (event->button() == Qt::LeftButton && row.isValid())
+        pressed_ = Grip{row.row(), event->pos()};
+    PanelList::mousePressEvent(event);
+}
+
+// The base class would select the rows under the pointer.
+void WindowList::mouseMoveEvent(QMouseEvent* event)
+{
+    if (!pressed_ || !(event->buttons() & Qt::LeftButton))
+        return PanelList::mouseMoveEvent(event);
+    const int way = (event->pos() - pressed_->at).manhattanLength();
+    if (!gap_ && way < QApplication::startDragDistance())
+        return;
+    gap_ = gapAt(event->pos().y());
+    viewport()->update();
+}
+
+void WindowList::mouseReleaseEvent(QMouseEvent* event)
+{
+    const bool drags = gap_.has_value();
+    drop();
+    pressed_.reset();
+    if (drags)
+        setState(NoState); // the base class would take it for a click, on the eye perhaps
+    else
+        PanelList::mouseReleaseEvent(event);
+}
+
+int WindowList::gapAt(int y) const
+{
+    const int top = y + verticalOffset();
+    return std::clamp((top + space::rowHeight / 2) / space::rowHeight, 0, model()->rowCount());
+}
+
+void WindowList::drop()
+{
+    const auto gap = std::exchange(gap_, std::nullopt);
+    if (!gap || !pressed_)
+        return;
+    const int to = *gap > pressed_->row ? *gap - 1 : *gap;
+    app::reorderWindow(session_, std::size_t(pressed_->row), std::size_t(to));
+    viewport()->update();
+}
+
+void WindowList::paintEvent(QPaintEvent* event)
+{
+    PanelList::paintEvent(event);
+    if (!gap_)
+        return;
+    QPainter painter(viewport());
+    const int y =
+        std::clamp(*gap_ * space::rowHeight - verticalOffset() - 1, 0, viewport()->height() - 2);
+    painter.fillRect(0, y, viewport()->width(), 2, lookOf(palette()).selection);
 }
 
 } // namespace ui

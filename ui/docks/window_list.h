@@ -7,7 +7,7 @@
 namespace ui {
 
 /// The list of clip windows: eye, what the window does, shape, name. The current row is the window
-/// that tools act on.
+/// that tools act on. Rows are dragged to another place of the list.
 class WindowList : public PanelList {
     Q_OBJECT
 
@@ -20,8 +20,20 @@ private:
     void follow();
     bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    int gapAt(int y) const; ///< the gap between rows that is nearest: 0 is above the first row
+    void drop();
 
     app::Session& session_;
+    struct Grip {
+        int row;
+        QPoint at;
+    };
+    std::optional<Grip> pressed_; ///< the row under the pressed button
+    std::optional<int> gap_;      ///< where the dragged row would go; empty: none is dragged
 };
 
 } // namespace ui

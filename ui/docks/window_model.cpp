@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/window_model.h"
 
+#include "app/base/latin.h"
 #include "app/session/window_steps.h"
+#include "app/session/window_words.h"
+
+#include <QColor>
 
 #include <algorithm>
 
@@ -21,19 +25,7 @@ QString operationText(app::WindowOperation operation)
 static bool looksAlike(const app::ClipWindow& a, const app::ClipWindow& b)
 {
     return a.name == b.name && a.operation == b.operation && a.visible == b.visible
-           && nameOf(a.shape) == nameOf(b.shape);
-}
-
-QString nameOf(const app::WindowShape& shape)
-{
-    if (std::holds_alternative<app::RectangleShape>(shape))
-        return WindowModel::tr("Rectangle");
-    const app::Recipe& recipe = std::get<app::PathShape>(shape).recipe;
-    if (std::holds_alternative<app::EllipseRecipe>(recipe))
-        return WindowModel::tr("Ellipse");
-    if (const auto* star = std::get_if<app::StarRecipe>(&recipe))
-        return star->inner > 0 ? WindowModel::tr("Star") : WindowModel::tr("Polygon");
-    return WindowModel::tr("Path");
+           && app::iconOf(a.shape) == app::iconOf(b.shape) && a.colour == b.colour;
 }
 
 WindowModel::WindowModel(app::Session& session, QObject* parent)
@@ -65,7 +57,7 @@ int WindowModel::rowCount(const QModelIndex& parent) const
 QVariant WindowModel::data(const QModelIndex& index, int role) const
 {
     const app::ClipWindow& window = shown_.list[std::size_t(index.row())];
-    const QString name = window.name.isEmpty() ? nameOf(window.shape) : window.name;
+    const QString name = app::nameOf(window);
     switch (role) {
     case Qt::DisplayRole:
         return name;
@@ -75,12 +67,17 @@ QVariant WindowModel::data(const QModelIndex& index, int role) const
         return window.visible;
     case OperationRole:
         return int(window.operation);
+    case IconRole:
+        return app::latin(app::iconOf(window.shape));
+    case ColourRole:
+        return window.colour ? QColor(window.colour->red, window.colour->green, window.colour->blue)
+                             : QColor();
     case Qt::AccessibleTextRole:
         return window.visible ? tr("%1, %2").arg(name, operationText(window.operation))
                               : tr("%1, hidden").arg(name);
     case Qt::ToolTipRole:
-        return tr("%1 %2. Windows apply from top to bottom. Ctrl+Up, Ctrl+Down: move; double "
-                  "click: rename")
+        return tr("%1 %2. Windows apply from top to bottom. Drag, or Ctrl+Up, Ctrl+Down: move; "
+                  "double click: rename")
             .arg(name, operationText(window.operation));
     default:
         return {};

@@ -13,7 +13,8 @@ class WindowModel : public QAbstractListModel {
     Q_OBJECT
 
 public:
-    enum Role { VisibleRole = Qt::UserRole, OperationRole };
+    /// IconRole: the key of the shape's icon. ColourRole: a QColor, not valid for the usual one.
+    enum Role { VisibleRole = Qt::UserRole, OperationRole, IconRole, ColourRole };
 
     explicit WindowModel(app::Session& session, QObject* parent = nullptr);
 
@@ -28,8 +29,5 @@ private:
     app::Session& session_;
     app::ClipWindows shown_; ///< as last reported to views
 };
-
-/// "Rectangle", "Ellipse" …: what a window without a name is called.
-QString nameOf(const app::WindowShape& shape);
 
 } // namespace ui

@@ -6,46 +6,57 @@
 #include <QStackedLayout>
 #include <QToolButton>
 
-#include <array>
-
 class QMenu;
 
 namespace ui {
 
-class LengthField;
+class ColourPopup;
+class Segments;
 class ToolList;
-class UnitBox;
+class WindowFields;
 class WindowList;
 
-/// The list of clip windows, and the one that tools act on in numbers, also during a gesture. Each
-/// edit is one undo step.
+/// The list of clip windows with the side that is kept, and the window that tools act on: what it
+/// does, its colour, its numbers.
 class WindowPanel : public QWidget {
     Q_OBJECT
 
 public:
     explicit WindowPanel(app::Session& session, QWidget* parent = nullptr);
 
+    /// What the windows make together: "Old town − Market hall + Star".
+    QString title() const;
+
 signals:
     void entered(); ///< a number or a unit was entered: the focus returns to the canvas
     void refused(const QString& sentence); ///< the typed text is not a length
     void taken();                          ///< a field's value is valid again
+    void titled(const QString& title);
+
+protected:
+    void changeEvent(QEvent* event) override;
 
 private:
-    QWidget* makeFields();
+    QWidget* makeList();
+    QWidget* makeKeep();
     QWidget* makeTools();
     QWidget* makeOffer(); ///< shown if there is no clip window
     QToolButton* makeAdd();
     QMenu* makeAddMenu();
     void follow();
-    void edit(std::size_t field, double length, app::Merging merging);
+    void setOperation(int operation);
+    void openColours();
+    void setColour(const std::optional<app::Colour>& colour);
 
     app::Session& session_;
     WindowList* list_;
+    Segments* keep_;
     ToolList* operation_;
-    std::array<LengthField*, 4> fields_; ///< X Y W H
-    QToolButton* chain_;                 ///< checked: W and H keep their ratio
-    UnitBox* unit_;
-    QStackedLayout* pages_; ///< the fields, or the offer
+    QToolButton* colour_;
+    ColourPopup* colours_;
+    WindowFields* fields_;
+    QStackedLayout* pages_; ///< the list, or the offer
+    QString titled_;        ///< the last title that was signalled
 };
 
 } // namespace ui

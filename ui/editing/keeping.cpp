@@ -2,7 +2,7 @@
 #include "ui/editing/keeping.h"
 
 #include "app/commands/set_windows.h"
-#include "app/session/window_steps.h"
+#include "app/session/window_places.h"
 
 #include <QCoreApplication>
 
@@ -22,16 +22,7 @@ void setKeep(app::Session& session, app::Keep keep)
 
 void layWindowOnPage(app::Session& session)
 {
-    const app::RectangleShape page{session.now().page().rectangle()};
-    const QString text = QCoreApplication::translate("Clip", "Lay clip window on page");
-    const auto number = session.windowNumber();
-    const bool replaces =
-        number
-        && std::holds_alternative<app::RectangleShape>(session.windows().list[*number].shape);
-    if (replaces)
-        app::setWindowShape(session, page, text);
-    else
-        app::addWindows(session, {{.shape = page}}, text);
+    app::layWindow(session, app::windowPlaces().front());
 }
 
 } // namespace ui

@@ -11,7 +11,7 @@ namespace ui {
 /// Chooses the side of the clip windows that is kept.
 void setKeep(app::Session& session, app::Keep keep);
 
-/// Makes the clip window cover the page; adds one if there is none.
+/// Lays a clip window on the page (app/session/window_places.h).
 void layWindowOnPage(app::Session& session);
 
 } // namespace ui

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/latin.h"
+#include "app/session/window_places.h"
 #include "app/session/window_steps.h"
 #include "app/view/picking.h"
+#include "ui/dialogs/margin_dialog.h"
 #include "ui/editing/keeping.h"
 #include "ui/files/files.h"
 #include "ui/menus/actions.h"
@@ -14,6 +16,8 @@
 #include <QCoreApplication>
 #include <QMenu>
 #include <QStatusBar>
+
+#include <algorithm>
 
 namespace ui {
 
@@ -94,17 +98,27 @@ void setRemoved(MainWindow& window)
     window.session().changeDisplay([](app::Display& display) { display.removed = removed; });
 }
 
-void windowOnPage(MainWindow& window) { layWindowOnPage(window.session()); }
-
-void windowsOfSelection(MainWindow& window)
+// A command for each place that a window can be laid on.
+std::vector<ActionInfo> placeRows()
 {
-    app::Session& session = window.session();
-    auto made = app::windowsOfSelection(session);
-    if (made.empty())
-        emit session.refused(tr("None of the selected objects encloses an area, so they cannot be "
-                                "clip windows. Select a closed shape."));
-    else
-        app::addWindows(session, std::move(made), tr("Make clip windows of selection"));
+    std::vector<ActionInfo> rows;
+    const auto translated = [](std::string_view text) {
+        return QCoreApplication::translate("WindowPlaces", text.data());
+    };
+    for (const app::WindowPlace& place : app::windowPlaces())
+        rows.push_back({
+            .key = place.key,
+            .text = translated(place.text),
+            .run = [&place](MainWindow& w) { app::layWindow(w.session(), place); },
+            .enabled = [&place](const MainWindow& w) { return place.box(w.session()).has_value(); },
+            .needs = place.needs.empty() ? QString() : translated(place.needs),
+        });
+    rows.push_back({
+        .key = "window-inside-margin",
+        .text = tr("Lay window inside the page's &margin…"),
+        .run = [](MainWindow& w) { MarginDialog::show(w.session(), w); },
+    });
+    return rows;
 }
 
 void removeWindow(MainWindow& window) { app::removeWindow(window.session()); }
@@ -123,7 +137,7 @@ MenuInfo clipMenu()
     const auto some = [](const MainWindow& w) {
         return w.session().scene.lines().size() > 0 && hasWindow(w);
     };
-    return {
+    MenuInfo menu{
         .title = tr("&Clip"),
         .rows =
             {
@@ -152,14 +166,9 @@ MenuInfo clipMenu()
                     .enabled = some,
                 },
                 {
-                    .key = "window-on-page",
-                    .text = tr("&Lay window on page"),
-                    .run = windowOnPage,
-                },
-                {
                     .key = "windows-of-selection",
-                    .text = tr("&Make clip windows of selection"),
-                    .run = windowsOfSelection,
+                    .text = tr("Make clip &windows of selection"),
+                    .run = [](MainWindow& w) { app::addWindowsOfSelection(w.session()); },
                     .enabled = [](const MainWindow& w) { return !w.session().selection().empty(); },
                     .needs = nothingSelected(),
                 },
@@ -221,6 +230,12 @@ MenuInfo clipMenu()
                 },
             },
     };
+    // The ways to lay a window come before the one to make it of the selection.
+    const auto at =
+        std::ranges::find(menu.rows, std::string_view("windows-of-selection"), &ActionInfo::key);
+    const auto places = placeRows();
+    menu.rows.insert(at, places.begin(), places.end());
+    return menu;
 }
 
 } // namespace ui

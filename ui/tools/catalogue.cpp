@@ -79,7 +79,7 @@ std::span<const ToolInfo> tools()
                  tr("Click where the text begins, or a text to edit it. Enter: end, Shift+Enter: new "
                     "line."),
                  QKeySequence("T"), makeTextTool},
-        ToolInfo{"window", tr("Clip window"), tr("Drag to draw a clip window. Shift: square. Click: choose a window."),
+        ToolInfo{"window", tr("Clip window"), tr("Drag beside the windows to draw one, or a window to move it. Click: choose a window."),
                  QKeySequence("W"), makeWindowTool, ToolInfo::Group::New},
     };
     return all;

@@ -108,13 +108,23 @@ void ChainTool::paint(QPainter& painter, const Workbench& bench) const
         path.segments.push_back(last.out == last.at ? app::PathSegment{*to_}
                                                     : app::PathSegment{*to_, last.out, *to_, true});
     }
-    preview(painter, bench, path);
+    paintPath(painter, bench, path);
     std::vector<app::Point> places;
     for (const Node& node : nodes_)
         places.push_back(node.at);
     markPoints(painter, bench, places);
     if (to_ && closesAt(*to_, bench))
         painter.drawEllipse(bench.onScreen(nodes_.front().at), closingMark, closingMark);
+}
+
+void ChainTool::paintPath(QPainter& painter, const Workbench& bench, const app::Subpath& path) const
+{
+    preview(painter, bench, path);
+}
+
+void ChainTool::keep(app::Subpath path, Workbench& bench)
+{
+    draw(bench, {std::move(path)}, undoText());
 }
 
 void ChainTool::add(const app::Point& at)
@@ -153,12 +163,12 @@ app::Subpath ChainTool::pathOf(bool closed) const
 
 void ChainTool::finish(Workbench& bench, bool closed)
 {
-    std::vector<app::Subpath> drawn;
+    std::optional<app::Subpath> drawn;
     if (nodes_.size() >= 2)
-        drawn.push_back(pathOf(closed));
+        drawn = pathOf(closed);
     cancel(bench);
-    if (!drawn.empty())
-        draw(bench, std::move(drawn), undoText());
+    if (drawn)
+        keep(std::move(*drawn), bench);
 }
 
 } // namespace ui

@@ -37,19 +37,23 @@ protected:
         app::Point at, in, out;
     };
 
-    virtual QString undoText() const = 0;
+    virtual QString undoText() const { return {}; } ///< of the object that `keep` draws
+    /// Makes something of the finished path.
+    virtual void keep(app::Subpath path, Workbench& bench);
+    virtual void paintPath(QPainter& painter, const Workbench& bench,
+                           const app::Subpath& path) const;
     virtual bool showsNext() const { return true; } ///< where the path would go on
     virtual bool closes() const { return false; }   ///< the path that is shown is closed
     void add(const app::Point& at);
     /// A click there closes the path.
     bool closesAt(const app::Point& point, const Workbench& bench) const;
     void finish(Workbench& bench, bool closed);
+    app::Subpath pathOf(bool closed) const;
 
     std::vector<Node> nodes_;
     std::optional<app::Point> to_; ///< the node that a click would add; empty: none
 
 private:
-    app::Subpath pathOf(bool closed) const;
     bool isCurved() const;
 
     std::vector<Node> takenBack_; ///< removed nodes; the last one returns first

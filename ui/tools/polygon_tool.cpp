@@ -3,11 +3,6 @@
 
 #include <QCoreApplication>
 
-#include <glm/geometric.hpp>
-
-#include <cmath>
-#include <numbers>
-
 namespace ui {
 namespace {
 
@@ -18,17 +13,12 @@ protected:
     {
         return app::polygonMeasure();
     }
-    app::Numbers usual() const override { return {0, 0, 6}; }
+    app::Numbers usual() const override { return app::usualPolygon(); }
     std::string_view keeps() const override { return "polygon"; }
     app::StarRecipe starOf(const Gesture& gesture) const override
     {
-        const int corners = cornersOf(gesture);
-        const app::Point way = gesture.to - gesture.from;
-        const double radius = glm::length(way), angle = std::atan2(way.y, way.x);
-        const double half = std::numbers::pi / corners;
-        if (gesture.modifiers & Qt::AltModifier)
-            return {gesture.from, radius / std::cos(half), 0, angle + half, corners};
-        return {gesture.from, radius, 0, angle, corners};
+        return app::polygonTo(gesture.from, gesture.to, gesture.numbers,
+                              anchorOf(gesture.modifiers));
     }
     QString undoText() const override
     {

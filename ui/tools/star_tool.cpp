@@ -3,14 +3,8 @@
 
 #include <QCoreApplication>
 
-#include <glm/geometric.hpp>
-
-#include <cmath>
-
 namespace ui {
 namespace {
-
-constexpr double pentagram = 0.381966011250105; // the inner radius where the sides continue
 
 /// Draws a star; the fourth number is its inner radius as a share of the outer one.
 class StarTool final : public CentreTool {
@@ -19,14 +13,11 @@ protected:
     {
         return app::starMeasure();
     }
-    app::Numbers usual() const override { return {0, 0, 5, pentagram}; }
+    app::Numbers usual() const override { return app::usualStar(); }
     std::string_view keeps() const override { return "star"; }
     app::StarRecipe starOf(const Gesture& gesture) const override
     {
-        const app::Point way = gesture.to - gesture.from;
-        const double radius = glm::length(way);
-        return {gesture.from, radius, radius * gesture.numbers[3], std::atan2(way.y, way.x),
-                cornersOf(gesture)};
+        return app::starTo(gesture.from, gesture.to, gesture.numbers);
     }
     QString undoText() const override
     {

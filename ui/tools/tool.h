@@ -65,10 +65,12 @@ struct Workbench {
     const app::Guides* guides() const;
 
     /// How far a thing goes that is dragged by `by`, and what it snaps to on the way: by its own
-    /// points and edges, not to the objects `without`. Ctrl suspends snapping.
+    /// points and edges, not to the objects `without` and that clip window. Ctrl suspends
+    /// snapping.
     app::MovedSnap moved(const app::OwnPoints& own, const app::Point& by,
                          Qt::KeyboardModifiers modifiers, const app::ObjectRanges& without = {},
-                         app::SnapTo allowed = app::SnapTo::All) const;
+                         app::SnapTo allowed = app::SnapTo::All,
+                         std::optional<std::size_t> withoutWindow = {}) const;
 };
 
 /// In logical pixels: how near to a line the pointer hits it, how far it must move to start a drag,
@@ -149,6 +151,8 @@ public:
 
     virtual QCursor cursor(const Workbench&) const { return Qt::CrossCursor; }
     virtual app::SnapTo snapsTo() const { return app::SnapTo::All; }
+    /// The number of the clip window that is dragged by a handle: the pointer does not snap to it.
+    virtual std::optional<std::size_t> draggedWindow() const { return std::nullopt; }
     /// Where the thing that is being moved snaps; null: nothing is moved.
     virtual const app::MovedSnap* snapped() const { return nullptr; }
     virtual bool showsHandles() const { return false; } ///< the clip window's handles

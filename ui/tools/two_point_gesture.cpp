@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/tools/two_points.h"
+#include "ui/tools/two_point_gesture.h"
 
 namespace ui {
 
-void TwoPointTool::press(const Pointer& pointer, Workbench& bench)
+void TwoPointGesture::press(const Pointer& pointer, Workbench& bench)
 {
     const bool corrects = last_.isOpen();
     if (corrects)
@@ -18,7 +18,7 @@ void TwoPointTool::press(const Pointer& pointer, Workbench& bench)
     gesture_->modifiers = pointer.modifiers;
 }
 
-void TwoPointTool::move(const Pointer& pointer, Workbench& bench)
+void TwoPointGesture::move(const Pointer& pointer, Workbench& bench)
 {
     if (!gesture_)
         return;
@@ -28,7 +28,7 @@ void TwoPointTool::move(const Pointer& pointer, Workbench& bench)
     moveEnd(pointer.position, bench);
 }
 
-void TwoPointTool::release(const Pointer& pointer, Workbench& bench)
+void TwoPointGesture::release(const Pointer& pointer, Workbench& bench)
 {
     const auto pressed = std::exchange(pressed_, std::nullopt);
     if (!pressed || !gesture_ || !dragged(*pressed, pointer))
@@ -37,14 +37,14 @@ void TwoPointTool::release(const Pointer& pointer, Workbench& bench)
     finish(bench);
 }
 
-void TwoPointTool::cancel(Workbench& bench)
+void TwoPointGesture::cancel(Workbench& bench)
 {
     gesture_.reset();
     pressed_.reset();
     last_.restore(bench);
 }
 
-std::optional<app::Gauge> TwoPointTool::gauge(const Workbench& bench) const
+std::optional<app::Gauge> TwoPointGesture::gauge(const Workbench& bench) const
 {
     if (!gesture_)
         return gaugeOfStart(bench);
@@ -55,7 +55,7 @@ std::optional<app::Gauge> TwoPointTool::gauge(const Workbench& bench) const
     return gauge;
 }
 
-void TwoPointTool::accept(const app::GestureEnd& end, Workbench& bench)
+void TwoPointGesture::accept(const app::GestureEnd& end, Workbench& bench)
 {
     if (!gesture_)
         return begin(end.point, bench);
@@ -64,7 +64,7 @@ void TwoPointTool::accept(const app::GestureEnd& end, Workbench& bench)
     last_.isOpen() ? finish(bench) : finishByClick(bench);
 }
 
-void TwoPointTool::reopen(Workbench& bench)
+void TwoPointGesture::reopen(Workbench& bench)
 {
     if (!last_.reopen(bench))
         return;
@@ -72,36 +72,25 @@ void TwoPointTool::reopen(Workbench& bench)
     follow(*gesture_, bench);
 }
 
-void TwoPointTool::paint(QPainter& painter, const Workbench& bench) const
-{
-    if (gesture_)
-        preview(painter, bench, path(*gesture_));
-}
-
-void TwoPointTool::begin(const app::Point& from, Workbench& bench)
+void TwoPointGesture::begin(const app::Point& from, Workbench& bench)
 {
     const auto modifiers = gesture_ ? gesture_->modifiers : Qt::KeyboardModifiers();
     gesture_ = {from, from, modifiers, keptBy(keeps(), bench, usual())};
     follow(*gesture_, bench);
 }
 
-void TwoPointTool::moveEnd(const app::Point& to, Workbench& bench)
+void TwoPointGesture::moveEnd(const app::Point& to, Workbench& bench)
 {
     gesture_->to = to;
     follow(*gesture_, bench);
 }
 
-bool TwoPointTool::isEmpty() const
+bool TwoPointGesture::isEmpty() const
 {
     return app::firstZero(measure(gesture_->modifiers), {gesture_->from}, gesture_->to).has_value();
 }
 
-void TwoPointTool::add(Workbench& bench)
-{
-    draw(bench, {path(*gesture_)}, undoText(), recipe(*gesture_));
-}
-
-void TwoPointTool::finish(Workbench& bench)
+void TwoPointGesture::finish(Workbench& bench)
 {
     if (isEmpty())
         return; // the gesture goes on

@@ -2,9 +2,12 @@
 #include "ui/tools/window_gesture.h"
 
 #include "app/session/window_steps.h"
+#include "app/view/snapping/window_points.h"
 #include "ui/tools/shape_drawing.h"
 
 #include <QCoreApplication>
+
+#include <glm/trigonometric.hpp>
 
 #include <array>
 #include <cmath>
@@ -26,19 +29,20 @@ static QString nameOf(app::Preview::Drag drag)
 void WindowGesture::start(app::Handle handle, const Pointer& pointer, const Workbench& bench)
 {
     const app::Session& session = bench.session;
-    if (const auto& frame = session.windowFrame())
-        state_ = State{handle, pointer, pointer,
-                       session.windows().list[*session.windowNumber()].shape, *frame};
+    const auto& frame = session.windowFrame();
+    if (!frame)
+        return;
+    const std::size_t number = *session.windowNumber();
+    const app::WindowShape& shape = session.windows().list[number].shape;
+    state_ = State{handle, pointer, pointer, number, shape, *frame, app::ownPointsOf(shape)};
 }
-
-void WindowGesture::startNew(const Pointer& pointer) { state_ = State{{1, 1}, pointer, pointer}; }
 
 void WindowGesture::follow(const Pointer& pointer, const Workbench& bench)
 {
     if (!state_)
         return;
     state_->to = pointer;
-    state_->drags |= ui::dragged(state_->from.screen, pointer);
+    state_->drags |= pointer.held || ui::dragged(state_->from.screen, pointer);
     if (moves())
         state_->moved = moved(bench);
 }
@@ -46,14 +50,15 @@ void WindowGesture::follow(const Pointer& pointer, const Workbench& bench)
 // With Shift the window keeps to one axis, also where it would snap beside it.
 app::MovedSnap WindowGesture::moved(const Workbench& bench) const
 {
+    if (state_->to.held)
+        return {state_->to.position - state_->from.raw};
     app::Point by = state_->to.raw - state_->from.raw;
     const bool straight = state_->to.modifiers & Qt::ShiftModifier;
     const int fixed = std::abs(by.x) >= std::abs(by.y) ? 1 : 0;
     if (straight)
         by[fixed] = 0;
     app::MovedSnap moved =
-        bench.moved(app::ownPointsOf(app::boxOf(state_->frame)), by, state_->to.modifiers, {},
-                    app::SnapTo::All.without("window"));
+        bench.moved(state_->own, by, state_->to.modifiers, {}, app::SnapTo::All, state_->number);
     if (straight && moved.by[fixed] != 0) {
         moved = {moved.by};
         moved.by[fixed] = 0;
@@ -83,63 +88,72 @@ void WindowGesture::cancel(Workbench& bench)
     bench.session.setPreview({});
 }
 
-// The preview ends after the command, so that the window does not jump back in between.
 void WindowGesture::finish(const Pointer& pointer, Workbench& bench)
 {
     follow(pointer, bench);
+    push(bench);
+}
+
+void WindowGesture::accept(const app::GestureEnd& end, Workbench& bench)
+{
+    if (!state_)
+        return;
+    Pointer there = state_->to;
+    there.position = end.point;
+    there.numbers = end.numbers;
+    there.held = true;
+    finish(there, bench);
+}
+
+// The preview ends after the command, so that the window does not jump back in between.
+void WindowGesture::push(Workbench& bench)
+{
     const auto result = shape();
-    const app::Preview::Drag what = drag();
-    const bool isNew = state_ && !state_->start;
+    const QString text = nameOf(drag());
     state_.reset();
     if (result)
-        app::setWindowShape(bench.session, *result,
-                            isNew ? QCoreApplication::translate("Commands", "Draw clip window")
-                                  : nameOf(what));
+        app::setWindowShape(bench.session, *result, text);
     bench.session.setPreview({});
 }
 
 std::optional<app::WindowShape> WindowGesture::shape() const
 {
-    if (!state_ || !state_->drags)
-        return std::nullopt;
-    return state_->start ? dragged() : drawn();
+    return state_ && state_->drags ? std::optional(dragged()) : std::nullopt;
 }
 
-app::WindowShape WindowGesture::drawn() const
-{
-    const auto modifiers = state_->to.modifiers;
-    return app::RectangleShape{app::between(state_->from.position, state_->to.position,
-                                            proportionOf(modifiers), anchorOf(modifiers))};
-}
-
-// The pointer is rarely exactly on the handle, so the handle moves by as much as the pointer, or to
-// the snap point.
 app::WindowShape WindowGesture::dragged() const
 {
     if (moves())
-        return app::mapped(*state_->start, app::translation(state_->moved.by));
-    if (state_->handle == app::rotationHandle)
-        return app::rotated(*state_->start, angle());
-    const auto modifiers = state_->to.modifiers;
-    const app::WindowFrame& start = state_->frame;
-    const app::Handle handle = state_->handle;
-    app::Point from = state_->from.raw, to = state_->to.raw;
-    if (state_->to.position != state_->to.raw) {
-        from = app::outOfFrame(start, app::placeOf(handle, start.box));
-        to = state_->to.position;
+        return app::mapped(state_->start, app::translation(state_->moved.by));
+    if (rotates())
+        return app::rotated(state_->start, angle());
+    return app::fitted(state_->start, resized());
+}
+
+// The pointer is rarely exactly on the handle, so the handle moves by as much as the pointer, or to
+// the snap point, or to what is typed.
+app::WindowFrame WindowGesture::resized() const
+{
+    const Pointer& now = state_->to;
+    app::Point from = state_->from.raw, to = now.raw;
+    if (now.held || now.steered != now.raw) {
+        from = handle();
+        to = now.held ? now.position : now.steered;
     }
     const auto proportion =
-        modifiers & Qt::ShiftModifier ? app::Proportion::Kept : app::Proportion::Free;
-    const auto frame = app::dragged(start, handle, from, to, proportion, anchorOf(modifiers));
-    return app::fitted(*state_->start, frame);
+        now.modifiers & Qt::ShiftModifier ? app::Proportion::Kept : app::Proportion::Free;
+    return app::dragged(state_->frame, state_->handle, from, to, proportion,
+                        anchorOf(now.modifiers));
 }
 
 // By which the rotation handle was turned so far.
 double WindowGesture::angle() const
 {
-    if (!state_ || !state_->start || state_->handle != app::rotationHandle)
+    if (!rotates())
         return 0;
     const app::WindowFrame& start = state_->frame;
+    if (state_->to.held)
+        return -glm::radians(state_->to.numbers[0]);
     const auto proportion =
         state_->to.modifiers & Qt::ShiftModifier ? app::Proportion::Kept : app::Proportion::Free;
     return app::dragged(start, state_->handle, state_->from.raw, state_->to.raw, proportion,
@@ -151,9 +165,7 @@ double WindowGesture::angle() const
 app::Preview::Drag WindowGesture::drag() const
 {
     using Drag = app::Preview::Drag;
-    return moves()                                           ? Drag::Moving
-           : state_ && state_->handle == app::rotationHandle ? Drag::Rotating
-                                                             : Drag::Sizing;
+    return moves() ? Drag::Moving : rotates() ? Drag::Rotating : Drag::Sizing;
 }
 
 Qt::CursorShape cursorOf(app::Handle handle, double angle)

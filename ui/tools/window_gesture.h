@@ -7,37 +7,54 @@
 namespace ui {
 
 /// A drag of a clip window by a handle, its outline or its interior. Sets the session's preview
-/// during the gesture and pushes one command at its end.
+/// during the gesture and pushes one command at its end; typed numbers hold.
 class WindowGesture {
 public:
     /// On the window that tools act on.
     void start(app::Handle handle, const Pointer& pointer, const Workbench& bench);
-    /// Drags the window that tools act on anew, from corner to corner; without one, a first one.
-    void startNew(const Pointer& pointer);
     void proceed(const Pointer& pointer, Workbench& bench);
     void finish(const Pointer& pointer, Workbench& bench);
     void cancel(Workbench& bench);
 
+    /// Width and height while a handle is dragged, an angle for the one that rotates, length and
+    /// angle of a move.
+    std::optional<app::Gauge> gauge(const Workbench& bench) const;
+    void accept(const app::GestureEnd& end, Workbench& bench);
+
     bool going() const { return state_.has_value(); }
+    /// The number of the window that is dragged.
+    std::optional<std::size_t> number() const
+    {
+        return state_ ? std::optional(state_->number) : std::nullopt;
+    }
     /// Where the moved window snaps; null: it is not moved.
     const app::MovedSnap* snapped() const;
 
 private:
     void follow(const Pointer& pointer, const Workbench& bench);
     app::MovedSnap moved(const Workbench& bench) const;
-    bool moves() const { return state_ && state_->start && state_->handle == app::Handle{}; }
+    bool moves() const { return state_ && state_->handle == app::Handle{}; }
+    bool rotates() const { return state_ && state_->handle == app::rotationHandle; }
     /// Nothing until the pointer has moved far enough for a drag.
     std::optional<app::WindowShape> shape() const;
-    app::WindowShape drawn() const;
     app::WindowShape dragged() const;
+    app::WindowFrame resized() const;
     app::Preview::Drag drag() const;
     double angle() const;
+    void push(Workbench& bench);
+    app::Point fixed() const;  ///< the point that stays while a handle is dragged
+    app::Point handle() const; ///< where the handle is at the start
+    const app::GestureMeasure& measure() const;
+    app::GestureStart gaugeStart() const;
+    app::Point reached() const; ///< where what is dragged is now
 
     struct State {
         app::Handle handle;
         Pointer from, to;
-        std::optional<app::WindowShape> start{}; ///< empty: a new window
-        app::WindowFrame frame{};                ///< of `start`
+        std::size_t number;     ///< of the window
+        app::WindowShape start; ///< its shape
+        app::WindowFrame frame; ///< of the shape
+        app::OwnPoints own;     ///< by which it snaps
         bool drags = false;
         app::MovedSnap moved{}; ///< if the whole window is moved
     };

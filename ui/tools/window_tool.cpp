@@ -1,55 +1,111 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/window_steps.h"
 #include "app/view/window_at.h"
+#include "ui/tools/window_drawing.h"
 #include "ui/tools/window_gesture.h"
+
+#include <QCoreApplication>
 
 namespace ui {
 namespace {
 
-/// Edits clip windows: a drag outside them draws the window anew, a drag inside one chooses and
-/// moves it, a handle of the chosen one resizes or rotates it.
+/// Draws and edits clip windows: a drag inside a window chooses and moves it, a handle of the
+/// chosen one resizes or rotates it, anything else draws a window. One that cuts out or intersects
+/// may begin inside another.
 class WindowTool final : public Tool {
 public:
-    void press(const Pointer& pointer, Workbench& bench) override
-    {
-        hoveredHandle_ = handleUnder(pointer, bench);
-        if (hoveredHandle_)
-            return gesture_.start(*hoveredHandle_, pointer, bench);
-        if (const auto other = windowUnder(pointer, bench)) {
-            bench.session.chooseWindow(*other);
-            return gesture_.start({}, pointer, bench);
-        }
-        gesture_.startNew(pointer);
-    }
+    void press(const Pointer& pointer, Workbench& bench) override;
     void move(const Pointer& pointer, Workbench& bench) override
     {
-        if (gesture_.going())
+        if (drawing_)
+            drawing_->move(pointer, bench);
+        else if (gesture_.going())
             gesture_.proceed(pointer, bench);
         else
             hoveredHandle_ = handleUnder(pointer, bench);
     }
     void release(const Pointer& pointer, Workbench& bench) override
     {
-        gesture_.finish(pointer, bench);
+        drawing_ ? drawing_->release(pointer, bench) : gesture_.finish(pointer, bench);
+        forgetDrawn();
     }
-    void leave(Workbench&) override
+    void doubleClick(const Pointer& pointer, Workbench& bench) override
     {
-        if (!gesture_.going())
+        drawing_ ? drawing_->doubleClick(pointer, bench) : press(pointer, bench);
+        forgetDrawn();
+    }
+    void leave(Workbench& bench) override
+    {
+        if (drawing_)
+            drawing_->leave(bench);
+        else if (!gesture_.going())
             hoveredHandle_.reset();
     }
     bool key(QKeyEvent& event, Workbench& bench) override;
-    void cancel(Workbench& bench) override { gesture_.cancel(bench); }
-    bool busy() const override { return gesture_.going(); }
+    bool wants(const QKeyEvent& event, const Workbench& bench) const override
+    {
+        return drawing_ && drawing_->wants(event, bench);
+    }
+    void cancel(Workbench& bench) override
+    {
+        if (drawing_)
+            drawing_->cancel(bench);
+        drawing_.reset();
+        gesture_.cancel(bench);
+    }
+    void end(Workbench& bench) override
+    {
+        if (!drawing_)
+            return cancel(bench);
+        drawing_->end(bench);
+        forgetDrawn();
+    }
+    bool busy() const override { return drawing_ || gesture_.going(); }
+
+    bool canTakeBack() const override { return drawing_ && drawing_->canTakeBack(); }
+    void takeBack(Workbench& bench) override
+    {
+        drawing_->takeBack(bench);
+        forgetDrawn();
+    }
+    QString stepText() const override { return drawing_ ? drawing_->stepText() : QString(); }
+
+    std::optional<app::Gauge> gauge(const Workbench& bench) const override
+    {
+        return drawing_ ? drawing_->gauge(bench) : gesture_.gauge(bench);
+    }
+    void accept(const app::GestureEnd& end, Workbench& bench) override
+    {
+        drawing_ ? drawing_->accept(end, bench) : gesture_.accept(end, bench);
+        forgetDrawn();
+    }
 
     QCursor cursor(const Workbench& bench) const override;
-    app::SnapTo snapsTo() const override { return app::SnapTo::All.without("window"); }
+    app::SnapTo snapsTo() const override
+    {
+        return hoveredHandle_ && !busy() ? app::SnapTo::All.without("window") : app::SnapTo::All;
+    }
+    std::optional<std::size_t> draggedWindow() const override { return gesture_.number(); }
     const app::MovedSnap* snapped() const override { return gesture_.snapped(); }
     bool showsHandles() const override { return true; }
     std::optional<app::Handle> hoveredHandle() const override { return hoveredHandle_; }
+    QString hint(const Workbench& bench) const override;
+    void paint(QPainter& painter, const Workbench& bench) const override
+    {
+        if (drawing_)
+            drawing_->paint(painter, bench);
+    }
 
 private:
     static constexpr double reach = 6; // pixels
 
+    /// Whether a window that is drawn may begin inside another.
+    static bool drawsInside(const Workbench& bench)
+    {
+        using Use = app::WindowPen::Use;
+        const Use use = bench.session.windowPen.use;
+        return use == Use::CutOut || use == Use::Intersect;
+    }
     static std::optional<std::size_t> windowUnder(const Pointer& pointer, const Workbench& bench)
     {
         return app::windowAt(bench.session.windows(), pointer.raw, bench.inDrawing(reach));
@@ -60,19 +116,47 @@ private:
             return handle;
         const auto& session = bench.session;
         const auto number = session.windowNumber();
-        const bool inside = number
+        const bool inside = number && !drawsInside(bench)
                             && app::isAt(session.windows().list[*number].shape, pointer.raw,
                                          bench.inDrawing(reach));
         return inside ? std::optional(app::Handle{}) : std::nullopt;
     }
+    /// The next gesture may draw another shape.
+    void forgetDrawn()
+    {
+        if (drawing_ && !drawing_->busy())
+            drawing_.reset();
+    }
 
     WindowGesture gesture_;
+    std::unique_ptr<Tool> drawing_; ///< null: no window is being drawn
     std::optional<app::Handle> hoveredHandle_;
 };
+
+void WindowTool::press(const Pointer& pointer, Workbench& bench)
+{
+    if (!drawing_) {
+        hoveredHandle_ = handleUnder(pointer, bench);
+        if (hoveredHandle_)
+            return gesture_.start(*hoveredHandle_, pointer, bench);
+        if (const auto other = windowUnder(pointer, bench); other && !drawsInside(bench)) {
+            bench.session.chooseWindow(*other);
+            return gesture_.start({}, pointer, bench);
+        }
+        drawing_ = makeWindowDrawing(app::windowKind(bench.session.windowPen.kind));
+    }
+    drawing_->press(pointer, bench);
+    forgetDrawn();
+}
 
 // With this tool the arrow keys move the window, even if objects are selected.
 bool WindowTool::key(QKeyEvent& event, Workbench& bench)
 {
+    if (drawing_) {
+        const bool used = drawing_->key(event, bench);
+        forgetDrawn();
+        return used;
+    }
     const int key = event.key();
     if (event.modifiers() & (Qt::AltModifier | Qt::ControlModifier) || gesture_.going())
         return false;
@@ -90,7 +174,15 @@ bool WindowTool::key(QKeyEvent& event, Workbench& bench)
 QCursor WindowTool::cursor(const Workbench& bench) const
 {
     const auto& frame = bench.session.windowFrame();
-    return hoveredHandle_ && frame ? cursorOf(*hoveredHandle_, frame->angle) : Qt::CrossCursor;
+    return hoveredHandle_ && !drawing_ && frame ? cursorOf(*hoveredHandle_, frame->angle)
+                                                : Qt::CrossCursor;
+}
+
+QString WindowTool::hint(const Workbench& bench) const
+{
+    const QString now = drawing_ ? drawing_->hint(bench) : QString();
+    const auto& kind = app::windowKind(bench.session.windowPen.kind);
+    return now.isEmpty() ? QCoreApplication::translate("WindowKinds", kind.hint.data()) : now;
 }
 
 } // namespace

@@ -17,7 +17,7 @@ const app::Guides* Workbench::guides() const
 
 app::MovedSnap Workbench::moved(const app::OwnPoints& own, const app::Point& by,
                                 Qt::KeyboardModifiers modifiers, const app::ObjectRanges& without,
-                                app::SnapTo allowed) const
+                                app::SnapTo allowed, std::optional<std::size_t> withoutWindow) const
 {
     const app::SnapTo to = snapTo & allowed;
     if (to == app::SnapTo::Nothing || modifiers & Qt::ControlModifier)
@@ -27,6 +27,7 @@ app::MovedSnap Workbench::moved(const app::OwnPoints& own, const app::Point& by,
                           .radius = inDrawing(snapReach),
                           .to = to,
                           .without = without,
+                          .withoutWindow = withoutWindow,
                           .seen = view.visible(),
                           .grid = grid(),
                           .guides = guides()});

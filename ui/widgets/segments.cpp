@@ -98,6 +98,12 @@ void Segments::setIcons(const std::vector<std::string_view>& keys)
     }
 }
 
+void Segments::setTips(const QStringList& tips)
+{
+    for (int i = 0; i < tips.size(); ++i)
+        group_.button(i)->setToolTip(tips[i]);
+}
+
 void Segments::choose(int index) { group_.button(index)->setChecked(true); }
 
 void Segments::chooseNone()

@@ -20,6 +20,7 @@ public:
 
     /// Shows an icon instead of each text, which becomes the tooltip.
     void setIcons(const std::vector<std::string_view>& keys);
+    void setTips(const QStringList& tips); ///< the tooltip of each button
 
     int chosen() const { return group_.checkedId(); }
     void choose(int index); ///< without a signal

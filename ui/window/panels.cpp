@@ -33,7 +33,7 @@ Panels::Panels(app::Session& session, Canvas& canvas)
       costMap(new CostMapPanel(session)), exactness(new ExactnessPanel(session)),
       docks{.start = new Dock("start", tr("Start"), start),
             .algorithm = new Dock("algorithm", tr("Algorithm"), algorithm),
-            .narrow = {new Dock("window", tr("Clip window"), window),
+            .narrow = {new Dock("window", tr("Clip windows"), window),
                        new Dock("selection", tr("Selection"), selection),
                        new Dock("style", tr("Style"), style), new Dock("line", tr("Line"), line),
                        new Dock("layers", tr("Layers"), layers),
@@ -51,6 +51,9 @@ Panels::Panels(app::Session& session, Canvas& canvas)
                      });
     QObject::connect(selection, &SelectionPanel::titled, docks.named({"selection"}).front(),
                      &Dock::setRemark);
+    Dock* const windowDock = docks.named({"window"}).front();
+    QObject::connect(window, &WindowPanel::titled, windowDock, &Dock::setRemark);
+    windowDock->setRemark(window->title());
     QObject::connect(style, &StylePanel::titled, docks.named({"style"}).front(), &Dock::setRemark);
     QObject::connect(algorithm, &AlgorithmPanel::titled, docks.algorithm, &Dock::setFoldedRemark);
     docks.algorithm->setFoldedRemark(algorithm->title());

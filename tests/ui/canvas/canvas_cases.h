@@ -143,12 +143,14 @@ inline void theClipWindowIsDrawnMovedAndResized(ui::Backend backend)
     Stage stage(backend);
     stage.key(Qt::Key_W);
     const auto window = [&] { return stage.session.window(); };
-    stage.drag({20, 90}, {170, 95}); // starts outside: another window
+    stage.drag({20, 90}, {170, 95}); // starts outside: one window more, which is chosen
     QVERIFY(near(window(), {{20, 90}, {170, 95}}));
     stage.drag({180, 10}, {160, 85}, Qt::LeftButton, Qt::ShiftModifier);
     QVERIFY(std::abs((window().max.x - window().min.x) - (window().max.y - window().min.y)) < 1e-9);
     QCOMPARE(stage.session.history.count(), 2);
-    ::setWindow(stage.session.document, {{50, 20}, {150, 80}});
+    QCOMPARE(stage.session.now().windows().list.size(), 3u);
+    stage.session.document.apply({.windows = app::ClipWindows{
+                                      {{.shape = app::RectangleShape{{{50, 20}, {150, 80}}}}}}});
     stage.drag({100, 40}, {110, 35}); // the inside: moves it
     QVERIFY(near(window(), {{60, 15}, {160, 75}}));
     stage.drag({160, 75}, {180, 90}, Qt::LeftButton, Qt::ControlModifier); // a corner

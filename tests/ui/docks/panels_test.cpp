@@ -48,7 +48,7 @@ private slots:
         t.show();
         app::Session& session = t.window->session();
         const auto fields = t.window->findChild<WindowPanel*>()->findChildren<LengthField*>();
-        QCOMPARE(fields.size(), 4);
+        QCOMPARE(fields.size(), 5);
         type(fields[0], "25");
         QCOMPARE(session.history.count(), 1);
         QCOMPARE(sheetOf(session.document).window, (clipping::Window{{25, 0}, {125, 100}}));

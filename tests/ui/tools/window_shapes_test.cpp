@@ -4,8 +4,13 @@
 #include "app/document/window_outline.h"
 #include "app/document/window_shape.h"
 #include "app/view/frame_handles.h"
+#include "ui/docks/window_panel.h"
+#include "ui/widgets/colour_popup.h"
+#include "ui/widgets/length_field.h"
 
+#include <QAbstractButton>
 #include <QComboBox>
+#include <QDialog>
 #include <QLineEdit>
 #include <QListView>
 #include <QMenu>
@@ -43,6 +48,18 @@ struct Windows : Hand {
     {
         QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, row(i, x));
     }
+    /// Drags a row by its dots to the place of another.
+    void dragRow(int from, int to)
+    {
+        const QPoint end = row(to, 6) + QPoint(0, to > from ? 8 : to < from ? -8 : 4);
+        QTest::mousePress(list->viewport(), Qt::LeftButton, {}, row(from, 6));
+        for (const QPoint& p : {(row(from, 6) + end) / 2, end}) {
+            QMouseEvent event(QEvent::MouseMove, p, list->viewport()->mapToGlobal(p), Qt::NoButton,
+                              Qt::LeftButton, {});
+            QApplication::sendEvent(list->viewport(), &event);
+        }
+        QTest::mouseRelease(list->viewport(), Qt::LeftButton, {}, end);
+    }
     QListView* list;
 };
 
@@ -66,9 +83,11 @@ private slots:
         const auto ellipse = std::get<app::EllipseRecipe>(moved.recipe);
         QVERIFY(w.isNear(ellipse.centre, {150, 55}) && ellipse.radii == app::Point(30, 30));
         QVERIFY(w.window(0).shape == app::WindowShape(app::RectangleShape{{{20, 30}, {80, 70}}}));
-        w.drag({115, 25}, {120, 30}); // in the circle's box, but outside it: a window is drawn
-        QVERIFY(std::holds_alternative<app::RectangleShape>(w.window(1).shape));
-        QCOMPARE(w.window(1).name, "Dome");
+        w.drag({115, 12}, {118, 22}); // beside all windows: one more is drawn
+        QCOMPARE(w.session.now().windows().list.size(), 3u);
+        QVERIFY(std::holds_alternative<app::RectangleShape>(w.window(2).shape));
+        QVERIFY(std::holds_alternative<app::PathShape>(w.window(1).shape));
+        QCOMPARE(w.session.windowNumber(), std::optional<std::size_t>(2));
     }
     void theHandleAboveRotates()
     {
@@ -118,6 +137,13 @@ private slots:
         QTest::keyClick(w.list, Qt::Key_Up, Qt::ControlModifier);
         QCOMPARE(w.window(0).name, "Dome");
         QCOMPARE(w.session.windowNumber(), std::optional<std::size_t>(0));
+        w.key(Qt::Key_Z, Qt::ControlModifier);
+        w.dragRow(0, 1);
+        QCOMPARE(w.window(0).name, "Dome");
+        QCOMPARE(w.session.history.undoText(), "Reorder clip windows");
+        QTRY_COMPARE(w.list->currentIndex().row(), 1); // the dragged row stays the current one
+        w.dragRow(1, 1);
+        QCOMPARE(w.window(1).name, "Hall"); // it was dropped where it was
         w.clickRow(0);
         QTRY_COMPARE(w.list->currentIndex().row(), 0);
         QTest::mouseDClick(w.list->viewport(), Qt::LeftButton, {}, w.row(0, 120));
@@ -126,12 +152,69 @@ private slots:
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
         QTRY_COMPARE(w.window(0).name, "Kuppel");
     }
+    void thePanelSaysWhatTheWindowsMakeTogether()
+    {
+        Windows w;
+        auto* panel = w.t.window->findChild<ui::WindowPanel*>();
+        QCOMPARE(panel->title(), "Hall − Dome");
+        const auto sides = panel->findChild<QWidget*>("keep")->findChildren<QAbstractButton*>();
+        QTest::mouseClick(sides[1], Qt::LeftButton);
+        QCOMPARE(w.session.now().windows().keep, app::Keep::Outside);
+        w.clickRow(0, 16); // the eye
+        QCOMPARE(panel->title(), "everything − Dome");
+    }
+    void aWindowGetsAColour()
+    {
+        Windows w;
+        QTest::mouseClick(w.t.window->findChild<QToolButton*>("window-colour"), Qt::LeftButton);
+        auto* colours = w.t.window->findChild<ui::WindowPanel*>()->findChild<ui::ColourPopup*>();
+        for (const char* c = "#008080"; *c; ++c)
+            QTest::keyClick(colours->focusWidget(), *c);
+        QTest::keyClick(colours->focusWidget(), Qt::Key_Return);
+        QCOMPARE(w.window(0).colour, std::optional(app::Colour{0, 128, 128}));
+        QCOMPARE(w.session.history.undoText(), "Colour of clip window");
+        const QImage picture = w.surface().grab().toImage();
+        const QPoint edge = w.at({20, 40}); // on its left side, between two handles
+        bool teal = false;
+        for (int x = -2; x <= 2; ++x)
+            teal |= picture.pixelColor(edge + QPoint(x, 0)) == QColor(0, 128, 128);
+        QVERIFY(teal);
+    }
+    void anAngleIsTyped()
+    {
+        Windows w;
+        auto* angle =
+            w.t.window->findChild<ui::WindowPanel*>()->findChildren<ui::LengthField*>()[4];
+        angle->setFocus();
+        angle->selectAll();
+        QTest::keyClicks(angle, "30");
+        QTest::keyClick(angle, Qt::Key_Return);
+        const auto turned = std::get<app::RectangleShape>(w.window(0).shape);
+        QVERIFY(std::abs(turned.angle + M_PI / 6) < 1e-12);
+        QCOMPARE(w.session.history.undoText(), "Rotate clip window");
+    }
+    void aWindowIsLaidInsideTheMargin()
+    {
+        Windows w;
+        w.t.action("window-inside-margin")->trigger();
+        auto* dialog = w.t.window->findChild<QDialog*>("margin-dialog");
+        QVERIFY(dialog && dialog->isVisible());
+        auto* margin = dialog->findChild<ui::LengthField*>();
+        margin->selectAll();
+        QTest::keyClicks(margin, "15");
+        QTest::keyClick(margin, Qt::Key_Return);
+        if (dialog->isVisible()) // Enter in the field may leave it to the button
+            QTest::keyClick(dialog, Qt::Key_Return);
+        QCOMPARE(w.session.now().windows().list.size(), 3u);
+        QVERIFY(w.window(2).shape == app::WindowShape(app::RectangleShape{{{15, 15}, {185, 85}}}));
+    }
     void aWindowOfTheSelectionIsAdded()
     {
         Windows w;
         w.session.select({0});
         auto* add = w.t.window->findChild<QToolButton*>("add-window");
-        QCOMPARE(add->menu()->actions().size(), 6); // four kinds, a separator, the selection
+        // Four shapes, three places, the page inside a margin, the selection; two separators.
+        QCOMPARE(add->menu()->actions().size(), 11);
         emit add->menu()->aboutToShow();
         add->menu()->actions().back()->trigger();
         QCOMPARE(w.session.now().windows().list.size(), 3u);

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/window_places.h"
+
+#include "app/scene/bounds.h"
+#include "app/session/units.h"
+#include "app/session/window_steps.h"
+
+#include <QCoreApplication>
+
+#include <array>
+
+namespace app {
+namespace {
+
+QString tr(std::string_view text)
+{
+    return QCoreApplication::translate("WindowPlaces", text.data());
+}
+
+std::optional<clipping::Window> page(const Session& session)
+{
+    return session.now().page().rectangle();
+}
+
+std::optional<clipping::Window> selection(const Session& session)
+{
+    return session.selectionBounds();
+}
+
+std::optional<clipping::Window> layer(const Session& session)
+{
+    const ObjectRange range = session.now().containers().rangeOf(layerForNew(session));
+    return range.first == range.end ? std::nullopt
+                                    : boundsOf(session.scene.lines(), ObjectRanges(range));
+}
+
+QString noName(const Session&) { return {}; }
+QString layerName(const Session& session)
+{
+    return session.now().containers()[layerForNew(session)].name;
+}
+
+constexpr std::array places{
+    WindowPlace{"window-on-page", QT_TRANSLATE_NOOP("WindowPlaces", "&Lay window on page"),
+                QT_TRANSLATE_NOOP("WindowPlaces", "Lay clip window on page"), "", page, noName},
+    WindowPlace{"window-on-selection",
+                QT_TRANSLATE_NOOP("WindowPlaces", "Lay window on s&election"),
+                QT_TRANSLATE_NOOP("WindowPlaces", "Lay clip window on selection"),
+                QT_TRANSLATE_NOOP("WindowPlaces", "Nothing is selected. Select objects first."),
+                selection, noName},
+    WindowPlace{"window-on-layer", QT_TRANSLATE_NOOP("WindowPlaces", "Lay window on la&yer"),
+                QT_TRANSLATE_NOOP("WindowPlaces", "Lay clip window on layer"),
+                QT_TRANSLATE_NOOP("WindowPlaces",
+                                  "The current layer is empty. Select another one in the panel "
+                                  "Layers."),
+                layer, layerName},
+};
+
+void lay(Session& session, const clipping::Window& box, const QString& name, const QString& text)
+{
+    const auto& list = session.now().windows().list;
+    const RectangleShape shape{box};
+    if (list.size() == 1 && session.windowNumber() && axisAlignedBox(list.front().shape))
+        setWindowShape(session, shape, text);
+    else
+        addWindows(session, {{.name = name, .shape = shape}}, text);
+}
+
+} // namespace
+
+std::span<const WindowPlace> windowPlaces() { return places; }
+
+void layWindow(Session& session, const WindowPlace& place)
+{
+    if (const auto box = place.box(session))
+        lay(session, *box, place.name(session), tr(place.step));
+}
+
+void layWindowInside(Session& session, double margin)
+{
+    const clipping::Window page = session.now().page().rectangle();
+    const clipping::Window inside{page.min + margin, page.max - margin};
+    if (inside.min.x < inside.max.x && inside.min.y < inside.max.y)
+        return lay(session, inside, {},
+                   tr(QT_TRANSLATE_NOOP("WindowPlaces", "Lay clip window inside the margin")));
+    emit session.refused(tr(QT_TRANSLATE_NOOP(
+        "WindowPlaces", "The margin leaves nothing of the page. Type a smaller one.")));
+}
+
+} // namespace app

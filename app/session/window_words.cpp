@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/window_words.h"
+
+#include <QCoreApplication>
+
+#include <array>
+
+namespace app {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("WindowWords", text); }
+
+/// A kind of shape, in words and as an icon.
+struct Looks {
+    const char* name;
+    std::string_view icon;
+};
+
+Looks looksOf(const WindowShape& shape)
+{
+    if (std::holds_alternative<RectangleShape>(shape))
+        return {QT_TRANSLATE_NOOP("WindowWords", "Rectangle"), "rectangle"};
+    const Recipe& recipe = std::get<PathShape>(shape).recipe;
+    if (std::holds_alternative<EllipseRecipe>(recipe))
+        return {QT_TRANSLATE_NOOP("WindowWords", "Ellipse"), "ellipse"};
+    if (std::holds_alternative<TextRecipe>(recipe))
+        return {QT_TRANSLATE_NOOP("WindowWords", "Text"), "text"};
+    if (const auto* star = std::get_if<StarRecipe>(&recipe); star && star->inner > 0)
+        return {QT_TRANSLATE_NOOP("WindowWords", "Star"), "star"};
+    if (std::holds_alternative<StarRecipe>(recipe))
+        return {QT_TRANSLATE_NOOP("WindowWords", "Polygon"), "polygon"};
+    return {QT_TRANSLATE_NOOP("WindowWords", "Path"), "pen"};
+}
+
+} // namespace
+
+QString nameOf(const WindowShape& shape) { return tr(looksOf(shape).name); }
+
+QString nameOf(const ClipWindow& window)
+{
+    return window.name.isEmpty() ? nameOf(window.shape) : window.name;
+}
+
+std::string_view iconOf(const WindowShape& shape) { return looksOf(shape).icon; }
+
+QString signOf(WindowOperation operation)
+{
+    constexpr std::array<char16_t, 3> signs{u'+', u'\u2212', u'\u2229'};
+    return QChar(signs[std::size_t(operation)]);
+}
+
+QString resultOf(const ClipWindows& windows)
+{
+    QString text;
+    for (const ClipWindow& window : windows.list) {
+        if (!window.visible)
+            continue;
+        if (text.isEmpty() && window.operation != WindowOperation::Add)
+            text = tr("everything");
+        if (!text.isEmpty())
+            text += u' ' + signOf(window.operation) + u' ';
+        text += nameOf(window);
+    }
+    return text;
+}
+
+} // namespace app

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/window_kinds.h"
+#include "app/session/window_words.h"
+
+#include <QTest>
+
+using namespace app;
+
+namespace {
+
+const WindowShape box = RectangleShape{{{1, 2}, {3, 4}}};
+
+} // namespace
+
+class WindowWordsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theResultReadsLikeASum()
+    {
+        ClipWindows windows{
+            {{.name = "Old town", .shape = box},
+             {.name = "Hidden", .shape = box, .visible = false},
+             {.name = "Market hall", .shape = box, .operation = WindowOperation::CutOut},
+             {.shape = windowKind("star").make({{0, 0}, {9, 9}})},
+             {.shape = box, .operation = WindowOperation::Intersect}}};
+        QCOMPARE(resultOf(windows), "Old town − Market hall + Star ∩ Rectangle");
+        windows.list[0].visible = false;
+        QCOMPARE(resultOf(windows), "everything − Market hall + Star ∩ Rectangle");
+        QCOMPARE(resultOf({}), "");
+        QCOMPARE(resultOf({{{.shape = box, .visible = false}}}), "");
+    }
+    void aShapeIsNamedByWhatItWasMadeFrom()
+    {
+        QCOMPARE(nameOf(box), "Rectangle");
+        for (const auto& [key, name] :
+             {std::pair{"ellipse", "Ellipse"}, {"polygon", "Polygon"}, {"star", "Star"}}) {
+            const WindowShape shape = windowKind(key).make({{0, 0}, {9, 9}});
+            QCOMPARE(nameOf(shape), name);
+            QCOMPARE(iconOf(shape), std::string_view(key));
+        }
+        QCOMPARE(nameOf(PathShape{}), "Path");
+        QCOMPARE(nameOf(PathShape{.recipe = TextRecipe{"A", {}, 0, {}}}), "Text");
+        QCOMPARE(nameOf(ClipWindow{.name = "Hall", .shape = box}), "Hall");
+    }
+};
+
+QTEST_GUILESS_MAIN(WindowWordsTest)
+#include "window_words_test.moc"

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/bars/window_options.h"
+
+#include "app/session/window_kinds.h"
+#include "app/session/window_steps.h"
+#include "ui/canvas/canvas.h"
+#include "ui/look/look.h"
+#include "ui/widgets/segments.h"
+
+#include <QCoreApplication>
+#include <QHBoxLayout>
+
+#include <algorithm>
+
+namespace ui {
+
+namespace {
+
+QStringList shapeNames()
+{
+    QStringList names;
+    for (const app::WindowKind& kind : app::windowKinds())
+        names << QCoreApplication::translate("WindowKinds", kind.name.data());
+    return names;
+}
+
+std::vector<std::string_view> shapeIcons()
+{
+    std::vector<std::string_view> keys;
+    for (const app::WindowKind& kind : app::windowKinds())
+        keys.push_back(kind.key);
+    return keys;
+}
+
+} // namespace
+
+WindowOptions::WindowOptions(app::Session& session, Canvas& canvas)
+    : session_(session), shape_(new Segments(tr("Shape of the next window"), shapeNames())),
+      use_(new Segments(tr("What the next window does"),
+                        {tr("Add"), tr("Cut out"), tr("Intersect"), tr("Replace")})),
+      fromSelection_(new QToolButton)
+{
+    shape_->setObjectName(QStringLiteral("window-shapes"));
+    shape_->setIcons(shapeIcons());
+    use_->setObjectName(QStringLiteral("window-use"));
+    use_->setIcons({"window-add", "window-cut-out", "window-intersect", "window-replace"});
+    use_->setTips({tr("The next window adds to the others"),
+                   tr("The next window cuts out of the others; it may begin inside one"),
+                   tr("Only what the next window has in common with the others is kept; it may "
+                      "begin inside one"),
+                   tr("The next window takes the place of the chosen one")});
+    fromSelection_->setText(tr("From selection"));
+    fromSelection_->setObjectName(QStringLiteral("window-from-selection"));
+    fromSelection_->setProperty("framed", true);
+    fromSelection_->setFixedHeight(space::fieldHeight);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(space::labelToField);
+    for (QWidget* part : {static_cast<QWidget*>(shape_), static_cast<QWidget*>(use_),
+                          static_cast<QWidget*>(fromSelection_)})
+        row->addWidget(part);
+    const auto focusCanvas = [&canvas] { canvas.setFocus(); };
+    connect(shape_, &Segments::picked, this, [this, focusCanvas](int index) {
+        app::WindowPen pen = session_.windowPen;
+        pen.kind = app::windowKinds()[std::size_t(index)].key;
+        app::setWindowPen(session_, pen);
+        focusCanvas();
+    });
+    connect(use_, &Segments::picked, this, [this, focusCanvas](int index) {
+        app::WindowPen pen = session_.windowPen;
+        pen.use = app::WindowPen::Use(index);
+        app::setWindowPen(session_, pen);
+        focusCanvas();
+    });
+    connect(fromSelection_, &QToolButton::clicked, this, [this, focusCanvas] {
+        app::addWindowsOfSelection(session_);
+        focusCanvas();
+    });
+    connect(&session, &app::Session::displayChanged, this, &WindowOptions::follow);
+    connect(&session, &app::Session::selectionChanged, this, &WindowOptions::followSelection);
+    follow();
+    followSelection();
+}
+
+void WindowOptions::follow()
+{
+    const auto kinds = app::windowKinds();
+    const auto kind = std::ranges::find(kinds, session_.windowPen.kind, &app::WindowKind::key);
+    shape_->choose(int(kind - kinds.begin()));
+    use_->choose(int(session_.windowPen.use));
+}
+
+void WindowOptions::followSelection()
+{
+    const bool some = !session_.selection().empty();
+    fromSelection_->setEnabled(some);
+    fromSelection_->setToolTip(some ? tr("Make clip windows of the selected objects")
+                                    : tr("Nothing is selected. Select closed shapes first."));
+}
+
+} // namespace ui

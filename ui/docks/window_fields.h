@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/session/session.h"
+
+#include <QToolButton>
+#include <QWidget>
+
+#include <array>
+
+namespace ui {
+
+class LengthField;
+class UnitBox;
+
+/// The clip window that tools act on in numbers: X, Y, W, H and the angle of its frame, also during
+/// a gesture. Each edit is one undo step.
+class WindowFields : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit WindowFields(app::Session& session);
+
+    void startTyping(); ///< at X
+
+signals:
+    void entered(); ///< a number or a unit was entered: the focus returns to the canvas
+    void refused(const QString& sentence); ///< the typed text is not a length
+    void taken();                          ///< a field's value is valid again
+
+private:
+    void follow();
+    void edit(std::size_t field, double number, app::Merging merging);
+    void rotate(double degrees, app::Merging merging);
+
+    app::Session& session_;
+    std::array<LengthField*, 5> fields_; ///< X Y W H, angle
+    QToolButton* chain_;                 ///< checked: W and H keep their ratio
+    UnitBox* unit_;
+};
+
+} // namespace ui

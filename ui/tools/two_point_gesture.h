@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/tools/last_step.h"
+#include "ui/tools/shape_drawing.h"
+
+namespace ui {
+
+/// Makes something from one point to another, by a drag or by two clicks. Numbers typed afterwards
+/// change it, until something else happens.
+class TwoPointGesture : public Tool {
+public:
+    void press(const Pointer& pointer, Workbench& bench) override;
+    void move(const Pointer& pointer, Workbench& bench) override;
+    void release(const Pointer& pointer, Workbench& bench) override;
+    void cancel(Workbench& bench) override;
+    bool busy() const override { return gesture_.has_value(); }
+    std::optional<app::Gauge> gauge(const Workbench& bench) const override;
+    void accept(const app::GestureEnd& end, Workbench& bench) override;
+    void reopen(Workbench& bench) override;
+    bool corrects() const override { return last_.isOpen(); }
+
+protected:
+    struct Gesture {
+        app::Point from, to;
+        Qt::KeyboardModifiers modifiers;
+        app::Numbers numbers{}; ///< as the readout shows them
+    };
+
+    virtual const app::GestureMeasure& measure(Qt::KeyboardModifiers modifiers) const = 0;
+    /// Of the measure's kept numbers, those of the first gesture, and the key under which they are
+    /// kept; empty: there are none.
+    virtual app::Numbers usual() const { return {}; }
+    virtual std::string_view keeps() const { return {}; }
+    /// Pushes the step that the gesture makes.
+    virtual void add(Workbench& bench) = 0;
+    /// The gesture has begun or its end has moved.
+    virtual void follow(const Gesture&, Workbench&) {}
+    /// Ends the gesture at the second click.
+    virtual void finishByClick(Workbench& bench) { finish(bench); }
+
+    void begin(const app::Point& from, Workbench& bench);
+    bool isEmpty() const; ///< one of the lengths is 0
+    std::optional<Gesture> gesture_;
+
+private:
+    void moveEnd(const app::Point& to, Workbench& bench);
+    void finish(Workbench& bench);
+
+    std::optional<app::Point> pressed_; ///< on the screen; empty: the button is up
+    LastStep last_;
+    Gesture done_{}; ///< the gesture of that step
+};
+
+} // namespace ui

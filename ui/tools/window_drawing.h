@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/session/window_kinds.h"
+#include "ui/tools/tool.h"
+
+namespace ui {
+
+/// Draws a clip window with the session's window pen, as other tools draw objects: from one point
+/// to another, or corner by corner. The session's preview holds the window so far.
+std::unique_ptr<Tool> makeWindowDrawing(const app::WindowKind& kind);
+
+} // namespace ui
