@@ -181,9 +181,11 @@ private:
     /// Whether the canvas has a use for the key before the shortcut of a command.
     bool takesKey(const QKeyEvent& event) const
     {
-        return tool_->wants(event, bench_) || beginsTyping(event);
+        return tool_->wants(event, bench_) || beginsTyping(event) || keepsFromShortcuts(event);
     }
+    bool keepsFromShortcuts(const QKeyEvent& event) const;
     void beginTyping(const QKeyEvent& event);
+    void typeFirstPoint(const QString& text);
     bool releaseLocked();
     void cancelGesture();
     void steer();

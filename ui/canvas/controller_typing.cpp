@@ -24,12 +24,19 @@ QString firstTyped(const QKeyEvent& event, bool points)
 
 bool Controller::beginsTyping(const QKeyEvent& event) const
 {
-    if (!readout_ || !mayDraw())
+    if (!readout_ || !mayDraw() || !tool_->gauge(bench_)) // the last step may be undone by now
         return false;
     const bool tab = tool_->busy() && event.key() == Qt::Key_Tab && !event.modifiers();
     const auto points = readout_->gauge().measure->points;
     const bool point = tool_->busy() || points == app::GestureMeasure::Points::Absolute;
     return tab || !firstTyped(event, point).isEmpty();
+}
+
+/// A number typed during a gesture that takes none does nothing: it must not choose the algorithm.
+bool Controller::keepsFromShortcuts(const QKeyEvent& event) const
+{
+    const bool gesture = tool_->busy() || guide_.going() || panningFrom_;
+    return gesture && !firstTyped(event, false).isEmpty();
 }
 
 /// Digits that follow a drawn object change it, until the next action.
