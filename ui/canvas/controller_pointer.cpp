@@ -25,6 +25,7 @@ std::optional<app::Snap> Controller::snapAt(const app::Point& raw,
     query.guides = bench_.guides();
     if (tool_->busy())
         query.seen = view().visible();
+    tool_->leaveOutMoved(query);
     return snapper_.at(query);
 }
 

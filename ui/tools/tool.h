@@ -149,6 +149,7 @@ public:
 
     virtual QCursor cursor(const Workbench&) const { return Qt::CrossCursor; }
     virtual app::SnapTo snapsTo() const { return app::SnapTo::All; }
+    virtual void leaveOutMoved(app::SnapQuery&) const {} ///< what is dragged snaps to other things
     /// Where the thing that is being moved snaps; null: nothing is moved.
     virtual const app::MovedSnap* snapped() const { return nullptr; }
     virtual bool showsHandles() const { return false; } ///< the clip window's handles
