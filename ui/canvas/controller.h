@@ -83,7 +83,8 @@ public:
     void typeNumber(const QString& text); ///< replaces the text of the active field
     void lockNumber();                    ///< and goes on to the other field
     void releaseNumber(); ///< gives the active field back to the pointer, and stops typing
-    void acceptNumber();  ///< ends the gesture, or its current step, with these numbers
+    /// Ends the gesture, or its current step, with these numbers. A direction alone is only locked.
+    void acceptNumber();
     void stopTyping();
 
     void typeText(const app::TextRecipe& text); ///< of the tool's text

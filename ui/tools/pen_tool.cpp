@@ -17,6 +17,8 @@ class PenTool final : public ChainTool {
 public:
     void press(const Pointer& pointer, Workbench& bench) override
     {
+        if (corrects())
+            cancel(bench); // a click ends the correction
         closing_ = closesAt(pointer.position, bench);
         alone_ = !closing_ && onLast(pointer.position, bench);
         if (alone_)
@@ -68,7 +70,10 @@ public:
         letGo(bench);
     }
     /// The journal follows the handles, too.
-    std::size_t pendingPoints() const override { return 2 * nodes_.size() - (pressed_ ? 1 : 0); }
+    std::size_t pendingPoints() const override
+    {
+        return 2 * ChainTool::pendingPoints() - (pressed_ ? 1 : 0);
+    }
     QString stepText() const override
     {
         return QCoreApplication::translate("Commands", "Place node");

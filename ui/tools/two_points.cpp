@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/two_points.h"
 
+#include <QCoreApplication>
+
 namespace ui {
 
 void TwoPointTool::press(const Pointer& pointer, Workbench& bench)
@@ -91,27 +93,34 @@ void TwoPointTool::moveEnd(const app::Point& to, Workbench& bench)
     follow(*gesture_, bench);
 }
 
-bool TwoPointTool::isEmpty() const
+bool TwoPointTool::refusesEmpty(Workbench& bench) const
 {
-    return app::firstZero(measure(gesture_->modifiers), {gesture_->from}, gesture_->to).has_value();
+    const app::GestureMeasure& measured = measure(gesture_->modifiers);
+    const auto zero = app::firstZero(measured, {gesture_->from}, gesture_->to);
+    if (zero)
+        emit bench.session.refused(
+            QCoreApplication::translate("Tools", "%1 must not be 0. Click another place.")
+                .arg(measured.fields[*zero].name));
+    return zero.has_value();
 }
 
 void TwoPointTool::add(Workbench& bench)
 {
+    last_.discard();
     draw(bench, {path(*gesture_)}, undoText(), recipe(*gesture_));
+    bench.lastPoint = gesture_->to;
+    done_ = *gesture_;
+    last_.remember(bench);
 }
 
 void TwoPointTool::finish(Workbench& bench)
 {
-    if (isEmpty())
-        return; // the gesture goes on
-    last_.discard();
+    if (refusesEmpty(bench))
+        return;
     add(bench);
     if (!keeps().empty())
         bench.kept[keeps()] = gesture_->numbers;
-    done_ = *gesture_;
     cancel(bench);
-    last_.remember(bench);
 }
 
 } // namespace ui

@@ -43,7 +43,9 @@ protected:
     virtual void finishByClick(Workbench& bench) { finish(bench); }
 
     void begin(const app::Point& from, Workbench& bench);
-    bool isEmpty() const; ///< one of the object's lengths is 0
+    /// Whether one of the object's lengths is 0; says so, and the gesture goes on.
+    bool refusesEmpty(Workbench& bench) const;
+    /// Adds the object, which numbers can change until something else happens.
     void add(Workbench& bench);
     std::optional<Gesture> gesture_;
 
