@@ -50,8 +50,8 @@ private slots:
     }
     void noToolLetsADigitThrough()
     {
+        Person person;
         for (const ui::ToolInfo& tool : ui::tools()) {
-            Person person;
             person.canvas.setTool(tool.key);
             QVERIFY2(person.dragKeepsAlgorithm({100, 10}, {150, 30}), tool.key.data());
         }
