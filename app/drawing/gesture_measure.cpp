@@ -27,15 +27,18 @@ Point ofLength(const Point& vector, double length)
     return glm::normalize(vector / largest) * length;
 }
 
+template <bool centre>
 Point endOfLengthAndAngle(const GestureStart& start, const Point& pointer, const Held& held)
 {
+    constexpr double share = centre ? 0.5 : 1; // of the length, from where the gesture begins
     const Point& from = start.from;
     const auto &length = held[0], &angle = held[1];
     const Point vector = pointer - from;
     if (!angle)
-        return length ? from + ofLength(vector, *length) : pointer;
+        return length ? from + ofLength(vector, *length * share) : pointer;
     const Point direction = directionOf(*angle);
-    return from + direction * length.value_or(std::max(0.0, glm::dot(vector, direction)));
+    const double reach = length ? *length * share : std::max(0.0, glm::dot(vector, direction));
+    return from + direction * reach;
 }
 
 /// Where a side ends that begins at `from`.
@@ -106,13 +109,15 @@ GestureMeasure sideMeasure()
             GestureMeasure::Points::Refused};
 }
 
+template <bool centre = false>
 GestureMeasure polar(std::vector<GestureMeasure::Field> fields)
 {
     return {std::move(fields),
             [](const GestureStart& start, const Point& to) -> Numbers {
-                return {glm::length(to - start.from), degreesOf(to - start.from)};
+                const double length = glm::length(to - start.from) * (centre ? 2 : 1);
+                return {length, degreesOf(to - start.from)};
             },
-            endOfLengthAndAngle, GestureMeasure::Points::Relative,
+            endOfLengthAndAngle<centre>, GestureMeasure::Points::Relative,
             [](const GestureStart& start, const Point& pointer) {
                 return turnedToStep(start.from, pointer);
             }};
@@ -146,11 +151,12 @@ const GestureMeasure& sideLength(int axis, Anchor anchor)
     return measures[std::size_t(axis) + (anchor == Anchor::Centre ? 2 : 0)];
 }
 
-const GestureMeasure& lengthAndAngle()
+const GestureMeasure& lengthAndAngle(Anchor anchor)
 {
-    static const GestureMeasure measure =
-        polar({{tr("Length"), Quantity::Length}, {tr("Angle"), Quantity::Angle}});
-    return measure;
+    static const std::vector<GestureMeasure::Field> fields{{tr("Length"), Quantity::Length},
+                                                           {tr("Angle"), Quantity::Angle}};
+    static const GestureMeasure fromEnd = polar(fields), fromMiddle = polar<true>(fields);
+    return anchor == Anchor::Centre ? fromMiddle : fromEnd;
 }
 
 const GestureMeasure& radiusAndAngle()

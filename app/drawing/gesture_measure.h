@@ -50,8 +50,8 @@ struct GestureMeasure {
 };
 
 /// For lines and moves; the end is that of the line, or of the point that is moved. A held angle
-/// keeps the end on its ray.
-const GestureMeasure& lengthAndAngle();
+/// keeps the end on its ray. Centre: the gesture begins in the middle of the line.
+const GestureMeasure& lengthAndAngle(Anchor anchor = Anchor::Opposite);
 /// For shapes dragged from corner to corner. A positive width or height goes to the pointer's side,
 /// a negative one to the left or up. Square: both are the held one, otherwise the longer one.
 /// Centre: the gesture begins in the middle of the shape.

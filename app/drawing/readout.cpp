@@ -107,6 +107,20 @@ void Readout::releaseTyped()
     error_.clear();
 }
 
+bool Readout::typesPoint() const
+{
+    const auto typed = entry();
+    const auto* point = typed ? std::get_if<PointEntry>(&*typed.value) : nullptr;
+    return point && point->origin == PointEntry::Origin::Usual;
+}
+
+bool Readout::typesDirection() const
+{
+    const auto typed = entry();
+    const auto* polar = typed ? std::get_if<PolarEntry>(&*typed.value) : nullptr;
+    return polar && !polar->length && held_[1] && !held_[0];
+}
+
 bool Readout::holds() const
 {
     return target_

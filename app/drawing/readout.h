@@ -55,7 +55,9 @@ public:
     void release();
     /// Gives back what is typed but not locked.
     void releaseTyped();
-    bool holds() const; ///< a number or a point, typed or locked
+    bool typesPoint() const;     ///< "10,20" is typed in the active field
+    bool typesDirection() const; ///< "<45" is typed there, and no length is held
+    bool holds() const;          ///< a number or a point, typed or locked
     /// Whether a number or a point is locked.
     bool isLocked() const;
     /// Locks the active field at what is typed, and goes on to the next one that is not locked.

@@ -73,23 +73,38 @@ GestureMeasure scalingAlong()
 
 /// `along`: the coordinate in which points move.
 template <int along>
+double skewAngle(const GestureStart& start, const Point& to)
+{
+    const double height =
+        along == 0 ? start.from.y - start.pointer.y : start.pointer.x - start.from.x;
+    const double way = along == 0 ? to.x - start.pointer.x : start.pointer.y - to.y;
+    if (height == 0)
+        return 0;
+    return std::clamp(glm::degrees(std::atan(way / height)), -mostSkew, mostSkew);
+}
+
+template <int along>
+Point skewed(const GestureStart& start, double degrees)
+{
+    return along == 0 ? horizontalSkew(degrees, start.from)(start.pointer)
+                      : verticalSkew(degrees, start.from)(start.pointer);
+}
+
+template <int along>
 GestureMeasure skewAlong(const QString& name)
 {
     const auto values = [](const GestureStart& start, const Point& to) -> Numbers {
-        const double height =
-            along == 0 ? start.from.y - start.pointer.y : start.pointer.x - start.from.x;
-        const double way = along == 0 ? to.x - start.pointer.x : start.pointer.y - to.y;
-        if (height == 0)
-            return {0, 0};
-        return {std::clamp(glm::degrees(std::atan(way / height)), -mostSkew, mostSkew), 0};
+        return {skewAngle<along>(start, to), 0};
     };
     const auto end = [](const GestureStart& start, const Point& pointer, const Held& held) {
-        if (!held[0])
-            return pointer;
-        return along == 0 ? horizontalSkew(*held[0], start.from)(start.pointer)
-                          : verticalSkew(*held[0], start.from)(start.pointer);
+        return held[0] ? skewed<along>(start, *held[0]) : pointer;
     };
-    return {{{name, Quantity::Angle, mostSkew}}, values, end, Points::Refused};
+    const auto toStep = [](const GestureStart& start, const Point& pointer) {
+        const double steps = std::round(skewAngle<along>(start, pointer) / step);
+        constexpr double most = 90 / step - 1; // a right angle has no skew
+        return skewed<along>(start, std::clamp(steps, -most, most) * step);
+    };
+    return {{{name, Quantity::Angle, mostSkew}}, values, end, Points::Refused, toStep};
 }
 
 } // namespace

@@ -7,7 +7,7 @@
 
 namespace app {
 
-constexpr double leastZoom = 1e-6, mostZoom = 1e9;
+constexpr double leastZoom = 1e-9, mostZoom = 1e9;
 
 void View::zoomAt(const Point& screen, double factor)
 {

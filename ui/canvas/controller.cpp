@@ -36,6 +36,8 @@ Controller::Controller(app::Session& session, QObject* parent)
     connect(&session.exactness, &app::LiveExactness::changed, this, &Controller::renew);
     connect(&session, &app::Session::loaded, this, [this] {
         withTool([&] { tool_->cancel(bench_); });
+        bench_.lastPoint.reset();
+        followGauge();
         emit stepsChanged();
         fitDrawing();
     });

@@ -83,7 +83,8 @@ public:
     void typeNumber(const QString& text); ///< replaces the text of the active field
     void lockNumber();                    ///< and goes on to the other field
     void releaseNumber(); ///< gives the active field back to the pointer, and stops typing
-    void acceptNumber();  ///< ends the gesture, or its current step, with these numbers
+    /// Ends the gesture, or its current step, with these numbers. A direction alone is only locked.
+    void acceptNumber();
     void stopTyping();
 
     void typeText(const app::TextRecipe& text); ///< of the tool's text
@@ -181,9 +182,11 @@ private:
     /// Whether the canvas has a use for the key before the shortcut of a command.
     bool takesKey(const QKeyEvent& event) const
     {
-        return tool_->wants(event, bench_) || beginsTyping(event);
+        return tool_->wants(event, bench_) || beginsTyping(event) || keepsFromShortcuts(event);
     }
+    bool keepsFromShortcuts(const QKeyEvent& event) const;
     void beginTyping(const QKeyEvent& event);
+    void typeFirstPoint(const QString& text);
     bool releaseLocked();
     void cancelGesture();
     void steer();

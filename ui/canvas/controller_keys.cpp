@@ -53,6 +53,8 @@ bool Controller::keyPress(QKeyEvent& event)
         beginTyping(event);
         return true;
     }
+    if (keepsFromShortcuts(event))
+        return true;
     bool used = false;
     withTool([&] { used = tool_->key(event, bench_); });
     if (used)

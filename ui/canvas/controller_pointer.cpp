@@ -19,13 +19,14 @@ std::optional<app::Snap> Controller::snapAt(const app::Point& raw,
     if (to == app::SnapTo::Nothing || modifiers & Qt::ControlModifier)
         return std::nullopt;
     app::SnapQuery query{raw, bench_.inDrawing(snapReach), to};
-    if (readout_ && readout_->gauge().measure == &app::lengthAndAngle())
+    const auto* measure = readout_ ? readout_->gauge().measure : nullptr;
+    if (measure == &app::lengthAndAngle() || measure == &app::lengthAndAngle(app::Anchor::Centre))
         query.from = readout_->gauge().start.from;
     query.grid = bench_.grid();
     query.guides = bench_.guides();
-    query.withoutWindow = tool_->draggedWindow();
     if (tool_->busy())
         query.seen = view().visible();
+    tool_->leaveOutMoved(query);
     return snapper_.at(query);
 }
 

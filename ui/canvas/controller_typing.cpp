@@ -24,7 +24,7 @@ QString firstTyped(const QKeyEvent& event, bool points)
 
 bool Controller::beginsTyping(const QKeyEvent& event) const
 {
-    if (!readout_ || !mayDraw())
+    if (!readout_ || !mayDraw() || !tool_->gauge(bench_)) // the last step may be undone by now
         return false;
     const bool tab = tool_->busy() && event.key() == Qt::Key_Tab && !event.modifiers();
     const auto points = readout_->gauge().measure->points;
@@ -32,10 +32,17 @@ bool Controller::beginsTyping(const QKeyEvent& event) const
     return tab || !firstTyped(event, point).isEmpty();
 }
 
+/// A number typed during a gesture that takes none does nothing: it must not choose the algorithm.
+bool Controller::keepsFromShortcuts(const QKeyEvent& event) const
+{
+    const bool gesture = tool_->busy() || guide_.going() || panningFrom_;
+    return gesture && !firstTyped(event, false).isEmpty();
+}
+
 /// Digits that follow a drawn object change it, until the next action.
 void Controller::beginTyping(const QKeyEvent& event)
 {
-    const bool firstPoint = tool_->draws() && event.text() == QStringLiteral("#");
+    const bool firstPoint = tool_->draws() && (event.text() == "#" || event.text() == "@");
     if (!tool_->busy() && !firstPoint)
         withTool([&] { tool_->reopen(bench_); });
     typing_ = true;
@@ -50,7 +57,20 @@ void Controller::typeNumber(const QString& text)
     if (!readout_)
         return;
     readout_->type(text);
+    if (tool_->corrects() && tool_->pointBegins() && readout_->typesPoint())
+        typeFirstPoint(text);
     steer();
+}
+
+/// What was typed so far for a correction is the beginning of a point for the next gesture.
+void Controller::typeFirstPoint(const QString& text)
+{
+    withTool([&] { tool_->cancel(bench_); });
+    if (!readout_)
+        return;
+    typing_ = true;
+    readout_->type(text);
+    emit typingBegan();
 }
 
 void Controller::lockNumber()
@@ -71,11 +91,15 @@ void Controller::acceptNumber()
 {
     if (!readout_)
         return;
+    if (tool_->busy() && !tool_->corrects() && readout_->typesDirection())
+        return lockNumber(); // the length is still missing
     if (!readout_->accept(aim())) {
         emit readoutChanged();
         return;
     }
     const app::GestureEnd end = readout_->result(aim());
+    if (tool_->draws() && readout_->gauge().measure->points != app::GestureMeasure::Points::Refused)
+        bench_.lastPoint = end.point;
     typing_ = false;
     readout_.reset();
     withTool([&] { tool_->accept(end, bench_); });

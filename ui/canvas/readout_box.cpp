@@ -173,6 +173,18 @@ bool ReadoutBox::eventFilter(QObject* watched, QEvent* event)
     return QFrame::eventFilter(watched, event);
 }
 
+/// In the active field, which may be another one by now.
+void ReadoutBox::goOn()
+{
+    const auto& readout = controller_.readout();
+    if (!readout)
+        return;
+    QLineEdit* field = cells_[readout->active()].field;
+    field->setFocus();
+    if (field->text() != readout->typed(readout->active()))
+        field->setText(readout->typed(readout->active()));
+}
+
 bool ReadoutBox::key(const QKeyEvent& event)
 {
     const auto& readout = controller_.readout();
@@ -182,15 +194,13 @@ bool ReadoutBox::key(const QKeyEvent& event)
     case Qt::Key_Tab:
     case Qt::Key_Backtab:
         controller_.lockNumber();
-        if (controller_.readout()) {
-            QLineEdit* field = cells_[controller_.readout()->active()].field;
-            field->setFocus();
-            field->setText(controller_.readout()->typed(controller_.readout()->active()));
-        }
+        goOn();
         return true;
     case Qt::Key_Return:
     case Qt::Key_Enter:
         controller_.acceptNumber();
+        if (controller_.typing())
+            goOn();
         return true;
     case Qt::Key_Escape:
         controller_.releaseNumber();

@@ -34,6 +34,7 @@ private:
     void showNumber(std::size_t number, const app::Point& end);
     void place();
     void open();
+    void goOn();
     void giveBackKeyboard();
     bool key(const QKeyEvent& event);
 

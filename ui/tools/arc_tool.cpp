@@ -33,7 +33,7 @@ public:
             arc_.byCentre =
                 keptBy(kept, bench, {})[0] != 0 || (pointer.modifiers & Qt::AltModifier);
         pressed_ = pointer.screen;
-        place(corrects ? pointer.steered : pointer.position);
+        place(corrects ? pointer.steered : pointer.position, bench);
     }
     void move(const Pointer& pointer, Workbench&) override
     {
@@ -44,11 +44,11 @@ public:
             followWayAround();
         arc_.degrees = pointer.held ? pointer.numbers[0] : sweep().values(start(), arc_.to)[0];
     }
-    void release(const Pointer& pointer, Workbench&) override
+    void release(const Pointer& pointer, Workbench& bench) override
     {
         const auto pressed = std::exchange(pressed_, std::nullopt);
         if (pressed && arc_.points.size() == 1 && dragged(*pressed, pointer))
-            place(pointer.position);
+            place(pointer.position, bench);
     }
     bool key(QKeyEvent& event, Workbench& bench) override
     {
@@ -103,7 +103,7 @@ public:
     void accept(const app::GestureEnd& end, Workbench& bench) override
     {
         if (arc_.points.size() < 2)
-            return place(end.point);
+            return place(end.point, bench);
         arc_.to = end.point;
         arc_.degrees = end.numbers[0];
         finish(bench);
@@ -159,10 +159,13 @@ private:
         return app::degreesOf(arc_.to - centre) - app::degreesOf(from - centre);
     }
 
-    void place(const app::Point& point)
+    void place(const app::Point& point, const Workbench& bench)
     {
-        if (!arc_.points.empty() && point == arc_.points.back())
+        if (!arc_.points.empty() && point == arc_.points.back()) {
+            emit bench.session.refused(QCoreApplication::translate(
+                "Tools", "The last point is already here. Click another place."));
             return;
+        }
         arc_.points.push_back(point);
         arc_.to = point;
         arc_.degrees = 0;
@@ -181,8 +184,15 @@ private:
     void finish(Workbench& bench)
     {
         const auto arc = made();
-        if (!arc)
-            return; // the gesture goes on
+        if (!arc) { // the gesture goes on
+            emit bench.session.refused(
+                arc_.byCentre ? QCoreApplication::translate(
+                    "Tools", "The arc would have no length. Click another place.")
+                              : QCoreApplication::translate(
+                                  "Tools", "These three points lie on a straight line. Click a "
+                                           "place beside it."));
+            return;
+        }
         last_.discard();
         draw(bench, {app::pathOf(*arc)}, QCoreApplication::translate("Commands", "Draw arc"));
         done_ = arc_;

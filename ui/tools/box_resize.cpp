@@ -3,25 +3,60 @@
 
 #include "app/commands/resize_objects.h"
 #include "app/drawing/transformation_measures.h"
+#include "app/view/snapping/handle_snap.h"
 #include "ui/tools/shape_drawing.h"
 #include "ui/tools/transform_gesture.h"
+
+#include <QCoreApplication>
 
 #include <glm/common.hpp>
 
 namespace ui {
+namespace {
 
-void BoxResize::start(app::Handle handle, const clipping::Window& bounds, const Pointer& pressed)
+/// A side would lose its whole extent, which no later step could give back.
+bool collapses(const clipping::Window& from, const clipping::Window& to)
 {
-    const app::Point at = app::placeOf(handle, bounds);
-    now_ = State{handle, bounds, at - pressed.raw, {at, {1, 1}}, pressed.modifiers};
+    for (int axis = 0; axis < 2; ++axis)
+        if (from.min[axis] != from.max[axis] && to.min[axis] == to.max[axis])
+            return true;
+    return false;
 }
 
-void BoxResize::proceed(const Pointer& pointer)
+} // namespace
+
+void BoxResize::start(app::Handle handle, const clipping::Window& bounds, const Pointer& pressed,
+                      const Workbench& bench)
 {
-    now_->modifiers = pointer.modifiers;
+    last_.forget();
+    const app::Point at = app::placeOf(handle, bounds);
+    now_ = State{handle,       bounds,           pressed.raw, bench.session.selection(),
+                 {at, {1, 1}}, pressed.modifiers};
+}
+
+void BoxResize::proceed(const Pointer& pointer, const Workbench& bench)
+{
+    app::Point to = pointer.position;
+    now_->snap.reset();
+    if (!corrects())
+        now_->modifiers = pointer.modifiers;
+    if (!corrects() && !pointer.held) {
+        now_->snap = snap(*now_, pointer.raw - now_->pressed, bench);
+        to = handleOf(*now_) + now_->snap->by;
+    }
     // Not the pointer's numbers: Shift or Alt may have changed what they measure.
-    const app::GestureStart start{fixed(), app::placeOf(now_->handle, now_->bounds)};
-    now_->end = {pointer.position, measure().values(start, pointer.position)};
+    const app::GestureStart start{fixed(*now_), handleOf(*now_)};
+    now_->end = {to, measure(*now_).values(start, to)};
+}
+
+app::MovedSnap BoxResize::snap(const State& state, const app::Point& by, const Workbench& bench)
+{
+    const app::Point at = handleOf(state);
+    const app::OwnPoints own{{at}, {at, at}};
+    const auto proportion =
+        state.modifiers & Qt::ShiftModifier ? app::Proportion::Kept : app::Proportion::Free;
+    return app::heldByHandle({state.handle, at, fixed(state), proportion}, by,
+                             bench.moved(own, by, state.modifiers, state.objects));
 }
 
 void BoxResize::finish(Workbench& bench)
@@ -33,49 +68,91 @@ void BoxResize::finish(Workbench& bench)
 void BoxResize::accept(const app::GestureEnd& end, Workbench& bench)
 {
     app::Session& session = bench.session;
-    now_->end = end;
-    const clipping::Window from = now_->bounds, to = target();
+    State state = *now_;
+    state.end = end;
+    const clipping::Window to = target(state);
+    if (session.selection() != state.objects)
+        return cancel(bench); // a command has removed objects meanwhile
+    if (collapses(state.bounds, to)) {
+        emit session.refused(QCoreApplication::translate(
+            "Tools", "The selection would have no width or no height. Drag the handle elsewhere."));
+        return cancel(bench);
+    }
     now_.reset();
-    if (session.selection().empty())
-        return; // removed meanwhile
-    pushKeepingInspected(session, new app::ResizeObjects(session.document, session.selection(),
-                                                         from, to, session.arrange.strokes));
+    last_.discard(); // if the step was open, it stays undone
+    if (to == state.bounds)
+        return last_.forget();
+    pushKeepingInspected(session,
+                         new app::ResizeObjects(session.document, state.objects, state.bounds, to,
+                                                session.arrange.strokes));
+    last_.remember(bench);
+    done_ = std::move(state);
 }
 
-app::Point BoxResize::fixed() const
+void BoxResize::cancel(Workbench& bench)
 {
-    const auto [x, y] = now_->handle;
-    const bool centre = anchorOf(now_->modifiers) == app::Anchor::Centre;
-    return app::placeOf(centre ? app::Handle{} : app::Handle{-x, -y}, now_->bounds);
+    now_.reset();
+    last_.restore(bench);
 }
 
-clipping::Window BoxResize::target() const
+void BoxResize::end(Workbench& bench)
 {
-    const clipping::Window& old = now_->bounds;
-    if (now_->modifiers & Qt::ShiftModifier) {
-        const app::AffineMap map = app::scaling(app::Point(now_->end.numbers[0]), fixed());
+    cancel(bench);
+    last_.forget();
+}
+
+void BoxResize::reopen(Workbench& bench)
+{
+    if (!last_.reopen(bench))
+        return;
+    bench.session.select(done_.objects);
+    now_ = done_;
+    now_->snap.reset();
+}
+
+app::Point BoxResize::fixed(const State& state)
+{
+    const auto [x, y] = state.handle;
+    const bool centre = anchorOf(state.modifiers) == app::Anchor::Centre;
+    return app::placeOf(centre ? app::Handle{} : app::Handle{-x, -y}, state.bounds);
+}
+
+clipping::Window BoxResize::target() const { return target(*now_); }
+
+clipping::Window BoxResize::target(const State& state)
+{
+    const clipping::Window& old = state.bounds;
+    if (state.modifiers & Qt::ShiftModifier) {
+        const app::AffineMap map = app::scaling(app::Point(state.end.numbers[0]), fixed(state));
         const app::Point a = map(old.min), b = map(old.max);
         return {glm::min(a, b), glm::max(a, b)};
     }
-    const app::Point by = now_->end.point - app::placeOf(now_->handle, old);
-    return app::dragged(old, now_->handle, by, app::Proportion::Free, anchorOf(now_->modifiers));
+    return app::dragged(old, state.handle, state.end.point - handleOf(state), app::Proportion::Free,
+                        anchorOf(state.modifiers));
 }
 
-const app::GestureMeasure& BoxResize::measure() const
+const app::GestureMeasure& BoxResize::measure(const State& state)
 {
-    const auto [x, y] = now_->handle;
-    if (now_->modifiers & Qt::ShiftModifier)
+    const auto [x, y] = state.handle;
+    if (state.modifiers & Qt::ShiftModifier)
         return app::scalingMeasure(app::Along::Both);
-    const app::Anchor anchor = anchorOf(now_->modifiers);
+    const app::Anchor anchor = anchorOf(state.modifiers);
     return x != 0 && y != 0 ? app::widthAndHeight(app::Proportion::Free, anchor)
                             : app::sideLength(x != 0 ? 0 : 1, anchor);
 }
 
-app::Gauge BoxResize::gauge(const Workbench& bench) const
+std::optional<app::Gauge> BoxResize::gauge(const Workbench& bench) const
 {
-    app::Gauge gauge = gaugeFrom(fixed(), measure(), bench);
-    gauge.start.pointer = app::placeOf(now_->handle, now_->bounds);
-    gauge.shift = now_->shift;
+    if (!now_ && !canReopen(bench))
+        return std::nullopt;
+    const State& state = now_ ? *now_ : done_;
+    app::Gauge gauge = gaugeFrom(fixed(state), measure(state), bench);
+    gauge.start.pointer = handleOf(state);
+    gauge.shift = gauge.start.pointer - state.pressed;
+    if (!now_ || corrects())
+        gauge.aim = done_.end;
+    else if (state.snap)
+        gauge.aim = state.end;
     return gauge;
 }
 

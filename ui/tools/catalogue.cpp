@@ -43,16 +43,16 @@ std::span<const ToolInfo> tools()
                  tr("Drag a rectangle to zoom to it. Click to zoom in, Alt+click to zoom out."),
                  QKeySequence("Z"), makeZoomTool},
         ToolInfo{"line", tr("Line"),
-                 tr("Click points, or drag. Type a length, Tab, an angle, Enter. Shift: 15° steps, Esc: "
-                    "end."),
+                 tr("Click points, or drag. Type a length, Tab, an angle, Enter. Shift: 15° steps, "
+                    "Alt: middle."),
                  QKeySequence("L"), makeLineTool, ToolInfo::Group::New},
         ToolInfo{"polyline", tr("Polyline"),
                  tr("Click corners, or type a length, Tab, an angle, Enter. Ctrl+Z: corner back, Esc: "
                     "end."),
                  QKeySequence("P"), makePolylineTool},
         ToolInfo{"pen", tr("Pen"),
-                 tr("Click: corner, drag: smooth node, Alt: cusp. Click the start to close. Ctrl+Z: "
-                    "back, Esc: end."),
+                 tr("Click: corner, drag: symmetric node, S: smooth, Alt: cusp. Click the start to "
+                    "close. Esc: end."),
                  QKeySequence("D"), makePenTool},
         ToolInfo{"arc", tr("Arc"),
                  tr("Click the start, the end and a point on the arc. C, or Alt at the first click: by "

@@ -39,32 +39,53 @@ std::optional<EndDrag::End> EndDrag::endAt(const app::Point& screen, const Workb
 
 void EndDrag::start(End end, const Pointer& pointer, Workbench& bench)
 {
-    line_ = lineWithHandles(bench.session);
-    end_ = end;
-    pressed_ = pointer.screen;
-    moved_ = false;
+    last_.forget();
+    const app::Session& session = bench.session;
+    if (const auto line = lineWithHandles(session))
+        now_ = State{*line, *session.inspected(),
+                     session.scene.lines().objectOf(*session.inspected()), end, pointer.screen};
 }
 
-clipping::Segment EndDrag::movedTo(const app::Point& point) const
+std::optional<std::size_t> EndDrag::object() const
 {
-    return end_ == End::A ? clipping::Segment{point, line_->b} : clipping::Segment{line_->a, point};
+    return now_ ? std::optional(now_->object) : std::nullopt;
+}
+
+app::Point EndDrag::fixed(const State& state)
+{
+    const auto& [a, b] = state.line;
+    if (anchorOf(state.modifiers) == app::Anchor::Centre)
+        return a + (b - a) * 0.5;
+    return state.end == End::A ? b : a;
+}
+
+clipping::Segment EndDrag::moved(const State& state)
+{
+    const bool centre = anchorOf(state.modifiers) == app::Anchor::Centre;
+    const app::Point other = centre ? 2.0 * fixed(state) - state.to : fixed(state);
+    return state.end == End::A ? clipping::Segment{state.to, other}
+                               : clipping::Segment{other, state.to};
 }
 
 void EndDrag::proceed(const Pointer& pointer, Workbench& bench)
 {
-    if (lineWithHandles(bench.session) != line_)
-        return cancel(bench); // it was changed meanwhile
-    moved_ = moved_ || dragged(pressed_, pointer);
-    if (!moved_)
+    if (!now_)
         return;
-    now_ = movedTo(pointer.position);
-    bench.session.setPreview({.line = now_});
+    if (lineWithHandles(bench.session) != now_->line)
+        return cancel(bench); // it was changed meanwhile
+    now_->moved = now_->moved || dragged(now_->pressed, pointer);
+    if (!now_->moved)
+        return;
+    if (!corrects() && !pointer.held) // numbers refer to the point that stays
+        now_->modifiers = pointer.modifiers;
+    now_->to = pointer.position;
+    bench.session.setPreview({.line = moved(*now_)});
 }
 
 bool EndDrag::finish(const Pointer& pointer, Workbench& bench)
 {
     proceed(pointer, bench);
-    const bool moved = moved_;
+    const bool moved = now_ && now_->moved;
     moved ? accept(pointer.position, bench) : cancel(bench);
     return moved;
 }
@@ -72,42 +93,73 @@ bool EndDrag::finish(const Pointer& pointer, Workbench& bench)
 void EndDrag::accept(const app::Point& point, Workbench& bench)
 {
     app::Session& session = bench.session;
-    if (!line_ || lineWithHandles(session) != line_)
+    if (!now_ || lineWithHandles(session) != now_->line)
         return cancel(bench);
-    const clipping::Segment line = movedTo(point);
-    const auto inspected = session.inspected();
-    const std::size_t object = session.scene.lines().objectOf(*inspected);
-    if (line != *line_ && line.a != line.b) {
-        const std::array changed{app::ChangedPath{object, app::Path(line)}};
-        session.history.push(
-            new app::ChangePaths(session.document, changed,
-                                 QCoreApplication::translate("Commands", "Move end of line")));
-        session.inspect(inspected);
+    State state = *now_;
+    state.to = point;
+    const clipping::Segment line = moved(state);
+    if (line.a == line.b) {
+        emit session.refused(QCoreApplication::translate(
+            "Tools", "The line would have no length. Drag its end elsewhere."));
+        return cancel(bench);
     }
+    last_.discard(); // if the step was open, it stays undone
+    if (line == state.line)
+        return end(bench);
+    const std::array changed{app::ChangedPath{state.object, app::Path(line)}};
+    session.history.push(new app::ChangePaths(
+        session.document, changed, QCoreApplication::translate("Commands", "Move end of line")));
+    session.inspect(state.number);
     cancel(bench);
+    last_.remember(bench);
+    done_ = state;
 }
 
 void EndDrag::cancel(Workbench& bench)
 {
     if (going())
         bench.session.setPreview({});
-    line_.reset();
-    moved_ = false;
+    now_.reset();
+    if (!corrects())
+        return;
+    last_.restore(bench);
+    bench.session.inspect(done_.number);
+}
+
+void EndDrag::end(Workbench& bench)
+{
+    cancel(bench);
+    last_.forget();
+}
+
+void EndDrag::reopen(Workbench& bench)
+{
+    if (!last_.reopen(bench))
+        return;
+    app::Session& session = bench.session;
+    session.select({done_.object});
+    session.inspect(done_.number);
+    now_ = done_;
 }
 
 std::optional<app::Gauge> EndDrag::gauge(const Workbench& bench) const
 {
-    if (!line_ || !moved_)
+    if (now_ ? !now_->moved : !canReopen(bench))
         return std::nullopt;
-    return gaugeFrom(end_ == End::A ? line_->b : line_->a, app::lengthAndAngle(), bench);
+    const State& state = now_ ? *now_ : done_;
+    app::Gauge gauge =
+        gaugeFrom(fixed(state), app::lengthAndAngle(anchorOf(state.modifiers)), bench);
+    if (!now_ || corrects())
+        gauge.aim = app::GestureEnd{done_.to, gauge.measure->values(gauge.start, done_.to)};
+    return gauge;
 }
 
 void EndDrag::paint(QPainter& painter, const Workbench& bench) const
 {
-    if (!moved_)
+    if (!now_ || !now_->moved)
         return;
     painter.setPen(QPen(bench.look.selection, 1.5));
-    if (const auto line = lineOnScreen(now_, bench))
+    if (const auto line = lineOnScreen(moved(*now_), bench))
         painter.drawLine(*line);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/tools/tool.h"
+#include "ui/tools/last_step.h"
 
 namespace ui {
 
@@ -9,30 +9,45 @@ namespace ui {
 /// edited.
 std::optional<clipping::Segment> lineWithHandles(const app::Session& session);
 
-/// Dragging an end of the inspected line.
+/// Dragging an end of the inspected line; with Alt its middle stays. Typed numbers hold, and change
+/// what was just done.
 class EndDrag {
 public:
     enum class End : std::uint8_t { A, B };
     static std::optional<End> endAt(const app::Point& screen, const Workbench& bench);
 
-    bool going() const { return line_.has_value(); }
+    bool going() const { return now_.has_value(); }
+    std::optional<std::size_t> object() const;       ///< whose end is dragged
+    bool corrects() const { return last_.isOpen(); } ///< the last step is open again
+    bool canReopen(const Workbench& bench) const { return last_.canReopen(bench); }
     void start(End end, const Pointer& pointer, Workbench& bench);
     void proceed(const Pointer& pointer, Workbench& bench);
     bool finish(const Pointer& pointer, Workbench& bench);  ///< one step; false: it was a click
     void accept(const app::Point& point, Workbench& bench); ///< ends it at a typed point
     void cancel(Workbench& bench);
-    /// The length and the angle of the line, seen from its other end.
+    void end(Workbench& bench); ///< cancels, and forgets the last step
+    void reopen(Workbench& bench);
+    /// The length and the angle of the line, seen from its other end or its middle.
     std::optional<app::Gauge> gauge(const Workbench& bench) const;
     void paint(QPainter& painter, const Workbench& bench) const;
 
 private:
-    clipping::Segment movedTo(const app::Point& point) const;
+    struct State {
+        clipping::Segment line; ///< as it was at the start
+        std::size_t number;     ///< of it in the scene,
+        std::size_t object;     ///< and of its object
+        End end;
+        app::Point pressed; ///< on the screen
+        bool moved = false;
+        Qt::KeyboardModifiers modifiers{};
+        app::Point to{}; ///< where the end is
+    };
+    static app::Point fixed(const State& state); ///< the point of the line that stays
+    static clipping::Segment moved(const State& state);
 
-    std::optional<clipping::Segment> line_; ///< as it was at the start
-    End end_ = End::A;
-    app::Point pressed_{}; ///< on the screen
-    bool moved_ = false;
-    clipping::Segment now_{};
+    std::optional<State> now_;
+    State done_{}; ///< the gesture of the last step
+    LastStep last_;
 };
 
 } // namespace ui

@@ -7,9 +7,14 @@ namespace ui {
 namespace {
 
 /// Draws a line by a drag, or lines from click to click: each begins where the last one ends, until
-/// Enter, Esc or a double click.
+/// Enter, Esc or a double click. With Alt a line extends from its middle to both sides.
 class LineTool final : public TwoPointTool {
 public:
+    void press(const Pointer& pointer, Workbench& bench) override
+    {
+        chained_ = chained_ && busy();
+        TwoPointTool::press(pointer, bench);
+    }
     void doubleClick(const Pointer& pointer, Workbench& bench) override
     {
         starts_.empty() ? press(pointer, bench) : cancel(bench);
@@ -38,15 +43,17 @@ public:
         begin(start, bench);
     }
     QString stepText() const override { return undoText(); }
+    bool pointBegins() const override { return chained_; }
 
 protected:
-    const app::GestureMeasure& measure(Qt::KeyboardModifiers) const override
+    const app::GestureMeasure& measure(Qt::KeyboardModifiers modifiers) const override
     {
-        return app::lengthAndAngle();
+        return app::lengthAndAngle(anchorOf(modifiers));
     }
     app::Subpath path(const Gesture& gesture) const override
     {
-        return {gesture.from, {app::PathSegment{gesture.to}}, false};
+        const clipping::Segment line = lineOf(gesture);
+        return {line.a, {app::PathSegment{line.b}}, false};
     }
     QString undoText() const override
     {
@@ -54,19 +61,27 @@ protected:
     }
     void follow(const Gesture& gesture, Workbench& bench) override
     {
-        bench.session.setPreview({.line = clipping::Segment{gesture.from, gesture.to}});
+        bench.session.setPreview({.line = lineOf(gesture)});
     }
     void finishByClick(Workbench& bench) override
     {
-        if (isEmpty())
+        if (refusesEmpty(bench))
             return;
         add(bench);
+        chained_ = true;
         starts_.push_back(gesture_->from);
         begin(gesture_->to, bench);
     }
 
 private:
+    static clipping::Segment lineOf(const Gesture& gesture)
+    {
+        const bool centre = anchorOf(gesture.modifiers) == app::Anchor::Centre;
+        return {centre ? 2.0 * gesture.from - gesture.to : gesture.from, gesture.to};
+    }
+
     std::vector<app::Point> starts_; ///< of the chain's lines
+    bool chained_ = false;           ///< the last line belongs to a chain
 };
 
 } // namespace

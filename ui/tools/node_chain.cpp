@@ -21,11 +21,17 @@ int stepsDone(const Workbench& bench)
 
 void ChainTool::press(const Pointer& pointer, Workbench& bench)
 {
-    const app::Point next = pointer.position;
+    const bool corrected = corrects();
+    if (corrected)
+        cancel(bench); // a click ends the correction
+    const app::Point next = corrected ? pointer.steered : pointer.position;
     if (closesAt(next, bench))
         finish(bench, true);
     else if (nodes_.empty() || next != nodes_.back().at)
         add(next);
+    else
+        emit bench.session.refused(QCoreApplication::translate(
+            "Tools", "The last point is already here. Click another place, or press Enter."));
     to_ = next;
 }
 
@@ -40,7 +46,7 @@ bool ChainTool::key(QKeyEvent& event, Workbench& bench)
     if (nodes_.empty())
         return false;
     if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter)
-        end(bench);
+        complete(bench);
     else if (event.key() == Qt::Key_Backspace || event.key() == Qt::Key_Delete)
         takeBack(bench);
     else
@@ -48,10 +54,19 @@ bool ChainTool::key(QKeyEvent& event, Workbench& bench)
     return true;
 }
 
-void ChainTool::cancel(Workbench&)
+void ChainTool::complete(Workbench& bench)
+{
+    if (nodes_.size() == 1 && !corrects())
+        emit bench.session.refused(QCoreApplication::translate(
+            "Tools", "One point is not a path, so nothing was drawn. Click two places or more."));
+    end(bench);
+}
+
+void ChainTool::cancel(Workbench& bench)
 {
     nodes_.clear();
     takenBack_.clear();
+    last_.restore(bench);
 }
 
 void ChainTool::takeBack(Workbench& bench)
@@ -76,24 +91,56 @@ void ChainTool::putBack(Workbench&)
 
 std::optional<app::Gauge> ChainTool::gauge(const Workbench& bench) const
 {
-    return nodes_.empty() ? gaugeOfStart(bench)
-                          : gaugeFrom(nodes_.back().at, app::lengthAndAngle(), bench);
+    if (nodes_.empty())
+        return gaugeOfStart(bench);
+    app::Gauge gauge = gaugeFrom(nodes_.back().at, app::lengthAndAngle(), bench);
+    if (corrects()) {
+        const app::Point& was = done_.back().at;
+        gauge.aim = app::GestureEnd{was, gauge.measure->values(gauge.start, was)};
+    }
+    return gauge;
 }
 
-void ChainTool::accept(const app::GestureEnd& end, Workbench&)
+void ChainTool::accept(const app::GestureEnd& end, Workbench& bench)
 {
-    if (nodes_.empty() || end.point != nodes_.back().at)
+    if (corrects()) {
+        nodes_ = corrected(end.point);
+        last_.discard();
+        finish(bench, false);
+    } else if (nodes_.empty() || end.point != nodes_.back().at) {
         add(end.point);
+    }
+}
+
+/// Without its last node, which numbers then put elsewhere.
+void ChainTool::reopen(Workbench& bench)
+{
+    if (!last_.reopen(bench))
+        return;
+    nodes_ = done_;
+    nodes_.pop_back();
+}
+
+/// The nodes of the last path, with the last one and its handles moved.
+std::vector<ChainTool::Node> ChainTool::corrected(const app::Point& to) const
+{
+    std::vector<Node> nodes = done_;
+    const Node last = nodes.back();
+    const auto moved = [&](const app::Point& handle) {
+        return handle == last.at ? to : to + (handle - last.at); // none stays none
+    };
+    nodes.back() = {to, moved(last.in), moved(last.out)};
+    return nodes;
 }
 
 std::optional<app::Subpath> ChainTool::pendingPath() const
 {
-    return nodes_.size() >= 2 ? std::optional(pathOf(false)) : std::nullopt;
+    return nodes_.size() >= 2 && !corrects() ? std::optional(pathOf(nodes_, false)) : std::nullopt;
 }
 
 QString ChainTool::hint(const Workbench& bench) const
 {
-    return to_ && closesAt(*to_, bench)
+    return to_ && !corrects() && closesAt(*to_, bench)
                ? QCoreApplication::translate("Tools", "Click to close the path.")
                : QString();
 }
@@ -102,8 +149,9 @@ void ChainTool::paint(QPainter& painter, const Workbench& bench) const
 {
     if (nodes_.empty())
         return;
-    app::Subpath path = pathOf(closes());
-    if (to_ && showsNext()) {
+    app::Subpath path =
+        corrects() && to_ ? pathOf(corrected(*to_), false) : pathOf(nodes_, closes());
+    if (to_ && showsNext() && !corrects()) {
         const Node& last = nodes_.back();
         path.segments.push_back(last.out == last.at ? app::PathSegment{*to_}
                                                     : app::PathSegment{*to_, last.out, *to_, true});
@@ -113,7 +161,7 @@ void ChainTool::paint(QPainter& painter, const Workbench& bench) const
     for (const Node& node : nodes_)
         places.push_back(node.at);
     markPoints(painter, bench, places);
-    if (to_ && closesAt(*to_, bench))
+    if (to_ && !corrects() && closesAt(*to_, bench))
         painter.drawEllipse(bench.onScreen(nodes_.front().at), closingMark, closingMark);
 }
 
@@ -131,6 +179,7 @@ void ChainTool::add(const app::Point& at)
 {
     nodes_.push_back({at, at, at});
     takenBack_.clear();
+    last_.forget();
 }
 
 bool ChainTool::closesAt(const app::Point& point, const Workbench& bench) const
@@ -144,31 +193,33 @@ bool ChainTool::isCurved() const
     return std::ranges::any_of(nodes_, [](const Node& n) { return n.in != n.at || n.out != n.at; });
 }
 
-app::Subpath ChainTool::pathOf(bool closed) const
+app::Subpath ChainTool::pathOf(std::span<const Node> nodes, bool closed)
 {
-    app::Subpath path{nodes_.front().at, {}, closed};
+    app::Subpath path{nodes.front().at, {}, closed};
     const auto join = [&path](const Node& from, const Node& to) {
         const bool straight = from.out == from.at && to.in == to.at;
         path.segments.push_back(straight ? app::PathSegment{to.at}
                                          : app::PathSegment{to.at, from.out, to.in, true});
     };
-    for (std::size_t i = 1; i < nodes_.size(); ++i)
-        join(nodes_[i - 1], nodes_[i]);
-    const bool curved =
-        nodes_.back().out != nodes_.back().at || nodes_.front().in != nodes_.front().at;
+    for (std::size_t i = 1; i < nodes.size(); ++i)
+        join(nodes[i - 1], nodes[i]);
+    const bool curved = nodes.back().out != nodes.back().at || nodes.front().in != nodes.front().at;
     if (closed && curved) // otherwise the line back needs no segment
-        join(nodes_.back(), nodes_.front());
+        join(nodes.back(), nodes.front());
     return path;
 }
 
 void ChainTool::finish(Workbench& bench, bool closed)
 {
-    std::optional<app::Subpath> drawn;
-    if (nodes_.size() >= 2)
-        drawn = pathOf(closed);
+    std::vector<Node> nodes = std::move(nodes_);
     cancel(bench);
-    if (drawn)
-        keep(std::move(*drawn), bench);
+    if (nodes.size() < 2)
+        return;
+    keep(pathOf(nodes, closed), bench);
+    if (closed)
+        return; // its last segment leads to a node that is there already
+    done_ = std::move(nodes);
+    last_.remember(bench);
 }
 
 } // namespace ui

@@ -2,6 +2,7 @@
 #include "app/base/numbers.h"
 #include "app/commands/remove_objects.h"
 #include "app/document/direction.h"
+#include "app/nodes/fixed_parts.h"
 #include "ui/tools/node_painter.h"
 #include "ui/tools/picking_marks.h"
 #include "ui/tools/shape_drawing.h"
@@ -60,6 +61,13 @@ public:
     {
         return preview_ || drag_ == Drag::Press ? app::SnapTo::All : app::SnapTo::Nothing;
     }
+    void leaveOutMoved(app::SnapQuery& query) const override
+    {
+        if (!preview_)
+            return;
+        query.without = moving_;
+        query.parts = &fixed_;
+    }
     std::optional<std::size_t> hoveredSegment() const override { return hoveredSegment_; }
     QString hint(const Workbench& bench) const override;
     void paint(QPainter& painter, const Workbench& bench) const override;
@@ -86,6 +94,7 @@ private:
     void lookUnder(const Pointer& pointer, Workbench& bench);
     void startDrag(Workbench& bench);
     void follow(const app::Point& to, Workbench& bench);
+    void findFixed(Workbench& bench);
     void push(Workbench& bench);
     void choose(std::span<const app::NodeAddress> chosen, Workbench& bench);
     void click(Workbench& bench);
@@ -102,6 +111,8 @@ private:
     HoveredNode hovered_;
     std::optional<std::size_t> hoveredSegment_; ///< of the scene
     std::optional<app::NodePath> preview_;      ///< the paths as the drag would leave them
+    app::ObjectRanges moving_;                  ///< the objects that the drag changes,
+    std::vector<app::Subpath> fixed_;           ///< and what stays of them
     std::uint64_t revision_ = 0;                ///< of the nodes at the press
     Pointer from_{}, to_{};
 };
@@ -181,8 +192,26 @@ void NodesTool::startDrag(Workbench& bench)
         if (!curved && !together)
             click(bench);
     }
-    if (drag_ != Drag::Box)
-        preview_ = nodes.path();
+    if (drag_ == Drag::Box)
+        return;
+    preview_ = nodes.path();
+    findFixed(bench);
+}
+
+/// Finds what moves by moving it: handles take those opposite along, and a bent segment its ends'.
+void NodesTool::findFixed(Workbench& bench)
+{
+    const app::NodeEditing& nodes = bench.session.nodes;
+    follow(from_.raw + app::Point(bench.inDrawing(2 * dragDistance)), bench);
+    moving_ = {};
+    fixed_.clear();
+    for (std::size_t i = 0; i < preview_->size(); ++i)
+        if ((*preview_)[i] != nodes.path()[i])
+            moving_.insert(nodes.objectOf(i));
+    for (std::size_t i = 0; i < preview_->size(); ++i)
+        if (moving_.contains(nodes.objectOf(i)))
+            for (app::Subpath& part : app::fixedParts(nodes.path()[i], (*preview_)[i]))
+                fixed_.push_back(std::move(part));
 }
 
 /// The paths as they are when what is dragged lies at `to`.
@@ -357,6 +386,8 @@ std::optional<app::Gauge> NodesTool::gauge(const Workbench& bench) const
     }
     if (drag_ == Drag::Nodes && grabbed_.point.node)
         return atPosition(nodeOf(*grabbed_.point.node, bench).at);
+    if (drag_ == Drag::Nodes || drag_ == Drag::Bend) // how far
+        return gaugeFrom(grabbed_.segment->at, app::lengthAndAngle(), bench);
     const auto only = drag_ == Drag::None ? bench.session.nodes.summary().only : std::nullopt;
     if (!only)
         return std::nullopt;

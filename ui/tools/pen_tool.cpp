@@ -10,13 +10,16 @@
 namespace ui {
 namespace {
 
-/// Draws a path of Bézier curves: a click places a corner, a drag a smooth node with its handles;
-/// Alt drags the handle after the node alone. A click on the first node, or a drag from it, closes
-/// the path; one on the last node makes it a corner.
+/// Draws a path of Bézier curves: a click places a corner, a drag a symmetric node with its
+/// handles; Alt drags the handle after the node alone, S keeps the length of the one before. A
+/// click on the first node, or a drag from it, closes the path; one on the last node makes it a
+/// corner.
 class PenTool final : public ChainTool {
 public:
     void press(const Pointer& pointer, Workbench& bench) override
     {
+        if (corrects())
+            cancel(bench); // a click ends the correction
         closing_ = closesAt(pointer.position, bench);
         alone_ = !closing_ && onLast(pointer.position, bench);
         if (alone_)
@@ -24,6 +27,7 @@ public:
         else if (!closing_)
             ChainTool::press(pointer, bench);
         pressed_ = pointer.screen;
+        keptLength_.reset();
     }
     void move(const Pointer& pointer, Workbench& bench) override
     {
@@ -44,6 +48,21 @@ public:
         if (closesAt(pointer.position, bench))
             return press(pointer, bench);
         ChainTool::doubleClick(pointer, bench);
+    }
+    /// S while dragging a node: smooth, and symmetric again.
+    bool wants(const QKeyEvent& event, const Workbench& bench) const override
+    {
+        return isSmooth(event) || ChainTool::wants(event, bench);
+    }
+    bool key(QKeyEvent& event, Workbench& bench) override
+    {
+        if (!isSmooth(event))
+            return ChainTool::key(event, bench);
+        if (keptLength_)
+            keptLength_.reset();
+        else
+            keptLength_ = glm::distance(pulled().at, other());
+        return true;
     }
     void cancel(Workbench& bench) override
     {
@@ -68,10 +87,23 @@ public:
         letGo(bench);
     }
     /// The journal follows the handles, too.
-    std::size_t pendingPoints() const override { return 2 * nodes_.size() - (pressed_ ? 1 : 0); }
+    std::size_t pendingPoints() const override
+    {
+        return 2 * ChainTool::pendingPoints() - (pressed_ ? 1 : 0);
+    }
     QString stepText() const override
     {
         return QCoreApplication::translate("Commands", "Place node");
+    }
+    QString hint(const Workbench& bench) const override
+    {
+        if (!dragged_)
+            return ChainTool::hint(bench);
+        return keptLength_ ? QCoreApplication::translate(
+                   "Tools", "Smooth: the other handle keeps its length. S: symmetric, Alt: cusp.")
+                           : QCoreApplication::translate(
+                               "Tools", "Symmetric: both handles are equally long. S: only in line "
+                                        "(smooth), Alt: cusp.");
     }
     void paint(QPainter& painter, const Workbench& bench) const override
     {
@@ -93,6 +125,14 @@ private:
     Node& pulled() { return closing_ ? nodes_.front() : nodes_.back(); }
     const Node& pulled() const { return closing_ ? nodes_.front() : nodes_.back(); }
 
+    bool isSmooth(const QKeyEvent& event) const
+    {
+        return dragged_ && event.key() == Qt::Key_S && !event.modifiers();
+    }
+    /// The handle that follows the one that is pulled. At the closing node the pointer is where the
+    /// path leads on, and the handle before the node is pulled.
+    app::Point& other() { return closing_ ? pulled().out : pulled().in; }
+
     /// The handles of the node whose button is down. At the closing node the drag leads on along
     /// the path, so the handle before the node is opposite.
     void pull(const app::Point& to, Qt::KeyboardModifiers modifiers)
@@ -102,12 +142,17 @@ private:
         if (closing_) {
             node.in = 2.0 * node.at - to;
             if (!alone && node.out != node.at)
-                node.out = to;
+                node.out = inLine(node.at, to);
             return;
         }
         node.out = to;
         if (!alone)
-            node.in = 2.0 * node.at - to;
+            node.in = inLine(node.at, 2.0 * node.at - to);
+    }
+    /// The handle in the direction of `to`, with the length that it keeps.
+    app::Point inLine(const app::Point& at, const app::Point& to) const
+    {
+        return keptLength_ && to != at ? at + glm::normalize(to - at) * *keptLength_ : to;
     }
     void letGo(Workbench& bench)
     {
@@ -145,6 +190,7 @@ private:
     bool dragged_ = false;              ///< handles follow the pointer
     bool closing_ = false;              ///< the button is down on the first node
     bool alone_ = false;                ///< on the last one: its handle before it stays
+    std::optional<double> keptLength_;  ///< of the other handle; empty: both are equally long
 };
 
 } // namespace

@@ -133,8 +133,12 @@ private:
     }
     void finish(Workbench& bench)
     {
-        if (points_.size() < 2)
+        if (points_.size() < 2) {
+            if (!points_.empty())
+                emit bench.session.refused(QCoreApplication::translate(
+                    "Tools", "A click draws nothing. Drag to draw a line."));
             return points_.clear();
+        }
         last_.discard();
         const double tolerance = points_.size() <= mostCorrected ? toleranceIn(bench) : fitted_;
         draw(bench, {smoothed(tolerance)},

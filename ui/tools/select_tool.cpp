@@ -44,37 +44,47 @@ public:
         end_.cancel(bench);
         guide_.cancel();
         transform_.cancel(bench);
-        resize_.cancel();
+        resize_.cancel(bench);
         drag_ = Drag::None;
     }
     bool busy() const override
     {
         return gesture_.going() || end_.going() || guide_.going() || transform_.going()
-               || drag_ != Drag::None;
+               || resize_.going() || drag_ != Drag::None;
     }
     void transform(const app::Transformation& kind, const Pointer& pointer,
                    Workbench& bench) override;
-    std::optional<app::Gauge> gauge(const Workbench& bench) const override
-    {
-        if (choosesGuide(bench))
-            return guide_.gauge(bench);
-        return end_.going()      ? end_.gauge(bench)
-               : resize_.going() ? resize_.gauge(bench)
-                                 : transform_.gauge(bench);
-    }
+    std::optional<app::Gauge> gauge(const Workbench& bench) const override;
     void accept(const app::GestureEnd& end, Workbench& bench) override;
-    void reopen(Workbench& bench) override { transform_.reopen(bench); }
-    bool corrects() const override { return transform_.corrects(); }
+    void reopen(Workbench& bench) override // only one of them has made the last step
+    {
+        end_.reopen(bench);
+        resize_.reopen(bench);
+        transform_.reopen(bench);
+    }
+    bool corrects() const override
+    {
+        return end_.corrects() || resize_.corrects() || transform_.corrects();
+    }
 
     QCursor cursor(const Workbench& bench) const override;
     app::SnapTo snapsTo() const override
     {
-        return end_.going() || guide_.going() || drag_ == Drag::Pivot ? app::SnapTo::All
-                                                                      : app::SnapTo::Nothing;
+        const bool snaps =
+            gesture_.going() || end_.going() || guide_.going() || drag_ == Drag::Pivot;
+        return snaps ? app::SnapTo::All : app::SnapTo::Nothing;
+    }
+    void leaveOutMoved(app::SnapQuery& query) const override
+    {
+        if (const auto object = end_.object())
+            query.without = {*object};
+        query.withoutWindow = gesture_.number();
     }
     const app::MovedSnap* snapped() const override
     {
-        return transform_.going() ? transform_.snapped() : gesture_.snapped();
+        return transform_.going() ? transform_.snapped()
+               : resize_.going()  ? resize_.snapped()
+                                  : gesture_.snapped();
     }
     bool showsHandles() const override { return true; }
     bool movesEnds() const override { return true; }
@@ -95,6 +105,13 @@ private:
     bool choosesGuide(const Workbench& bench) const
     {
         return guide_.going() || (!busy() && GuideDrag::chosen(bench));
+    }
+    /// The next action begins: numbers no longer change the last step.
+    void forgetSteps(Workbench& bench)
+    {
+        end_.end(bench);
+        resize_.end(bench);
+        transform_.end(bench);
     }
     void forgetHovered()
     {
@@ -160,7 +177,7 @@ void SelectTool::press(const Pointer& pointer, Workbench& bench)
         transform_.proceed(pointer, bench);
         return transform_.finish(bench);
     }
-    transform_.end(bench);
+    forgetSteps(bench);
     bench.session.guide.reset();
     lookUnder(pointer, bench);
     if (hoveredHandle_) {
@@ -169,7 +186,7 @@ void SelectTool::press(const Pointer& pointer, Workbench& bench)
     }
     if (hoveredGuide_)
         return guide_.start(*hoveredGuide_, bench);
-    if (hoveredEnd_ && !(pointer.modifiers & Qt::ShiftModifier))
+    if (hoveredEnd_)
         return end_.start(*hoveredEnd_, pointer, bench);
     from_ = to_ = pointer;
     drag_ = Drag::Press;
@@ -185,7 +202,7 @@ void SelectTool::move(const Pointer& pointer, Workbench& bench)
     else if (guide_.going())
         guide_.proceed(pointer);
     else if (resize_.going())
-        resize_.proceed(pointer);
+        resize_.proceed(pointer, bench);
     else if (transform_.going())
         transform_.proceed(pointer, bench);
     else if (drag_ == Drag::Pivot)
@@ -209,7 +226,7 @@ void SelectTool::startDrag(Workbench& bench)
     }
     if (boxHandle_.value_or(app::Handle{}) != app::Handle{}) {
         drag_ = Drag::Resize;
-        return resize_.start(*boxHandle_, *boxAround(session), from_);
+        return resize_.start(*boxHandle_, *boxAround(session), from_, bench);
     }
     const auto area = bench.picking.areaAt(from_.raw);
     const bool inSelection = area && session.selection().contains(*area);
@@ -226,7 +243,7 @@ void SelectTool::startDrag(Workbench& bench)
 void SelectTool::start(const app::Transformation& kind, const app::Point& pointer, Workbench& bench)
 {
     drag_ = Drag::Transform;
-    transform_.start(kind, marks_.pivot(bench), pointer, bench);
+    transform_.start(kind, marks_.pivot(bench), pointer, pointer, bench);
 }
 
 /// Begins a transformation that follows the pointer without a button.
@@ -236,9 +253,23 @@ void SelectTool::transform(const app::Transformation& kind, const Pointer& point
     if (busy() && !transform_.going())
         return; // a drag goes on
     cancel(bench);
+    forgetSteps(bench);
     bench.session.guide.reset();
     forgetHovered();
-    transform_.start(kind, marks_.pivot(bench), pointer.raw, bench);
+    const app::Point pivot = marks_.pivot(bench);
+    transform_.start(kind, pivot, pointer.raw,
+                     TransformGesture::grabbedAt(pointer.raw, pivot, bench), bench);
+}
+
+std::optional<app::Gauge> SelectTool::gauge(const Workbench& bench) const
+{
+    if (choosesGuide(bench))
+        return guide_.gauge(bench);
+    if (end_.going() || end_.canReopen(bench))
+        return end_.gauge(bench);
+    if (resize_.going() || resize_.canReopen(bench))
+        return resize_.gauge(bench);
+    return transform_.gauge(bench);
 }
 
 void SelectTool::accept(const app::GestureEnd& end, Workbench& bench)
@@ -362,10 +393,13 @@ QString SelectTool::hint(const Workbench& bench) const
     const app::Session& session = bench.session;
     if (const QString hint = transform_.hint(bench); !hint.isEmpty())
         return hint;
+    if (!busy() && (end_.canReopen(bench) || resize_.canReopen(bench)))
+        return QCoreApplication::translate("Tools",
+                                           "Type another number to change this step; Enter.");
     if (hoveredEnd_ || end_.going())
         return QCoreApplication::translate(
-            "Tools",
-            "Drag the end of the line. While dragging, type a length, Tab, an angle, Enter.");
+            "Tools", "Drag the end of the line, or type a length, Tab, an angle, Enter. Shift: 15° "
+                     "steps, Alt: from the middle.");
     if (const QString hint = guide_.hint(bench); !hint.isEmpty())
         return hint;
     if (hoveredGuide_)

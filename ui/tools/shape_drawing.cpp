@@ -30,6 +30,8 @@ void draw(Workbench& bench, std::vector<app::Subpath> paths, const QString& undo
     session.history.push(
         new app::AddObjects(session.document, objects, app::containerForNew(session), undoText));
     session.select({}); // what follows is for the new object, or for the next one
+    const app::Subpath& last = paths.back();
+    bench.lastPoint = last.closed || last.segments.empty() ? last.start : last.segments.back().to;
 }
 
 void pushKeepingInspected(app::Session& session, app::UndoCommand* step)
@@ -122,6 +124,7 @@ app::Gauge gaugeOfStart(const Workbench& bench)
 {
     app::Gauge gauge = gaugeFrom({}, app::position(), bench);
     gauge.start.from = gauge.origin;
+    gauge.relativeTo = bench.lastPoint;
     return gauge;
 }
 

@@ -32,7 +32,7 @@ void markPoints(QPainter& painter, const Workbench& bench, std::span<const app::
 /// Numbers for a gesture from this point, in the drawing's unit.
 app::Gauge gaugeFrom(const app::Point& from, const app::GestureMeasure& measure,
                      const Workbench& bench);
-/// Coordinates for a first point.
+/// Coordinates for a first point; "@10,20" refers to the last point that was drawn or typed.
 app::Gauge gaugeOfStart(const Workbench& bench);
 
 /// The numbers that a tool keeps for its next object; `usual` until it has drawn one.

@@ -171,6 +171,7 @@ void TextTool::end(Workbench& bench)
             session.document, paths, QCoreApplication::translate("Commands", "Edit text")));
     } else if (!same && !letters.paths.empty()) {
         draw(bench, letters.paths, QCoreApplication::translate("Commands", "Write text"), text);
+        bench.lastPoint = text.at;
     }
     if (!said.isEmpty())
         emit session.refused(said);

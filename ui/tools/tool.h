@@ -49,6 +49,8 @@ struct Workbench {
     /// The numbers that tools keep for their next object, by the key of the tool.
     std::map<std::string_view, app::Numbers> kept{};
     QString keptFont{}; ///< of the last text that was typed; empty: none was
+    /// The point that was drawn or typed last in this drawing; empty: none was.
+    std::optional<app::Point> lastPoint{};
 
     QPointF onScreen(const app::Point& p) const
     {
@@ -140,6 +142,8 @@ public:
     /// it. Does nothing if anything else has happened since.
     virtual void reopen(Workbench&) {}
     virtual bool corrects() const { return false; } ///< a finished gesture is open again
+    /// During a correction: a typed point is not meant for it, but begins the next gesture.
+    virtual bool pointBegins() const { return false; }
 
     /// What is being typed; empty: no text.
     virtual std::optional<TypedText> typedText() const { return std::nullopt; }
@@ -151,8 +155,7 @@ public:
 
     virtual QCursor cursor(const Workbench&) const { return Qt::CrossCursor; }
     virtual app::SnapTo snapsTo() const { return app::SnapTo::All; }
-    /// The number of the clip window that is dragged by a handle: the pointer does not snap to it.
-    virtual std::optional<std::size_t> draggedWindow() const { return std::nullopt; }
+    virtual void leaveOutMoved(app::SnapQuery&) const {} ///< what is dragged snaps to other things
     /// Where the thing that is being moved snaps; null: nothing is moved.
     virtual const app::MovedSnap* snapped() const { return nullptr; }
     virtual bool showsHandles() const { return false; } ///< the clip window's handles

@@ -9,29 +9,46 @@
 
 #include <QCoreApplication>
 
+#include <glm/geometric.hpp>
+
 namespace ui {
 namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("Tools", text); }
 
+app::OwnPoints onlyPoint(const app::Point& point) { return {{point}, {point, point}}; }
+
+/// What only points to a place need not be in line with anything there.
+app::SnapTo placesOnly()
+{
+    return app::SnapTo::All.without("alignment").without("drawn-alignment");
+}
+
 } // namespace
 
 void TransformGesture::start(const app::Transformation& kind, const app::Point& pivot,
-                             const app::Point& pointer, const Workbench& bench)
+                             const app::Point& pointer, const app::Point& grabbed,
+                             const Workbench& bench)
 {
     last_.forget();
-    now_ = State{&kind,
-                 {pivot, kind.movesPivot ? pivot : pointer},
-                 kind.movesPivot ? pivot - pointer : app::Point(0),
-                 bench.session.selection(),
-                 {}};
+    const app::Point moved = kind.movesPivot ? pivot : grabbed;
+    now_ = State{&kind, {pivot, moved}, moved - pointer, bench.session.selection(), {}};
     now_->pressed = now_->last = pointer;
     now_->end = atRest(*now_);
     const app::Session& session = bench.session;
-    if (kind.movesPivot)
-        now_->own =
-            app::ownPointsOf(session.now(), session.scene.lines(), session.selection(),
-                             session.selectionBounds().value_or(clipping::Window{}), pointer);
+    now_->own =
+        kind.movesPivot
+            ? app::ownPointsOf(session.now(), session.scene.lines(), session.selection(),
+                               session.selectionBounds().value_or(clipping::Window{}), pointer)
+            : onlyPoint(moved);
+}
+
+app::Point TransformGesture::grabbedAt(const app::Point& pointer, const app::Point& pivot,
+                                       const Workbench& bench)
+{
+    const app::Point at =
+        pointer + bench.moved(onlyPoint(pointer), {0, 0}, {}, {}, placesOnly()).by;
+    return glm::distance(at, pivot) > bench.inDrawing(snapReach) ? at : pointer;
 }
 
 /// The end of a gesture that has changed nothing yet.
@@ -49,16 +66,18 @@ void TransformGesture::proceed(const Pointer& pointer, const Workbench& bench)
     now_->snap.reset();
     now_->last = pointer.raw;
     const bool steps = pointer.modifiers & Qt::ShiftModifier;
-    if (now_->kind->movesPivot && now_->axis == app::Along::Both && !pointer.held && !steps)
+    const bool along = now_->kind->movesPivot && now_->axis != app::Along::Both;
+    if (!along && !pointer.held && !steps && !corrects())
         snap(pointer, bench);
 }
 
-/// A moved selection snaps by its own points and edges.
+/// A moved selection snaps by its own points and edges, another one by the point that is grabbed.
 void TransformGesture::snap(const Pointer& pointer, const Workbench& bench)
 {
     now_->snap =
-        bench.moved(now_->own, pointer.raw - now_->pressed, pointer.modifiers, now_->objects);
-    now_->end.point = now_->start.from + now_->snap->by;
+        bench.moved(now_->own, pointer.raw - now_->pressed, pointer.modifiers, now_->objects,
+                    now_->kind->movesPivot ? app::SnapTo::All : placesOnly());
+    now_->end.point = now_->start.pointer + now_->snap->by;
     now_->end.numbers = now_->kind->measure(now_->axis).values(now_->start, now_->end.point);
 }
 
@@ -167,10 +186,7 @@ void TransformGesture::putPivot(const Workbench& bench)
 {
     if (now_->kind->movesPivot)
         return;
-    app::OwnPoints one;
-    one.points = {now_->last};
-    one.bounds = {now_->last, now_->last};
-    now_->start.from = now_->last + bench.moved(one, {0, 0}, {}).by;
+    now_->start.from = now_->last + bench.moved(onlyPoint(now_->last), {0, 0}, {}).by;
     now_->end = atRest(*now_);
 }
 

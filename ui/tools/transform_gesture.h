@@ -11,13 +11,19 @@ namespace ui {
 /// numbers hold, and change what was just done.
 class TransformGesture {
 public:
-    /// `pointer`: where the pointer is, in the drawing.
+    /// `pointer`: where the pointer is, in the drawing. `grabbed`: the point that it moves, if the
+    /// pivot stays.
     void start(const app::Transformation& kind, const app::Point& pivot, const app::Point& pointer,
-               const Workbench& bench);
+               const app::Point& grabbed, const Workbench& bench);
+    /// The point that a gesture from a key moves: what the pointer snaps to, unless it is the
+    /// pivot.
+    static app::Point grabbedAt(const app::Point& pointer, const app::Point& pivot,
+                                const Workbench& bench);
     bool going() const { return now_.has_value(); }
     bool corrects() const { return last_.isOpen(); } ///< the last step is open again
     void proceed(const Pointer& pointer, const Workbench& bench);
-    /// What a moved selection snaps to; null: it is not moved.
+    /// What the selection, or the point that is grabbed, snaps to; null: nothing follows the
+    /// pointer.
     const app::MovedSnap* snapped() const { return now_ && now_->snap ? &*now_->snap : nullptr; }
     void finish(Workbench& bench);
     void accept(const app::GestureEnd& end, Workbench& bench);
@@ -43,7 +49,7 @@ private:
         app::Along axis = app::Along::Both;
         bool copies = false;
         app::Point pressed{}, last{}; ///< where the pointer was at first, and is
-        app::OwnPoints own{};         ///< of the selection, if it is moved
+        app::OwnPoints own{};         ///< of the selection, or the point that is grabbed
         std::optional<app::MovedSnap> snap{};
     };
     static std::vector<app::AffineMap> maps(const State& state);

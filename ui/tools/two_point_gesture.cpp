@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/two_point_gesture.h"
 
+#include <QCoreApplication>
+
 namespace ui {
 
 void TwoPointGesture::press(const Pointer& pointer, Workbench& bench)
@@ -85,22 +87,37 @@ void TwoPointGesture::moveEnd(const app::Point& to, Workbench& bench)
     follow(*gesture_, bench);
 }
 
-bool TwoPointGesture::isEmpty() const
+std::optional<std::size_t> TwoPointGesture::firstZero() const
 {
-    return app::firstZero(measure(gesture_->modifiers), {gesture_->from}, gesture_->to).has_value();
+    return app::firstZero(measure(gesture_->modifiers), {gesture_->from}, gesture_->to);
+}
+
+bool TwoPointGesture::refusesEmpty(Workbench& bench) const
+{
+    const auto zero = firstZero();
+    if (zero)
+        emit bench.session.refused(
+            QCoreApplication::translate("Tools", "%1 must not be 0. Click another place.")
+                .arg(measure(gesture_->modifiers).fields[*zero].name));
+    return zero.has_value();
+}
+
+void TwoPointGesture::add(Workbench& bench)
+{
+    last_.discard();
+    make(bench);
+    done_ = *gesture_;
+    last_.remember(bench);
 }
 
 void TwoPointGesture::finish(Workbench& bench)
 {
-    if (isEmpty())
-        return; // the gesture goes on
-    last_.discard();
+    if (refusesEmpty(bench))
+        return;
     add(bench);
     if (!keeps().empty())
         bench.kept[keeps()] = gesture_->numbers;
-    done_ = *gesture_;
     cancel(bench);
-    last_.remember(bench);
 }
 
 } // namespace ui

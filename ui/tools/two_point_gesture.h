@@ -33,17 +33,22 @@ protected:
     virtual app::Numbers usual() const { return {}; }
     virtual std::string_view keeps() const { return {}; }
     /// Pushes the step that the gesture makes.
-    virtual void add(Workbench& bench) = 0;
+    virtual void make(Workbench& bench) = 0;
     /// The gesture has begun or its end has moved.
     virtual void follow(const Gesture&, Workbench&) {}
     /// Ends the gesture at the second click.
     virtual void finishByClick(Workbench& bench) { finish(bench); }
 
     void begin(const app::Point& from, Workbench& bench);
-    bool isEmpty() const; ///< one of the lengths is 0
+    bool isEmpty() const { return firstZero().has_value(); } ///< one of the lengths is 0
+    /// Whether one of the lengths is 0; says so, and the gesture goes on.
+    bool refusesEmpty(Workbench& bench) const;
+    /// Makes the step, which numbers can change until something else happens.
+    void add(Workbench& bench);
     std::optional<Gesture> gesture_;
 
 private:
+    std::optional<std::size_t> firstZero() const;
     void moveEnd(const app::Point& to, Workbench& bench);
     void finish(Workbench& bench);
 

@@ -19,9 +19,10 @@ protected:
     virtual app::Subpath path(const Gesture& gesture) const = 0;
     virtual app::Recipe recipe(const Gesture&) const { return {}; }
     virtual QString undoText() const = 0;
-    void add(Workbench& bench) override
+    void make(Workbench& bench) override
     {
         draw(bench, {path(*gesture_)}, undoText(), recipe(*gesture_));
+        bench.lastPoint = gesture_->to;
     }
 };
 

@@ -43,7 +43,7 @@ protected:
     {
         isEmpty() ? window_.drop(bench) : window_.show(shape(), bench);
     }
-    void add(Workbench& bench) override { window_.keep(shape(), bench); }
+    void make(Workbench& bench) override { window_.keep(shape(), bench); }
 
 private:
     app::WindowShape shape() const
@@ -122,7 +122,7 @@ private:
     {
         if (nodes_.empty())
             return;
-        app::Subpath path = pathOf(true);
+        app::Subpath path = pathOf(nodes_, true);
         if (to_ && *to_ != nodes_.back().at)
             path.segments.push_back({*to_});
         if (const auto shape = shapeOf(path))

@@ -85,7 +85,10 @@ public:
     {
         return hoveredHandle_ && !busy() ? app::SnapTo::All.without("window") : app::SnapTo::All;
     }
-    std::optional<std::size_t> draggedWindow() const override { return gesture_.number(); }
+    void leaveOutMoved(app::SnapQuery& query) const override
+    {
+        query.withoutWindow = gesture_.number();
+    }
     const app::MovedSnap* snapped() const override { return gesture_.snapped(); }
     bool showsHandles() const override { return true; }
     std::optional<app::Handle> hoveredHandle() const override { return hoveredHandle_; }

@@ -36,21 +36,25 @@ void addCurve(const Bezier& c, SnapSurroundings& near)
         near.curves.push_back(c);
 }
 
-/// Adds the lines and curves of a path that are near.
-void addPath(const Path& path, SnapSurroundings& near)
+/// Adds the lines and curves that are near.
+void addSubpath(const Subpath& subpath, SnapSurroundings& near)
 {
-    for (const Subpath& subpath : path.subpaths()) {
-        Point from = subpath.start;
-        for (const PathSegment& segment : subpath.segments) {
-            if (segment.curved)
-                addCurve({from, segment.control1, segment.control2, segment.to}, near);
-            else
-                addLine({from, segment.to}, near);
-            from = segment.to;
-        }
-        if (subpath.closed && from != subpath.start)
-            addLine({from, subpath.start}, near);
+    Point from = subpath.start;
+    for (const PathSegment& segment : subpath.segments) {
+        if (segment.curved)
+            addCurve({from, segment.control1, segment.control2, segment.to}, near);
+        else
+            addLine({from, segment.to}, near);
+        from = segment.to;
     }
+    if (subpath.closed && from != subpath.start)
+        addLine({from, subpath.start}, near);
+}
+
+clipping::Window boxOf(const Subpath& part)
+{
+    const Point &a = part.start, &b = part.segments.back().to;
+    return {glm::min(a, b), glm::max(a, b)};
 }
 
 clipping::Window boundsOf(const SceneLines& lines, std::size_t first, std::size_t count)
@@ -213,6 +217,9 @@ std::vector<clipping::Window> Snapper::boxesAround(const Point& centre,
         if (box.max.x >= min.x && box.max.y >= min.y && box.min.x <= max.x && box.min.y <= max.y)
             boxes.push_back(box);
     }
+    if (query.parts)
+        for (std::size_t i = 0; i < std::min(query.parts->size(), mostAligned); ++i)
+            boxes.push_back(boxOf((*query.parts)[i]));
     if (query.from)
         boxes.push_back({*query.from, *query.from});
     if (query.to.has("page"))
@@ -260,12 +267,26 @@ void Snapper::addLines(const SnapQuery& query, SnapSurroundings& near) const
             straight = path.straight();
             if (!straight && points + path.pointCount() <= mostPoints) {
                 points += path.pointCount();
-                addPath(path, near);
+                for (const Subpath& subpath : path.subpaths())
+                    addSubpath(subpath, near);
             }
         }
         if (straight)
             near.lines.push_back(lines[line]);
     }
+    addParts(query, near);
+}
+
+void Snapper::addParts(const SnapQuery& query, SnapSurroundings& near)
+{
+    if (!query.parts)
+        return;
+    const std::size_t before = near.lines.size();
+    for (const Subpath& part : *query.parts)
+        addSubpath(part, near);
+    std::copy_if(near.lines.begin() + std::ptrdiff_t(before), near.lines.end(),
+                 std::back_inserter(near.chords),
+                 [](const clipping::Segment& line) { return line.a != line.b; });
 }
 
 } // namespace app

@@ -16,7 +16,9 @@ struct SnapQuery {
     double radius; ///< in user units
     SnapTo to = SnapTo::All;
     std::optional<Point> from{}; ///< where the line that is being drawn begins
-    ObjectRanges without{};      ///< objects that are not snapped to
+    ObjectRanges without{};      ///< objects that are not snapped to,
+    /// except for these parts of them; null: none. They are single segments or points.
+    const std::vector<Subpath>* parts = nullptr;
     /// The number of a clip window that is not snapped to: the one that is dragged.
     std::optional<std::size_t> withoutWindow{};
     /// The part of the drawing that is seen: its objects are aligned with. Empty: with none.
@@ -57,6 +59,7 @@ private:
     Alignment aligned(const clipping::Window& box, const SnapQuery& query) const;
     std::vector<clipping::Window> boxesAround(const Point& centre, const SnapQuery& query) const;
     void addLines(const SnapQuery& query, SnapSurroundings& near) const;
+    static void addParts(const SnapQuery& query, SnapSurroundings& near);
 
     const EditedDocument& document_;
     const Scene& scene_;

@@ -146,6 +146,35 @@ private slots:
         square.type("10");
         QCOMPARE(square.end({3, 4}), Point(110, 60));
     }
+    void lengthFromTheMiddleIsTheWholeLength()
+    {
+        Readout line = readout(lengthAndAngle(Anchor::Centre));
+        QCOMPARE(line.number(0, {110, 50}), "20.00\u00a0mm");
+        line.type("30");
+        QCOMPARE(line.end({90, 50}), Point(85, 50));
+        line.type("30<90");
+        QCOMPARE(line.end({90, 50}), Point(100, 35));
+        line.type("<0");
+        QCOMPARE(line.end({130, 90}), Point(130, 50));
+    }
+    void directionsAndPointsAreTold()
+    {
+        Readout line = readout(lengthAndAngle());
+        for (const auto& [typed, direction, point] : {std::tuple{"<45", true, false},
+                                                      {"3<45", false, false},
+                                                      {"45", false, false},
+                                                      {"10,20", false, true},
+                                                      {"@10,20", false, false},
+                                                      {"10,", false, false}}) {
+            line.type(typed);
+            QCOMPARE(line.typesDirection(), direction);
+            QCOMPARE(line.typesPoint(), point);
+        }
+        line.type("7");
+        QVERIFY(line.lock());
+        line.type("<45");
+        QVERIFY(!line.typesDirection()); // the length is locked
+    }
     void sameGestureKeepsWhatIsTyped()
     {
         Readout box = readout(widthAndHeight());

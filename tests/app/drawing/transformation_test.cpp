@@ -45,6 +45,21 @@ private slots:
         }
         QVERIFY(!findTransformation("nothing"));
     }
+    void skewHasStepsOf15Degrees()
+    {
+        // About (100, 50), from (110, 70): the height is −20.
+        const GestureStart start{{100, 50}, {110, 70}};
+        for (const Along axis : {Along::X, Along::Y}) {
+            const GestureMeasure& measure = findTransformation("skew")->measure(axis);
+            for (double way = -300; way <= 300; way += 7) {
+                const Point to = start.pointer + (axis == Along::X ? Point(way, 0) : Point(0, way));
+                const double angle = measure.values(start, measure.toStep(start, to))[0];
+                QVERIFY(std::abs(std::remainder(angle, 15)) < 1e-9 && std::abs(angle) < 80);
+                const double free = measure.values(start, to)[0];
+                QVERIFY(std::abs(angle - free) < 7.5 + 1e-9 || std::abs(free) > 75);
+            }
+        }
+    }
     void typedNumbersHoldExactly()
     {
         const Point p(120, 50);

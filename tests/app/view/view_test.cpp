@@ -60,6 +60,19 @@ private slots:
         wheel.turn(view, {1, 1}, 1);
         QCOMPARE(view.zoom, 0.37 * 1.2);
     }
+    void turningBackBeginsAtTheLimit()
+    {
+        for (const double direction : {-1.0, 1.0}) {
+            app::View view = someView();
+            app::WheelZoom wheel;
+            for (int i = 0; i < 1000; ++i)
+                wheel.turn(view, {5, 5}, direction);
+            const double limit = view.zoom;
+            QCOMPARE(limit, direction < 0 ? 1e-9 : 1e9);
+            wheel.turn(view, {5, 5}, -2 * direction);
+            QVERIFY(view.zoom != limit);
+        }
+    }
     void anotherViewInBetweenIsNotThrownAway()
     {
         app::View view = someView();

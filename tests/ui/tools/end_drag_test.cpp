@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QSignalSpy>
+
+#include <numbers>
+
 #include "tests/ui/tools/hand.h"
 
 // The round ends of a line that was clicked with the tool Select.
@@ -67,6 +71,77 @@ private slots:
         hand.drag({40, 20}, {50, 40});
         QVERIFY(glm::distance(hand.path().segments[0].to - hand.path().start, app::Point(80, 0))
                 < 1e-9); // the whole object moved
+    }
+    void shiftTurnsTheLineInSteps()
+    {
+        Hand hand({shape({{{20, 20}, {{{100, 20}}}, false}})});
+        hand.click({60, 20});
+        hand.drag({100, 20}, {98, 60}, Qt::ShiftModifier); // 27°
+        const auto line = hand.path();
+        QCOMPARE(line.start, app::Point(20, 20));
+        const app::Point way = line.segments[0].to - line.start;
+        QVERIFY(std::abs(std::atan2(way.y, way.x) - std::numbers::pi / 6) < 1e-9);
+    }
+    void clickWithShiftStillDeselects()
+    {
+        Hand hand({shape({{{20, 20}, {{{100, 20}}}, false}})});
+        hand.click({60, 20});
+        hand.click({100, 20}, Qt::ShiftModifier);
+        QVERIFY(hand.session.selection().empty());
+    }
+    void altKeepsTheMiddle()
+    {
+        Hand hand({shape({{{20, 50}, {{{100, 50}}}, false}})});
+        hand.click({60, 50});
+        hand.drag({100, 50}, {100, 70}, Qt::AltModifier);
+        QVERIFY(hand.isNear(hand.path().segments[0].to, {100, 70}));
+        QVERIFY(hand.isNear(hand.path().start, {20, 30}));
+        Hand::type("60<90\n"); // the whole length
+        QVERIFY(glm::distance(hand.path().segments[0].to, app::Point(60, 20)) < 1e-9);
+        QVERIFY(glm::distance(hand.path().start, app::Point(60, 80)) < 1e-9);
+    }
+    void numbersChangeTheLastDrag()
+    {
+        Hand hand({shape({{{20, 20}, {{{100, 20}}}, false}})});
+        const app::Variant before = hand.session.variant();
+        hand.click({60, 20});
+        hand.drag({100, 20}, {110, 60});
+        Hand::type("50<0\n");
+        QCOMPARE(hand.path().segments[0].to, app::Point(70, 20));
+        Hand::type("30\n");
+        QCOMPARE(hand.path().segments[0].to, app::Point(50, 20));
+        QCOMPARE(hand.session.history.count(), 1);
+        QCOMPARE(hand.session.variant(), before);
+        QVERIFY(hand.session.inspected().has_value()); // the ends are still shown
+        Hand::type("7");
+        Hand::key(Qt::Key_Escape);
+        QCOMPARE(hand.path().segments[0].to, app::Point(50, 20));
+        QVERIFY(hand.session.inspected().has_value());
+    }
+    void anEndSnapsToOtherLinesOnly()
+    {
+        Hand hand({shape({{{20, 20}, {{{100, 20}}}, false}}),
+                   shape({{{120, 40}, {{{150, 40}}}, false}})});
+        hand.canvas.setSnapping(app::SnapTo::Nothing.with("ends"));
+        hand.click({60, 20});
+        const double pixel = 1 / hand.canvas.view().zoom;
+        const app::Point little(100 + 6 * pixel, 20 + 3 * pixel); // near its old place
+        hand.drag({100, 20}, little);
+        QVERIFY(hand.isNear(hand.path().segments[0].to, little));
+        hand.drag(hand.path().segments[0].to, {120 + 3 * pixel, 40});
+        QCOMPARE(hand.path().segments[0].to, app::Point(120, 40));
+    }
+    void aLineOfNoLengthIsRefused()
+    {
+        Hand hand(
+            {shape({{{20, 20}, {{{100, 20}}}, false}}), shape({{{20, 20}, {{{20, 80}}}, false}})});
+        hand.canvas.setSnapping(app::SnapTo::Nothing.with("ends"));
+        const QSignalSpy refused(&hand.session, &app::Session::refused);
+        hand.click({60, 20});
+        hand.drag({100, 20}, {20, 20}); // snaps to the end of the other line
+        QCOMPARE(refused.size(), 1);
+        QCOMPARE(hand.path().segments[0].to, app::Point(100, 20));
+        QCOMPARE(hand.session.history.count(), 0);
     }
 };
 

@@ -59,6 +59,61 @@ private slots:
         hand.drag({100, 20}, {150.3, 30.3});
         QCOMPARE(hand.path().segments[0].to, app::Point(150, 30)); // exactly
     }
+    void aNodeSnapsToWhatStaysOfItsPath()
+    {
+        const app::Subpath hook{
+            {20, 20}, {{{100, 20}}, {{100, 80}}, {{60, 80}}, {{60, 50}}}, false};
+        Hand hand({shape({hook})});
+        hand.canvas.setSnapping(app::SnapTo::Nothing.with("ends").with("middles").with("on-path"));
+        hand.doubleClick({40, 20});
+        const double pixel = 1 / hand.canvas.view().zoom;
+        const app::Point little(100 + 5 * pixel, 20 + 5 * pixel);
+        hand.drag({100, 20}, little); // not back to its old place
+        QVERIFY(hand.isNear(hand.path().segments[0].to, little));
+        const app::Point inward(100 - 40 * pixel, 20 + 4 * pixel); // near its old segment
+        hand.drag(hand.path().segments[0].to, inward);
+        QVERIFY(hand.isNear(hand.path().segments[0].to, inward));
+        hand.drag(hand.path().segments[0].to, {60 + 4 * pixel, 80 - 4 * pixel});
+        QCOMPARE(hand.path().segments[0].to, app::Point(60, 80)); // a node that stays
+        hand.drag({60, 80}, {20 - 5 * pixel, 20 + 4 * pixel});
+        QCOMPARE(hand.session.history.count(), 4);
+    }
+    void aHandleSnapsToNodesOfItsPath()
+    {
+        Hand hand({shape({wave()})});
+        hand.canvas.setSnapping(app::SnapTo::Nothing.with("ends"));
+        hand.doubleClick({20, 50});
+        hand.click({80, 50});
+        const double pixel = 1 / hand.canvas.view().zoom;
+        hand.drag({100, 80}, {140 + 4 * pixel, 50 + 4 * pixel});
+        QCOMPARE(hand.path().segments[1].control1, app::Point(140, 50));
+    }
+    void draggedSegmentsTakeADistance()
+    {
+        Hand hand({shape({corner()})});
+        const app::Variant before = hand.session.variant();
+        hand.doubleClick({60, 20});
+        hand.press({70, 20});
+        hand.move({75, 30}, Qt::LeftButton);
+        Hand::type("12<-90\n"); // down
+        hand.release({75, 30});
+        QVERIFY(glm::distance(hand.path().start, app::Point(20, 32)) < 1e-9);
+        QVERIFY(glm::distance(hand.path().segments[0].to, app::Point(100, 32)) < 1e-9);
+        QCOMPARE(hand.path().segments[1].to, app::Point(100, 80));
+        Hand curved({shape({wave()})});
+        curved.doubleClick({20, 50});
+        const app::Point on = app::Bezier{{20, 50}, {40, 10}, {60, 20}, {80, 50}}.at(0.5);
+        curved.press(on);
+        curved.move(on + app::Point(0, 9), Qt::LeftButton);
+        Hand::type("6<90\n"); // up
+        curved.release(on + app::Point(0, 9));
+        const auto bent = curved.path();
+        const app::Point now = app::Bezier{bent.start, bent.segments[0].control1,
+                                           bent.segments[0].control2, bent.segments[0].to}
+                                   .at(0.5);
+        QVERIFY(glm::distance(now, on - app::Point(0, 6)) < 0.5);
+        QCOMPARE(hand.session.variant(), before);
+    }
     void shiftKeepsADraggedNodeOnItsAxis()
     {
         Hand hand({shape({corner()})});

@@ -67,6 +67,40 @@ private slots:
                  (std::vector<app::PathSegment>{{{60, 50}, {20, 50}, {40, 70}, true},
                                                 {{120, 50}, {80, 70}, {120, 50}, true}}));
     }
+    void theKeySKeepsTheLengthOfTheOtherHandle()
+    {
+        PenHand hand;
+        hand.at({20, 50});
+        hand.move({60, 50}, {});
+        hand.press({60, 50});
+        hand.move({70, 50}, Qt::LeftButton); // both handles are 10 long
+        Hand::key(Qt::Key_S);
+        QCOMPARE(hand.canvas.tool(), std::string_view("pen")); // not the star
+        QVERIFY(hand.canvas.toolHint().startsWith("Smooth"));
+        hand.move({60, 20}, Qt::LeftButton);
+        hand.release({60, 20});
+        hand.at({120, 50}, {130, 50}); // symmetric again
+        Hand::key(Qt::Key_Return);
+        QCOMPARE(hand.segments(),
+                 (std::vector<app::PathSegment>{{{60, 50}, {20, 50}, {60, 60}, true},
+                                                {{120, 50}, {60, 20}, {110, 50}, true}}));
+        Hand::key(Qt::Key_S); // without a drag it is the star
+        QCOMPARE(hand.canvas.tool(), std::string_view("star"));
+    }
+    void aSecondSMakesTheNodeSymmetricAgain()
+    {
+        PenHand hand;
+        hand.at({20, 50});
+        hand.move({60, 50}, {});
+        hand.press({60, 50});
+        hand.move({70, 50}, Qt::LeftButton);
+        Hand::key(Qt::Key_S);
+        Hand::key(Qt::Key_S);
+        hand.move({60, 20}, Qt::LeftButton);
+        hand.release({60, 20});
+        Hand::key(Qt::Key_Return);
+        QCOMPARE(hand.segments()[0].control2, app::Point(60, 80));
+    }
     void aClickOnTheLastNodeMakesItACorner()
     {
         PenHand hand;

@@ -66,6 +66,20 @@ private slots:
         hand.release({108.5, 50});
         QVERIFY(!shown());
     }
+    void aHandleOfAWindowSnapsWithBothTools()
+    {
+        for (const char* tool : {"window", "select"}) {
+            Hand hand("ends");
+            hand.canvas->setTool(tool);
+            hand.drag({150, 80}, {158.5, 89});
+            const auto window = hand.session.clipWindow();
+            QVERIFY2(window && glm::distance(window->max, app::Point(160, 90.4)) < 1e-9, tool);
+            hand.session.history.undo();
+            hand.drag({150, 80}, {158.5, 89}, Qt::LeftButton, Qt::ControlModifier);
+            QVERIFY(near(hand.session.clipWindow()->max, {158.5, 89}, 0.6));
+            QVERIFY(glm::distance(hand.session.clipWindow()->max, app::Point(160, 90.4)) > 0.5);
+        }
+    }
     void aWindowSnapsByItsCorner()
     {
         for (const char* tool : {"window", "select"}) {

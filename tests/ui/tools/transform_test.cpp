@@ -88,6 +88,46 @@ private slots:
         hand.type("\n");
         QVERIFY(near(hand.at(0).a, {70, 65}, 1));
     }
+    void rotationAndScalingSnapByThePointThatIsGrabbed()
+    {
+        Hand hand; // the selected line from (40, 50) to (80, 50), and one that ends at (30, 90)
+        hand.canvas->setSnapping(app::SnapTo::Nothing.with("ends"));
+        hand.move({78.5, 51}); // grabs the end (80, 50)
+        hand.type("o");
+        hand.move({29.5, 90});
+        hand.type("\n");
+        // Its end now lies on the ray from the middle (60, 50) to (30, 90).
+        QVERIFY(hand.is(0, app::Point(60, 50) - app::Point(-12, 16),
+                        app::Point(60, 50) + app::Point(-12, 16)));
+        hand.move({48.5, 66.5});
+        hand.type("k");
+        hand.move({29.5, 90});
+        hand.type("\n");
+        QVERIFY(glm::distance(hand.at(0).b, app::Point(30, 90)) < 1e-9);
+    }
+    void ctrlSuspendsSnappingOfRotation()
+    {
+        Hand hand;
+        hand.canvas->setSnapping(app::SnapTo::Nothing.with("ends"));
+        hand.move({80, 50});
+        hand.type("o");
+        hand.move({28.5, 91}, Qt::NoButton, Qt::ControlModifier);
+        hand.click({28.5, 91}, Qt::ControlModifier);
+        const app::Point way = hand.at(0).b - app::Point(60, 50);
+        QVERIFY(std::abs(way.x * 40 + way.y * 30) > 1);
+    }
+    void skewSnapsAndShiftSkewsInSteps()
+    {
+        Hand hand;
+        hand.canvas->setSnapping(app::SnapTo::Nothing.with("ends"));
+        hand.click({20, 90}, Qt::ShiftModifier); // both: the box from (10, 50) to (80, 90)
+        hand.move({80, 50});
+        hand.type("j");
+        hand.move({85.5, 47}, Qt::NoButton, Qt::ShiftModifier); // 15.4°
+        hand.click({85.5, 47}, Qt::ShiftModifier);
+        const double lean = std::tan(std::numbers::pi / 12) * 20;
+        QVERIFY(std::abs(hand.at(0).b.x - (80 + lean)) < 1e-9);
+    }
     void escLeavesEverythingAsItWas()
     {
         Hand hand;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/direction.h"
+#include "app/view/place.h"
 
 #include <QLineEdit>
 
@@ -223,7 +224,7 @@ private slots:
         hand.click({60, 80});
         QCOMPARE(hand.lastLine().a.x, 7);
         QVERIFY(near(hand.lastLine().a, {7, 30}));
-        hand.key(Qt::Key_Escape);
+        hand.canvas->setTool("line"); // otherwise a number would change that line
         hand.type("7\t");
         QTest::keyClick(Hand::focused(), Qt::Key_Escape);
         hand.key(Qt::Key_Escape);
@@ -274,6 +275,140 @@ private slots:
         QVERIFY(!qobject_cast<QLineEdit*>(Hand::focused()));
         hand.click({90, 30});
         QVERIFY(near(hand.lastLine().b, {90, 30}));
+    }
+    void numberAfterAnEndedChainChangesItsLastLine()
+    {
+        Hand hand("line");
+        hand.click({20, 30});
+        hand.click({60, 30});
+        hand.move({60, 80});
+        hand.type("25\n"); // the next line, because the chain goes on
+        QCOMPARE(hand.count(), std::size_t(2));
+        hand.key(Qt::Key_Return);
+        const app::Point from = hand.lastLine().a;
+        hand.type("40\n");
+        QCOMPARE(hand.count(), std::size_t(2));
+        QVERIFY(std::abs(glm::distance(hand.lastLine().b, from) - 40) < 1e-9);
+        hand.type("10<0\n");
+        QVERIFY(same(hand.lastLine().b, from + app::Point(10, 0)));
+        QCOMPARE(hand.session.history.count(), 2);
+    }
+    void pointAfterAnEndedChainBeginsTheNext()
+    {
+        for (const char* tool : {"line", "polyline"}) {
+            Hand hand(tool);
+            hand.type("#10,20\n30,0\n\n");
+            QCOMPARE(hand.count(), std::size_t(1));
+            const auto drawn = hand.lastLine();
+            hand.type("50,60\n8,0\n\n");
+            QCOMPARE(hand.count(), std::size_t(2));
+            QVERIFY(same(hand.lastLine().a, {50, 60}) && same(hand.lastLine().b, {58, 60}));
+            QCOMPARE(hand.session.scene.lines()[0], drawn);
+            hand.type("@2,3\n8,0\n\n"); // from the last point
+            QVERIFY(same(hand.lastLine().a, {60, 63}));
+        }
+    }
+    void atSignCountsFromTheLastPointOfAnyTool()
+    {
+        Hand hand("line");
+        hand.type("@10,20\n5,0\n\n"); // nothing was drawn: from the origin
+        QVERIFY(same(hand.lastLine().a, {10, 20}));
+        hand.canvas->setTool("rectangle");
+        hand.type("@1,2\n20\t30\n");
+        QVERIFY(same(hand.lastBox().min, {16, 22}) && same(hand.lastBox().max, {36, 52}));
+        hand.canvas->setTool("line");
+        hand.type("@1,1\n@5,0\n\n");
+        QVERIFY(same(hand.lastLine().a, {37, 53}) && same(hand.lastLine().b, {42, 53}));
+        hand.session.load({});
+        hand.canvas->setTool("line");
+        hand.type("@10,20\n5,0\n\n");
+        const app::Point origin = app::originOf(hand.session.now().page(), app::Unit::User);
+        QVERIFY(same(hand.lastLine().a, origin + app::Point(10, 20)));
+    }
+    void directionAloneIsHeldAndTheGestureGoesOn()
+    {
+        Hand hand("line");
+        hand.click({20, 90});
+        hand.move({120, 90});
+        hand.type("<45\n");
+        QCOMPARE(hand.count(), std::size_t(0));
+        hand.type("20\n");
+        QCOMPARE(hand.count(), std::size_t(1));
+        const auto line = hand.lastLine();
+        QVERIFY(same(line.b, line.a + app::Point(20, -20) / std::sqrt(2.0)));
+        hand.type("<90\n");
+        const app::Point from = line.b;
+        hand.click({from.x + 30, from.y - 12});
+        QCOMPARE(hand.count(), std::size_t(2));
+        QCOMPARE(hand.lastLine().b.x, from.x);
+        hand.key(Qt::Key_Return);
+        hand.type("<0\n"); // a correction knows the length
+        QCOMPARE(hand.lastLine().b.y, from.y);
+        QCOMPARE(hand.count(), std::size_t(2));
+    }
+    void lineFromItsMiddle()
+    {
+        Hand hand("line");
+        hand.drag({100, 50}, {140, 50}, Qt::LeftButton, Qt::AltModifier);
+        QVERIFY(near(hand.lastLine().a, {60, 50}) && near(hand.lastLine().b, {140, 50}));
+        hand.type("60\n"); // the whole length
+        const auto line = hand.lastLine();
+        QVERIFY(std::abs(glm::distance(line.a, line.b) - 60) < 1e-9);
+        QVERIFY(near((line.a + line.b) * 0.5, {100, 50}));
+    }
+    void numberAfterAPolylineChangesItsLastSegment()
+    {
+        for (const char* tool : {"polyline", "pen"}) {
+            Hand hand(tool);
+            const app::Variant before = hand.session.variant();
+            hand.click({20, 30});
+            hand.click({60, 30});
+            hand.click({60, 80});
+            hand.key(Qt::Key_Return);
+            const app::Point corner = hand.lastLine().a;
+            hand.type("35<0\n");
+            QCOMPARE(hand.count(), std::size_t(1));
+            QCOMPARE(hand.session.scene.lines().size(), std::size_t(2));
+            QVERIFY(same(hand.lastLine().b, corner + app::Point(35, 0)));
+            hand.type("12\n");
+            QVERIFY(same(hand.lastLine().b, corner + app::Point(12, 0)));
+            QCOMPARE(hand.session.history.count(), 1);
+            hand.type("99");
+            hand.click({100, 10}); // ends the correction, and begins the next path
+            QVERIFY(same(hand.lastLine().b, corner + app::Point(12, 0)));
+            hand.click({120, 10});
+            hand.key(Qt::Key_Return);
+            QCOMPARE(hand.count(), std::size_t(2));
+            QVERIFY(near(hand.lastLine().a, {100, 10}) && near(hand.lastLine().b, {120, 10}));
+            QCOMPARE(hand.session.variant(), before);
+        }
+    }
+    void handlesOfTheLastNodeMoveWithIt()
+    {
+        Hand hand("pen");
+        hand.drag({20, 50}, {30, 40});
+        hand.drag({80, 50}, {90, 60});
+        hand.key(Qt::Key_Return);
+        const auto before = hand.session.now().objects()[0].path().subpaths()[0];
+        hand.type("100<0\n");
+        const auto after = hand.session.now().objects()[0].path().subpaths()[0];
+        const app::Point by = after.segments[0].to - before.segments[0].to;
+        QVERIFY(same(after.segments[0].to, before.start + app::Point(100, 0)));
+        QVERIFY(same(after.segments[0].control2 - before.segments[0].control2, by));
+        QCOMPARE(after.segments[0].control1, before.segments[0].control1);
+    }
+    void closedPathIsNotCorrected()
+    {
+        Hand hand("polyline");
+        hand.click({20, 30});
+        hand.click({60, 30});
+        hand.click({60, 80});
+        hand.click({20, 30});
+        QCOMPARE(hand.count(), std::size_t(1));
+        hand.type("35\t40\n"); // the first point of the next path
+        hand.type("5,0\n\n");
+        QCOMPARE(hand.count(), std::size_t(2));
+        QVERIFY(same(hand.lastLine().a, {35, 40}));
     }
     void digitsOfOtherToolsStillChooseTheAlgorithm()
     {

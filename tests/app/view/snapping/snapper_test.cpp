@@ -20,6 +20,30 @@ class SnapperTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void partsOfWhatIsLeftOutAreFound()
+    {
+        const SnapStage stage({objectOf(app::Subpath{{0, 0}, {{{50, 0}}, {{50, 40}}}, false})});
+        const std::vector<app::Subpath> parts{
+            {{50, 0}, {{{50, 40}}}, false},
+            {{0, 20}, {{{30, 20}, {10, 30}, {20, 30}, true}}, false},
+            {{70, 70}, {{{70, 70}}}, false}};
+        app::SnapQuery query{{1, 1}, 3, app::SnapTo::Nothing.with("ends").with("middles")};
+        query.without = {0};
+        query.parts = &parts;
+        const auto found = [&](const Point& pointer) {
+            query.pointer = pointer;
+            const auto snap = stage.snapper.at(query);
+            return snap ? snap->point : Point(-1);
+        };
+        QCOMPARE(found({1, 1}), Point(-1)); // what moves
+        QCOMPARE(found({51, 1}), Point(50, 0));
+        QCOMPARE(found({49, 21}), Point(50, 20));
+        QCOMPARE(found({31, 21}), Point(30, 20)); // of a curve
+        QCOMPARE(found({71, 69}), Point(70, 70));
+        query.to = query.to.with("drawn-alignment");
+        query.seen = clipping::Window{{0, 0}, {100, 100}};
+        QCOMPARE(found({72, 90}), Point(70, 90)); // in line with it
+    }
     void everyKindIsFound_data()
     {
         QTest::addColumn<QString>("kind");
