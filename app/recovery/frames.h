@@ -30,6 +30,7 @@ public:
     /// The payload of the next frame, inside the bytes.
     std::optional<std::string_view> next();
     std::uint64_t number() const { return number_; } ///< of the next frame
+    bool atEnd() const { return left_.empty(); }     ///< all bytes were frames
 
 private:
     std::string_view left_;

@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QFileInfo>
 
 #include <algorithm>
 
@@ -15,7 +16,6 @@ namespace {
 // Seconds that the replay of records takes, on a slow machine.
 constexpr double timeOfRecord = 20e-6, timeOfObject = 0.1e-6, timeOfContainer = 0.4e-6,
                  timeOfByte = 10e-9;
-constexpr std::chrono::seconds pauseAfterFailure{10};
 
 double timeOf(const Edit& edit)
 {
@@ -48,7 +48,11 @@ Journal::Journal(const EditedDocument& document, const History& history, QString
 
 Journal::Journal(const EditedDocument& document, const History& history, QString above,
                  const Limits& limits)
-    : document_(document), history_(history), above_(std::move(above)), limits_(limits)
+    : document_(document), history_(history), above_(std::move(above)), limits_(limits),
+      sync_([this](const std::shared_ptr<LogFile>& log, const QString& reason) {
+          QMetaObject::invokeMethod(
+              this, [this, log, reason] { noteUnsynced(log, reason); }, Qt::QueuedConnection);
+      })
 {
     connect(&document, &EditedDocument::changed, this, &Journal::noteLoad);
     connect(&history, &History::pushed, this, &Journal::notePush);
@@ -93,14 +97,19 @@ void Journal::begin()
         oldOpening.reset();
         if (!old.isEmpty())
             QDir(old).removeRecursively();
+        const std::string bytes = baseBytes(base);
+        base = {};
         opening->claim = createJournalFolder(folder);
         if (!opening->claim)
             opening->error = tr("The folder %1 cannot be written.").arg(folder);
-        else if (const auto wrong = writeWhole(baseFile(folder, 1), baseBytes(base)))
+        else if (const auto wrong = writeWhole(baseFile(folder, 1), bytes))
             opening->error = *wrong;
         else
             opening->log = LogFile::create(logFile(folder, 1), logHeader(0), opening->error);
+        const bool inPlace = opening->log != nullptr;
         opening->inPlace.release();
+        if (inPlace)
+            putCopy(folder, 1, bytes);
         const auto deliver = [this, folder] {
             if (folder == folder_)
                 opened();
@@ -142,11 +151,11 @@ bool Journal::startGeneration()
     replayTime_ = 0;
     beyondBase_ = false;
     writingBase_ = true;
-    jobs_.post([this, base = base(), folder = folder_, generation = generation_]() mutable {
-        const auto wrong = writeWhole(baseFile(folder, generation), baseBytes(base));
+    jobs_.post([this, base = base(), folder = folder_, generation = generation_,
+                continues = complete_.load()]() mutable {
+        const std::string bytes = baseBytes(base);
         base = {};
-        if (!wrong)
-            removeOlder(folder, generation);
+        const auto wrong = putBase(folder, generation, bytes, continues);
         const auto deliver = [this, folder, error = wrong.value_or(QString())] {
             if (folder == folder_)
                 noteBase(error);
@@ -180,7 +189,7 @@ void Journal::renew()
         return;
     const bool retry = !log_ && nextAttempt_.hasExpired();
     if (retry)
-        nextAttempt_.setRemainingTime(pauseAfterFailure);
+        nextAttempt_.setRemainingTime(limits_.retry);
     if (retry && !claim_)
         return begin();
     if ((retry || (log_ && (beyondBase_ || replayTime_ > limits_.replay))) && !startGeneration())
@@ -217,7 +226,16 @@ void Journal::fail(const QString& reason)
     ++nextRecord_;
     complete_ = false;
     failure_ = reason;
-    nextAttempt_.setRemainingTime(pauseAfterFailure);
+    nextAttempt_.setRemainingTime(limits_.retry);
+}
+
+// What is not on the disk would be lost with the power; a new base puts everything there.
+void Journal::noteUnsynced(const std::shared_ptr<LogFile>& log, const QString& reason)
+{
+    if (QFileInfo(log->path()).path() != folder_)
+        return; // of a former document
+    fail(reason);
+    say();
 }
 
 void Journal::say()
@@ -287,6 +305,7 @@ void Journal::wait()
 {
     while (writingBase_)
         QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    jobs_.finish();
 }
 
 void Journal::discard()

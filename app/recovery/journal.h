@@ -23,17 +23,19 @@ class LogFile;
 ///
 /// The file begins with a base: the drawing with its history. When the replay of all later records
 /// would take long, a thread writes a new base. A base holds the newest steps that use at most
-/// 32 MB; older steps cannot be undone after a recovery.
+/// 32 MB; older steps cannot be undone after a recovery. Two ways lead to the present state
+/// (journal_folder.h), so that a damaged file costs at most the steps after the damage.
 ///
-/// If the disk is full, `failed` is emitted once, drawing goes on, and the journal tries to start
-/// again with a new base.
+/// If the disk is full or fails, `failed` is emitted once, drawing goes on, and the journal tries
+/// to start again with a new base.
 class Journal : public QObject {
     Q_OBJECT
 
 public:
     struct Limits {
-        std::size_t history = 32'000'000; ///< bytes of memory that the steps in a base use
-        double replay = 0.3;              ///< seconds, estimated
+        std::size_t history = 32'000'000;        ///< bytes of memory that the steps in a base use
+        double replay = 0.3;                     ///< seconds, estimated
+        std::chrono::milliseconds retry{10'000}; ///< after a failure
     };
 
     /// Starts at once, with a journal in `above`. Follows the document when another one is loaded.
@@ -53,7 +55,7 @@ public:
     bool ready() { return opened(); }
     /// Whether every step so far is in the files; any thread may ask.
     bool complete() const { return complete_; }
-    /// Blocks until no base is being written, for tests.
+    /// Blocks until no file is being written, for tests.
     void wait();
 
 signals:
@@ -70,6 +72,7 @@ private:
     void append(std::string frame, double replayTime);
     void appendLater(std::string frame);
     void fail(const QString& reason);
+    void noteUnsynced(const std::shared_ptr<LogFile>& log, const QString& reason);
     void say();
     void notePush(const UndoCommand& command, bool joined);
     void noteIndex(int index);

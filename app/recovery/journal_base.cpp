@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/recovery/journal_base.h"
 
+#include <algorithm>
+
 namespace app {
 namespace {
 
 constexpr std::string_view baseMark = "clearcut journal base 5\n";
 constexpr std::string_view logMark = "clearcut journal log 5\n";
+constexpr std::uint64_t numberOfHeader = ~std::uint64_t(0); // of the frame before a log's records
 
 void append(std::string& bytes, ByteWriter& frame, std::uint64_t number)
 {
@@ -110,13 +113,14 @@ std::optional<JournalBase> readBase(std::string_view bytes)
     if (!document)
         return std::nullopt;
     JournalBase base{
-        known->firstRecord, known->firstStep, known->state.origin, std::move(*document), {}};
+        known->firstRecord, known->firstStep, known->state.origin, std::move(*document), {}, false};
     base.history.index = int(known->state.index - known->firstStep);
     if (const auto clean = known->state.clean; clean && *clean >= known->firstStep)
         base.history.clean = int(*clean - known->firstStep);
     if (!readSteps(frames, known->steps, objects, base.document, base.history)) {
         base.firstStep = known->state.index;
         base.history = {};
+        base.lacksSteps = true;
     }
     return base;
 }
@@ -126,20 +130,23 @@ std::string logHeader(std::uint64_t firstRecord)
     std::string bytes(logMark);
     ByteWriter frame = startedFrame();
     frame.put(firstRecord);
-    append(bytes, frame, ~std::uint64_t(0));
+    append(bytes, frame, numberOfHeader);
     return bytes;
 }
 
-std::optional<FrameReader> openedLog(std::string_view bytes)
+std::optional<std::uint64_t> firstRecordOf(std::string_view log)
 {
-    const auto content = after(bytes, logMark);
-    if (!content)
-        return std::nullopt;
-    const auto payload = FrameReader(*content, ~std::uint64_t(0)).next();
+    const auto content = after(log, logMark);
+    const auto payload = content ? FrameReader(*content, numberOfHeader).next() : std::nullopt;
     if (!payload || payload->size() != sizeof(std::uint64_t))
         return std::nullopt;
-    const auto first = ByteReader(*payload).get<std::uint64_t>();
-    return FrameReader(content->substr(frameHeader + payload->size()), first);
+    return ByteReader(*payload).get<std::uint64_t>();
+}
+
+FrameReader recordsOf(std::string_view log, std::uint64_t firstRecord)
+{
+    constexpr std::size_t header = logMark.size() + frameHeader + sizeof firstRecord;
+    return {log.substr(std::min(header, log.size())), firstRecord};
 }
 
 } // namespace app

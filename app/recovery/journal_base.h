@@ -13,6 +13,7 @@ struct JournalBase {
     JournalOrigin origin{};
     Document document{};
     RecordedHistory history{};
+    bool lacksSteps = false; ///< its history was damaged
 };
 
 /// The file of a base. May run on any thread.
@@ -32,7 +33,10 @@ std::optional<JournalBase> readBase(std::string_view bytes);
 
 /// The bytes that a log begins with.
 std::string logHeader(std::uint64_t firstRecord);
-/// The number of its first record, and the frames that follow; empty if the bytes are no log.
-std::optional<FrameReader> openedLog(std::string_view bytes);
+/// The number of its first record; empty if the bytes are no log or begin with damage.
+std::optional<std::uint64_t> firstRecordOf(std::string_view log);
+/// The records of a log that continues with that number. They are valid only with their right
+/// numbers, so that a damaged header does not matter.
+FrameReader recordsOf(std::string_view log, std::uint64_t firstRecord);
 
 } // namespace app

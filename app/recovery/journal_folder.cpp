@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/recovery/journal_folder.h"
 
+#include "app/recovery/log_file.h"
+#include "app/recovery/owner_lock.h"
+
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
@@ -9,60 +12,47 @@
 
 #include <algorithm>
 #include <atomic>
-#include <functional>
-#include <limits>
 
 namespace app {
 namespace {
 
 constexpr auto mine = QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner;
-const QString basePrefix = QStringLiteral("base-"), logPrefix = QStringLiteral("log-");
+const QString basePrefix = QStringLiteral("base-"), copyPrefix = QStringLiteral("copy-"),
+              logPrefix = QStringLiteral("log-");
 
-std::vector<int> generations(const QString& folder)
+QString fileOf(const QString& folder, const QString& prefix, int generation)
+{
+    return QDir(folder).filePath(prefix + QString::number(generation));
+}
+
+std::vector<int> generations(const QString& folder, const QString& prefix)
 {
     std::vector<int> all;
-    for (const QString& name : QDir(folder).entryList({basePrefix + u'*'}, QDir::Files))
-        if (const int number = name.mid(basePrefix.size()).toInt(); number > 0)
+    for (const QString& name : QDir(folder).entryList({prefix + u'*'}, QDir::Files))
+        if (const int number = name.mid(prefix.size()).toInt(); number > 0)
             all.push_back(number);
-    std::ranges::sort(all, std::greater());
+    std::ranges::sort(all);
     return all;
 }
 
-constexpr qint64 mostHeader = 1 << 20; // bytes; long enough for any path
-
-std::string contents(const QString& path, qint64 most = std::numeric_limits<qint64>::max())
+void removeBefore(const QString& folder, const QString& prefix, int generation)
 {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return {};
-    std::string bytes(std::size_t(std::min(most, file.size())), '\0');
-    bytes.resize(std::size_t(std::max<qint64>(0, file.read(bytes.data(), qint64(bytes.size())))));
-    return bytes;
+    for (const int number : generations(folder, prefix))
+        if (number < generation)
+            QFile::remove(fileOf(folder, prefix, number));
 }
 
-// Calls follow(record) for each record from number `next` on, in this log and the following ones,
-// until one is missing or follow() returns false.
-void forEachRecord(const QString& folder, int generation, std::uint64_t next,
-                   const std::function<bool(std::string_view)>& follow)
+// The newest base before that generation; that generation if there is none.
+int previousBase(const QString& folder, int generation)
 {
-    for (;; ++generation) {
-        const std::string bytes = contents(logFile(folder, generation));
-        auto frames = openedLog(bytes);
-        if (!frames || frames->number() != next)
-            return;
-        while (const auto record = frames->next())
-            if (!follow(*record))
-                return;
-        next = frames->number();
-    }
+    int previous = generation;
+    for (const int number : generations(folder, basePrefix))
+        if (number < generation)
+            previous = number;
+    return previous;
 }
 
-std::shared_ptr<QLockFile> locked(const QString& folder)
-{
-    auto lock = std::make_shared<QLockFile>(QDir(folder).filePath(QStringLiteral("lock")));
-    lock->setStaleLockTime(0);
-    return lock->tryLock() ? lock : nullptr;
-}
+QString lockOf(const QString& folder) { return QDir(folder).filePath(QStringLiteral("lock")); }
 
 } // namespace
 
@@ -83,21 +73,54 @@ bool isJournal(const QString& path)
 
 QString baseFile(const QString& folder, int generation)
 {
-    return QDir(folder).filePath(basePrefix + QString::number(generation));
+    return fileOf(folder, basePrefix, generation);
+}
+
+QString copyFile(const QString& folder, int generation)
+{
+    return fileOf(folder, copyPrefix, generation);
 }
 
 QString logFile(const QString& folder, int generation)
 {
-    return QDir(folder).filePath(logPrefix + QString::number(generation));
+    return fileOf(folder, logPrefix, generation);
 }
 
-void removeOlder(const QString& folder, int generation)
+std::vector<BaseFile> baseFiles(const QString& folder)
 {
+    std::vector<BaseFile> all;
+    for (const QString& prefix : {basePrefix, copyPrefix})
+        for (const int generation : generations(folder, prefix))
+            all.push_back({generation, fileOf(folder, prefix, generation)});
+    std::ranges::stable_sort(all, std::greater(), &BaseFile::generation);
+    return all;
+}
+
+std::vector<int> logGenerations(const QString& folder) { return generations(folder, logPrefix); }
+
+std::optional<QString> putBase(const QString& folder, int generation, std::string_view bytes,
+                               bool continues)
+{
+    const int previous = previousBase(folder, generation);
+    const QString path = baseFile(folder, generation);
+    auto wrong = writeWhole(path, bytes);
+    if (wrong) { // gives up the second way to the older base, in case the disk is full
+        for (const QString& prefix : {basePrefix, logPrefix})
+            removeBefore(folder, prefix, previous);
+        wrong = writeWhole(path, bytes);
+    }
+    if (wrong)
+        return wrong;
+    const int oldest = !continues && putCopy(folder, generation, bytes) ? generation : previous;
     for (const QString& prefix : {basePrefix, logPrefix})
-        for (const QString& name : QDir(folder).entryList({prefix + u'*'}, QDir::Files))
-            if (const int number = name.mid(prefix.size()).toInt();
-                number > 0 && number < generation)
-                QFile::remove(QDir(folder).filePath(name));
+        removeBefore(folder, prefix, oldest);
+    removeBefore(folder, copyPrefix, generation);
+    return std::nullopt;
+}
+
+bool putCopy(const QString& folder, int generation, std::string_view bytes)
+{
+    return !writeWhole(copyFile(folder, generation), bytes);
 }
 
 std::shared_ptr<QLockFile> createJournalFolder(const QString& folder)
@@ -106,51 +129,16 @@ std::shared_ptr<QLockFile> createJournalFolder(const QString& folder)
     QDir().mkpath(QFileInfo(above.path()).path());
     QDir().mkdir(above.path(), mine);
     QFile::setPermissions(above.path(), mine); // it may have been copied or unpacked
-    return QDir().mkdir(folder, mine) ? locked(folder) : nullptr;
+    return QDir().mkdir(folder, mine) ? newLock(lockOf(folder)) : nullptr;
 }
 
+// Its owner wrote no base before it held the lock.
 std::shared_ptr<QLockFile> lockJournal(const QString& folder)
 {
-    return isJournal(folder) ? locked(folder) : nullptr;
-}
-
-bool hasBase(const QString& folder) { return !generations(folder).empty(); }
-
-std::optional<JournalState> journalState(const QString& folder)
-{
-    for (const int generation : generations(folder)) {
-        const std::string bytes = contents(baseFile(folder, generation), mostHeader);
-        auto header = readBaseHeader(bytes);
-        if (!header)
-            continue;
-        forEachRecord(folder, generation, header->firstRecord,
-                      [&](std::string_view record) { return header->state.follow(record); });
-        return header->state;
-    }
-    return std::nullopt;
-}
-
-std::optional<Recovered> replayed(const QString& folder)
-{
-    for (const int generation : generations(folder)) {
-        auto base = readBase(contents(baseFile(folder, generation)));
-        if (!base)
-            continue;
-        const std::uint64_t next = base->firstRecord;
-        Replay replay(std::move(*base));
-        forEachRecord(folder, generation, next,
-                      [&](std::string_view record) { return replay.follow(record); });
-        return replay.take();
-    }
-    return std::nullopt;
-}
-
-QDateTime lastWritten(const QString& folder)
-{
-    QDateTime last;
-    for (const QFileInfo& file : QDir(folder).entryInfoList({logPrefix + u'*'}, QDir::Files))
-        last = std::max(last, file.lastModified());
-    return last;
+    if (!isJournal(folder))
+        return nullptr;
+    const QString lock = lockOf(folder);
+    return baseFiles(folder).empty() ? newLock(lock) : oldLock(lock);
 }
 
 } // namespace app

@@ -1,35 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/recovery/replay.h"
-
 #include <QLockFile>
+#include <QString>
 
 #include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
 
 // The files of a journal: a folder with a lock, and for each generation a base (`base-3`) and the
 // log that continues from it (`log-3`). While the base of the next generation is being written,
-// records already go to the next log; the older files are removed only after it is on the disk.
+// records already go to the next log.
+//
+// No single damaged file costs the drawing: two ways lead to its present state. The previous
+// generation stays, because its base and its log lead up to the newest base. A base without such a
+// predecessor has a copy (`copy-1`).
 
 namespace app {
 
 QString newJournalFolder(const QString& above); ///< a name that no other journal uses
 bool isJournal(const QString& path);
 QString baseFile(const QString& folder, int generation);
+QString copyFile(const QString& folder, int generation); ///< of the base
 QString logFile(const QString& folder, int generation);
-void removeOlder(const QString& folder, int generation); ///< all generations before that one
+
+/// A file with a base.
+struct BaseFile {
+    int generation;
+    QString path;
+};
+std::vector<BaseFile> baseFiles(const QString& folder); ///< the newest first; a copy after its base
+std::vector<int> logGenerations(const QString& folder); ///< the oldest first
+
+/// Puts the base of a generation on the disk, and removes what is no longer needed. `continues`:
+/// the logs of the previous base lead up to this one. Returns nothing, or why it failed; then the
+/// older files are still there.
+std::optional<QString> putBase(const QString& folder, int generation, std::string_view bytes,
+                               bool continues);
+/// Writes the copy of a base, if there is room.
+bool putCopy(const QString& folder, int generation, std::string_view bytes);
 
 /// Creates the folder, which only the user can read, and its lock. Null if that fails.
 std::shared_ptr<QLockFile> createJournalFolder(const QString& folder);
 /// Locks an existing journal; null while the process that writes it is running.
 std::shared_ptr<QLockFile> lockJournal(const QString& folder);
-
-bool hasBase(const QString& folder); ///< whether it is more than the beginning of a journal
-/// What is known of a journal without reading its drawing; empty if no base of it is readable.
-std::optional<JournalState> journalState(const QString& folder);
-/// Replays a journal: as many records as are valid. Empty if no base of it is readable.
-std::optional<Recovered> replayed(const QString& folder);
-/// When its last record was written.
-QDateTime lastWritten(const QString& folder);
 
 } // namespace app

@@ -8,7 +8,10 @@
 
 namespace app {
 
-LogSync::LogSync() : thread_([this](const std::stop_token& stop) { run(stop); }) {}
+LogSync::LogSync(Failed failed)
+    : failed_(std::move(failed)), thread_([this](const std::stop_token& stop) { run(stop); })
+{
+}
 
 LogSync::~LogSync() = default;
 
@@ -31,7 +34,8 @@ void LogSync::run(const std::stop_token& stop)
         const auto logs = std::exchange(logs_, {});
         guard.unlock();
         for (const auto& log : logs)
-            log->sync();
+            if (const auto wrong = log->sync())
+                failed_(log, *wrong);
         guard.lock();
     }
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QString>
+
 #include <chrono>
 #include <condition_variable>
 #include <deque>
@@ -19,14 +21,17 @@ class LogFile;
 class LogSync {
 public:
     static constexpr std::chrono::milliseconds within{500};
+    /// Called on that thread if a log may not be on the disk, with the reason.
+    using Failed = std::function<void(const std::shared_ptr<LogFile>&, const QString& reason)>;
 
-    LogSync();
+    explicit LogSync(Failed failed);
     ~LogSync(); ///< without a last sync: the files are about to be removed
     void appended(const std::shared_ptr<LogFile>& log);
 
 private:
     void run(const std::stop_token& stop);
 
+    const Failed failed_;
     std::mutex lock_;
     std::condition_variable_any changed_;
     std::vector<std::shared_ptr<LogFile>> logs_; ///< with bytes that may not be on the disk

@@ -5,6 +5,8 @@
 #include "app/base/write_all.h"
 #include "app/formats/svg/writer.h"
 #include "app/recovery/journal_folder.h"
+#include "app/recovery/journal_reading.h"
+#include "app/recovery/owner_lock.h"
 #include "app/session/samples.h"
 
 #include <QCoreApplication>
@@ -72,12 +74,19 @@ bool unchangedSample(const JournalState& state, const QString& journal)
 /// over.
 bool claim(Leftover& leftover)
 {
-    auto lock = std::make_shared<QLockFile>(leftover.file + QStringLiteral(".lock"));
-    lock->setStaleLockTime(0);
-    if (!lock->tryLock() || !QFileInfo::exists(leftover.file))
+    auto lock = newLock(leftover.file + QStringLiteral(".lock"));
+    if (!lock || !QFileInfo::exists(leftover.file))
         return false;
     leftover.claim = std::move(lock);
     return true;
+}
+
+/// Whether a journal surely holds no unsaved changes.
+bool isOfNoUse(const std::optional<KnownJournal>& found, const QString& journal)
+{
+    if (!found)
+        return !hasContents(journal);
+    return !found->damaged && (!found->state.unsaved() || unchangedSample(found->state, journal));
 }
 
 /// Removes journals without unsaved changes.
@@ -88,14 +97,14 @@ std::vector<Leftover> claimJournals(const QString& folder)
          QDir(folder).entryInfoList({QStringLiteral("*.journal")}, QDir::Dirs))
         if (auto lock = lockJournal(info.filePath())) {
             Leftover leftover{info.filePath(), {}, lastWritten(info.filePath()), std::move(lock)};
-            const auto state = journalState(leftover.file);
-            const bool nothing = state ? !state->unsaved() || unchangedSample(*state, leftover.file)
-                                       : !hasBase(leftover.file);
-            if (nothing) {
+            const auto found = known(leftover.file);
+            if (isOfNoUse(found, leftover.file)) {
                 discard(leftover);
                 continue;
             }
-            leftover.origin = state ? state->origin.origin : Origin{info.fileName(), {}, {}};
+            leftover.origin = (found ? found->state.origin : firstOrigin(leftover.file)).origin;
+            if (leftover.origin.name.isEmpty())
+                leftover.origin.name = info.fileName();
             all.push_back(std::move(leftover));
         }
     return all;
@@ -174,9 +183,10 @@ void discard(Leftover& leftover)
 
 QString setAside(Leftover& leftover)
 {
-    QString aside = leftover.file + QStringLiteral(".unreadable");
-    QFile::remove(aside);
-    QDir(aside).removeRecursively();
+    const QString ending = QStringLiteral(".unreadable");
+    QString aside = leftover.file + ending;
+    for (int i = 2; QFileInfo::exists(aside); ++i)
+        aside = leftover.file + u'-' + QString::number(i) + ending;
     if (leftover.claim && isJournal(leftover.file))
         leftover.claim->unlock(); // the lock is in the folder
     QFile::rename(leftover.file, aside);

@@ -50,8 +50,8 @@ std::vector<Leftover> claimLeftovers(const QString& folder);
 /// Deletes a leftover that was saved or abandoned.
 void discard(Leftover& leftover);
 
-/// Renames a leftover whose drawing cannot be read, so that it is never offered again, but not
-/// lost. Returns the new name.
+/// Renames a damaged leftover, so that it is never offered again, but not lost. Returns the new
+/// name.
 QString setAside(Leftover& leftover);
 
 } // namespace app

@@ -12,7 +12,6 @@
 #include <cerrno>
 #include <fcntl.h>
 #include <unistd.h>
-#include <utility>
 #endif
 
 namespace app {
@@ -24,6 +23,12 @@ namespace {
 constexpr int onlyUser = 0600;
 
 QString reason() { return qt_error_string(errno); }
+
+// Some file systems cannot sync; there, bytes count as synced when they are written.
+bool isSynced(int result)
+{
+    return result == 0 || errno == EINVAL || errno == ENOSYS || errno == ENOTSUP;
+}
 
 bool writeAt(int file, std::string_view bytes)
 {
@@ -72,20 +77,31 @@ std::optional<QString> LogFile::append(std::string_view bytes)
     return std::nullopt;
 }
 
-void LogFile::sync()
+std::optional<QString> LogFile::sync()
 {
-    ::fdatasync(file_);
-    if (std::exchange(named_, true))
-        return;
+    if (!isSynced(::fdatasync(file_)))
+        return reason();
+    if (!named_)
+        if (auto wrong = syncNames())
+            return wrong;
+    named_ = true;
+    return std::nullopt;
+}
+
+std::optional<QString> LogFile::syncNames() const
+{
     const QString folder = QFileInfo(path_).path();
     for (const QString& each : {folder, QFileInfo(folder).path()}) {
         const int open =
             ::open(QFile::encodeName(each).constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-        if (open < 0)
-            continue;
-        ::fsync(open);
-        ::close(open);
+        const bool synced = open >= 0 && isSynced(::fsync(open));
+        const QString why = reason();
+        if (open >= 0)
+            ::close(open);
+        if (!synced)
+            return why;
     }
+    return std::nullopt;
 }
 
 #else
@@ -97,7 +113,8 @@ std::shared_ptr<LogFile> LogFile::create(const QString&, std::string_view, QStri
 }
 LogFile::~LogFile() = default;
 std::optional<QString> LogFile::append(std::string_view) { return QString(); }
-void LogFile::sync() {}
+std::optional<QString> LogFile::sync() { return QString(); }
+std::optional<QString> LogFile::syncNames() const { return QString(); }
 
 #endif
 

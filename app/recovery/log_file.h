@@ -22,11 +22,14 @@ public:
 
     /// Appends all bytes with one call of the system, or none. Returns nothing, or the reason.
     std::optional<QString> append(std::string_view bytes);
-    /// Returns when all appended bytes are on the disk, and the names of the file and its folder.
-    void sync();
+    /// Returns when all appended bytes are on the disk, and the names of the file and its folder;
+    /// or the reason why they may not be.
+    std::optional<QString> sync();
+    const QString& path() const { return path_; }
 
 private:
     LogFile(int file, QString path) : file_(file), path_(std::move(path)) {}
+    std::optional<QString> syncNames() const;
 
     const int file_;
     const QString path_;

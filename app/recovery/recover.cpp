@@ -3,6 +3,7 @@
 
 #include "app/formats/format.h"
 #include "app/recovery/journal_folder.h"
+#include "app/recovery/journal_reading.h"
 
 #include <QCoreApplication>
 
@@ -12,7 +13,10 @@ Result<Recovered> recover(const Leftover& leftover)
 {
     using Found = Result<Recovered>;
     if (isJournal(leftover.file)) {
-        if (auto found = replayed(leftover.file))
+        auto found = replayed(leftover.file);
+        if (!found)
+            found = salvaged(leftover.file);
+        if (found)
             return Found::of(std::move(*found));
         return Found::failure(
             QCoreApplication::translate("recovery", "Its journal is damaged at the start."));

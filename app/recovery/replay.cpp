@@ -115,7 +115,7 @@ Recovered Replay::take()
                             QCoreApplication::translate("recovery", "Recover unfinished object")));
         inHand_.reset();
     }
-    return {now(), recorded(history_, all), std::move(origin_)};
+    return {now(), recorded(history_, all), std::move(origin_), {}};
 }
 
 } // namespace app

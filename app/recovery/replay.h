@@ -11,6 +11,7 @@ struct Recovered {
     Document document{};
     RecordedHistory history{};
     JournalOrigin origin{};
+    QString lost{}; ///< what is missing because files are damaged, as a clause; empty: nothing
 };
 
 /// Repeats the steps of a journal. One thread.

@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Journals that were cut off or changed: a valid beginning is always recovered.
+// Journals one of whose files was cut off or changed: all is recovered, or all before the damage.
+#include "app/commands/add_objects.h"
+#include "app/commands/move_objects.h"
 #include "app/recovery/journal.h"
+#include "app/recovery/recover.h"
 
+#include <QSysInfo>
 #include <QTest>
+
+#include <functional>
+#include <map>
 
 #include "tests/app/commands/random_commands.h"
 #include "tests/app/recovery/recorded_drawing.h"
@@ -17,28 +24,52 @@ QByteArray contents(const QString& path)
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-/// A journal whose files a test replaces.
+void write(const QString& path, const QByteArray& bytes)
+{
+    QFile::remove(path); // replacing contents would wait for the disk
+    QFile file(path);
+    if (file.open(QIODevice::WriteOnly))
+        file.write(bytes);
+}
+
+/// The files of a journal whose program has ended, one of which a test damages at a time.
 struct Copy {
     explicit Copy(const QString& folder)
-        : base(contents(baseFile(folder, 1))), log(contents(logFile(folder, 1)))
     {
+        for (const QFileInfo& file : QDir(folder).entryInfoList(QDir::Files))
+            files[file.fileName()] = contents(file.filePath());
+        files["lock"] = "999999999\n" + QCoreApplication::applicationName().toUtf8() + "\n"
+                        + QSysInfo::machineHostName().toUtf8() + "\n"; // no such process
+        QDir().mkdir(journal());
+        for (const auto& [name, bytes] : files)
+            write(path(name), bytes);
     }
-    std::optional<Recovered> replayed(const QByteArray& withBase, const QByteArray& withLog) const
+    QString journal() const { return home.filePath("a.journal"); }
+    QString path(const QString& name) const { return QDir(journal()).filePath(name); }
+    /// What the next start recovers if this file is so.
+    std::optional<Recovered> recovered(const QString& name, const QByteArray& bytes) const
     {
-        write(baseFile(home.path(), 1), withBase);
-        write(logFile(home.path(), 1), withLog);
-        journalState(home.path());
-        return app::replayed(home.path());
+        write(path(name), bytes);
+        std::optional<Recovered> found;
+        if (name == "lock") {
+            if (auto left = claimLeftovers(home.path()); left.size() == 1)
+                found = recover(left[0]).value;
+        } else if (known(journal())) {
+            found = recover({journal(), {}, {}, nullptr}).value;
+        }
+        write(path(name), files.at(name));
+        return found;
     }
-    static void write(const QString& path, const QByteArray& bytes)
+    std::size_t size() const
     {
-        QFile::remove(path); // replacing contents would wait for the disk
-        QFile file(path);
-        if (file.open(QIODevice::WriteOnly))
-            file.write(bytes);
+        std::size_t all = 0;
+        for (const auto& [name, bytes] : files)
+            all += std::size_t(bytes.size());
+        return all;
     }
-    QTemporaryDir home;
-    QByteArray base, log;
+    QTemporaryDir home{QDir(QDir("/dev/shm").exists() ? "/dev/shm" : QDir::tempPath())
+                           .filePath("clearcut-XXXXXX")};
+    std::map<QString, QByteArray> files;
 };
 
 } // namespace
@@ -46,90 +77,150 @@ struct Copy {
 class DamagedJournalTest : public QObject {
     Q_OBJECT
 
+    static constexpr std::size_t limit = 1'000'000'000; // bytes of steps in a base
+    static constexpr double few = 0.0002;               // seconds; some steps a generation
     QTemporaryDir home_;
 
-    /// Does steps and notes the state and the size of the log after each.
+    /// The state after each step and the size of the log with it, of the newest generation.
     struct Noted {
-        std::vector<RecordedState> states;
-        std::vector<qint64> sizes;
-    };
-    static Noted act(RecordedDrawing& drawing, int steps)
-    {
-        Noted noted;
-        RandomCommands commands(drawing.document, 3);
-        const auto note = [&] {
-            noted.states.push_back(stateOf(drawing.document.now(), drawing.history));
-            noted.sizes.push_back(QFileInfo(logFile(drawing.journal.folder(), 1)).size());
-        };
-        drawing.journal.wait();
-        note();
-        for (int i = 0; i < steps; ++i) {
-            if (i % 5 == 3)
-                drawing.history.undo();
-            else if (i % 7 == 6)
-                drawing.history.setClean();
-            else
-                drawing.history.push(commands.next());
+        using Step = std::function<UndoCommand*()>;
+        Noted(RecordedDrawing& drawing, Step step) : drawing_(drawing), step_(std::move(step))
+        {
+            drawing.journal.wait();
             note();
         }
-        return noted;
+        void act(int steps)
+        {
+            for (int i = 0; i < steps; ++i) {
+                if (i % 5 == 3)
+                    drawing_.history.undo();
+                else if (i % 7 == 6)
+                    drawing_.history.setClean();
+                else
+                    drawing_.history.push(step_());
+                note();
+            }
+        }
+        void actUntilNextGeneration()
+        {
+            const QString next = logFile(drawing_.journal.folder(), generation_ + 1);
+            while (!QFile::exists(next))
+                act(1);
+            drawing_.journal.wait();
+            ++generation_;
+            states_.clear();
+            sizes_.clear();
+            note();
+        }
+        /// What can be recovered if that file is intact only up to that byte.
+        const RecordedState& until(const QString& name, qsizetype byte) const
+        {
+            if (name != QFileInfo(log()).fileName())
+                return states_.back();
+            std::size_t last = 0;
+            while (last + 1 < sizes_.size() && sizes_[last + 1] <= byte)
+                ++last;
+            // With damage before the first record all of them are readable.
+            return !truncated_ && byte < sizes_[0] ? states_.back() : states_[last];
+        }
+        Noted& ofTruncations()
+        {
+            truncated_ = true;
+            return *this;
+        }
+
+    private:
+        QString log() const { return logFile(drawing_.journal.folder(), generation_); }
+        void note()
+        {
+            states_.push_back(stateOf(drawing_.document.now(), drawing_.history));
+            sizes_.push_back(QFileInfo(log()).size());
+        }
+        RecordedDrawing& drawing_;
+        Step step_;
+        int generation_ = 1;
+        bool truncated_ = false;
+        std::vector<RecordedState> states_;
+        std::vector<qint64> sizes_;
+    };
+    static QByteArray place(const QString& name, qsizetype at)
+    {
+        return (name + ' ' + QString::number(at)).toUtf8();
+    }
+
+    /// A small step, so that every truncation can be tested.
+    static UndoCommand* smallStep(EditedDocument& document, int number)
+    {
+        if (number % 2 == 1 && !document.now().objects().empty())
+            return new MoveObjects(document, {0}, {1, 2});
+        Objects line = document.now().objects().slice(0, 0);
+        line.append(Object{Path({{0, 0}, {1, 2}}), {}});
+        return new AddObjects(document, line, document.now().containers().childrenOf(0)[0], "Add");
     }
 
 private slots:
-    void aCutOffTailLosesOnlyItself()
+    void initTestCase_data()
     {
-        RecordedDrawing drawing(RandomDocuments(1).document(4), home_.filePath("a"));
-        const Noted noted = act(drawing, 12);
+        QTest::addColumn<int>("generations");
+        QTest::newRow("the first generation") << 1;
+        QTest::newRow("the second") << 2;
+    }
+    void everyTruncationLosesOnlyTheTail()
+    {
+        QFETCH_GLOBAL(int, generations);
+        RecordedDrawing drawing(Document(), home_.filePath("a"), {limit, few});
+        Noted noted(drawing, [&, n = 0]() mutable { return smallStep(drawing.document, n++); });
+        for (int i = 1; i < generations; ++i)
+            noted.actUntilNextGeneration();
+        noted.act(6);
+        noted.ofTruncations();
         const Copy copy(drawing.journal.folder());
-        QVERIFY(copy.log.size() > 500);
-        for (qsizetype size = 0; size <= copy.log.size(); ++size) {
-            const auto found = copy.replayed(copy.base, copy.log.first(size));
-            std::size_t last = 0;
-            while (last + 1 < noted.sizes.size() && noted.sizes[last + 1] <= size)
-                ++last;
-            QVERIFY2(found && stateOf(*found) == noted.states[last],
-                     qPrintable(QString::number(size)));
-        }
-        for (qsizetype size = 0; size < copy.base.size(); ++size)
-            if (const auto found = copy.replayed(copy.base.first(size), copy.log))
-                QVERIFY(stateOf(*found) == noted.states.back());
+        QCOMPARE(copy.files.size(), std::size_t(generations == 1 ? 4 : 5));
+        for (const auto& [name, bytes] : copy.files)
+            for (qsizetype size = 0; size <= bytes.size(); ++size) {
+                const auto found = copy.recovered(name, bytes.first(size));
+                QVERIFY2(found && stateOf(*found) == noted.until(name, size), place(name, size));
+            }
     }
     void flippedBitsLoseOnlyWhatFollows()
     {
-        RecordedDrawing drawing(RandomDocuments(2).document(3), home_.filePath("b"));
-        const Noted noted = act(drawing, 8);
+        QFETCH_GLOBAL(int, generations);
+        RecordedDrawing drawing(RandomDocuments(2).document(3), home_.filePath("b"), {limit, few});
+        RandomCommands commands(drawing.document, 3);
+        Noted noted(drawing, [&] { return commands.next(); });
+        for (int i = 1; i < generations; ++i)
+            noted.actUntilNextGeneration();
+        noted.act(6);
         const Copy copy(drawing.journal.folder());
         RandomSheets random(5);
-        for (int i = 0; i < 10'000; ++i) {
-            QByteArray log = copy.log, base = copy.base;
-            QByteArray& changed = i % 4 == 0 ? base : log;
-            const auto at = qsizetype(random.below(std::size_t(changed.size())));
-            changed[at] = char(changed[at] ^ (1 << random.below(8)));
-            const auto found = copy.replayed(base, log);
-            if (i % 4 == 0) {
-                QVERIFY2(!found, qPrintable(QString::number(at)));
-                continue;
-            }
-            std::size_t last = 0;
-            while (last + 1 < noted.sizes.size() && noted.sizes[last + 1] <= at)
-                ++last;
-            const bool headerFits = at >= noted.sizes[0];
-            QVERIFY2(found && (stateOf(*found) == noted.states[headerFits ? last : 0]),
-                     qPrintable(QString::number(at)));
+        for (int i = 0; i < 5000; ++i) {
+            auto at = qsizetype(random.below(copy.size()));
+            auto file = copy.files.begin();
+            for (; at >= file->second.size(); ++file)
+                at -= file->second.size();
+            QByteArray bytes = file->second;
+            bytes[at] = char(bytes[at] ^ (1 << random.below(8)));
+            const auto found = copy.recovered(file->first, bytes);
+            QVERIFY2(found && stateOf(*found) == noted.until(file->first, at),
+                     place(file->first, at));
         }
     }
     // Bytes with a right checksum, but wrong contents: what a faulty program could have written.
     void wrongRecordsAreRefused()
     {
+        QFETCH_GLOBAL(int, generations);
+        if (generations > 1)
+            return;
         RecordedDrawing drawing(RandomDocuments(4).document(10), home_.filePath("c"));
-        act(drawing, 20);
+        RandomCommands commands(drawing.document, 3);
+        Noted(drawing, [&] { return commands.next(); }).act(20);
         const Copy copy(drawing.journal.folder());
-        const std::string bytes = copy.log.toStdString();
+        const std::string bytes = copy.files.at("log-1").toStdString();
         RandomSheets random(6);
         int applied = 0;
         for (int i = 0; i < 1000; ++i) {
-            Replay replay(*readBase(copy.base.toStdString()));
-            auto frames = *openedLog(bytes);
+            Replay replay(*readBase(copy.files.at("base-1").toStdString()));
+            auto frames = recordsOf(bytes, 0);
             const auto damaged = random.below(20);
             for (std::size_t k = 0; const auto record = frames.next(); ++k) {
                 std::string changed(*record);

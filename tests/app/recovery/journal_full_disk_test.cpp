@@ -5,6 +5,8 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include <thread>
+
 #include "tests/app/commands/random_commands.h"
 #include "tests/app/formats/failing_disk.h"
 #include "tests/app/recovery/recorded_drawing.h"
@@ -12,6 +14,9 @@
 using namespace app;
 
 namespace {
+
+constexpr int patience = 60'000; // milliseconds
+constexpr std::chrono::milliseconds retryAfter{50};
 
 /// One of some small steps.
 void act(RecordedDrawing& drawing, int step)
@@ -72,6 +77,36 @@ private slots:
             drawing.journal.discard();
         }
         QVERIFY(size > 500);
+    }
+    // The bytes were written, but the disk did not take them.
+    void aDiskThatFailsToSyncIsSaidAndTheNextBaseMendsIt()
+    {
+        Journal::Limits limits;
+        limits.retry = retryAfter;
+        RecordedDrawing drawing(Document(), home_.filePath("c"), limits);
+        drawing.journal.wait();
+        QSignalSpy failed(&drawing.journal, &Journal::failed);
+        {
+            const disk::Failing disk(disk::Step::Sync);
+            act(drawing, 0);
+            QVERIFY(failed.wait(patience));
+            QVERIFY2(failed[0][0].toString().contains("Input/output error. Save the drawing."),
+                     qPrintable(failed[0][0].toString()));
+            QVERIFY(!drawing.journal.complete());
+            std::this_thread::sleep_for(2 * retryAfter);
+            act(drawing, 1); // a new base fails as well
+            drawing.journal.wait();
+            QVERIFY(!drawing.journal.complete());
+            QCOMPARE(failed.count(), 1);
+        }
+        std::this_thread::sleep_for(2 * retryAfter);
+        act(drawing, 3);
+        drawing.journal.wait();
+        QVERIFY(drawing.journal.complete());
+        const auto found = replayed(drawing.journal.folder());
+        QVERIFY(found);
+        QVERIFY(stateOf(*found) == stateOf(drawing.document.now(), drawing.history));
+        drawing.journal.discard();
     }
     void withoutAFolderDrawingGoesOn()
     {

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Journals as leftovers: which are offered, and what becomes of them.
 #include "app/commands/add_objects.h"
+#include "app/commands/move_objects.h"
+#include "app/document/new_drawing.h"
+#include "app/formats/format.h"
 #include "app/recovery/recover.h"
 
 #include <QTest>
 
+#include "tests/app/commands/random_commands.h"
 #include "tests/app/recovery/recorded_drawing.h"
 
 using namespace app;
@@ -34,6 +38,14 @@ class JournalLeftoverTest : public QObject {
         drawing.journal.setOrigin({{"plan", "/a/plan.svg", {}}, {}});
         addLine(drawing);
         return drawing.journal.folder();
+    }
+    static void damage(const QString& path, qint64 at)
+    {
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadWrite));
+        char byte = 0;
+        QVERIFY(file.seek(at) && file.getChar(&byte));
+        QVERIFY(file.seek(at) && file.putChar(char(byte ^ 1)));
     }
     qsizetype files() const { return QDir(home_.path()).entryList({"*.journal*"}).size(); }
 
@@ -92,13 +104,81 @@ private slots:
         discard(found[0]);
         QCOMPARE(files(), 0);
     }
+    void withADamagedBaseIsReadFromTheCopy()
+    {
+        const QString folder = left();
+        damage(baseFile(folder, 1), 30);
+        auto found = claimLeftovers(home_.path());
+        QCOMPARE(found.size(), std::size_t(1));
+        QCOMPARE(found[0].origin.name, "plan");
+        const auto recovered = recover(found[0]);
+        QVERIFY(recovered && recovered.value->lost.isEmpty());
+        QCOMPARE(recovered.value->document.objects().size(), std::size_t(1));
+    }
+    void withoutABaseStartsFromTheFile()
+    {
+        const QTemporaryDir files;
+        const QString plan = files.filePath("plan.svg");
+        QVERIFY(!writeFile(RandomDocuments(1).document(5), plan));
+        const QDateTime time = QFileInfo(plan).lastModified();
+        const Document opened = readFile(plan).value->document;
+        for (const bool changed : {false, true}) {
+            QString folder;
+            QByteArray expected;
+            {
+                RecordedDrawing drawing(opened, home_.path());
+                drawing.journal.setOrigin({{"plan", plan, time}, {}});
+                addLine(drawing);
+                drawing.history.push(new MoveObjects(drawing.document, {0}, {1, 2}));
+                expected = svgOf(drawing.document.now());
+                folder = drawing.journal.folder();
+                drawing.journal.wait();
+            }
+            damage(baseFile(folder, 1), 10);
+            damage(copyFile(folder, 1), 10);
+            if (changed) {
+                QFile file(plan);
+                QVERIFY(file.open(QIODevice::ReadWrite));
+                QVERIFY(file.setFileTime(time.addSecs(9), QFile::FileModificationTime));
+            }
+            auto found = claimLeftovers(home_.path());
+            QCOMPARE(found.size(), std::size_t(1));
+            QCOMPARE(found[0].origin.path, plan);
+            const auto recovered = recover(found[0]);
+            if (changed) { // its steps do not fit an empty drawing
+                QVERIFY(!recovered);
+                continue;
+            }
+            QVERIFY(recovered);
+            QCOMPARE(svgOf(recovered.value->document), expected);
+            QVERIFY(!recovered.value->lost.isEmpty());
+            discard(found[0]);
+        }
+    }
+    void withoutABaseAnUntitledDrawingStartsEmpty()
+    {
+        QString folder;
+        {
+            RecordedDrawing drawing(newDrawing(), home_.path());
+            addLine(drawing);
+            addLine(drawing);
+            folder = drawing.journal.folder();
+            drawing.journal.wait();
+        }
+        for (const QString& base : {baseFile(folder, 1), copyFile(folder, 1)})
+            QVERIFY(QFile::resize(base, 3));
+        auto found = claimLeftovers(home_.path());
+        QCOMPARE(found.size(), std::size_t(1));
+        const auto recovered = recover(found[0]);
+        QVERIFY(recovered);
+        QCOMPARE(recovered.value->document.objects().size(), std::size_t(2));
+        QVERIFY(!recovered.value->lost.isEmpty());
+    }
     void thatIsDamagedIsSetAside()
     {
         const QString folder = left();
-        QFile base(baseFile(folder, 1));
-        QVERIFY(base.open(QIODevice::ReadWrite));
-        QVERIFY(base.seek(30) && base.write("x") == 1);
-        base.close();
+        for (const QString& file : {baseFile(folder, 1), copyFile(folder, 1), logFile(folder, 1)})
+            damage(file, 30);
         auto found = claimLeftovers(home_.path());
         QCOMPARE(found.size(), std::size_t(1));
         const auto recovered = recover(found[0]);
@@ -108,6 +188,32 @@ private slots:
         QVERIFY(QFile::exists(baseFile(aside, 1)));
         QVERIFY(claimLeftovers(home_.path()).empty());
         QVERIFY(QFile::exists(aside));
+    }
+    // It names no process, another one or another computer, but this process has it locked.
+    void whoseLockIsDamagedIsNotOfferedWhileItsProgramRuns()
+    {
+        RecordedDrawing drawing(Document(), home_.path());
+        addLine(drawing);
+        const QString lock = QDir(drawing.journal.folder()).filePath("lock");
+        for (int at = 0; at < int(QFileInfo(lock).size()); at += 3) {
+            damage(lock, at);
+            QVERIFY(claimLeftovers(home_.path()).empty());
+        }
+        QVERIFY(QFile::resize(lock, 0));
+        QVERIFY(claimLeftovers(home_.path()).empty());
+    }
+    // Nothing unsaved is known, but the damaged end may have been a step.
+    void withADamagedEndIsNeverDiscarded()
+    {
+        const QString folder = left();
+        QFile log(logFile(folder, 1));
+        QVERIFY(log.open(QIODevice::ReadWrite));
+        const QByteArray bytes = log.readAll();
+        for (qint64 at = 50; at < bytes.size(); at += 7) {
+            damage(log.fileName(), at);
+            QCOMPARE(claimLeftovers(home_.path()).size(), std::size_t(1));
+            damage(log.fileName(), at);
+        }
     }
     void standsBesideSvgFilesByTime()
     {

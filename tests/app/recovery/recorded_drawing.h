@@ -4,6 +4,7 @@
 #include "app/formats/svg/writer.h"
 #include "app/recovery/journal.h"
 #include "app/recovery/journal_folder.h"
+#include "app/recovery/journal_reading.h"
 
 #include <QBuffer>
 #include <QDir>
