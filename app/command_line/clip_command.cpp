@@ -167,7 +167,7 @@ void clip(const ParsedArguments& arguments)
     if (options.region.keep == Keep::Inside)
         output.options.bounds = options.region.single();
     if (plan)
-        writeTiles(*plan, after, options, output, input);
+        writeTiles(arguments, *plan, after, options, output);
     else
         writeDrawing(after, output);
     stopwatch.lap(Commands::tr("write"));

@@ -4,10 +4,10 @@
 #include "app/base/numbers.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
+#include "app/tiles/papers.h"
 #include "app/tiles/sheets.h"
 
 #include <QFileInfo>
-#include <QPageSize>
 #include <QRegularExpression>
 
 namespace app {
@@ -40,33 +40,39 @@ bool takeNumbers(const QString& text, TilePlan& plan)
 bool takePaper(const QString& text, TilePlan& plan)
 {
     const bool landscape = text.endsWith(QLatin1StringView("-landscape"));
-    const QString name = landscape ? text.section(u'-', 0, -2) : text;
-    for (int id = 0; id <= QPageSize::LastPageSize; ++id) {
-        const auto size = QPageSize::PageSizeId(id);
-        if (QPageSize::key(size).compare(name, Qt::CaseInsensitive) != 0)
-            continue;
-        const QSizeF paper = QPageSize::size(size, QPageSize::Millimeter);
-        plan.sheet =
-            landscape ? Point(paper.height(), paper.width()) : Point(paper.width(), paper.height());
-        return !paper.isEmpty();
-    }
-    return false;
+    const auto paper = paperSize(landscape ? text.section(u'-', 0, -2) : text);
+    if (paper)
+        plan.sheet = landscape ? Point(paper->y, paper->x) : *paper;
+    return paper.has_value();
+}
+
+// "150%" or "1.5".
+double scaleOf(const ParsedArguments& arguments)
+{
+    const QString option = QStringLiteral("scale");
+    const auto text = arguments.text(option);
+    if (!text)
+        return 1;
+    const auto given = parseLength(text->toStdString());
+    const bool percent = given && given->unit == Unit::Percent;
+    const double scale = !given ? 0 : percent ? given->value / 100 : given->value;
+    if (!(scale > 0) || (!percent && given->unit != Unit::User))
+        refuse({option, *text},
+               Commands::tr("a positive percentage such as 150%, or a factor such as 1.5"));
+    return scale;
 }
 
 void refuseWithoutTiles(const ParsedArguments& arguments)
 {
-    for (const char* option : {"overlap", "sheet-margin", "marks"})
+    for (const char* option : {"overlap", "sheet-margin", "marks", "scale", "overview"})
         if (arguments.has(QString::fromLatin1(option)))
             throw WrongUsage{Commands::tr("--%1 needs --tiles.").arg(QLatin1StringView(option))};
 }
 
-QStringList sheetNames(const Sheets& sheets, const Output& output)
+// "a.svg", or the first and the last file.
+QString filesText(const QStringList& files)
 {
-    if (!namesEverySheet(output.path, sheets.tiling))
-        return {output.path};
-    const auto& tiles = sheets.tiling.tiles;
-    return {sheetName(output.path, sheets.tiling, tiles.front()),
-            sheetName(output.path, sheets.tiling, tiles.back())};
+    return files.size() == 1 ? files.front() : files.front() + QStringLiteral(" … ") + files.back();
 }
 
 } // namespace
@@ -77,9 +83,11 @@ std::vector<Option> tileOptions()
         {{optionName},
          "COLUMNSxROWS|PAPER",
          Commands::tr(
-             "Divide the page among sheets: so many of equal size, or sheets of this paper "
-             "(a4, a3, letter …; a4-landscape). The name of the output holds {row} and "
-             "{column}, or {n}; a PDF file without them gets a page for each sheet.")},
+             "Divide the page among sheets. COLUMNSxROWS: so many of equal size, columns first: "
+             "3x2 makes 3 columns side by side in 2 rows, 6 sheets. PAPER: as many sheets of this "
+             "paper as are needed (a4, a3, letter …; a4-landscape). The name of the output holds "
+             "{row} and {column}, or {n}, which counts row by row; a PDF file without them gets a "
+             "page for each sheet.")},
         {{"overlap"},
          "LENGTH",
          Commands::tr("The strip that neighbouring sheets have in common (0).")},
@@ -89,6 +97,15 @@ std::vector<Option> tileOptions()
         {{"marks"},
          {},
          Commands::tr("Draw registration marks, corner lines and a label in the margins.")},
+        {{"scale"},
+         "PERCENT",
+         Commands::tr("The size of the drawing on the sheets: 200% is twice as large, strokes "
+                      "included (100%). Overlap and margin are lengths on paper.")},
+        {{"overview"},
+         {},
+         Commands::tr("Add a sheet with the whole drawing, the edges of all sheets and their "
+                      "numbers: the first page of a PDF file, or a file with “overview” in place "
+                      "of {row} and {column}.")},
     };
 }
 
@@ -100,24 +117,31 @@ std::optional<TilePlan> tilePlanOf(const ParsedArguments& arguments, const Page&
         return std::nullopt;
     }
     TilePlan plan;
-    plan.marks = arguments.has(QStringLiteral("marks"));
+    plan.marks = arguments.has(QStringLiteral("marks")) ? allMarks : SheetMarks{};
+    plan.scale = scaleOf(arguments);
     const bool byNumber = takeNumbers(*text, plan);
     if (!byNumber && !takePaper(*text, plan))
         refuse({optionName, *text},
                Commands::tr("columns and rows such as 3x2, or a paper such as a4 or a4-landscape"));
-    const double usual = byNumber && !plan.marks ? 0 : plan.margin;
+    const double usual = byNumber && !plan.marks.any() ? 0 : plan.margin;
     plan.margin = millimetres(arguments, QStringLiteral("sheet-margin"), usual, page);
     plan.overlap = millimetres(arguments, QStringLiteral("overlap"), 0, page);
     return plan;
 }
 
-void writeTiles(const TilePlan& plan, const Document& drawing, const CutOptions& options,
-                const Output& output, const QString& input)
+void writeTiles(const ParsedArguments& arguments, const TilePlan& plan, const Document& drawing,
+                const CutOptions& options, const Output& output)
 {
     auto tiling = tilingOf(drawing.page(), plan);
     if (!tiling)
         throw WrongUsage{tiling.error};
-    const Sheets sheets{drawing, plan, *tiling.value, options, QFileInfo(input).completeBaseName()};
+    const Sheets sheets{drawing,
+                        plan,
+                        *tiling.value,
+                        options,
+                        QFileInfo(arguments.operands().first()).completeBaseName(),
+                        arguments.has(QStringLiteral("overview")) ? OverviewSheet::Yes
+                                                                  : OverviewSheet::No};
     if (output.path == QLatin1StringView("-"))
         throw WrongUsage{Commands::tr("--tiles writes files: name them with -o.")};
     if (const auto error = writeSheets(sheets, output.path, *output.format, output.options))
@@ -126,7 +150,7 @@ void writeTiles(const TilePlan& plan, const Document& drawing, const CutOptions&
             .arg(tiling.value->columns)
             .arg(tiling.value->rows)
             .arg(numberText(tiling.value->sheet.x, 1), numberText(tiling.value->sheet.y, 1),
-                 sheetNames(sheets, output).join(QStringLiteral(" … "))));
+                 filesText(filesOf(sheets, output.path))));
 }
 
 } // namespace app

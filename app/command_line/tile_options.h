@@ -7,7 +7,7 @@
 
 namespace app {
 
-/// --tiles, --overlap, --sheet-margin and --marks.
+/// --tiles, and the options that need it.
 std::vector<Option> tileOptions();
 
 /// How the options divide a drawing among sheets; empty without --tiles. Throws WrongUsage.
@@ -15,7 +15,7 @@ std::optional<TilePlan> tilePlanOf(const ParsedArguments& arguments, const Page&
 
 /// Writes the sheets of a drawing that has been cut, and says which. The title on them is the name
 /// of the input. Throws WrongUsage or Failure.
-void writeTiles(const TilePlan& plan, const Document& drawing, const CutOptions& options,
-                const Output& output, const QString& input);
+void writeTiles(const ParsedArguments& arguments, const TilePlan& plan, const Document& drawing,
+                const CutOptions& options, const Output& output);
 
 } // namespace app

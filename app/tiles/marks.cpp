@@ -8,6 +8,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
 
 namespace app {
 namespace {
@@ -16,9 +17,9 @@ constexpr double thin = 0.25; // millimetres
 
 class Marks {
 public:
-    Marks(const Tiling& tiling, const Tile& tile, double margin, double millimetresPerUnit)
-        : tiling_(tiling), tile_(tile), unit_(1 / millimetresPerUnit), margin_(margin * unit_),
-          arm_(std::min(margin * 0.4, 3.0) * unit_)
+    Marks(const Tiling& tiling, const Tile& tile, double margin)
+        : tiling_(tiling), tile_(tile), unit_(1 / tiling.millimetresPerUnit),
+          margin_(margin * unit_), arm_(std::min(margin * 0.4, 3.0) * unit_)
     {
         style_.stroke = Colour{};
         style_.width = thin * unit_;
@@ -26,13 +27,51 @@ public:
 
     std::vector<Object> take() { return std::move(objects_); }
 
-    void addAll(const QString& title)
+    void addRegistration()
+    {
+        for (const int axis : {0, 1})
+            for (const double along : shared(axis))
+                for (const double across : {tile_.window.min[1 - axis] - margin_ / 2,
+                                            tile_.window.max[1 - axis] + margin_ / 2}) {
+                    Point at;
+                    at[axis] = along;
+                    at[1 - axis] = across;
+                    addCross(at);
+                }
+    }
+
+    void addCorners(bool nearMarks)
     {
         const auto& [min, max] = tile_.window;
-        addRegistration();
         for (const Point& corner : {min, Point(max.x, min.y), max, Point(min.x, max.y)})
-            addCorner(corner);
-        addLabel(title);
+            addCorner(corner, nearMarks);
+    }
+
+    void addLabel(const QString& title)
+    {
+        const double size = std::min(margin_ * 0.25, 2.5 * unit_);
+        const QString text = QCoreApplication::translate("Tiles", "%1 %2-%3 of %4 × %5")
+                                 .arg(title)
+                                 .arg(tile_.row)
+                                 .arg(tile_.column)
+                                 .arg(tiling_.rows)
+                                 .arg(tiling_.columns)
+                                 .trimmed();
+        const Point& drawing = tiling_.drawing;
+        const QString whole = QCoreApplication::translate("Tiles", "%1 × %2 mm")
+                                  .arg(std::lround(drawing.x))
+                                  .arg(std::lround(drawing.y));
+        // Between the registration marks.
+        const double inset = std::max(3 * arm_, tiling_.overlap / 2 + 2 * arm_);
+        const double right = tile_.window.max.x - inset;
+        Point at(tile_.window.min.x + inset, tile_.window.max.y + margin_ / 2 + size / 2);
+        const std::vector<Subpath> name = lettering(text, at, size);
+        add(name);
+        const double end = rightOf(name, at.x);
+        at.x = 0;
+        at.x = right - rightOf(lettering(whole, at, size), 0);
+        if (at.x > end + 2 * size) // there is room for both
+            add(lettering(whole, at, size));
     }
 
 private:
@@ -49,36 +88,12 @@ private:
     std::vector<double> shared(int axis) const
     {
         const auto& [min, max] = tile_.window;
-        const double overlap = overlapOf(axis);
         std::vector<double> places;
         if (neighbours(axis).before)
-            places.push_back(min[axis] + overlap / 2);
+            places.push_back(min[axis] + tiling_.overlap / 2);
         if (neighbours(axis).after)
-            places.push_back(max[axis] - overlap / 2);
+            places.push_back(max[axis] - tiling_.overlap / 2);
         return places;
-    }
-
-    // Two tiles in the same row, or column, tell how far they overlap.
-    double overlapOf(int axis) const
-    {
-        const Tile& first = tiling_.tiles.front();
-        const std::size_t next = axis == 0 ? 1 : std::size_t(tiling_.columns);
-        return next < tiling_.tiles.size()
-                   ? first.window.max[axis] - tiling_.tiles[next].window.min[axis]
-                   : 0;
-    }
-
-    void addRegistration()
-    {
-        for (const int axis : {0, 1})
-            for (const double along : shared(axis))
-                for (const double across : {tile_.window.min[1 - axis] - margin_ / 2,
-                                            tile_.window.max[1 - axis] + margin_ / 2}) {
-                    Point at;
-                    at[axis] = along;
-                    at[1 - axis] = across;
-                    addCross(at);
-                }
     }
 
     void addCross(const Point& at)
@@ -89,15 +104,15 @@ private:
              {at - Point(0, arm_), {{at + Point(0, arm_)}}, false}});
     }
 
-    // Lines in the directions in which no neighbour follows: there, a mark is near.
-    void addCorner(const Point& corner)
+    // With registration marks, only where no neighbour follows: elsewhere a mark is near.
+    void addCorner(const Point& corner, bool nearMarks)
     {
         for (const int axis : {0, 1}) {
             const bool low = corner[axis] == tile_.window.min[axis];
             const int other = 1 - axis;
             const bool lowOther = corner[other] == tile_.window.min[other];
             const Neighbours beside = neighbours(other);
-            if (lowOther ? beside.before : beside.after)
+            if (nearMarks && (lowOther ? beside.before : beside.after))
                 continue;
             Point away(0);
             away[axis] = low ? -1 : 1;
@@ -107,20 +122,18 @@ private:
         }
     }
 
-    void addLabel(const QString& title)
+    static std::vector<Subpath> lettering(const QString& text, const Point& at, double size)
     {
-        const double size = std::min(margin_ * 0.25, 2.5 * unit_);
-        const QString text = QCoreApplication::translate("Tiles", "%1 %2-%3 of %4 × %5")
-                                 .arg(title)
-                                 .arg(tile_.row)
-                                 .arg(tile_.column)
-                                 .arg(tiling_.rows)
-                                 .arg(tiling_.columns)
-                                 .trimmed();
-        const Point at =
-            tile_.window.min
-            + Point(3 * arm_, tile_.window.max.y - tile_.window.min.y + margin_ / 2 + size / 2);
-        add(lettered({text, strokeFonts().front().name, size, at}).paths);
+        return lettered({text, strokeFonts().front().name, size, at}).paths;
+    }
+    static double rightOf(const std::vector<Subpath>& letters, double least)
+    {
+        for (const Subpath& stroke : letters) {
+            least = std::max(least, stroke.start.x);
+            for (const PathSegment& segment : stroke.segments)
+                least = std::max(least, segment.to.x);
+        }
+        return least;
     }
 
     void add(const std::vector<Subpath>& paths)
@@ -138,11 +151,16 @@ private:
 
 } // namespace
 
-std::vector<Object> marksOf(const Tiling& tiling, const Tile& tile, double margin,
-                            double millimetresPerUnit, const QString& title)
+std::vector<Object> marksOf(const Tiling& tiling, const Tile& tile, const TilePlan& plan,
+                            const QString& title)
 {
-    Marks marks(tiling, tile, margin, millimetresPerUnit);
-    marks.addAll(title);
+    Marks marks(tiling, tile, plan.margin);
+    if (plan.marks.registration)
+        marks.addRegistration();
+    if (plan.marks.cropLines)
+        marks.addCorners(plan.marks.registration);
+    if (plan.marks.labels)
+        marks.addLabel(title);
     return marks.take();
 }
 

@@ -6,8 +6,12 @@
 #include "app/cut/layer_above.h"
 #include "app/formats/pdf/writer.h"
 #include "app/tiles/marks.h"
+#include "app/tiles/overview.h"
 
 #include <QCoreApplication>
+#include <QElapsedTimer>
+
+#include <algorithm>
 
 namespace app {
 namespace {
@@ -24,23 +28,85 @@ void addMarks(Document& sheet, const std::vector<Object>& marks)
     sheet.apply(adding(sheet, objects, layer));
 }
 
-std::optional<QString> writePages(const Sheets& sheets, const QString& path,
-                                  const WriteOptions& options)
+/// A page to be written; null: the overview.
+using Pages = std::vector<const Tile*>;
+
+Pages pagesOf(const Sheets& sheets)
 {
+    Pages pages;
+    if (sheets.overview == OverviewSheet::Yes)
+        pages.push_back(nullptr);
+    for (const Tile& tile : sheets.tiling.tiles)
+        if (!tile.leftOut)
+            pages.push_back(&tile);
+    return pages;
+}
+
+Document pageOf(const Sheets& sheets, const Tile* tile)
+{
+    return tile ? sheets.sheet(*tile) : overviewOf(sheets);
+}
+
+QString nameOf(const Sheets& sheets, const QString& pattern, const Tile* tile)
+{
+    return tile ? sheetName(pattern, sheets.tiling, *tile) : overviewName(pattern);
+}
+
+/// Tells the follower how many of the pages are done.
+class Advance {
+public:
+    Advance(const Follower& follower, std::size_t pages) : follower_(follower), pages_(pages)
+    {
+        clock_.start();
+    }
+    void done(std::size_t pages) const
+    {
+        if (!follower_.progress || pages == 0)
+            return;
+        const double share = double(pages) / double(pages_);
+        follower_.progress({share, double(clock_.elapsed()) * 1e-3 * (1 / share - 1)});
+    }
+
+private:
+    const Follower& follower_;
+    std::size_t pages_;
+    QElapsedTimer clock_;
+};
+
+QString cancelled(std::size_t done, std::size_t all)
+{
+    return tr("The export was cancelled after %1 of %2 sheets.").arg(done).arg(all);
+}
+
+std::optional<QString> writePages(const Sheets& sheets, const QString& path,
+                                  const WriteOptions& options, const Follower& follower)
+{
+    const Pages pages = pagesOf(sheets);
+    const Advance advance(follower, pages.size());
     const Unfinished guard(path);
-    const auto error = replaceFile(path, [&](QIODevice& out) {
-        return pdf::writePages(
-            sheets.count(), [&](std::size_t number) { return sheets.sheet(number); }, out, options);
+    const auto error = replaceFile(path, [&](QIODevice& out) -> std::optional<QString> {
+        const auto failed = pdf::writePages(
+            pages.size(),
+            [&](std::size_t number) {
+                advance.done(number);
+                // After a stop the rest need not be right: the file is not kept.
+                return follower.stop.stop_requested() ? Document() : pageOf(sheets, pages[number]);
+            },
+            out, options);
+        return follower.stop.stop_requested() ? tr("the export was cancelled.") : failed;
     });
+    if (error && follower.stop.stop_requested())
+        return tr("The export was cancelled; %1 is as it was before.").arg(path);
     return error ? std::optional(tr("Cannot write %1: %2").arg(path, *error)) : std::nullopt;
 }
 
 } // namespace
 
-Document Sheets::sheet(std::size_t number) const
+std::size_t Sheets::count() const { return pagesOf(*this).size(); }
+
+Document Sheets::sheet(const Tile& tile) const
 {
-    const Tile& tile = tiling.tiles[number];
-    const double unit = drawing.page().millimetresPerUnit();
+    const double unit = tiling.millimetresPerUnit;
     CutOptions cutting = options;
     cutting.region = {{{tile.window, WindowOperation::Add}}};
     Document made = withOwnStyles(drawing);
@@ -51,52 +117,53 @@ Document Sheets::sheet(std::size_t number) const
                      {tiling.sheet.x, Unit::Mm},
                      {tiling.sheet.y, Unit::Mm}};
     made.apply(edit);
-    if (plan.marks)
-        addMarks(made, marksOf(tiling, tile, plan.margin, unit, title));
+    if (plan.marks.any())
+        addMarks(made, marksOf(tiling, tile, plan, title));
     return made;
 }
 
-QString sheetName(const QString& pattern, const Tiling& tiling, const Tile& tile)
+QStringList filesOf(const Sheets& sheets, const QString& pattern)
 {
-    QString name = pattern;
-    const int number = (tile.row - 1) * tiling.columns + tile.column;
-    return name.replace(QStringLiteral("{row}"), QString::number(tile.row))
-        .replace(QStringLiteral("{column}"), QString::number(tile.column))
-        .replace(QStringLiteral("{n}"), QString::number(number));
-}
-
-bool namesEverySheet(const QString& pattern, const Tiling& tiling)
-{
-    const auto has = [&](const char* word) { return pattern.contains(QLatin1StringView(word)); };
-    return has("{n}")
-           || ((tiling.rows == 1 || has("{row}")) && (tiling.columns == 1 || has("{column}")));
+    if (!namesEverySheet(pattern, sheets.tiling))
+        return {pattern};
+    QStringList files;
+    for (const Tile* tile : pagesOf(sheets))
+        files << nameOf(sheets, pattern, tile);
+    return files;
 }
 
 std::optional<QString> writeSheets(const Sheets& sheets, const QString& pattern,
-                                   const Format& format, const WriteOptions& options)
+                                   const Format& format, const WriteOptions& options,
+                                   const Follower& follower)
 {
     if (!namesEverySheet(pattern, sheets.tiling)) {
         if (format.key == "pdf")
-            return writePages(sheets, pattern, options);
+            return writePages(sheets, pattern, options, follower);
         return tr("%1 is one name for %2 sheets. Put {row} and {column}, or {n}, into it; only a "
                   "PDF file holds them all.")
             .arg(pattern)
             .arg(sheets.count());
     }
-    for (std::size_t number = 0; number < sheets.count(); ++number) {
-        const Tile& tile = sheets.tiling.tiles[number];
-        const QString path = sheetName(pattern, sheets.tiling, tile);
+    const Pages pages = pagesOf(sheets);
+    const Advance advance(follower, pages.size());
+    for (std::size_t number = 0; number < pages.size(); ++number) {
+        if (follower.stop.stop_requested())
+            return cancelled(number, pages.size());
+        const Tile* tile = pages[number];
+        const QString path = nameOf(sheets, pattern, tile);
         const Unfinished guard(path);
         WriteOptions of = options;
-        of.bounds = tile.window;
-        if (sheets.plan.marks)
-            of.bounds.reset(); // marks are outside
-        if (const auto error = writeFile(sheets.sheet(number), path, of, &format))
+        of.stop = follower.stop;
+        of.sources.clear(); // they number the objects of the whole drawing
+        of.bounds.reset();  // marks are outside
+        if (tile && !sheets.plan.marks.any())
+            of.bounds = tile->window;
+        const auto error = writeFile(pageOf(sheets, tile), path, of, &format);
+        if (error && follower.stop.stop_requested())
+            return cancelled(number, pages.size());
+        if (error)
             return error;
-        if (options.stop.stop_requested())
-            return tr("The export was cancelled after %1 of %2 sheets.")
-                .arg(number + 1)
-                .arg(sheets.count());
+        advance.done(number + 1);
     }
     return std::nullopt;
 }

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/progress.h"
 #include "app/cut/cut.h"
 #include "app/formats/format.h"
-#include "app/tiles/tiling.h"
+#include "app/tiles/sheet_names.h"
 
 namespace app {
+
+/// Whether a further page shows where each sheet belongs.
+enum class OverviewSheet : std::uint8_t { No, Yes };
 
 /// A drawing, divided among sheets.
 struct Sheets {
@@ -13,23 +17,25 @@ struct Sheets {
     TilePlan plan;
     Tiling tiling;      ///< of its page, by the plan
     CutOptions options; ///< how it is cut at the sheets' edges; the region does not count
-    QString title;      ///< on each sheet, if the plan has marks
+    QString title;      ///< on each sheet, if the plan has labels
+    OverviewSheet overview = OverviewSheet::No;
 
-    std::size_t count() const { return tiling.tiles.size(); }
+    /// Number of pages: the sheets that are not left out, and the overview.
+    std::size_t count() const;
     /// The drawing on one sheet, in its own coordinates, on a page with margins. Marks are on a
     /// layer above all others.
-    Document sheet(std::size_t number) const;
+    Document sheet(const Tile& tile) const;
 };
 
-/// The name of a sheet's file: {row}, {column} and {n} in the pattern become its numbers.
-QString sheetName(const QString& pattern, const Tiling& tiling, const Tile& tile);
-/// Whether the pattern gives each sheet a name of its own.
-bool namesEverySheet(const QString& pattern, const Tiling& tiling);
+/// All files that writeSheets() writes by this pattern, in their order.
+QStringList filesOf(const Sheets& sheets, const QString& pattern);
 
 /// Writes a file for each sheet, by the pattern; or, in the format PDF, one file with a page for
-/// each, if the pattern does not name them all. Existing files are replaced only by complete new
-/// ones. Returns nothing, or a sentence; the sheets before the one that failed are written.
+/// each, if the pattern does not name them all. The overview comes first. Existing files are
+/// replaced only by complete new ones. Returns nothing, or a sentence; the sheets before the one
+/// that failed are written.
 std::optional<QString> writeSheets(const Sheets& sheets, const QString& pattern,
-                                   const Format& format, const WriteOptions& options);
+                                   const Format& format, const WriteOptions& options,
+                                   const Follower& follower = {});
 
 } // namespace app

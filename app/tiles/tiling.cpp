@@ -11,14 +11,22 @@
 namespace app {
 namespace {
 
+constexpr double leastScale = 1e-3, mostScale = 1e3;
+
 QString tr(const char* text) { return QCoreApplication::translate("Tiles", text); }
 
-QString millimetres(double length) { return lengthText(length, Unit::Mm, 1); }
+QString millimetres(double length)
+{
+    const double shown = std::floor(length * 100) / 100; // a limit is never rounded up
+    const int decimals = shown == std::round(shown) ? 0 : infoOf(Unit::Mm).decimals;
+    return QStringLiteral("%1\u00a0mm").arg(numberText(shown, decimals));
+}
 
 /// One direction of the division: along x or y.
 struct Row {
     double sheet, part; ///< a sheet, and what is drawn on it, in millimetres
     int count;
+    double shift; ///< the first sheet begins so far before the page
 };
 
 // How many parts cover the length. A part more for a rounding error would be empty.
@@ -29,28 +37,34 @@ int countFor(double length, double part, double overlap)
     return int(std::clamp(count, 1.0, mostTiles + 1.0));
 }
 
-Row rowOf(double length, double sheet, int count, const TilePlan& plan)
+Row rowOf(double length, int axis, const TilePlan& plan)
 {
-    if (sheet == 0) {
+    if (plan.sheet[axis] == 0) {
+        const int count = axis == 0 ? plan.columns : plan.rows;
         const double part = (length + (count - 1) * plan.overlap) / count;
-        return {part + 2 * plan.margin, part, count};
+        return {part + 2 * plan.margin, part, count, 0};
     }
-    const double part = sheet - 2 * plan.margin;
-    return {sheet, part, part > plan.overlap ? countFor(length, part, plan.overlap) : 0};
+    const double part = plan.sheet[axis] - 2 * plan.margin, step = part - plan.overlap;
+    if (!(step > 0))
+        return {plan.sheet[axis], part, 0, 0};
+    const double shift = plan.shift[axis] - std::floor(plan.shift[axis] / step) * step;
+    return {plan.sheet[axis], part, countFor(length + shift, part, plan.overlap), shift};
 }
 
 QString refusalOf(const TilePlan& plan, const Row& across, const Row& down)
 {
+    if (!(plan.scale >= leastScale && plan.scale <= mostScale))
+        return tr("The scale must be between 0.1 % and 100,000 %.");
     if (!(plan.margin >= 0 && plan.overlap >= 0))
         return tr("Margin and overlap of sheets must not be negative.");
-    if (plan.marks && plan.margin < leastMarkedMargin)
+    if (plan.marks.any() && plan.margin < leastMarkedMargin)
         return tr("Marks need a margin of at least %1 on each sheet.")
             .arg(millimetres(leastMarkedMargin));
     if (!(across.part > 0 && down.part > 0))
         return tr("The margin of %1 is too large: nothing of a sheet is left.")
             .arg(millimetres(plan.margin));
     if (const double part = std::min(across.part, down.part); !(plan.overlap < part))
-        return tr("The overlap must be less than %1, the %2 of the drawing on a sheet.")
+        return tr("Overlap must be less than %1, the %2 of a sheet.")
             .arg(millimetres(part), part == across.part ? tr("width") : tr("height"));
     if (across.count < 1 || down.count < 1 || across.count * down.count > mostTiles)
         return tr("The drawing needs more than %1 sheets. Choose larger ones.").arg(mostTiles);
@@ -59,20 +73,28 @@ QString refusalOf(const TilePlan& plan, const Row& across, const Row& down)
 
 } // namespace
 
+int Tiling::written() const { return int(std::ranges::count(tiles, false, &Tile::leftOut)); }
+
 Result<Tiling> tilingOf(const Page& page, const TilePlan& plan)
 {
-    const double unit = page.millimetresPerUnit();
-    const Row across = rowOf(page.size.x * unit, plan.sheet.x, plan.columns, plan);
-    const Row down = rowOf(page.size.y * unit, plan.sheet.y, plan.rows, plan);
+    const double unit = page.millimetresPerUnit() * plan.scale;
+    const Row across = rowOf(page.size.x * unit, 0, plan),
+              down = rowOf(page.size.y * unit, 1, plan);
     if (const QString refusal = refusalOf(plan, across, down); !refusal.isEmpty())
         return Result<Tiling>::failure(refusal);
     Tiling tiling{{across.sheet, down.sheet}, across.count, down.count};
+    tiling.millimetresPerUnit = unit;
+    tiling.overlap = plan.overlap / unit;
+    tiling.drawing = page.size * unit;
     const Point part = Point(across.part, down.part) / unit;
-    const Point step = part - plan.overlap / unit;
+    const Point step = part - tiling.overlap;
+    const Point first = page.min - Point(across.shift, down.shift) / unit;
     for (int row = 0; row < down.count; ++row)
         for (int column = 0; column < across.count; ++column) {
-            const Point min = page.min + step * Point(column, row);
-            tiling.tiles.push_back({row + 1, column + 1, {min, min + part}});
+            const Point min = first + step * Point(column, row);
+            Tile tile{row + 1, column + 1, {min, min + part}};
+            tile.leftOut = std::ranges::count(plan.leftOut, tiling.numberOf(tile)) > 0;
+            tiling.tiles.push_back(tile);
         }
     return Result<Tiling>::of(std::move(tiling));
 }

@@ -8,13 +8,27 @@
 
 namespace app {
 
+/// What is drawn in the margins of each sheet.
+struct SheetMarks {
+    bool registration = false; ///< at the same points of the drawing on neighbouring sheets
+    bool labels = false;       ///< title, place of the sheet, size of all sheets together
+    bool cropLines = false;    ///< at the corners
+    bool any() const { return registration || labels || cropLines; }
+    friend bool operator==(const SheetMarks&, const SheetMarks&) = default;
+};
+constexpr SheetMarks allMarks{true, true, true};
+
 /// How a large drawing is divided among sheets of paper. Lengths are in millimetres on paper.
 struct TilePlan {
     Point sheet{0, 0};         ///< of paper; (0, 0): just large enough for `columns` and `rows`
     int columns = 1, rows = 1; ///< only used without `sheet`
     double margin = 10;        ///< of each sheet, on all four sides; nothing is drawn there
     double overlap = 0;        ///< the strip that two neighbouring sheets have in common
-    bool marks = false;        ///< registration marks, corner lines and a label on each sheet
+    SheetMarks marks{};
+    double scale = 1; ///< size on paper ÷ size in the drawing; strokes are scaled, too
+    /// The first sheet begins so far left of and above the page. Only used with `sheet`.
+    Point shift{0, 0};
+    std::vector<int> leftOut{}; ///< numbers of sheets that are not written
     friend bool operator==(const TilePlan&, const TilePlan&) = default;
 };
 
@@ -22,6 +36,7 @@ struct TilePlan {
 struct Tile {
     int row, column;         ///< from 1, from the top left
     clipping::Window window; ///< in user units, without the margins
+    bool leftOut = false;
 };
 
 /// All sheets, row by row. They begin at the page's top left corner; the last ones may reach beyond
@@ -30,6 +45,14 @@ struct Tiling {
     Point sheet; ///< in millimetres
     int columns = 0, rows = 0;
     std::vector<Tile> tiles{};
+    double millimetresPerUnit = 1; ///< on the sheets
+    double overlap = 0;            ///< in user units
+    Point drawing{0, 0};           ///< the size of the page on the sheets, in millimetres
+
+    int numberOf(const Tile& tile) const { return (tile.row - 1) * columns + tile.column; }
+    int written() const; ///< number of sheets that are not left out
+    /// All sheets together, in user units.
+    clipping::Window whole() const { return {tiles.front().window.min, tiles.back().window.max}; }
 };
 
 constexpr int mostTiles = 1000;

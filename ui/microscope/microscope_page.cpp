@@ -6,12 +6,12 @@
 #include "ui/look/look_icon.h"
 #include "ui/microscope/answer_cover.h"
 #include "ui/microscope/code_view.h"
-#include "ui/microscope/heading.h"
 #include "ui/microscope/microscope_bar.h"
 #include "ui/microscope/microscope_view.h"
 #include "ui/microscope/operations_view.h"
 #include "ui/microscope/overview.h"
 #include "ui/microscope/variable_table.h"
+#include "ui/widgets/heading.h"
 
 #include <QApplication>
 #include <QShortcut>

@@ -4,9 +4,9 @@
 #include "app/base/numbers.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
-#include "ui/microscope/heading.h"
 #include "ui/microscope/legend.h"
 #include "ui/microscope/timeline.h"
+#include "ui/widgets/heading.h"
 
 #include <QAccessible>
 #include <QVBoxLayout>

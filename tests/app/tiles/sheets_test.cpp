@@ -75,7 +75,7 @@ private slots:
         const Sheets all = sheets({.columns = 3, .rows = 2, .margin = 0});
         double length = 0;
         for (std::size_t i = 0; i < all.count(); ++i)
-            length += lengthOf(all.sheet(i));
+            length += lengthOf(all.sheet(all.tiling.tiles[i]));
         const double whole = lengthOf(all.drawing);
         QVERIFY2(std::abs(length - whole) < 1e-9 * whole, qPrintable(QString::number(length)));
     }
@@ -83,7 +83,7 @@ private slots:
     void aSheetIsAPageWithMargins()
     {
         const Sheets all = sheets({.sheet = {210, 297}, .margin = 10, .overlap = 4});
-        const Document second = all.sheet(1);
+        const Document second = all.sheet(all.tiling.tiles[1]);
         QCOMPARE(second.page().width, (Length{210, Unit::Mm}));
         QCOMPARE(second.page().height, (Length{297, Unit::Mm}));
         QCOMPARE(second.page().min, Point(186 - 10, -10));
@@ -94,11 +94,11 @@ private slots:
     // Two sheets laid over each other: the same marks at the same points.
     void neighboursHaveTheSameRegistrationMarks()
     {
-        const TilePlan plan{.columns = 2, .rows = 1, .margin = 10, .overlap = 6, .marks = true};
+        const TilePlan plan{.columns = 2, .rows = 1, .margin = 10, .overlap = 6, .marks = allMarks};
         const Sheets all = sheets(plan);
         std::vector<Point> crosses[2];
         for (const std::size_t i : {0, 1})
-            for (const Object& mark : marksOf(all.tiling, all.tiling.tiles[i], 10, 1, "plan"))
+            for (const Object& mark : marksOf(all.tiling, all.tiling.tiles[i], plan, "plan"))
                 if (mark.path.subpathCount() == 3 && !mark.path.straight())
                     crosses[i].push_back(centreOfRing(mark));
         QCOMPARE(crosses[0].size(), 2u);
@@ -109,10 +109,10 @@ private slots:
 
     void marksStayInTheMargins()
     {
-        const TilePlan plan{.sheet = {150, 120}, .margin = 8, .overlap = 5, .marks = true};
+        const TilePlan plan{.sheet = {150, 120}, .margin = 8, .overlap = 5, .marks = allMarks};
         const Sheets all = sheets(plan);
         for (std::size_t i = 0; i < all.count(); ++i) {
-            const Document sheet = all.sheet(i);
+            const Document sheet = all.sheet(all.tiling.tiles[i]);
             const auto& [min, max] = all.tiling.tiles[i].window;
             const auto paper = sheet.page().rectangle();
             const auto layer = sheet.containers().childrenOf(0).back();
@@ -184,7 +184,7 @@ private slots:
         row({"--tiles", "3x2", "-o", "x.svg"}, "is one name for 6 sheets. Put {row} and {column}");
         row({"--tiles", "3x2", "-o", "-", "--to", "pdf"}, "--tiles writes files");
         row({"--overlap", "3mm", "-o", "x.svg"}, "--overlap needs --tiles.");
-        row({"--tiles", "a4", "--overlap", "30cm", "-o", "x.pdf"}, "The overlap must be less than");
+        row({"--tiles", "a4", "--overlap", "30cm", "-o", "x.pdf"}, "Overlap must be less than");
         row({"--tiles", "100x11", "-o", "x.pdf"}, "needs more than 1000 sheets");
     }
     void whatIsWrongIsSaid()

@@ -52,6 +52,39 @@ private slots:
         QCOMPARE(tiled({.sheet = {180, 540}, .margin = 0}).columns, 3);
     }
 
+    // Half as large on paper: a sheet holds twice as much.
+    void theScaleIsThatOnPaper()
+    {
+        const Tiling half = tiled({.sheet = {210, 297}, .margin = 10, .overlap = 10, .scale = 0.5});
+        QCOMPARE(half.columns, 2); // 190 + 180 >= 270
+        QCOMPARE(half.rows, 1);
+        QCOMPARE(half.tiles.front().window.max, large.min + Point(760, 1108));
+        QCOMPARE(half.drawing, Point(270, 270));
+        QCOMPARE(tilingOf(large, {.scale = 0}).error,
+                 "The scale must be between 0.1 % and 100,000 %.");
+    }
+
+    // The first sheet begins left of the page; a whole step is no shift.
+    void cutsAreShifted()
+    {
+        const TilePlan plan{.sheet = {210, 297}, .margin = 10, .overlap = 10, .shift = {50, 0}};
+        const Tiling shifted = tiled(plan);
+        QCOMPARE(shifted.tiles[0].window.min, large.min - Point(100, 0));
+        QCOMPARE(shifted.tiles[1].window.min.x, large.min.x + 260);
+        TilePlan whole = plan;
+        whole.shift = {180, -267};
+        QCOMPARE(tiled(whole).tiles[0].window.min, large.min);
+    }
+
+    void sheetsAreLeftOut()
+    {
+        const Tiling some =
+            tiled({.sheet = {210, 297}, .margin = 10, .overlap = 10, .leftOut = {2, 6, 9}});
+        QCOMPARE(some.tiles.size(), 6u);
+        QCOMPARE(some.written(), 4);
+        QVERIFY(some.tiles[1].leftOut && some.tiles[5].leftOut && !some.tiles[0].leftOut);
+    }
+
     // The whole page lies in the tiles, and neighbours have the overlap in common.
     void thePageIsCovered()
     {
@@ -76,14 +109,13 @@ private slots:
         QTest::addColumn<QString>("sentence");
         QTest::newRow("margin")
             << 105.0 << 0.0 << false
-            << "The margin of 105.00\u00a0mm is too large: nothing of a sheet is left.";
-        QTest::newRow("overlap")
-            << 10.0 << 190.0 << false
-            << "The overlap must be less than 190.00\u00a0mm, the width of the drawing on a sheet.";
+            << "The margin of 105\u00a0mm is too large: nothing of a sheet is left.";
+        QTest::newRow("overlap") << 10.0 << 190.0 << false
+                                 << "Overlap must be less than 190\u00a0mm, the width of a sheet.";
         QTest::newRow("negative") << -1.0 << 0.0 << false
                                   << "Margin and overlap of sheets must not be negative.";
         QTest::newRow("marks") << 4.0 << 0.0 << true
-                               << "Marks need a margin of at least 5.00\u00a0mm on each sheet.";
+                               << "Marks need a margin of at least 5\u00a0mm on each sheet.";
         QTest::newRow("many") << 104.99 << 0.0 << false
                               << "The drawing needs more than 1000 sheets. Choose larger ones.";
         QTest::newRow("nan") << std::nan("") << 0.0 << false
@@ -95,8 +127,10 @@ private slots:
         QFETCH(double, overlap);
         QFETCH(bool, marks);
         QFETCH(QString, sentence);
-        const auto tiling = tilingOf(
-            large, {.sheet = {210, 297}, .margin = margin, .overlap = overlap, .marks = marks});
+        const auto tiling = tilingOf(large, {.sheet = {210, 297},
+                                             .margin = margin,
+                                             .overlap = overlap,
+                                             .marks = marks ? allMarks : SheetMarks{}});
         QVERIFY(!tiling);
         QCOMPARE(tiling.error, sentence);
     }

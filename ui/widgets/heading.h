@@ -4,15 +4,18 @@
 #include <QWidget>
 
 class QHBoxLayout;
+class QLabel;
 
 namespace ui {
 
-/// The title of a part of the microscope, in the style of dock titles; a link may be at its right.
+/// The title of a part of a page, in the style of dock titles; a muted remark may follow it, and a
+/// link may be at its right.
 class Heading : public QWidget {
     Q_OBJECT
 
 public:
     explicit Heading(const QString& title, QWidget* parent = nullptr);
+    void setRemark(const QString& remark);
     void add(QWidget* widget);
 
     QSize sizeHint() const override;
@@ -22,6 +25,7 @@ protected:
 
 private:
     QHBoxLayout* row_;
+    QLabel* remark_;
 };
 
 } // namespace ui

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/live_sheets.h"
+
+namespace app {
+namespace {
+
+constexpr std::size_t mostLinesAtOnce = 20'000; // cut in some hundredths of a second
+
+Document cutAtItsWindows(const Document& document, const CutOptions& options)
+{
+    Document made = withOwnStyles(document);
+    Cut result = cut(made, options);
+    result.edit.windows = ClipWindows();
+    made.apply(result.edit);
+    return made;
+}
+
+} // namespace
+
+LiveSheets::LiveSheets(Session& session, QObject* parent) : QObject(parent), session_(session)
+{
+    connect(&session.document, &EditedDocument::changed, this, &LiveSheets::follow);
+    connect(&session, &Session::displayChanged, this, &LiveSheets::follow); // the algorithm
+    connect(&session, &Session::loaded, this, &LiveSheets::forget);
+}
+
+void LiveSheets::open()
+{
+    if (open_)
+        return;
+    open_ = true;
+    cutDrawing();
+    divide();
+    emit openChanged();
+}
+
+void LiveSheets::close()
+{
+    if (!open_)
+        return;
+    open_ = false;
+    cutter_.cancel();
+    emit openChanged();
+    cut_.reset();
+}
+
+void LiveSheets::follow()
+{
+    if (!open_)
+        return;
+    cutDrawing();
+    divide();
+    emit changed();
+}
+
+void LiveSheets::forget()
+{
+    settings_.name.clear();
+    settings_.plan.shift = Point(0);
+    settings_.plan.leftOut.clear();
+    follow();
+}
+
+void LiveSheets::cutDrawing()
+{
+    const ClipRegion region = regionOf(session_.now().windows(), session_.now().page());
+    if (region.everything()) {
+        cutter_.cancel();
+        cut_.reset();
+        return;
+    }
+    const CutOptions options{.clipAll = session_.uses().clipAll, .region = region};
+    const auto take = [this](Document drawing) {
+        cut_ = std::make_unique<CutDrawing>(std::move(drawing));
+        emit changed();
+    };
+    if (session_.scene.lines().size() <= mostLinesAtOnce) {
+        cutter_.cancel();
+        cut_ = std::make_unique<CutDrawing>(cutAtItsWindows(session_.now(), options));
+        return;
+    }
+    cutter_.start([document = session_.document.snapshot(),
+                   options](const Follower&) { return cutAtItsWindows(document, options); },
+                  take);
+}
+
+void LiveSheets::divide() { tiling_ = tilingOf(session_.now().page(), planOf(settings_)); }
+
+std::optional<QString> LiveSheets::change(SheetSettings next)
+{
+    if (next == settings_)
+        return std::nullopt;
+    Result<Tiling> made = tilingOf(session_.now().page(), planOf(next));
+    const bool other = made && tiling_
+                       && (made.value->columns != tiling_.value->columns
+                           || made.value->rows != tiling_.value->rows);
+    if (other && !next.plan.leftOut.empty()) { // they were other sheets
+        next.plan.leftOut.clear();
+        made = tilingOf(session_.now().page(), planOf(next));
+    }
+    if (!made && tiling_)
+        return made.error;
+    settings_ = std::move(next);
+    tiling_ = std::move(made);
+    emit changed();
+    return tiling_ ? std::nullopt : std::optional(tiling_.error);
+}
+
+void LiveSheets::setTitle(const QString& title)
+{
+    if (title == title_)
+        return;
+    title_ = title;
+    if (open_)
+        emit changed();
+}
+
+Sheets LiveSheets::sheets() const
+{
+    return {drawing(), planOf(settings_), *tiling_.value, {.clipAll = session_.uses().clipAll},
+            title_,    settings_.overview};
+}
+
+QStringList LiveSheets::files() const
+{
+    return tiling_ ? filesOf(sheets(), patternOf(settings_, title_)) : QStringList();
+}
+
+} // namespace app

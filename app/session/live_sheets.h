@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/base/background.h"
+#include "app/session/session.h"
+#include "app/tiles/sheet_settings.h"
+
+namespace app {
+
+/// The sheets among which a session's drawing is divided, while they are shown and exported. The
+/// drawing is cut at its own clip windows first, as for any export: a large one in the background.
+/// The document is never changed. The settings last as long as this object; those that belong to
+/// one drawing (name, cuts moved, sheets left out) begin anew with each.
+class LiveSheets : public QObject {
+    Q_OBJECT
+
+public:
+    explicit LiveSheets(Session& session, QObject* parent = nullptr);
+
+    bool isOpen() const { return open_; }
+    void open();
+    void close();
+
+    const SheetSettings& settings() const { return settings_; }
+    /// Takes other settings. Returns a sentence that says why no sheets can be made by them; then
+    /// the old ones stay, unless these are no better.
+    std::optional<QString> change(SheetSettings next);
+    /// The sheets; the error says why there are none. Only valid while open.
+    const Result<Tiling>& tiling() const { return tiling_; }
+
+    const QString& title() const { return title_; }
+    void setTitle(const QString& title); ///< the name of the drawing, without an ending
+
+    /// What is divided: the drawing, cut at its own windows. Only valid while open.
+    const Document& drawing() const { return cut_ ? cut_->document.now() : session_.now(); }
+    Scene& scene() { return cut_ ? cut_->scene : session_.scene; }
+    bool cutting() const { return cutter_.active(); } ///< `drawing` is not up to date yet
+    void wait() { cutter_.wait(); }                   ///< until it is
+
+    /// What is exported; there is a tiling.
+    Sheets sheets() const;
+    /// Files to be written, by their names; empty without a tiling.
+    QStringList files() const;
+
+signals:
+    void openChanged();
+    void changed(); ///< anything that is shown
+
+private:
+    void follow();
+    void forget();
+    void divide();
+    void cutDrawing();
+
+    struct CutDrawing {
+        explicit CutDrawing(Document drawing) : document(std::move(drawing)) {}
+        EditedDocument document;
+        Scene scene{document};
+    };
+    Session& session_;
+    SheetSettings settings_;
+    Result<Tiling> tiling_ = Result<Tiling>::failure({});
+    QString title_;
+    std::unique_ptr<CutDrawing> cut_; ///< null: the drawing has no clip windows
+    Background<Document> cutter_;
+    bool open_ = false;
+};
+
+} // namespace app

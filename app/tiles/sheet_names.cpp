@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/tiles/sheet_names.h"
+
+#include <QRegularExpression>
+
+namespace app {
+namespace {
+
+// From the first number to the last one.
+const QRegularExpression& numbers()
+{
+    static const QString number = QStringLiteral("\\{(?:row|column|n)\\}");
+    static const QRegularExpression all(number + QStringLiteral("(?:.*") + number
+                                        + QStringLiteral(")?"));
+    return all;
+}
+
+} // namespace
+
+QString sheetName(const QString& pattern, const Tiling& tiling, const Tile& tile)
+{
+    QString name = pattern;
+    return name.replace(QStringLiteral("{row}"), QString::number(tile.row))
+        .replace(QStringLiteral("{column}"), QString::number(tile.column))
+        .replace(QStringLiteral("{n}"), QString::number(tiling.numberOf(tile)));
+}
+
+bool namesEverySheet(const QString& pattern, const Tiling& tiling)
+{
+    const auto has = [&](const char* word) { return pattern.contains(QLatin1StringView(word)); };
+    return has("{n}")
+           || ((tiling.rows == 1 || has("{row}")) && (tiling.columns == 1 || has("{column}")));
+}
+
+QString overviewName(const QString& pattern)
+{
+    QString name = pattern;
+    return name.replace(numbers(), QStringLiteral("overview"));
+}
+
+QString nameWithoutNumbers(const QString& pattern)
+{
+    static const QRegularExpression separated(QStringLiteral("[-_ .]*") + numbers().pattern());
+    QString name = pattern;
+    return name.remove(separated);
+}
+
+} // namespace app

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/tiles/sheet_settings.h"
+
+#include "app/base/latin.h"
+#include "app/base/numbers.h"
+#include "app/tiles/papers.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+namespace app {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("Tiles", text); }
+
+constexpr std::string_view manyPages = "pdf";
+
+} // namespace
+
+TilePlan planOf(const SheetSettings& settings)
+{
+    TilePlan plan = settings.plan;
+    const Point paper = paperSize(settings.paper).value_or(Point(210, 297));
+    plan.sheet = settings.byNumber    ? Point(0)
+                 : settings.landscape ? Point(paper.y, paper.x)
+                                      : paper;
+    return plan;
+}
+
+QString paperText(const SheetSettings& settings, const Tiling& tiling)
+{
+    if (settings.byNumber)
+        return tr("%1 × %2 mm").arg(numberText(tiling.sheet.x, 0), numberText(tiling.sheet.y, 0));
+    return (settings.landscape ? tr("%1 landscape") : tr("%1 portrait")).arg(settings.paper);
+}
+
+QString patternOf(const SheetSettings& settings, const QString& title)
+{
+    QString name =
+        settings.name.isEmpty() ? title + QStringLiteral("-{row}-{column}") : settings.name;
+    const QString plain = nameWithoutNumbers(name);
+    if (settings.oneFile)
+        name = plain.isEmpty() ? title : plain;
+    else if (name == plain) // it was that of one file
+        name += QStringLiteral("-{row}-{column}");
+    return name + u'.' + QString::fromStdString(settings.format);
+}
+
+Result<SheetSettings> withName(SheetSettings settings, const QString& typed, const Tiling& tiling)
+{
+    using Refused = Result<SheetSettings>;
+    QString name = typed.trimmed();
+    if (name.contains(u'/'))
+        return Refused::failure(tr("A name must not contain “/”. The folder is chosen later."));
+    if (const Format* format = formatOfFile(name); format && format->write) {
+        name.chop(QFileInfo(name).suffix().size() + 1);
+        if (settings.format != format->key)
+            settings = withFormat(std::move(settings), *format);
+    }
+    if (nameWithoutNumbers(name).isEmpty() && (settings.oneFile || name.isEmpty()))
+        return Refused::failure(tr("Type a name for the files."));
+    if (!settings.oneFile && !namesEverySheet(name, tiling))
+        return Refused::failure(
+            tr("Each sheet needs a name of its own: put {row} and {column}, or {n}, into it."));
+    settings.name = name;
+    return Refused::of(std::move(settings));
+}
+
+SheetSettings withFormat(SheetSettings settings, const Format& format)
+{
+    settings.format = format.key;
+    settings.oneFile = settings.oneFile && format.key == manyPages;
+    return settings;
+}
+
+SheetSettings withOneFile(SheetSettings settings, bool oneFile)
+{
+    settings.oneFile = oneFile;
+    if (oneFile)
+        settings.format = manyPages;
+    return settings;
+}
+
+std::vector<const Format*> sheetFormats()
+{
+    std::vector<const Format*> writable;
+    for (const Format& format : formats())
+        if (format.write)
+            writable.push_back(&format);
+    return writable;
+}
+
+} // namespace app

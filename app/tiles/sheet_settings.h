@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/tiles/sheets.h"
+
+#include <string>
+
+namespace app {
+
+/// What a person chooses for the sheets of a drawing.
+struct SheetSettings {
+    QString paper = QStringLiteral("A4"); ///< one that paperSize() knows
+    bool landscape = false;
+    bool byNumber = false; ///< of columns and rows, not by the size of the paper
+    /// The rest of the plan; its `sheet` does not count.
+    TilePlan plan{.columns = 2, .rows = 2, .margin = 10, .overlap = 10, .marks = allMarks};
+
+    std::string format = "svg";
+    bool oneFile = false; ///< for all sheets; only in the format PDF
+    OverviewSheet overview = OverviewSheet::No;
+    QString name{}; ///< the pattern of the files' names without the ending; empty: by the title
+    friend bool operator==(const SheetSettings&, const SheetSettings&) = default;
+};
+
+TilePlan planOf(const SheetSettings& settings);
+
+/// "A4 portrait"; by number "192 × 550 mm".
+QString paperText(const SheetSettings& settings, const Tiling& tiling);
+
+/// The pattern of the files' names with the ending. `title` is the name of the drawing.
+QString patternOf(const SheetSettings& settings, const QString& title);
+/// Takes a typed pattern; its ending may choose another format. The error is a sentence.
+Result<SheetSettings> withName(SheetSettings settings, const QString& typed, const Tiling& tiling);
+/// Takes another format, and whether all sheets are in one file; only PDF can hold several.
+SheetSettings withFormat(SheetSettings settings, const Format& format);
+SheetSettings withOneFile(SheetSettings settings, bool oneFile);
+
+/// The formats that sheets can be written in, in menu order.
+std::vector<const Format*> sheetFormats();
+
+} // namespace app
