@@ -23,7 +23,7 @@ using Windows = std::vector<ClipWindow>;
 
 Windows one(WindowShape shape) { return {{.shape = std::move(shape)}}; }
 
-// A window without area is valid: it is closed, and keeps what lies on it.
+// A window without area is valid, and contains nothing.
 void refuseInverted(const clipping::Window& window)
 {
     const bool beyond = window.min.x > window.max.x, below = window.min.y > window.max.y;

@@ -3,14 +3,30 @@
 
 namespace app {
 
+static_assert(int(clipping::FillRule::EvenOdd) == int(FillRule::EvenOdd));
+static_assert(int(clipping::AreaOperation::Intersect) == int(WindowOperation::Intersect));
+static_assert(int(clipping::Keep::Outside) == int(Keep::Outside));
+
+static clipping::Area areaOf(const ClipRegion::Step& step)
+{
+    if (step.rings.empty())
+        return clipping::areaOf(step.box);
+    clipping::Area area;
+    area.rule = clipping::FillRule(step.rule);
+    for (const auto& ring : step.rings) {
+        area.points.insert(area.points.end(), ring.begin(), ring.end());
+        area.ringEnds.push_back(std::uint32_t(area.points.size()));
+    }
+    return area;
+}
+
 std::shared_ptr<const clipping::PreparedRegion> areaWindows(const ClipRegion& region)
 {
     if (region.prepared)
         return region.prepared;
     clipping::Region windows{{}, clipping::Keep(region.keep)};
     for (const ClipRegion::Step& step : region.steps)
-        windows.steps.push_back(
-            {clipping::areaOf(step.box), clipping::AreaOperation(step.operation)});
+        windows.steps.push_back({areaOf(step), clipping::AreaOperation(step.operation)});
     return std::make_shared<const clipping::PreparedRegion>(windows);
 }
 

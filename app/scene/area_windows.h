@@ -6,8 +6,8 @@
 
 namespace app {
 
-/// The clip windows as a region at which areas are cut. A region of axis-aligned rectangles alone
-/// is not prepared for lines, which every algorithm can clip there.
+/// The clip windows as the library's region: at it areas are cut, and lines with exact decisions.
+/// The one that the region has already, or a new one.
 std::shared_ptr<const clipping::PreparedRegion> areaWindows(const ClipRegion& region);
 
 } // namespace app

@@ -3,6 +3,8 @@
 
 #include <QVarLengthArray>
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -43,7 +45,9 @@ private:
     int major_;
 };
 
-constexpr double mostUlps = 64; // the largest error of an end, as `clipping::Uses` states
+// The largest errors of an end, in ulps of the largest coordinate: at a window along the axes, as
+// `clipping::Uses` states, and at any other window (`turnedUlps`).
+constexpr double mostUlps = 64, mostShapedUlps = 6 * mostUlps + 20;
 
 // One to two units in the last place of the largest |coordinate|.
 double ulpOf(const Segment& line, const clipping::Window& box)
@@ -66,6 +70,7 @@ public:
         for (std::size_t i = 0; i < atStep.size(); ++i)
             steps_ << Step{isSeen(atStep[i]) ? added(*atStep[i], region.steps[i].box) : Stay{}};
         joinOnEdges();
+        joinAtBorders();
         numberPlaces();
         enterSteps();
     }
@@ -95,7 +100,7 @@ private:
     struct Breakpoint {
         glm::dvec2 at;
         Edge edge = Edge::None; ///< of the window; None: an end of the line
-        double level = 0;       ///< of that edge
+        double level = 0;       ///< of that edge; NaN: a border that is not along an axis
         double rounding = 0;    ///< the largest rounding error of an algorithm along the edge
         int place = 0;
     };
@@ -129,7 +134,10 @@ private:
 
     void add(const glm::dvec2& at, Edge edge, const clipping::Window& box)
     {
-        if (edge == Edge::None || clipping::axisOf(edge) > 1) // published forms may say anything
+        if (edge == borderEdge)
+            breakpoints_ << Breakpoint{at, edge, std::numeric_limits<double>::quiet_NaN(),
+                                       2 * mostShapedUlps * ulpOf(line_, box)};
+        else if (edge == Edge::None || clipping::axisOf(edge) > 1) // published forms say anything
             breakpoints_ << Breakpoint{at};
         else
             breakpoints_ << Breakpoint{at, edge, clipping::levelOf(edge, box),
@@ -168,6 +176,27 @@ private:
             });
             if (same != each)
                 here.at = breakpoints_[*same].at;
+        }
+    }
+
+    // Merges an end at a border that is not along an axis with an earlier end that differs from it
+    // only by rounding: no level tells whether they are at the same edge.
+    void joinAtBorders()
+    {
+        for (int i = 2; i < breakpoints_.size(); ++i) {
+            Breakpoint& here = breakpoints_[i];
+            if (here.edge == Edge::None)
+                continue;
+            const auto same = std::find_if(
+                breakpoints_.begin() + 2, breakpoints_.begin() + i, [&](const Breakpoint& other) {
+                    if (other.edge != borderEdge && here.edge != borderEdge)
+                        return false;
+                    const auto apart = glm::abs(other.at - here.at);
+                    const double most = std::max(other.rounding, here.rounding);
+                    return other.edge != Edge::None && apart.x <= most && apart.y <= most;
+                });
+            if (same != breakpoints_.begin() + i)
+                here.at = same->at;
         }
     }
 

@@ -2,18 +2,18 @@
 #include "app/scene/region.h"
 
 #include "app/document/window_outline.h"
+#include "app/scene/area_windows.h"
+#include "app/scene/box_in_outline.h"
+#include "app/scene/convex_outline.h"
 
 #include <glm/common.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace app {
-
-static_assert(int(clipping::FillRule::EvenOdd) == int(FillRule::EvenOdd));
-static_assert(int(clipping::AreaOperation::Intersect) == int(WindowOperation::Intersect));
-static_assert(int(clipping::Keep::Outside) == int(Keep::Outside));
 
 namespace {
 
@@ -29,18 +29,17 @@ bool isProper(const clipping::Window& box)
     return isFinite(box) && box.min.x <= box.max.x && box.min.y <= box.max.y;
 }
 
-/// How much of a box a set of points contains.
-enum class Share : std::uint8_t { None, All, Some };
-
 Share shareIn(const ClipRegion::Step& step, const clipping::Window& box)
 {
     const clipping::Window& window = step.box;
     if (!isProper(window) || box.max.x < window.min.x || box.min.x > window.max.x
         || box.max.y < window.min.y || box.min.y > window.max.y)
         return Share::None;
+    if (!step.rings.empty())
+        return shareOfBox(step.rings, step.rule, box);
     const bool all = box.min.x >= window.min.x && box.max.x <= window.max.x
                      && box.min.y >= window.min.y && box.max.y <= window.max.y;
-    return all && step.rings.empty() ? Share::All : Share::Some;
+    return all ? Share::All : Share::Some;
 }
 
 Share opposite(Share share)
@@ -64,54 +63,49 @@ Share after(WindowOperation operation, Share before, Share window)
     return both(before, operation == WindowOperation::CutOut ? opposite(window) : window);
 }
 
+bool hasArea(const clipping::Window& box) { return box.min.x < box.max.x && box.min.y < box.max.y; }
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr clipping::Window nothing{{infinite, infinite}, {-infinite, -infinite}};
+
+clipping::Window boxAround(const std::vector<std::vector<Point>>& rings)
+{
+    clipping::Window box = nothing;
+    for (const auto& ring : rings)
+        for (const Point& corner : ring)
+            box = {glm::min(box.min, corner), glm::max(box.max, corner)};
+    return box;
+}
+
 ClipRegion::Step stepOf(const ClipWindow& window, double tolerance)
 {
+    const auto* rectangle = std::get_if<RectangleShape>(&window.shape);
+    if (rectangle && !hasArea(rectangle->box))
+        return {nothing, window.operation};
     if (const auto box = axisAlignedBox(window.shape))
         return {*box, window.operation};
     WindowOutline outline = outlineOf(window.shape, tolerance);
-    constexpr double infinite = std::numeric_limits<double>::infinity();
-    clipping::Window box{Point(infinite), Point(-infinite)};
-    for (const auto& ring : outline.rings)
-        for (const Point& corner : ring)
-            box = {glm::min(box.min, corner), glm::max(box.max, corner)};
-    return {box, window.operation, std::move(outline.rings), outline.rule};
-}
-
-// A window without a border contains nothing; then its box is not proper either.
-bool isAxisAligned(const ClipRegion::Step& step)
-{
-    return step.rings.empty() && isProper(step.box);
-}
-
-clipping::Area areaOf(const ClipRegion::Step& step)
-{
-    if (isAxisAligned(step))
-        return clipping::areaOf(step.box);
-    clipping::Area area;
-    area.rule = clipping::FillRule(step.rule);
-    for (const auto& ring : step.rings) {
-        area.points.insert(area.points.end(), ring.begin(), ring.end());
-        area.ringEnds.push_back(std::uint32_t(area.points.size()));
-    }
-    return area;
+    ClipRegion::Step step{boxAround(outline.rings), window.operation, std::move(outline.rings),
+                          outline.rule};
+    step.polygon = convexPolygonOf(step.rings);
+    if (rectangle && !step.polygon.corners.empty())
+        step.turned = clipping::turned(rectangle->box, rectangle->angle * 180 / std::numbers::pi);
+    return step;
 }
 
 void prepare(ClipRegion& region)
 {
-    const auto shaped = [](const ClipRegion::Step& step) { return !step.rings.empty(); };
-    if (std::ranges::none_of(region.steps, shaped))
-        return;
-    clipping::Region all{{}, clipping::Keep(region.keep)};
-    for (const ClipRegion::Step& step : region.steps)
-        all.steps.push_back({areaOf(step), clipping::AreaOperation(step.operation)});
-    region.prepared = std::make_shared<const clipping::PreparedRegion>(all);
+    region.prepared.reset();
+    if (!region.everything() && !region.single())
+        region.prepared = areaWindows(region);
 }
 
 } // namespace
 
 std::optional<clipping::Window> ClipRegion::single() const
 {
-    if (prepared || steps.size() != 1 || steps.front().operation == WindowOperation::CutOut)
+    if (steps.size() != 1 || !steps.front().rings.empty()
+        || steps.front().operation == WindowOperation::CutOut)
         return std::nullopt;
     return steps.front().box;
 }
@@ -148,8 +142,7 @@ Remains remainsOf(const ClipRegion& region, const clipping::Window& box)
         return Remains::Pieces;
     Share share = region.startsFull() ? Share::All : Share::None;
     for (const ClipRegion::Step& step : region.steps) {
-        const Point size = step.box.max - step.box.min;
-        const bool flat = region.prepared && !(size.x > 0 && size.y > 0);
+        const bool flat = !region.single() && !hasArea(step.box);
         share = after(step.operation, share, flat ? Share::None : shareIn(step, box));
     }
     if (share == Share::Some)

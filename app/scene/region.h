@@ -4,6 +4,7 @@
 #include "app/document/clip_windows.h"
 #include "app/document/page.h"
 #include "clipping/region/region.h"
+#include "clipping/turned_window.h"
 
 #include <cstdint>
 #include <memory>
@@ -26,6 +27,7 @@ namespace app {
 /// - a single point of a longer line that is in the set, while its neighbours are not, is a
 ///   contact: a piece of length zero.
 /// For a single window these are the rules of `clipping::Uses` (inside) and `clipping::outsideAll`.
+/// A window without area contains nothing, alone or beside others.
 struct ClipRegion {
     struct Step {
         clipping::Window box; ///< contains nothing if `min > max` or a number is not finite
@@ -34,13 +36,20 @@ struct ClipRegion {
         /// then.
         std::vector<std::vector<Point>> rings{};
         FillRule rule = FillRule::NonZero;
-        friend bool operator==(const Step&, const Step&) = default;
+        /// The border as a convex polygon with area; without corners if it is none.
+        clipping::ConvexPolygon polygon{};
+        /// A rotated rectangle, if the polygon is one.
+        std::optional<clipping::TurnedWindow> turned{};
+        friend bool operator==(const Step& a, const Step& b)
+        {
+            return a.box == b.box && a.operation == b.operation && a.rings == b.rings
+                   && a.rule == b.rule;
+        }
     };
     std::vector<Step> steps{};
     Keep keep = Keep::Inside; ///< if there is a `prepared`, it has the same
-    /// Clips at all steps together, with exact decisions; null if all of them are axis-aligned
-    /// rectangles, at which every algorithm can clip. Here a rectangle without area contains
-    /// nothing.
+    /// Clips at all steps together, with exact decisions. `regionOf` leaves it null for one
+    /// axis-aligned rectangle, at which nothing else is faster.
     std::shared_ptr<const clipping::PreparedRegion> prepared{};
     friend bool operator==(const ClipRegion& a, const ClipRegion& b)
     {
@@ -87,8 +96,11 @@ Remains remainsOf(const ClipRegion& region, const clipping::Window& box);
 ///
 /// For one rectangle the result is the algorithm's piece, or its `outsideAll`, bit for bit. With
 /// several windows, ends on the same level of an axis are merged into the first of them if they
-/// differ by at most an algorithm's rounding (128 ulps of the largest coordinate). A piece that is
-/// not finite is ignored; a piece in reverse direction (from a published form) is turned round.
+/// differ by at most an algorithm's rounding (128 ulps of the largest coordinate), and so are ends
+/// that differ by no more, if one is at the border of a rotated or polygonal window. So a line that
+/// crosses an edge shared by two windows stays whole. A piece that is not finite is ignored; a
+/// piece in reverse direction (from a published form) is turned round. The row `exact` is not
+/// folded: the prepared region orders its cuts exactly.
 void fold(const ClipRegion& region, const clipping::Segment& line, std::uint32_t source,
           std::span<const std::optional<clipping::Clipped>> atStep,
           std::vector<clipping::Clipped>& kept);

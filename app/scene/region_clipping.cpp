@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scene/region_clipping.h"
 
+#include "app/scene/area_windows.h"
 #include "clipping/outside.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace app {
 
@@ -21,22 +23,34 @@ static std::span<Clipped> roomIn(std::vector<Clipped>& buffer, std::size_t count
     return std::span(buffer).first(count);
 }
 
+// Pieces of published forms in odd directions are put right only by folding.
+static bool isOneWindow(const ClipRegion& region, const RowForms& forms)
+{
+    return region.steps.size() == 1 && !forms.atRegion
+           && (region.single() || forms.exact || !region.steps.front().rings.empty());
+}
+
 void RegionClipping::start(const ClipRegion& region, ClipAll clipAll)
 {
     region_ = &region;
-    clipAll_ = clipAll;
+    forms_ = formsAt(region, clipAll);
+    prepared_ = forms_.atRegion && !region.everything() ? areaWindows(region) : nullptr;
+    oneWindow_ = isOneWindow(region, forms_);
+    keepsInside_ = (region.keep == Keep::Inside)
+                   != (oneWindow_ && region.steps.front().operation == WindowOperation::CutOut);
     stopwatch_.reset();
 }
 
 std::size_t RegionClipping::clip(std::span<const Segment> lines, std::size_t first,
                                  std::span<Clipped> out)
 {
+    const ClipRegion::Step& step = region_->steps.front();
     std::size_t count = 0;
-    if (region_->keep == Keep::Inside) {
-        count = clipAt(*region_->single(), lines, out);
+    if (keepsInside_) {
+        count = clipAt(step, lines, out);
     } else {
         const Pieces inside = roomIn(buffer_, lines.size());
-        count = clipAt(*region_->single(), lines, inside);
+        count = clipAt(step, lines, inside);
         count = clipping::outsideAll(lines, inside.first(count), out);
     }
     for (Clipped& piece : out.first(first == 0 ? 0 : count))
@@ -44,19 +58,19 @@ std::size_t RegionClipping::clip(std::span<const Segment> lines, std::size_t fir
     return count;
 }
 
-std::size_t RegionClipping::clipAt(const clipping::Window& window, std::span<const Segment> lines,
+std::size_t RegionClipping::clipAt(const ClipRegion::Step& step, std::span<const Segment> lines,
                                    const Pieces& out)
 {
     std::size_t count = 0;
-    stopwatch_.time([&] { count = clipAll_(lines, window, out); });
+    stopwatch_.time([&] { count = clipAtStep(forms_, step, lines, out); });
     return count;
 }
 
 void RegionClipping::fold(std::span<const Segment> lines, std::size_t first,
                           std::vector<Clipped>& kept)
 {
-    if (region_->prepared)
-        return clipPrepared(lines, first, kept);
+    if (prepared_)
+        return clipRegion(lines, first, kept);
     for (; lines.size() > foldedAtOnce; first += foldedAtOnce) {
         fold(lines.first(foldedAtOnce), first, kept);
         lines = lines.subspan(foldedAtOnce);
@@ -80,13 +94,12 @@ static clipping::Edge edgeOf(std::uint32_t number)
     return number == 0 ? clipping::Edge::None : borderEdge;
 }
 
-void RegionClipping::clipPrepared(std::span<const Segment> lines, std::size_t first,
-                                  std::vector<Clipped>& kept)
+void RegionClipping::clipRegion(std::span<const Segment> lines, std::size_t first,
+                                std::vector<Clipped>& kept)
 {
-    const clipping::PreparedRegion& region = *region_->prepared;
     shaped_.resize(std::max<std::size_t>(2 * lines.size(), 64));
     for (clipping::RegionProgress done; done.segment < lines.size();) {
-        stopwatch_.time([&] { done = clipping::clipAll(lines, region, shaped_, done); });
+        stopwatch_.time([&] { done = forms_.atRegion(lines, *prepared_, shaped_, done); });
         for (const clipping::RegionPiece& piece : std::span(shaped_).first(done.written))
             kept.push_back({piece.segment, std::uint32_t(first + piece.source),
                             clipping::cutAt(edgeOf(piece.edgeOfA), edgeOf(piece.edgeOfB))});
@@ -100,7 +113,7 @@ void RegionClipping::clipAtAll(std::span<const Segment> lines)
     left_.resize(steps.size());
     for (std::size_t i = 0; i < steps.size(); ++i) {
         left_[i] = room.subspan(i * lines.size(), lines.size());
-        left_[i] = left_[i].first(clipAt(steps[i].box, lines, left_[i]));
+        left_[i] = left_[i].first(clipAt(steps[i], lines, left_[i]));
     }
 }
 

@@ -2,29 +2,29 @@
 #pragma once
 
 #include "app/base/stopwatch.h"
-#include "app/scene/region.h"
-#include "clipping/algorithm.h"
+#include "app/scene/step_clipping.h"
 
 namespace app {
 
-/// The type of `clipping::Uses::clipAll`. Pieces with numbers that are not finite are dropped by
-/// the fold.
-using ClipAll = decltype(clipping::Uses<clipping::Segment, clipping::Window>::clipAll);
-
-/// Clips lines with one algorithm at each window of a region. Reuses its buffers.
+/// Clips lines with one algorithm at the windows of a region: all of them at once if the algorithm
+/// has a form for regions, otherwise at each of them. If it cannot clip at one of the windows,
+/// another one does (`usedAt`). Reuses its buffers.
 class RegionClipping {
 public:
-    void start(const ClipRegion& region,
-               ClipAll clipAll); ///< `region` must live until the next start
-    /// For a region of a single window. Writes the kept pieces of the lines, in order, to the
-    /// beginning of `out` and returns their number. `first` is added to each source. The pieces are
-    /// the results of `clipAll`, or of `outsideAll` for them. Requires `out.size() >= 2 *
+    /// `region` must live until the next start. `clipAll` is that of the chosen form.
+    void start(const ClipRegion& region, ClipAll clipAll);
+    /// Whether `clip` may be called: a single window is clipped at, without its neighbours.
+    bool atOneWindow() const { return oneWindow_; }
+    /// Whether the row `exact` clips, whatever was chosen.
+    bool isExact() const { return forms_.exact; }
+    /// Writes the kept pieces of the lines, in order, to the beginning of `out` and returns their
+    /// number. `first` is added to each source. The pieces are the results of the algorithm, or of
+    /// `outsideAll` for them; a published form may return anything. Requires `out.size() >= 2 *
     /// lines.size()`.
     std::size_t clip(std::span<const clipping::Segment> lines, std::size_t first,
                      std::span<clipping::Clipped> out);
-    /// Appends the pieces that the region keeps of each line. It must have a window. At windows
-    /// that are not all axis-aligned rectangles the lines are clipped with exact decisions,
-    /// whatever the algorithm is.
+    /// Appends the pieces that the region keeps of each line. It must have a window. Pieces with
+    /// numbers that are not finite are dropped.
     void fold(std::span<const clipping::Segment> lines, std::size_t first,
               std::vector<clipping::Clipped>& kept);
     /// The time that the algorithm has used since `start`, without the time for combining pieces.
@@ -33,14 +33,17 @@ public:
 private:
     using Pieces = std::span<clipping::Clipped>;
 
-    std::size_t clipAt(const clipping::Window& window, std::span<const clipping::Segment> lines,
+    std::size_t clipAt(const ClipRegion::Step& step, std::span<const clipping::Segment> lines,
                        const Pieces& out);
     void clipAtAll(std::span<const clipping::Segment> lines);
-    void clipPrepared(std::span<const clipping::Segment> lines, std::size_t first,
-                      std::vector<clipping::Clipped>& kept);
+    void clipRegion(std::span<const clipping::Segment> lines, std::size_t first,
+                    std::vector<clipping::Clipped>& kept);
 
     const ClipRegion* region_ = nullptr;
-    ClipAll clipAll_ = nullptr;
+    RowForms forms_;
+    std::shared_ptr<const clipping::PreparedRegion> prepared_; ///< if the form for regions is used
+    bool oneWindow_ = false;
+    bool keepsInside_ = true; ///< of the one window
     Stopwatch stopwatch_;
     std::vector<clipping::Clipped> buffer_;
     std::vector<Pieces> left_; ///< for each step, the pieces of lines that are not folded yet

@@ -51,6 +51,12 @@ std::optional<bool> keepsUncut(const ClipRegion& region, const Segment& line, Pi
     return in == (region.keep == Keep::Inside);
 }
 
+// One window of which the pieces need no dividing.
+bool isOneWindow(const ClipRegion& region)
+{
+    return region.steps.size() == 1 && region.steps.front().operation != WindowOperation::CutOut;
+}
+
 void foldSingle(Keep keep, const Segment& line, std::uint32_t source, std::optional<Clipped> piece,
                 std::vector<Clipped>& kept)
 {
@@ -75,7 +81,7 @@ void fold(const ClipRegion& region, const Segment& line, std::uint32_t source, P
           std::vector<Clipped>& kept)
 {
     assert(atStep.size() == region.steps.size());
-    if (region.single()) {
+    if (isOneWindow(region)) {
         foldSingle(region.keep, line, source, isSeen(atStep[0]) ? atStep[0] : std::nullopt, kept);
         return;
     }

@@ -12,12 +12,6 @@ namespace {
 
 using clipping::Clipped;
 
-bool isExact(ClipAll clipAll)
-{
-    static const ClipAll exact = clipping::exactAlgorithm().corrected.clipAll;
-    return clipAll == exact;
-}
-
 // Calls visit(first, end) for the lines of each run of chunks with Remains::Pieces. Returns the
 // number of lines in chunks with Remains::Whole.
 template <class Visit>
@@ -74,7 +68,6 @@ InChunk inChunk(std::span<const Clipped> pieces, std::span<const clipping::Segme
 SceneFrame SceneClipping::clip(const SceneLines& lines, const ClipRegion& region, ClipAll clipAll)
 {
     region_ = &region;
-    clipAll_ = clipAll;
     regionClipping_.start(region, clipAll);
     stopwatch_.reset();
     pieces_.clear();
@@ -83,7 +76,7 @@ SceneFrame SceneClipping::clip(const SceneLines& lines, const ClipRegion& region
     emptyUpperHalves(); // Qt may have painted a picture before
 
     const auto window =
-        isExact(clipAll) && region.keep == Keep::Inside ? region.single() : std::nullopt;
+        regionClipping_.isExact() && region.keep == Keep::Inside ? region.single() : std::nullopt;
     std::span<Remains> left = remains_;
     for (Block& block : blocks_) {
         const auto remains = left.first(block.remains.size());
@@ -119,12 +112,14 @@ void SceneClipping::clipNearEdges(Block& frame, std::span<Remains> remains,
 {
     const std::span lines(frame.block->segments);
     const std::span room = pieces_.room(lines.size());
+    const auto& exact = clipping::exactAlgorithm().corrected;
     std::size_t count = 0, whole = 0;
     stopwatch_.time([&] {
         findRemains(*frame.block, *region_, remains);
         whole = forEachCut(*frame.block, remains, [&](std::size_t first, std::size_t end) {
             const auto out = room.subspan(count, end - first);
-            const std::size_t pieces = clipAll_(lines.subspan(first, end - first), window, out);
+            const std::size_t pieces =
+                exact.clipAll(lines.subspan(first, end - first), window, out);
             for (Clipped& piece : out.first(first == 0 ? 0 : pieces))
                 piece.source += std::uint32_t(first);
             count += pieces;
@@ -137,26 +132,49 @@ void SceneClipping::clipNearEdges(Block& frame, std::span<Remains> remains,
 void SceneClipping::clipInRegion(Block& frame, std::span<Remains> remains)
 {
     std::ranges::fill(remains, region_->everything() ? Remains::Whole : Remains::Pieces);
-    if ((isExact(clipAll_) || region_->prepared) && !region_->everything())
+    if (regionClipping_.isExact() && !region_->everything())
         stopwatch_.time([&] { findRemains(*frame.block, *region_, remains); });
-    const std::span lines(frame.block->segments);
-    if (region_->single()) {
-        const std::span room = pieces_.room(2 * lines.size());
-        std::size_t count = 0;
-        forEachCut(*frame.block, remains, [&](std::size_t first, std::size_t end) {
-            count +=
-                regionClipping_.clip(lines.subspan(first, end - first), first, room.subspan(count));
-        });
-        settle(frame, remains, room.first(count));
-    } else {
-        folded_.clear();
-        forEachCut(*frame.block, remains, [&](std::size_t first, std::size_t end) {
-            regionClipping_.fold(lines.subspan(first, end - first), first, folded_);
-        });
-        const std::span room = pieces_.room(folded_.size());
-        std::ranges::copy(folded_, room.begin());
-        settle(frame, remains, room);
+    if (regionClipping_.atOneWindow()) {
+        settle(frame, remains, clipAtOneWindow(*frame.block, remains));
+        return;
     }
+    folded_.clear();
+    forEachCut(*frame.block, remains, [&](std::size_t first, std::size_t end) {
+        regionClipping_.fold(std::span(frame.block->segments).subspan(first, end - first), first,
+                             folded_);
+    });
+    const std::span room = pieces_.room(folded_.size());
+    std::ranges::copy(folded_, room.begin());
+    settle(frame, remains, room);
+}
+
+// One call for all lines near the window's border: each call prepares a polygon anew.
+std::span<Clipped> SceneClipping::clipAtOneWindow(const SceneBlock& block,
+                                                  std::span<const Remains> remains)
+{
+    const std::span lines(block.segments);
+    const std::span room = pieces_.room(2 * lines.size());
+    std::size_t runs = 0, count = 0;
+    near_.clear();
+    sources_.clear();
+    forEachCut(block, remains, [&](std::size_t, std::size_t) { ++runs; });
+    if (runs == 1) {
+        forEachCut(block, remains, [&](std::size_t first, std::size_t end) {
+            count = regionClipping_.clip(lines.subspan(first, end - first), first, room);
+        });
+        return room.first(count);
+    }
+    forEachCut(block, remains, [&](std::size_t first, std::size_t end) {
+        near_.insert(near_.end(), lines.begin() + std::ptrdiff_t(first),
+                     lines.begin() + std::ptrdiff_t(end));
+        for (; first < end; ++first)
+            sources_.push_back(std::uint32_t(first));
+    });
+    if (!near_.empty())
+        count = regionClipping_.clip(near_, 0, room);
+    for (Clipped& piece : room.first(count))
+        piece.source = sources_[piece.source];
+    return room.first(count);
 }
 
 // Classifies each chunk by its pieces, and keeps the pieces of chunks that are neither gone nor

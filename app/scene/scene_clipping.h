@@ -13,9 +13,9 @@ class SceneClipping {
 public:
     /// Clips all lines. The algorithm `exact` first tests boxes and then clips only the lines near
     /// an edge; any other algorithm clips every line. The pieces have the same bits as those of a
-    /// single call for all lines. At windows that are not all axis-aligned
-    /// rectangles every algorithm is replaced by exact decisions. Without a window nothing is
-    /// clipped. The frame is valid until the next call and as long as `lines`.
+    /// single call for all lines. An algorithm that cannot clip at one of the windows is replaced
+    /// (`usedAt`). Without a window nothing is clipped. The frame is valid until the next call and
+    /// as long as `lines`.
     SceneFrame clip(const SceneLines& lines, const ClipRegion& region, ClipAll clipAll);
 
 private:
@@ -24,15 +24,18 @@ private:
     void makeBlocks(const SceneLines& lines);
     void clipNearEdges(Block& frame, std::span<Remains> remains, const clipping::Window& window);
     void clipInRegion(Block& frame, std::span<Remains> remains);
+    std::span<clipping::Clipped> clipAtOneWindow(const SceneBlock& block,
+                                                 std::span<const Remains> remains);
     void settle(Block& frame, std::span<Remains> remains, std::span<clipping::Clipped> room);
 
     const ClipRegion* region_ = nullptr;
-    ClipAll clipAll_ = nullptr;
     RegionClipping regionClipping_;
     Stopwatch stopwatch_; ///< all work that regionClipping_ does not time
     std::vector<Block> blocks_;
     std::vector<Remains> remains_;
     std::vector<clipping::Clipped> folded_; ///< pieces of one block
+    std::vector<clipping::Segment> near_;   ///< lines of one block near the border
+    std::vector<std::uint32_t> sources_;    ///< their numbers
     PieceStore pieces_;
     std::size_t visible_ = 0;
 };

@@ -432,7 +432,8 @@ private slots:
         QVERIFY(regionOf(windows, 1).everything());
         QCOMPARE(comparedWindow(windows, page), (ComparedWindow{page.rectangle(), true}));
         windows.list.push_back({{}, straight, WindowOperation::CutOut});
-        QVERIFY(!regionOf(windows, 1).prepared && regionOf(windows, 1).startsFull());
+        QVERIFY(regionOf(windows, 1).prepared && regionOf(windows, 1).startsFull());
+        QVERIFY(!regionOf({{{.shape = straight}}}, 1).prepared);
         windows.list.push_back({{}, turned});
         windows.list.push_back({{}, polygon});
         const ClipRegion region = regionOf(windows, 1);

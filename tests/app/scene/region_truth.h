@@ -30,12 +30,13 @@ inline std::array<Fraction, 2> pointOf(const Line& line, const Fraction& t)
 }
 
 /// Whether a point belongs to what the rectangles describe. Rectangles are closed; one that is
-/// inverted has no point.
+/// inverted or without area has no point.
 inline bool holds(const std::vector<Rectangle>& list, const std::array<Fraction, 2>& p)
 {
     bool in = list.empty() || list[0].does != Does::Add;
     for (const Rectangle& r : list) {
-        const bool within = p[0] >= Fraction(r.min[0]) && p[0] <= Fraction(r.max[0])
+        const bool area = r.min[0] < r.max[0] && r.min[1] < r.max[1];
+        const bool within = area && p[0] >= Fraction(r.min[0]) && p[0] <= Fraction(r.max[0])
                             && p[1] >= Fraction(r.min[1]) && p[1] <= Fraction(r.max[1]);
         switch (r.does) {
         case Does::Add:
