@@ -16,9 +16,7 @@ struct SnapQuery {
     double radius; ///< in user units
     SnapTo to = SnapTo::All;
     std::optional<Point> from{}; ///< where the line that is being drawn begins
-    ObjectRanges without{};      ///< objects that are not snapped to,
-    /// except for these parts of them; null: none. They are single segments or points.
-    const std::vector<Subpath>* parts = nullptr;
+    ObjectRanges without{};      ///< objects that are not snapped to, except for `parts`
     /// The number of a clip window that is not snapped to: the one that is dragged.
     std::optional<std::size_t> withoutWindow{};
     /// The part of the drawing that is seen: its objects are aligned with. Empty: with none.
@@ -26,6 +24,8 @@ struct SnapQuery {
     std::optional<GridPoints> grid{}; ///< the grid, if it is shown
     const Guides* guides = nullptr;   ///< those of the page, if they are shown
     NearLimits limits{600, 150'000};
+    /// Single segments and points of objects in `without`; null: none.
+    const std::vector<Subpath>* parts = nullptr;
 };
 
 /// How something is moved as a whole, after snapping.

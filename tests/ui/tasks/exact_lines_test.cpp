@@ -34,9 +34,9 @@ private slots:
     void correction()
     {
         check({key("L"), type("10,20"), enter(), type("30,0"), enter(), enter(),
-               drag({40, 20}, {40.5, 60}, Qt::ShiftModifier), type("<-30"), enter(), type("60"),
+               drag({25, 20}, {25.5, 60}, Qt::ShiftModifier), type("<-30"), enter(), type("60"),
                enter()},
-              {{{{10, 20}, {40, 20}}}, {{{40, 20}, {40 + 30 * std::sqrt(3), 50}}}});
+              {{{{10, 20}, {40, 20}}}, {{{25, 20}, {25 + 30 * std::sqrt(3), 50}}}});
     }
     void stairs()
     {
