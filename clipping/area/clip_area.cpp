@@ -3,6 +3,7 @@
 
 #include "clipping/area/boundary_sweep.h"
 #include "clipping/ieee_numbers.h"
+#include "clipping/region/box_part.h"
 
 #include <glm/common.hpp>
 
@@ -34,38 +35,13 @@ std::vector<std::uint32_t> edgesNear(const Data& window, const Data& area)
     return near;
 }
 
-bool areApart(const Window& p, const Window& q)
-{
-    return p.max.x < q.min.x || p.min.x > q.max.x || p.max.y < q.min.y || p.min.y > q.max.y;
-}
-
-/// Whether a segment has no point in a box.
-bool misses(const Segment& s, const Window& box)
-{
-    if (areApart({glm::min(s.a, s.b), glm::max(s.a, s.b)}, box))
-        return true;
-    const int side = leftOf(s.a, s.b, box.min).sign;
-    return side != 0 && leftOf(s.a, s.b, box.max).sign == side
-           && leftOf(s.a, s.b, {box.min.x, box.max.y}).sign == side
-           && leftOf(s.a, s.b, {box.max.x, box.min.y}).sign == side;
-}
-
 /// What the window leaves of all within a box, if none of its edges meets the box.
-std::optional<AreaPart> lookAt(const Window& box, const PreparedRegion& region)
+std::optional<AreaPart> lookAt(const Window& box, const PreparedRegion& window)
 {
-    const Data& window = region.data();
-    const auto known = [](bool isKept) { return isKept ? AreaPart::Whole : AreaPart::None; };
-    if (window.edges.empty() || areApart(box, window.grid.box()))
-        return known(window.keepsNone);
-    bool isFree = true;
-    window.grid.trace(box, [&](std::size_t first, std::size_t last) {
-        isFree = isFree && std::ranges::all_of(window.grid.edgesIn(first, last), [&](auto i) {
-                     return misses(window.edges[i].segment, box);
-                 });
-    });
-    if (!isFree)
+    const BoxPart part = partOf(box, window);
+    if (part == BoxPart::Undecided)
         return std::nullopt;
-    return known(!clip({box.min, box.min}, region).empty());
+    return part == BoxPart::Whole ? AreaPart::Whole : AreaPart::None;
 }
 
 ClippedArea clipped(const Data& area, const Data& window)
