@@ -2,6 +2,7 @@
 #include "app/base/latin.h"
 #include "app/session/window_steps.h"
 #include "app/view/picking.h"
+#include "ui/bars/option_bar.h"
 #include "ui/editing/keeping.h"
 #include "ui/files/files.h"
 #include "ui/menus/actions.h"
@@ -109,6 +110,22 @@ void windowsOfSelection(MainWindow& window)
 
 void removeWindow(MainWindow& window) { app::removeWindow(window.session()); }
 
+void toggleTiles(MainWindow& window)
+{
+    app::LiveSheets& sheets = window.sheets();
+    if (sheets.isOpen())
+        return sheets.close();
+    window.session().microscope.close();
+    sheets.open();
+}
+
+QString whyNoTiles(const MainWindow& window)
+{
+    if (window.isPresenting())
+        return tr("Leave the presentation first (F11).");
+    return window.session().scene.lines().size() == 0 ? tr("The drawing is empty.") : QString();
+}
+
 bool hasWindow(const MainWindow& window) { return window.session().windowNumber().has_value(); }
 
 QString noWindow() { return tr("No clip window is visible. Draw one first (W)."); }
@@ -150,6 +167,15 @@ MenuInfo clipMenu()
                     .run =
                         [](MainWindow& w) { w.files().cutPermanently(app::permanentCut("split")); },
                     .enabled = some,
+                },
+                {
+                    .key = "tiles",
+                    .text = tr("T&iles…"),
+                    .keys = {QKeySequence("Ctrl+T")},
+                    .icon = "tiles",
+                    .run = toggleTiles,
+                    .refusal = whyNoTiles,
+                    .made = [](MainWindow& w, QAction& action) { w.optionBar().setTiles(action); },
                 },
                 {
                     .key = "window-on-page",
