@@ -170,7 +170,7 @@ MenuInfo clipMenu()
                 },
                 {
                     .key = "tiles",
-                    .text = tr("T&iles…"),
+                    .text = tr("Til&es…"),
                     .keys = {QKeySequence("Ctrl+T")},
                     .icon = "tiles",
                     .run = toggleTiles,

@@ -45,7 +45,7 @@ QRectF SheetPainter::onScreen(const clipping::Window& window) const
 
 void SheetPainter::paintPapers(bool tinted)
 {
-    const bool apart = layout_.arrangement == app::Arrangement::Apart;
+    const bool apart = layout_.arrangement == app::SheetArrangement::Apart;
     if (!apart) {
         const double unit = layout_.millimetresPerUnit;
         const clipping::Window page = sheets_.drawing().page().rectangle();
@@ -68,7 +68,7 @@ void SheetPainter::paintPapers(bool tinted)
 void SheetPainter::paintOverlaps(const app::Tile& tile, const clipping::Window& part)
 {
     const double width = tiling_.overlap * layout_.millimetresPerUnit;
-    const bool apart = layout_.arrangement == app::Arrangement::Apart;
+    const bool apart = layout_.arrangement == app::SheetArrangement::Apart;
     const QColor tint = overlapTint(look_);
     const auto band = [&](const app::Point& min, const app::Point& max) {
         painter_.fillRect(onScreen({min, max}), tint);
@@ -106,7 +106,7 @@ void SheetPainter::paintPictures(const std::vector<SheetArt::Picture>& pictures)
 void SheetPainter::paintEdges()
 {
     painter_.setBrush(Qt::NoBrush);
-    const bool apart = layout_.arrangement == app::Arrangement::Apart;
+    const bool apart = layout_.arrangement == app::SheetArrangement::Apart;
     for (const bool leftOut : {true, false}) // those that are cut lie over those that are not
         for (std::size_t i = 0; i < layout_.places.size(); ++i) {
             if (tiling_.tiles[i].leftOut != leftOut)
@@ -126,7 +126,7 @@ void SheetPainter::paintEdges()
 void SheetPainter::paintMarks()
 {
     const double margin = sheets_.settings().plan.margin * view_.zoom;
-    if (layout_.arrangement != app::Arrangement::Apart || margin < leastMarks)
+    if (layout_.arrangement != app::SheetArrangement::Apart || margin < leastMarks)
         return;
     const QRectF all(0, 0, view_.size.x, view_.size.y);
     painter_.save();
@@ -175,7 +175,7 @@ void SheetPainter::paintTag(std::size_t sheet, const QFont& font, bool large)
                height);
     const double gap = (layout_.bounds.max.y - layout_.bounds.min.y) * view_.zoom;
     const bool above =
-        layout_.arrangement == app::Arrangement::Apart && large
+        layout_.arrangement == app::SheetArrangement::Apart && large
         && (tiling_.rows == 1
             || (gap - paper.height() * tiling_.rows) / (tiling_.rows - 1) > height + 6);
     if (above)

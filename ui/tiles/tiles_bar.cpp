@@ -50,13 +50,13 @@ TilesBar::TilesBar(QWidget* parent)
     row->addStretch();
     row->addWidget(close);
     connect(show_, &Segments::picked, this,
-            [this](int chosen) { emit arranged(app::Arrangement(chosen)); });
+            [this](int chosen) { emit arranged(app::SheetArrangement(chosen)); });
     connect(overlap_, &Segments::picked, this, [this](int chosen) { emit tinted(chosen == 0); });
     connect(fit, &QPushButton::clicked, this, &TilesBar::fitWanted);
     connect(close, &QPushButton::clicked, this, &TilesBar::closeWanted);
 }
 
-void TilesBar::show(app::Arrangement arrangement, bool tinted)
+void TilesBar::show(app::SheetArrangement arrangement, bool tinted)
 {
     show_->choose(int(arrangement));
     overlap_->choose(tinted ? 0 : 1);

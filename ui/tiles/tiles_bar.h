@@ -16,10 +16,10 @@ class TilesBar : public QWidget {
 public:
     explicit TilesBar(QWidget* parent = nullptr);
 
-    void show(app::Arrangement arrangement, bool tinted);
+    void show(app::SheetArrangement arrangement, bool tinted);
 
 signals:
-    void arranged(app::Arrangement arrangement);
+    void arranged(app::SheetArrangement arrangement);
     void tinted(bool tinted);
     void fitWanted();
     void closeWanted();

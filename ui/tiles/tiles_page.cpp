@@ -31,9 +31,9 @@ public:
 
 TilesPage::TilesPage(app::Session& session, app::LiveSheets& sheets, QWidget* parent)
     : QWidget(parent), session_(session), sheets_(sheets), bar_(new TilesBar),
-      view_(new TilesView(session, sheets, app::Arrangement::Apart)),
+      view_(new TilesView(session, sheets, app::SheetArrangement::Apart)),
       overview_(
-          new TilesView(session, sheets, app::Arrangement::InPlace, TilesView::Use::Overview)),
+          new TilesView(session, sheets, app::SheetArrangement::InPlace, TilesView::Use::Overview)),
       sheetsSection_(new SheetsSection(session, sheets))
 {
     setAccessibleName(tr("Tiles"));

@@ -32,8 +32,8 @@ bool isEmpty(const clipping::Window& window)
 
 } // namespace
 
-TilesView::TilesView(app::Session& session, app::LiveSheets& sheets, app::Arrangement arrangement,
-                     Use use, QWidget* parent)
+TilesView::TilesView(app::Session& session, app::LiveSheets& sheets,
+                     app::SheetArrangement arrangement, Use use, QWidget* parent)
     : QWidget(parent), session_(session), sheets_(sheets), arrangement_(arrangement), use_(use),
       art_(session, sheets)
 {
@@ -82,7 +82,7 @@ void TilesView::follow()
     outdate();
 }
 
-void TilesView::arrange(app::Arrangement arrangement)
+void TilesView::arrange(app::SheetArrangement arrangement)
 {
     if (arrangement == arrangement_)
         return;
@@ -103,7 +103,7 @@ void TilesView::fit()
     if (!layout_)
         return;
     clipping::Window all = layout_->bounds;
-    if (use_ == Use::Full && arrangement_ == app::Arrangement::Apart && height() > roomForTags)
+    if (use_ == Use::Full && arrangement_ == app::SheetArrangement::Apart && height() > roomForTags)
         all.min.y -= (all.max.y - all.min.y) * roomForTags / height();
     navigation_.show(all);
 }
@@ -142,7 +142,7 @@ std::vector<SheetWish> TilesView::wishes() const
     std::vector<SheetWish> all;
     const app::Tiling& tiling = *sheets_.tiling().value;
     const clipping::Window seen = navigation_.view().visible();
-    if (arrangement_ == app::Arrangement::InPlace) {
+    if (arrangement_ == app::SheetArrangement::InPlace) {
         SheetWish wish = wishFor(0, seen);
         wish.removed = app::RemovedPart::Ghosted;
         if (tiling.written() == int(tiling.tiles.size()))

@@ -16,11 +16,11 @@ class TilesView : public QWidget {
 
 public:
     enum class Use : std::uint8_t { Full, Overview }; ///< an overview takes no clicks
-    TilesView(app::Session& session, app::LiveSheets& sheets, app::Arrangement arrangement,
+    TilesView(app::Session& session, app::LiveSheets& sheets, app::SheetArrangement arrangement,
               Use use = Use::Full, QWidget* parent = nullptr);
 
-    app::Arrangement arrangement() const { return arrangement_; }
-    void arrange(app::Arrangement arrangement);
+    app::SheetArrangement arrangement() const { return arrangement_; }
+    void arrange(app::SheetArrangement arrangement);
     void tintOverlaps(bool tinted);
     bool tintsOverlaps() const { return tinted_; }
     void fit();
@@ -58,7 +58,7 @@ private:
 
     app::Session& session_;
     app::LiveSheets& sheets_;
-    app::Arrangement arrangement_;
+    app::SheetArrangement arrangement_;
     Use use_;
     bool tinted_ = true;
     Navigation navigation_;

@@ -29,9 +29,6 @@ class Stage : public TestWindow {
 public:
     explicit Stage(const QByteArray& more = {})
     {
-        auto prepared = std::make_unique<Answers>(*window);
-        files = prepared.get();
-        window->setQuestions(std::move(prepared));
         open(file("rosette.svg",
                   "<svg xmlns='http://www.w3.org/2000/svg' width='540mm' height='540mm' "
                   "viewBox='0 0 540 540'><circle cx='270' cy='270' r='240' fill='#dbe8ff' "
@@ -89,20 +86,6 @@ public:
                && sameAddress(before, window->session().now());
     }
 
-    /// Also answers where sheets are written to.
-    class Answers : public PreparedAnswers {
-    public:
-        using PreparedAnswers::PreparedAnswers;
-        QString chosenFolder;
-        int askedAboutFiles = 0;
-        QString folderToWrite(const QString&, const QString&) override { return chosenFolder; }
-        bool overwriteFiles(const QStringList& some, int all) override
-        {
-            ++askedAboutFiles;
-            return PreparedAnswers::overwriteFiles(some, all);
-        }
-    };
-    Answers* files;
     app::Document before;
 };
 
@@ -204,7 +187,7 @@ private slots:
         Stage t;
         t.openTiles();
         QCOMPARE(t.part<ElidedLabel>("sheets-files").whole(), "rosette-1-1.svg … rosette-2-3.svg");
-        t.files->chosenFolder = t.folder.path();
+        t.answers->directory = t.folder.path();
         t.exportNow();
         QCOMPARE(t.window->message(), "Exported 6 sheets: rosette-1-1.svg … rosette-2-3.svg");
         const QStringList names = t.written("rosette-*.svg");
@@ -222,15 +205,15 @@ private slots:
     {
         Stage t;
         t.openTiles();
-        t.files->chosenFolder = t.folder.path();
+        t.answers->directory = t.folder.path();
         t.file("rosette-1-2.svg", "mine");
         t.file("rosette-2-2.svg", "mine");
         t.exportNow();
-        QCOMPARE(t.files->askedAboutFiles, 1);
-        QCOMPARE(t.files->existing.size(), 2);
+        QCOMPARE(t.answers->askedAboutFiles, 1);
+        QCOMPARE(t.answers->existing.size(), 2);
         QCOMPARE(t.written("rosette-*.svg").size(), 2);
         QCOMPARE(contentOf(t.path("rosette-1-2.svg")), "mine");
-        t.files->overwrite = true;
+        t.answers->overwrite = true;
         t.exportNow();
         QCOMPARE(t.written("rosette-*.svg").size(), 6);
         QVERIFY(contentOf(t.path("rosette-1-2.svg")).contains("<svg"));
@@ -243,9 +226,9 @@ private slots:
         QTest::mouseClick(&t.part<QRadioButton>("one-pdf"), Qt::LeftButton, {}, {8, 8});
         QTest::mouseClick(&t.part<QCheckBox>("overview-sheet"), Qt::LeftButton, {}, {8, 8});
         QCOMPARE(t.part<QLineEdit>("sheets-name").text(), "rosette.pdf");
-        t.files->save = t.path("all.pdf");
+        t.answers->save = t.path("all.pdf");
         t.exportNow();
-        QVERIFY(t.files->proposed.endsWith("/rosette.pdf"));
+        QVERIFY(t.answers->proposed.endsWith("/rosette.pdf"));
         const auto info = runProgram("pdfinfo", {t.path("all.pdf")});
         QVERIFY2(info.out.contains("Pages:           7"), info.out.constData());
         QVERIFY2(info.out.contains("A4"), info.out.constData());
@@ -279,7 +262,7 @@ private slots:
         TilesView& view = t.page().view();
         QTest::mouseClick(&view, Qt::LeftButton, {}, view.middleOf(1).toPoint());
         QCOMPARE(t.exportText(), "Export 5 sheets…");
-        t.files->chosenFolder = t.folder.path();
+        t.answers->directory = t.folder.path();
         t.exportNow();
         QVERIFY(!t.written("rosette-*.svg").contains("rosette-1-2.svg"));
         QCOMPARE(t.written("rosette-*.svg").size(), 5);
@@ -314,7 +297,7 @@ private slots:
         for (const char* box : {"registration-marks", "sheet-labels", "crop-lines"})
             QTest::mouseClick(&t.part<QCheckBox>(box), Qt::LeftButton, {}, {8, 8});
         view.settle();
-        t.files->chosenFolder = t.folder.path();
+        t.answers->directory = t.folder.path();
         t.exportNow();
         for (const auto& [sheet, drawn, image] : view.art().pictures()) {
             const app::Tile& tile = t.tiling().tiles[sheet];
@@ -363,7 +346,7 @@ private slots:
         Stage t("<metadata xmlns:clearcut='urn:clearcut:1'><clearcut:window xmin='0' ymin='0' "
                 "xmax='100' ymax='100'/></metadata>");
         t.openTiles();
-        t.files->chosenFolder = t.folder.path();
+        t.answers->directory = t.folder.path();
         t.exportNow();
         QCOMPARE(app::contentsOf(t.sheets().drawing()).bounds.value().max, app::Point(100, 100));
         QCOMPARE(t.written("rosette-*.svg").size(), 6);
