@@ -16,9 +16,9 @@ bool contains(const clipping::Window& window, const Point& p)
 
 } // namespace
 
-SheetLayout layoutOf(const Tiling& tiling, double margin, Arrangement arrangement)
+SheetLayout layoutOf(const Tiling& tiling, double margin, SheetArrangement arrangement)
 {
-    const bool apart = arrangement == Arrangement::Apart;
+    const bool apart = arrangement == SheetArrangement::Apart;
     const double unit = tiling.millimetresPerUnit;
     const double gap = std::max(tiling.sheet.x, tiling.sheet.y) * gapShare;
     SheetLayout layout{arrangement, unit, {}, {}};

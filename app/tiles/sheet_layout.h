@@ -6,7 +6,7 @@
 namespace app {
 
 /// How sheets are shown: as windows over the drawing, or apart, as they are exported.
-enum class Arrangement : std::uint8_t { InPlace, Apart };
+enum class SheetArrangement : std::uint8_t { InPlace, Apart };
 
 /// A sheet in a layout, whose lengths are in millimetres on paper.
 struct SheetPlace {
@@ -17,7 +17,7 @@ struct SheetPlace {
 
 /// The places of all sheets of a tiling, in their order. In place, the drawing is where it is.
 struct SheetLayout {
-    Arrangement arrangement;
+    SheetArrangement arrangement;
     double millimetresPerUnit;
     std::vector<SheetPlace> places;
     clipping::Window bounds; ///< around all papers
@@ -37,6 +37,6 @@ struct SheetLayout {
     std::optional<int> edgeAt(const Point& layout, double reach) const;
 };
 
-SheetLayout layoutOf(const Tiling& tiling, double margin, Arrangement arrangement);
+SheetLayout layoutOf(const Tiling& tiling, double margin, SheetArrangement arrangement);
 
 } // namespace app

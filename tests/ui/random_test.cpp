@@ -74,7 +74,8 @@ public:
         const app::Display& display = session().display();
         if (panes.chosen() != usable(display.variant))
             return "what is chosen is not the active pane's";
-        if (test_.drawingArea()->isVisibleTo(test_.window.get()) == session().microscope.isOpen()
+        const bool otherPage = session().microscope.isOpen() || test_.window->sheets().isOpen();
+        if (test_.drawingArea()->isVisibleTo(test_.window.get()) == otherPage
             || test_.drawingArea() != test_.window->canvas().paneSurface(panes.active()))
             return "the active pane is not in sight";
         return segmentsOf(app::Scene(session().document).lines()) == segments

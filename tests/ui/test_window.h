@@ -22,6 +22,7 @@ public:
     explicit PreparedAnswers(QWidget& window) : Questions(window) {}
 
     QString open, save, proposed;
+    QString directory; ///< for several files; empty: cancelled
     Answer answer = Answer::Cancel;
     bool asNewFile = false, overwrite = false;
     QStringList existing; ///< files that a question about overwriting named
@@ -45,8 +46,11 @@ public:
         proposed = proposal;
         return save;
     }
+    QString folderToWrite(const QString&, const QString&) override { return directory; }
+    int askedAboutFiles = 0; ///< number of questions about overwriting several files
     bool overwriteFiles(const QStringList& files, int) override
     {
+        ++askedAboutFiles;
         existing = files;
         return overwrite;
     }

@@ -25,7 +25,7 @@ namespace ui {
 
 namespace {
 
-constexpr int steps = 5;
+constexpr int steps = 6;
 
 /// Shows the action's first shortcut in its tooltip, also after its text has changed.
 void showKeyInTip(QAction& action)
@@ -52,7 +52,8 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas)
       keep_(new Segments(tr("Keep"), {tr("Inside"), tr("Outside")})),
       removed_(new Segments(tr("Removed part"), {tr("Ghosted"), tr("Hidden"), tr("Shown")})),
       panes_(new Segments(tr("Panes"), {tr("1"), tr("2"), tr("4"), tr("All")})),
-      window_(new WindowOptions(session, canvas)), export_(new QToolButton)
+      window_(new WindowOptions(session, canvas)), tiles_(new QToolButton),
+      export_(new QToolButton)
 {
     setObjectName(QStringLiteral("options"));
     setIconSize({18, 18});
@@ -80,6 +81,7 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas)
     auto* room = new QWidget;
     room->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     addWidget(room);
+    tilesPlace_ = addWidget(tiles_);
     addExport();
     connect(&session, &app::Session::displayChanged, this, &OptionBar::followDisplay);
     connect(&session, &app::Session::selectionChanged, this, &OptionBar::followStyle);
@@ -215,6 +217,19 @@ void OptionBar::setExport(QAction& exportCut)
     export_->setDefaultAction(&exportCut);
 }
 
+void OptionBar::setTiles(QAction& tiles)
+{
+    showKeyInTip(tiles);
+    tiles_->setDefaultAction(&tiles);
+    tiles_->setToolButtonStyle(Qt::ToolButtonIconOnly);
+}
+
+void OptionBar::offerTiles(bool offered)
+{
+    tilesOffered_ = offered;
+    fitInto(width());
+}
+
 void OptionBar::addExport()
 {
     export_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -252,12 +267,13 @@ void OptionBar::fitInto(int width)
 /// Step 0 shows everything; each further step takes less room.
 void OptionBar::arrange(int step)
 {
+    tilesPlace_->setVisible(step < 2 && tilesOffered_);
     export_->setToolButtonStyle(step < 1 ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
     for (QAction* action : actions())
         if (captions_.contains(qobject_cast<QLabel*>(widgetForAction(action))))
-            action->setVisible(step < 2 && !(isWindow_ && ofOthers_.contains(action)));
-    grid_->showSpacing(step < 3);
-    snapping_->showKinds(step < 4);
+            action->setVisible(step < 3 && !(isWindow_ && ofOthers_.contains(action)));
+    grid_->showSpacing(step < 4);
+    snapping_->showKinds(step < 5);
 }
 
 void OptionBar::changeEvent(QEvent* event)

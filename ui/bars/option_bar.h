@@ -18,10 +18,9 @@ class ToolList;
 class WindowOptions;
 
 /// The bar across the top: undo, redo, the stroke of selected or new objects, or the options of the
-/// tool Clip window in their place, snapping, the side
-/// that is kept and how the removed part is shown, panes, export. If it is narrow, it first drops
-/// the export button's text, then captions, then the grid's spacing, then the list of kinds to snap
-/// to.
+/// tool Clip window in their place, snapping, the side that is kept and how the removed part is
+/// shown, panes, tiles, export. If it is narrow, it first drops the export button's text, then the
+/// button of the tiles, then captions, then the grid's spacing, then the list of kinds to snap to.
 class OptionBar : public QToolBar {
     Q_OBJECT
 
@@ -32,6 +31,9 @@ public:
     void addSteps(QAction& undo, QAction& redo);
     /// Gives this command the button at the right.
     void setExport(QAction& exportCut);
+    /// Gives this command a button left of it, shown while it is offered and there is room.
+    void setTiles(QAction& tiles);
+    void offerTiles(bool offered);
     /// Names this command's key on the button that opens the panel Style.
     void setStyleCommand(QAction& style);
     void openStyle();
@@ -73,7 +75,9 @@ private:
     QList<QAction*> ofWindow_, ofOthers_;
     bool isWindow_ = false;
     QList<QLabel*> captions_;
-    QToolButton* export_;
+    QToolButton *tiles_, *export_;
+    QAction* tilesPlace_ = nullptr; ///< of the button
+    bool tilesOffered_ = false;
 };
 
 } // namespace ui

@@ -67,6 +67,19 @@ void StatusBar::showHint(const QString& hint)
     hint_->setToolTip(hint_->whole());
 }
 
+void StatusBar::setSummary(const QString& summary)
+{
+    if (summary == summary_)
+        return;
+    summary_ = summary;
+    if (summary.isEmpty())
+        return showStep(); // of the canvas again, or of the microscope
+    visible_->setText(summary);
+    position_->setText({});
+    zoom_->hide();
+    renderer_->hide();
+}
+
 void StatusBar::note(const FrameTimes& times)
 {
     if (times.total != last_.total || times.choice != last_.choice) {
@@ -98,7 +111,9 @@ void StatusBar::showTimes()
     if (session_.microscope.isOpen())
         return;
     visible_->setText(
-        tr("%1 of %2 visible").arg(app::countText(last_.visible), app::countText(last_.total)));
+        summary_.isEmpty()
+            ? tr("%1 of %2 visible").arg(app::countText(last_.visible), app::countText(last_.total))
+            : summary_);
     if (last_.painting) {
         times_->setText(tr("painting…"));
         times_->setToolTip(tr("The picture takes a while. Until it is ready, the canvas shows the "
@@ -225,7 +240,8 @@ void StatusBar::explainAlgorithm()
 void StatusBar::resizeEvent(QResizeEvent* event)
 {
     QStatusBar::resizeEvent(event);
-    renderer_->setVisible(width() >= widthForRenderer && !session_.microscope.isOpen());
+    renderer_->setVisible(width() >= widthForRenderer && !session_.microscope.isOpen()
+                          && summary_.isEmpty());
 }
 
 void StatusBar::addZoomMenu()

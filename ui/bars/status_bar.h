@@ -28,6 +28,9 @@ public:
     QString position() const;
 
     void showHint(const QString& hint); ///< empty: show the tool's hint
+    void note(const FrameTimes& times); ///< of a frame that is shown
+    /// What is shown in place of the drawing, such as "6 sheets, A4"; empty: the drawing is.
+    void setSummary(const QString& summary);
     /// Shows the pointer's position in the microscope, formatted like the microscope's numbers.
     void showPoint(std::optional<app::Point> point);
 
@@ -35,7 +38,6 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    void note(const FrameTimes& times);
     void forgetFrames();
     void showTimes();
     void showPosition(std::optional<app::Point> position);
@@ -53,6 +55,7 @@ private:
     ZoomButton* zoom_;
     app::FrameStatistics clip_, draw_;
     FrameTimes last_;
+    QString summary_;
     QTimer pause_;
 };
 

@@ -33,11 +33,15 @@ QString Files::folder() const
     return files.empty() ? QDir::homePath() : QFileInfo(files.front().path).absolutePath();
 }
 
+QString Files::baseName() const
+{
+    return session_.path().isEmpty() ? name() : QFileInfo(name()).completeBaseName();
+}
+
 /// A path for a new file, beside the drawing's.
 QString Files::proposal(const QString& ending) const
 {
-    const QString base = session_.path().isEmpty() ? name() : QFileInfo(name()).completeBaseName();
-    return QDir(folder()).filePath(base + ending);
+    return QDir(folder()).filePath(baseName() + ending);
 }
 
 app::Origin Files::origin() const

@@ -7,6 +7,7 @@
 #include "app/session/samples.h"
 #include "app/session/save.h"
 #include "app/session/session.h"
+#include "app/tiles/sheets.h"
 #include "ui/dialogs/in_background.h"
 #include "ui/dialogs/questions.h"
 #include "ui/widgets/message_strip.h"
@@ -39,6 +40,9 @@ public:
     void save(Answer saved = {});
     void saveAs(Answer saved = {});
     void exportCut();
+    /// Writes sheets to a folder that the person chooses, or to one PDF file; asks once about all
+    /// files that exist. `pattern` names the files, without a folder.
+    void exportSheets(const app::Sheets& sheets, const QString& pattern);
     void cutPermanently(const app::PermanentCut& kind); ///< undoable
     void mayClose(const Answer& answer);
     /// Opens a drawing that an earlier run left, with its history, marked as unsaved; false:
@@ -55,6 +59,7 @@ public:
 
     Questions& questions() { return *questions_; }
     app::Origin origin() const; ///< restored with the document after a signal ended the program
+    QString baseName() const;   ///< the name without the ending of a file
     QString name() const;       ///< for the title: the file's, the sample's, or "Untitled"
     QString sample() const { return sample_; } ///< the key of the sample that is open; empty: none
     std::vector<app::RecentFile> recent() const;
@@ -83,6 +88,7 @@ private:
     void askPath(const Answer& saved);
     void write(const QString& path, const Answer& saved);
 
+    void writeSheets(const app::Sheets& sheets, const QString& path, const Turn& turn);
     void noteSaved(const app::Saved& saved, const QString& path);
     void cutNow(const app::PermanentCut& kind, const Turn& turn);
     void showCut(app::Cut cut, const app::PermanentCut& kind);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/look/look.h"
 
+#include "ui/look/error_colour.h"
+
 namespace ui {
 
 namespace {
@@ -72,6 +74,8 @@ const Look& lookOf(Theme theme)
         return lookOf(QApplication::palette());
     return theme == Theme::Dark ? dark : light;
 }
+
+QColor errorColour(const Look& look) { return look.dark ? 0xFF9A9A : 0xA3161B; }
 
 QFont captionFont(const QFont& body)
 {

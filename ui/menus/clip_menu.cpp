@@ -3,6 +3,7 @@
 #include "app/session/window_places.h"
 #include "app/session/window_steps.h"
 #include "app/view/picking.h"
+#include "ui/bars/option_bar.h"
 #include "ui/dialogs/margin_dialog.h"
 #include "ui/editing/keeping.h"
 #include "ui/files/files.h"
@@ -123,6 +124,22 @@ std::vector<ActionInfo> placeRows()
 
 void removeWindow(MainWindow& window) { app::removeWindow(window.session()); }
 
+void toggleTiles(MainWindow& window)
+{
+    app::LiveSheets& sheets = window.sheets();
+    if (sheets.isOpen())
+        return sheets.close();
+    window.session().microscope.close();
+    sheets.open();
+}
+
+QString whyNoTiles(const MainWindow& window)
+{
+    if (window.isPresenting())
+        return tr("Leave the presentation first (F11).");
+    return window.session().scene.lines().size() == 0 ? tr("The drawing is empty.") : QString();
+}
+
 bool hasWindow(const MainWindow& window) { return window.session().windowNumber().has_value(); }
 
 QString noWindow() { return tr("No clip window is visible. Draw one first (W)."); }
@@ -164,6 +181,15 @@ MenuInfo clipMenu()
                     .run =
                         [](MainWindow& w) { w.files().cutPermanently(app::permanentCut("split")); },
                     .enabled = some,
+                },
+                {
+                    .key = "tiles",
+                    .text = tr("Til&es…"),
+                    .keys = {QKeySequence("Ctrl+T")},
+                    .icon = "tiles",
+                    .run = toggleTiles,
+                    .refusal = whyNoTiles,
+                    .made = [](MainWindow& w, QAction& action) { w.optionBar().setTiles(action); },
                 },
                 {
                     .key = "windows-of-selection",

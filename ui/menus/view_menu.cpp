@@ -3,6 +3,7 @@
 #include "ui/menus/actions.h"
 #include "ui/microscope/microscope_page.h"
 #include "ui/microscope/microscope_view.h"
+#include "ui/tiles/tiles_page.h"
 #include "ui/window/main_window.h"
 #include "ui/window/workspaces.h"
 
@@ -23,15 +24,25 @@ void toggle(MainWindow& window, bool app::Display::*member)
         [member](app::Display& display) { display.*member = !(display.*member); });
 }
 
-/// Zooms the drawing, or the microscope if it is open.
+/// Zooms the drawing, or the microscope or the sheets if they are open.
 template <int over, int under>
 void zoom(MainWindow& window)
 {
     constexpr double factor = double(over) / under;
     if (window.session().microscope.isOpen())
         window.microscopePage()->view().zoomBy(factor);
+    else if (window.sheets().isOpen())
+        window.tilesPage()->view().zoomBy(factor);
     else
         window.canvas().zoomBy(factor);
+}
+
+void fitDrawing(MainWindow& window)
+{
+    if (window.sheets().isOpen())
+        window.tilesPage()->view().fit();
+    else
+        window.canvas().fitDrawing();
 }
 
 void addThemes(MainWindow& window, QMenu& menu)
@@ -133,7 +144,7 @@ MenuInfo viewMenu()
                     .text = tr("&Fit drawing"),
                     .keys = {K("Shift+1")},
                     .scope = ShortcutScope::Canvas,
-                    .run = [](MainWindow& w) { w.canvas().fitDrawing(); },
+                    .run = fitDrawing,
                 },
                 {
                     .key = "fit-selection",

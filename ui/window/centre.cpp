@@ -3,6 +3,7 @@
 
 #include "ui/canvas/canvas.h"
 #include "ui/microscope/microscope_page.h"
+#include "ui/tiles/tiles_page.h"
 #include "ui/widgets/message_strip.h"
 #include "ui/widgets/window_note.h"
 
@@ -78,23 +79,33 @@ void Centre::setMicroscope(MicroscopePage* page)
     pages_->addWidget(page);
 }
 
+void Centre::setTiles(TilesPage* page)
+{
+    tiles_ = page;
+    pages_->addWidget(page);
+}
+
+void Centre::showTiles() { show(*tiles_); }
+
 void Centre::showCanvas() { show(canvas_); }
 
 void Centre::showMicroscope() { show(*microscope_); }
 
 bool Centre::showsCanvas() const { return pages_->currentWidget() == &canvas_; }
 
-/// A stacked widget is at least as large as its largest page, hidden ones included, so the hidden
-/// microscope is made to ask for no room.
+/// A stacked widget is at least as large as its largest page, hidden ones included, so hidden pages
+/// are made to ask for no room.
 void Centre::show(QWidget& page)
 {
-    if (!microscope_)
+    if (pages_->count() == 1)
         return;
-    const bool microscope = &page == microscope_;
-    const auto policy = microscope ? QSizePolicy::Preferred : QSizePolicy::Ignored;
-    microscope_->setSizePolicy(policy, policy);
+    for (QWidget* other : {static_cast<QWidget*>(microscope_), static_cast<QWidget*>(tiles_)})
+        if (other) {
+            const auto policy = other == &page ? QSizePolicy::Preferred : QSizePolicy::Ignored;
+            other->setSizePolicy(policy, policy);
+        }
     if (note_)
-        note_->setVisible(noteAllowed_ && !microscope);
+        note_->setVisible(noteAllowed_ && &page == &canvas_);
     pages_->setCurrentWidget(&page);
     placeMessages();
     for (QLayout* around : {pages_->layout(), layout(), window()->layout()}) {

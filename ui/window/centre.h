@@ -10,24 +10,29 @@ namespace ui {
 class Canvas;
 class MessageStrip;
 class MicroscopePage;
+class TilesPage;
 class WindowNote;
 
-/// The middle of the window: the canvas, or the microscope in its place, with the message strip
-/// and, at the first start, a note. These lie over the upper edge of the drawing, so that the view
-/// stays when they come and go; the microscope makes room for them.
+/// The middle of the window: the canvas, or the microscope or the sheets in its place, with the
+/// message strip and, at the first start, a note. These lie over the upper edge of the drawing, so
+/// that the view stays when they come and go; the other pages make room for them.
 class Centre : public QWidget {
     Q_OBJECT
 
 public:
     Centre(MessageStrip& strip, Canvas& canvas);
 
-    void addNote(WindowNote& note); ///< until it deletes itself; the microscope hides it
+    void addNote(WindowNote& note); ///< until it deletes itself; other pages hide it
     void allowNote(bool allowed);   ///< false: it is hidden
     /// Uses this page from now on. The page before is deleted later: it may handle an event now.
     void setMicroscope(MicroscopePage* page);
     MicroscopePage* microscope() const { return microscope_; } ///< null: none yet
 
+    void setTiles(TilesPage* page);             ///< once
+    TilesPage* tiles() const { return tiles_; } ///< null: none yet
+
     void showCanvas();
+    void showTiles();
     void showMicroscope();
     bool showsCanvas() const;
 
@@ -43,6 +48,7 @@ private:
     QWidget* messages_; ///< note and strip
     Canvas& canvas_;
     MicroscopePage* microscope_ = nullptr;
+    TilesPage* tiles_ = nullptr;
     WindowNote* note_ = nullptr;
     bool noteAllowed_ = true;
 };

@@ -9,6 +9,7 @@
 #include "ui/look/saved_theme.h"
 #include "ui/look/window_place.h"
 #include "ui/microscope/microscope_page.h"
+#include "ui/tiles/tiles_page.h"
 #include "ui/widgets/window_note.h"
 #include "ui/window/centre.h"
 #include "ui/window/modes.h"
@@ -47,6 +48,7 @@ MainWindow::MainWindow(Backend backend, QWidget* parent)
     limitHistory();
     restorePlace(*this, placeKey(), usual, minimumSize());
     panelLayout_->restore();
+    optionBar_->offerTiles(workspace().tiles);
     refreshActions();
     showTitle();
     canvas_->setFocus();
@@ -85,6 +87,7 @@ void MainWindow::addBars()
     menuBar()->setCornerWidget(new WorkspaceTabs(*panelLayout_));
     connect(panelLayout_.get(), &PanelLayout::workspaceChanged, this, [this] {
         centre_->allowNote(!workspace().folds); // it is about cutting
+        optionBar_->offerTiles(workspace().tiles);
         refreshActions();
     });
 }
@@ -93,9 +96,11 @@ void MainWindow::addModes()
 {
     modes_ = std::make_unique<Modes>(
         session_, drawnLine_, *canvas_,
-        Modes::Parts{*this, *centre_, *panelLayout_, {optionBar_, toolBar_}});
+        Modes::Parts{*this, sheets_, *centre_, *panelLayout_, {optionBar_, toolBar_}});
     connect(modes_.get(), &Modes::changed, this, &MainWindow::refreshActions);
     connect(&modes_->microscope(), &MicroscopeMode::made, this, &MainWindow::connectMicroscope);
+    connect(&modes_->tiles(), &TilesMode::made, this, &MainWindow::connectTiles);
+    connect(modes_.get(), &Modes::changed, this, &MainWindow::showTilesInStatus);
 }
 
 void MainWindow::setQuestions(std::unique_ptr<Questions> questions)
@@ -124,6 +129,8 @@ void MainWindow::showStart()
         centre_->allowNote(!workspace().folds);
     }
 }
+
+TilesPage* MainWindow::tilesPage() const { return centre_->tiles(); }
 
 MicroscopePage* MainWindow::microscopePage() const { return centre_->microscope(); }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/session/drawn_line.h"
+#include "app/session/live_sheets.h"
 #include "ui/canvas/canvas.h"
 #include "ui/dialogs/questions.h"
 #include "ui/look/look.h"
@@ -23,6 +24,7 @@ class Modes;
 class OptionBar;
 class PanelLayout;
 class StatusBar;
+class TilesPage;
 class ToolBar;
 struct Workspace;
 
@@ -54,6 +56,10 @@ public:
     app::DrawnLine& drawnLine() { return drawnLine_; }
     /// The microscope's page; null until the microscope is first opened.
     MicroscopePage* microscopePage() const;
+    /// The sheets of the drawing, and their page; null until it is first opened.
+    app::LiveSheets& sheets() { return sheets_; }
+    const app::LiveSheets& sheets() const { return sheets_; }
+    TilesPage* tilesPage() const;
 
     /// Shows the first sample, its clip window ready to drag, and the start panel in front.
     void showStart();
@@ -106,6 +112,8 @@ private:
     void connectLayout();
     void connectFiles();
     void connectMicroscope(MicroscopePage* page);
+    void connectTiles(TilesPage* page);
+    void showTilesInStatus();
     void connectSession();
     /// Whether the window may be closed: not asked; the question is open; the answer waits for a
     /// file; yes.
@@ -119,6 +127,7 @@ private:
 
     app::Session session_;
     app::DrawnLine drawnLine_{session_};
+    app::LiveSheets sheets_{session_};
     Theme theme_;
     Canvas* canvas_;
     MessageStrip* strip_;

@@ -4,6 +4,7 @@
 #include "ui/editing/undo_memory.h"
 #include "ui/files/files.h"
 #include "ui/microscope/microscope_page.h"
+#include "ui/tiles/tiles_page.h"
 #include "ui/window/main_window.h"
 
 #include <QSettings>
@@ -99,8 +100,30 @@ void MainWindow::connectMicroscope(MicroscopePage* page)
     connect(page, &MicroscopePage::exportWanted, this, &MainWindow::stepsExportWanted);
 }
 
+void MainWindow::connectTiles(TilesPage* page)
+{
+    connect(page, &TilesPage::hinted, status_, &StatusBar::showHint);
+    connect(&page->view(), &TilesView::frameShown, status_, &StatusBar::note);
+    connect(&sheets_, &app::LiveSheets::changed, this, &MainWindow::showTilesInStatus);
+    connect(page, &TilesPage::exportWanted, this, [this] {
+        files_->exportSheets(sheets_.sheets(), app::patternOf(sheets_.settings(), sheets_.title()));
+    });
+}
+
+void MainWindow::showTilesInStatus()
+{
+    if (!sheets_.isOpen())
+        return status_->setSummary({});
+    const auto& tiling = sheets_.tiling();
+    const int written = tiling ? tiling.value->written() : 0;
+    const QString paper = tiling ? app::paperText(sheets_.settings(), *tiling.value) : QString();
+    status_->setSummary(written == 1 ? tr("1 sheet, %1").arg(paper)
+                                     : tr("%1 sheets, %2").arg(written).arg(paper));
+}
+
 void MainWindow::showTitle()
 {
+    sheets_.setTitle(files_->baseName().replace(u'/', u'-'));
     setWindowTitle(tr("%1[*] – Clearcut").arg(files_->name()));
     setWindowFilePath(session_.path());
     setWindowModified(!session_.history.isClean());

@@ -63,6 +63,7 @@ void MainWindow::connectLayout()
     connect(panelLayout_.get(), &PanelLayout::changed, this, &MainWindow::refreshActions);
     connect(panelLayout_.get(), &PanelLayout::aboutToRaise, &session_.microscope,
             &app::Microscope::close);
+    connect(panelLayout_.get(), &PanelLayout::aboutToRaise, &sheets_, &app::LiveSheets::close);
     connect(panelLayout_.get(), &PanelLayout::aboutToBringBack, panels_.line, &LinePanel::showNow);
 }
 

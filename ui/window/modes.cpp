@@ -10,19 +10,23 @@
 
 namespace ui {
 
-Mode modeOf(const app::Session& session)
+Mode modeOf(const app::Session& session, const app::LiveSheets& sheets)
 {
     if (session.display().presenting)
         return session.microscope.isOpen() ? Mode::PresentingMicroscope : Mode::Presenting;
-    return session.microscope.isOpen() ? Mode::Microscope : Mode::Editing;
+    if (session.microscope.isOpen())
+        return Mode::Microscope;
+    return sheets.isOpen() ? Mode::Tiles : Mode::Editing;
 }
 
 Modes::Modes(app::Session& session, app::DrawnLine& drawn, Canvas& canvas, Parts parts)
     : session_(session), parts_(std::move(parts)),
-      microscope_(session, drawn, canvas, parts_.centre), presenting_(parts_.window)
+      microscope_(session, drawn, canvas, parts_.centre),
+      tiles_(session, parts_.sheets, canvas, parts_.centre), presenting_(parts_.window)
 {
     connect(&session.microscope, &app::Microscope::openChanged, this, &Modes::followMicroscope);
     connect(&session, &app::Session::loaded, &session.microscope, &app::Microscope::close);
+    connect(&parts_.sheets, &app::LiveSheets::openChanged, this, &Modes::followSheets);
     connect(&microscope_, &MicroscopeMode::lessonsToggled, this, &Modes::changed);
 }
 
@@ -30,14 +34,28 @@ void Modes::followMicroscope()
 {
     const bool open = session_.microscope.isOpen();
     open ? microscope_.enter() : microscope_.leave();
+    if (open)
+        parts_.sheets.close();
     fit();
     if (!open)
         microscope_.returnFocus();
     emit changed();
 }
 
+void Modes::followSheets()
+{
+    const bool open = parts_.sheets.isOpen();
+    if (open)
+        tiles_.enter();
+    fit();
+    if (!open && parts_.centre.showsCanvas())
+        tiles_.returnFocus();
+    emit changed();
+}
+
 void Modes::togglePresenting()
 {
+    parts_.sheets.close();
     const bool presenting = !session_.display().presenting;
     presenting ? presenting_.enter() : presenting_.leave();
     session_.changeDisplay(
@@ -50,11 +68,14 @@ void Modes::togglePresenting()
 /// Shows the parts of the session's mode. The panels come back last, when the centre has its size.
 void Modes::fit()
 {
-    const ModeParts shown = partsOf(modeOf(session_));
+    const ModeParts shown = partsOf(modeOf(session_, parts_.sheets));
     if (!shown.panels)
         parts_.panels.hideAll();
     fitBars(shown);
-    shown.microscope ? parts_.centre.showMicroscope() : parts_.centre.showCanvas();
+    if (shown.tiles)
+        parts_.centre.showTiles();
+    else
+        shown.microscope ? parts_.centre.showMicroscope() : parts_.centre.showCanvas();
     if (shown.panels)
         parts_.panels.bringBack();
 }

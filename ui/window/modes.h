@@ -3,6 +3,7 @@
 
 #include "ui/window/microscope_mode.h"
 #include "ui/window/presenting_mode.h"
+#include "ui/window/tiles_mode.h"
 
 class QToolBar;
 
@@ -12,16 +13,18 @@ class PanelLayout;
 
 /// What the window is used for. Presenting is entered and left at any time, also with the
 /// microscope open, and the microscope also while presenting; lessons are part of the microscope.
-enum class Mode : std::uint8_t { Editing, Microscope, Presenting, PresentingMicroscope };
+/// Both of them close the tiles, which are entered from the drawing.
+enum class Mode : std::uint8_t { Editing, Microscope, Presenting, PresentingMicroscope, Tiles };
 
-/// The mode that a session asks for. This alone says which mode is on.
-Mode modeOf(const app::Session& session);
+/// The mode that a session and its sheets ask for. They alone say which mode is on.
+Mode modeOf(const app::Session& session, const app::LiveSheets& sheets);
 
 /// The parts of the window that a mode shows.
 struct ModeParts {
-    bool microscope; ///< in place of the canvas
+    bool microscope, tiles; ///< in place of the canvas
     bool panels;
-    bool barAcross; ///< the horizontal tool bar, with the options; the microscope has its own
+    bool barAcross; ///< the horizontal tool bar, with the options; microscope and tiles have their
+                    ///< own
     bool barAtSide; ///< the vertical tool bar, with the tools
 };
 constexpr ModeParts partsOf(Mode mode)
@@ -29,10 +32,12 @@ constexpr ModeParts partsOf(Mode mode)
     using enum Mode;
     const bool microscope = mode == Microscope || mode == PresentingMicroscope;
     const bool presenting = mode == Presenting || mode == PresentingMicroscope;
+    const bool tiles = mode == Tiles;
     return {.microscope = microscope,
-            .panels = !microscope && !presenting,
-            .barAcross = !microscope,
-            .barAtSide = !presenting};
+            .tiles = tiles,
+            .panels = !microscope && !presenting && !tiles,
+            .barAcross = !microscope && !tiles,
+            .barAtSide = !presenting && !tiles};
 }
 
 /// Takes a window from one mode to another. Panels and bars that were shown in Editing are shown
@@ -44,6 +49,7 @@ public:
     /// What the modes change in a window.
     struct Parts {
         QWidget& window;
+        app::LiveSheets& sheets;
         Centre& centre;
         PanelLayout& panels;
         QList<QToolBar*> bars;
@@ -53,18 +59,21 @@ public:
     void togglePresenting();
     MicroscopeMode& microscope() { return microscope_; }
     const MicroscopeMode& microscope() const { return microscope_; }
+    TilesMode& tiles() { return tiles_; }
 
 signals:
     void changed(); ///< the mode, or whether lessons are shown
 
 private:
     void followMicroscope();
+    void followSheets();
     void fit();
     void fitBars(const ModeParts& shown);
 
     app::Session& session_;
     Parts parts_;
     MicroscopeMode microscope_;
+    TilesMode tiles_;
     PresentingMode presenting_;
     /// The bars that Editing shows; empty: they are shown now.
     std::optional<QList<QToolBar*>> barsOfEditing_;

@@ -25,7 +25,7 @@ class SheetLayoutTest : public QObject {
 private slots:
     void apartTheSheetsAreWholePapers()
     {
-        const SheetLayout layout = layoutOf(tiling(), 10, Arrangement::Apart);
+        const SheetLayout layout = layoutOf(tiling(), 10, SheetArrangement::Apart);
         QCOMPARE(layout.places.size(), 6u);
         for (const SheetPlace& place : layout.places)
             QVERIFY(glm::distance(place.paper.max - place.paper.min, Point(210, 297)) < 1e-9);
@@ -36,7 +36,7 @@ private slots:
 
     void inPlaceTheSheetsOverlap()
     {
-        const SheetLayout layout = layoutOf(tiling(), 10, Arrangement::InPlace);
+        const SheetLayout layout = layoutOf(tiling(), 10, SheetArrangement::InPlace);
         QCOMPARE(layout.places[0].part.max.x - layout.places[1].part.min.x, 10.0);
         QCOMPARE(layout.bounds.min, Point(-50, 10)); // in millimetres
         QCOMPARE(layout.bounds.max, Point(500, 554));
@@ -47,7 +47,7 @@ private slots:
     void pointsOfTheDrawing()
     {
         const Tiling all = tiling();
-        for (const auto arrangement : {Arrangement::InPlace, Arrangement::Apart}) {
+        for (const auto arrangement : {SheetArrangement::InPlace, SheetArrangement::Apart}) {
             const SheetLayout layout = layoutOf(all, 10, arrangement);
             for (std::size_t i = 0; i < all.tiles.size(); ++i) {
                 QCOMPARE(layout.toLayout(i, all.tiles[i].window.min), layout.places[i].part.min);
@@ -58,7 +58,7 @@ private slots:
 
     void sheetsAndEdgesAreFound()
     {
-        const SheetLayout layout = layoutOf(tiling(), 10, Arrangement::Apart);
+        const SheetLayout layout = layoutOf(tiling(), 10, SheetArrangement::Apart);
         QCOMPARE(layout.sheetAt({5, 5}).value(), 0u);
         QCOMPARE(layout.sheetAt(layout.places[4].paper.max).value(), 4u);
         QVERIFY(!layout.sheetAt({215, 5}));

@@ -3,6 +3,7 @@
 #include "ui/lessons/lesson_panel.h"
 #include "ui/look/look.h"
 #include "ui/microscope/microscope_page.h"
+#include "ui/tiles/tiles_page.h"
 #include "ui/widgets/message_strip.h"
 #include "ui/window/centre.h"
 #include "ui/window/modes.h"
@@ -33,7 +34,7 @@ public:
         window().addToolBar(Qt::LeftToolBarArea, atSide);
         modes = std::make_unique<Modes>(
             session, drawn, *canvas,
-            Modes::Parts{window(), *centre, *plain.layout, {across, atSide}});
+            Modes::Parts{window(), sheets, *centre, *plain.layout, {across, atSide}});
         plain.show();
         window().activateWindow();
         canvas->setFocus();
@@ -44,6 +45,12 @@ public:
         session.microscope.isOpen() ? session.microscope.close() : drawn.look();
         QCoreApplication::processEvents();
     }
+    void toggleSheets()
+    {
+        session.microscope.close();
+        sheets.isOpen() ? sheets.close() : sheets.open();
+        QCoreApplication::processEvents();
+    }
     void togglePresenting()
     {
         modes->togglePresenting();
@@ -52,7 +59,7 @@ public:
     /// What the window shows although its mode should not, or does not show although it should.
     QStringList faults()
     {
-        const Mode mode = modeOf(session);
+        const Mode mode = modeOf(session, sheets);
         const ModeParts parts = partsOf(mode);
         const bool presenting = mode == Mode::Presenting || mode == Mode::PresentingMicroscope;
         QStringList faults;
@@ -60,8 +67,9 @@ public:
             if (shown != wanted)
                 faults << QLatin1StringView(what);
         };
-        expect("microscope", !centre->showsCanvas(), parts.microscope);
-        expect("canvas", canvas->isVisible(), !parts.microscope);
+        expect("another page", !centre->showsCanvas(), parts.microscope || parts.tiles);
+        expect("sheets", centre->tiles() && centre->tiles()->isVisible(), parts.tiles);
+        expect("canvas", canvas->isVisible(), !parts.microscope && !parts.tiles);
         expect("panels", !plain.inFront().empty(), parts.panels);
         expect("bar across", across->isVisible(), parts.barAcross);
         expect("bar at the side", atSide->isVisible(), parts.barAtSide);
@@ -72,6 +80,7 @@ public:
     const double type = QApplication::font().pointSizeF();
     app::Session session;
     app::DrawnLine drawn{session};
+    app::LiveSheets sheets{session};
     PlainWindow plain;
     Canvas* canvas;
     Centre* centre;
@@ -91,15 +100,16 @@ private slots:
     {
         app::Session session;
         app::DrawnLine drawn(session);
-        QCOMPARE(modeOf(session), Mode::Editing);
+        app::LiveSheets sheets(session);
+        QCOMPARE(modeOf(session, sheets), Mode::Editing);
         drawn.look();
-        QCOMPARE(modeOf(session), Mode::Microscope);
+        QCOMPARE(modeOf(session, sheets), Mode::Microscope);
         app::Display display = session.display();
         display.presenting = true;
         session.setDisplay(display);
-        QCOMPARE(modeOf(session), Mode::PresentingMicroscope);
+        QCOMPARE(modeOf(session, sheets), Mode::PresentingMicroscope);
         session.microscope.close();
-        QCOMPARE(modeOf(session), Mode::Presenting);
+        QCOMPARE(modeOf(session, sheets), Mode::Presenting);
     }
     void eachModeShowsItsParts_data()
     {
@@ -109,12 +119,13 @@ private slots:
         QTest::newRow("microscope") << Mode::Microscope << "microscope, bar at side";
         QTest::newRow("presenting") << Mode::Presenting << "canvas, bar across";
         QTest::newRow("both") << Mode::PresentingMicroscope << "microscope";
+        QTest::newRow("tiles") << Mode::Tiles << "tiles";
     }
     void eachModeShowsItsParts()
     {
         QFETCH(Mode, mode);
         const ModeParts parts = partsOf(mode);
-        QStringList shown{parts.microscope ? "microscope" : "canvas"};
+        QStringList shown{parts.microscope ? "microscope" : parts.tiles ? "tiles" : "canvas"};
         if (parts.panels)
             shown << "panels";
         if (parts.barAcross)
@@ -125,8 +136,9 @@ private slots:
     }
     void everyWayThroughTheModesEndsAsItBegan_data()
     {
-        QTest::addColumn<QString>("toggles"); // m: microscope, p: presenting
-        for (const char* toggles : {"mm", "pp", "mpmp", "mppm", "pmpm", "pmmp", "mmppmpmp"})
+        QTest::addColumn<QString>("toggles"); // m: microscope, p: presenting, t: tiles
+        for (const char* toggles :
+             {"mm", "pp", "mpmp", "mppm", "pmpm", "pmmp", "mmppmpmp", "tt", "tmm", "mtt", "tpp"})
             QTest::newRow(toggles) << QString(toggles);
     }
     void everyWayThroughTheModesEndsAsItBegan()
@@ -136,10 +148,12 @@ private slots:
         QCOMPARE(stage.faults().join(","), QString());
         const QStringList panels = stage.plain.inFront();
         for (const QChar toggle : toggles) {
-            toggle == u'm' ? stage.toggleMicroscope() : stage.togglePresenting();
+            toggle == u'm'   ? stage.toggleMicroscope()
+            : toggle == u't' ? stage.toggleSheets()
+                             : stage.togglePresenting();
             QCOMPARE(stage.faults().join(","), QString());
         }
-        QCOMPARE(modeOf(stage.session), Mode::Editing);
+        QCOMPARE(modeOf(stage.session, stage.sheets), Mode::Editing);
         QCOMPARE(stage.plain.inFront(), panels);
         QCOMPARE(QApplication::font().pointSizeF(), stage.type);
     }
@@ -205,7 +219,7 @@ private slots:
         MicroscopeMode& microscope = stage.modes->microscope();
         const QSignalSpy changed(stage.modes.get(), &Modes::changed);
         microscope.showLessons();
-        QCOMPARE(modeOf(stage.session), Mode::Microscope);
+        QCOMPARE(modeOf(stage.session, stage.sheets), Mode::Microscope);
         stage.session.course.begin(0);
         stage.togglePresenting();
         QVERIFY(microscope.showsLessons() && stage.session.course.lesson());
@@ -220,7 +234,7 @@ private slots:
         stage.toggleMicroscope();
         stage.session.load({});
         QCOMPARE(stage.faults().join(","), QString());
-        QVERIFY(modeOf(stage.session) == Mode::Editing);
+        QVERIFY(modeOf(stage.session, stage.sheets) == Mode::Editing);
     }
     void typeIsTheProgramsAndGoesWithTheWindow()
     {

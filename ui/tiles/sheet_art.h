@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/base/background.h"
+#include "app/session/live_sheets.h"
+#include "app/tiles/sheet_layout.h"
+#include "app/view/picture.h"
+#include "ui/canvas/frame_times.h"
+#include "ui/look/look.h"
+
+#include <QImage>
+#include <QTimer>
+
+#include <deque>
+
+namespace ui {
+
+/// A picture of the drawing that is wanted: of all lines in a region.
+struct SheetWish {
+    std::size_t sheet = 0;
+    app::View view;           ///< of the drawing; its size is that of the picture
+    app::ClipRegion region{}; ///< at which the drawing is cut
+    app::RemovedPart removed = app::RemovedPart::Hidden;
+};
+
+/// Pictures of a drawing on its sheets. All lines are clipped at every sheet, like at clip windows.
+/// What takes longer than a frame continues between events, and what takes longer than that is
+/// painted on another thread; until then the last pictures are there.
+class SheetArt : public QObject {
+    Q_OBJECT
+
+public:
+    SheetArt(app::Session& session, app::LiveSheets& sheets);
+
+    /// Makes these pictures, unless they are there. `revision` says whether the drawing or its
+    /// colours are the same as before.
+    void want(std::vector<SheetWish> wishes, std::uint64_t revision, const Look& look,
+              double pixelRatio);
+
+    struct Picture {
+        std::size_t sheet;
+        clipping::Window drawn; ///< what it shows, in user units
+        QImage image;
+    };
+    /// The newest pictures; some may be out of date.
+    const std::vector<Picture>& pictures() const { return pictures_; }
+    void settle(); ///< until all are new
+    void forget();
+
+signals:
+    void painted();                               ///< one more picture is new
+    void frameShown(const ui::FrameTimes& times); ///< all of them are
+
+private:
+    void work(int milliseconds);
+    void paintNext();
+    void accept(std::size_t sheet, const app::View& view, QImage image);
+    app::Picture picture(const SheetWish& wish);
+
+    app::Session& session_;
+    app::LiveSheets& sheets_;
+    std::vector<SheetWish> wanted_;
+    std::deque<SheetWish> left_; ///< of those, the ones that are not yet painted
+    std::uint64_t revision_ = 0;
+    const Look* look_ = nullptr;
+    double pixelRatio_ = 1;
+    std::vector<Picture> pictures_;
+    FrameTimes times_{};
+    QTimer next_;
+    app::Background<QImage> painter_;
+};
+
+} // namespace ui

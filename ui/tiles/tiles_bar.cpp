@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tiles/tiles_bar.h"
+
+#include "ui/look/look.h"
+#include "ui/look/look_icon.h"
+#include "ui/widgets/quiet_label.h"
+#include "ui/widgets/segments.h"
+
+#include <QHBoxLayout>
+#include <QPainter>
+#include <QPushButton>
+
+namespace ui {
+
+TilesBar::TilesBar(QWidget* parent)
+    : QWidget(parent), show_(new Segments(tr("Show"), {tr("In place"), tr("Sheets apart")})),
+      overlap_(new Segments(tr("Overlap"), {tr("Tinted"), tr("Plain")}))
+{
+    setFixedHeight(space::optionsHeight);
+    auto* sign = new QLabel;
+    sign->setPixmap(icon("tiles").pixmap(18, 18));
+    auto* title = new QLabel(tr("Tiles"));
+    title->setFont(semiBold(font()));
+    show_->setObjectName(QStringLiteral("tiles-arrangement"));
+    overlap_->setObjectName(QStringLiteral("tiles-overlap"));
+    const auto button = [](const char* key, const QString& text, const QString& tip) {
+        auto* made = new QPushButton(icon(key), text);
+        made->setIconSize({16, 16});
+        made->setToolTip(tip);
+        made->setFocusPolicy(Qt::TabFocus);
+        return made;
+    };
+    auto* fit = button("page", tr("Fit"), tr("Fit all sheets into the view (double click)"));
+    auto* close = button("close", tr("Close"), tr("Return to the drawing (Esc)"));
+    fit->setObjectName(QStringLiteral("fit-sheets"));
+    close->setObjectName(QStringLiteral("close-tiles"));
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(space::dockMargin, 0, space::dockMargin, 0);
+    row->setSpacing(space::labelToField);
+    for (QWidget* widget : std::initializer_list<QWidget*>{sign, title})
+        row->addWidget(widget);
+    row->addSpacing(space::betweenGroups);
+    for (QWidget* widget : std::initializer_list<QWidget*>{quietLabel(tr("Show")), show_})
+        row->addWidget(widget);
+    row->addSpacing(space::betweenGroups);
+    for (QWidget* widget : std::initializer_list<QWidget*>{quietLabel(tr("Overlap")), overlap_})
+        row->addWidget(widget);
+    row->addSpacing(space::betweenGroups);
+    row->addWidget(fit);
+    row->addStretch();
+    row->addWidget(close);
+    connect(show_, &Segments::picked, this,
+            [this](int chosen) { emit arranged(app::SheetArrangement(chosen)); });
+    connect(overlap_, &Segments::picked, this, [this](int chosen) { emit tinted(chosen == 0); });
+    connect(fit, &QPushButton::clicked, this, &TilesBar::fitWanted);
+    connect(close, &QPushButton::clicked, this, &TilesBar::closeWanted);
+}
+
+void TilesBar::show(app::SheetArrangement arrangement, bool tinted)
+{
+    show_->choose(int(arrangement));
+    overlap_->choose(tinted ? 0 : 1);
+}
+
+void TilesBar::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.fillRect(rect(), palette().window());
+    painter.fillRect(0, height() - 1, width(), 1, lookOf(palette()).rule);
+}
+
+} // namespace ui
