@@ -111,6 +111,16 @@ void removeWindow(MainWindow& window) { app::removeWindow(window.session()); }
 
 bool hasWindow(const MainWindow& window) { return window.session().windowNumber().has_value(); }
 
+ActionInfo occludeRow()
+{
+    return {
+        .key = "occlude",
+        .text = tr("R&emove covered lines"),
+        .run = [](MainWindow& w) { w.files().cutPermanently(app::permanentCut("occlude")); },
+        .enabled = [](const MainWindow& w) { return w.session().scene.lines().size() > 0; },
+    };
+}
+
 QString noWindow() { return tr("No clip window is visible. Draw one first (W)."); }
 
 } // namespace
@@ -151,6 +161,7 @@ MenuInfo clipMenu()
                         [](MainWindow& w) { w.files().cutPermanently(app::permanentCut("split")); },
                     .enabled = some,
                 },
+                occludeRow(),
                 {
                     .key = "window-on-page",
                     .text = tr("&Lay window on page"),
