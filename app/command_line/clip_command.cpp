@@ -88,8 +88,6 @@ void report(const Imported& imported, const Document& before, const CutCounts& c
                          "removed. --drop-hidden leaves out all of them.")
                 .arg(counts.hidden)
                 .arg(hidden - counts.hidden));
-    if (const QString further = furtherCountsText(counts); !further.isEmpty())
-        say(further);
 }
 
 /// Removes hidden objects if requested, or if the file cannot hide them; returns their number.
@@ -177,6 +175,8 @@ void clip(const ParsedArguments& arguments)
             say(occlusionText(*covered));
         report(imported, before, result.counts);
         sayDropped(arguments, output, dropped);
+        if (const QString more = furtherCountsText(result.counts); !more.isEmpty())
+            say(more);
         say(windowText(arguments, imported, options.region));
         if (hiddenObjects(after).size() == after.objects().size())
             sayNothingIsLeft(imported, before, after, options.region.keep);

@@ -4,6 +4,7 @@
 #include "app/commands/history.h"
 #include "app/commands/transform_objects.h"
 #include "app/comparison/live_differences.h"
+#include "app/cut/cut_choices.h"
 #include "app/document/object_ranges.h"
 #include "app/document/window_frame.h"
 #include "app/exactness/live_exactness.h"
@@ -33,6 +34,7 @@ struct Display {
     bool presenting = false; ///< for a projector: strokes twice as wide, clearly visible ghosts
     Grid grid{};             ///< under the drawing
     bool guides = true;      ///< are shown
+    CutChoices cutting{};    ///< how the clip windows cut
     friend bool operator==(const Display&, const Display&) = default;
 };
 

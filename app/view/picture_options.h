@@ -26,6 +26,7 @@ struct PictureOptions {
     /// The clip windows at which areas are cut, as long as the options live. Null: areas are filled
     /// if all their lines are painted.
     const ClipRegion* region = nullptr;
+    bool closesAreas = false;   ///< the stroke of a cut area runs along the cut, too
     std::optional<Colour> page; ///< make all colours visible on this page colour; empty: leave them
                                 ///< unchanged
     double leastWidth = 0.75;   ///< logical pixels; thinner strokes are drawn this wide

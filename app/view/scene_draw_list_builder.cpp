@@ -8,6 +8,7 @@ SceneDrawListBuilder::SceneDrawListBuilder(const SceneLines& lines, const Painte
                                            const PictureOptions& options,
                                            std::size_t expectedPieces)
     : lines_(lines), part_(part), cutFill_(options.region, part.which()),
+      closesAreas_(options.closesAreas && part.which() == Painted::Kept),
       builder_(options, expectedPieces)
 {
 }
@@ -133,8 +134,10 @@ void SceneDrawListBuilder::enterObjectOf(std::size_t line)
     if (style_->fill || builder_.isDashed())
         findObject(object);
     if (style_->fill) {
-        strokes_ = !fillObject() || style_->stroke;
         begun_ = false;
+        strokes_ = !fillObject() || style_->stroke;
+        if (closesAreas_ && strokes_ && cutFill_.cuts())
+            strokes_ = !strokeCut();
     }
     if (strokes_ && !begun_)
         builder_.beginStrokes();
@@ -171,6 +174,7 @@ bool SceneDrawListBuilder::fillObject()
             builder_.fill(outline_);
         return whole;
     }
+    cutOutline_.clear();
     const Remains remains = cutFill_.remains(boxOf(outline_));
     if (remains == Remains::Whole)
         builder_.fill(outline_);
@@ -178,6 +182,21 @@ bool SceneDrawListBuilder::fillObject()
         cutOutline_ = cutFill_.clip(outline_, style_->fillRule);
         builder_.fill({std::span<const clipping::Segment>(cutOutline_)});
     }
+    return true;
+}
+
+// Strokes the outline of what is left of the current area. False if the area is not cut.
+bool SceneDrawListBuilder::strokeCut()
+{
+    if (cutOutline_.empty())
+        return false;
+    const Outline rings{std::span<const clipping::Segment>(cutOutline_)};
+    LengthsBefore lengths(rings);
+    builder_.beginStrokes();
+    for (std::size_t i = 0; i < cutOutline_.size(); ++i)
+        builder_.stroke({cutOutline_[i], std::uint32_t(i), 0}, cutOutline_[i],
+                        builder_.isDashed() ? lengths.of(i) : 0);
+    builder_.endObject();
     return true;
 }
 

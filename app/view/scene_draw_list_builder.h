@@ -45,6 +45,7 @@ private:
     void enterUpTo(std::size_t end, std::size_t& line);
     void findObject(std::size_t object);
     bool fillObject();
+    bool strokeCut();
     bool beginsObject(std::size_t line) const;
     bool isWhole() const;
     double before(std::size_t line);
@@ -52,6 +53,7 @@ private:
     const SceneLines& lines_;
     const PaintedPart& part_;
     CutFill cutFill_;
+    const bool closesAreas_; ///< the stroke of a cut area that is kept follows the cut
     DrawListBuilder builder_;
     const Style* style_ = nullptr;
     bool begun_ = false; // whether the draw command for stroked-only objects has begun

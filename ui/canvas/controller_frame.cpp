@@ -45,6 +45,7 @@ app::Picture Controller::picture(const app::SceneFrame& frame, const Pane& pane,
     options.view = view();
     options.removed = display.removed;
     options.region = &session_.region();
+    options.closesAreas = display.cutting.closeAreas;
     if (look_.dark && !display.asPrinted)
         options.page = colourOf(look_.paper);
     options.leastWidth = pixelRatio < 1.5 ? 0.75 : 0.5;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/cut/cut_choices.h"
 #include "app/cut/permanent_cuts.h"
 #include "app/recovery/recover.h"
 #include "app/session/recent_files.h"
@@ -95,7 +96,8 @@ private:
     void noteRecent();
     QString folder() const;
     QString proposal(const QString& ending) const;
-    app::CutOptions cutOptions() const;
+    using MakeOptions = app::CutOptions (*)(const app::CutChoices&, const app::Page&);
+    app::CutOptions cutAs(MakeOptions make) const;
 
     app::Session& session_;
     std::unique_ptr<Questions> questions_;

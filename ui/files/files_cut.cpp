@@ -11,10 +11,12 @@
 
 namespace ui {
 
-app::CutOptions Files::cutOptions() const
+app::CutOptions Files::cutAs(MakeOptions make) const
 {
-    app::CutOptions options{.clipAll = session_.uses().clipAll};
-    options.region = app::regionOf(session_.now().windows(), session_.now().page());
+    const app::Document& document = session_.now();
+    app::CutOptions options = make(session_.display().cutting, document.page());
+    options.clipAll = session_.uses().clipAll;
+    options.region = app::regionOf(document.windows(), document.page());
     return options;
 }
 
@@ -30,7 +32,7 @@ void Files::exportCut()
         const QString name = QFileInfo(path).fileName();
         background_.run(
             tr("Exporting %1…").arg(name),
-            [document = session_.now(), options = cutOptions(),
+            [document = session_.now(), options = cutAs(app::exportOptions),
              path](const app::Follower& follower) {
                 return app::exportCut(document, options, path, follower.stop);
             },
@@ -54,9 +56,7 @@ void Files::cutPermanently(const app::PermanentCut& kind)
 void Files::cutNow(const app::PermanentCut& kind, const Turn& turn)
 {
     emit documentWanted();
-    app::CutOptions options = cutOptions();
-    options.leaveLocked = true;
-    options.leaveHidden = true;
+    const app::CutOptions options = cutAs(app::permanentOptions);
     using Cropped = std::optional<app::Cut>; // empty: not enough memory
     background_.run(
         tr("Cutting…"),

@@ -142,6 +142,16 @@ QString whyNoTiles(const MainWindow& window)
 
 bool hasWindow(const MainWindow& window) { return window.session().windowNumber().has_value(); }
 
+ActionInfo occludeRow()
+{
+    return {
+        .key = "occlude",
+        .text = tr("R&emove covered lines"),
+        .run = [](MainWindow& w) { w.files().cutPermanently(app::permanentCut("occlude")); },
+        .enabled = [](const MainWindow& w) { return w.session().scene.lines().size() > 0; },
+    };
+}
+
 QString noWindow() { return tr("No clip window is visible. Draw one first (W)."); }
 
 } // namespace
@@ -182,6 +192,7 @@ MenuInfo clipMenu()
                         [](MainWindow& w) { w.files().cutPermanently(app::permanentCut("split")); },
                     .enabled = some,
                 },
+                occludeRow(),
                 {
                     .key = "tiles",
                     .text = tr("Til&es…"),

@@ -4,6 +4,7 @@
 #include "ui/docks/algorithm_panel.h"
 #include "ui/docks/compare_panel.h"
 #include "ui/docks/cost_map_panel.h"
+#include "ui/docks/cut_options.h"
 #include "ui/docks/difference_panel.h"
 #include "ui/docks/exactness_panel.h"
 #include "ui/docks/history_panel.h"
@@ -33,7 +34,7 @@ Panels::Panels(app::Session& session, Canvas& canvas)
       costMap(new CostMapPanel(session)), exactness(new ExactnessPanel(session)),
       docks{.start = new Dock("start", tr("Start"), start),
             .algorithm = new Dock("algorithm", tr("Algorithm"), algorithm),
-            .narrow = {new Dock("window", tr("Clip windows"), window),
+            .narrow = {new Dock("window", tr("Clip windows"), withCutOptions(*window, session)),
                        new Dock("selection", tr("Selection"), selection),
                        new Dock("style", tr("Style"), style), new Dock("line", tr("Line"), line),
                        new Dock("layers", tr("Layers"), layers),

@@ -84,6 +84,8 @@ private slots:
         QCOMPARE(app::cutText({.whole = 3}), "3 objects kept whole.");
         QCOMPARE(app::cutText({.whole = 1200, .cut = 1, .gone = 2}),
                  "1,200 objects kept whole, 1 cut, 2 left out.");
+        QCOMPARE(app::cutText({.cut = 1, .dropped = 2, .fillsRemoved = 3}),
+                 "1 object cut. Short pieces dropped: 2. Fills removed: 3.");
         crop.redo();
         const auto after = sheetOf(document).shapes;
         QCOMPARE(after.size(), before.shapes.size());

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cut/cut.h"
 #include "app/document/document_builder.h"
 #include "app/scene/document_lines.h"
 #include "app/scene/scene_clipping.h"
@@ -9,6 +10,8 @@
 #include <QTest>
 
 #include <cmath>
+
+#include "tests/app/view/compare_images.h"
 
 namespace {
 
@@ -96,6 +99,43 @@ private slots:
             QCOMPARE(image.pixelColor(45, 45).alpha(), inside ? 255 : 0);
             QCOMPARE(image.pixelColor(80, 45).alpha(), inside ? 0 : 255);
         }
+    }
+    // What is seen is what a cut leaves, with a stroke along the cut and without.
+    void aPictureShowsWhatACutLeaves_data()
+    {
+        QTest::addColumn<bool>("closed");
+        QTest::addColumn<bool>("outside");
+        for (const bool closed : {false, true})
+            for (const bool outside : {false, true})
+                QTest::addRow("%d %d", closed, outside) << closed << outside;
+    }
+    void aPictureShowsWhatACutLeaves()
+    {
+        QFETCH(bool, closed);
+        QFETCH(bool, outside);
+        app::Style dashed{.stroke = app::Colour{0, 0, 200}, .fill = app::Colour{200, 200, 0}};
+        dashed.width = 3;
+        app::Object curved =
+            object({{10, 60}, {{{90, 60}, {30, 20}, {70, 99}, true}, {{60, 95}}}, true}, dashed);
+        dashed.dashes = {5, 3};
+        Stage stage({filledSquare({40, 10}, 20), filledSquare({-20, 30}, 140), std::move(curved),
+                     object(square({20, 40}, 50), dashed),
+                     object(square({35, 45}, 30), {.stroke = app::Colour{}})});
+        stage.options.removed = app::RemovedPart::Hidden;
+        stage.options.closesAreas = closed;
+        stage.keep = outside ? app::Keep::Outside : app::Keep::Inside;
+        const QImage seen = stage.image();
+        app::CutOptions options{clipping::exactAlgorithm().corrected.clipAll};
+        options.region = {{{stage.window, app::WindowOperation::Add}}, stage.keep};
+        options.closeAreas = closed;
+        stage.document.apply(app::cut(stage.document, options).edit);
+        stage.lines = app::linesOf(stage.document);
+        stage.window = {{-999, -999}, {999, 999}};
+        stage.keep = app::Keep::Inside;
+        QVERIFY2(shareBeyond(seen, stage.image(), 8) < 1e-3,
+                 qPrintable(QString::number(shareBeyond(seen, stage.image(), 8))));
+        // Half a pixel of stroke on either side of the cut.
+        QCOMPARE(seen.pixelColor(outside ? 50 : 49, 35).red() < 150, closed);
     }
     void theRemovedPartIsHiddenOrShown()
     {
