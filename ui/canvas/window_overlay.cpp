@@ -116,7 +116,8 @@ void paintOthers(QPainter& painter, const Controller& controller)
     }
 }
 
-// The centre about which the window is rotated, and the line to the handle that rotates it.
+// The line to the handle that rotates the window and, while that is hovered or dragged, the centre.
+// Otherwise the centre would hide a part of the drawing.
 void paintPivot(QPainter& painter, const Controller& controller, const app::WindowFrame& frame)
 {
     const auto onScreen = [&](app::Handle handle) {
@@ -124,10 +125,12 @@ void paintPivot(QPainter& painter, const Controller& controller, const app::Wind
             controller.view().toScreen(app::outOfFrame(frame, app::placeOf(handle, frame.box)));
         return QPointF(at.x, at.y);
     };
-    constexpr double arm = 4;
-    const QPointF centre = onScreen({});
-    painter.drawLine(centre - QPointF(arm, 0), centre + QPointF(arm, 0));
-    painter.drawLine(centre - QPointF(0, arm), centre + QPointF(0, arm));
+    if (controller.tool().hoveredHandle() == app::rotationHandle) {
+        constexpr double arm = 4;
+        const QPointF centre = onScreen({});
+        painter.drawLine(centre - QPointF(arm, 0), centre + QPointF(arm, 0));
+        painter.drawLine(centre - QPointF(0, arm), centre + QPointF(0, arm));
+    }
     for (const auto& [handle, at] : app::placedHandles(frame, controller.view()))
         if (handle == app::rotationHandle)
             painter.drawLine(onScreen({0, -1}), QPointF(at.x, at.y));

@@ -8,8 +8,6 @@
 
 namespace ui {
 
-class ElidedLabel;
-
 /// The title bar of a dock: name, remark, and buttons that are visible while the pointer or the
 /// focus is in the dock (they keep their room, so that nothing jumps).
 class DockTitle : public QWidget {
@@ -39,8 +37,7 @@ private:
     void showButtons();
 
     QDockWidget& dock_;
-    QLabel* name_;
-    ElidedLabel* remark_;
+    QLabel *name_, *remark_;
     QHBoxLayout* row_;
     QToolButton* chevron_;
     QList<QToolButton*> buttons_;

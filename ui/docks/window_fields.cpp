@@ -38,6 +38,14 @@ clipping::Window edited(const clipping::Window& window, std::size_t field, doubl
     return next;
 }
 
+QLabel* labelled(const QString& text, LengthField& field)
+{
+    auto* label = new QLabel(text);
+    label->setForegroundRole(QPalette::PlaceholderText);
+    label->setBuddy(&field);
+    return label;
+}
+
 /// In degrees, counterclockwise; never −0.
 double angleOf(const app::WindowFrame& frame) { return 0 - glm::degrees(frame.angle); }
 
@@ -53,24 +61,22 @@ WindowFields::WindowFields(app::Session& session)
                new LengthField(tr("Width"), Range::NotNegative, none),
                new LengthField(tr("Height"), Range::NotNegative, none),
                new LengthField(tr("Angle"), Range::Any, none)};
-    const QStringList labels{tr("X"), tr("Y"), tr("W"), tr("H"), tr("∠")};
+    const QStringList labels{tr("X"), tr("Y"), tr("W"), tr("H")};
     auto* grid = new QGridLayout(this);
     grid->setHorizontalSpacing(space::labelToField);
     grid->setVerticalSpacing(6);
     for (std::size_t i = 0; i < fields_.size(); ++i) {
-        auto* label = new QLabel(labels[qsizetype(i)]);
-        label->setForegroundRole(QPalette::PlaceholderText);
-        label->setBuddy(fields_[i]);
-        const int row = i == Angle ? 2 : int(i % 2);
-        const int column = i == Width || i == Height ? 2 : 0;
-        grid->addWidget(label, row, column);
-        grid->addWidget(fields_[i], row, column + 1);
         connect(fields_[i], &LengthField::edited, this,
                 [this, i](double number, app::Merging merging) { edit(i, number, merging); });
         connect(fields_[i], &LengthField::entered, this, &WindowFields::entered);
         connect(fields_[i], &LengthField::refused, this, &WindowFields::refused);
         connect(fields_[i], &LengthField::taken, this, &WindowFields::taken);
         fields_[i]->setMinimumWidth(72);
+        if (i == Angle)
+            continue; // in a row of its own
+        const int row = int(i % 2), column = i < Width ? 0 : 2;
+        grid->addWidget(labelled(labels[qsizetype(i)], *fields_[i]), row, column);
+        grid->addWidget(fields_[i], row, column + 1);
     }
     fields_[Angle]->setToolTip(tr("Degrees, counterclockwise; a shape other than a rectangle is "
                                   "rotated by them"));
@@ -84,6 +90,18 @@ WindowFields::WindowFields(app::Session& session)
     connect(&session, &app::Session::previewChanged, this, &WindowFields::follow);
     connect(&session, &app::Session::displayChanged, this, &WindowFields::follow);
     follow();
+}
+
+QWidget* WindowFields::makeAngle()
+{
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(space::labelToField);
+    row->addWidget(labelled(tr("∠"), *fields_[Angle]));
+    row->addWidget(fields_[Angle]);
+    auto* angle = new QWidget;
+    angle->setLayout(row);
+    return angle;
 }
 
 void WindowFields::startTyping() { fields_[X]->setFocus(); }

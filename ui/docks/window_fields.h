@@ -22,6 +22,8 @@ public:
     explicit WindowFields(app::Session& session);
 
     void startTyping(); ///< at X
+    /// The angle's field with its label, for another row.
+    QWidget* makeAngle();
 
 signals:
     void entered(); ///< a number or a unit was entered: the focus returns to the canvas

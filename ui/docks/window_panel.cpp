@@ -12,6 +12,7 @@
 #include "ui/editing/keeping.h"
 #include "ui/look/look.h"
 #include "ui/widgets/colour_popup.h"
+#include "ui/widgets/elided_label.h"
 #include "ui/widgets/icon_button.h"
 #include "ui/widgets/segments.h"
 #include "ui/widgets/swatch.h"
@@ -25,7 +26,8 @@ namespace ui {
 
 WindowPanel::WindowPanel(app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session), list_(new WindowList(session)),
-      keep_(new Segments(tr("Keep"), {tr("Inside"), tr("Outside")})), operation_(new ToolList),
+      keep_(new Segments(tr("Keep"), {tr("Inside"), tr("Outside")})), result_(new ElidedLabel),
+      operation_(new ToolList),
       colour_(iconButton("plus", tr("Colour of the clip window on the screen"))),
       colours_(new ColourPopup(this)), fields_(new WindowFields(session)),
       pages_(new QStackedLayout(this))
@@ -40,20 +42,18 @@ WindowPanel::WindowPanel(app::Session& session, QWidget* parent)
     follow();
 }
 
-QString WindowPanel::title() const { return app::resultOf(session_.windows()); }
-
 // Options of cuts, which concern all windows, come below the numbers.
 QWidget* WindowPanel::makeList()
 {
-    auto* column = new QVBoxLayout;
+    auto* page = new QWidget;
+    fields_->setParent(page); // X is the first field, before the angle
+    auto* column = new QVBoxLayout(page);
     column->setContentsMargins(0, 4, 0, 0);
     column->setSpacing(0);
     column->addWidget(makeKeep());
     column->addWidget(list_);
     column->addWidget(makeTools());
     column->addWidget(fields_);
-    auto* page = new QWidget;
-    page->setLayout(column);
     return page;
 }
 
@@ -65,13 +65,15 @@ QWidget* WindowPanel::makeKeep()
         setKeep(session_, app::Keep(side));
         emit entered();
     });
+    result_->setForegroundRole(QPalette::PlaceholderText);
     auto* caption = new QLabel(tr("Keep"));
     caption->setForegroundRole(QPalette::PlaceholderText);
     auto* row = new QHBoxLayout;
-    row->setContentsMargins(space::dockMargin, 2, space::dockMargin, 4);
+    row->setContentsMargins(space::dockMargin, 0, space::dockMargin, 4);
+    row->setSpacing(space::labelToField);
     row->addWidget(caption);
     row->addWidget(keep_);
-    row->addStretch();
+    row->addWidget(result_, 1);
     auto* side = new QWidget;
     side->setLayout(row);
     return side;
@@ -98,6 +100,8 @@ QWidget* WindowPanel::makeTools()
     for (QToolButton* button : {add, remove, colour_})
         row->addWidget(button);
     row->addStretch();
+    row->addWidget(fields_->makeAngle());
+    row->addSpacing(space::labelToField);
     row->addWidget(operation_);
     auto* tools = new QWidget;
     tools->setLayout(row);
@@ -161,8 +165,8 @@ void WindowPanel::follow()
         shown.colour.value_or(app::Colour{std::uint8_t(usual.red()), std::uint8_t(usual.green()),
                                           std::uint8_t(usual.blue())}),
         look));
-    if (const QString now = title(); now != titled_)
-        emit titled(titled_ = now);
+    result_->setWhole(app::resultOf(session_.windows()));
+    result_->setToolTip(tr("What the windows make together: %1").arg(result_->whole()));
 }
 
 void WindowPanel::setOperation(int operation)

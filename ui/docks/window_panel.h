@@ -11,6 +11,7 @@ class QMenu;
 namespace ui {
 
 class ColourPopup;
+class ElidedLabel;
 class Segments;
 class ToolList;
 class WindowFields;
@@ -24,14 +25,10 @@ class WindowPanel : public QWidget {
 public:
     explicit WindowPanel(app::Session& session, QWidget* parent = nullptr);
 
-    /// What the windows make together: "Old town − Market hall + Star".
-    QString title() const;
-
 signals:
     void entered(); ///< a number or a unit was entered: the focus returns to the canvas
     void refused(const QString& sentence); ///< the typed text is not a length
     void taken();                          ///< a field's value is valid again
-    void titled(const QString& title);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -51,12 +48,12 @@ private:
     app::Session& session_;
     WindowList* list_;
     Segments* keep_;
+    ElidedLabel* result_; ///< of all windows: "Old town − Market hall + Star"
     ToolList* operation_;
     QToolButton* colour_;
     ColourPopup* colours_;
     WindowFields* fields_;
     QStackedLayout* pages_; ///< the list, or the offer
-    QString titled_;        ///< the last title that was signalled
 };
 
 } // namespace ui

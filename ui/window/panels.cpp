@@ -52,9 +52,6 @@ Panels::Panels(app::Session& session, Canvas& canvas)
                      });
     QObject::connect(selection, &SelectionPanel::titled, docks.named({"selection"}).front(),
                      &Dock::setRemark);
-    Dock* const windowDock = docks.named({"window"}).front();
-    QObject::connect(window, &WindowPanel::titled, windowDock, &Dock::setRemark);
-    windowDock->setRemark(window->title());
     QObject::connect(style, &StylePanel::titled, docks.named({"style"}).front(), &Dock::setRemark);
     QObject::connect(algorithm, &AlgorithmPanel::titled, docks.algorithm, &Dock::setFoldedRemark);
     docks.algorithm->setFoldedRemark(algorithm->title());

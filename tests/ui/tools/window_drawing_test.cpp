@@ -43,7 +43,8 @@ struct Drawer : Hand {
     }
     bool isNearBox(const clipping::Window& a, const clipping::Window& b)
     {
-        return isNear(a.min, b.min) && isNear(a.max, b.max);
+        const double pixels = 2 / canvas.view().zoom; // of the press, the release, the drawing
+        return glm::distance(a.min, b.min) < pixels && glm::distance(a.max, b.max) < pixels;
     }
 };
 
@@ -59,10 +60,10 @@ private slots:
     {
         Drawer d;
         auto* shapes = d.t.window->findChild<QWidget*>("window-shapes");
-        auto* style = d.t.window->findChild<OptionBar*>()->findChild<QWidget*>("style");
-        QVERIFY(shapes->isVisible() && !style->isVisible());
+        auto* style = d.t.window->findChild<ui::OptionBar*>()->findChild<QWidget*>("style");
+        QTRY_VERIFY(shapes->isVisible() && !style->isVisible());
         d.key(Qt::Key_V);
-        QVERIFY(!shapes->isVisible() && style->isVisible());
+        QTRY_VERIFY(!shapes->isVisible() && style->isVisible());
     }
     void aDragBesideTheWindowsAddsOne()
     {

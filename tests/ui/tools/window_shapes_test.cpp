@@ -11,6 +11,7 @@
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListView>
 #include <QMenu>
@@ -156,12 +157,17 @@ private slots:
     {
         Windows w;
         auto* panel = w.t.window->findChild<ui::WindowPanel*>();
-        QCOMPARE(panel->title(), "Hall − Dome");
+        const auto says = [&](const char* text) {
+            return std::ranges::any_of(panel->findChildren<QLabel*>(), [&](const QLabel* label) {
+                return label->accessibleName() == text;
+            });
+        };
+        QVERIFY(says("Hall − Dome"));
         const auto sides = panel->findChild<QWidget*>("keep")->findChildren<QAbstractButton*>();
         QTest::mouseClick(sides[1], Qt::LeftButton);
         QCOMPARE(w.session.now().windows().keep, app::Keep::Outside);
         w.clickRow(0, 16); // the eye
-        QCOMPARE(panel->title(), "everything − Dome");
+        QVERIFY(says("everything − Dome"));
     }
     void aWindowGetsAColour()
     {
@@ -173,11 +179,14 @@ private slots:
         QTest::keyClick(colours->focusWidget(), Qt::Key_Return);
         QCOMPARE(w.window(0).colour, std::optional(app::Colour{0, 128, 128}));
         QCOMPARE(w.session.history.undoText(), "Colour of clip window");
+        w.canvas.settle();
         const QImage picture = w.surface().grab().toImage();
-        const QPoint edge = w.at({20, 40}); // on its left side, between two handles
+        const QPoint edge = w.at({20, 42}); // on its left side, between two handles
         bool teal = false;
-        for (int x = -2; x <= 2; ++x)
-            teal |= picture.pixelColor(edge + QPoint(x, 0)) == QColor(0, 128, 128);
+        for (int x = -3; x <= 3; ++x) {
+            const QColor pixel = picture.pixelColor(edge + QPoint(x, 0));
+            teal |= pixel.red() < 100 && pixel.green() > 100 && pixel.blue() > 100;
+        }
         QVERIFY(teal);
     }
     void anAngleIsTyped()
