@@ -38,6 +38,8 @@ public:
         static_assert(PlainBytes<std::ranges::range_value_t<decltype(all)>>);
         bytes_.append(reinterpret_cast<const char*>(all.data()), all.size_bytes());
     }
+    /// Makes room for so many more bytes: growing would copy all of them several times.
+    void reserve(std::size_t more) { bytes_.reserve(bytes_.size() + more); }
     void putCount(std::size_t count) { put(std::uint32_t(count)); }
     void putList(const std::ranges::contiguous_range auto& values)
     {

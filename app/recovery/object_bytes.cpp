@@ -109,6 +109,17 @@ struct UsedStyles {
     std::vector<StyleIndex> list;
 };
 
+/// Without those of paths and styles, and the small ones of particular objects.
+std::size_t leastBytes(const Objects& objects)
+{
+    constexpr std::size_t aBlock = 64;
+    std::size_t bytes = 0;
+    for (const Shared<ObjectBlock>& block : objects.blocks())
+        bytes += aBlock + block->lines.size() * sizeof(clipping::Segment)
+                 + block->styles.size() * sizeof(std::uint32_t) + block->hidden.size();
+    return bytes;
+}
+
 } // namespace
 
 void writeStyle(ByteWriter& out, const Style& style)
@@ -189,6 +200,7 @@ Path ObjectReader::path(ByteReader& in)
 
 void ObjectBytes::write(ByteWriter& out, const Objects& objects)
 {
+    out.reserve(leastBytes(objects));
     const UsedStyles styles(objects);
     out.putCount(styles.list.size());
     for (const StyleIndex style : styles.list)

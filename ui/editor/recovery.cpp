@@ -61,7 +61,9 @@ void Recovery::forgetRecovered()
 
 void Recovery::discardRecovered()
 {
-    if (recovered_)
+    if (recovered_ && damaged_)
+        app::setAside(*recovered_);
+    else if (recovered_)
         app::discard(*recovered_);
     recovered_.reset();
 }
@@ -110,12 +112,14 @@ void Recovery::ask(std::vector<app::Leftover> found)
 /// Replaces the drawing in the window, unless the person keeps it or the leftover is unreadable.
 void Recovery::recover(const app::Leftover& chosen, const std::function<void()>& otherwise)
 {
-    const auto end = [=, self = QPointer(this)](bool recovered) {
+    using End = Files::Recovered;
+    const auto end = [=, self = QPointer(this)](End recovered) {
         if (!self)
             return;
-        if (!recovered)
+        if (recovered == End::NotAtAll)
             return otherwise();
         self->recovered_ = chosen;
+        self->damaged_ = recovered == End::Partly;
         if (self->journal_.ready()) // it has its own copy
             self->discardRecovered();
         self->tell();
@@ -124,7 +128,7 @@ void Recovery::recover(const app::Leftover& chosen, const std::function<void()>&
         if (self && mayReplace)
             self->window_.files().recover(chosen, end);
         else
-            end(false);
+            end(End::NotAtAll);
     });
 }
 

@@ -44,6 +44,7 @@ private:
     app::UnsavedWork work_;
     app::Journal journal_;
     std::optional<app::Leftover> recovered_; ///< until it is saved, or in the journal
+    bool damaged_ = false;                   ///< recovered_ is: its files are kept
     std::optional<app::SignalWatch> watch_;
 };
 

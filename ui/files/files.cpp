@@ -11,6 +11,7 @@ Files::Files(app::Session& session, QWidget& window, std::unique_ptr<Questions> 
     : session_(session), questions_(std::move(questions)), background_(&window)
 {
     connect(&session, &app::Session::fileChanged, this, &Files::nameChanged);
+    watchFile();
 }
 
 void Files::setQuestions(std::unique_ptr<Questions> questions)

@@ -4,6 +4,7 @@
 #include "app/cut/cut_choices.h"
 #include "app/cut/permanent_cuts.h"
 #include "app/recovery/recover.h"
+#include "app/session/file_watch.h"
 #include "app/session/recent_files.h"
 #include "app/session/samples.h"
 #include "app/session/save.h"
@@ -46,9 +47,11 @@ public:
     void exportSheets(const app::Sheets& sheets, const QString& pattern);
     void cutPermanently(const app::PermanentCut& kind); ///< undoable
     void mayClose(const Answer& answer);
-    /// Opens a drawing that an earlier run left, with its history, marked as unsaved; false:
-    /// cancelled, or its file was unreadable and has been set aside.
-    void recover(const app::Leftover& leftover, const Answer& recovered);
+    /// How recover() ended. Partly: files were damaged and something is lost, so they should be
+    /// kept. Not at all: cancelled, or its file was unreadable and has been set aside.
+    enum class Recovered : std::uint8_t { Wholly, Partly, NotAtAll };
+    /// Opens a drawing that an earlier run left, with its history, marked as unsaved.
+    void recover(const app::Leftover& leftover, const std::function<void(Recovered)>& recovered);
 
     bool busy() const { return background_.busy(); }
     void whenIdle(std::function<void()> act) { background_.whenIdle(std::move(act)); }
@@ -80,7 +83,8 @@ private:
     void read(const QString& path, const Turn& turn);
     void show(app::Imported imported, const QString& path, const QString& title);
     void tellLosses();
-    void showRecovered(app::Recovered recovered, const app::Origin& origin);
+    void showRecovered(app::Recovered recovered, const app::Leftover& leftover);
+    void tellRecovered(const QString& lost, const app::Leftover& leftover);
     void setAside(app::Leftover leftover, const QString& error);
 
     // Parts of a turn that their answer holds.
@@ -90,6 +94,10 @@ private:
     void write(const QString& path, const Answer& saved);
 
     void writeSheets(const app::Sheets& sheets, const QString& path, const Turn& turn);
+
+    void watchFile();
+    void reload();
+
     void noteSaved(const app::Saved& saved, const QString& path);
     void cutNow(const app::PermanentCut& kind, const Turn& turn);
     void showCut(app::Cut cut, const app::PermanentCut& kind);
@@ -103,6 +111,7 @@ private:
     std::unique_ptr<Questions> questions_;
     QString title_, sample_;
     QDateTime seen_; ///< the file's modification time when we last read or wrote it
+    app::FileWatch watch_;
     InBackground background_;
 };
 

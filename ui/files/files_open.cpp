@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/new_drawing.h"
 #include "app/formats/loss_text.h"
 #include "ui/files/files.h"
 
@@ -11,14 +12,6 @@ namespace ui {
 namespace {
 
 constexpr double newPenMillimetres = 0.3; // the stroke width in a new drawing
-
-app::Document emptyDocument()
-{
-    app::Document document;
-    document.apply(
-        {.page = app::Page{{0, 0}, {420, 297}, {420, app::Unit::Mm}, {297, app::Unit::Mm}}});
-    return document;
-}
 
 } // namespace
 
@@ -39,13 +32,14 @@ void Files::show(app::Imported imported, const QString& path, const QString& tit
     session_.load(std::move(imported), path);
     session_.pen.style.width = newPenMillimetres / session_.now().page().millimetresPerUnit();
     seen_ = QFileInfo(path).lastModified();
+    watch_.follow(path, seen_);
     emit nameChanged();
     emit told({});
 }
 
 void Files::startNew()
 {
-    replace([this](const Turn&) { show({emptyDocument(), {}}, {}, {}); });
+    replace([this](const Turn&) { show({app::newDrawing(), {}}, {}, {}); });
 }
 
 void Files::openMade(app::Document document, const QString& title, Answer opened)

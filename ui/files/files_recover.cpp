@@ -5,7 +5,7 @@
 
 namespace ui {
 
-void Files::recover(const app::Leftover& leftover, const Answer& recovered)
+void Files::recover(const app::Leftover& leftover, const std::function<void(Recovered)>& recovered)
 {
     using Read = app::Result<app::Recovered>;
     background_.inTurn([this, leftover, recovered](const Turn& turn) {
@@ -13,29 +13,49 @@ void Files::recover(const app::Leftover& leftover, const Answer& recovered)
             tr("Recovering %1…").arg(leftover.origin.name),
             [leftover](const app::Follower&) { return app::recover(leftover); },
             [this, leftover, recovered, turn](std::optional<Read> read) {
-                if (read && *read)
-                    showRecovered(std::move(*read->value), leftover.origin);
-                else if (read)
+                auto end = Recovered::NotAtAll;
+                if (read && *read) {
+                    end = read->value->lost.isEmpty() ? Recovered::Wholly : Recovered::Partly;
+                    showRecovered(std::move(*read->value), leftover);
+                } else if (read) {
                     setAside(leftover, read->error);
-                recovered(read && *read);
+                }
+                recovered(end);
             },
             InBackground::Cancel::Drops);
     });
 }
 
-// Undo may lead back to the saved state, but only if the file is still as it was saved.
-void Files::showRecovered(app::Recovered recovered, const app::Origin& origin)
+// Undo may lead back to the saved state, but only if the file is still as it was saved. A drawing
+// that lacks something must not replace a file that may have it: Save asks for a new name.
+void Files::showRecovered(app::Recovered recovered, const app::Leftover& leftover)
 {
+    const app::Origin& origin = leftover.origin;
+    const QString path = recovered.lost.isEmpty() ? origin.path : QString();
     app::RecordedHistory& history = recovered.history;
-    const bool sameFile =
-        origin.path.isEmpty() || QFileInfo(origin.path).lastModified() == origin.fileTime;
-    if (!sameFile || history.clean == history.index)
+    const bool sameFile = path.isEmpty() || QFileInfo(path).lastModified() == origin.fileTime;
+    if (!sameFile || !recovered.lost.isEmpty() || history.clean == history.index)
         history.clean.reset();
-    show({std::move(recovered.document), {}}, origin.path,
-         origin.path.isEmpty() ? origin.name : QString());
+    show({std::move(recovered.document), {}}, path, path.isEmpty() ? origin.name : QString());
     seen_ = origin.fileTime;
     app::restore(session_.history, session_.document, std::move(history));
-    emit told({Message::Kind::Done, tr("Recovered %1. Save it to keep it.").arg(origin.name)});
+    tellRecovered(recovered.lost, leftover);
+}
+
+void Files::tellRecovered(const QString& lost, const app::Leftover& leftover)
+{
+    const QString& name = leftover.origin.name;
+    if (!lost.isEmpty())
+        return emit told({Message::Kind::Warning,
+                          tr("%1 was recovered from damaged files, and %2. The files are kept in "
+                             "%3. Save the drawing under a new name.")
+                              .arg(name, lost, QFileInfo(leftover.file).path())});
+    const QFileInfo file(session_.path());
+    if (file.exists() && file.lastModified() != seen_)
+        return emit told({Message::Kind::Warning,
+                          tr("Recovered %1. Another program has changed its file since.").arg(name),
+                          tr("Save as…"), [this] { saveAs(); }});
+    emit told({Message::Kind::Done, tr("Recovered %1. Save it to keep it.").arg(name)});
 }
 
 void Files::setAside(app::Leftover leftover, const QString& error)

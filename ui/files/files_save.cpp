@@ -91,6 +91,7 @@ void Files::askPath(const Answer& saved)
 void Files::write(const QString& path, const Answer& saved)
 {
     const bool deleted = path == session_.path() && seen_.isValid() && !QFileInfo::exists(path);
+    watch_.pause();
     background_.run(
         tr("Saving %1…").arg(QFileInfo(path).fileName()),
         [document = session_.beginSaving(), path](const app::Follower& follower) {
@@ -98,6 +99,7 @@ void Files::write(const QString& path, const Answer& saved)
         },
         [this, path, saved, deleted](const std::optional<app::Saved>& written) {
             noteSaved(written.value(), path);
+            watch_.follow(session_.path(), seen_);
             const bool done = written->end == app::Saved::End::Written;
             if (done && deleted)
                 emit told({Message::Kind::Done, tr("%1 had been deleted; it was saved again.")

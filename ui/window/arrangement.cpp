@@ -15,7 +15,8 @@ namespace ui {
 namespace {
 
 // Logical pixels.
-constexpr int wide = 1200, high = 780; // below these sizes: narrow panels; tabs instead of a stack
+constexpr int wide = 1200; // in a narrower window, panels are narrow
+constexpr int high = 780;  // in a lower one they are tabs, except below a folded panel
 constexpr int usualWidth = 336, startWidth = 396, widest = 572;
 constexpr int separator = 4;    // between two panels
 constexpr int barsHeight = 90;  // menus, option bar and status bar, before they are laid out
@@ -48,9 +49,10 @@ Arrangement::Arrangement(QMainWindow& window, PanelDocks docks)
 
 Arrangement::Form Arrangement::fitting(const Situation& situation) const
 {
-    return situation.starting                                   ? Form::StartInFront
-           : window_.height() < high || !situation.wide.empty() ? Form::Tabs
-                                                                : Form::Stacked;
+    if (situation.starting)
+        return Form::StartInFront;
+    const bool low = window_.height() < high && !situation.folded;
+    return low || !situation.wide.empty() ? Form::Tabs : Form::Stacked;
 }
 
 int Arrangement::neededTabs() const

@@ -17,8 +17,9 @@ struct Situation {
 };
 
 /// Places the panels of a workspace in a column at the right: one below the other; as tabs in a low
-/// window or below comparison panels; or as tabs with Start in front. In a stack that is too low,
-/// the lowest panels share a place as tabs. Nothing depends on what is selected.
+/// window, unless the panel Algorithm is folded, or below comparison panels; or as tabs with Start
+/// in front. In a stack that is too low, the lowest panels share a place as tabs. Nothing depends
+/// on what is selected.
 class Arrangement {
 public:
     enum class Form : std::uint8_t { Stacked, Tabs, StartInFront };

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/look/look.h"
+#include "ui/window/panel_docks.h"
 #include "ui/window/workspaces.h"
 
 #include <QDockWidget>
@@ -61,11 +63,43 @@ private slots:
         QVERIFY(t.window->session().now().objects() == before.objects());
         QCOMPARE(t.window->canvas().view().zoom, zoom);
     }
-    void whatIsSelectedMovesNoPanel()
+    void inDrawTheAlgorithmIsOneLine_data()
     {
+        QTest::addColumn<QSize>("size");
+        QTest::newRow("1440 x 900") << QSize(1440, 900);
+        QTest::newRow("1280 x 800") << QSize(1280, 800);
+        QTest::newRow("1280 x 800 with a title bar and a panel of the desktop") << QSize(1280, 720);
+    }
+    void inDrawTheAlgorithmIsOneLine()
+    {
+        QFETCH(QSize, size);
         TestWindow t;
         t.open(t.twoLines());
-        t.window->resize(1440, 900);
+        t.window->resize(size);
+        t.show();
+        click(t, 0);
+        const auto* algorithm = t.window->findChild<Dock*>("algorithm");
+        const auto* selection = t.window->findChild<Dock*>("selection");
+        QVERIFY(algorithm->isFolded());
+        QVERIFY(algorithm->isVisible() && selection->isVisible());
+        QVERIFY2(algorithm->height() <= 2 * space::dockTitleHeight,
+                 qPrintable(QString::number(algorithm->height())));
+        QVERIFY(selection->y() > algorithm->y());
+        QVERIFY(selection->height() >= selection->minimumSizeHint().height());
+    }
+    void whatIsSelectedMovesNoPanel_data()
+    {
+        QTest::addColumn<QSize>("size");
+        QTest::newRow("1440 x 900") << QSize(1440, 900);
+        QTest::newRow("1280 x 800") << QSize(1280, 800);
+        QTest::newRow("1280 x 720") << QSize(1280, 720);
+    }
+    void whatIsSelectedMovesNoPanel()
+    {
+        QFETCH(QSize, size);
+        TestWindow t;
+        t.open(t.twoLines());
+        t.window->resize(size);
         t.show();
         for (int tab = 0; tab < tabs(t).count(); ++tab) {
             click(t, tab);
