@@ -14,8 +14,10 @@ class MovedTest : public QObject {
 
     static app::SnapQuery query(const char* kind)
     {
-        return {{}, 3,  app::SnapTo::Nothing.with(kind),
-                {}, {}, clipping::Window{{-999, -999}, {999, 999}}};
+        return {.pointer = {},
+                .radius = 3,
+                .to = app::SnapTo::Nothing.with(kind),
+                .seen = clipping::Window{{-999, -999}, {999, 999}}};
     }
     static bool has(const OwnPoints& own, const Point& point)
     {
