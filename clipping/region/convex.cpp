@@ -27,12 +27,11 @@ public:
         : corners_(region.corners), isReversed_(region.isReversed)
     {
     }
-    /// Whether an end may be at a corner; `number` is that of the edge that cuts it, or 0.
+    /// Whether an end may be at a corner; `number` is that of the edge that cuts it, or 0. At a
+    /// corner it is that of the edge that begins there.
     bool isAtCorner(const glm::dvec2& end, std::uint32_t number) const
     {
-        if (number == 0)
-            return false;
-        return end == corners_[number - 1] || end == corners_[number % corners_.size()];
+        return number != 0 && end == corners_[number - 1];
     }
     std::uint32_t edgeOf(std::uint32_t number) const
     {

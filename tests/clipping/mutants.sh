@@ -13,6 +13,8 @@ build=$root/build/release
 testsOf() { # KEY
     case $1 in
     box/*) echo box.box ;;
+    region/convex) echo region.convex region.region ;;
+    region/box-part) echo region.box_part ;;
     winding-number | region/winding-number) echo algorithms.winding_number ;;
     polygon/exact | polygon/winding-number | polygon/exact-ends* | polygon/edge-table | exact/meeting* | exact/quotient) echo polygon.exact ;;
     turned-window) echo turned_window ;;

@@ -60,6 +60,8 @@ private slots:
         QCOMPARE(partOf({{1, 1}, {4, 3}}, window), BoxPart::Undecided); // touches an edge
         QCOMPARE(partOf({{-1, -1}, {9, 9}}, window), BoxPart::Undecided);
         QCOMPARE(partOf({{2, 2}, {2, 2}}, window), BoxPart::Whole);
+        QCOMPARE(partOf({{4, 2}, {4, 2}}, window), BoxPart::Undecided); // a point on an edge
+        QCOMPARE(partOf({{4, 1}, {4, 2}}, window), BoxPart::Undecided); // along an edge
     }
     void withoutAreasAllOrNothing()
     {

@@ -144,6 +144,12 @@ private slots:
     {
         QVERIFY(isConvex(areaOf({{0, 0}, {2, 2}})));
         QVERIFY(!isConvex(areaOf({{0, 0}, {2, 2}}), Keep::Outside));
+        const auto first = [](AreaOperation operation) {
+            const Region region{{{areaOf({{0, 0}, {2, 2}}), operation}}, Keep::Inside};
+            return PreparedRegion(region).data().convex != nullptr;
+        };
+        QVERIFY(first(AreaOperation::Intersect));
+        QVERIFY(!first(AreaOperation::CutOut));
         QVERIFY(!isConvex({{{0, 0}, {4, 0}, {1, 1}, {0, 4}}}));         // concave
         QVERIFY(!isConvex({{{0, 0}, {2, 0}, {4, 0}, {4, 4}, {0, 4}}})); // a straight corner
         QVERIFY(!isConvex({{{0, 0}, {4, 0}, {4, 0}, {0, 4}}}));         // a repeated one
