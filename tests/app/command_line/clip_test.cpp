@@ -310,8 +310,8 @@ private slots:
             buffer.open(QIODevice::ReadOnly);
             const auto imported = app::findFormat(u"svg")->read(buffer);
             QVERIFY(imported);
-            options.region.steps = {
-                {app::windowOf(parsed, *imported.value), app::WindowOperation::Add}};
+            options.region = app::regionOf(app::windowsOf(parsed, *imported.value),
+                                           imported.value->document.page());
             const auto cut = app::cut(imported.value->document, options);
             QVERIFY2(cut.counts.whole == 1 && cut.counts.cut == 0, svg.constData());
         }
