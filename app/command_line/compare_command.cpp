@@ -5,7 +5,7 @@
 #include "app/command_line/table.h"
 #include "app/command_line/terminal.h"
 #include "app/command_line/window_options.h"
-#include "app/comparison/live_differences.h"
+#include "app/comparison/differences_at.h"
 #include "app/formats/rectangle_text.h"
 
 #include <array>
@@ -41,27 +41,40 @@ QString number(double value)
     return QString::fromStdString(text);
 }
 
-void append(QStringList& row, const std::optional<clipping::Segment>& piece)
+// The one window at which both can clip.
+ClipRegion regionOf(const ParsedArguments& arguments, const Imported& imported,
+                    const Comparison& comparison)
 {
+    ClipRegion region =
+        app::regionOf(comparedWindowsOf(arguments, imported), imported.document.page());
+    for (const Variant& variant : {comparison.a, comparison.b})
+        if (const QString refusal = refusalAt(region.steps.front(), variant); !refusal.isEmpty())
+            throw WrongUsage{refusal};
+    return region;
+}
+
+void append(QStringList& row, const std::vector<clipping::Clipped>& pieces)
+{
+    const auto piece = pieces.empty() ? std::nullopt : std::optional(pieces.front().segment);
     for (const std::size_t i : {0, 1, 2, 3})
         row << (piece ? number((i < 2 ? piece->a : piece->b)[int(i % 2)]) : QString());
 }
 
 QStringList rowOf(const Difference& difference, const Comparison& comparison, const Scene& scene,
-                  const clipping::Window& window)
+                  const ClipRegion& region)
 {
     const clipping::Segment line = scene.lines()[difference.source];
     QStringList row{QString::number(difference.source + 1),
                     QString::number(scene.lines().objectOf(difference.source) + 1),
                     QLatin1StringView(words[std::size_t(difference.kind)]),
                     QString::number(difference.ulps, 'g', 6)};
-    append(row, clipped(comparison.a, line, window));
-    append(row, clipped(comparison.b, line, window));
+    append(row, clippedAt(region, comparison.a, {&line, 1}));
+    append(row, clippedAt(region, comparison.b, {&line, 1}));
     return row;
 }
 
-Table tableOf(const Comparison& comparison, const Scene& scene, const Differences& found,
-              const QString& title)
+Table tableOf(const Comparison& comparison, const Scene& scene, const ClipRegion& region,
+              const Differences& found, const QString& title)
 {
     Table table{.names = {"line", "shape", "differs", "ulps", "a_x1", "a_y1", "a_x2", "a_y2",
                           "b_x1", "b_y1", "b_x2", "b_y2"},
@@ -69,12 +82,12 @@ Table tableOf(const Comparison& comparison, const Scene& scene, const Difference
                 .key = QStringLiteral("differences"),
                 .facts = {{"a", keyOf(comparison.a)},
                           {"b", keyOf(comparison.b)},
-                          {"ulps_allowed", QString::number(comparison.allowed())},
+                          {"ulps_allowed", QString::number(allowedAt(region, comparison))},
                           {"window", rectangleText(found.window)},
                           {"lines", QString::number(found.lines)},
                           {"differing", QString::number(found.list.size())}}};
     for (const Difference& difference : found.list)
-        table.rows.push_back(rowOf(difference, comparison, scene, found.window));
+        table.rows.push_back(rowOf(difference, comparison, scene, region));
     return table;
 }
 
@@ -98,20 +111,20 @@ void compare(const ParsedArguments& arguments)
     const Imported imported = readDrawing(arguments, arguments.operands().first());
     const EditedDocument document(imported.document);
     const Scene scene(document);
-    const clipping::Window window = windowOf(arguments, imported);
-    const Differences found = extended({window}, comparison, scene.lines(), scene.lines().size());
+    const ClipRegion region = regionOf(arguments, imported, comparison);
+    const Differences found = differencesAt(region, comparison, scene.lines());
     const QString summary =
         sentence(comparison.a, comparison.b, counted(found.list), found.lines) + u'.';
     // In text format, a summary or a comparison without differences prints only the sentence.
     const bool forPerson = output.format.key == QStringLiteral("text");
     const bool whole = !arguments.has(QStringLiteral("summary"));
-    Table table = tableOf(comparison, scene, found, summary);
+    Table table = tableOf(comparison, scene, region, found, summary);
     if (!whole)
         table = summed(std::move(table));
     if (!forPerson || (whole && !found.list.empty()))
         writeTables(output, {&table, 1});
     if (!arguments.has(QStringLiteral("quiet"))) {
-        say(windowText(arguments, imported, {{{window, WindowOperation::Add}}}));
+        say(windowText(arguments, imported, region));
         say(summary);
     }
     if (!found.list.empty())
@@ -137,7 +150,7 @@ Command compareCommand()
     const std::vector<Option> last{
         {{"summary"}, {}, Commands::tr("Print only a summary of the lines that differ.")},
         {{"q", "quiet"}, {}, Commands::tr("Do not report the window and the number of lines.")}};
-    for (const auto& more : {windowOptions(), tableOptions(), readingOptions(), last})
+    for (const auto& more : {comparedWindowOptions(), tableOptions(), readingOptions(), last})
         options.insert(options.end(), more.begin(), more.end());
     return {"compare",
             "INPUT -a A [-b B] [OPTIONS]",
@@ -145,7 +158,8 @@ Command compareCommand()
                          "if there are any."),
             std::move(options),
             {"clearcut compare plan.svg -a kwc:published",
-             "clearcut compare map.svg -w 0,0,210mm,297mm -a md -b lb --ulps 0 --format csv"},
+             "clearcut compare map.svg -w 0,0,210mm,297mm -a md -b lb --ulps 0 --format csv",
+             "clearcut compare map.svg -w circle:50mm,50mm,20mm -a skala"},
             1,
             compare,
             false,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/given_value.h"
 
+#include "app/base/number.h"
 #include "app/command_line/refusal.h"
 
 #include <algorithm>
@@ -39,6 +40,22 @@ void refuseNumbers(const GivenValue& value, const QString& expected)
         refuse(value, expected);
     throw WrongUsage{Commands::tr("--%1 %2: “%3” is too large; numbers go up to 1.79e308.")
                          .arg(value.option, value.text, found->trimmed())};
+}
+
+std::array<double, 4> fourNumbers(const GivenValue& value, const QString& numbers,
+                                  const QString& names)
+{
+    std::array<double, 4> all{};
+    const QStringList parts = numbers.split(u',');
+    bool fits = parts.size() == 4;
+    for (qsizetype i = 0; fits && i < 4; ++i) {
+        const auto number = parseNumber(parts[i].trimmed().toStdString());
+        fits = number.has_value();
+        all[std::size_t(i)] = number.value_or(0);
+    }
+    if (!fits)
+        refuseNumbers(value, Commands::tr("four numbers %1 such as -100,-75,100,75").arg(names));
+    return all;
 }
 
 std::vector<Length> lengthsOf(const GivenValue& value, const QString& numbers,

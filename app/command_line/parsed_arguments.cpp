@@ -190,18 +190,7 @@ std::optional<std::array<double, 4>> ParsedArguments::numbers(const QString& opt
     const auto value = text(option);
     if (!value)
         return std::nullopt;
-    std::array<double, 4> numbers{};
-    const QStringList parts = value->split(u',');
-    bool fits = parts.size() == 4;
-    for (qsizetype i = 0; fits && i < 4; ++i) {
-        const auto number = parseNumber(trimmed(parts[i]));
-        fits = number.has_value();
-        numbers[std::size_t(i)] = number.value_or(0);
-    }
-    if (!fits)
-        refuseNumbers({option, *value},
-                      Commands::tr("four numbers %1 such as -100,-75,100,75").arg(names));
-    return numbers;
+    return fourNumbers({option, *value}, *value, names);
 }
 
 const Format* ParsedArguments::format(const QString& option) const

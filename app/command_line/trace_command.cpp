@@ -4,10 +4,15 @@
 #include "app/command_line/parsed_arguments.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
+#include "app/document/window_shape.h"
 #include "app/teaching/trace_file.h"
 
 #include <QDir>
 #include <QFileInfo>
+
+#include <glm/trigonometric.hpp>
+
+#include <cmath>
 
 namespace app {
 namespace {
@@ -25,6 +30,30 @@ QStringList formatKeys()
     return keys;
 }
 
+// XMIN,YMIN,XMAX,YMAX[@DEGREES], counterclockwise as seen.
+std::optional<WindowFrame> windowOf(const ParsedArguments& arguments, YAxis y)
+{
+    const QString edges = QStringLiteral("XMIN,YMIN,XMAX,YMAX");
+    const auto text = arguments.text(QStringLiteral("window"));
+    if (!text)
+        return std::nullopt;
+    const GivenValue value{QStringLiteral("window"), *text};
+    if (text->contains(u':'))
+        throw WrongUsage{Commands::tr("--window %1: steps are shown at rectangles only. Give %2, "
+                                      "with @DEGREES to rotate it.")
+                             .arg(*text, edges)};
+    const QStringList parts = text->split(u'@');
+    bool isAngle = true;
+    const double degrees = parts.size() < 2 ? 0 : parts[1].trimmed().toDouble(&isAngle);
+    if (parts.size() > 2 || !isAngle || !std::isfinite(degrees))
+        refuse(value,
+               Commands::tr("a rectangle %1, and @DEGREES after it to rotate it").arg(edges));
+    const auto [xmin, ymin, xmax, ymax] = fourNumbers(value, parts.front(), edges);
+    const double angle = glm::radians(std::remainder(degrees, 360));
+    const RectangleShape box{{{xmin, ymin}, {xmax, ymax}}};
+    return std::get<RectangleShape>(rotated(box, y == YAxis::Up ? angle : -angle));
+}
+
 TracedLine tracedLineOf(const ParsedArguments& arguments)
 {
     const auto line = arguments.numbers(QStringLiteral("line"), QStringLiteral("X1,Y1,X2,Y2"));
@@ -39,10 +68,13 @@ TracedLine tracedLineOf(const ParsedArguments& arguments)
         .y = arguments.choice(QStringLiteral("y-axis"), {"up", "down"}) == 0 ? YAxis::Up
                                                                              : YAxis::Down,
         .origin = {}};
-    const QString edges = QStringLiteral("XMIN,YMIN,XMAX,YMAX");
-    if (const auto window = arguments.numbers(QStringLiteral("window"), edges)) {
-        const auto& [xmin, ymin, xmax, ymax] = *window;
-        tracedLine.window = {{xmin, ymin}, {xmax, ymax}};
+    if (const auto frame = windowOf(arguments, tracedLine.y)) {
+        tracedLine.window = frame->box;
+        tracedLine.line = {intoFrame(*frame, tracedLine.line.a),
+                           intoFrame(*frame, tracedLine.line.b)};
+        if (frame->angle != 0)
+            say(Commands::tr("The window is rotated: the line and its steps are in the window's "
+                             "own directions, turned about its centre."));
     }
     return tracedLine;
 }
@@ -158,8 +190,10 @@ Command traceCommand()
               .arg(latin(usualAlgorithm().key))},
          {{"line"}, "X1,Y1,X2,Y2", Commands::tr("The line, from End 1 to End 2.")},
          {{"w", "window"},
-          "XMIN,YMIN,XMAX,YMAX",
-          Commands::tr("The window (-100,-75,100,75, the paper's).")},
+          "XMIN,YMIN,XMAX,YMAX[@DEGREES]",
+          Commands::tr("The window (-100,-75,100,75, the paper's). @DEGREES rotates it "
+                       "counterclockwise about its centre; the steps are then in its own "
+                       "directions.")},
          {{"f", "format"},
           formatKeys().join(u'|'),
           Commands::tr("Format of the output (by the ending of the name in -o, otherwise text).")},

@@ -132,6 +132,18 @@ std::vector<Option> shapedWindowOptions()
     return options;
 }
 
+std::vector<Option> comparedWindowOptions()
+{
+    std::vector<Option> options = windowOptions();
+    options.front().value = QStringLiteral("WINDOW");
+    options.front().meaning =
+        Commands::tr("The clip window: a rectangle XMIN,YMIN,XMAX,YMAX, with @DEGREES to rotate "
+                     "it, or a convex polygon, such as circle:CX,CY,R or polygon:X,Y X,Y ..., as "
+                     "for clip (the first clip window of the drawing that is a rectangle along the "
+                     "axes, otherwise its page).");
+    return options;
+}
+
 clipping::Window windowOf(const Imported& imported)
 {
     const Page& page = imported.document.page();
@@ -139,16 +151,16 @@ clipping::Window windowOf(const Imported& imported)
     return saved.isPage ? imported.drawn.value_or(page.rectangle()) : saved.window;
 }
 
-clipping::Window windowOf(const ParsedArguments& arguments, const Imported& imported)
+ClipWindows comparedWindowsOf(const ParsedArguments& arguments, const Imported& imported)
 {
-    const ClipWindows windows = givenWindows(arguments, imported);
+    ClipWindows windows = givenWindows(arguments, imported);
     if (windows.list.empty())
-        return windowOf(imported);
-    const auto box = axisAlignedBox(windows.list.front().shape);
-    if (!box || windows.list.size() > 1)
-        throw WrongUsage{Commands::tr("Algorithms are compared at one rectangle along the axes: "
-                                      "give --window XMIN,YMIN,XMAX,YMAX.")};
-    return *box;
+        return {{{.shape = RectangleShape{windowOf(imported)}}}};
+    if (windows.list.size() > 1)
+        throw WrongUsage{Commands::tr("Algorithms are compared at one window, and these are %1: "
+                                      "give one.")
+                             .arg(windows.list.size())};
+    return windows;
 }
 
 ClipWindows windowsOf(const ParsedArguments& arguments, const Imported& imported)
@@ -172,6 +184,8 @@ QString operationText(WindowOperation operation)
 
 QString stepText(const ClipRegion::Step& step, const Imported& imported)
 {
+    if (!(step.box.min.x <= step.box.max.x))
+        return Commands::tr("a window without area, which contains nothing");
     const QString place = placeText(step.box, imported);
     return step.rings.empty() ? place : Commands::tr("a shape within %1").arg(place);
 }
@@ -203,8 +217,9 @@ QString windowText(const ParsedArguments& arguments, const Imported& imported,
     const QString keeps = region.keep == Keep::Outside
                               ? QStringLiteral("; ") + Commands::tr("keeps the outside")
                               : QString();
-    if (const auto window = region.single())
-        return Commands::tr("Window (%1): %2%3.").arg(source, placeText(*window, imported), keeps);
+    if (region.single())
+        return Commands::tr("Window (%1): %2%3.")
+            .arg(source, stepText(region.steps.front(), imported), keeps);
     QStringList steps;
     for (const ClipRegion::Step& step : region.steps)
         steps << operationText(step.operation).arg(stepText(step, imported));

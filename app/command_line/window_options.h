@@ -13,13 +13,16 @@ std::vector<Option> windowOptions();
 /// (app/command_line/window_forms.h).
 std::vector<Option> shapedWindowOptions();
 
+/// The options of a command that compares algorithms at one window, a rectangle or a polygon.
+std::vector<Option> comparedWindowOptions();
+
 /// The drawing's own window: the first visible clip window that is an axis-aligned rectangle;
 /// otherwise the page, or, in a file without a page, the bounds of everything drawn.
 clipping::Window windowOf(const Imported& imported);
 
-/// The clip window given by the options, in user units; otherwise the drawing's own. Throws
-/// WrongUsage unless it is an axis-aligned rectangle.
-clipping::Window windowOf(const ParsedArguments& arguments, const Imported& imported);
+/// The clip window given by the options; otherwise the drawing's own: always one window, which
+/// adds. Throws WrongUsage for several.
+ClipWindows comparedWindowsOf(const ParsedArguments& arguments, const Imported& imported);
 
 /// All clip windows given by the options, in the order in which they were given; otherwise the
 /// drawing's visible ones, with the side that it keeps, or else the result of `windowOf`. Always

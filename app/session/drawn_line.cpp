@@ -3,6 +3,7 @@
 
 #include "app/session/first_traced_line.h"
 #include "app/session/inspection.h"
+#include "app/session/traced_window.h"
 
 #include <QScopedValueRollback>
 
@@ -96,7 +97,9 @@ bool DrawnLine::changed() const { return attached_ && own_ && line_; }
 std::optional<clipping::Segment> DrawnLine::drawn() const
 {
     const SceneLines& lines = session_.scene.lines();
-    return line_ && *line_ < lines.size() ? std::optional(lines[*line_]) : std::nullopt;
+    return line_ && *line_ < lines.size()
+               ? std::optional(tracedWindow(session_).into(lines[*line_]))
+               : std::nullopt;
 }
 
 void DrawnLine::show(const TracedLine& tracedLine)
@@ -152,8 +155,9 @@ void DrawnLine::followDrawing()
     if (!attached_ || !session_.microscope.isOpen())
         return;
     TracedLine tracedLine = session_.microscope.tracedLine();
-    tracedLine.window = session_.window();
-    tracedLine.windowIsPage = session_.compared().isPage;
+    const TracedWindow window = tracedWindow(session_);
+    tracedLine.window = window.frame.box;
+    tracedLine.windowIsPage = window.isPage;
     if (const auto line = drawn()) {
         tracedLine.origin = tracedLineOf(session_, *line_).origin;
         if (!own_)

@@ -2,6 +2,7 @@
 #include "app/session/first_traced_line.h"
 
 #include "app/base/numbers.h"
+#include "app/session/traced_window.h"
 
 #include <QCoreApplication>
 
@@ -47,13 +48,13 @@ Ranked rankOf(const clipping::Segment& line, const clipping::Window& window)
 }
 
 /// The most interesting line; there must be at least one line.
-std::size_t mostToSee(const SceneLines& lines, const clipping::Window& window,
+std::size_t mostToSee(const SceneLines& lines, const TracedWindow& window,
                       const ObjectRanges& locked)
 {
     Ranked best;
     for (const SceneLines::Run& run : lines.runs())
         for (std::size_t i = 0; i < run.segments.size(); ++i) {
-            Ranked ranked = rankOf(run.segments[i], window);
+            Ranked ranked = rankOf(window.into(run.segments[i]), window.frame.box);
             ranked.line = run.firstLine + i;
             ranked.unlocked = locked.empty() || !locked.contains(lines.objectOf(ranked.line));
             if (ranked > best)
@@ -69,12 +70,15 @@ std::size_t mostToSee(const SceneLines& lines, const clipping::Window& window,
 TracedLine tracedLineOf(const Session& session, std::size_t segment)
 {
     const SceneLines& lines = session.scene.lines();
+    const TracedWindow window = tracedWindow(session);
+    const QString line = tr("Line %1 of %2").arg(countText(segment + 1), countText(lines.size()));
+    const QString remark = window.remark();
     return {.variant = session.variant(),
-            .line = lines[segment],
-            .window = session.window(),
+            .line = window.into(lines[segment]),
+            .window = window.frame.box,
             .y = YAxis::Down,
-            .origin = tr("Line %1 of %2").arg(countText(segment + 1), countText(lines.size())),
-            .windowIsPage = session.compared().isPage};
+            .origin = remark.isEmpty() ? line : tr("%1, %2").arg(line, remark),
+            .windowIsPage = window.isPage};
 }
 
 std::optional<std::size_t> firstLine(const Session& session)
@@ -84,20 +88,20 @@ std::optional<std::size_t> firstLine(const Session& session)
         return std::nullopt;
     if (const auto inspected = session.inspected(); inspected && *inspected < lines.size())
         return inspected;
-    return mostToSee(lines, session.window(), session.now().containers().lockedRanges());
+    return mostToSee(lines, tracedWindow(session), session.now().containers().lockedRanges());
 }
 
 TracedLine firstTracedLine(const Session& session)
 {
     if (const auto line = firstLine(session))
         return tracedLineOf(session, *line);
-    const clipping::Window window = session.window();
+    const TracedWindow window = tracedWindow(session);
     return {.variant = session.variant(),
-            .line = across(window),
-            .window = window,
+            .line = across(window.frame.box),
+            .window = window.frame.box,
             .y = YAxis::Down,
             .origin = tr("Example line"),
-            .windowIsPage = session.compared().isPage};
+            .windowIsPage = window.isPage};
 }
 
 } // namespace app

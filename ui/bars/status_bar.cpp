@@ -3,6 +3,7 @@
 
 #include "app/base/latin.h"
 #include "app/base/numbers.h"
+#include "app/scene/window_needs.h"
 #include "app/view/place.h"
 #include "ui/look/look.h"
 #include "ui/tools/tool.h"
@@ -46,7 +47,7 @@ StatusBar::StatusBar(app::Session& session, Canvas& canvas, QWidget* parent)
     connect(&canvas, &Canvas::hint, this, &StatusBar::showHint);
     connect(&canvas, &Canvas::toolChanged, this, [this] { showHint({}); });
     connect(&session, &app::Session::displayChanged, this, &StatusBar::keepRoom);
-    connect(&session, &app::Session::previewChanged, this, &StatusBar::explainAlgorithm);
+    connect(&session, &app::Session::previewChanged, this, &StatusBar::followWindows);
     connect(&session, &app::Session::loaded, this, &StatusBar::forgetFrames);
     connect(&session, &app::Session::loaded, this, &StatusBar::keepRoom);
     for (const auto signal : {&app::Microscope::openChanged, &app::Microscope::tracedLineChanged,
@@ -218,23 +219,33 @@ void StatusBar::showAlgorithm(const app::Variant& variant)
         if (fontMetrics().horizontalAdvance(app::latin(row.abbreviation))
             > fontMetrics().horizontalAdvance(widest))
             widest = app::latin(row.abbreviation);
-    const bool published = variant.form == clipping::Form::Published;
-    const QString mark = tr(", published");
-    algorithm_->setWidest(published ? widest + mark : widest);
-    algorithm_->setText(app::latin(variant.algorithm->abbreviation)
-                        + (published ? mark : QString()));
+    const bool open = session_.microscope.isOpen();
+    const app::Variant used = open ? variant : app::usedAt(session_.region(), variant);
+    const bool published = used.form == clipping::Form::Published;
+    const QString mark = tr(", published"), other = tr("%1 instead of %2");
+    const bool instead = used.algorithm != variant.algorithm;
+    const QString name = app::latin(used.algorithm->abbreviation);
+    algorithm_->setWidest(instead ? other.arg(name, widest) : published ? widest + mark : widest);
+    algorithm_->setText(instead     ? other.arg(name, app::latin(variant.algorithm->abbreviation))
+                        : published ? name + mark
+                                    : name);
     explainAlgorithm();
+}
+
+void StatusBar::followWindows()
+{
+    if (!session_.microscope.isOpen())
+        showAlgorithm(session_.variant());
 }
 
 void StatusBar::explainAlgorithm()
 {
-    const bool exactly = session_.region().prepared && !session_.microscope.isOpen();
-    const app::Variant& shown = session_.microscope.isOpen()
-                                    ? session_.microscope.tracedLine().variant
-                                    : session_.variant();
-    algorithm_->setToolTip(exactly ? tr("A clip window is not a rectangle along the axes, so "
-                                        "Clearcut clips exactly, whichever algorithm is chosen.")
-                                   : app::latin(shown.algorithm->name));
+    const bool open = session_.microscope.isOpen();
+    const app::Variant& shown =
+        open ? session_.microscope.tracedLine().variant : session_.variant();
+    const QString instead =
+        open ? QString() : app::insteadText(app::needsOf(session_.region()), shown);
+    algorithm_->setToolTip(instead.isEmpty() ? app::latin(shown.algorithm->name) : instead);
 }
 
 void StatusBar::resizeEvent(QResizeEvent* event)

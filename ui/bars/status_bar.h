@@ -44,6 +44,7 @@ private:
     void showStep();
     void showAlgorithm(const app::Variant& variant);
     void explainAlgorithm(); ///< in its tooltip
+    void followWindows();
     void showZoom();
     void keepRoom();
     void addZoomMenu();

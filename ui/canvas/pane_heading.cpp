@@ -73,9 +73,32 @@ void PaneHeading::show(const Pane& pane)
     const QString name = app::latin(pane.choice.algorithm->name);
     setAccessibleName(
         pane.choice.form == clipping::Form::Published ? tr("%1 as published").arg(name) : name);
-    setToolTip(accessibleName());
+    followNeeds();
+}
+
+void PaneHeading::setNeeds(app::WindowNeeds needs)
+{
+    if (std::exchange(needs_, needs) != needs && pane_)
+        followNeeds();
+}
+
+void PaneHeading::followNeeds()
+{
+    const QString instead = app::insteadText(needs_, pane_->choice);
+    setToolTip(instead.isEmpty() ? accessibleName() : instead);
     place();
     update();
+}
+
+// The name of the algorithm, or what clips in its place.
+QString PaneHeading::nameText() const
+{
+    const app::Variant used = app::usedAt(needs_, pane_->choice);
+    if (used.algorithm == pane_->choice.algorithm)
+        return app::latin(used.algorithm->name);
+    return tr("%1: %2 instead", "why an algorithm cannot clip; what clips instead")
+        .arg(app::limitText(*pane_->choice.algorithm, needs_),
+             app::latin(used.algorithm->abbreviation));
 }
 
 void PaneHeading::note(const FrameTimes& times)
@@ -116,9 +139,10 @@ PaneHeading::Places PaneHeading::places() const
     const auto& algorithm = *pane_->choice.algorithm;
     p.abbreviation = left(bold.horizontalAdvance(app::latin(algorithm.abbreviation)) + gap);
     int room = p.time.left() - gap - button - p.abbreviation.right();
-    const int name = fontMetrics().horizontalAdvance(app::latin(algorithm.name)) + gap;
+    const int name = fontMetrics().horizontalAdvance(nameText()) + gap;
     const int formWidth = QFontMetrics(captionFont(font())).horizontalAdvance(formText()) + gap;
-    const bool form = pane_->choice.form == clipping::Form::Published && formWidth <= room;
+    const bool published = app::usedAt(needs_, pane_->choice).form == clipping::Form::Published;
+    const bool form = published && formWidth <= room;
     room -= form ? formWidth : 0;
     if (room >= std::min(name, leastName + gap))
         p.name = left(std::min(name, room));
@@ -154,8 +178,11 @@ void PaneHeading::paintEvent(QPaintEvent*)
     if (pane_->active)
         painter.fillRect(0, 0, width(), 2, look.selection);
     const int markerTop = (height() - markerSize) / 2 + 1;
+    const bool clips = app::canClip(*choice.algorithm, needs_);
+    painter.setOpacity(clips ? 1 : 0.4);
     app::paintMarker(painter, QRectF(p.marker.left(), markerTop, markerSize, markerSize), choice,
                      groundOf(palette()));
+    painter.setOpacity(1);
     const auto text = [&](const QRect& place, const QFont& font, const QColor& colour,
                           const QString& words) {
         if (!place.isValid())
@@ -166,8 +193,9 @@ void PaneHeading::paintEvent(QPaintEvent*)
             place, Qt::AlignLeft | Qt::AlignVCenter,
             QFontMetrics(font).elidedText(words, Qt::ElideRight, place.width() - gap + 1));
     };
-    text(p.abbreviation, semiBold(font()), look.text, app::latin(choice.algorithm->abbreviation));
-    text(p.name, font(), look.text, app::latin(choice.algorithm->name));
+    const QColor ink = clips ? look.text : palette().color(QPalette::Disabled, QPalette::Text);
+    text(p.abbreviation, semiBold(font()), ink, app::latin(choice.algorithm->abbreviation));
+    text(p.name, font(), clips ? look.text : look.muted, nameText());
     text(p.form, captionFont(font()), look.muted, formText());
     painter.setFont(font());
     painter.setPen(look.text);
@@ -223,8 +251,9 @@ void PaneHeading::fill(QMenu& menu)
 
 void PaneHeading::addChoice(QMenu& menu, const app::Variant& choice)
 {
-    auto* action = menu.addAction(markerIcon(choice, palette()), app::latin(choice.algorithm->name),
-                                  this, [this, choice] { emit chosen(choice); });
+    auto* action =
+        menu.addAction(markerIcon(choice, palette()), app::limitedName(*choice.algorithm, needs_),
+                       this, [this, choice] { emit chosen(choice); });
     action->setCheckable(true);
     action->setChecked(pane_->choice == choice);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/scene/window_needs.h"
 #include "app/view/frame_statistics.h"
 #include "ui/canvas/controller.h"
 #include "ui/canvas/frame_times.h"
@@ -21,6 +22,9 @@ public:
     ~PaneHeading() override;
 
     void show(const Pane& pane);
+    /// What the clip windows demand: an algorithm that cannot clip there is dimmed, and the heading
+    /// says what is used instead.
+    void setNeeds(app::WindowNeeds needs);
     void note(const FrameTimes& times);
     QString time() const { return time_; } ///< as shown
     void openMenu();
@@ -51,7 +55,11 @@ private:
     void fill(QMenu& menu);
     void addChoice(QMenu& menu, const app::Variant& choice);
 
+    QString nameText() const;
+    void followNeeds();
+
     std::optional<Pane> pane_;
+    app::WindowNeeds needs_ = app::WindowNeeds::Rectangle;
     QToolButton *choose_, *close_;
     app::FrameStatistics clip_;
     FrameTimes last_;

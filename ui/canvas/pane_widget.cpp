@@ -32,6 +32,7 @@ PaneWidget::PaneWidget(Controller& controller, Backend backend, QWidget* parent)
 // Corrected forms rarely differ, so they are compared only after a gesture.
 void PaneWidget::followWindow()
 {
+    heading_->setNeeds(app::needsOf(session_.region()));
     if (pane_.choice.form == clipping::Form::Published || !session_.preview().windows)
         fromExact_.setWindow(session_.window());
 }

@@ -2,6 +2,7 @@
 #include "ui/docks/algorithm_list.h"
 
 #include "app/base/latin.h"
+#include "app/session/window_in_hand.h"
 #include "ui/look/look.h"
 #include "ui/widgets/algorithm_digit.h"
 #include "ui/widgets/algorithm_marker.h"
@@ -17,6 +18,7 @@ namespace ui {
 namespace {
 
 constexpr int aboutWidth = 34; // width of the year, in pixels
+constexpr double disabledMarker = 0.4;
 
 class RowPainter : public QStyledItemDelegate {
 public:
@@ -37,6 +39,9 @@ public:
         const Look& look = lookOf(option.palette);
         const QFontMetrics metrics(semiBold(option.font));
         drawRowGround(*painter, option);
+        const QString limit = app::limitText(row, app::needsInHand(session_));
+        const QColor ink =
+            limit.isEmpty() ? look.text : option.palette.color(QPalette::Disabled, QPalette::Text);
         const QRect r = option.rect.adjusted(space::dockMargin, 0, -space::dockMargin, 0);
         const auto text = [&](int x, int width, const QColor& colour, const QFont& font,
                               const QString& words, Qt::Alignment side = Qt::AlignLeft) {
@@ -45,22 +50,27 @@ public:
             painter->drawText(QRect(x, r.top(), width, r.height()), int(side | Qt::AlignVCenter),
                               QFontMetrics(font).elidedText(words, Qt::ElideRight, width));
         };
-        const int year =
-            QFontMetrics(captionFont(option.font)).horizontalAdvance(QStringLiteral("0000")) + 2;
+        const QString remark = limit.isEmpty() ? QString::number(row.year) : limit;
+        const QFontMetrics caption(captionFont(option.font));
+        const int right = std::max(caption.horizontalAdvance(QStringLiteral("0000")),
+                                   caption.horizontalAdvance(remark))
+                          + 2;
         const int abbreviation = metrics.horizontalAdvance(QStringLiteral("Skala")) + 12;
         int x = r.left();
         text(x, 12, look.muted, captionFont(option.font), digitOf(row));
         x += 17;
         const auto form = app::usable({&row, session_.display().variant.form}).form;
+        painter->setOpacity(limit.isEmpty() ? 1 : disabledMarker);
         app::paintMarker(*painter, QRectF(x, r.center().y() - 5.5, 12, 12), {&row, form},
                          groundOf(option.palette));
+        painter->setOpacity(1);
         x += 20;
-        text(x, abbreviation, look.text, semiBold(option.font), app::latin(row.abbreviation));
+        text(x, abbreviation, ink, semiBold(option.font), app::latin(row.abbreviation));
         x += abbreviation;
-        text(x, r.right() - year - 8 - x, look.text, option.font, app::latin(row.name));
+        text(x, r.right() - right - 8 - x, ink, option.font, app::latin(row.name));
         if (!(option.state & QStyle::State_MouseOver)) // a hovered row shows the "?" instead
-            text(r.right() - year, year + 1, look.muted, captionFont(option.font),
-                 QString::number(row.year), Qt::AlignRight);
+            text(r.right() - right, right + 1, look.muted, captionFont(option.font), remark,
+                 Qt::AlignRight);
     }
 
 private:
@@ -90,19 +100,27 @@ int AlgorithmModel::rowCount(const QModelIndex& parent) const
     return parent.isValid() ? 0 : int(clipping::algorithms().size());
 }
 
+QString AlgorithmModel::limitOf(const clipping::Algorithm& row) const
+{
+    return session_ ? app::limitText(row, app::needsInHand(*session_)) : QString();
+}
+
 QVariant AlgorithmModel::data(const QModelIndex& index, int role) const
 {
     const auto& row = clipping::algorithms()[std::size_t(index.row())];
+    const QString limit = limitOf(row);
     switch (role) {
     case Qt::DisplayRole:
         return app::latin(row.name);
     case Qt::ToolTipRole:
         return QStringLiteral("%1 (%2)\n%3")
-            .arg(app::latin(row.name))
-            .arg(row.year)
-            .arg(app::latin(row.idea));
+                   .arg(app::latin(row.name))
+                   .arg(row.year)
+                   .arg(app::latin(row.idea))
+               + (limit.isEmpty() ? limit : u'\n' + tr("Not at this window: %1").arg(limit));
     case Qt::AccessibleTextRole:
-        return QStringLiteral("%1, %2").arg(app::latin(row.abbreviation), app::latin(row.name));
+        return QStringLiteral("%1, %2").arg(app::latin(row.abbreviation), app::latin(row.name))
+               + (limit.isEmpty() ? limit : QStringLiteral(", ") + limit);
     default:
         return {};
     }
@@ -111,7 +129,7 @@ QVariant AlgorithmModel::data(const QModelIndex& index, int role) const
 AlgorithmList::AlgorithmList(app::Session& session, QWidget* parent)
     : QListView(parent), session_(session), about_(new QToolButton(viewport()))
 {
-    setModel(new AlgorithmModel(this));
+    setModel(new AlgorithmModel(session, this));
     setItemDelegate(new RowPainter(session, this));
     setAccessibleName(tr("Algorithm"));
     keepChoice(*this);
@@ -132,6 +150,7 @@ AlgorithmList::AlgorithmList(app::Session& session, QWidget* parent)
             emit aboutWanted(clipping::algorithms()[std::size_t(offered_.row())]);
     });
     connect(&session, &app::Session::displayChanged, this, &AlgorithmList::follow);
+    connect(&session, &app::Session::previewChanged, viewport(), qOverload<>(&QWidget::update));
     follow();
 }
 

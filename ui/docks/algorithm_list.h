@@ -10,18 +10,29 @@
 
 namespace ui {
 
-/// The catalogue of algorithms as a model: one row per algorithm.
+/// The catalogue of algorithms as a model: one row per algorithm. With a session, a row's tooltip
+/// says whether it can clip at the window in hand.
 class AlgorithmModel : public QAbstractListModel {
     Q_OBJECT
 
 public:
-    using QAbstractListModel::QAbstractListModel;
+    explicit AlgorithmModel(QObject* parent) : QAbstractListModel(parent) {}
+    AlgorithmModel(const app::Session& session, QObject* parent)
+        : QAbstractListModel(parent), session_(&session)
+    {
+    }
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
+
+private:
+    QString limitOf(const clipping::Algorithm& row) const;
+
+    const app::Session* session_ = nullptr;
 };
 
-/// The list of algorithms: shortcut digit, marker, abbreviation, name, year. Selecting a row
-/// selects its algorithm in the session. The hovered row shows a "?" in place of the year, which
+/// The list of algorithms: shortcut digit, marker, abbreviation, name, year; or, dimmed, the reason
+/// why the row cannot clip at the window in hand. Selecting a row selects its algorithm in the
+/// session, also a dimmed one. The hovered row shows a "?" in place of the year, which
 /// opens the algorithm's page; so does each row's context menu.
 class AlgorithmList : public QListView {
     Q_OBJECT

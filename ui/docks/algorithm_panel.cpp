@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/algorithm_panel.h"
 
+#include "app/session/window_in_hand.h"
 #include "ui/docks/algorithm_list.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
@@ -22,7 +23,7 @@ constexpr std::size_t mostLinesUnasked = 150'000; // about 60 ms for all algorit
 AlgorithmPanel::AlgorithmPanel(app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session), corrected_(new QRadioButton(tr("corrected"))),
       published_(new QRadioButton(tr("as published"))), tick_(new QLabel), verdict_(new QLabel),
-      ask_(new QPushButton(tr("Compare all algorithms")))
+      instead_(new QLabel), ask_(new QPushButton(tr("Compare all algorithms")))
 {
     auto* label = new QLabel(tr("Form"));
     label->setForegroundRole(QPalette::PlaceholderText);
@@ -33,6 +34,9 @@ AlgorithmPanel::AlgorithmPanel(app::Session& session, QWidget* parent)
     verdict_->setMinimumHeight(2 * verdict_->fontMetrics().lineSpacing());
     verdict_->setAccessibleName(tr("Agreement"));
     tick_->setFixedSize(16, 16);
+    instead_->setWordWrap(true);
+    instead_->setContentsMargins(space::dockMargin, 2, space::dockMargin, 0);
+    instead_->setAccessibleName(tr("Used instead"));
     ask_->setToolTip(tr("Check whether all algorithms give the same result (F7)"));
 
     auto* form = new QHBoxLayout;
@@ -55,6 +59,7 @@ AlgorithmPanel::AlgorithmPanel(app::Session& session, QWidget* parent)
     auto* list = new AlgorithmList(session);
     connect(list, &AlgorithmList::aboutWanted, this, &AlgorithmPanel::aboutWanted);
     column->addWidget(list);
+    column->addWidget(instead_);
     column->addLayout(form);
     column->addLayout(agree);
     column->addWidget(new PageCaption(session));
@@ -68,6 +73,7 @@ AlgorithmPanel::AlgorithmPanel(app::Session& session, QWidget* parent)
     connect(ask_, &QPushButton::clicked, this, &AlgorithmPanel::compare);
     connect(&session, &app::Session::displayChanged, this, &AlgorithmPanel::follow);
     connect(&session, &app::Session::previewChanged, this, &AlgorithmPanel::followWindow);
+    connect(&session, &app::Session::previewChanged, this, &AlgorithmPanel::followNeeds);
     connect(&session.scene, &app::Scene::outdated, this, &AlgorithmPanel::outdate);
     idle_.setSingleShot(true);
     idle_.setInterval(idleMilliseconds);
@@ -112,14 +118,27 @@ void AlgorithmPanel::follow()
 {
     const app::Variant used = session_.variant();
     const bool both = used.algorithm->published;
-    published_->setEnabled(both);
     published_->setText(both ? tr("as published") : tr("published: none"));
-    published_->setToolTip(both ? tr("As its authors printed it, faults included")
-                                : tr("%1 has no published form, so the corrected form is used")
-                                      .arg(QLatin1StringView(used.algorithm->name)));
     (used.form == clipping::Form::Published ? published_ : corrected_)->setChecked(true);
     outdate();
     emit titled(title());
+    followNeeds();
+}
+
+void AlgorithmPanel::followNeeds()
+{
+    const QString instead = app::insteadText(app::needsOf(session_.region()), session_.variant());
+    const clipping::Algorithm& chosen = *session_.variant().algorithm;
+    const bool here = app::needsOf(session_.region()) <= app::WindowNeeds::RotatedRectangle;
+    published_->setEnabled(chosen.published && here);
+    published_->setToolTip(!chosen.published
+                               ? tr("%1 has no published form, so the corrected form is used")
+                                     .arg(QLatin1StringView(chosen.name))
+                           : here ? tr("As its authors printed it, faults included")
+                                  : tr("Published forms clip at rectangles only"));
+    instead_->setText(instead);
+    instead_->setHidden(instead.isEmpty());
+    emit remarked(app::headingInHand(session_));
 }
 
 QString AlgorithmPanel::title() const

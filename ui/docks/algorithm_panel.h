@@ -23,10 +23,12 @@ public:
     void compare();        ///< compares at once
     QString title() const; ///< the algorithm and its form: "Skala, as published"
     QString verdict() const { return verdict_->text(); }
+    QString instead() const { return instead_->text(); }
     const std::vector<app::Disagreement>& disagreements() const { return disagreements_; }
 
 signals:
     void titled(const QString& title);
+    void remarked(const QString& remark); ///< the window in hand: "for Star: concave, 10 edges"
     void aboutWanted(const clipping::Algorithm& algorithm); ///< asks for its page
 
 protected:
@@ -37,11 +39,13 @@ private:
     void followWindow();
     void outdate();
     void follow();
+    void followNeeds();
     void paintVerdict();
 
     app::Session& session_;
     QRadioButton *corrected_, *published_;
     QLabel *tick_, *verdict_;
+    QLabel* instead_; ///< what clips if the chosen algorithm cannot
     QPushButton* ask_;
     QTimer idle_;
     clipping::Window window_{};

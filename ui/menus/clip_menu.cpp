@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/latin.h"
+#include "app/session/window_in_hand.h"
 #include "app/session/window_places.h"
 #include "app/session/window_steps.h"
 #include "app/view/picking.h"
@@ -70,6 +71,7 @@ void addAlgorithms(MainWindow& window, QMenu& menu)
         QObject::connect(&window, &MainWindow::actionsOutdated, action, [&window, &row, action] {
             action->setShortcut(QKeySequence(digitsChoose(window) ? digitOf(row) : QString()));
             action->setChecked(window.session().display().variant.algorithm == &row);
+            action->setText(app::limitedName(row, app::needsInHand(window.session())));
         });
     }
     explainDigits(window);

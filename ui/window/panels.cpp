@@ -55,6 +55,7 @@ Panels::Panels(app::Session& session, Canvas& canvas)
     QObject::connect(style, &StylePanel::titled, docks.named({"style"}).front(), &Dock::setRemark);
     QObject::connect(algorithm, &AlgorithmPanel::titled, docks.algorithm, &Dock::setFoldedRemark);
     docks.algorithm->setFoldedRemark(algorithm->title());
+    QObject::connect(algorithm, &AlgorithmPanel::remarked, docks.algorithm, &Dock::setRemark);
     QObject::connect(docks.wide.front(), &QDockWidget::visibilityChanged, compare,
                      &ComparePanel::setWatched);
 }

@@ -241,13 +241,16 @@ private slots:
                  run.err.constData());
     }
 
-    void aWindowWithoutAreaIsLegal()
+    // Alone as beside other windows, and for lines as for areas.
+    void aWindowWithoutAreaContainsNothing()
     {
         const auto run =
             clearcut({"clip", "-", "--from", "csv", "--to", "csv", "-o", "-", "-w", "3,0,3,9"},
                      "0,5,9,5\n3,-9,3,99\n");
         QCOMPARE(run.code, 0);
-        QCOMPARE(run.out, csvHeader + "3,5,3,5,Drawing,#000000,1,0\n3,0,3,9,Drawing,#000000,1,1\n");
+        QCOMPARE(run.out, "x1,y1,x2,y2,layer,colour,width\n");
+        QVERIFY2(run.err.contains("a window without area, which contains nothing"),
+                 run.err.constData());
     }
 
     void theHelpAndThePageSayFromWhereLengthsCount()
@@ -310,8 +313,8 @@ private slots:
             buffer.open(QIODevice::ReadOnly);
             const auto imported = app::findFormat(u"svg")->read(buffer);
             QVERIFY(imported);
-            options.region.steps = {
-                {app::windowOf(parsed, *imported.value), app::WindowOperation::Add}};
+            options.region = app::regionOf(app::windowsOf(parsed, *imported.value),
+                                           imported.value->document.page());
             const auto cut = app::cut(imported.value->document, options);
             QVERIFY2(cut.counts.whole == 1 && cut.counts.cut == 0, svg.constData());
         }

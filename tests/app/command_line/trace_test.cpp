@@ -39,6 +39,28 @@ private slots:
         QVERIFY2(down.contains("to the bottom edge, to (\u22129.0625, 75)"), down);
     }
 
+    void aRotatedWindowIsTracedInItsOwnDirections()
+    {
+        const auto quarter = clearcut(QStringList(md_) << "-w"
+                                                       << "-75,-100,75,100@90");
+        QCOMPARE(quarter.code, 0);
+        QCOMPARE(quarter.out, clearcut(md_).out); // a quarter turn is along the axes again
+        QCOMPARE(quarter.err, "");
+        const auto run = clearcut(QStringList(md_) << "-w"
+                                                   << "-100,-75,100,75@30");
+        QCOMPARE(run.code, 0);
+        QVERIFY2(run.err.startsWith("The window is rotated: "), run.err.constData());
+        QVERIFY2(run.out.contains("Window:  \u2212100, \u221275 to 100, 75, y grows up\n"),
+                 run.out.constData());
+        QVERIFY(!run.out.contains("Line:    \u2212160"));
+        for (const char* bad : {"0,0,9,9@", "0,0,9,9@x", "0,0,9,9@1@2", "0,0,9@3"})
+            QCOMPARE(clearcut(QStringList(md_) << "-w" << bad).code, 2);
+        const auto circle = clearcut(QStringList(md_) << "-w"
+                                                      << "circle:0,0,9");
+        QCOMPARE(circle.code, 2);
+        QVERIFY2(circle.err.contains("steps are shown at rectangles only"), circle.err.constData());
+    }
+
     void jsonIsWhatTheLibraryAnswers()
     {
         const auto run = clearcut(QStringList(md_) << "-f"

@@ -195,12 +195,29 @@ private slots:
         QVERIFY2(run.err.contains("write --window page"), run.err);
     }
 
-    void aComparisonNeedsARectangle()
+    void comparisonsAreAtOneWindowThatBothCanClip()
     {
-        const auto run =
-            clearcut({"compare", "-", "--from", "svg", "-w", "circle:0,0,9", "-a", "md"}, drawing);
-        QCOMPARE(run.code, 2);
-        QVERIFY2(run.err.contains("one rectangle along the axes"), run.err.constData());
+        const auto compared = [](const QStringList& window, const QStringList& variants) {
+            return clearcut(QStringList{"compare", "-", "--from", "svg"} + window + variants,
+                            drawing);
+        };
+        for (const char* window : {"circle:0,0,9", "0,0,30,20@20", "polygon:0,0 30,0 9,20"})
+            for (const char* row : {"cb", "skala"}) {
+                const auto run = compared({"-w", window}, {"-a", row});
+                QCOMPARE(run.code, 0);
+                QVERIFY2(run.err.contains("They agree on all"), run.err.constData());
+            }
+        QCOMPARE(compared({"-w", "0,0,30,20@20"}, {"-a", "md", "-b", "lb:published"}).code, 0);
+        const auto refused = [&](const QStringList& window, const char* row, const char* sentence) {
+            const auto run = compared(window, {"-a", row});
+            return run.code == 2 && run.err.contains(sentence);
+        };
+        QVERIFY(refused({"-w", "circle:0,0,9"}, "md", "MD clips at rectangles only"));
+        QVERIFY(refused({"-w", "circle:0,0,9"}, "cb:published",
+                        "CB as published clips at rectangles only"));
+        QVERIFY(refused({"-w", "polygon:0,0 9,0 2,2 0,9"}, "cb",
+                        "compared at rectangles and convex polygons; this window is concave"));
+        QVERIFY(refused({"-w", "circle:0,0,9", "-w", "page"}, "cb", "and these are 2"));
     }
 
     void theReportNamesEveryWindow()

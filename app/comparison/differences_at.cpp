@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/comparison/differences_at.h"
+
+#include "app/scene/region_clipping.h"
+#include "app/scene/window_needs.h"
+
+#include <QCoreApplication>
+
+namespace app {
+
+namespace {
+
+struct DifferencesAt {
+    Q_DECLARE_TR_FUNCTIONS(DifferencesAt)
+};
+
+ClipAll functionOf(const Variant& variant)
+{
+    return variant.misprint ? variant.misprint->clipAll
+                            : clipping::usesOf(*variant.algorithm, variant.form)->clipAll;
+}
+
+double ulpsOf(const ClipRegion::Step& step, const Variant& variant)
+{
+    const clipping::Algorithm& algorithm = *variant.algorithm;
+    if (step.rings.empty())
+        return algorithm.ulps;
+    const bool polygon = algorithm.polygon && variant.form == clipping::Form::Corrected;
+    return polygon ? clipping::polygonUlps : clipping::turnedUlps(algorithm);
+}
+
+} // namespace
+
+QString refusalAt(const ClipRegion::Step& step, const Variant& variant)
+{
+    const WindowNeeds needs = needsOf(step);
+    if (needs == WindowNeeds::AnyArea)
+        return DifferencesAt::tr("Algorithms are compared at rectangles and convex polygons; this "
+                                 "window is %1.")
+            .arg(shapeText(step));
+    const bool rotatable = needs <= WindowNeeds::RotatedRectangle;
+    if (rotatable || (!variant.misprint && usedAt(needs, variant) == variant))
+        return {};
+    return DifferencesAt::tr("%1 clips at rectangles only; this window is %2.")
+        .arg(nameOf(variant), shapeText(step));
+}
+
+std::vector<clipping::Clipped> clippedAt(const ClipRegion& window, const Variant& variant,
+                                         std::span<const clipping::Segment> lines)
+{
+    RegionClipping clipping;
+    clipping.start(window, functionOf(variant));
+    std::vector<clipping::Clipped> kept;
+    clipping.fold(lines, 0, kept);
+    return kept;
+}
+
+double allowedAt(const ClipRegion& window, const Comparison& comparison)
+{
+    const ClipRegion::Step& step = window.steps.front();
+    return comparison.ulps.value_or(ulpsOf(step, comparison.a) + ulpsOf(step, comparison.b));
+}
+
+Differences differencesAt(const ClipRegion& window, const Comparison& comparison,
+                          const SceneLines& lines)
+{
+    Differences all{window.steps.front().box};
+    for (const SceneLines::Run& run : lines.runs()) {
+        auto found =
+            differences(run.segments, all.window, clippedAt(window, comparison.a, run.segments),
+                        clippedAt(window, comparison.b, run.segments),
+                        {allowedAt(window, comparison), endsOf(comparison.a, comparison.b)});
+        for (Difference& difference : found) {
+            difference.source += std::uint32_t(run.firstLine);
+            all.list.push_back(difference);
+        }
+        all.lines += run.segments.size();
+    }
+    return all;
+}
+
+} // namespace app

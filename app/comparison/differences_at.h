@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/comparison/live_differences.h"
+#include "app/scene/region.h"
+
+namespace app {
+
+// Comparing two variants at a window of any shape at which both can clip: a rectangle, also a
+// rotated one, or a convex polygon.
+
+/// Why a variant cannot be compared at a window: "Liang-Barsky clips at rectangles only; this
+/// window is convex, 64 edges." Empty if it can.
+QString refusalAt(const ClipRegion::Step& step, const Variant& variant);
+
+/// What a variant keeps of each line inside the window, in the order of the lines.
+std::vector<clipping::Clipped> clippedAt(const ClipRegion& window, const Variant& variant,
+                                         std::span<const clipping::Segment> lines);
+
+/// How far both together may be off there, in ulps.
+double allowedAt(const ClipRegion& window, const Comparison& comparison);
+
+/// All differences at one window that adds; `Differences::window` is its bounding box. A limit in
+/// ulps in the comparison holds.
+Differences differencesAt(const ClipRegion& window, const Comparison& comparison,
+                          const SceneLines& lines);
+
+} // namespace app

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/traced_window.h"
+
+#include "app/base/numbers.h"
+
+#include <QCoreApplication>
+
+#include <glm/trigonometric.hpp>
+
+namespace app {
+
+namespace {
+
+struct TracedWindowText {
+    Q_DECLARE_TR_FUNCTIONS(TracedWindow)
+};
+using Text = TracedWindowText;
+
+} // namespace
+
+clipping::Segment TracedWindow::into(const clipping::Segment& line) const
+{
+    return {intoFrame(frame, line.a), intoFrame(frame, line.b)};
+}
+
+QString TracedWindow::remark() const
+{
+    if (frame.angle != 0) // y grows down, and the angle from x towards y
+        return Text::tr("in the directions of a window rotated by %1°")
+            .arg(numberText(-glm::degrees(frame.angle), 1));
+    if (!notAt)
+        return {};
+    const QString name = notAt->isEmpty() ? Text::tr("the selected window") : *notAt;
+    return isPage ? Text::tr("at the page, as %1 is no rectangle").arg(name)
+                  : Text::tr("at another window, as %1 is no rectangle").arg(name);
+}
+
+TracedWindow tracedWindow(const Session& session)
+{
+    const ComparedWindow& usual = session.compared();
+    TracedWindow traced{{usual.window}, usual.isPage};
+    const auto number = session.windowNumber();
+    if (!number)
+        return traced;
+    const ClipWindow& inHand = session.windows().list[*number];
+    if (const auto* rectangle = std::get_if<RectangleShape>(&inHand.shape))
+        return {*rectangle};
+    traced.notAt = inHand.name;
+    return traced;
+}
+
+} // namespace app
