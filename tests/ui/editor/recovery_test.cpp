@@ -146,7 +146,8 @@ void recover(MainWindow& window, const std::function<void()>& then)
     if (!offer())
         return then();
     press("Recover drawing");
-    when([&window] { return window.isWindowModified(); }, then);
+    // Until then, input is held back.
+    when([&window] { return window.isWindowModified() && !window.files().busy(); }, then);
 }
 
 /// The window may become active a moment later.
