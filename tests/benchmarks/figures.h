@@ -49,11 +49,11 @@ struct Figures {
 /// Prints figures as rows of one table.
 class FigureTable {
 public:
-    void print(const char* what, double value, const char* unit)
+    void print(const QByteArray& what, double value, const char* unit)
     {
         name(what) << value << ' ' << unit << Qt::endl;
     }
-    void print(const char* what, Figures figures)
+    void print(const QByteArray& what, Figures figures)
     {
         std::ranges::sort(figures.times);
         const auto& times = figures.times;
@@ -62,7 +62,7 @@ public:
     }
 
 private:
-    QTextStream& name(const char* what)
+    QTextStream& name(const QByteArray& what)
     {
         return out_ << qSetFieldWidth(40) << Qt::left << what << qSetFieldWidth(0);
     }

@@ -34,8 +34,8 @@ RepeatDialog::RepeatDialog(app::Session& session, QWidget* parent)
     : QDialog(parent), session_(session),
       box_(session.selectionBounds().value_or(clipping::Window{})),
       kind_(new Segments(tr("Arrangement"), {tr("Rows and columns"), tr("Around a point")})),
-      pages_(new QStackedWidget), rows_(makeCount(tr("Rows"), 1, 4)),
-      columns_(makeCount(tr("Columns"), 1, 5)), count_(makeCount(tr("Number"), 2, 6)),
+      pages_(new QStackedWidget), rows_(makeCount(tr("Rows"), 1, 2)),
+      columns_(makeCount(tr("Columns"), 1, 3)), count_(makeCount(tr("Number"), 2, 6)),
       result_(new QLabel), gap_(usualGap / session.now().page().millimetresPerUnit()),
       centre_(app::placeOf(app::Handle{}, box_))
 {
@@ -64,6 +64,8 @@ RepeatDialog::RepeatDialog(app::Session& session, QWidget* parent)
     column->addWidget(result_);
     column->addWidget(buttons);
     follow();
+    rows_->setFocus(); // a number that is typed at once replaces the first value
+    rows_->selectAll();
 }
 
 LengthField* RepeatDialog::makeField(const QString& name, double length)

@@ -13,8 +13,10 @@
 #include <QMessageBox>
 #include <QProcess>
 #include <QPushButton>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QThread>
 #include <QTimer>
 #include <QTreeWidget>
 
@@ -23,6 +25,8 @@
 #include <cstdio>
 #include <functional>
 #include <map>
+#include <random>
+#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -142,7 +146,8 @@ void recover(MainWindow& window, const std::function<void()>& then)
     if (!offer())
         return then();
     press("Recover drawing");
-    when([&window] { return window.isWindowModified(); }, then);
+    // Until then, input is held back.
+    when([&window] { return window.isWindowModified() && !window.files().busy(); }, then);
 }
 
 /// The window may become active a moment later.
@@ -158,6 +163,15 @@ const std::map<QString, Scenario>& scenarios()
     static const std::map<QString, Scenario> all{
         {"look", [](MainWindow&) { ready(); }},
         {"draw", [](MainWindow& w) { drawLine(w), ready(); }},
+        {"draw on", // says the number of lines after each
+         [](MainWindow& w) {
+             auto* timer = new QTimer(&w);
+             QObject::connect(timer, &QTimer::timeout, &w, [&w] {
+                 drawLine(w);
+                 say(QString::number(w.session().now().objects().size()));
+             });
+             timer->start(0);
+         }},
         {"polyline", [](MainWindow& w) { clickCorners(w), ready(); }},
         {"text",
          [](MainWindow& w) {
@@ -311,6 +325,9 @@ private slots:
         for (const char* const killed :
              {"draw", "polyline", "text", "edited text", "busy", "dialog"})
             QTest::addRow("%s, killed", killed) << killed << SIGKILL << 2;
+        for (const int signal : {SIGSEGV, SIGABRT})
+            for (const char* const crashed : {"draw", "polyline"})
+                QTest::addRow("%s, %s", crashed, strsignal(signal)) << crashed << signal << 2;
         for (const char* const inHand : {"polyline", "text", "edited text"})
             QTest::addRow("%s in hand", inHand) << inHand << SIGTERM << 2;
         QTest::addRow("while it is busy") << "busy" << SIGTERM << 2;
@@ -325,7 +342,7 @@ private slots:
         QFETCH(int, shapes);
         const Home home;
         const QByteArray saved = contents(home.drawing());
-        Editor editor(home, scenario, {home.drawing()});
+        Editor editor(home, scenario, {home.drawing()}, withoutCore);
         QVERIFY(editor.waitsUntilReady());
         QElapsedTimer clock;
         clock.start();
@@ -348,6 +365,78 @@ private slots:
             const auto* text = std::get_if<app::TextRecipe>(&recipe);
             QVERIFY(text && text->text == "Wall");
         }
+    }
+    void noFinishedStepIsLostWhileEventsDraw()
+    {
+        std::random_device random;
+        for (int kills = 0; kills < 2; ++kills) {
+            const Home home;
+            Editor editor(home, "draw on", {home.drawing()});
+            while (editor.said.count('\n') < 3 && editor.process.waitForReadyRead(patience))
+                editor.said += editor.process.readAllStandardOutput();
+            QThread::msleep(random() % 200);
+            QCOMPARE(editor.endedBy(SIGKILL), SIGKILL);
+            editor.said += editor.process.readAllStandardOutput();
+            const QStringList lines = editor.said.split('\n');
+            QVERIFY2(lines.size() > 3, qPrintable(editor.said));
+            const int said = lines[lines.size() - 2].toInt();
+            const auto left = app::claimLeftovers(home.leftovers());
+            QCOMPARE(left.size(), std::size_t(1));
+            const int found = int(app::recover(left[0]).value->document.objects().size());
+            QVERIFY2(found == said || found == said + 1, // done, but not yet said
+                     qPrintable(QString("%1 lines instead of %2").arg(found).arg(said)));
+            qInfo("%d lines", said);
+        }
+    }
+    void aVanishingDisplayLosesNothing()
+    {
+        const QString server = QStandardPaths::findExecutable("Xvfb");
+        if (server.isEmpty())
+            QSKIP("Xvfb is not installed.");
+        Home home;
+        QProcess display;
+        display.start(server, {"-displayfd", "1", "-screen", "0", "1280x800x24"});
+        QByteArray number;
+        while (!number.endsWith('\n') && display.waitForReadyRead(patience))
+            number += display.readAllStandardOutput();
+        QVERIFY2(number.endsWith('\n'), display.readAllStandardError());
+        home.display = ":" + QString::fromLatin1(number.trimmed());
+        Editor editor(home, "draw", {home.drawing()});
+        QVERIFY2(editor.waitsUntilReady(), editor.process.readAllStandardError());
+        display.kill();
+        QVERIFY(display.waitForFinished(patience));
+        QVERIFY(editor.process.waitForFinished(patience));
+        home.display.clear();
+        Editor next(home, "recover", {});
+        QVERIFY(next.waitsUntilReady());
+        QVERIFY2(next.said.contains("offers 1: plan.svg"), qPrintable(next.said));
+        QVERIFY2(next.said.contains("2 shapes, plan.svg, not saved"), qPrintable(next.said));
+    }
+    void aDamagedJournalIsRecoveredAndItsFilesAreKept()
+    {
+        const Home home;
+        const QByteArray saved = contents(home.drawing());
+        QVERIFY(leave(home, "polyline", SIGKILL));
+        const QDir left(home.leftovers());
+        const QString journal = left.filePath(left.entryList({"*.journal"}, QDir::Dirs).front());
+        QFile log(QDir(journal).filePath("log-1"));
+        QVERIFY(log.open(QIODevice::ReadWrite));
+        const QByteArray bytes = log.readAll();
+        QVERIFY(log.seek(bytes.size() - 1) && log.putChar(char(bytes.back() ^ 1)));
+        log.close();
+        {
+            Editor editor(home, "recover", {});
+            QVERIFY(editor.waitsUntilReady());
+            QVERIFY2(editor.said.contains("offers 1: plan.svg"), qPrintable(editor.said));
+            QVERIFY2(editor.said.contains("2 shapes, plan.svg, not saved"),
+                     qPrintable(editor.said));
+            QCOMPARE(left.entryList({"*.unreadable"}, QDir::Dirs).size(), 1);
+            QCOMPARE(editor.endedBy(SIGKILL), SIGKILL);
+        }
+        QCOMPARE(contents(home.drawing()), saved);
+        const auto again = app::claimLeftovers(home.leftovers());
+        QCOMPARE(again.size(), std::size_t(1));
+        QVERIFY(again[0].origin.path.isEmpty()); // Save asks where
     }
     void withoutUnsavedWorkNothingIsLeftBehind()
     {
@@ -522,10 +611,13 @@ private:
             environment.insert("HOME", path.path());
             environment.insert("XDG_CONFIG_HOME", path.filePath("config"));
             environment.insert("XDG_STATE_HOME", state);
-            environment.insert("QT_QPA_PLATFORM", "offscreen");
+            environment.insert("QT_QPA_PLATFORM", display.isEmpty() ? "offscreen" : "xcb");
+            if (!display.isEmpty())
+                environment.insert("DISPLAY", display);
             return environment;
         }
         QTemporaryDir path;
+        QString display{}; ///< of X; empty: none
     };
 
     struct Editor {
@@ -561,6 +653,12 @@ private:
         QString said;
     };
 
+    /// Crashes are wanted here.
+    static void withoutCore()
+    {
+        const rlimit none{0, 0};
+        ::setrlimit(RLIMIT_CORE, &none);
+    }
     static QByteArray contents(const QString& path)
     {
         QFile file(path);

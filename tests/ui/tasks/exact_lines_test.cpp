@@ -50,8 +50,9 @@ private slots:
                enter(), type("6x"), enter()},
               steps);
     }
-    /// Four outer walls with two faces each, three walls between the rooms and a short one. The
-    /// doors are left open while drawing; copies of a wall have its door.
+    /// Twelve walls, each from a corner or a door to the next: five around the house, which have
+    /// two faces, six between the rooms, and one of the bath. The doors are left open while
+    /// drawing; copies of a wall have its door.
     void housePlan()
     {
         Steps steps{key("L")};
@@ -98,6 +99,7 @@ private slots:
             table.push_back({{{x, 68}, {x, 134}}});
         }
         table.insert(table.begin() + 12, {{{137, 80}, {174, 80}}});
+        QCOMPARE(table.size(), std::size_t(2 * 5 + 6 + 1));
         check(steps, table);
     }
 };

@@ -9,9 +9,11 @@
 #include <QAbstractSpinBox>
 #include <QLineEdit>
 #include <QMenu>
+#include <QRegularExpression>
 
 #include <glm/geometric.hpp>
 
+#include <cstring>
 #include <functional>
 #include <vector>
 
@@ -51,6 +53,8 @@ public:
         // A name being edited in a list is finished by a queued call.
         QCoreApplication::sendPostedEvents(nullptr, QEvent::MetaCall);
         window_.window->files().wait();
+        if (QWidget* dialog = QApplication::activeModalWidget())
+            (void)QTest::qWaitForWindowActive(dialog, longestWait);
     }
     void type(const char* text)
     {
@@ -213,8 +217,17 @@ private:
 struct Step {
     QString what;
     std::function<void(Player&)> play;
+    int actions = 1; ///< as README.md counts them
 };
 using Steps = std::vector<Step>;
+
+inline int actionsOf(const Steps& steps)
+{
+    int actions = 0;
+    for (const Step& step : steps)
+        actions += step.actions;
+    return actions;
+}
 
 inline void add(Steps& steps, const Steps& more)
 {
@@ -227,13 +240,15 @@ inline Step key(const QString& sequence)
 }
 inline Step type(const char* text)
 {
-    return {QString::fromUtf8(text), [text](Player& player) { player.type(text); }};
+    return {QString::fromUtf8(text), [text](Player& player) { player.type(text); },
+            int(std::strlen(text))};
 }
 inline Step enter() { return key("Return"); }
 inline Step tab() { return key("Tab"); }
 inline Step move(const app::Point& p, Qt::KeyboardModifiers with = {})
 {
-    return {"move", [p, with](Player& player) { player.move(p, {}, with); }};
+    return {"move", [p, with](Player& player) { player.move(p, {}, with); },
+            with == Qt::NoModifier ? 0 : 1};
 }
 /// A drag through all of these points.
 inline Step stroke(const std::vector<app::Point>& points)
@@ -246,7 +261,7 @@ inline Step click(const app::Point& p, Qt::KeyboardModifiers with = {})
 }
 inline Step doubleClick(const app::Point& p)
 {
-    return {"double click", [p](Player& player) { player.doubleClick(p); }};
+    return {"double click", [p](Player& player) { player.doubleClick(p); }, 2};
 }
 inline Step drag(const app::Point& from, const app::Point& to, Qt::KeyboardModifiers with = {})
 {
@@ -347,10 +362,25 @@ inline Table played(const Steps& steps, std::optional<std::size_t> without = {})
     return player.drawn();
 }
 
+/// The actions of a task according to the table of README.md; empty: it is not in the table.
+inline std::optional<int> listedActions(QString task)
+{
+    static const QRegularExpression capital(QStringLiteral("([A-Z])"));
+    task = task.replace(capital, QStringLiteral("_\\1")).toLower();
+    QFile file(QStringLiteral(SOURCE_DIR "/tests/ui/tasks/README.md"));
+    if (!file.open(QIODevice::ReadOnly))
+        return -1;
+    const QRegularExpression row(QStringLiteral("\n\\| `%1` \\| (\\d+) \\|").arg(task));
+    const auto found = row.match(QString::fromUtf8(file.readAll()));
+    return found.hasMatch() ? std::optional(found.captured(1).toInt()) : std::nullopt;
+}
+
 /// Plays the task, and plays it again without each of its steps. `fault` says what is wrong with a
 /// drawing, nothing only with that of all steps.
 inline void checkBy(const Steps& steps, const std::function<QString(const Table&)>& fault)
 {
+    if (const auto listed = listedActions(QTest::currentTestFunction()))
+        QCOMPARE(actionsOf(steps), *listed);
     const QString wrong = fault(played(steps));
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
     for (std::size_t i = 0; i < steps.size(); ++i)
