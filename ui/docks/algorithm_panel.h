@@ -28,6 +28,7 @@ public:
 signals:
     void titled(const QString& title);
     void aboutWanted(const clipping::Algorithm& algorithm); ///< asks for its page
+    void menuWanted(const clipping::Algorithm& algorithm, const QPoint& place); ///< of a row
 
 protected:
     void showEvent(QShowEvent* event) override;
