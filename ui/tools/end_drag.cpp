@@ -15,14 +15,24 @@ namespace ui {
 
 constexpr double endReach = 8; // pixels
 
+/// The object that would show its ends; empty: there is none, or there are several.
+static std::optional<std::size_t> objectWithHandles(const app::Session& session)
+{
+    if (session.selection().size() == 1)
+        return session.selection().first();
+    if (!session.selection().empty() || !session.inspected())
+        return std::nullopt;
+    return session.scene.lines().objectOf(*session.inspected());
+}
+
 std::optional<clipping::Segment> lineWithHandles(const app::Session& session)
 {
-    if (!session.inspected() || session.selection().size() > 1)
+    const auto object = objectWithHandles(session);
+    if (!object)
         return std::nullopt;
-    const std::size_t object = session.scene.lines().objectOf(*session.inspected());
-    const auto line = session.now().objects()[object].singleLine();
+    const auto line = session.now().objects()[*object].singleLine();
     const bool isPoint = line && line->a == line->b;
-    return line && !isPoint && session.now().editable(object) ? line : std::nullopt;
+    return line && !isPoint && session.now().editable(*object) ? line : std::nullopt;
 }
 
 std::optional<EndDrag::End> EndDrag::endAt(const app::Point& screen, const Workbench& bench)
@@ -76,7 +86,7 @@ void EndDrag::accept(const app::Point& point, Workbench& bench)
         return cancel(bench);
     const clipping::Segment line = movedTo(point);
     const auto inspected = session.inspected();
-    const std::size_t object = session.scene.lines().objectOf(*inspected);
+    const std::size_t object = *objectWithHandles(session);
     if (line != *line_ && line.a != line.b) {
         const std::array changed{app::ChangedPath{object, app::Path(line)}};
         session.history.push(

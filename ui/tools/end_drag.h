@@ -5,11 +5,11 @@
 
 namespace ui {
 
-/// The inspected line, if its ends are handles: the whole object is this line, and it may be
-/// edited.
+/// The line whose ends are handles: the only selected object or, with nothing selected, the
+/// inspected line; if the whole object is this line, and it may be edited.
 std::optional<clipping::Segment> lineWithHandles(const app::Session& session);
 
-/// Dragging an end of the inspected line.
+/// Dragging an end of that line.
 class EndDrag {
 public:
     enum class End : std::uint8_t { A, B };
