@@ -3,6 +3,7 @@
 
 #include "app/drawing/dash_patterns.h"
 #include "ui/bars/grid_choice.h"
+#include "ui/bars/node_row.h"
 #include "ui/bars/snap_choice.h"
 #include "ui/editing/keeping.h"
 #include "ui/look/look.h"
@@ -51,7 +52,7 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas)
       keep_(new Segments(tr("Keep"), {tr("Inside"), tr("Outside")})),
       removed_(new Segments(tr("Removed part"), {tr("Ghosted"), tr("Hidden"), tr("Shown")})),
       panes_(new Segments(tr("Panes"), {tr("1"), tr("2"), tr("4"), tr("All")})),
-      export_(new QToolButton)
+      nodes_(new NodeRow), export_(new QToolButton)
 {
     setObjectName(QStringLiteral("options"));
     setIconSize({18, 18});
@@ -61,9 +62,6 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas)
     addStroke();
     const auto focusCanvas = [&canvas] { canvas.setFocus(); };
     connect(dashes_, &ToolList::done, &canvas, focusCanvas);
-    addSeparator();
-    addWidget(snapping_);
-    addWidget(grid_);
     for (LengthField* field : {width_, &grid_->spacing()}) {
         connect(field, &LengthField::entered, &canvas, focusCanvas);
         connect(field, &LengthField::refused, this, &OptionBar::refused);
@@ -73,10 +71,18 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas)
     addClipping();
     addSeparator();
     addPanes(canvas);
+    instead_ = actions().mid(1); // after the separator behind undo and redo
+    nodesShown_ = addWidget(nodes_);
     auto* room = new QWidget;
     room->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     addWidget(room);
+    addWidget(snapping_);
+    addWidget(grid_);
+    addSeparator();
     addExport();
+    const auto follow = [this, &canvas] { followTool(canvas.tool() == "nodes"); };
+    connect(&canvas, &Canvas::toolChanged, this, follow);
+    follow();
     connect(&session, &app::Session::displayChanged, this, &OptionBar::followDisplay);
     connect(&session, &app::Session::selectionChanged, this, &OptionBar::followStyle);
     connect(&session, &app::Session::loaded, this, &OptionBar::followStyle, Qt::QueuedConnection);
@@ -184,6 +190,16 @@ void OptionBar::addPanes(Canvas& canvas)
     follow();
 }
 
+void OptionBar::addNodeStep(QAction& step) { nodes_->add(step); }
+
+void OptionBar::followTool(bool nodes)
+{
+    nodesShown_->setVisible(nodes);
+    for (QAction* action : instead_)
+        action->setVisible(!nodes);
+    fitInto(width());
+}
+
 void OptionBar::addSteps(QAction& undo, QAction& redo)
 {
     showKeyInTip(undo);
@@ -237,7 +253,7 @@ void OptionBar::arrange(int step)
     export_->setToolButtonStyle(step < 1 ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
     for (QAction* action : actions())
         if (captions_.contains(qobject_cast<QLabel*>(widgetForAction(action))))
-            action->setVisible(step < 2);
+            action->setVisible(step < 2 && !nodesShown_->isVisible());
     grid_->showSpacing(step < 3);
     snapping_->showKinds(step < 4);
 }
@@ -248,7 +264,8 @@ void OptionBar::changeEvent(QEvent* event)
     if (event->type() == QEvent::PaletteChange)
         paintIcons();
     if (event->type() == QEvent::FontChange) // when its fields have followed, too
-        QMetaObject::invokeMethod(this, [this] { fitInto(width()); }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this, [this] { fitInto(width()); }, Qt::QueuedConnection);
 }
 
 /// Repaints the icons that are pixmaps, which do not follow the palette like other icons.

@@ -11,15 +11,17 @@ namespace ui {
 
 class GridChoice;
 class LengthField;
+class NodeRow;
 class Segments;
 class SnapChoice;
 class StylePopup;
 class ToolList;
 
-/// The bar across the top: undo, redo, the stroke of selected or new objects, snapping, the side
-/// that is kept and how the removed part is shown, panes, export. If it is narrow, it first drops
-/// the export button's text, then captions, then the grid's spacing, then the list of kinds to snap
-/// to.
+/// The bar across the top: undo, redo, the stroke of selected or new objects, the side
+/// that is kept and how the removed part is shown, panes; at the right snapping, grid and export.
+/// With the tool Nodes, the commands for nodes take the place of stroke, clipping and panes. If it
+/// is narrow, it first drops the export button's text, then captions, then the grid's spacing, then
+/// the list of kinds to snap to.
 class OptionBar : public QToolBar {
     Q_OBJECT
 
@@ -28,6 +30,8 @@ public:
 
     /// Adds the buttons of these commands at the left.
     void addSteps(QAction& undo, QAction& redo);
+    /// Adds the button of a command for nodes.
+    void addNodeStep(QAction& step);
     /// Gives this command the button at the right.
     void setExport(QAction& exportCut);
     /// Names this command's key on the button that opens the panel Style.
@@ -49,6 +53,7 @@ private:
     void addClipping();
     void addPanes(Canvas& canvas);
     void addExport();
+    void followTool(bool nodes);
     void fitInto(int width);
     void arrange(int step);
     QLabel* addCaption(const QString& text);
@@ -66,6 +71,9 @@ private:
     GridChoice* grid_;
     Segments *keep_, *removed_, *panes_;
     QList<QLabel*> captions_;
+    NodeRow* nodes_;
+    QAction* nodesShown_;     ///< the place of the commands for nodes in the bar
+    QList<QAction*> instead_; ///< what they take the place of
     QToolButton* export_;
 };
 
