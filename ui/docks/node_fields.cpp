@@ -14,7 +14,7 @@
 namespace ui {
 namespace {
 
-constexpr int betweenRows = 4;
+constexpr int betweenRows = 4, leastFieldWidth = 56;
 constexpr int typeRow = 3;
 constexpr std::array<std::string_view, 3> typeSteps{"corner-nodes", "smooth-nodes",
                                                     "symmetric-nodes"}; // as app::NodeType
@@ -30,7 +30,7 @@ NodeFields::NodeFields(app::Session& session, QWidget* parent)
                              space::labelToField);
     grid->setHorizontalSpacing(space::labelToField);
     grid->setVerticalSpacing(betweenRows);
-    const std::array rows{tr("Node"), tr("In"), tr("Out"), tr("Type")};
+    const std::array rows{tr("Node"), tr("In"), tr("Out")};
     for (int row = 0; row < int(rows.size()); ++row)
         grid->addWidget(quietLabel(rows[std::size_t(row)]), row, 0);
     for (const app::NodeNumber& number : app::nodeNumbers()) {
@@ -41,7 +41,12 @@ NodeFields::NodeFields(app::Session& session, QWidget* parent)
         grid->addWidget(label, row, column);
         grid->addWidget(fields_.back(), row, column + 1);
     }
-    grid->addWidget(type_, typeRow, 1, 1, 5, Qt::AlignLeft);
+    auto* types = new QHBoxLayout;
+    types->setSpacing(space::labelToField);
+    types->addWidget(quietLabel(tr("Type")));
+    types->addWidget(type_);
+    types->addStretch();
+    grid->addLayout(types, typeRow, 0, 1, 6);
     grid->addWidget(new UnitButton(session), 0, 5);
     grid->setColumnStretch(2, 1);
     grid->setColumnStretch(4, 1);
@@ -55,6 +60,7 @@ LengthField* NodeFields::makeField(const app::NodeNumber& number)
     auto* field =
         new LengthField(number.name, LengthField::Range::Any,
                         isAngle ? LengthField::Suffix::Degrees : LengthField::Suffix::None);
+    field->setMinimumWidth(leastFieldWidth);
     connect(field, &LengthField::edited, this, [this, &number](double value, app::Merging merging) {
         app::setNodeNumber(session_, number, value, merging);
         follow(); // a refused number disappears

@@ -18,7 +18,7 @@
 namespace ui {
 namespace {
 
-constexpr int leastFieldWidth = 64, leastListWidth = 72, betweenRows = 4, buttonsInRow = 6;
+constexpr int leastFieldWidth = 64, leastListWidth = 52, betweenRows = 4, buttonsInRow = 6;
 
 /// A check box with the longest of several texts for which there is room.
 class ShortenedBox : public QCheckBox {

@@ -72,6 +72,12 @@ private slots:
         QVERIFY(t.field("Width")->isVisible());
         QCOMPARE(t.panel().height(), height);
     }
+    void thePanelFitsTheNarrowestColumn()
+    {
+        Panel t;
+        const int width = t.panel().minimumSizeHint().width();
+        QVERIFY2(width <= 272, qPrintable(QString::number(width))); // of Arrangement
+    }
     void eachTypedNumberIsOneStep()
     {
         Panel t;
