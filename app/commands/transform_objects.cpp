@@ -6,6 +6,8 @@
 #include "app/document/copies.h"
 #include "app/document/mapped_path.h"
 
+#include <map>
+
 namespace app {
 namespace {
 
@@ -19,6 +21,21 @@ Edit transformed(const Document& document, const ObjectRanges& objects, const Af
         if (scale != 1)
             restyled(object, styles);
     });
+}
+
+Edit transformed(const Document& document, const ObjectRanges& objects,
+                 std::span<const AffineMap> maps, StrokeScaling strokes)
+{
+    std::map<double, StyleChanges> restyled; // by the factor of the widths
+    return changed(document, objects,
+                   [&, map = maps.begin()](ObjectRow& object, StyleTable& styles) mutable {
+                       const double scale = map->scale();
+                       transform(object, *map++);
+                       if (strokes == StrokeScaling::Keep || scale == 1)
+                           return;
+                       const auto scaled = [scale](Style& style) { scaleStroke(style, scale); };
+                       restyled.try_emplace(scale, scaled).first->second(object, styles);
+                   });
 }
 
 Derivation derivedBy(const AffineMap& map, StrokeScaling strokes)
@@ -38,13 +55,9 @@ void transform(ObjectRow& object, const AffineMap& map)
 }
 
 TransformObjects::TransformObjects(EditedDocument& document, const ObjectRanges& objects,
-                                   std::span<const AffineMap> maps, const QString& text)
-    : EditCommand(row, document,
-                  changed(document.now(), objects,
-                          [map = maps.begin()](ObjectRow& object, StyleTable&) mutable {
-                              transform(object, *map++);
-                          }),
-                  text)
+                                   std::span<const AffineMap> maps, StrokeScaling strokes,
+                                   const QString& text)
+    : EditCommand(row, document, transformed(document.now(), objects, maps, strokes), text)
 {
 }
 

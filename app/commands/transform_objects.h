@@ -17,9 +17,9 @@ public:
     /// The map must be finite.
     TransformObjects(EditedDocument& document, const ObjectRanges& objects, const AffineMap& map,
                      StrokeScaling strokes, const QString& text, Merging merging = Merging::Never);
-    /// A map for each object, in their order. Strokes keep their widths.
+    /// A map for each object, in their order.
     TransformObjects(EditedDocument& document, const ObjectRanges& objects,
-                     std::span<const AffineMap> maps, const QString& text);
+                     std::span<const AffineMap> maps, StrokeScaling strokes, const QString& text);
 };
 
 /// The path of the object after the map, and what remains of its recipe.

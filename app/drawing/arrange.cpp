@@ -27,10 +27,11 @@ std::vector<Point> aligned(std::span<const clipping::Window> boxes, const clippi
     return ways;
 }
 
-std::vector<Point> spread(std::span<const clipping::Window> boxes, int axis)
+std::vector<Point> spread(std::span<const clipping::Window> boxes, int axis,
+                          const std::optional<clipping::Window>& over)
 {
     std::vector<Point> ways(boxes.size(), Point(0));
-    if (boxes.size() < 3)
+    if (boxes.size() < (over ? 2 : 3))
         return ways;
     std::vector<std::size_t> order(boxes.size());
     std::iota(order.begin(), order.end(), 0);
@@ -40,13 +41,13 @@ std::vector<Point> spread(std::span<const clipping::Window> boxes, int axis)
     double covered = 0;
     for (const std::size_t i : order)
         covered += length(i);
-    const double first = boxes[order.front()].min[axis];
-    const double whole = boxes[order.back()].max[axis] - first;
+    const double first = over ? over->min[axis] : boxes[order.front()].min[axis];
+    const double whole = (over ? over->max[axis] : boxes[order.back()].max[axis]) - first;
     const double gap = (whole - covered) / double(boxes.size() - 1);
     double before = 0; // the length of the boxes before
     for (std::size_t place = 0; place < order.size(); ++place) {
         const std::size_t i = order[place];
-        if (place > 0 && place + 1 < order.size())
+        if (over || (place > 0 && place + 1 < order.size()))
             ways[i][axis] = first + before + gap * double(place) - boxes[i].min[axis];
         before += length(i);
     }

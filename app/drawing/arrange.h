@@ -4,6 +4,7 @@
 #include "app/document/affine_map.h"
 #include "clipping/geometry.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,8 +19,10 @@ std::vector<Point> aligned(std::span<const clipping::Window> boxes, const clippi
                            int axis, AlignTo side);
 
 /// The way of each box to equal gaps, which may be negative, in the order of their middles. The
-/// outer two stay. Fewer than three boxes stay.
-std::vector<Point> spread(std::span<const clipping::Window> boxes, int axis);
+/// outer two stay, or go to the sides of `over`. Boxes between which there is no gap to change
+/// stay.
+std::vector<Point> spread(std::span<const clipping::Window> boxes, int axis,
+                          const std::optional<clipping::Window>& over = {});
 
 /// The map of each box to the width or height of `model`, about its top left corner. A box without
 /// an extent stays.

@@ -56,4 +56,14 @@ QString fieldText(std::size_t lines)
         .arg(linesText(lines));
 }
 
+QString tooFewText(std::size_t lines)
+{
+    return lines >= leastLinesToTime
+               ? QString()
+               : Races::tr("Clipping fewer than %1 lines is over too soon for a reliable time, so "
+                           "only results and operations are compared. Open a drawing with more "
+                           "lines to compare times.")
+                     .arg(countText(leastLinesToTime));
+}
+
 } // namespace app

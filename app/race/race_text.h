@@ -16,5 +16,7 @@ QString shortTimeText(double milliseconds);
 
 /// "9,969 lines, rotated order, 1 thread"; "312 lines: too few to time".
 QString fieldText(std::size_t lines);
+/// Why so few lines are not timed, and what to do, in sentences; empty: they are timed.
+QString tooFewText(std::size_t lines);
 
 } // namespace app

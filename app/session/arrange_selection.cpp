@@ -56,7 +56,7 @@ const ArrangedUnit& lastOf(std::span<const ArrangedUnit> units, const Session& s
 
 /// One map for each unit.
 void push(Session& session, std::span<const ArrangedUnit> units, std::span<const AffineMap> maps,
-          const QString& text)
+          const QString& text, StrokeScaling strokes = StrokeScaling::Keep)
 {
     ObjectRanges objects;
     std::vector<AffineMap> each; // units ascend, so the maps are in the order of the objects
@@ -68,7 +68,7 @@ void push(Session& session, std::span<const ArrangedUnit> units, std::span<const
         changes = changes || maps[i] != AffineMap{.from = maps[i].from, .to = maps[i].from};
     }
     if (changes)
-        session.history.push(new TransformObjects(session.document, objects, each, text));
+        session.history.push(new TransformObjects(session.document, objects, each, strokes, text));
 }
 
 std::vector<AffineMap> translations(std::span<const Point> ways)
@@ -77,6 +77,12 @@ std::vector<AffineMap> translations(std::span<const Point> ways)
     for (const Point& way : ways)
         maps.push_back(translation(way));
     return maps;
+}
+
+QString noWindow()
+{
+    return tr("There is no clip window to align to. Draw one, or choose something else in Object > "
+              "Align.");
 }
 
 } // namespace
@@ -100,18 +106,40 @@ std::span<const AlignmentTarget> alignmentTargets()
     using Box = std::optional<clipping::Window>;
     using Units = std::span<const ArrangedUnit>;
     static const std::array all{
-        AlignmentTarget{"to-selection", tr("To the &selection"),
+        AlignmentTarget{"to-selection", tr("To the &selection"), tr("to selection"), false,
                         [](const Session& session, Units) { return session.selectionBounds(); }},
         AlignmentTarget{
-            "to-last", tr("To the object clicked l&ast"),
+            "to-last", tr("To the object clicked l&ast"), tr("to last clicked"), false,
             [](const Session& session, Units units) { return Box(lastOf(units, session).box); }},
         AlignmentTarget{
-            "to-page", tr("To the &page"),
+            "to-page", tr("To the &page"), tr("to page"), true,
             [](const Session& session, Units) { return Box(session.now().page().rectangle()); }},
-        AlignmentTarget{"to-window", tr("To the &clip window"),
+        AlignmentTarget{"to-window", tr("To the &clip window"), tr("to clip window"), true,
                         [](const Session& session, Units) { return session.clipWindow(); }},
     };
     return all;
+}
+
+const AlignmentTarget& alignmentTarget(const Session& session)
+{
+    return *std::ranges::find(alignmentTargets(), session.arrange.alignTo, &AlignmentTarget::key);
+}
+
+std::size_t leastSpread(const Session& session)
+{
+    return alignmentTarget(session).isExtent ? 2 : 3;
+}
+
+void alignTo(Session& session, const AlignmentTarget& target)
+{
+    session.arrange.alignTo = target.key;
+    emit session.displayChanged();
+}
+
+void scaleStrokes(Session& session, StrokeScaling strokes)
+{
+    session.arrange.strokes = strokes;
+    emit session.displayChanged();
 }
 
 std::vector<ArrangedUnit> arrangedUnits(const Session& session)
@@ -133,27 +161,28 @@ std::vector<ArrangedUnit> arrangedUnits(const Session& session)
 void align(Session& session, int axis, AlignTo side)
 {
     const auto units = arrangedUnits(session);
-    const auto targets = alignmentTargets();
-    const auto target = std::ranges::find(targets, session.arrange.alignTo, &AlignmentTarget::key);
-    if (units.empty() || target == targets.end())
+    if (units.empty())
         return;
-    const auto to = target->box(session, units);
-    if (!to)
-        emit session.refused(tr("There is no clip window to align to. Draw one, or choose "
-                                "something else in Object > Align."));
-    else
+    if (const auto to = alignmentTarget(session).box(session, units))
         push(session, units, translations(aligned(boxesOf(units), *to, axis, side)),
              tr("Align selection"));
+    else
+        emit session.refused(noWindow());
 }
 
 void spreadEvenly(Session& session, int axis)
 {
     const auto units = arrangedUnits(session);
-    if (units.size() < 3) {
-        emit session.refused(tr("Select at least three objects to spread: the outer two stay."));
-        return;
-    }
-    push(session, units, translations(spread(boxesOf(units), axis)), tr("Spread selection"));
+    const AlignmentTarget& target = alignmentTarget(session);
+    const auto over = target.isExtent ? target.box(session, units) : std::nullopt;
+    if (units.size() < leastSpread(session))
+        emit session.refused(tr("Select more objects to spread: at least three, or two to spread "
+                                "them over the page or the clip window."));
+    else if (target.isExtent && !over)
+        emit session.refused(noWindow());
+    else
+        push(session, units, translations(spread(boxesOf(units), axis, over)),
+             tr("Spread selection"));
 }
 
 void makeSameSize(Session& session, bool width, bool height)
@@ -162,7 +191,8 @@ void makeSameSize(Session& session, bool width, bool height)
     if (units.size() < 2)
         return;
     const clipping::Window model = lastOf(units, session).box;
-    push(session, units, sameSize(boxesOf(units), model, width, height), tr("Make same size"));
+    push(session, units, sameSize(boxesOf(units), model, width, height), tr("Make same size"),
+         session.arrange.strokes);
 }
 
 bool repeatSelection(Session& session, std::span<const AffineMap> maps, const QString& undoText)

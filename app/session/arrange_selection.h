@@ -22,16 +22,26 @@ ObjectRanges justAdded(const Session& session);
 /// What selected objects are aligned to: one row of a catalogue.
 struct AlignmentTarget {
     std::string_view key;
-    QString name; ///< "To &page"
+    QString name;   ///< in the menu: "To the &page"
+    QString listed; ///< in a list: "to page"
+    bool isExtent;  ///< objects are also spread over it
     /// Empty: there is none now.
     std::optional<clipping::Window> (*box)(const Session& session,
                                            std::span<const ArrangedUnit> units);
 };
 std::span<const AlignmentTarget> alignmentTargets();
+const AlignmentTarget& alignmentTarget(const Session& session); ///< the current one
+/// How many objects are spread at least.
+std::size_t leastSpread(const Session& session);
+
+/// These change session.arrange, and are signalled as Session::displayChanged.
+void alignTo(Session& session, const AlignmentTarget& target);
+void scaleStrokes(Session& session, StrokeScaling strokes);
 
 // Each is one undo step. Without enough units, or if nothing changes, they do nothing.
 /// Aligns to what session.arrange names.
 void align(Session& session, int axis, AlignTo side);
+/// Spreads over what session.arrange names, if it is an extent, else between the outer two.
 void spreadEvenly(Session& session, int axis);
 void makeSameSize(Session& session, bool width, bool height);
 /// Adds transformed copies of the selection, and selects them with the originals. False: there

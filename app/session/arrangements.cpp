@@ -2,7 +2,6 @@
 #include "app/session/arrangements.h"
 
 #include "app/session/arrange_selection.h"
-#include "app/view/handles.h"
 
 #include <QCoreApplication>
 
@@ -11,27 +10,31 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("Arrange", text); }
 
-/// Transforms the selection; `map` takes its middle.
+/// Transforms the selection; `map` takes its pivot, which stays where a person put it.
 template <typename Map>
 void turn(Session& session, Map map, const QString& undoText)
 {
-    if (const auto bounds = session.selectionBounds())
-        session.history.push(new TransformObjects(session.document, session.selection(),
-                                                  map(placeOf(Handle{}, *bounds)),
-                                                  StrokeScaling::Keep, undoText));
+    if (!session.selectionBounds())
+        return;
+    const bool moved = session.pivot.isMoved();
+    const Point pivot = session.pivot.at();
+    session.history.push(new TransformObjects(session.document, session.selection(), map(pivot),
+                                              StrokeScaling::Keep, undoText));
+    if (moved)
+        session.pivot.put(pivot);
 }
 
 template <int degrees>
 void rotate(Session& session)
 {
-    const auto map = [](const Point& middle) { return rotation(degrees, middle); };
+    const auto map = [](const Point& pivot) { return rotation(degrees, pivot); };
     turn(session, map, tr("Rotate selection"));
 }
 
 template <int x, int y>
 void flip(Session& session)
 {
-    const auto map = [](const Point& middle) { return scaling({x, y}, middle); };
+    const auto map = [](const Point& pivot) { return scaling({x, y}, pivot); };
     turn(session, map, tr("Flip selection"));
 }
 
@@ -160,6 +163,17 @@ std::span<const Arrangement> arrangements()
          .run = sameSizeOn<true, true>},
     };
     return all;
+}
+
+QString refusal(const Arrangement& how, const Session& session)
+{
+    const bool spreads = how.kind == Arrangement::Kind::Spread;
+    const std::size_t least = spreads ? leastSpread(session) : how.least;
+    if (session.selection().size() >= least)
+        return {};
+    return least == 1   ? tr("Nothing is selected. Select an object first.")
+           : least == 2 ? tr("Select several objects first.")
+                        : tr("Select at least three objects first: the outer two stay.");
 }
 
 } // namespace app

@@ -22,4 +22,7 @@ struct Arrangement {
 
 std::span<const Arrangement> arrangements();
 
+/// Why it is impossible now, in one sentence; empty: it is possible.
+QString refusal(const Arrangement& how, const Session& session);
+
 } // namespace app

@@ -187,6 +187,16 @@ Variant explaining(const Session& session, std::size_t segment)
     return asked->a == exactVariant() ? asked->b : asked->a;
 }
 
+std::optional<std::size_t> lineOfOnlyObject(const Session& session)
+{
+    const ObjectRanges& selection = session.selection();
+    if (selection.size() != 1)
+        return std::nullopt;
+    const SceneLines& lines = session.scene.lines();
+    const std::size_t object = selection.first(), line = lines.firstLineOf(object);
+    return line < lines.firstLineOf(object + 1) ? std::optional(line) : std::nullopt;
+}
+
 Inspection inspect(const Session& session, std::size_t segment)
 {
     const clipping::Window window = session.window();

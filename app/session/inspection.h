@@ -36,12 +36,15 @@ struct Inspection {
     clipping::Trace trace{};                    ///< empty for a known misprint
 };
 Inspection inspect(const Session& session, std::size_t segment);
+/// The first line of the only selected object; empty: there is none, or there are several.
+std::optional<std::size_t> lineOfOnlyObject(const Session& session);
 /// The variant that is explained for a line: Inspection::variant.
 Variant explaining(const Session& session, std::size_t segment);
 
 /// "LB as published: visible, 71.7 %", "KWC as published: nothing visible".
 QString verdictText(const Inspection& inspection);
-/// "14 comparisons, 4 additions, 1 multiplication"; counts of 0 are left out; "nothing" if all are 0.
+/// "14 comparisons, 4 additions, 1 multiplication"; counts of 0 are left out; "nothing" if all are
+/// 0.
 QString costText(const clipping::OperationCounts& cost);
 /// A text for each step of the trace except its tests, and one for the end: the action, its values
 /// and the remaining part. Coordinates and lengths are in `unit`, as everywhere in the window. For

@@ -14,6 +14,7 @@
 #include "app/scene/scene.h"
 #include "app/session/entered_group.h"
 #include "app/session/node_editing.h"
+#include "app/session/pivot.h"
 #include "app/session/preview.h"
 #include "app/view/grid.h"
 #include "app/view/removed_part.h"
@@ -82,6 +83,7 @@ public:
     Course course{microscope};                    ///< the lesson in progress, if any
     NodeEditing nodes{*this};                     ///< of the selected objects
     EnteredGroup entered{*this};                  ///< the group that is being edited, if any
+    Pivot pivot{*this};                           ///< of the selection
     Pen pen;
     WindowPen windowPen;                ///< setWindowPen() changes it
     std::optional<std::size_t> guide{}; ///< the number of the chosen guide, which may be gone

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/grid.h"
 
+#include "app/document/direction.h"
 #include "clipping/algorithm.h"
 
 #include <QStringList>
@@ -18,9 +19,11 @@ constexpr double leastApart = 10; // pixels
 constexpr double mostMultiple = 1e15;
 constexpr int coarser = 5; // also: every fifth line is major
 constexpr std::size_t mostDots = 100'000;
-const QString shownWord = QStringLiteral("shown");
+const QString shownWord = QStringLiteral("shown"), downWord = QStringLiteral("down="),
+              angleWord = QStringLiteral("angle=");
+constexpr double mostDegrees = 360;
 const std::array patterns{QStringLiteral("square"), QStringLiteral("diagonal"),
-                          QStringLiteral("isometric")};
+                          QStringLiteral("isometric"), QStringLiteral("own")};
 const std::array marks{QStringLiteral("lines"), QStringLiteral("dots")};
 
 double cross(const Point& u, const Point& v) { return u.x * v.y - u.y * v.x; }
@@ -58,13 +61,27 @@ void addLines(const GridPoints& grid, const Point& along, const Point& across,
     }
 }
 
+/// A spacing in user units, coarser where its points would lie too close on the screen.
+double shownStep(double millimetres, const Page& page, double zoom)
+{
+    double step = millimetres / page.millimetresPerUnit();
+    if (!(step * zoom > 0 && std::isfinite(step)))
+        step = leastApart / zoom; // units of an absurd size
+    while (step * zoom < leastApart)
+        step *= coarser;
+    return step;
+}
+
 } // namespace
 
 QString Grid::text() const
 {
     QStringList words{shown ? shownWord : QStringLiteral("hidden"),
-                      QString::number(spacing, 'g', 17), patterns[std::size_t(pattern)],
-                      app::marks[std::size_t(marks)]};
+                      QString::number(spacing, 'g', 17),
+                      patterns[std::size_t(pattern)],
+                      app::marks[std::size_t(marks)],
+                      downWord + QString::number(down, 'g', 17),
+                      angleWord + QString::number(angle, 'g', 17)};
     return words.join(u' ');
 }
 
@@ -75,14 +92,19 @@ Grid Grid::fromText(const QString& text)
         const auto pattern = std::ranges::find(patterns, word);
         const auto mark = std::ranges::find(app::marks, word);
         bool isNumber = false;
-        const double number = word.toDouble(&isNumber);
+        const double number = word.section(u'=', -1).toDouble(&isNumber);
+        const bool isSpacing = isNumber && number >= least && number <= most;
         if (word == shownWord)
             grid.shown = true;
         else if (pattern != patterns.end())
             grid.pattern = Pattern(pattern - patterns.begin());
         else if (mark != app::marks.end())
             grid.marks = Marks(mark - app::marks.begin());
-        else if (isNumber && number >= least && number <= most)
+        else if (word.startsWith(downWord) && isSpacing)
+            grid.down = number;
+        else if (word.startsWith(angleWord) && isNumber && std::abs(number) <= mostDegrees)
+            grid.angle = number;
+        else if (isSpacing && !word.contains(u'='))
             grid.spacing = number;
     }
     return grid;
@@ -104,17 +126,16 @@ Point GridPoints::nearest(const Point& point) const
 
 GridPoints gridPoints(const Grid& grid, const Page& page, double zoom)
 {
-    double step = grid.spacing / page.millimetresPerUnit();
-    if (!(step * zoom > 0 && std::isfinite(step)))
-        step = leastApart / zoom; // units of an absurd size
-    while (step * zoom < leastApart)
-        step *= coarser;
+    const double step = shownStep(grid.spacing, page, zoom);
     const double half = step / 2, long_ = step * std::sqrt(0.75), diagonal = step * std::sqrt(0.5);
     switch (grid.pattern) {
     case Grid::Pattern::Diagonal:
         return {page.min, {diagonal, diagonal}, {diagonal, -diagonal}};
     case Grid::Pattern::Isometric:
         return {page.min, {long_, half}, {long_, -half}};
+    case Grid::Pattern::Own:
+        return {page.min, directionOf(grid.angle) * step,
+                directionOf(grid.angle - 90) * shownStep(grid.down, page, zoom)};
     case Grid::Pattern::Square:
         break;
     }

@@ -12,7 +12,8 @@ namespace app {
 
 /// The grid that is shown under the drawing. It starts at the top left corner of the paper.
 struct Grid {
-    enum class Pattern : std::uint8_t { Square, Diagonal, Isometric };
+    /// Own: `spacing` along lines at `angle`, `down` across them.
+    enum class Pattern : std::uint8_t { Square, Diagonal, Isometric, Own };
     enum class Marks : std::uint8_t { Lines, Dots };
 
     static constexpr double least = 1e-3, most = 1e6; ///< of the spacing, in millimetres
@@ -21,9 +22,11 @@ struct Grid {
     double spacing = 10; ///< between neighbouring points, in millimetres on paper
     Pattern pattern = Pattern::Square;
     Marks marks = Marks::Lines;
+    double down = 10; ///< Own: the other spacing, in millimetres on paper
+    double angle = 0; ///< Own: in degrees, counterclockwise from the right
     friend bool operator==(const Grid&, const Grid&) = default;
 
-    /// For settings: "shown 10 square lines".
+    /// For settings: "shown 10 square lines down=10 angle=0".
     QString text() const;
     /// Reads such a text; what it does not say is as usual.
     static Grid fromText(const QString& text);

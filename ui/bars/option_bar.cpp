@@ -3,6 +3,7 @@
 
 #include "app/drawing/dash_patterns.h"
 #include "ui/bars/grid_choice.h"
+#include "ui/bars/node_row.h"
 #include "ui/bars/snap_choice.h"
 #include "ui/bars/window_options.h"
 #include "ui/editing/keeping.h"
@@ -52,7 +53,7 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas)
       keep_(new Segments(tr("Keep"), {tr("Inside"), tr("Outside")})),
       removed_(new Segments(tr("Removed part"), {tr("Ghosted"), tr("Hidden"), tr("Shown")})),
       panes_(new Segments(tr("Panes"), {tr("1"), tr("2"), tr("4"), tr("All")})),
-      window_(new WindowOptions(session, canvas)), tiles_(new QToolButton),
+      window_(new WindowOptions(session, canvas)), nodes_(new NodeRow), tiles_(new QToolButton),
       export_(new QToolButton)
 {
     setObjectName(QStringLiteral("options"));
@@ -66,9 +67,6 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas)
     ofWindow_ << addWidget(window_);
     const auto focusCanvas = [&canvas] { canvas.setFocus(); };
     connect(dashes_, &ToolList::done, &canvas, focusCanvas);
-    addSeparator();
-    addWidget(snapping_);
-    addWidget(grid_);
     for (LengthField* field : {width_, &grid_->spacing()}) {
         connect(field, &LengthField::entered, &canvas, focusCanvas);
         connect(field, &LengthField::refused, this, &OptionBar::refused);
@@ -78,9 +76,14 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas)
     addClipping();
     addSeparator();
     addPanes(canvas);
+    instead_ = actions().mid(1); // after the separator behind undo and redo
+    nodesShown_ = addWidget(nodes_);
     auto* room = new QWidget;
     room->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     addWidget(room);
+    addWidget(snapping_);
+    addWidget(grid_);
+    addSeparator();
     tilesPlace_ = addWidget(tiles_);
     addExport();
     connect(&session, &app::Session::displayChanged, this, &OptionBar::followDisplay);
@@ -96,8 +99,12 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas)
 void OptionBar::showOptionsOf(std::string_view tool)
 {
     isWindow_ = tool == "window";
+    const bool nodes = tool == "nodes";
+    nodesShown_->setVisible(nodes);
+    for (QAction* action : instead_)
+        action->setVisible(!nodes);
     for (QAction* action : ofOthers_)
-        action->setVisible(!isWindow_);
+        action->setVisible(!isWindow_ && !nodes);
     for (QAction* action : ofWindow_)
         action->setVisible(isWindow_);
     fitInto(width());
@@ -204,6 +211,8 @@ void OptionBar::addPanes(Canvas& canvas)
     follow();
 }
 
+void OptionBar::addNodeStep(QAction& step) { nodes_->add(step); }
+
 void OptionBar::addSteps(QAction& undo, QAction& redo)
 {
     showKeyInTip(undo);
@@ -271,7 +280,8 @@ void OptionBar::arrange(int step)
     export_->setToolButtonStyle(step < 1 ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
     for (QAction* action : actions())
         if (captions_.contains(qobject_cast<QLabel*>(widgetForAction(action))))
-            action->setVisible(step < 3 && !(isWindow_ && ofOthers_.contains(action)));
+            action->setVisible(step < 3 && !nodesShown_->isVisible()
+                               && !(isWindow_ && ofOthers_.contains(action)));
     grid_->showSpacing(step < 4);
     snapping_->showKinds(step < 5);
 }

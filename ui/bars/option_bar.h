@@ -11,6 +11,7 @@ namespace ui {
 
 class GridChoice;
 class LengthField;
+class NodeRow;
 class Segments;
 class SnapChoice;
 class StylePopup;
@@ -18,9 +19,11 @@ class ToolList;
 class WindowOptions;
 
 /// The bar across the top: undo, redo, the stroke of selected or new objects, or the options of the
-/// tool Clip window in their place, snapping, the side that is kept and how the removed part is
-/// shown, panes, tiles, export. If it is narrow, it first drops the export button's text, then the
-/// button of the tiles, then captions, then the grid's spacing, then the list of kinds to snap to.
+/// tool Clip window in their place, the side that is kept and how the removed part is shown, panes;
+/// at the right snapping, grid, tiles and export. With the tool Nodes, the commands for nodes take
+/// the place of stroke, clipping and panes. If it is narrow, it first drops the export button's
+/// text, then the button of the tiles, then captions, then the grid's spacing, then the list of
+/// kinds to snap to.
 class OptionBar : public QToolBar {
     Q_OBJECT
 
@@ -29,6 +32,8 @@ public:
 
     /// Adds the buttons of these commands at the left.
     void addSteps(QAction& undo, QAction& redo);
+    /// Adds the button of a command for nodes.
+    void addNodeStep(QAction& step);
     /// Gives this command the button at the right.
     void setExport(QAction& exportCut);
     /// Gives this command a button left of it, shown while it is offered and there is room.
@@ -75,6 +80,9 @@ private:
     QList<QAction*> ofWindow_, ofOthers_;
     bool isWindow_ = false;
     QList<QLabel*> captions_;
+    NodeRow* nodes_;
+    QAction* nodesShown_;     ///< the place of the commands for nodes in the bar
+    QList<QAction*> instead_; ///< what they take the place of
     QToolButton *tiles_, *export_;
     QAction* tilesPlace_ = nullptr; ///< of the button
     bool tilesOffered_ = false;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/controller.h"
 
+#include "app/session/inspection.h"
+
 #include <QGuiApplication>
 #include <QPalette>
 
@@ -42,12 +44,30 @@ Controller::Controller(app::Session& session, QObject* parent)
         fitDrawing();
     });
     connect(&session.history, &app::History::indexChanged, this, &Controller::stepsChanged);
+    // Queued: the scene has followed the document then, and a click has inspected its own line.
+    for (const auto signal : {&app::Session::selectionChanged, &app::Session::inspectedChanged})
+        connect(&session, signal, this, &Controller::inspectOnly, Qt::QueuedConnection);
+    connect(this, &Controller::toolChanged, this, &Controller::inspectOnly);
     connect(&navigation_, &Navigation::moved, this, [this] {
         toolView_ = view();
         emit viewChanged();
         emit changed();
     });
     fitDrawing();
+}
+
+/// However an object was selected, it is shown as if it had been clicked.
+void Controller::inspectOnly()
+{
+    const bool isNew =
+        std::exchange(inspectedSelection_, session_.selection()) != session_.selection();
+    const auto inspected = session_.inspected(), line = app::lineOfOnlyObject(session_);
+    if (!line || !tool_->movesEnds())
+        return;
+    const app::SceneLines& lines = session_.scene.lines();
+    const bool other = inspected && lines.objectOf(*inspected) != session_.selection().first();
+    if (!inspected || (isNew && other))
+        session_.inspect(line);
 }
 
 void Controller::outdate()

@@ -164,6 +164,7 @@ signals:
 
 private:
     void addErrors(app::PictureOptions& options) const;
+    void inspectOnly();
     void outdate();
     void renew();
     void followDisplay();
@@ -234,6 +235,7 @@ private:
     bool onOffer_ = false;
     /// Runs while the object being drawn has points not yet reported by stepsChanged().
     QTimer growing_;
+    app::ObjectRanges inspectedSelection_; ///< the last one that inspectOnly() has seen
     std::uint64_t revision_ = 1;
 };
 

@@ -49,6 +49,8 @@ bool Controller::selectAt(const QPointF& screen)
 {
     endGesture();
     const Pointer pointer = pointerAt(screen, Qt::NoButton, Qt::NoModifier);
+    if (tool_->selectForMenu(pointer, bench_))
+        return true;
     const auto [segment, object] = pickedAt(pointer.raw, bench_);
     if (!object)
         return false;

@@ -18,6 +18,8 @@ namespace {
 
 using clipping::Segment;
 
+constexpr double cutMark = 7; // pixels to each side
+
 // A segment in screen coordinates, clipped to the visible range.
 std::optional<QLineF> lineOnScreen(const Controller& controller, const Segment& segment)
 {
@@ -50,20 +52,24 @@ void paintHovered(QPainter& painter, const Controller& controller)
     paintHoveredGroup(painter, controller, *hovered);
 }
 
-void paintEnd(QPainter& painter, const Controller& controller, const app::Point& end,
-              clipping::Edge cut)
+void paintHandle(QPainter& painter, const Controller& controller, const app::Point& end)
 {
-    const QPointF at = controller.bench().onScreen(end);
-    const QColor blue = controller.look().selection;
-    painter.setPen(QPen(blue, 1.5));
-    if (cut == clipping::Edge::None) {
-        painter.setBrush(controller.pageColour());
-        painter.drawEllipse(at, 4, 4);
-    } else {
-        painter.setBrush(blue);
-        painter.drawPolygon(QPolygonF{at + QPointF(0, -5), at + QPointF(5, 0), at + QPointF(0, 5),
-                                      at + QPointF(-5, 0)});
-    }
+    painter.setPen(QPen(controller.look().selection, 1.5));
+    painter.setBrush(controller.pageColour());
+    painter.drawEllipse(controller.bench().onScreen(end), 4, 4);
+}
+
+/// A stroke across the line where it is cut: unlike a handle, it cannot be dragged.
+void paintCut(QPainter& painter, const Controller& controller, const Segment& line,
+              const app::Point& cut)
+{
+    const QPointF at = controller.bench().onScreen(cut);
+    const QLineF along(controller.bench().onScreen(line.a), controller.bench().onScreen(line.b));
+    if (along.length() == 0)
+        return;
+    const QPointF aside = QPointF(-along.dy(), along.dx()) / along.length() * cutMark;
+    painter.setPen(QPen(controller.look().selection, 2, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLine(at - aside, at + aside);
 }
 
 /// What is left of a line without its visible part, if it has one.
@@ -120,14 +126,19 @@ void paintInspected(QPainter& painter, const Controller& controller, const Pane&
     const auto seen = visible ? lineOnScreen(controller, piece[0].segment) : std::nullopt;
     if (seen)
         paintFrame(painter, *seen, strokeWidth(controller, *session.inspected()), blue);
-    if (controller.tool().movesEnds() && lineWithHandles(session)) {
-        paintEnd(painter, controller, whole.a, clipping::Edge::None);
-        paintEnd(painter, controller, whole.b, clipping::Edge::None);
-    }
     if (visible && clipping::cutEdgeOfA(piece[0].cut) != clipping::Edge::None)
-        paintEnd(painter, controller, piece[0].segment.a, clipping::cutEdgeOfA(piece[0].cut));
+        paintCut(painter, controller, whole, piece[0].segment.a);
     if (visible && clipping::cutEdgeOfB(piece[0].cut) != clipping::Edge::None)
-        paintEnd(painter, controller, piece[0].segment.b, clipping::cutEdgeOfB(piece[0].cut));
+        paintCut(painter, controller, whole, piece[0].segment.b);
+}
+
+void paintEnds(QPainter& painter, const Controller& controller)
+{
+    const auto line = lineWithHandles(controller.session());
+    if (!line || !controller.tool().movesEnds())
+        return;
+    paintHandle(painter, controller, line->a);
+    paintHandle(painter, controller, line->b);
 }
 
 // A box around many selected objects, which are not outlined one by one; for every tool.
@@ -176,6 +187,7 @@ void paintOverlay(QPainter& painter, const Controller& controller, const Pane& p
     paintSelectionBounds(painter, controller);
     paintHovered(painter, controller);
     paintInspected(painter, controller, pane);
+    paintEnds(painter, controller);
     if (controller.session().display().overlay)
         paintWhatIsSeen(painter, controller, pane);
     painter.save();

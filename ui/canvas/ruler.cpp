@@ -5,10 +5,9 @@
 #include "app/base/numbers.h"
 #include "app/view/place.h"
 #include "app/view/ruler.h"
-#include "ui/widgets/unit_box.h"
+#include "ui/widgets/unit_button.h"
 
 #include <QMenu>
-
 #include <QMouseEvent>
 
 #include <cmath>
@@ -145,18 +144,7 @@ RulerCorner::RulerCorner(const Controller& controller, QWidget* parent)
 
 void RulerCorner::mousePressEvent(QMouseEvent*)
 {
-    app::Session& session = controller_.session();
-    auto* menu = new QMenu(this);
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    for (const app::Unit unit : shownUnits()) {
-        auto* action =
-            menu->addAction(app::latin(app::infoOf(unit).suffix), &session, [&session, unit] {
-                session.changeDisplay([unit](app::Display& display) { display.unit = unit; });
-            });
-        action->setCheckable(true);
-        action->setChecked(unit == session.display().unit);
-    }
-    menu->popup(mapToGlobal(rect().bottomLeft()));
+    openUnits(controller_.session(), *this, mapToGlobal(rect().bottomLeft()));
 }
 
 void RulerCorner::paintEvent(QPaintEvent*)

@@ -4,7 +4,6 @@
 #include "app/base/numbers.h"
 #include "app/drawing/typed_entry.h"
 #include "app/session/arrange_selection.h"
-#include "app/view/handles.h"
 #include "app/view/place.h"
 #include "ui/look/look.h"
 #include "ui/widgets/length_field.h"
@@ -37,7 +36,7 @@ RepeatDialog::RepeatDialog(app::Session& session, QWidget* parent)
       pages_(new QStackedWidget), rows_(makeCount(tr("Rows"), 1, 2)),
       columns_(makeCount(tr("Columns"), 1, 3)), count_(makeCount(tr("Number"), 2, 6)),
       result_(new QLabel), gap_(usualGap / session.now().page().millimetresPerUnit()),
-      centre_(app::placeOf(app::Handle{}, box_))
+      centre_(session.pivot.at())
 {
     setWindowTitle(tr("Repeat selection"));
     setObjectName(QStringLiteral("repeat-dialog"));

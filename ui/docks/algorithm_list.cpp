@@ -9,7 +9,6 @@
 #include "ui/widgets/keep_choice.h"
 
 #include <QContextMenuEvent>
-#include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
 
@@ -182,14 +181,10 @@ void AlgorithmList::contextMenuEvent(QContextMenuEvent* event)
         event->reason() == QContextMenuEvent::Keyboard ? currentIndex() : indexAt(event->pos());
     if (!index.isValid())
         return;
-    auto* menu = new QMenu(this);
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    const auto& algorithm = clipping::algorithms()[std::size_t(index.row())];
-    menu->addAction(tr("&About %1").arg(app::latin(algorithm.name)), this,
-                    [this, &algorithm] { emit aboutWanted(algorithm); });
-    menu->popup(event->reason() == QContextMenuEvent::Keyboard
-                    ? viewport()->mapToGlobal(visualRect(index).center())
-                    : event->globalPos());
+    emit menuWanted(clipping::algorithms()[std::size_t(index.row())],
+                    event->reason() == QContextMenuEvent::Keyboard
+                        ? viewport()->mapToGlobal(visualRect(index).center())
+                        : event->globalPos());
 }
 
 void AlgorithmList::currentChanged(const QModelIndex& current, const QModelIndex& previous)

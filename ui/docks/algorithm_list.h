@@ -42,6 +42,8 @@ public:
 
 signals:
     void aboutWanted(const clipping::Algorithm& algorithm); ///< asks for its page
+    /// The right button or the key for menus was pressed; `place` is on the screen.
+    void menuWanted(const clipping::Algorithm& algorithm, const QPoint& place);
 
 protected:
     void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;

@@ -58,6 +58,7 @@ AlgorithmPanel::AlgorithmPanel(app::Session& session, QWidget* parent)
     column->setSpacing(4);
     auto* list = new AlgorithmList(session);
     connect(list, &AlgorithmList::aboutWanted, this, &AlgorithmPanel::aboutWanted);
+    connect(list, &AlgorithmList::menuWanted, this, &AlgorithmPanel::menuWanted);
     column->addWidget(list);
     column->addWidget(instead_);
     column->addLayout(form);

@@ -30,6 +30,7 @@ signals:
     void titled(const QString& title);
     void remarked(const QString& remark); ///< the window in hand: "for Star: concave, 10 edges"
     void aboutWanted(const clipping::Algorithm& algorithm); ///< asks for its page
+    void menuWanted(const clipping::Algorithm& algorithm, const QPoint& place); ///< of a row
 
 protected:
     void showEvent(QShowEvent* event) override;

@@ -95,7 +95,7 @@ void ComparePanel::showRace()
     groups_->setToolTip(timed ? app::groupsText(rows) : QString());
     fitGroups();
     field_->setText(app::fieldText(race_.lines()));
-    field_->setToolTip(app::batchText(race_.variants()));
+    field_->setToolTip(timed ? app::batchText(race_.variants()) : app::tooFewText(race_.lines()));
     state_->setText(!timed ? QString() : race_.settled() ? tr("settled") : tr("measuring…"));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/line_panel.h"
 
+#include "app/base/latin.h"
 #include "app/base/numbers.h"
 #include "app/view/place.h"
 #include "ui/look/look.h"
@@ -141,8 +142,12 @@ void LinePanel::showLine(const app::Inspection& line)
         put(row, RegionColumn, tr("%1 (%2)").arg(region.words(), region.outcode()));
         put(row, AfterColumn, !after ? tr("gone") : *after == p ? tr("kept") : tr("cut"));
     };
-    put(Header, XColumn, tr("x"), Qt::AlignRight);
-    put(Header, YColumn, tr("y"), Qt::AlignRight);
+    const QString suffix = app::latin(app::infoOf(unit).suffix);
+    const auto inUnit = [&](const QString& name) {
+        return suffix.isEmpty() ? name : tr("%1 (%2)").arg(name, suffix);
+    };
+    put(Header, XColumn, inUnit(tr("x")), Qt::AlignRight);
+    put(Header, YColumn, inUnit(tr("y")), Qt::AlignRight);
     put(Header, RegionColumn, tr("region"));
     put(Header, AfterColumn, tr("result"));
     end(From, tr("End 1"), line.segment.a, line.from, line.visible ? &line.visible->a : nullptr);

@@ -5,6 +5,7 @@
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/quiet_label.h"
 #include "ui/widgets/segments.h"
+#include "ui/widgets/unit_button.h"
 
 #include <QGridLayout>
 
@@ -13,7 +14,7 @@
 namespace ui {
 namespace {
 
-constexpr int betweenRows = 4;
+constexpr int betweenRows = 4, leastFieldWidth = 56;
 constexpr int typeRow = 3;
 constexpr std::array<std::string_view, 3> typeSteps{"corner-nodes", "smooth-nodes",
                                                     "symmetric-nodes"}; // as app::NodeType
@@ -25,10 +26,11 @@ NodeFields::NodeFields(app::Session& session, QWidget* parent)
       type_(new Segments(tr("Type of node"), {tr("Corner"), tr("Smooth"), tr("Symmetric")}))
 {
     auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setContentsMargins(space::dockMargin, space::labelToField, space::dockMargin,
+                             space::labelToField);
     grid->setHorizontalSpacing(space::labelToField);
     grid->setVerticalSpacing(betweenRows);
-    const std::array rows{tr("Node"), tr("In"), tr("Out"), tr("Type")};
+    const std::array rows{tr("Node"), tr("In"), tr("Out")};
     for (int row = 0; row < int(rows.size()); ++row)
         grid->addWidget(quietLabel(rows[std::size_t(row)]), row, 0);
     for (const app::NodeNumber& number : app::nodeNumbers()) {
@@ -39,7 +41,13 @@ NodeFields::NodeFields(app::Session& session, QWidget* parent)
         grid->addWidget(label, row, column);
         grid->addWidget(fields_.back(), row, column + 1);
     }
-    grid->addWidget(type_, typeRow, 1, 1, 4, Qt::AlignLeft);
+    auto* types = new QHBoxLayout;
+    types->setSpacing(space::labelToField);
+    types->addWidget(quietLabel(tr("Type")));
+    types->addWidget(type_);
+    types->addStretch();
+    grid->addLayout(types, typeRow, 0, 1, 6);
+    grid->addWidget(new UnitButton(session), 0, 5);
     grid->setColumnStretch(2, 1);
     grid->setColumnStretch(4, 1);
     grid->setRowStretch(typeRow + 1, 1);
@@ -48,14 +56,15 @@ NodeFields::NodeFields(app::Session& session, QWidget* parent)
 
 LengthField* NodeFields::makeField(const app::NodeNumber& number)
 {
-    const auto range = number.quantity == app::Quantity::Length ? LengthField::Range::NotNegative
-                                                                : LengthField::Range::Any;
-    auto* field = new LengthField(number.name, range, LengthField::Suffix::Unit);
-    connect(field, &LengthField::edited, this,
-            [this, &number](double value, app::Merging merging) {
-                app::setNodeNumber(session_, number, value, merging);
-                follow(); // a refused number disappears
-            });
+    const bool isAngle = number.quantity == app::Quantity::Angle;
+    auto* field =
+        new LengthField(number.name, LengthField::Range::Any,
+                        isAngle ? LengthField::Suffix::Degrees : LengthField::Suffix::None);
+    field->setMinimumWidth(leastFieldWidth);
+    connect(field, &LengthField::edited, this, [this, &number](double value, app::Merging merging) {
+        app::setNodeNumber(session_, number, value, merging);
+        follow(); // a refused number disappears
+    });
     connect(field, &LengthField::entered, this, &NodeFields::entered);
     connect(field, &LengthField::refused, this, &NodeFields::refused);
     connect(field, &LengthField::taken, this, &NodeFields::taken);

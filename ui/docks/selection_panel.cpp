@@ -2,24 +2,55 @@
 #include "ui/docks/selection_panel.h"
 
 #include "app/base/numbers.h"
+#include "app/session/arrange_selection.h"
 #include "app/session/arrangements.h"
 #include "app/session/units.h"
+#include "ui/docks/node_fields.h"
 #include "ui/look/look.h"
 #include "ui/widgets/icon_button.h"
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/reference_point.h"
+#include "ui/widgets/tool_list.h"
+#include "ui/widgets/unit_button.h"
 
 #include <QGridLayout>
 
 namespace ui {
 namespace {
 
-constexpr int leastFieldWidth = 72, betweenRows = 4, buttonsInRow = 6;
+constexpr int leastFieldWidth = 64, leastListWidth = 52, betweenRows = 4, buttonsInRow = 6;
+
+/// A check box with the longest of several texts for which there is room.
+class ShortenedBox : public QCheckBox {
+public:
+    explicit ShortenedBox(const QStringList& texts) : texts_(texts)
+    {
+        setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+        setAccessibleName(texts.first());
+    }
+    QSize minimumSizeHint() const override { return {0, QCheckBox::minimumSizeHint().height()}; }
+
+protected:
+    void resizeEvent(QResizeEvent* event) override
+    {
+        QCheckBox::resizeEvent(event);
+        for (const QString& text : texts_) {
+            setText(text);
+            if (sizeHint().width() <= width())
+                break;
+        }
+    }
+
+private:
+    QStringList texts_;
+};
 
 /// "3 objects", "group of 3 objects"
 QString remarkOn(const app::Session& session)
 {
     const auto tr = [](const char* text) { return SelectionPanel::tr(text); };
+    if (session.nodes.someSelected())
+        return app::nodesText(session);
     const app::ObjectRanges& selection = session.selection();
     if (selection.empty())
         return tr("nothing selected");
@@ -35,14 +66,13 @@ QString remarkOn(const app::Session& session)
 } // namespace
 
 SelectionPanel::SelectionPanel(app::Session& session, QWidget* parent)
-    : QWidget(parent), session_(session), reference_(new ReferencePoint), chain_(ratioButton())
+    : QWidget(parent), session_(session), reference_(new ReferencePoint), chain_(ratioButton()),
+      target_(new ToolList), strokes_(new ShortenedBox({tr("Scale strokes"), tr("Strokes")})),
+      nodes_(new NodeFields(session)), pages_(new QStackedLayout(this))
 {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(space::dockMargin, space::labelToField, space::dockMargin,
-                               space::labelToField);
-    column->setSpacing(betweenRows);
-    column->addLayout(makeNumbers());
-    column->addLayout(makeButtons());
+    makeOptions();
+    pages_->addWidget(makeObjects());
+    pages_->addWidget(nodes_);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     soon_.setSingleShot(true);
     connect(&soon_, &QTimer::timeout, this, &SelectionPanel::follow);
@@ -51,10 +81,45 @@ SelectionPanel::SelectionPanel(app::Session& session, QWidget* parent)
             soon_.start(0);
     };
     connect(&session, &app::Session::selectionChanged, this, follow);
+    connect(&session.nodes, &app::NodeEditing::changed, this, follow);
     connect(&session, &app::Session::displayChanged, this, follow);
     connect(&session.document, &app::EditedDocument::changed, this, follow);
     connect(reference_, &ReferencePoint::changed, this, follow);
+    connect(nodes_, &NodeFields::entered, this, &SelectionPanel::entered);
+    connect(nodes_, &NodeFields::refused, this, &SelectionPanel::refused);
+    connect(nodes_, &NodeFields::taken, this, &SelectionPanel::taken);
     this->follow();
+}
+
+QWidget* SelectionPanel::makeObjects()
+{
+    auto* objects = new QWidget;
+    auto* column = new QVBoxLayout(objects);
+    column->setContentsMargins(space::dockMargin, space::labelToField, space::dockMargin,
+                               space::labelToField);
+    column->setSpacing(betweenRows);
+    column->addLayout(makeNumbers());
+    column->addLayout(makeButtons());
+    return objects;
+}
+
+void SelectionPanel::makeOptions()
+{
+    for (const app::AlignmentTarget& target : app::alignmentTargets())
+        target_->addItem(target.listed);
+    target_->setFixedHeight(space::fieldHeight);
+    target_->setMinimumWidth(leastListWidth);
+    target_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    target_->setAccessibleName(tr("Align and spread"));
+    connect(target_, &QComboBox::activated, this, [this](int index) {
+        app::alignTo(session_, app::alignmentTargets()[std::size_t(index)]);
+    });
+    connect(target_, &ToolList::done, this, &SelectionPanel::entered);
+    strokes_->setToolTip(tr("Widths and dashes of strokes are scaled with the objects"));
+    strokes_->setFocusPolicy(Qt::TabFocus);
+    connect(strokes_, &QCheckBox::clicked, this, [this](bool on) {
+        app::scaleStrokes(session_, on ? app::StrokeScaling::Scale : app::StrokeScaling::Keep);
+    });
 }
 
 QLayout* SelectionPanel::makeNumbers()
@@ -65,8 +130,11 @@ QLayout* SelectionPanel::makeNumbers()
     grid->setVerticalSpacing(betweenRows);
     for (const app::SelectionNumber& number : app::selectionNumbers()) {
         const bool isLength = number.quantity == app::Quantity::Length;
-        auto* field = new LengthField(number.name, isLength ? Range::NotNegative : Range::Any,
-                                      LengthField::Suffix::None);
+        const bool isAngle = number.quantity == app::Quantity::Angle;
+        auto* field =
+            new LengthField(number.name, isLength ? Range::NotNegative : Range::Any,
+                            isAngle ? LengthField::Suffix::Degrees : LengthField::Suffix::None);
+        field->setAlignment(Qt::AlignRight);
         field->setToolTip(number.name);
         field->setMinimumWidth(leastFieldWidth);
         auto* label = new QLabel(number.label);
@@ -87,8 +155,12 @@ QLayout* SelectionPanel::makeNumbers()
         needSelection_.insert(needSelection_.end(), {label, field});
     }
     needSelection_.insert(needSelection_.end(), {reference_, chain_});
+    auto* below = new QHBoxLayout;
+    below->setSpacing(0);
+    below->addWidget(chain_);
+    below->addWidget(new UnitButton(session_));
     grid->addWidget(reference_, 0, 4, 2, 1, Qt::AlignCenter);
-    grid->addWidget(chain_, 2, 4, Qt::AlignCenter);
+    grid->addLayout(below, 2, 4, Qt::AlignCenter);
     grid->setColumnStretch(1, 1);
     grid->setColumnStretch(3, 1);
     return grid;
@@ -100,8 +172,7 @@ QToolButton* SelectionPanel::makeButton(const app::Arrangement& how)
     button->setIcon(icon(how.key));
     button->setAutoRaise(true);
     button->setFixedSize(space::fieldHeight, space::fieldHeight);
-    button->setToolTip(how.shortcut.isEmpty() ? how.name : how.name + " (" + how.shortcut + ")");
-    button->setAccessibleName(button->toolTip());
+    button->setAccessibleName(how.name);
     connect(button, &QToolButton::clicked, this, [this, &how] { how.run(session_); });
     return button;
 }
@@ -113,10 +184,13 @@ QLayout* SelectionPanel::makeButtons()
     for (const app::Arrangement& how : app::arrangements())
         if (how.button) {
             const int i = int(buttons_.size());
-            buttons_.push_back({makeButton(how), how.least});
+            buttons_.push_back({makeButton(how), &how});
             grid->addWidget(buttons_.back().first, i / buttonsInRow, i % buttonsInRow);
         }
-    grid->setColumnStretch(buttonsInRow, 1);
+    grid->setColumnMinimumWidth(buttonsInRow, 2);
+    grid->addWidget(target_, 0, buttonsInRow + 1);
+    grid->addWidget(strokes_, 1, buttonsInRow + 1);
+    grid->setColumnStretch(buttonsInRow + 1, 1);
     return grid;
 }
 
@@ -133,11 +207,33 @@ void SelectionPanel::showEvent(QShowEvent* event)
 
 void SelectionPanel::follow()
 {
-    const app::ObjectRanges& selection = session_.selection();
+    const bool nodes = session_.nodes.someSelected();
+    pages_->setCurrentIndex(nodes ? 1 : 0);
+    nodes ? nodes_->follow() : followObjects();
+    emit titled(remarkOn(session_));
+}
+
+/// The tooltip of a disabled button says why.
+void SelectionPanel::followArranging()
+{
+    for (const auto& [button, how] : buttons_) {
+        const QString why = app::refusal(*how, session_);
+        const QString name =
+            how->shortcut.isEmpty() ? how->name : how->name + " (" + how->shortcut + ")";
+        button->setEnabled(why.isEmpty());
+        button->setToolTip(why.isEmpty() ? name : name + u'\n' + why);
+    }
+    const app::AlignmentTarget& target = app::alignmentTarget(session_);
+    target_->setCurrentIndex(int(&target - app::alignmentTargets().data()));
+    target_->setToolTip(tr("Align and spread %1").arg(target.listed));
+    strokes_->setChecked(session_.arrange.strokes == app::StrokeScaling::Scale);
+}
+
+void SelectionPanel::followObjects()
+{
     for (QWidget* widget : needSelection_)
-        widget->setEnabled(!selection.empty());
-    for (const auto& [button, least] : buttons_)
-        button->setEnabled(selection.size() >= least);
+        widget->setEnabled(!session_.selection().empty());
+    followArranging();
     const double size = session_.now().page().millimetresPerUnit();
     const auto numbers = app::selectionNumbers();
     for (std::size_t i = 0; i < fields_.size(); ++i) {
@@ -148,7 +244,6 @@ void SelectionPanel::follow()
         if (!value)
             fields_[i]->showNothing();
     }
-    emit titled(remarkOn(session_));
 }
 
 void SelectionPanel::edit(const app::SelectionNumber& number, double value, app::Merging merging)

@@ -15,7 +15,8 @@ namespace ui {
 namespace {
 
 constexpr double lineHeight = 140; // per cent
-constexpr int paragraphGap = 9, headingGap = 20, codeIndent = 10, cellPadding = 5, listIndent = 24;
+constexpr int paragraphGap = 9, headingGap = 20, codeIndent = 10, hangingIndent = 28,
+              cellPadding = 5, listIndent = 24;
 
 bool isCode(const QTextBlock& block)
 {
@@ -29,11 +30,12 @@ void styleBlock(const QTextBlock& block, const Look& look)
     const bool inList = block.textList();
     if (isCode(block)) {
         format.setBackground(look.panel);
-        format.setLeftMargin(codeIndent);
+        format.setLeftMargin(codeIndent + hangingIndent); // a long line goes on further right
+        format.setTextIndent(-hangingIndent);
         format.setRightMargin(codeIndent);
         format.setTopMargin(isCode(block.previous()) ? 0 : paragraphGap);
         format.setBottomMargin(isCode(block.next()) ? 0 : paragraphGap);
-        format.setNonBreakableLines(true);
+        format.setNonBreakableLines(false);
         // Higher lines would leave gaps in the background.
         format.setLineHeight(0, QTextBlockFormat::SingleHeight);
     } else {

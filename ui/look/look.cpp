@@ -32,7 +32,7 @@ const Look light{.dark = false,
                  .guideGround = 0xDDF1EF,
                  .grid = 0xEDEFF2,
                  .gridMajor = 0xDDE1E6,
-                 .ghost = 0.32};
+                 .ghost = 0.4}; // a thin black line between two pixels has 1.6:1 on the paper
 
 const Look dark{.dark = true,
                 .window = 0x26282C,
@@ -59,7 +59,7 @@ const Look dark{.dark = true,
                 .guideGround = 0x1F3B3A,
                 .grid = 0x26282C,
                 .gridMajor = 0x303338,
-                .ghost = 0.34};
+                .ghost = 0.42};
 
 } // namespace
 

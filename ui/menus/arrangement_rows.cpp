@@ -4,26 +4,11 @@
 #include "ui/menus/object_rows.h"
 #include "ui/window/main_window.h"
 
-#include <QCoreApplication>
-
-#include <array>
-
 namespace ui {
 
 namespace {
 
 using Kind = app::Arrangement::Kind;
-
-QString tr(const char* text) { return QCoreApplication::translate("ObjectMenu", text); }
-
-/// Why it cannot run; in the order of the least number of objects, from 1.
-QString needsOf(const app::Arrangement& how)
-{
-    const std::array needs{tr("Nothing is selected. Select an object first."),
-                           tr("Select several objects first."),
-                           tr("Select at least three objects first: the outer two stay.")};
-    return needs.at(how.least - 1);
-}
 
 ActionInfo arrange(const app::Arrangement& how)
 {
@@ -31,10 +16,8 @@ ActionInfo arrange(const app::Arrangement& how)
         .key = how.key,
         .text = how.text,
         .run = [&how](MainWindow& w) { how.run(w.session()); },
-        .enabled =
-            [&how](const MainWindow& w) { return w.session().selection().size() >= how.least; },
-        .needs = needsOf(how),
         .submenu = how.submenu,
+        .refusal = [&how](const MainWindow& w) { return app::refusal(how, w.session()); },
     };
     if (!how.shortcut.isEmpty()) {
         row.keys = {QKeySequence(how.shortcut)};
@@ -48,7 +31,7 @@ ActionInfo alignTo(const app::AlignmentTarget& target, const QString& submenu)
     return {
         .key = target.key,
         .text = target.name,
-        .run = [&target](MainWindow& w) { w.session().arrange.alignTo = target.key; },
+        .run = [&target](MainWindow& w) { app::alignTo(w.session(), target); },
         .checked =
             [&target](const MainWindow& w) { return w.session().arrange.alignTo == target.key; },
         .group = "align-to",

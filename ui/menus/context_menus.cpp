@@ -3,6 +3,8 @@
 
 #include "app/base/latin.h"
 #include "ui/canvas/ruler.h"
+#include "ui/docks/algorithm_panel.h"
+#include "ui/menus/algorithm_menu.h"
 #include "ui/widgets/unit_box.h"
 #include "ui/window/main_window.h"
 
@@ -14,7 +16,7 @@ namespace ui {
 namespace {
 
 // THE CATALOGUES. To add a command to a menu: add its key.
-constexpr std::array<std::string_view, 19> onObject{"enter-group",
+constexpr std::array<std::string_view, 23> onObject{"enter-group",
                                                     "leave-group",
                                                     "group",
                                                     "ungroup",
@@ -25,6 +27,10 @@ constexpr std::array<std::string_view, 19> onObject{"enter-group",
                                                     "duplicate",
                                                     "delete",
                                                     "",
+                                                    "copy-style",
+                                                    "paste-style",
+                                                    "style",
+                                                    "",
                                                     ">to-front",
                                                     "move-to-layer",
                                                     ">same-colour",
@@ -33,6 +39,27 @@ constexpr std::array<std::string_view, 19> onObject{"enter-group",
                                                     "fit-selection",
                                                     "find",
                                                     "microscope"};
+/// While nodes are shown.
+constexpr std::array<std::string_view, 20> onNodes{"corner-nodes",
+                                                   "smooth-nodes",
+                                                   "symmetric-nodes",
+                                                   "",
+                                                   "straighten-segments",
+                                                   "curve-segments",
+                                                   "",
+                                                   "add-nodes",
+                                                   "delete-nodes",
+                                                   "split-path",
+                                                   "join-ends",
+                                                   "close-path",
+                                                   "open-path",
+                                                   "reverse-path",
+                                                   "",
+                                                   "convert-to-path",
+                                                   "select-all",
+                                                   "",
+                                                   "fit-selection",
+                                                   "microscope"};
 constexpr std::array<std::string_view, 14> onNothing{
     "paste",    "paste-in-place", "", "leave-group", "select-all", "select-layer",
     "deselect", "find",           "", "fit-drawing", "snap",       "grid",
@@ -43,7 +70,7 @@ std::vector<std::string> onRuler()
     std::vector<std::string> keys;
     for (const app::Unit unit : shownUnits())
         keys.push_back("unit-" + std::string(app::infoOf(unit).suffix));
-    for (const char* const other : {"", "snap", "grid"})
+    for (const char* const other : {"", "guides", "remove-guides", "", "snap", "grid"})
         keys.emplace_back(other);
     return keys;
 }
@@ -104,9 +131,15 @@ void addContextMenus(MainWindow& window)
     QObject::connect(&canvas, &QWidget::customContextMenuRequested, &window,
                      [&window, &canvas](const QPoint& at) {
                          const bool object = canvas.selectAt(at);
-                         const auto keys = object ? std::span<const std::string_view>(onObject)
-                                                  : std::span<const std::string_view>(onNothing);
+                         const bool nodes = object && window.session().nodes.shown();
+                         const auto keys = nodes    ? std::span<const std::string_view>(onNodes)
+                                           : object ? std::span<const std::string_view>(onObject)
+                                                    : std::span<const std::string_view>(onNothing);
                          showAt(contextMenu(window, keys), canvas.mapToGlobal(at));
+                     });
+    QObject::connect(&window.algorithmPanel(), &AlgorithmPanel::menuWanted, &window,
+                     [&window](const clipping::Algorithm& algorithm, const QPoint& place) {
+                         showAt(algorithmMenu(window, algorithm), place);
                      });
     for (auto* ruler : canvas.findChildren<Ruler*>()) {
         ruler->setContextMenuPolicy(Qt::CustomContextMenu);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/drawing/transformation.h"
+#include "app/session/arrange_selection.h"
 #include "ui/dialogs/repeat_dialog.h"
 #include "ui/menus/needs.h"
 #include "ui/menus/object_rows.h"
@@ -55,9 +56,8 @@ ActionInfo scaleStrokes()
         .text = tr("Scale stroke &widths too"),
         .run =
             [](MainWindow& w) {
-                StrokeScaling& strokes = w.session().arrange.strokes;
-                strokes =
-                    strokes == StrokeScaling::Keep ? StrokeScaling::Scale : StrokeScaling::Keep;
+                const bool on = w.session().arrange.strokes == StrokeScaling::Scale;
+                app::scaleStrokes(w.session(), on ? StrokeScaling::Keep : StrokeScaling::Scale);
             },
         .checked =
             [](const MainWindow& w) { return w.session().arrange.strokes == StrokeScaling::Scale; },

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/nodes/node_steps.h"
 #include "app/session/convert_selection.h"
+#include "ui/bars/option_bar.h"
 #include "ui/menus/object_rows.h"
 #include "ui/window/main_window.h"
 
@@ -29,6 +30,7 @@ ActionInfo nodeStep(std::size_t number, const QKeySequence& shortcut)
         .key = step.key,
         .text = step.name,
         .scope = ShortcutScope::Canvas,
+        .icon = step.key,
         .run =
             [&step](MainWindow& w) {
                 w.canvas().endGesture();
@@ -36,6 +38,7 @@ ActionInfo nodeStep(std::size_t number, const QKeySequence& shortcut)
             },
         .submenu = tr("&Path"),
         .refusal = [&step](const MainWindow& w) { return w.session().nodes.refusal(step); },
+        .made = [](MainWindow& w, QAction& action) { w.optionBar().addNodeStep(action); },
     };
     if (!shortcut.isEmpty())
         row.keys = {shortcut};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/set_guides.h"
+#include "ui/dialogs/grid_dialog.h"
 #include "ui/menus/actions.h"
 #include "ui/microscope/microscope_page.h"
 #include "ui/microscope/microscope_view.h"
@@ -90,6 +91,21 @@ ActionInfo patternRow(std::string_view key, const QString& text)
             [](const MainWindow& w) { return w.session().display().grid.pattern == pattern; },
         .group = "grid-pattern",
         .submenu = tr("Gri&d looks")};
+}
+
+ActionInfo ownGridRow()
+{
+    ActionInfo row = patternRow<app::Grid::Pattern::Own>("grid-own", tr("Own an&gle and spacing…"));
+    row.run = [](MainWindow& w) {
+        changeGrid(w, [](app::Grid& grid) {
+            grid.pattern = app::Grid::Pattern::Own;
+            grid.shown = true;
+        });
+        auto* dialog = new GridDialog(w.session(), &w);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        dialog->show();
+    };
+    return row;
 }
 
 std::vector<ActionInfo> workspaceRows()
@@ -223,6 +239,7 @@ MenuInfo viewMenu()
                 patternRow<app::Grid::Pattern::Square>("grid-square", tr("&Square")),
                 patternRow<app::Grid::Pattern::Diagonal>("grid-diagonal", tr("Di&agonal, 45°")),
                 patternRow<app::Grid::Pattern::Isometric>("grid-isometric", tr("&Isometric, 30°")),
+                ownGridRow(),
                 {},
                 {
                     .key = "as-printed",

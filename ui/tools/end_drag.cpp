@@ -15,14 +15,24 @@ namespace ui {
 
 constexpr double endReach = 8; // pixels
 
+/// The object that would show its ends; empty: there is none, or there are several.
+static std::optional<std::size_t> objectWithHandles(const app::Session& session)
+{
+    if (session.selection().size() == 1)
+        return session.selection().first();
+    if (!session.selection().empty() || !session.inspected())
+        return std::nullopt;
+    return session.scene.lines().objectOf(*session.inspected());
+}
+
 std::optional<clipping::Segment> lineWithHandles(const app::Session& session)
 {
-    if (!session.inspected() || session.selection().size() > 1)
+    const auto object = objectWithHandles(session);
+    if (!object)
         return std::nullopt;
-    const std::size_t object = session.scene.lines().objectOf(*session.inspected());
-    const auto line = session.now().objects()[object].singleLine();
+    const auto line = session.now().objects()[*object].singleLine();
     const bool isPoint = line && line->a == line->b;
-    return line && !isPoint && session.now().editable(object) ? line : std::nullopt;
+    return line && !isPoint && session.now().editable(*object) ? line : std::nullopt;
 }
 
 std::optional<EndDrag::End> EndDrag::endAt(const app::Point& screen, const Workbench& bench)
@@ -42,8 +52,7 @@ void EndDrag::start(End end, const Pointer& pointer, Workbench& bench)
     last_.forget();
     const app::Session& session = bench.session;
     if (const auto line = lineWithHandles(session))
-        now_ = State{*line, *session.inspected(),
-                     session.scene.lines().objectOf(*session.inspected()), end, pointer.screen};
+        now_ = State{*line, session.inspected(), *objectWithHandles(session), end, pointer.screen};
 }
 
 std::optional<std::size_t> EndDrag::object() const
@@ -109,7 +118,7 @@ void EndDrag::accept(const app::Point& point, Workbench& bench)
     const std::array changed{app::ChangedPath{state.object, app::Path(line)}};
     session.history.push(new app::ChangePaths(
         session.document, changed, QCoreApplication::translate("Commands", "Move end of line")));
-    session.inspect(state.number);
+    session.inspect(state.inspected);
     cancel(bench);
     last_.remember(bench);
     done_ = state;

@@ -5,12 +5,12 @@
 
 namespace ui {
 
-/// The inspected line, if its ends are handles: the whole object is this line, and it may be
-/// edited.
+/// The line whose ends are handles: the only selected object or, with nothing selected, the
+/// inspected line; if the whole object is this line, and it may be edited.
 std::optional<clipping::Segment> lineWithHandles(const app::Session& session);
 
-/// Dragging an end of the inspected line; with Alt its middle stays. Typed numbers hold, and change
-/// what was just done.
+/// Dragging an end of that line; with Alt its middle stays. Typed numbers hold, and change what was
+/// just done.
 class EndDrag {
 public:
     enum class End : std::uint8_t { A, B };
@@ -33,9 +33,9 @@ public:
 
 private:
     struct State {
-        clipping::Segment line; ///< as it was at the start
-        std::size_t number;     ///< of it in the scene,
-        std::size_t object;     ///< and of its object
+        clipping::Segment line;               ///< as it was at the start
+        std::optional<std::size_t> inspected; ///< the line of the scene that was inspected
+        std::size_t object;                   ///< whose line it is
         End end;
         app::Point pressed; ///< on the screen
         bool moved = false;

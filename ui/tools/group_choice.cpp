@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/group_choice.h"
 
+#include "ui/tools/shape_drawing.h"
+
 #include <QCoreApplication>
 
 namespace ui {
@@ -49,6 +51,18 @@ bool enterGroupAt(app::Session& session, std::size_t object)
         return false;
     session.entered.enter(group);
     session.select(app::unitAt(session, object));
+    return true;
+}
+
+bool openAt(std::size_t object, Workbench& bench)
+{
+    if (enterGroupAt(bench.session, object))
+        return true;
+    if (!isText(bench.session, object))
+        return false;
+    bench.session.select({object});
+    bench.nextObject = object;
+    bench.nextTool = "text";
     return true;
 }
 

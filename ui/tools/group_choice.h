@@ -20,6 +20,10 @@ void refuseLocked(const Pointer& pointer, const Workbench& bench);
 /// Enters the group of the object, and selects what is there. False: it is in no group that can be
 /// entered.
 bool enterGroupAt(app::Session& session, std::size_t object);
+
+/// What a double click does to an object that is no path: enters its group, or selects and edits
+/// the text. False: it is a path.
+bool openAt(std::size_t object, Workbench& bench);
 /// Leaves the entered group, and selects it.
 void leaveGroup(app::Session& session);
 

@@ -3,6 +3,7 @@
 #include "app/commands/remove_objects.h"
 #include "app/document/direction.h"
 #include "app/nodes/fixed_parts.h"
+#include "ui/tools/group_choice.h"
 #include "ui/tools/node_painter.h"
 #include "ui/tools/picking_marks.h"
 #include "ui/tools/shape_drawing.h"
@@ -36,6 +37,7 @@ public:
     void move(const Pointer& pointer, Workbench& bench) override;
     void release(const Pointer& pointer, Workbench& bench) override;
     void doubleClick(const Pointer& pointer, Workbench& bench) override;
+    bool selectForMenu(const Pointer& pointer, Workbench& bench) override;
     bool key(QKeyEvent& event, Workbench& bench) override;
     void leave(Workbench&) override
     {
@@ -115,6 +117,7 @@ private:
     std::vector<app::Subpath> fixed_;           ///< and what stays of them
     std::uint64_t revision_ = 0;                ///< of the nodes at the press
     Pointer from_{}, to_{};
+    bool isNew_ = false; ///< the last click has chosen another object
 };
 
 HoveredNode NodesTool::nodeUnder(const Pointer& pointer, const Workbench& bench)
@@ -152,6 +155,7 @@ void NodesTool::press(const Pointer& pointer, Workbench& bench)
         && !(pointer.modifiers & Qt::ShiftModifier))
         nodes.selectOnly(*hovered_.node);
     from_ = to_ = pointer;
+    isNew_ = false;
     drag_ = Drag::Press;
     revision_ = nodes.revision();
 }
@@ -263,16 +267,46 @@ void NodesTool::release(const Pointer& pointer, Workbench& bench)
     cancel(bench);
 }
 
-/// Adds a node where the path was clicked.
+/// Adds a node where the path was clicked. A text is edited instead; and where the first of the two
+/// clicks has only chosen the object, its group is entered, or its nodes are shown.
 void NodesTool::doubleClick(const Pointer& pointer, Workbench& bench)
 {
     app::NodeEditing& nodes = bench.session.nodes;
-    if (const HoveredNode under = nodeUnder(pointer, bench); under.node || under.handle)
+    const auto object = pickedAt(pointer.raw, bench).object;
+    const bool isNew = std::exchange(isNew_, false);
+    if (object && (isNew || isText(bench.session, *object)) && openAt(*object, bench))
+        return;
+    if (const HoveredNode under = nodeUnder(pointer, bench); isNew || under.node || under.handle)
         return press(pointer, bench);
     if (const auto at = app::segmentAt(nodes.path(), pointer.raw, bench.inDrawing(reach)))
         nodes.insert(at->segment, at->t);
     else
         press(pointer, bench);
+}
+
+/// A node or a segment; beside the paths whose nodes are shown, another object.
+bool NodesTool::selectForMenu(const Pointer& pointer, Workbench& bench)
+{
+    press(pointer, bench); // selects a node, unless it is selected
+    cancel(bench);
+    const HoveredNode under = nodeUnder(pointer, bench);
+    const app::NodePath& path = bench.session.nodes.path();
+    const auto segment = app::segmentAt(path, pointer.raw, bench.inDrawing(reach));
+    if (!under.node && !under.handle && segment) {
+        const auto& nodes = path[segment->segment.subpath].nodes;
+        const std::size_t first = segment->segment.node;
+        if (!nodes[first].selected || !nodes[(first + 1) % nodes.size()].selected) {
+            grabbed_.segment = segment;
+            click(bench);
+            cancel(bench);
+        }
+    } else if (!under.node && !under.handle) {
+        const auto object = pickedAt(pointer.raw, bench).object;
+        if (object && !bench.session.selection().contains(*object))
+            clickObject(pointer, bench);
+        return object.has_value();
+    }
+    return true;
 }
 
 /// With Shift, these nodes are selected beside the others; a single one is deselected again.
@@ -310,6 +344,7 @@ void NodesTool::clickObject(const Pointer& pointer, Workbench& bench)
     const auto object = pickedAt(pointer.raw, bench).object;
     const bool adds = pointer.modifiers & Qt::ShiftModifier;
     if (object && !session.selection().contains(*object)) {
+        isNew_ = true;
         auto selection = adds ? session.selection() : app::ObjectRanges{};
         selection.insert(*object);
         session.select(std::move(selection));

@@ -3,6 +3,8 @@
 
 #include "ui/tools/end_drag.h"
 
+#include <QCoreApplication>
+
 #include <glm/geometric.hpp>
 
 namespace ui {
@@ -11,6 +13,7 @@ namespace {
 constexpr double aboveBox = 28;                           // pixels, to the rotation handle
 constexpr double handleReach = 8, pivotReach = 6;         // pixels
 constexpr double leastForPivot = 72, arm = 7, radius = 4; // pixels
+constexpr double besideRotation = 24;                     // pixels, to the pivot that waits there
 
 /// The place of the rotation handle on the screen.
 app::Point rotationHandle(const clipping::Window& box, const app::View& view)
@@ -18,52 +21,46 @@ app::Point rotationHandle(const clipping::Window& box, const app::View& view)
     return view.toScreen(app::placeOf({0, -1}, box)) - app::Point(0, aboveBox);
 }
 
+/// The place of the cross on the screen. In the middle of a line or of a small selection it would
+/// be in the way of moving them, so until it is put elsewhere it waits beside the rotation handle.
+app::Point crossAt(const clipping::Window& box, const Workbench& bench)
+{
+    const app::Point size = bench.view.toScreen(box.max) - bench.view.toScreen(box.min);
+    const bool isSmall = lineWithHandles(bench.session) || std::max(size.x, size.y) < leastForPivot;
+    return isSmall && !bench.session.pivot.isMoved()
+               ? rotationHandle(box, bench.view) + app::Point(besideRotation, 0)
+               : bench.view.toScreen(bench.session.pivot.at());
+}
+
 } // namespace
 
-app::Point PivotMarks::pivot(const Workbench& bench) const
-{
-    const auto bounds = bench.session.selectionBounds().value_or(clipping::Window{});
-    const bool same = bounds.min == bounds_.min && bounds.max == bounds_.max;
-    if (pivot_ && same && selection_ == bench.session.selection())
-        return *pivot_;
-    return app::placeOf(app::Handle{}, bounds);
-}
-
-void PivotMarks::put(const app::Point& pivot, const Workbench& bench)
-{
-    pivot_ = pivot;
-    selection_ = bench.session.selection();
-    bounds_ = bench.session.selectionBounds().value_or(clipping::Window{});
-}
-
-/// In a line and in small objects it would be in the way of moving them.
-bool PivotMarks::isShown(const Workbench& bench) const
-{
-    const auto& box = bench.session.selectionBounds();
-    if (!box || lineWithHandles(bench.session))
-        return false;
-    const app::Point size = bench.view.toScreen(box->max) - bench.view.toScreen(box->min);
-    return std::max(size.x, size.y) >= leastForPivot;
-}
-
-PivotMarks::Mark PivotMarks::at(const app::Point& screen, const Workbench& bench) const
+PivotMarks::Mark PivotMarks::at(const app::Point& screen, const Workbench& bench)
 {
     const auto& box = bench.session.selectionBounds();
     if (!box)
         return Mark::None;
     if (glm::distance(screen, rotationHandle(*box, bench.view)) <= handleReach)
         return Mark::Rotation;
-    const app::Point place = bench.view.toScreen(pivot(bench));
-    return isShown(bench) && glm::distance(screen, place) <= pivotReach ? Mark::Pivot : Mark::None;
+    return glm::distance(screen, crossAt(*box, bench)) <= pivotReach ? Mark::Pivot : Mark::None;
 }
 
-void PivotMarks::paint(QPainter& painter, const Workbench& bench) const
+QString PivotMarks::hint(Mark mark)
+{
+    return mark == Mark::Pivot
+               ? QCoreApplication::translate("Tools", "Drag the cross to the point about which the "
+                                                      "selection is rotated, flipped and scaled.")
+           : mark == Mark::Rotation ? QCoreApplication::translate(
+                 "Tools", "Drag to rotate about the cross. Shift: 15° steps.")
+                                    : QString();
+}
+
+void PivotMarks::paint(QPainter& painter, const Workbench& bench)
 {
     const auto& box = bench.session.selectionBounds();
     if (!box)
         return;
-    if (isShown(bench))
-        paintPivot(painter, bench.onScreen(pivot(bench)), bench.look);
+    const app::Point cross = crossAt(*box, bench);
+    paintPivot(painter, {cross.x, cross.y}, bench.look);
     const app::Point handle = rotationHandle(*box, bench.view);
     const QPointF at(handle.x, handle.y), top = bench.onScreen(app::placeOf({0, -1}, *box));
     painter.setPen(QPen(bench.look.selection, 1));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/numbers.h"
 #include "app/commands/remove_objects.h"
+#include "app/session/inspection.h"
 #include "ui/tools/box_resize.h"
 #include "ui/tools/end_drag.h"
 #include "ui/tools/group_choice.h"
@@ -143,7 +144,6 @@ private:
     std::optional<app::Handle> boxHandle_;
     std::optional<std::size_t> hoveredSegment_; ///< hovered segment of the scene
     Mark mark_ = Mark::None;                    ///< hovered
-    PivotMarks marks_;
     Drag drag_ = Drag::None;
     Pointer from_{}, to_{};
 };
@@ -159,7 +159,7 @@ void SelectTool::lookUnder(const Pointer& pointer, Workbench& bench)
     hoveredHandle_ = windowHandleAt(pointer.screen, bench);
     hoveredEnd_ = hoveredHandle_ ? std::nullopt : EndDrag::endAt(pointer.screen, bench);
     const auto box = hoveredHandle_ ? std::nullopt : boxAround(bench.session);
-    mark_ = hoveredHandle_ || hoveredEnd_ ? Mark::None : marks_.at(pointer.screen, bench);
+    mark_ = hoveredHandle_ || hoveredEnd_ ? Mark::None : PivotMarks::at(pointer.screen, bench);
     boxHandle_ = box && mark_ == Mark::None
                      ? app::handleAt(pointer.screen, *box, bench.view, boxReach)
                      : std::nullopt;
@@ -206,7 +206,7 @@ void SelectTool::move(const Pointer& pointer, Workbench& bench)
     else if (transform_.going())
         transform_.proceed(pointer, bench);
     else if (drag_ == Drag::Pivot)
-        marks_.put(pointer.position, bench);
+        bench.session.pivot.put(pointer.position);
     else if (drag_ == Drag::None)
         lookUnder(pointer, bench);
     else if (drag_ == Drag::Press && dragged(from_.screen, pointer))
@@ -243,7 +243,7 @@ void SelectTool::startDrag(Workbench& bench)
 void SelectTool::start(const app::Transformation& kind, const app::Point& pointer, Workbench& bench)
 {
     drag_ = Drag::Transform;
-    transform_.start(kind, marks_.pivot(bench), pointer, pointer, bench);
+    transform_.start(kind, bench.session.pivot.at(), pointer, pointer, bench);
 }
 
 /// Begins a transformation that follows the pointer without a button.
@@ -256,7 +256,7 @@ void SelectTool::transform(const app::Transformation& kind, const Pointer& point
     forgetSteps(bench);
     bench.session.guide.reset();
     forgetHovered();
-    const app::Point pivot = marks_.pivot(bench);
+    const app::Point pivot = bench.session.pivot.at();
     transform_.start(kind, pivot, pointer.raw,
                      TransformGesture::grabbedAt(pointer.raw, pivot, bench), bench);
 }
@@ -319,13 +319,10 @@ void SelectTool::doubleClick(const Pointer& pointer, Workbench& bench)
         return leaveGroup(bench.session);
     if (!object)
         return press(pointer, bench);
-    if (enterGroupAt(bench.session, *object))
+    if (openAt(*object, bench))
         return;
     bench.session.select({*object});
-    const bool text = isText(bench.session, *object);
-    if (text)
-        bench.nextObject = object;
-    bench.nextTool = text ? "text" : "nodes";
+    bench.nextTool = "nodes";
 }
 
 void SelectTool::click(const Pointer& pointer, Workbench& bench)
@@ -334,7 +331,7 @@ void SelectTool::click(const Pointer& pointer, Workbench& bench)
     if (!object)
         refuseLocked(pointer, bench);
     const bool chosen = choose(object, pointer.modifiers, bench.session);
-    bench.session.inspect(chosen ? segment : std::nullopt);
+    bench.session.inspect(chosen ? segment : app::lineOfOnlyObject(bench.session));
 }
 
 /// Dragged from left to right the box selects what it contains, from right to left what it touches.
@@ -352,13 +349,8 @@ void SelectTool::selectBox(const Pointer& pointer, Workbench& bench)
                                                     : app::FoundGroups::Any);
     if (pointer.modifiers & Qt::ShiftModifier)
         found = united(found, bench.session.selection());
-    const bool one = found.size() == 1;
-    const std::size_t object = one ? found.first() : 0;
     bench.session.select(std::move(found));
-    // As if it had been clicked.
-    const bool isLine = one && bench.session.now().objects()[object].singleLine();
-    bench.session.inspect(isLine ? std::optional(bench.session.scene.lines().firstLineOf(object))
-                                 : std::nullopt);
+    bench.session.inspect(app::lineOfOnlyObject(bench.session)); // as if it had been clicked
 }
 
 bool SelectTool::key(QKeyEvent& event, Workbench& bench)
@@ -392,6 +384,8 @@ QString SelectTool::hint(const Workbench& bench) const
 {
     const app::Session& session = bench.session;
     if (const QString hint = transform_.hint(bench); !hint.isEmpty())
+        return hint;
+    if (const QString hint = PivotMarks::hint(mark_); !hint.isEmpty() && drag_ == Drag::None)
         return hint;
     if (!busy() && (end_.canReopen(bench) || resize_.canReopen(bench)))
         return QCoreApplication::translate("Tools",
@@ -458,7 +452,7 @@ void SelectTool::paint(QPainter& painter, const Workbench& bench) const
     if (box && !transform_.going())
         paintBounds(painter, bench, resize_.going() ? resize_.target() : *box);
     if (!resize_.going() && !end_.going() && !transform_.going())
-        marks_.paint(painter, bench);
+        PivotMarks::paint(painter, bench);
 }
 
 // Paints the selection's bounding box with round handles at its corners and sides.

@@ -101,6 +101,9 @@ public:
     virtual void move(const Pointer&, Workbench&) {} ///< also without a button, for hovering
     virtual void release(const Pointer&, Workbench&) {}
     virtual void doubleClick(const Pointer&, Workbench&) {}
+    /// Selects what the menu of the right button is about, unless it is selected. False: the tool
+    /// finds nothing of its own there.
+    virtual bool selectForMenu(const Pointer&, Workbench&) { return false; }
     virtual bool key(QKeyEvent&, Workbench&) { return false; } ///< true: consumed
     /// Whether the key belongs to the gesture, before the shortcut of a command.
     virtual bool wants(const QKeyEvent&, const Workbench&) const { return false; }

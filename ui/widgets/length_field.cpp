@@ -21,6 +21,7 @@ namespace ui {
 namespace {
 
 constexpr double limit = 1e9;
+constexpr QChar degreeSign = u'°';
 constexpr int keptDecimals = 12; // of a typed number; fewer are shown
 
 /// If a number does not fit, shows its beginning with an ellipsis, because a cut number would look
@@ -68,7 +69,10 @@ LengthField::LengthField(const QString& name, Range range, Suffix suffix, QWidge
 /// signs.
 app::Result<double> LengthField::typed(const QString& text) const
 {
-    auto length = app::typedLength(text, {unit_, millimetresPerUnit_});
+    QString number = text;
+    if (suffix_ == Suffix::Degrees)
+        number.remove(degreeSign);
+    auto length = app::typedLength(number, {unit_, millimetresPerUnit_});
     if (length && std::abs(*length.value) > limit)
         return app::Result<double>::failure(tr("it is too large"));
     return length;
@@ -188,7 +192,7 @@ QValidator::State LengthField::validate(QString& text, int&) const
     static const QString allowed =
         QStringLiteral(" .,+-*/()\u2212\u00d7\u00f7\u00a0'\u2019") + QLocale().groupSeparator();
     const bool plausible = std::all_of(text.begin(), text.end(), [](QChar c) {
-        return c.isDigit() || c.isLetter() || c == u'%' || allowed.contains(c);
+        return c.isDigit() || c.isLetter() || c == u'%' || c == degreeSign || allowed.contains(c);
     });
     return plausible ? QValidator::Intermediate : QValidator::Invalid;
 }
@@ -202,9 +206,11 @@ double LengthField::valueFromText(const QString& text) const
 
 QString LengthField::textFromValue(double value) const
 {
-    QString number = app::numberText(value, app::infoOf(unit_).decimals);
+    const QString number = app::numberText(value, app::infoOf(unit_).decimals);
     if (suffix_ == Suffix::None)
         return number;
+    if (suffix_ == Suffix::Degrees)
+        return number + degreeSign;
     const auto suffix = app::infoOf(unit_).suffix;
     return number + u' ' + QLatin1StringView(suffix.data(), qsizetype(suffix.size()));
 }

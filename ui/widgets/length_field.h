@@ -17,7 +17,8 @@ class LengthField : public QDoubleSpinBox {
 
 public:
     enum class Range : std::uint8_t { Any, NotNegative };
-    enum class Suffix : std::uint8_t { None, Unit };
+    /// Degrees: an angle, shown with its sign.
+    enum class Suffix : std::uint8_t { None, Unit, Degrees };
 
     /// `name` is the accessible name, also used in messages.
     LengthField(const QString& name, Range range, Suffix suffix, QWidget* parent = nullptr);
@@ -62,7 +63,7 @@ private:
     app::Unit unit_ = app::Unit::Mm;
     double millimetresPerUnit_ = 1;
     double shown_ = 0;
-    bool showsNumber_ = true; ///< otherwise the field is empty
+    bool showsNumber_ = true;                    ///< otherwise the field is empty
     app::Merging merging_ = app::Merging::Never; ///< for the change in progress
 };
 

@@ -43,6 +43,9 @@ private slots:
         QVERIFY(std::abs(at(boxes[2], ways[2]).min.x - (10 + gap)) < 1e-12);
         QVERIFY(std::abs(at(boxes[3], ways[3]).min.x - (30 + 2 * gap)) < 1e-12);
         QCOMPARE(spread(std::span(boxes).first(2), 0), (std::vector{Point(0, 0), Point(0, 0)}));
+        const std::vector<clipping::Window> two{{{5, 0}, {7, 1}}, {{20, 0}, {21, 1}}};
+        QCOMPARE(spread(two, 0, clipping::Window{{0, 0}, {100, 9}}),
+                 (std::vector{Point(-5, 0), Point(79, 0)})); // to the sides of the extent
     }
     void sameSizeKeepsTheTopLeftCorner()
     {

@@ -102,6 +102,45 @@ private slots:
             QVERIFY2(drawing.now().objects() == before.objects(), how.key.data());
         }
     }
+    void objectsAreSpreadOverAnExtent()
+    {
+        Drawing drawing;
+        drawing.history.push(windowStep(drawing.document, {{-10, 0}, {110, 50}}));
+        alignTo(drawing,
+                *std::ranges::find(alignmentTargets(), "to-window", &AlignmentTarget::key));
+        QCOMPARE(leastSpread(drawing), std::size_t(2));
+        drawing.select({0, 3});
+        spreadEvenly(drawing, 0);
+        QVERIFY(same(drawing.at(0), {{-10, 0}, {0, 10}}));
+        QVERIFY(same(drawing.at(3), {{90, 20}, {110, 50}}));
+        drawing.select({0, 1, 2, 3}); // the group is 10 wide, so the gaps are 40
+        spreadEvenly(drawing, 0);
+        QVERIFY(same(drawing.at(1), {{40, 3}, {44, 5}}) && same(drawing.at(2), {{46, 5}, {50, 7}}));
+        QVERIFY(same(drawing.at(3), {{90, 20}, {110, 50}}));
+    }
+    void sameSizeScalesStrokesByChoice()
+    {
+        Drawing drawing;
+        drawing.select({0, 3}); // 10 wide and high; the model is 20 wide, 30 high
+        makeSameSize(drawing, true, true);
+        QCOMPARE(drawing.now().objects()[0].style().width, 1.0);
+        drawing.history.undo();
+        scaleStrokes(drawing, StrokeScaling::Scale);
+        makeSameSize(drawing, true, true);
+        QVERIFY(std::abs(drawing.now().objects()[0].style().width - std::sqrt(6)) < 1e-9);
+        QCOMPARE(drawing.now().objects()[3].style().width, 1.0);
+    }
+    void turnsGoAboutThePivotThatStays()
+    {
+        Drawing drawing;
+        drawing.select({0});
+        drawing.pivot.put({20, 0});
+        std::ranges::find(arrangements(), "flip-horizontal", &Arrangement::key)->run(drawing);
+        QVERIFY(same(drawing.at(0), {{30, 0}, {40, 10}}));
+        QVERIFY(drawing.pivot.isMoved());
+        drawing.select({3});
+        QCOMPARE(drawing.pivot.at(), Point(70, 35)); // of another selection: its middle
+    }
     void turnsKeepTheMiddle()
     {
         for (const Arrangement& how : arrangements()) {

@@ -27,15 +27,19 @@ class GridTest : public QObject {
         QTest::newRow("square") << Grid::Pattern::Square;
         QTest::newRow("diagonal") << Grid::Pattern::Diagonal;
         QTest::newRow("isometric") << Grid::Pattern::Isometric;
+        QTest::newRow("own") << Grid::Pattern::Own;
     }
 
 private slots:
     void settingsAreReadBack()
     {
-        const Grid grid{true, 2.54, Grid::Pattern::Isometric, Grid::Marks::Dots};
+        const Grid grid{true, 2.54, Grid::Pattern::Own, Grid::Marks::Dots, 0.3, -33.5};
         QCOMPARE(Grid::fromText(grid.text()), grid);
         QCOMPARE(Grid::fromText(""), Grid());
-        QCOMPARE(Grid::fromText("shown nan -3 1e300 nonsense"), (Grid{.shown = true}));
+        QCOMPARE(Grid::fromText("shown nan -3 1e300 nonsense down=0 angle=nan down="),
+                 (Grid{.shown = true}));
+        QCOMPARE(Grid::fromText("shown 5 isometric dots"), // as it was saved before
+                 (Grid{true, 5, Grid::Pattern::Isometric, Grid::Marks::Dots}));
     }
     void itBeginsAtTheCornerOfThePaper()
     {
@@ -44,6 +48,16 @@ private slots:
         QCOMPARE(points.nearest({24, 41}), Point(20, 45));
         const app::Page inches{{0, 0}, {8, 4}, {8, app::Unit::Inch}, {4, app::Unit::Inch}};
         QCOMPARE(app::gridPoints({.spacing = 25.4}, inches, 100).nearest({3.1, 1.9}), Point(3, 2));
+    }
+    void anOwnGridHasItsAngleAndSpacings()
+    {
+        const Grid grid{.spacing = 20, .pattern = Grid::Pattern::Own, .down = 10, .angle = 30};
+        const auto points = app::gridPoints(grid, page, 10);
+        QVERIFY(glm::distance(points.u, Point(20 * std::sqrt(0.75), -10)) < 1e-9); // upwards
+        QVERIFY(glm::distance(points.v, Point(5, 10 * std::sqrt(0.75))) < 1e-9);
+        const Grid straight{.spacing = 7, .pattern = Grid::Pattern::Own, .down = 7};
+        QCOMPARE(app::gridPoints(straight, page, 10).u, Point(7, 0));
+        QCOMPARE(app::gridPoints(straight, page, 10).v, Point(0, 7));
     }
     void nearestIsTheNearestPoint_data() { addPatterns(); }
     void nearestIsTheNearestPoint()

@@ -2,8 +2,12 @@
 #include "ui/docks/selection_panel.h"
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/reference_point.h"
+#include "ui/widgets/unit_button.h"
 
+#include <QCheckBox>
+#include <QComboBox>
 #include <QLineEdit>
+#include <QMenu>
 #include <QSignalSpy>
 
 #include "tests/ui/test_window.h"
@@ -34,6 +38,13 @@ class SelectionPanelTest : public QObject {
             for (LengthField* field : panel().findChildren<LengthField*>())
                 if (field->accessibleName() == name)
                     return field;
+            return nullptr;
+        }
+        QToolButton* button(const QString& name) const
+        {
+            for (auto* button : panel().findChildren<QToolButton*>())
+                if (button->accessibleName() == name)
+                    return button;
             return nullptr;
         }
         SelectionPanel& panel() const { return *window->findChild<SelectionPanel*>(); }
@@ -104,7 +115,8 @@ private slots:
     {
         Panel t;
         for (auto* button : t.panel().findChildren<QToolButton*>())
-            QVERIFY(!button->toolTip().isEmpty() && !button->icon().isNull());
+            if (button->text().isEmpty())
+                QVERIFY(!button->toolTip().isEmpty() && !button->icon().isNull());
         auto* rotate = [&]() -> QToolButton* {
             for (auto* button : t.panel().findChildren<QToolButton*>())
                 if (button->toolTip().contains("Shift+O"))
@@ -115,6 +127,72 @@ private slots:
         rotate->click();
         Panel::settle();
         QVERIFY(std::abs(t.field("Height")->value() - width) < 1e-9);
+    }
+    void theTargetIsChosenInTheList()
+    {
+        Panel t;
+        auto* list = t.panel().findChild<QComboBox*>();
+        QToolButton* spread = t.button("Spread evenly across");
+        t.session().select({0, 1});
+        Panel::settle();
+        QVERIFY(!spread->isEnabled() && spread->toolTip().endsWith(u'.'));
+        list->setFocus();
+        while (list->currentText() != "to page")
+            QTest::keyClick(list, Qt::Key_Down);
+        QTest::keyClick(list, Qt::Key_Return);
+        QVERIFY(t.window->canvas().focusProxy()->hasFocus());
+        QVERIFY(t.action("to-page")->isChecked()); // the menu shows the same
+        Panel::settle();
+        QVERIFY(spread->isEnabled());
+        QTest::mouseClick(spread, Qt::LeftButton); // over the whole page, 100 mm
+        const auto at = [&](std::size_t object) {
+            t.session().select({object});
+            return *t.session().selectionBounds();
+        };
+        QCOMPARE(at(1).min.x, 0.0); // its middle is the first
+        QCOMPARE(at(0).max.x, 100.0);
+        t.run("to-selection");
+        Panel::settle();
+        QCOMPARE(list->currentText(), QString("to selection"));
+    }
+    void strokesAreScaledByChoice()
+    {
+        Panel t;
+        auto* choice = t.panel().findChild<QCheckBox*>();
+        const auto width = [&](std::size_t i) {
+            return t.session().now().objects()[i].style().width;
+        };
+        const double before = width(1);
+        t.session().select({0, 1}); // the upper object is the model
+        t.run("same-width");
+        QCOMPARE(width(0), before);
+        t.window->canvas().undo();
+        QTest::mouseClick(choice, Qt::LeftButton, {}, {8, choice->height() / 2});
+        QVERIFY(t.action("scale-strokes")->isChecked());
+        t.run("same-width"); // 40 wide to 20 wide
+        QVERIFY(std::abs(width(0) - before * std::sqrt(0.5)) < 1e-9);
+        QCOMPARE(width(1), before);
+        t.run("scale-strokes");
+        Panel::settle();
+        QVERIFY(!choice->isChecked());
+    }
+    void theUnitIsShownAndChosen()
+    {
+        Panel t;
+        UnitButton* unit = t.panel().findChild<UnitButton*>();
+        QCOMPARE(unit->text(), QString("mm"));
+        QTest::mouseClick(unit, Qt::LeftButton);
+        auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+        QVERIFY(menu);
+        for (QAction* action : menu->actions())
+            if (action->text() == "cm")
+                QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action).center());
+        Panel::settle();
+        QCOMPARE(unit->text(), QString("cm"));
+        QVERIFY(std::abs(t.field("Width")->value() - 4) < 1e-9);
+        QVERIFY(t.field("Angle")->text().endsWith(u'°'));
+        t.type("Angle", "90°");
+        QVERIFY(std::abs(t.field("Height")->value() - 4) < 1e-9);
     }
     void aGroupIsNamed()
     {

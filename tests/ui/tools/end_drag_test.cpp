@@ -56,6 +56,49 @@ private slots:
         QVERIFY(glm::distance(hand.path().segments[0].to - hand.path().start, app::Point(80, 0))
                 < 1e-9);
     }
+    void aLineThatIsSelectedInAnyWayHasItsHandles()
+    {
+        const app::Subpath line{{20, 20}, {{{100, 20}}}, false};
+        const auto isDragged = [](Hand& hand, const app::Point& end, std::size_t object) {
+            QCoreApplication::processEvents();
+            hand.drag(end, {110, 60});
+            return hand.isNear(hand.paths(object).front().segments[0].to, {110, 60})
+                   && hand.session.inspected().has_value();
+        };
+        Hand all({shape({line})});
+        Hand::key(Qt::Key_A, Qt::ControlModifier);
+        QVERIFY(isDragged(all, {100, 20}, 0));
+        Hand undone({shape({line})});
+        undone.click({60, 20});
+        Hand::key(Qt::Key_Right);
+        Hand::key(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(isDragged(undone, {100, 20}, 0));
+        Hand copied({shape({line})});
+        copied.click({60, 20});
+        Hand::key(Qt::Key_D, Qt::ControlModifier);
+        QVERIFY(isDragged(copied, {100, 20}, 1));
+        Hand pasted({shape({line})});
+        pasted.click({60, 20});
+        Hand::key(Qt::Key_C, Qt::ControlModifier);
+        Hand::key(Qt::Key_V, Qt::ControlModifier | Qt::AltModifier); // in place
+        QVERIFY(isDragged(pasted, {100, 20}, 1));
+        Hand left({shape({line}), shape({corner()})});
+        Hand::key(Qt::Key_A, Qt::ControlModifier);
+        left.click({100, 50}, Qt::ShiftModifier); // deselects the other one
+        QVERIFY(isDragged(left, {100, 20}, 0));
+    }
+    void clickedAndBoxedPathsAreShownAlike()
+    {
+        Hand hand({shape({corner()})});
+        hand.click({60, 20});
+        const auto clicked = hand.session.inspected();
+        const QImage shown = hand.canvas.grab().toImage();
+        Hand::key(Qt::Key_Escape);
+        hand.drag({10, 10}, {130, 90});
+        QCOMPARE(hand.session.inspected(), clicked);
+        hand.move({60, 20}, Qt::NoButton); // as after the click
+        QCOMPARE(hand.canvas.grab().toImage(), shown);
+    }
     void aClickOnTheHandleIsAClick()
     {
         Hand hand({shape({{{20, 20}, {{{100, 20}}}, false}})});

@@ -420,6 +420,51 @@ private slots:
         QVERIFY(!join->isEnabled() && join->toolTip().contains("closed"));
         QVERIFY(!hand.t.action("close-path")->isEnabled());
     }
+    void aDoubleClickEditsATextAlsoWhileItsNodesAreShown()
+    {
+        Hand hand({});
+        Hand::key(Qt::Key_T);
+        hand.click({40, 60});
+        Hand::type("Hm");
+        Hand::key(Qt::Key_Escape);
+        QCOMPARE(hand.session.now().objects().size(), std::size_t(1));
+        const app::Point stem = hand.path().start;
+        Hand::key(Qt::Key_N);
+        hand.click(stem); // shows its nodes
+        QVERIFY(hand.session.nodes.summary().nodes > 0);
+        const app::Point end = hand.path().segments[0].to;
+        hand.doubleClick(stem * 0.6 + end * 0.4);
+        QCOMPARE(hand.canvas.tool(), std::string_view("text"));
+        Hand::type("a");
+        Hand::key(Qt::Key_Escape);
+        const auto& recipe = hand.session.now().objects()[0].particulars().recipe;
+        QVERIFY(std::holds_alternative<app::TextRecipe>(recipe));
+    }
+    void aDoubleClickEntersAGroup()
+    {
+        Hand hand({shape({corner()}), shape({wave()})});
+        Hand::key(Qt::Key_A, Qt::ControlModifier);
+        Hand::key(Qt::Key_G, Qt::ControlModifier);
+        Hand::key(Qt::Key_Escape);
+        Hand::key(Qt::Key_N);
+        hand.session.select({});
+        hand.doubleClick({60, 20});
+        QVERIFY(hand.session.entered.id() != 0);
+        QCOMPARE(hand.canvas.tool(), std::string_view("nodes"));
+        QCOMPARE(hand.session.selection(), (app::ObjectRanges{0}));
+        QCOMPARE(hand.session.nodes.summary().nodes, std::size_t(3));
+        hand.doubleClick({60, 20}); // now its nodes are shown
+        QCOMPARE(hand.session.nodes.summary().nodes, std::size_t(4));
+    }
+    void aDoubleClickOnAnotherPathOnlyShowsItsNodes()
+    {
+        Hand hand({shape({corner()}), shape({{{120, 70}, {{{150, 70}}}, false}})});
+        hand.doubleClick({60, 20});
+        hand.doubleClick({135, 70});
+        QCOMPARE(hand.session.selection(), (app::ObjectRanges{1}));
+        QCOMPARE(hand.session.nodes.summary().nodes, std::size_t(2));
+        QCOMPARE(hand.session.history.count(), 0);
+    }
 };
 
 QTEST_MAIN(NodesTest)

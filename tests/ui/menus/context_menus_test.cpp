@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/canvas/ruler.h"
+#include "ui/docks/algorithm_list.h"
+
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QMenu>
+
+#include "tests/ui/tools/hand.h"
+
+using namespace ui;
+
+// The menus of the right button.
+class ContextMenusTest : public QObject {
+    Q_OBJECT
+
+    static QMenu* menuAt(QWidget& widget, const QPoint& place)
+    {
+        QContextMenuEvent event(QContextMenuEvent::Mouse, place, widget.mapToGlobal(place));
+        QApplication::sendEvent(&widget, &event);
+        return qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    }
+    static QStringList keysOf(QMenu* menu)
+    {
+        QStringList keys;
+        for (const QAction* action : menu ? menu->actions() : QList<QAction*>())
+            keys << action->objectName();
+        return keys;
+    }
+    static void choose(QMenu* menu, const QString& key)
+    {
+        for (QAction* action : menu->actions())
+            if (action->objectName() == key)
+                QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action).center());
+    }
+    static void close(QMenu* menu)
+    {
+        if (menu)
+            menu->close();
+    }
+
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void nodesHaveTheirCommands()
+    {
+        Hand hand({shape({wave()})});
+        hand.doubleClick({20, 50});
+        QMenu* menu = menuAt(hand.surface(), hand.at({80, 50})); // selects the node
+        QCOMPARE(hand.selected(), std::size_t(1));
+        const QStringList keys = keysOf(menu);
+        QVERIFY(keys.contains("corner-nodes") && keys.contains("split-path"));
+        QVERIFY(keys.contains("delete-nodes") && !keys.contains("open-path"));
+        QVERIFY(!keys.contains("group"));
+        choose(menu, "corner-nodes");
+        QCOMPARE(hand.session.nodes.path()[0].nodes[1].type, app::NodeType::Corner);
+    }
+    void theMenuKeepsSeveralNodesAndTakesSegments()
+    {
+        Hand hand({shape({corner()}), shape({{{120, 70}, {{{150, 70}}}, false}})});
+        hand.doubleClick({20, 20});
+        Hand::key(Qt::Key_A, Qt::ControlModifier);
+        close(menuAt(hand.surface(), hand.at({100, 20})));
+        QCOMPARE(hand.selected(), std::size_t(3));
+        Hand::key(Qt::Key_Escape);
+        QMenu* menu = menuAt(hand.surface(), hand.at({60, 20})); // a segment: its ends
+        QVERIFY(keysOf(menu).contains("curve-segments"));
+        close(menu);
+        QCOMPARE(hand.selected(), std::size_t(2));
+        close(menuAt(hand.surface(), hand.at({135, 70}))); // another path
+        QCOMPARE(hand.session.selection(), (app::ObjectRanges{1}));
+        QCOMPARE(hand.session.history.count(), 0);
+    }
+    void objectsHaveTheirStyle()
+    {
+        Hand hand({shape({corner()}), shape({{{120, 70}, {{{150, 70}}}, false}})});
+        QMenu* menu = menuAt(hand.surface(), hand.at({60, 20}));
+        QVERIFY(keysOf(menu).contains("style") && keysOf(menu).contains("copy-style"));
+        choose(menu, "copy-style");
+        menu = menuAt(hand.surface(), hand.at({135, 70}));
+        QVERIFY(keysOf(menu).contains("paste-style"));
+        close(menu);
+    }
+    void rulersShowAndRemoveGuides()
+    {
+        Hand hand({shape({corner()})});
+        auto* ruler = hand.canvas.findChild<Ruler*>();
+        QMenu* menu = menuAt(*ruler, ruler->rect().center());
+        QVERIFY(keysOf(menu).contains("guides") && !keysOf(menu).contains("remove-guides"));
+        choose(menu, "guides");
+        QVERIFY(!hand.session.display().guides);
+        hand.session.changeDisplay([](app::Display& display) { display.guides = true; });
+        QTest::mousePress(ruler, Qt::LeftButton, {}, ruler->rect().center());
+        QTest::mouseMove(ruler, ruler->rect().center() + QPoint(40, 200));
+        QTest::mouseRelease(ruler, Qt::LeftButton, {}, ruler->rect().center() + QPoint(40, 200));
+        QCOMPARE(hand.session.now().page().guides.list.size(), std::size_t(1));
+        choose(menuAt(*ruler, ruler->rect().center()), "remove-guides");
+        QVERIFY(hand.session.now().page().guides.list.empty());
+    }
+    void algorithmsAreUsedComparedAndNamed()
+    {
+        Hand hand({shape({corner()})});
+        hand.t.window->raisePanel("algorithm");
+        auto* list = hand.t.window->findChild<AlgorithmList*>();
+        const int row = [] {
+            for (int i = 0; i < int(clipping::algorithms().size()); ++i)
+                if (clipping::algorithms()[std::size_t(i)].key == "liang-barsky")
+                    return i;
+            return -1;
+        }();
+        const auto& algorithm = clipping::algorithms()[std::size_t(row)];
+        const auto open = [&] {
+            return menuAt(*list->viewport(),
+                          list->visualRect(list->model()->index(row, 0)).center());
+        };
+        QVERIFY(keysOf(open()).contains("use-corrected"));
+        choose(qobject_cast<QMenu*>(QApplication::activePopupWidget()), "use-published");
+        QCOMPARE(hand.session.variant(), (app::Variant{&algorithm, clipping::Form::Published}));
+        QMenu* menu = open();
+        QVERIFY(keysOf(menu).contains("use-corrected") && !keysOf(menu).contains("use-published"));
+        QVERIFY(!keysOf(menu).contains("show-in-pane")); // the pane shows it
+        choose(menu, "copy-name");
+        QCOMPARE(QGuiApplication::clipboard()->text(), QString(algorithm.name.data()));
+        choose(open(), "compare-as-b");
+        QTRY_VERIFY(hand.session.differences.asked());
+        QCOMPARE(hand.session.differences.asked()->b.algorithm, &algorithm);
+    }
+    void anAlgorithmIsShownInAnotherPane()
+    {
+        Hand hand({shape({corner()})});
+        hand.t.window->raisePanel("algorithm");
+        auto* list = hand.t.window->findChild<AlgorithmList*>();
+        choose(menuAt(*list->viewport(), list->visualRect(list->model()->index(2, 0)).center()),
+               "show-in-pane");
+        const app::Panes& panes = hand.canvas.panes();
+        QCOMPARE(panes.size(), std::size_t(2));
+        QCOMPARE(panes.active(), std::size_t(0));
+        QCOMPARE(panes.choices()[1].algorithm, &clipping::algorithms()[2]);
+    }
+};
+
+QTEST_MAIN(ContextMenusTest)
+#include "context_menus_test.moc"
