@@ -132,7 +132,7 @@ void EndDrag::cancel(Workbench& bench)
     if (!corrects())
         return;
     last_.restore(bench);
-    bench.session.inspect(done_.number);
+    bench.session.inspect(done_.inspected);
 }
 
 void EndDrag::end(Workbench& bench)
@@ -147,7 +147,7 @@ void EndDrag::reopen(Workbench& bench)
         return;
     app::Session& session = bench.session;
     session.select({done_.object});
-    session.inspect(done_.number);
+    session.inspect(done_.inspected);
     now_ = done_;
 }
 
