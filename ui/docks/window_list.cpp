@@ -96,7 +96,7 @@ WindowList::WindowList(app::Session& session) : session_(session)
     setMouseTracking(true);
     setEditTriggers(DoubleClicked);
     viewport()->setAutoFillBackground(false);
-    constexpr int rows = 3;
+    constexpr int rows = 2; // without scrolling: four panels must fit into 800 pixels
     setFixedHeight(rows * space::rowHeight);
     connect(selectionModel(), &QItemSelectionModel::currentChanged, this,
             [this](const QModelIndex& current) {
