@@ -41,14 +41,14 @@ QString layerName(const Session& session)
 }
 
 constexpr std::array places{
-    WindowPlace{"window-on-page", QT_TRANSLATE_NOOP("WindowPlaces", "&Lay window on page"),
+    LayingPlace{"window-on-page", QT_TRANSLATE_NOOP("WindowPlaces", "&Lay window on page"),
                 QT_TRANSLATE_NOOP("WindowPlaces", "Lay clip window on page"), "", page, noName},
-    WindowPlace{"window-on-selection",
+    LayingPlace{"window-on-selection",
                 QT_TRANSLATE_NOOP("WindowPlaces", "Lay window on s&election"),
                 QT_TRANSLATE_NOOP("WindowPlaces", "Lay clip window on selection"),
                 QT_TRANSLATE_NOOP("WindowPlaces", "Nothing is selected. Select objects first."),
                 selection, noName},
-    WindowPlace{"window-on-layer", QT_TRANSLATE_NOOP("WindowPlaces", "Lay window on la&yer"),
+    LayingPlace{"window-on-layer", QT_TRANSLATE_NOOP("WindowPlaces", "Lay window on la&yer"),
                 QT_TRANSLATE_NOOP("WindowPlaces", "Lay clip window on layer"),
                 QT_TRANSLATE_NOOP("WindowPlaces",
                                   "The current layer is empty. Select another one in the panel "
@@ -68,9 +68,9 @@ void lay(Session& session, const clipping::Window& box, const QString& name, con
 
 } // namespace
 
-std::span<const WindowPlace> windowPlaces() { return places; }
+std::span<const LayingPlace> windowPlaces() { return places; }
 
-void layWindow(Session& session, const WindowPlace& place)
+void layWindow(Session& session, const LayingPlace& place)
 {
     if (const auto box = place.box(session))
         lay(session, *box, place.name(session), tr(place.step));

@@ -12,7 +12,7 @@ namespace app {
 
 /// Something that a clip window can be laid on. Its texts are to be translated in the context
 /// "WindowPlaces".
-struct WindowPlace {
+struct LayingPlace {
     std::string_view key;   ///< of the command
     std::string_view text;  ///< of the command, with its mnemonic
     std::string_view step;  ///< in Undo
@@ -22,11 +22,11 @@ struct WindowPlace {
 };
 
 /// Every place, in the order of menus; the page is the first.
-std::span<const WindowPlace> windowPlaces();
+std::span<const LayingPlace> windowPlaces();
 
 /// Lays a clip window there. If the drawing has one window only, and that is a rectangle which is
 /// not rotated, it moves there; otherwise a window is added. Does nothing without such a place.
-void layWindow(Session& session, const WindowPlace& place);
+void layWindow(Session& session, const LayingPlace& place);
 /// The same on the page without a margin (user units) on each side. Refused, with a sentence, if
 /// nothing of the page would be left.
 void layWindowInside(Session& session, double margin);

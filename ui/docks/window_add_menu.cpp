@@ -32,7 +32,7 @@ void addShapes(app::Session& session, QMenu& menu)
 
 void addPlaces(app::Session& session, QMenu& menu, QWidget& parent)
 {
-    for (const app::WindowPlace& place : app::windowPlaces()) {
+    for (const app::LayingPlace& place : app::windowPlaces()) {
         const QString text = QCoreApplication::translate("WindowPlaces", place.text.data());
         QAction* action =
             menu.addAction(text, &menu, [&session, &place] { app::layWindow(session, place); });

@@ -108,7 +108,7 @@ std::vector<ActionInfo> placeRows()
     const auto translated = [](std::string_view text) {
         return QCoreApplication::translate("WindowPlaces", text.data());
     };
-    for (const app::WindowPlace& place : app::windowPlaces())
+    for (const app::LayingPlace& place : app::windowPlaces())
         rows.push_back({
             .key = place.key,
             .text = translated(place.text),

@@ -31,9 +31,9 @@ struct Plan : Session {
     clipping::Window box(std::size_t i) const { return *axisAlignedBox(list()[i].shape); }
 };
 
-const WindowPlace& place(std::string_view key)
+const LayingPlace& place(std::string_view key)
 {
-    return *std::ranges::find(windowPlaces(), key, &WindowPlace::key);
+    return *std::ranges::find(windowPlaces(), key, &LayingPlace::key);
 }
 
 } // namespace
