@@ -166,7 +166,8 @@ private slots:
         const ClipRegion region = regionOf(all, tolerance);
         QCOMPARE(remainsOf(region, {{70, 80}, {80, 85}}), Remains::Whole);
         QCOMPARE(remainsOf(region, {{-9, -9}, {-5, 100}}), Remains::Gone);
-        QCOMPARE(remainsOf(region, {{30, 25}, {31, 26}}), Remains::Pieces); // in the rotated one
+        QCOMPARE(remainsOf(region, {{30, 25}, {31, 26}}), Remains::Whole); // in the rotated one
+        QCOMPARE(remainsOf(region, {{29, 39}, {31, 41}}), Remains::Pieces); // at the circle
         QVERIFY(!region.single() && region.prepared);
     }
     void aWindowWithoutAreaBesideAShapeKeepsNothing()
