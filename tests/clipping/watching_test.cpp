@@ -115,7 +115,8 @@ private slots:
     {
         static const QRegularExpression traces(
             "8clipping10operationsE|__tls_get_addr|7CountedI|Recorder");
-        static const QRegularExpression prepares("InPolygon|PolylineRuns|PreparedRegion"); // seldom
+        static const QRegularExpression prepares(
+            "InPolygon|PolylineRuns|PreparedRegion|LineSweep"); // seldom
         static const QRegularExpression allocates("_Zn[wa]m|^malloc$");
         int reached = 0;
         for (const QString& name : notEmpty(fastPath(library_))) {

@@ -7,7 +7,7 @@ namespace {
 
 const QString folder = QStringLiteral(SOURCE_DIR "/resources/icons/");
 const QStringList basicShapes{"path", "circle", "ellipse", "rect", "polyline"};
-const QStringList withAccent{"window.svg", "clearcut.svg"};
+const QStringList withAccent{"window.svg", "tiles.svg", "clearcut.svg"};
 
 } // namespace
 
