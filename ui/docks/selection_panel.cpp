@@ -73,7 +73,7 @@ SelectionPanel::SelectionPanel(app::Session& session, QWidget* parent)
     makeOptions();
     pages_->addWidget(makeObjects());
     pages_->addWidget(nodes_);
-    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     soon_.setSingleShot(true);
     connect(&soon_, &QTimer::timeout, this, &SelectionPanel::follow);
     const auto follow = [this] {

@@ -29,6 +29,7 @@ class SelectionPanelTest : public QObject {
             show();
             window->raisePanel("selection");
             session().select({0});
+            QTest::qWait(150); // until the panels have their final heights
             settle();
         }
         static void settle() { QTest::qWait(20); } // the panel follows after the events
