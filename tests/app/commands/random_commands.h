@@ -207,6 +207,8 @@ private:
     {
         if (random_.below(8) > 0) // there would soon be nothing left
             return nullptr;
+        if (random_.below(40) != 0) // each adds points, which all later steps keep
+            return nullptr;
         app::CutOptions options;
         options.clipAll = clipping::algorithms().front().corrected.clipAll;
         options.region = app::regionOf(now().windows(), now().page());
