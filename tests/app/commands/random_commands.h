@@ -207,13 +207,12 @@ private:
     {
         if (random_.below(8) > 0) // there would soon be nothing left
             return nullptr;
-        if (random_.below(40) != 0) // each adds points, which all later steps keep
-            return nullptr;
         app::CutOptions options;
         options.clipAll = clipping::algorithms().front().corrected.clipAll;
         options.region = app::regionOf(now().windows(), now().page());
         options.leaveLocked = true;
-        options.leaveHidden = true; // with cut hidden objects and closed areas the drawing grows too large
+        options.leaveHidden = random_.below(2) == 0;
+        options.closeAreas = random_.below(2) == 0;
         return new app::CropToWindow(document_, options);
     }
 
