@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scene/area_windows.h"
 
+#include <cmath>
+
 namespace app {
 
 static_assert(int(clipping::FillRule::EvenOdd) == int(FillRule::EvenOdd));
 static_assert(int(clipping::AreaOperation::Intersect) == int(WindowOperation::Intersect));
 static_assert(int(clipping::Keep::Outside) == int(Keep::Outside));
 
-static clipping::Area areaOf(const ClipRegion::Step& step)
+bool isProper(const clipping::Window& box)
+{
+    return std::isfinite(box.min.x) && std::isfinite(box.min.y) && std::isfinite(box.max.x)
+           && std::isfinite(box.max.y) && box.min.x <= box.max.x && box.min.y <= box.max.y;
+}
+
+clipping::Area areaOf(const ClipRegion::Step& step)
 {
     if (step.rings.empty())
-        return clipping::areaOf(step.box);
+        return isProper(step.box) ? clipping::areaOf(step.box) : clipping::Area();
     clipping::Area area;
     area.rule = clipping::FillRule(step.rule);
     for (const auto& ring : step.rings) {

@@ -6,6 +6,12 @@
 
 namespace app {
 
+/// Whether the box is finite and not inverted, so that it contains at least one point.
+bool isProper(const clipping::Window& box);
+
+/// The area inside a window's border; it contains nothing if the window contains nothing.
+clipping::Area areaOf(const ClipRegion::Step& step);
+
 /// The clip windows as the library's region: at it areas are cut, and lines with exact decisions.
 /// The one that the region has already, or a new one.
 std::shared_ptr<const clipping::PreparedRegion> areaWindows(const ClipRegion& region);

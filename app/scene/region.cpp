@@ -3,8 +3,8 @@
 
 #include "app/document/window_outline.h"
 #include "app/scene/area_windows.h"
-#include "app/scene/box_in_outline.h"
 #include "app/scene/convex_outline.h"
+#include "clipping/region/box_part.h"
 
 #include <glm/common.hpp>
 
@@ -17,16 +17,14 @@ namespace app {
 
 namespace {
 
-bool isFinite(const clipping::Window& box)
-{
-    return std::isfinite(box.min.x) && std::isfinite(box.min.y) && std::isfinite(box.max.x)
-           && std::isfinite(box.max.y);
-}
+/// How much of a box a set of points contains.
+enum class Share : std::uint8_t { None, All, Some };
 
-// Whether the box is finite and not inverted, so that it contains at least one point.
-bool isProper(const clipping::Window& box)
+Share shareOf(clipping::BoxPart part)
 {
-    return isFinite(box) && box.min.x <= box.max.x && box.min.y <= box.max.y;
+    return part == clipping::BoxPart::None    ? Share::None
+           : part == clipping::BoxPart::Whole ? Share::All
+                                              : Share::Some;
 }
 
 Share shareIn(const ClipRegion::Step& step, const clipping::Window& box)
@@ -36,7 +34,7 @@ Share shareIn(const ClipRegion::Step& step, const clipping::Window& box)
         || box.max.y < window.min.y || box.min.y > window.max.y)
         return Share::None;
     if (!step.rings.empty())
-        return shareOfBox(step.rings, step.rule, box);
+        return step.area ? shareOf(clipping::partOf(box, *step.area)) : Share::Some;
     const bool all = box.min.x >= window.min.x && box.max.x <= window.max.x
                      && box.min.y >= window.min.y && box.max.y <= window.max.y;
     return all ? Share::All : Share::Some;
@@ -88,6 +86,8 @@ ClipRegion::Step stepOf(const ClipWindow& window, double tolerance)
     ClipRegion::Step step{boxAround(outline.rings), window.operation, std::move(outline.rings),
                           outline.rule};
     step.polygon = convexPolygonOf(step.rings);
+    step.area = std::make_shared<const clipping::PreparedRegion>(
+        clipping::Region{{{areaOf(step)}}, clipping::Keep::Inside});
     if (rectangle && !step.polygon.corners.empty())
         step.turned = clipping::turned(rectangle->box, rectangle->angle * 180 / std::numbers::pi);
     return step;

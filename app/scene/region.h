@@ -38,6 +38,8 @@ struct ClipRegion {
         FillRule rule = FillRule::NonZero;
         /// The border as a convex polygon with area; without corners if it is none.
         clipping::ConvexPolygon polygon{};
+        /// What is inside the border, for boxes; null for an axis-aligned rectangle.
+        std::shared_ptr<const clipping::PreparedRegion> area{};
         /// A rotated rectangle, if the polygon is one.
         std::optional<clipping::TurnedWindow> turned{};
         friend bool operator==(const Step& a, const Step& b)

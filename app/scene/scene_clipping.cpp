@@ -148,7 +148,7 @@ void SceneClipping::clipInRegion(Block& frame, std::span<Remains> remains)
     settle(frame, remains, room);
 }
 
-// One call for all lines near the window's border: each call prepares a polygon anew.
+// Clips all lines near the window's border with one call, because each call prepares the polygon.
 std::span<Clipped> SceneClipping::clipAtOneWindow(const SceneBlock& block,
                                                   std::span<const Remains> remains)
 {

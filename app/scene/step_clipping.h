@@ -12,7 +12,8 @@ using ClipAll = decltype(clipping::Uses<clipping::Segment, clipping::Window>::cl
 /// The form of the catalogue whose function this is; empty for any other function.
 std::optional<Variant> variantOf(ClipAll clipAll);
 
-/// What is run at the windows of one region: the functions of the form that `usedAt` names.
+/// The library's functions that clip at the windows of one region, for the variant that `usedAt`
+/// chooses.
 struct RowForms {
     bool exact = false; ///< the row `exact`
     ClipAll atWindow = nullptr;

@@ -11,7 +11,7 @@ namespace app {
 // Which algorithms can clip at a clip window of which shape. Nothing here names an algorithm: the
 // library's catalogues say which forms a row has.
 
-/// What the shape of a clip window demands of an algorithm, least first.
+/// The kinds of shape that an algorithm must be able to clip at, the easiest first.
 enum class WindowNeeds : std::uint8_t { Rectangle, RotatedRectangle, ConvexPolygon, AnyArea };
 
 WindowNeeds needsOf(const ClipRegion::Step& step);
