@@ -23,7 +23,8 @@ constexpr std::size_t mostLinesUnasked = 150'000; // about 60 ms for all algorit
 AlgorithmPanel::AlgorithmPanel(app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session), corrected_(new QRadioButton(tr("corrected"))),
       published_(new QRadioButton(tr("as published"))), tick_(new QLabel), verdict_(new QLabel),
-      instead_(new QLabel), ask_(new QPushButton(tr("Compare all algorithms")))
+      instead_(new QLabel), remark_(new QStackedLayout),
+      ask_(new QPushButton(tr("Compare all algorithms")))
 {
     auto* label = new QLabel(tr("Form"));
     label->setForegroundRole(QPalette::PlaceholderText);
@@ -35,6 +36,8 @@ AlgorithmPanel::AlgorithmPanel(app::Session& session, QWidget* parent)
     verdict_->setAccessibleName(tr("Agreement"));
     tick_->setFixedSize(16, 16);
     instead_->setWordWrap(true);
+    instead_->setAlignment(Qt::AlignTop);
+    instead_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored); // two lines, as verdict_
     instead_->setContentsMargins(space::dockMargin, 2, space::dockMargin, 0);
     instead_->setAccessibleName(tr("Used instead"));
     ask_->setToolTip(tr("Check whether all algorithms give the same result (F7)"));
@@ -47,7 +50,8 @@ AlgorithmPanel::AlgorithmPanel(app::Session& session, QWidget* parent)
     form->addSpacing(space::labelToField);
     form->addWidget(published_);
     form->addStretch();
-    auto* agree = new QHBoxLayout;
+    auto* agreement = new QWidget;
+    auto* agree = new QHBoxLayout(agreement);
     agree->setContentsMargins(space::dockMargin, 2, space::dockMargin, 0);
     agree->setSpacing(6);
     agree->addWidget(tick_, 0, Qt::AlignTop);
@@ -60,9 +64,10 @@ AlgorithmPanel::AlgorithmPanel(app::Session& session, QWidget* parent)
     connect(list, &AlgorithmList::aboutWanted, this, &AlgorithmPanel::aboutWanted);
     connect(list, &AlgorithmList::menuWanted, this, &AlgorithmPanel::menuWanted);
     column->addWidget(list);
-    column->addWidget(instead_);
     column->addLayout(form);
-    column->addLayout(agree);
+    column->addLayout(remark_); // one place for both, so that no panel changes its height
+    for (QWidget* remark : {agreement, static_cast<QWidget*>(instead_)})
+        remark_->addWidget(remark); // now that they have a parent: it shows the first one
     column->addWidget(new PageCaption(session));
     column->addStretch();
 
@@ -138,7 +143,7 @@ void AlgorithmPanel::followNeeds()
                            : here ? tr("As its authors printed it, faults included")
                                   : tr("Published forms clip at rectangles only"));
     instead_->setText(instead);
-    instead_->setHidden(instead.isEmpty());
+    remark_->setCurrentIndex(instead.isEmpty() ? 0 : 1);
     emit remarked(app::headingInHand(session_));
 }
 

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QStackedLayout>
 #include <QTimer>
 
 namespace ui {
@@ -46,7 +47,8 @@ private:
     app::Session& session_;
     QRadioButton *corrected_, *published_;
     QLabel *tick_, *verdict_;
-    QLabel* instead_; ///< what clips if the chosen algorithm cannot
+    QLabel* instead_;        ///< what clips if the chosen algorithm cannot
+    QStackedLayout* remark_; ///< whether all agree, or `instead_`
     QPushButton* ask_;
     QTimer idle_;
     clipping::Window window_{};
