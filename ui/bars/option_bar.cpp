@@ -64,7 +64,7 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas)
     const qsizetype before = actions().size();
     addStroke();
     ofOthers_ = actions().mid(before);
-    ofWindow_ << addWidget(window_);
+    windowShown_ = addWidget(window_);
     const auto focusCanvas = [&canvas] { canvas.setFocus(); };
     connect(dashes_, &ToolList::done, &canvas, focusCanvas);
     for (LengthField* field : {width_, &grid_->spacing()}) {
@@ -98,16 +98,18 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas)
 
 void OptionBar::showOptionsOf(std::string_view tool)
 {
-    isWindow_ = tool == "window";
-    const bool nodes = tool == "nodes";
-    nodesShown_->setVisible(nodes);
+    tool_ = tool;
+    nodesShown_->setVisible(tool_ == "nodes");
     for (QAction* action : instead_)
-        action->setVisible(!nodes);
-    for (QAction* action : ofOthers_)
-        action->setVisible(!isWindow_ && !nodes);
-    for (QAction* action : ofWindow_)
-        action->setVisible(isWindow_);
+        action->setVisible(isOffered(action));
     fitInto(width());
+}
+
+bool OptionBar::isOffered(QAction* action) const
+{
+    if (tool_ == "nodes")
+        return !instead_.contains(action);
+    return tool_ == "window" ? !ofOthers_.contains(action) : action != windowShown_;
 }
 
 void OptionBar::addStroke()
@@ -280,8 +282,7 @@ void OptionBar::arrange(int step)
     export_->setToolButtonStyle(step < 1 ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
     for (QAction* action : actions())
         if (captions_.contains(qobject_cast<QLabel*>(widgetForAction(action))))
-            action->setVisible(step < 3 && !nodesShown_->isVisible()
-                               && !(isWindow_ && ofOthers_.contains(action)));
+            action->setVisible(step < 3 && isOffered(action));
     grid_->showSpacing(step < 4);
     snapping_->showKinds(step < 5);
 }
@@ -292,8 +293,7 @@ void OptionBar::changeEvent(QEvent* event)
     if (event->type() == QEvent::PaletteChange)
         paintIcons();
     if (event->type() == QEvent::FontChange) // when its fields have followed, too
-        QMetaObject::invokeMethod(
-            this, [this] { fitInto(width()); }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(this, [this] { fitInto(width()); }, Qt::QueuedConnection);
 }
 
 /// Repaints the icons that are pixmaps, which do not follow the palette like other icons.

@@ -58,6 +58,7 @@ private:
     void addClipping();
     void addPanes(Canvas& canvas);
     void showOptionsOf(std::string_view tool);
+    bool isOffered(QAction* action) const; ///< for the tool in hand
     void addExport();
     void fitInto(int width);
     void arrange(int step);
@@ -76,9 +77,9 @@ private:
     GridChoice* grid_;
     Segments *keep_, *removed_, *panes_;
     WindowOptions* window_;
-    /// Only for the tool Clip window; and not for it: the stroke, and Keep, which its panel has.
-    QList<QAction*> ofWindow_, ofOthers_;
-    bool isWindow_ = false;
+    QAction* windowShown_ = nullptr; ///< the place of its options in the bar
+    QList<QAction*> ofOthers_;       ///< not for it: the stroke, and Keep, which its panel has
+    std::string_view tool_{};
     QList<QLabel*> captions_;
     NodeRow* nodes_;
     QAction* nodesShown_;     ///< the place of the commands for nodes in the bar
