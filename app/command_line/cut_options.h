@@ -16,9 +16,9 @@ void takeCuttingOptions(const ParsedArguments& arguments, const Page& page, CutO
 std::optional<CutCounts> occludeIfWanted(const ParsedArguments& arguments,
                                          const CutOptions& options, Document& document);
 
-/// What the report says of covered lines.
+/// The report's sentence on covered lines: how many were removed.
 QString occlusionText(const CutCounts& counts);
-/// Of dropped pieces and locked layers; empty if there are none.
+/// The sentences on dropped pieces and on locked layers that were cut; empty without them.
 QString furtherCountsText(const CutCounts& counts);
 
 } // namespace app

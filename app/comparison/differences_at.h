@@ -13,7 +13,7 @@ namespace app {
 /// window is convex, 64 edges." Empty if it can.
 QString refusalAt(const ClipRegion::Step& step, const Variant& variant);
 
-/// What a variant keeps of each line inside the window, in the order of the lines.
+/// The parts of the lines inside the window, clipped by a variant, in the order of the lines.
 std::vector<clipping::Clipped> clippedAt(const ClipRegion& window, const Variant& variant,
                                          std::span<const clipping::Segment> lines);
 

@@ -49,7 +49,7 @@ bool enclosesNothing(const Subpath& path)
     return path.segments.empty() || (path.segments.size() == 1 && !path.segments[0].curved);
 }
 
-// What is left of the area.
+// The kept part of a filled object as an object; empty if nothing of it is kept.
 std::vector<Object> areasOf(const Object& object, const std::vector<Subpath>& paths)
 {
     if (paths.empty())

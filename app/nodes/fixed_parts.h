@@ -5,8 +5,8 @@
 
 namespace app {
 
-/// What an edit that moves nodes and handles leaves where it is: segments, each as a subpath, and
-/// single nodes between segments that change.
+/// The segments that an edit does not move, each as a subpath, and the nodes that it does not move
+/// although both their segments change.
 std::vector<Subpath> fixedParts(const NodeSubpath& before, const NodeSubpath& after);
 
 } // namespace app

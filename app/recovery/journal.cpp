@@ -229,7 +229,7 @@ void Journal::fail(const QString& reason)
     nextAttempt_.setRemainingTime(limits_.retry);
 }
 
-// What is not on the disk would be lost with the power; a new base puts everything there.
+// Data that was not synced would be lost with the power. A new base writes everything again.
 void Journal::noteUnsynced(const std::shared_ptr<LogFile>& log, const QString& reason)
 {
     if (QFileInfo(log->path()).path() != folder_)

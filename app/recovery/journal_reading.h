@@ -7,7 +7,7 @@
 
 namespace app {
 
-/// What is known of a journal without reading its drawing.
+/// The state of a journal, found without reading its drawing.
 struct KnownJournal {
     JournalState state{};
     bool damaged = false; ///< some of its last records cannot be read
@@ -17,8 +17,8 @@ std::optional<KnownJournal> known(const QString& folder);
 
 /// Replays a journal, by the way that leads farthest. Empty if no base of it is readable.
 std::optional<Recovered> replayed(const QString& folder);
-/// What can be replayed of a journal without a readable base: from the drawing that was opened, if
-/// its file has not changed since, or from an empty drawing. Empty if that is nothing.
+/// Replays a journal that has no readable base. It starts from the file that was opened, if that has
+/// not changed since, or from an empty drawing. Empty if no step can be replayed.
 std::optional<Recovered> salvaged(const QString& folder);
 
 /// Where the drawing came from, according to the oldest log.
