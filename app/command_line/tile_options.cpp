@@ -5,6 +5,7 @@
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
 #include "app/tiles/papers.h"
+#include "app/tiles/sheet_names.h"
 #include "app/tiles/sheets.h"
 
 #include <QFileInfo>
@@ -146,11 +147,9 @@ void writeTiles(const ParsedArguments& arguments, const TilePlan& plan, const Do
         throw WrongUsage{Commands::tr("--tiles writes files: name them with -o.")};
     if (const auto error = writeSheets(sheets, output.path, *output.format, output.options))
         throw Failure{*error};
-    say(Commands::tr("Sheets: %1 columns × %2 rows of %3 × %4 mm: %5.")
-            .arg(tiling.value->columns)
-            .arg(tiling.value->rows)
-            .arg(numberText(tiling.value->sheet.x, 1), numberText(tiling.value->sheet.y, 1),
-                 filesText(filesOf(sheets, output.path))));
+    say(Commands::tr("Sheets: %1 of %2 × %3 mm: %4.")
+            .arg(gridText(*tiling.value), numberText(tiling.value->sheet.x, 1),
+                 numberText(tiling.value->sheet.y, 1), filesText(filesOf(sheets, output.path))));
 }
 
 } // namespace app

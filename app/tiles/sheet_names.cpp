@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tiles/sheet_names.h"
 
+#include <QCoreApplication>
 #include <QRegularExpression>
 
 namespace app {
 namespace {
+
+struct SheetNamesText {
+    Q_DECLARE_TR_FUNCTIONS(SheetNames)
+};
 
 // From the first number to the last one.
 const QRegularExpression& numbers()
@@ -16,6 +21,16 @@ const QRegularExpression& numbers()
 }
 
 } // namespace
+
+QString gridText(const Tiling& tiling)
+{
+    using Text = SheetNamesText;
+    const QString columns =
+        tiling.columns == 1 ? Text::tr("1 column") : Text::tr("%1 columns").arg(tiling.columns);
+    const QString rows =
+        tiling.rows == 1 ? Text::tr("1 row") : Text::tr("%1 rows").arg(tiling.rows);
+    return Text::tr("%1 × %2").arg(columns, rows);
+}
 
 QString sheetName(const QString& pattern, const Tiling& tiling, const Tile& tile)
 {

@@ -7,6 +7,9 @@
 
 namespace app {
 
+/// "3 columns × 1 row".
+QString gridText(const Tiling& tiling);
+
 // The names of the files of sheets, by a pattern such as "plan-{row}-{column}.svg".
 
 /// The name of a sheet's file: {row}, {column} and {n} in the pattern become its numbers.

@@ -12,7 +12,7 @@
 namespace ui {
 
 DockTitle::DockTitle(QDockWidget& dock)
-    : QWidget(&dock), dock_(dock), name_(new QLabel(dock.windowTitle())), remark_(new QLabel),
+    : QWidget(&dock), dock_(dock), name_(new QLabel(dock.windowTitle())), remark_(new ElidedLabel),
       row_(new QHBoxLayout(this)), chevron_(new QToolButton)
 {
     name_->setFont(semiBold(font()));
@@ -42,7 +42,7 @@ DockTitle::DockTitle(QDockWidget& dock)
 
 void DockTitle::setName(const QString& name) { name_->setText(name); }
 
-void DockTitle::setRemark(const QString& remark) { remark_->setText(remark); }
+void DockTitle::setRemark(const QString& remark) { remark_->setWhole(remark); }
 
 void DockTitle::setFoldable(bool foldable) { chevron_->setVisible(foldable); }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/widgets/elided_label.h"
+
 #include <QDockWidget>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -37,7 +39,8 @@ private:
     void showButtons();
 
     QDockWidget& dock_;
-    QLabel *name_, *remark_;
+    QLabel* name_;
+    ElidedLabel* remark_;
     QHBoxLayout* row_;
     QToolButton* chevron_;
     QList<QToolButton*> buttons_;

@@ -3,6 +3,7 @@
 
 #include "app/base/numbers.h"
 #include "app/tiles/papers.h"
+#include "app/tiles/sheet_names.h"
 #include "ui/look/error_colour.h"
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/quiet_label.h"
@@ -208,7 +209,7 @@ void SheetsSection::follow()
         setRemark({});
         return size_->clear();
     }
-    setRemark(tr("%1 columns × %2 rows").arg(tiling.value->columns).arg(tiling.value->rows));
+    setRemark(app::gridText(*tiling.value));
     size_->setText(tr("%1 × %2 mm")
                        .arg(app::numberText(tiling.value->drawing.x, 0),
                             app::numberText(tiling.value->drawing.y, 0)));

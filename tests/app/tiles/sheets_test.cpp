@@ -135,6 +135,8 @@ private slots:
     {
         const Tiling tiling = sheets({.columns = 3, .rows = 2, .margin = 0}).tiling;
         QCOMPARE(sheetName("a-{row}-{column}-{n}.svg", tiling, tiling.tiles[4]), "a-2-2-5.svg");
+        QCOMPARE(gridText(tiling), QStringLiteral("3 columns × 2 rows"));
+        QCOMPARE(gridText({{}, 1, 1}), QStringLiteral("1 column × 1 row"));
         QVERIFY(namesEverySheet("{n}", tiling));
         QVERIFY(namesEverySheet("{row}{column}", tiling));
         QVERIFY(!namesEverySheet("{row}", tiling));
