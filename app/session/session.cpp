@@ -12,10 +12,20 @@
 
 namespace app {
 
+/// The topmost layer that can be drawn on; the topmost of all if there is none.
+static ContainerId layerForNew(const Containers& containers)
+{
+    const auto layers = containers.childrenOf(0);
+    for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer)
+        if (containers.shown(*layer) && !containers.locked(*layer))
+            return *layer;
+    return layers.back();
+}
+
 Session::Session(QObject* parent) : QObject(parent)
 {
     display_.variant.algorithm = &usualAlgorithm();
-    pen.layer = now().containers().childrenOf(0).back();
+    pen.layer = layerForNew(now().containers());
     updateWindows();
     new SelectionMemory(*this); // before say(), which signals the selection that it remembers
     connect(&document, &EditedDocument::changed, this, &Session::say);
@@ -146,7 +156,7 @@ void Session::follow(const DocumentChange& change)
 {
     const Containers& containers = now().containers();
     if (change.everything || !containers.contains(pen.layer))
-        pen.layer = containers.childrenOf(0).back();
+        pen.layer = layerForNew(containers);
     if (change.everything)
         preview_ = {};
     if (change.everything || change.page)

@@ -199,7 +199,7 @@ private slots:
                        whole)
             < 4);
         const auto run = desk.tiles({"a4", "--scale", "50%", "-o", desk.path("small-{n}.svg")});
-        QVERIFY2(run.err.contains("1 columns × 1 rows of 210.0 × 297.0 mm"), run.err.constData());
+        QVERIFY2(run.err.contains("1 column × 1 row of 210.0 × 297.0 mm"), run.err.constData());
     }
 
     void otherFormats()

@@ -58,6 +58,19 @@ class SessionTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void newObjectsGoIntoTheTopmostLayerThatCanBeDrawnOn()
+    {
+        app::Sheet sheet;
+        sheet.layers = {{"land"}, {"roads"}, {"hidden"}, {"frame"}};
+        sheet.layers[2].visible = false;
+        sheet.layers[3].locked = true;
+        app::Session session;
+        session.document.load(documentOf(sheet));
+        QCOMPARE(session.now().containers()[session.pen.layer].name, "roads");
+        sheet.layers[0].locked = sheet.layers[1].locked = true;
+        session.document.load(documentOf(sheet));
+        QCOMPARE(session.now().containers()[session.pen.layer].name, "frame");
+    }
     void theDisplayIsChangedInOnePart()
     {
         app::Session session;

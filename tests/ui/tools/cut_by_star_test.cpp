@@ -4,7 +4,6 @@
 #include "app/document/window_shape.h"
 #include "app/session/samples.h"
 #include "app/view/frame_handles.h"
-#include "ui/docks/layer_list.h"
 
 #include <QAbstractButton>
 #include <QLabel>
@@ -34,17 +33,6 @@ private slots:
         const std::size_t all = visible();
         QCOMPARE(all, h.session.scene.lines().size());
 
-        // The sample opens with its locked frame as the current layer.
-        h.t.window->raisePanel("layers");
-        auto* layers = h.t.window->findChild<ui::LayerList*>();
-        const QModelIndex houses =
-            layers->model()
-                ->match(layers->model()->index(0, 0), Qt::DisplayRole, "Houses")
-                .value(0);
-        QVERIFY(houses.isValid());
-        QTest::mouseClick(layers->viewport(), Qt::LeftButton, {},
-                          layers->visualRect(houses).center());
-        h.canvas.setFocus();
         h.key(Qt::Key_S);
         h.drag({210, 150}, {210, 30});
         h.key(Qt::Key_G); // selects what was just drawn
