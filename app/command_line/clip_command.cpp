@@ -109,7 +109,7 @@ void sayDropped(const ParsedArguments& arguments, const Output& output, std::siz
 }
 
 /// Reports the duration of each part of the work, if requested.
-class Stopwatch {
+class Laps {
 public:
     void lap(const QString& what)
     {
@@ -120,7 +120,7 @@ public:
                           1);
         last_ = now;
     }
-    QString laps() const { return laps_.join(QStringLiteral(", ")); }
+    QString text() const { return laps_.join(QStringLiteral(", ")); }
 
 private:
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
@@ -142,10 +142,10 @@ void clip(const ParsedArguments& arguments)
 {
     const QString input = arguments.operands().first();
     Output output = outputOf(arguments, input);
-    Stopwatch stopwatch;
+    Laps laps;
     const Imported imported = readDrawing(arguments, input);
     refuseLossInPlace(arguments, imported, input, output);
-    stopwatch.lap(Commands::tr("read"));
+    laps.lap(Commands::tr("read"));
 
     const CutOptions options = cutOptionsOf(arguments, imported, output);
     const auto plan = tilePlanOf(arguments, imported.document.page());
@@ -158,7 +158,7 @@ void clip(const ParsedArguments& arguments)
     result.edit.windows = ClipWindows(); // it is cut already
     Document after = before;
     after.apply(result.edit);
-    stopwatch.lap(Commands::tr("cut"));
+    laps.lap(Commands::tr("cut"));
 
     output.options.tolerance = options.tolerance;
     output.options.sources = rowsOf(imported, before, result);
@@ -168,7 +168,7 @@ void clip(const ParsedArguments& arguments)
         writeTiles(arguments, *plan, after, options, output);
     else
         writeDrawing(after, output);
-    stopwatch.lap(Commands::tr("write"));
+    laps.lap(Commands::tr("write"));
 
     if (!arguments.has(QStringLiteral("quiet"))) {
         if (covered)
@@ -185,7 +185,7 @@ void clip(const ParsedArguments& arguments)
         say(Commands::tr("Lines: %1 before, %2 after; %3.")
                 .arg(result.counts.segmentsBefore)
                 .arg(result.counts.segmentsAfter)
-                .arg(stopwatch.laps()));
+                .arg(laps.text()));
 }
 
 } // namespace

@@ -39,6 +39,7 @@ public:
     int count() const { return int(steps_.size()); } ///< done and undone
     void setIndex(int index);                        ///< undoes or redoes until index() is `index`
     QString text(int step) const;                    ///< step 0 is the oldest; empty if none
+    int stepsDone() const { return forgotten_ + index_; } ///< with those that were forgotten
     bool canUndo() const { return index_ > 0; }
     bool canRedo() const { return index_ < count(); }
     QString undoText() const { return canUndo() ? text(index_ - 1) : QString(); }

@@ -9,8 +9,6 @@
 namespace app {
 namespace {
 
-constexpr double rounding = 1e-9; // relative to the size
-
 bool alike(const Point& scale) { return std::abs(scale.x) == std::abs(scale.y); }
 
 /// A text after a map that keeps angles. It is mirrored by a map that turns x to y the other way.
@@ -86,7 +84,7 @@ struct Turned {
             return EllipseRecipe{map(r.centre),
                                  {r.radii.y * std::abs(map.y.x), r.radii.x * std::abs(map.x.y)}};
         const double radius = (r.radii.x + r.radii.y) / 2;
-        const bool isCircle = std::abs(r.radii.x - r.radii.y) <= rounding * radius;
+        const bool isCircle = std::abs(r.radii.x - r.radii.y) <= roundingOfRecipes * radius;
         if (!isCircle || !keepsShape)
             return {};
         return EllipseRecipe{map(r.centre), Point(radius * map.scale())};

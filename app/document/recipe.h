@@ -38,6 +38,8 @@ struct TextRecipe {
     bool mirrored = false; ///< the letters stand on the other side of the baseline, head down
     friend bool operator==(const TextRecipe&, const TextRecipe&) = default;
 };
+constexpr double roundingOfRecipes = 1e-9; ///< in reading and mapping them, relative to the size
+
 using Recipe = std::variant<std::monostate, RectangleRecipe, EllipseRecipe, StarRecipe, TextRecipe>;
 
 /// The recipe of the transformed path; empty if no recipe of its kind makes that path.

@@ -15,7 +15,6 @@ namespace {
 
 // Distance of control points, in radii, for a Bézier curve that approximates a quarter circle.
 constexpr double quarter = 0.5522847498307936;
-constexpr double rounding = 1e-9; // relative to the size
 
 struct Outline {
     std::optional<Subpath> operator()(const RectangleRecipe& r) const
@@ -66,7 +65,7 @@ bool alike(std::span<const Subpath> a, std::span<const Subpath> b)
     }
     const auto near = [&](const Point& p, const Point& q) {
         const Point apart = glm::abs(p - q);
-        return apart.x <= rounding * size && apart.y <= rounding * size;
+        return apart.x <= roundingOfRecipes * size && apart.y <= roundingOfRecipes * size;
     };
     const auto same = [&](const PathSegment& p, const PathSegment& q) {
         return p.curved == q.curved && near(p.to, q.to) && near(p.control1, q.control1)

@@ -6,8 +6,6 @@
 namespace app {
 namespace {
 
-Point centreOf(const clipping::Window& box) { return (box.min + box.max) * 0.5; }
-
 Point turned(const Point& p, const Point& centre, double angle)
 {
     if (angle == 0)
@@ -18,6 +16,8 @@ Point turned(const Point& p, const Point& centre, double angle)
 }
 
 } // namespace
+
+Point centreOf(const clipping::Window& box) { return (box.min + box.max) * 0.5; }
 
 std::array<Point, 4> cornersOf(const WindowFrame& frame)
 {

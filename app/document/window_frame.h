@@ -11,6 +11,8 @@ namespace app {
 /// towards y) about its centre.
 using WindowFrame = RectangleShape;
 
+Point centreOf(const clipping::Window& box);
+
 /// The corners, from the smallest x and y towards larger x; without a rotation they have the bits
 /// of the box.
 std::array<Point, 4> cornersOf(const WindowFrame& frame);

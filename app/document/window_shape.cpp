@@ -2,6 +2,7 @@
 #include "app/document/window_shape.h"
 
 #include "app/document/mapped_path.h"
+#include "app/document/window_frame.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -13,9 +14,7 @@
 namespace app {
 namespace {
 
-constexpr double rounding = 1e-12; // relative to the lengths
-
-Point centreOf(const clipping::Window& box) { return (box.min + box.max) * 0.5; }
+constexpr double roundingOfAngles = 1e-12; // relative to the lengths
 
 clipping::Window boxOfPath(const Path& path, double tolerance)
 {
@@ -54,7 +53,7 @@ std::optional<RectangleShape> stillRectangle(const RectangleShape& rectangle, co
     const auto old = cornersOf(rectangle);
     const Point corner = map(old[0]), across = map(old[1]) - corner, down = map(old[3]) - corner;
     const double width = glm::length(across), height = glm::length(down);
-    if (!(std::abs(glm::dot(across, down)) <= rounding * width * height))
+    if (!(std::abs(glm::dot(across, down)) <= roundingOfAngles * width * height))
         return std::nullopt;
     if (rectangle.angle == 0 && map.placement()) {
         const Point opposite = map(old[2]);
@@ -142,7 +141,7 @@ WindowShape rotated(const WindowShape& shape, double angle)
     if (const auto* rectangle = std::get_if<RectangleShape>(&shape)) {
         const double sum = std::remainder(rectangle->angle + angle, 2 * std::numbers::pi);
         const double quarters = std::round(sum / (std::numbers::pi / 2));
-        if (std::abs(sum - quarters * (std::numbers::pi / 2)) > rounding)
+        if (std::abs(sum - quarters * (std::numbers::pi / 2)) > roundingOfAngles)
             return RectangleShape{rectangle->box, sum};
         if (std::fmod(quarters, 2) == 0)
             return RectangleShape{rectangle->box};

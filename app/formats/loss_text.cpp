@@ -9,11 +9,13 @@ namespace app {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("losses", text); }
+struct Losses {
+    Q_DECLARE_TR_FUNCTIONS(losses)
+};
 
 QString counted(const Loss& loss)
 {
-    return tr("%1 %2").arg(countText(std::size_t(loss.count)), loss.what);
+    return Losses::tr("%1 %2").arg(countText(std::size_t(loss.count)), loss.what);
 }
 
 } // namespace
@@ -27,8 +29,9 @@ QString lossSentence(const std::vector<Loss>& report)
     if (lost.isEmpty())
         return {};
     const QString last = lost.takeLast();
-    const QString list = lost.isEmpty() ? last : tr("%1 and %2").arg(lost.join(tr(", ")), last);
-    return tr("%1 cannot be kept.").arg(list);
+    const QString list =
+        lost.isEmpty() ? last : Losses::tr("%1 and %2").arg(lost.join(Losses::tr(", ")), last);
+    return Losses::tr("%1 cannot be kept.").arg(list);
 }
 
 QStringList lossLines(const std::vector<Loss>& report)
@@ -36,11 +39,12 @@ QStringList lossLines(const std::vector<Loss>& report)
     QStringList lines;
     for (const Loss& loss : report)
         if (!loss.remark)
-            lines << tr("Lost: %1").arg(counted(loss))
-                         + (loss.instead.isEmpty() ? QString() : tr("; %1").arg(loss.instead));
+            lines << Losses::tr("Lost: %1").arg(counted(loss))
+                         + (loss.instead.isEmpty() ? QString()
+                                                   : Losses::tr("; %1").arg(loss.instead));
     for (const Loss& loss : report)
         if (loss.remark)
-            lines << tr("Changed: %1").arg(counted(loss));
+            lines << Losses::tr("Changed: %1").arg(counted(loss));
     return lines;
 }
 

@@ -2,6 +2,7 @@
 #include "app/session/window_kinds.h"
 
 #include "app/document/recipe_outline.h"
+#include "app/document/window_frame.h"
 #include "app/drawing/centred_shapes.h"
 
 #include <QtGlobal>
@@ -14,8 +15,6 @@
 
 namespace app {
 namespace {
-
-Point centreOf(const clipping::Window& box) { return (box.min + box.max) * 0.5; }
 
 clipping::Window boxOf(const WindowDrag& drag)
 {

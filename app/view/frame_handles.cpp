@@ -29,7 +29,7 @@ Point placeOfRotation(const WindowFrame& frame, const View& view)
 WindowFrame turned(const WindowFrame& start, const Point& from, const Point& to,
                    Proportion proportion)
 {
-    const Point centre = (start.box.min + start.box.max) * 0.5;
+    const Point centre = centreOf(start.box);
     constexpr double step = 15;
     double by = degreesOf(to - centre) - degreesOf(from - centre);
     if (proportion != Proportion::Free) {

@@ -5,7 +5,7 @@
 
 namespace ui {
 
-constexpr std::size_t mostLines = 20'000; // more lines would take too long
+constexpr std::size_t mostLinesAround = 20'000; // more lines would take too long
 
 TextBoxes::TextBoxes(const app::Scene& scene, QObject* parent) : QObject(parent), scene_(scene)
 {
@@ -18,7 +18,7 @@ const std::vector<QRectF>& TextBoxes::in(const app::View& view)
         return boxes_;
     view_ = view;
     boxes_.clear();
-    if (scene_.lines().size() > mostLines)
+    if (scene_.lines().size() > mostLinesAround)
         return boxes_;
     std::vector<QLineF> lines;
     lines.reserve(scene_.lines().size());

@@ -11,7 +11,7 @@
 namespace ui {
 namespace {
 
-constexpr double height = 18, gap = 6, margin = 6; // pixels
+constexpr double height = 18, belowFrame = 6, besideText = 6; // pixels
 constexpr int widest = 160;
 constexpr std::size_t most = 30;
 
@@ -29,8 +29,9 @@ QRectF placeOf(const app::ClipWindow& window, const app::View& view, double widt
 {
     const clipping::Window box = app::boxOf(window.shape);
     const app::Point min = view.toScreen(box.min), max = view.toScreen(box.max);
-    QRectF place(min.x, max.y + gap, width, height);
-    const bool roomy = max.x - min.x > width + 2 * gap && max.y - min.y > height + 2 * gap;
+    QRectF place(min.x, max.y + belowFrame, width, height);
+    const bool roomy =
+        max.x - min.x > width + 2 * belowFrame && max.y - min.y > height + 2 * belowFrame;
     if (window.operation == app::WindowOperation::CutOut && roomy)
         place.moveCenter({(min.x + max.x) / 2, (min.y + max.y) / 2});
     return place;
@@ -57,7 +58,7 @@ std::vector<WindowTag> windowTags(const Controller& controller, const QFont& fon
         if (!list[i].visible || i == session.windowNumber() || app::isEmpty(list[i].shape))
             continue;
         const QString text = textOf(list[i], metrics);
-        const double width = metrics.horizontalAdvance(text) + 2 * margin;
+        const double width = metrics.horizontalAdvance(text) + 2 * besideText;
         const QRectF place = placeOf(list[i], controller.view(), width);
         if (place.intersects({0, 0, room.x, room.y}))
             tags.push_back({place, text, colourOf(list[i], controller)});

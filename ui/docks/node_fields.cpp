@@ -14,7 +14,7 @@
 namespace ui {
 namespace {
 
-constexpr int betweenRows = 4, leastFieldWidth = 56;
+constexpr int rowGap = 4, leastNumberWidth = 56;
 constexpr int typeRow = 3;
 constexpr std::array<std::string_view, 3> typeSteps{"corner-nodes", "smooth-nodes",
                                                     "symmetric-nodes"}; // as app::NodeType
@@ -29,7 +29,7 @@ NodeFields::NodeFields(app::Session& session, QWidget* parent)
     grid->setContentsMargins(space::dockMargin, space::labelToField, space::dockMargin,
                              space::labelToField);
     grid->setHorizontalSpacing(space::labelToField);
-    grid->setVerticalSpacing(betweenRows);
+    grid->setVerticalSpacing(rowGap);
     const std::array rows{tr("Node"), tr("In"), tr("Out")};
     for (int row = 0; row < int(rows.size()); ++row)
         grid->addWidget(quietLabel(rows[std::size_t(row)]), row, 0);
@@ -60,7 +60,7 @@ LengthField* NodeFields::makeField(const app::NodeNumber& number)
     auto* field =
         new LengthField(number.name, LengthField::Range::Any,
                         isAngle ? LengthField::Suffix::Degrees : LengthField::Suffix::None);
-    field->setMinimumWidth(leastFieldWidth);
+    field->setMinimumWidth(leastNumberWidth);
     connect(field, &LengthField::edited, this, [this, &number](double value, app::Merging merging) {
         app::setNodeNumber(session_, number, value, merging);
         follow(); // a refused number disappears

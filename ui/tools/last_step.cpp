@@ -2,18 +2,9 @@
 #include "ui/tools/last_step.h"
 
 namespace ui {
-namespace {
-
-int stepsDone(const Workbench& bench)
-{
-    return bench.session.history.forgotten() + bench.session.history.index();
-}
-
-} // namespace
-
 void LastStep::remember(const Workbench& bench)
 {
-    steps_ = stepsDone(bench);
+    steps_ = bench.session.history.stepsDone();
     open_ = false;
     QObject::disconnect(others_);
     others_ = QObject::connect(&bench.session.history, &app::History::pushed, [this] {
@@ -25,7 +16,7 @@ void LastStep::remember(const Workbench& bench)
 bool LastStep::canReopen(const Workbench& bench) const
 {
     const app::History& history = bench.session.history;
-    return !open_ && steps_ == stepsDone(bench) && !history.canRedo() && history.canUndo();
+    return !open_ && steps_ == history.stepsDone() && !history.canRedo() && history.canUndo();
 }
 
 bool LastStep::reopen(Workbench& bench)

@@ -12,11 +12,6 @@ namespace {
 
 constexpr double closingMark = 5.5; // pixels
 
-int stepsDone(const Workbench& bench)
-{
-    return bench.session.history.forgotten() + bench.session.history.index();
-}
-
 } // namespace
 
 void ChainTool::press(const Pointer& pointer, Workbench& bench)
@@ -73,14 +68,15 @@ void ChainTool::takeBack(Workbench& bench)
 {
     takenBack_.push_back(nodes_.back());
     nodes_.pop_back();
-    stepsBefore_ = stepsDone(bench);
+    stepsBefore_ = bench.session.history.stepsDone();
 }
 
 // When all nodes are removed, Undo goes on with the history; those steps must be redone before the
 // nodes return.
 bool ChainTool::canPutBack(const Workbench& bench) const
 {
-    return !takenBack_.empty() && (!nodes_.empty() || stepsDone(bench) == stepsBefore_);
+    return !takenBack_.empty()
+           && (!nodes_.empty() || bench.session.history.stepsDone() == stepsBefore_);
 }
 
 void ChainTool::putBack(Workbench&)

@@ -47,7 +47,7 @@ app::GestureStart WindowGesture::gaugeStart() const
     if (moves())
         return {state_->from.raw};
     const app::WindowFrame& frame = state_->frame;
-    const app::Point centre = (frame.box.min + frame.box.max) * 0.5;
+    const app::Point centre = app::centreOf(frame.box);
     if (rotates())
         return {centre, state_->from.raw};
     const bool scales = state_->to.modifiers & Qt::ShiftModifier;

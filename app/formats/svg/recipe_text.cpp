@@ -80,7 +80,7 @@ QString unquoted(const QString& quoted)
     return text;
 }
 
-struct Text {
+struct InWords {
     const Path& path;
 
     std::string operator()(const RectangleRecipe& r) const
@@ -164,7 +164,7 @@ Recipe readShape(std::string_view text)
 
 std::string textOf(const Recipe& recipe, const Path& path)
 {
-    return std::visit(Text{path}, recipe);
+    return std::visit(InWords{path}, recipe);
 }
 
 Recipe readRecipe(std::string_view text, std::span<const Subpath> subpaths)
