@@ -10,7 +10,7 @@
 namespace ui {
 namespace {
 
-constexpr double gap = 13, margin = 4; // pixels
+constexpr double underWindow = 13, fromEdge = 4; // pixels
 
 QString text() { return QCoreApplication::translate("Canvas", "Lay window on page"); }
 
@@ -23,8 +23,8 @@ QRectF offerPlace(const clipping::Window& page, const app::View& view)
         QFontMetricsF(QGuiApplication::font()).boundingRect(text()).size() + QSizeF(20, 8);
     const double x =
         (std::clamp(min.x, 0.0, view.size.x) + std::clamp(max.x, 0.0, view.size.x)) / 2;
-    const double lowest = view.size.y - margin - size.height();
-    const double y = std::clamp(max.y + gap, margin, std::max(margin, lowest));
+    const double lowest = view.size.y - fromEdge - size.height();
+    const double y = std::clamp(max.y + underWindow, fromEdge, std::max(fromEdge, lowest));
     return {QPointF(x - size.width() / 2, y), size};
 }
 
