@@ -15,7 +15,7 @@ namespace {
 
 using Points = GestureMeasure::Points;
 
-constexpr double step = 15, mostSkew = 89; // degrees
+constexpr double step = 15; // degrees
 
 QString tr(const char* text) { return QCoreApplication::translate("GestureMeasure", text); }
 

@@ -5,6 +5,8 @@
 
 namespace app {
 
+constexpr double mostSkew = 89; ///< degrees
+
 /// Length and angle of the way; along an axis, only the way on it.
 const GestureMeasure& moveMeasure(Along axis);
 /// The angle about the pivot from where the pointer was to where it is.

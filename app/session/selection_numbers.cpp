@@ -3,6 +3,7 @@
 
 #include "app/commands/move_objects.h"
 #include "app/document/direction.h"
+#include "app/drawing/transformation_measures.h"
 #include "app/view/place.h"
 
 #include <QCoreApplication>
@@ -91,6 +92,20 @@ Map turnTo(const Session& session, const Frame& frame, double value)
     return rotation(value, *at);
 }
 
+/// The skew that is typed: no object remembers how it was skewed.
+Number skew(const Session& session, const Frame&)
+{
+    return session.selectionBounds() ? Number(0) : std::nullopt;
+}
+
+Map skewBy(const Session& session, const Frame& frame, double value)
+{
+    const double height = side<1>(session, frame).value_or(0);
+    if (!(height > 0) || !(std::abs(value) <= mostSkew))
+        return std::nullopt;
+    return horizontalSkew(value, *reference(session, frame));
+}
+
 /// Of all lines and chords together.
 Number length(const Session& session, const Frame&)
 {
@@ -117,13 +132,20 @@ Map lengthenTo(const Session& session, const Frame& frame, double value)
 
 std::span<const SelectionNumber> selectionNumbers()
 {
+    const QString tooLarge = tr("This number is too large.");
     static const std::array all{
-        SelectionNumber{"x", tr("X"), tr("X"), Quantity::Coordinate, place<0>, moveTo<0>},
-        SelectionNumber{"y", tr("Y"), tr("Y"), Quantity::Coordinate, place<1>, moveTo<1>},
-        SelectionNumber{"w", tr("W"), tr("Width"), Quantity::Length, side<0>, resizeTo<0>},
-        SelectionNumber{"h", tr("H"), tr("Height"), Quantity::Length, side<1>, resizeTo<1>},
-        SelectionNumber{"angle", tr("∠"), tr("Angle"), Quantity::Angle, angle, turnTo},
-        SelectionNumber{"length", tr("L"), tr("Length"), Quantity::Length, length, lengthenTo},
+        SelectionNumber{"x", tr("X"), tr("X"), Quantity::Coordinate, place<0>, moveTo<0>, tooLarge},
+        SelectionNumber{"y", tr("Y"), tr("Y"), Quantity::Coordinate, place<1>, moveTo<1>, tooLarge},
+        SelectionNumber{"w", tr("W"), tr("Width"), Quantity::Length, side<0>, resizeTo<0>,
+                        tr("The width must be more than 0, and a vertical line has none.")},
+        SelectionNumber{"h", tr("H"), tr("Height"), Quantity::Length, side<1>, resizeTo<1>,
+                        tr("The height must be more than 0, and a horizontal line has none.")},
+        SelectionNumber{"angle", tr("∠"), tr("Angle"), Quantity::Angle, angle, turnTo, tooLarge},
+        SelectionNumber{"skew", tr("▱"), tr("Skew"), Quantity::Angle, skew, skewBy,
+                        tr("The skew must be between −%1° and %1°, and a horizontal line has none.")
+                            .arg(mostSkew)},
+        SelectionNumber{"length", tr("L"), tr("Length"), Quantity::Length, length, lengthenTo,
+                        tr("The length must be more than 0, and a point has none.")},
     };
     return all;
 }
@@ -134,9 +156,7 @@ std::optional<QString> setSelectionNumber(Session& session, const SelectionNumbe
 {
     const Map map = number.map(session, frame, value);
     if (!map || !map->isFinite() || !(map->scale() > 0))
-        return tr("%1 cannot be set to this: the selection has no extent in this direction, or the "
-                  "number is not above 0.")
-            .arg(number.name);
+        return number.refusal;
     if (*map == AffineMap{.from = map->from, .to = map->from})
         return std::nullopt;
     const QString text = tr("Set %1").arg(number.name.toLower());

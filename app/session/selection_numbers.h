@@ -27,6 +27,7 @@ struct SelectionNumber {
     /// The map that gives the selection this number; empty: there is none.
     std::optional<AffineMap> (*map)(const Session& session, const SelectionFrame& frame,
                                     double value);
+    QString refusal; ///< the sentence if there is no such map
 };
 
 // THE CATALOGUE. To add a number: add its row.

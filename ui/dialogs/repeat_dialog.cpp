@@ -15,7 +15,7 @@
 namespace ui {
 namespace {
 
-constexpr double usualGap = 3; // mm on paper
+constexpr double usualGap = 5; // mm on paper
 
 QSpinBox* makeCount(const QString& name, int least, int value)
 {

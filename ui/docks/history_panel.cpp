@@ -55,7 +55,7 @@ HistoryPanel::HistoryPanel(const app::History& history, QWidget* parent)
     setFrameShape(QFrame::NoFrame);
     setAccessibleName(tr("History"));
     setToolTip(tr("Click a step to go back or forward to it"));
-    setMinimumHeight(5 * space::rowHeight);
+    setMinimumHeight(3 * space::rowHeight);
     connect(model_, &HistoryModel::dataChanged, this, &HistoryPanel::follow);
     follow();
 }

@@ -18,7 +18,7 @@
 namespace ui {
 namespace {
 
-constexpr int leastFieldWidth = 64, leastListWidth = 52, betweenRows = 4, buttonsInRow = 6;
+constexpr int leastFieldWidth = 56, leastListWidth = 52, betweenRows = 4, buttonsInRow = 6;
 
 /// A check box with the longest of several texts for which there is room.
 class ShortenedBox : public QCheckBox {
@@ -122,45 +122,55 @@ void SelectionPanel::makeOptions()
     });
 }
 
-QLayout* SelectionPanel::makeNumbers()
+std::pair<QLabel*, LengthField*> SelectionPanel::makeField(const app::SelectionNumber& number)
 {
     using Range = LengthField::Range;
+    const bool isLength = number.quantity == app::Quantity::Length;
+    const bool isAngle = number.quantity == app::Quantity::Angle;
+    auto* field =
+        new LengthField(number.name, isLength ? Range::NotNegative : Range::Any,
+                        isAngle ? LengthField::Suffix::Degrees : LengthField::Suffix::None);
+    field->setAlignment(Qt::AlignRight);
+    field->setToolTip(number.name);
+    field->setMinimumWidth(leastFieldWidth);
+    auto* label = new QLabel(number.label);
+    label->setForegroundRole(QPalette::PlaceholderText);
+    label->setBuddy(field);
+    label->setToolTip(number.name);
+    connect(field, &LengthField::edited, this,
+            [this, &number](double value, app::Merging merging) { edit(number, value, merging); });
+    connect(field, &LengthField::entered, this, &SelectionPanel::entered);
+    connect(field, &LengthField::refused, this, &SelectionPanel::refused);
+    connect(field, &LengthField::taken, this, &SelectionPanel::taken);
+    fields_.push_back(field);
+    needSelection_.insert(needSelection_.end(), {label, field});
+    return {label, field};
+}
+
+/// X over Y and W over H, with what belongs to them; below, angle, skew and length in one row.
+QLayout* SelectionPanel::makeNumbers()
+{
+    constexpr std::size_t ofBox = 4;
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(space::labelToField);
     grid->setVerticalSpacing(betweenRows);
+    auto* below = new QHBoxLayout;
+    below->setSpacing(space::labelToField);
     for (const app::SelectionNumber& number : app::selectionNumbers()) {
-        const bool isLength = number.quantity == app::Quantity::Length;
-        const bool isAngle = number.quantity == app::Quantity::Angle;
-        auto* field =
-            new LengthField(number.name, isLength ? Range::NotNegative : Range::Any,
-                            isAngle ? LengthField::Suffix::Degrees : LengthField::Suffix::None);
-        field->setAlignment(Qt::AlignRight);
-        field->setToolTip(number.name);
-        field->setMinimumWidth(leastFieldWidth);
-        auto* label = new QLabel(number.label);
-        label->setForegroundRole(QPalette::PlaceholderText);
-        label->setBuddy(field);
-        // Pairs: X over Y, W over H, the angle beside the length.
-        const int i = int(fields_.size()), pair = i / 2;
-        const int row = pair < 2 ? i % 2 : 2, at = pair < 2 ? pair : i % 2;
-        grid->addWidget(label, row, 2 * at);
-        grid->addWidget(field, row, 2 * at + 1);
-        connect(
-            field, &LengthField::edited, this,
-            [this, &number](double value, app::Merging merging) { edit(number, value, merging); });
-        connect(field, &LengthField::entered, this, &SelectionPanel::entered);
-        connect(field, &LengthField::refused, this, &SelectionPanel::refused);
-        connect(field, &LengthField::taken, this, &SelectionPanel::taken);
-        fields_.push_back(field);
-        needSelection_.insert(needSelection_.end(), {label, field});
+        const std::size_t i = fields_.size();
+        const auto [label, field] = makeField(number);
+        if (i < ofBox) {
+            grid->addWidget(label, int(i % 2), int(i / 2) * 2);
+            grid->addWidget(field, int(i % 2), int(i / 2) * 2 + 1);
+        } else {
+            below->addWidget(label);
+            below->addWidget(field, 1);
+        }
     }
     needSelection_.insert(needSelection_.end(), {reference_, chain_});
-    auto* below = new QHBoxLayout;
-    below->setSpacing(0);
-    below->addWidget(chain_);
-    below->addWidget(new UnitButton(session_));
-    grid->addWidget(reference_, 0, 4, 2, 1, Qt::AlignCenter);
-    grid->addLayout(below, 2, 4, Qt::AlignCenter);
+    grid->addWidget(chain_, 0, 4, 2, 1, Qt::AlignCenter);
+    grid->addWidget(reference_, 0, 5, 2, 1, Qt::AlignCenter);
+    grid->addLayout(below, 2, 0, 1, 6);
     grid->setColumnStretch(1, 1);
     grid->setColumnStretch(3, 1);
     return grid;
@@ -188,8 +198,9 @@ QLayout* SelectionPanel::makeButtons()
             grid->addWidget(buttons_.back().first, i / buttonsInRow, i % buttonsInRow);
         }
     grid->setColumnMinimumWidth(buttonsInRow, 2);
-    grid->addWidget(target_, 0, buttonsInRow + 1);
+    grid->addWidget(target_, 0, buttonsInRow + 1, 1, 2);
     grid->addWidget(strokes_, 1, buttonsInRow + 1);
+    grid->addWidget(new UnitButton(session_), 1, buttonsInRow + 2);
     grid->setColumnStretch(buttonsInRow + 1, 1);
     return grid;
 }

@@ -41,6 +41,7 @@ signals:
 private:
     QWidget* makeObjects();
     QLayout* makeNumbers();
+    std::pair<QLabel*, LengthField*> makeField(const app::SelectionNumber& number);
     QLayout* makeButtons();
     void makeOptions();
     QToolButton* makeButton(const app::Arrangement& how);

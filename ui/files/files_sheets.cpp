@@ -49,8 +49,9 @@ void Files::writeSheets(const app::Sheets& sheets, const QString& path, const Tu
             return app::exportSheets(sheets, path, follower);
         },
         [this, names, pages, turn](const std::optional<app::WriteResult>& written) {
-            if (written->end != app::WriteResult::End::Written)
-                emit told({Message::Kind::Warning, written->error});
+            const app::WriteResult& result = written.value();
+            if (result.end != app::WriteResult::End::Written)
+                emit told({Message::Kind::Warning, result.error});
             else
                 emit told({Message::Kind::Done,
                            pages == 1 ? tr("Exported 1 sheet: %1").arg(names)

@@ -22,7 +22,7 @@
 namespace ui {
 namespace {
 
-constexpr int betweenRows = 6;
+constexpr int betweenRows = 4;
 
 QLabel* captionFor(QWidget* field, const QString& text)
 {

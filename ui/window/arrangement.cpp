@@ -30,8 +30,9 @@ int wantedHeight(const Dock* dock)
 
 int leastHeight(const Dock* dock)
 {
-    const int body = dock->isFolded() ? 0 : dock->widget()->minimumSizeHint().height();
-    return body + space::dockTitleHeight + separator;
+    const QWidget& widget = *dock->widget();
+    const int body = std::max(widget.minimumSizeHint().height(), widget.minimumHeight());
+    return (dock->isFolded() ? 0 : body) + space::dockTitleHeight + separator;
 }
 
 /// Lists take what the panels of fixed height leave.

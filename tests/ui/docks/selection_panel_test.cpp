@@ -75,6 +75,21 @@ private slots:
         Panel::settle();
         QVERIFY(std::abs(t.field("Width")->value() - before) < 1e-9);
     }
+    void typedSkewLeansTheSelection()
+    {
+        Panel t;
+        auto* point = t.panel().findChild<ReferencePoint*>();
+        point->choose({-1, 1}); // bottom left
+        const double width = t.field("Width")->value(), height = t.field("Height")->value();
+        t.type("Skew", "45");
+        QVERIFY(std::abs(t.field("Width")->value() - (width + height)) < 1e-9);
+        QCOMPARE(t.field("Height")->value(), height);
+        QCOMPARE(t.field("Skew")->value(), 0.0);
+        QCOMPARE(t.session().history.count(), 1);
+        t.type("Skew", "90");
+        QVERIFY(t.window->message().endsWith(u'.'));
+        QCOMPARE(t.session().history.count(), 1);
+    }
     void nothingSelectedLeavesEverythingInItsPlaceDisabled()
     {
         Panel t;

@@ -50,9 +50,8 @@ private slots:
                enter(), type("6x"), enter()},
               steps);
     }
-    /// Twelve walls, each from a corner or a door to the next: five around the house, which have
-    /// two faces, six between the rooms, and one of the bath. The doors are left open while
-    /// drawing; copies of a wall have its door.
+    /// Twelve walls, counted in README.md. The doors are left open while drawing; copies of a wall
+    /// have its door.
     void housePlan()
     {
         Steps steps{key("L")};

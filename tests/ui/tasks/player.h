@@ -53,8 +53,10 @@ public:
         // A name being edited in a list is finished by a queued call.
         QCoreApplication::sendPostedEvents(nullptr, QEvent::MetaCall);
         window_.window->files().wait();
-        if (QWidget* dialog = QApplication::activeModalWidget())
-            (void)QTest::qWaitForWindowActive(dialog, longestWait);
+        if (QWidget* dialog = QApplication::activeModalWidget()) {
+            dialog->activateWindow(); // as window managers do; otherwise fields are never left
+            (void)QTest::qWaitFor([dialog] { return dialog->isActiveWindow(); }, longestWait);
+        }
     }
     void type(const char* text)
     {

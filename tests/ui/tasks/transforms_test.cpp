@@ -61,8 +61,9 @@ private slots:
     {
         Steps steps;
         rectangle(steps, "10,10", "30", "15");
-        const Steps more{key("V"), click({20, 10}), key("Ctrl+Shift+D"), type("4"),
-                         tab(),    key("Ctrl+A"),   type("5"),           enter()};
+        const Steps more{key("V"),  click({20, 10}), key("Ctrl+Shift+D"), type("4"), tab(),
+                         type("5"), tab(),           type("3"),           tab(),     type("3"),
+                         enter()};
         steps.insert(steps.end(), more.begin(), more.end());
         Table labels;
         for (int row = 0; row < 4; ++row)

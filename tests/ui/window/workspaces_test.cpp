@@ -5,7 +5,10 @@
 
 #include <QDockWidget>
 #include <QMenuBar>
+#include <QStatusBar>
 #include <QTabBar>
+
+#include <algorithm>
 
 #include "tests/ui/test_window.h"
 
@@ -86,6 +89,35 @@ private slots:
                  qPrintable(QString::number(algorithm->height())));
         QVERIFY(selection->y() > algorithm->y());
         QVERIFY(selection->height() >= selection->minimumSizeHint().height());
+    }
+    void noPanelIsCut_data() { inDrawTheAlgorithmIsOneLine_data(); }
+    void noPanelIsCut()
+    {
+        QFETCH(QSize, size);
+        TestWindow t;
+        t.open(t.twoLines());
+        t.window->resize(size);
+        t.show();
+        click(t, 0);
+        std::vector<QRect> shown;
+        for (const Dock* dock : t.window->findChildren<Dock*>()) {
+            if (dock->visibleRegion().isEmpty())
+                continue;
+            shown.push_back(dock->geometry());
+            const QWidget& body = *dock->widget();
+            const int least = dock->isFolded()
+                                  ? 0
+                                  : std::max(body.minimumSizeHint().height(), body.minimumHeight());
+            QVERIFY2(dock->height() >= space::dockTitleHeight + least,
+                     qPrintable(dock->objectName()));
+        }
+        std::ranges::sort(shown, {}, &QRect::y);
+        for (std::size_t i = 1; i < shown.size(); ++i)
+            QVERIFY(shown[i - 1].bottom() < shown[i].top());
+        QVERIFY(shown.back().bottom() < t.window->statusBar()->y());
+        if (size.height() >= 800) // there is room for all of them
+            for (const char* key : {"layers", "history"})
+                QVERIFY(!t.window->findChild<Dock*>(key)->visibleRegion().isEmpty());
     }
     void whatIsSelectedMovesNoPanel_data()
     {
