@@ -13,12 +13,42 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("narration", text); }
 
+/// "Cyrus-Beck, Skala and Exact": the rows that clip at convex polygons.
+QString polygonNames()
+{
+    QStringList names;
+    for (const clipping::Algorithm& algorithm : clipping::algorithms())
+        if (algorithm.polygon)
+            names << latin(algorithm.name);
+    const QString last = names.takeLast();
+    return names.isEmpty() ? last : tr("%1 or %2").arg(names.join(QStringLiteral(", ")), last);
+}
+
+QString polygonRefusal(const Variant& variant)
+{
+    const QString name = latin(variant.algorithm->name);
+    return variant.algorithm->polygon
+               ? tr("The published form of %1 clips at rectangles only. Choose the corrected form.")
+                     .arg(name)
+               : tr("%1 clips at rectangles only. Choose %2.").arg(name, polygonNames());
+}
+
 } // namespace
+
+// The forms for polygons exist in the corrected form alone.
+const clipping::Uses<clipping::Segment, clipping::ConvexPolygon>*
+polygonUsesOf(const Variant& variant)
+{
+    const bool corrected = variant.form == clipping::Form::Corrected && !variant.misprint;
+    return corrected ? variant.algorithm->polygon : nullptr;
+}
 
 QString refusalOf(const TracedLine& tracedLine)
 {
     if (tracedLine.variant.misprint)
         return tr("This is a known misprint: its steps are not recorded.");
+    if (!tracedLine.corners.empty() && !polygonUsesOf(tracedLine.variant))
+        return polygonRefusal(tracedLine.variant);
     const auto& [a, b] = tracedLine.line;
     const auto& [min, max] = tracedLine.window;
     struct Row {

@@ -79,10 +79,12 @@ void bench(const ParsedArguments& arguments)
     const auto output = tableOutput(arguments);
     const auto files = parsedFiles(arguments);
     parsedAgainst(arguments); // throws before the work
-    const Wanted wanted = parsedWanted(arguments, usualMeasures(arguments, !files.empty()));
+    Wanted wanted = parsedWanted(arguments, usualMeasures(arguments, !files.empty()));
     if (wanted.measures.empty() && !files.empty())
         throw WrongUsage{Commands::tr("Reports and charts need clip, draw or total in --measure.")};
     Plan plan = parsedPlan(arguments, wanted);
+    if (plan.trials.front().options.field.shape)
+        wanted.analyses.clear(); // they explain rectangles only
     plan.explained = explanationOf(plan);
     if (!arguments.has(QStringLiteral("runs")))
         takeUsualRuns(plan);

@@ -4,7 +4,9 @@
 #include "app/base/latin.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
+#include "app/command_line/window_forms.h"
 #include "app/command_line/window_options.h"
+#include "app/document/window_shape.h"
 #include "app/experiment/choice.h"
 #include "app/experiment/one_by_one.h"
 #include "app/experiment/threads.h"
@@ -53,18 +55,21 @@ std::optional<clipping::Window> plainRectangle(const ParsedArguments& arguments,
 }
 
 // Reports the drawing's own window; a given window is in the tables.
-void sayWindow(const Imported& imported, const clipping::Window& window)
+void sayWindow(const Imported& imported, const Field& field)
 {
     const bool saved =
-        !comparedWindow(imported.document.windows(), imported.document.page()).isPage;
+        field.shape
+        || !comparedWindow(imported.document.windows(), imported.document.page()).isPage;
     const QString source = saved            ? Commands::tr("saved in the drawing")
                            : imported.paged ? Commands::tr("the page")
                                             : Commands::tr("the bounds of all objects");
-    say(Commands::tr("Window (%1): %2.").arg(source, placeText(window, imported)));
+    say(Commands::tr("Window (%1): %2.")
+            .arg(source, field.shape ? field.shape->text : placeText(field.window, imported)));
 }
 
-/// Takes the visible lines of a drawing, and its window.
-void takeDrawing(const ParsedArguments& arguments, const QString& path, ExperimentOptions& options)
+/// Takes the visible lines of a drawing, and its window. Returns the drawing.
+Imported takeDrawing(const ParsedArguments& arguments, const QString& path,
+                     ExperimentOptions& options)
 {
     const auto imported = readFile(path);
     if (!imported)
@@ -76,10 +81,12 @@ void takeDrawing(const ParsedArguments& arguments, const QString& path, Experime
         throw Failure{Commands::tr("%1 shows no lines.").arg(path)};
     options = subject->options;
     if (!arguments.has(QStringLiteral("window")))
-        sayWindow(*imported.value, options.field.window);
+        sayWindow(*imported.value, options.field);
+    return *imported.value;
 }
 
-void takeScene(const ParsedArguments& arguments, ExperimentOptions& options)
+/// Returns the drawing if the scene is one, otherwise an empty one.
+Imported takeScene(const ParsedArguments& arguments, ExperimentOptions& options)
 {
     const QString scene = arguments.text(QStringLiteral("scene")).value_or(QString());
     constexpr QStringView file = u"file:";
@@ -88,14 +95,73 @@ void takeScene(const ParsedArguments& arguments, ExperimentOptions& options)
     const auto rows = testScenes();
     // The last key is not a row: its path was handled as a drawing.
     options.scene = rows[arguments.choice(QStringLiteral("scene"), keysOf(rows) << "file:PATH")];
+    return {};
 }
 
-void takeField(const ParsedArguments& arguments, ExperimentOptions& options)
+bool isShaped(const QString& window) { return window.contains(u'@') || window.contains(u':'); }
+
+/// A window that is rotated, or no rectangle: one of the forms that `clip -w` takes.
+void takeShape(const GivenValue& value, const Imported& imported, Field& field)
+{
+    const auto windows = windowsOf(value, imported);
+    if (windows.size() > 1)
+        throw WrongUsage{Commands::tr("--window %1: algorithms are timed at one window, and these "
+                                      "are %2: give one.")
+                             .arg(value.text)
+                             .arg(windows.size())};
+    field.shape = shapedWindow(windows.front(), imported.document.page(), value.text);
+    field.window = boxOf(windows.front().shape);
+    if (!field.shape)
+        return;
+    field.window = field.shape->step().box;
+    if (const QString refusal = refusalOf(*field.shape); !refusal.isEmpty())
+        throw WrongUsage{Commands::tr("--window %1: ").arg(value.text) + refusal};
+}
+
+void takeWindow(const ParsedArguments& arguments, const Imported& imported, Field& field)
+{
+    const QString option = QStringLiteral("window");
+    const auto text = arguments.text(option);
+    if (!text)
+        return;
+    field.shape.reset();
+    if (isShaped(*text))
+        takeShape({option, *text}, imported, field);
+    else
+        field.window = *plainRectangle(arguments, option);
+}
+
+// What a window that is no rectangle along the axes rules out.
+void refuseAtShape(const ParsedArguments& arguments, const ExperimentOptions& options,
+                   const Wanted& wanted)
+{
+    const auto refuse = [](const QString& option) {
+        throw WrongUsage{Commands::tr("--%1 needs a window that is a rectangle along the axes: "
+                                      "give XMIN,YMIN,XMAX,YMAX for --window, or leave out --%1.")
+                             .arg(option)};
+    };
+    if (!options.scene.anyShape)
+        refuse(QStringLiteral("scene"));
+    if (arguments.has(QStringLiteral("paper")))
+        refuse(QStringLiteral("paper"));
+    if (options.order == Order::ByClass)
+        refuse(QStringLiteral("order"));
+    if (options.precision == Precision::Single)
+        refuse(QStringLiteral("precision"));
+    if (options.threads > 1)
+        refuse(QStringLiteral("threads"));
+    if (!wanted.analyses.empty() && arguments.has(QStringLiteral("measure")))
+        throw WrongUsage{Commands::tr("--measure %1 needs a window that is a rectangle along the "
+                                      "axes: measure only times at others.")
+                             .arg(wanted.analyses.front().key)};
+}
+
+void takeField(const ParsedArguments& arguments, const Imported& imported,
+               ExperimentOptions& options)
 {
     if (const auto space = plainRectangle(arguments, QStringLiteral("space")))
         options.field.space = *space;
-    if (const auto window = plainRectangle(arguments, QStringLiteral("window")))
-        options.field.window = *window;
+    takeWindow(arguments, imported, options.field);
     if (options.scene.lines == 0 && !hasRoom(options.field))
         throw WrongUsage{Commands::tr("The window must have an area, and the space must extend "
                                       "beyond it on all four sides: see --space and --window.")};
@@ -161,7 +227,11 @@ std::vector<Option> experimentOptions()
              "a random order, so that neighbours no longer resemble each other; sorted: by class "
              "(inside, rejected, cut, missed), which the processor predicts best (as-they-come).")},
         {{"space"}, "XMIN,YMIN,XMAX,YMAX", Commands::tr("The space of the lines (the paper's).")},
-        {{"w", "window"}, "XMIN,YMIN,XMAX,YMAX", Commands::tr("The clip window (the paper's).")},
+        {{"w", "window"},
+         "WINDOW",
+         Commands::tr("The clip window (the paper's): XMIN,YMIN,XMAX,YMAX, with @DEGREES to rotate "
+                      "it, or a convex one, such as circle:X,Y,R or “polygon:X,Y X,Y …”. "
+                      "Algorithms that cannot clip there are left out.")},
         {{"a", "algorithms"},
          "LIST",
          Commands::tr("Keys or abbreviations with commas between them (all).")},
@@ -188,8 +258,8 @@ std::vector<Option> experimentOptions()
 ExperimentOptions parsedExperiment(const ParsedArguments& arguments, const Wanted& wanted)
 {
     ExperimentOptions options;
-    takeScene(arguments, options);
-    takeField(arguments, options);
+    const Imported imported = takeScene(arguments, options);
+    takeField(arguments, imported, options);
     if (arguments.has(QStringLiteral("quick")))
         options.lines = 100'000;
     const auto take = [&](const char* option, quint64 least, quint64 most, auto& to) {
@@ -206,6 +276,8 @@ ExperimentOptions parsedExperiment(const ParsedArguments& arguments, const Wante
     options.order = Order(arguments.choice(QStringLiteral("order"), orderKeys));
     options.precision = parsedPrecision(arguments);
     takeThreads(arguments, options);
+    if (options.field.shape)
+        refuseAtShape(arguments, options, wanted);
     options.target =
         parsedDrawTarget(arguments, std::ranges::any_of(wanted.measures, &Measure::draws));
     return options;

@@ -2,6 +2,7 @@
 #include "app/command_line/bench_plan.h"
 
 #include "app/command_line/refusal.h"
+#include "app/command_line/terminal.h"
 
 #include <algorithm>
 
@@ -38,11 +39,26 @@ std::vector<PlannedTrial> paperTrials(const ParsedArguments& arguments,
                             ownLines ? std::optional(options.lines) : std::nullopt);
 }
 
+/// The variants that can clip at a window; reports those that cannot.
+std::vector<Variant> ableVariants(const ShapedWindow& window, std::vector<Variant> variants)
+{
+    const QString unable = unableText(window, variants);
+    variants = withoutUnable(window, std::move(variants));
+    if (variants.empty())
+        throw WrongUsage{unable + QStringLiteral(" ")
+                         + Commands::tr("Nothing is left to time: give others with -a.")};
+    if (!unable.isEmpty())
+        say(unable);
+    return variants;
+}
+
 PlannedTrial sceneTrial(const ParsedArguments& arguments, const ExperimentOptions& options)
 {
     auto variants = parsedVariants(arguments);
     if (variants.empty())
         throw WrongUsage{Commands::tr("None of these algorithms has a published form.")};
+    if (const auto& shape = options.field.shape)
+        variants = ableVariants(*shape, std::move(variants));
     return {std::nullopt, options, std::move(variants)};
 }
 

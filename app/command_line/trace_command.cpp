@@ -4,7 +4,9 @@
 #include "app/command_line/parsed_arguments.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
+#include "app/command_line/window_forms.h"
 #include "app/document/window_shape.h"
+#include "app/scene/region.h"
 #include "app/teaching/trace_file.h"
 
 #include <QDir>
@@ -30,19 +32,29 @@ QStringList formatKeys()
     return keys;
 }
 
+/// A window without a drawing: a circle or convex polygon in the line's coordinates.
+void takePolygon(const GivenValue& value, TracedLine& tracedLine)
+{
+    const QString form = value.text.section(u':', 0, 0);
+    if (form != u"circle" && form != u"polygon")
+        throw WrongUsage{Commands::tr("--window %1: steps are shown at rectangles, circle:… and "
+                                      "polygon:… only.")
+                             .arg(value.text)};
+    const ClipRegion region = regionOf({windowsOf(value, {})}, Page{});
+    const ClipRegion::Step& step = region.steps.front();
+    if (step.polygon.corners.empty())
+        throw WrongUsage{Commands::tr("--window %1: this polygon is not convex. Steps are shown at "
+                                      "rectangles and convex polygons only.")
+                             .arg(value.text)};
+    tracedLine.corners = step.polygon.corners;
+    tracedLine.window = step.box;
+}
+
 // XMIN,YMIN,XMAX,YMAX[@DEGREES], counterclockwise as seen.
-std::optional<WindowFrame> windowOf(const ParsedArguments& arguments, YAxis y)
+WindowFrame frameOf(const GivenValue& value, YAxis y)
 {
     const QString edges = QStringLiteral("XMIN,YMIN,XMAX,YMAX");
-    const auto text = arguments.text(QStringLiteral("window"));
-    if (!text)
-        return std::nullopt;
-    const GivenValue value{QStringLiteral("window"), *text};
-    if (text->contains(u':'))
-        throw WrongUsage{Commands::tr("--window %1: steps are shown at rectangles only. Give %2, "
-                                      "with @DEGREES to rotate it.")
-                             .arg(*text, edges)};
-    const QStringList parts = text->split(u'@');
+    const QStringList parts = value.text.split(u'@');
     bool isAngle = true;
     const double degrees = parts.size() < 2 ? 0 : parts[1].trimmed().toDouble(&isAngle);
     if (parts.size() > 2 || !isAngle || !std::isfinite(degrees))
@@ -52,6 +64,18 @@ std::optional<WindowFrame> windowOf(const ParsedArguments& arguments, YAxis y)
     const double angle = glm::radians(std::remainder(degrees, 360));
     const RectangleShape box{{{xmin, ymin}, {xmax, ymax}}};
     return std::get<RectangleShape>(rotated(box, y == YAxis::Up ? angle : -angle));
+}
+
+void takeWindow(const GivenValue& value, TracedLine& tracedLine)
+{
+    if (value.text.contains(u':'))
+        return takePolygon(value, tracedLine);
+    const WindowFrame frame = frameOf(value, tracedLine.y);
+    tracedLine.window = frame.box;
+    tracedLine.line = {intoFrame(frame, tracedLine.line.a), intoFrame(frame, tracedLine.line.b)};
+    if (frame.angle != 0)
+        say(Commands::tr("The window is rotated: the line and its steps are in the window's own "
+                         "directions, turned about its centre."));
 }
 
 TracedLine tracedLineOf(const ParsedArguments& arguments)
@@ -68,14 +92,8 @@ TracedLine tracedLineOf(const ParsedArguments& arguments)
         .y = arguments.choice(QStringLiteral("y-axis"), {"up", "down"}) == 0 ? YAxis::Up
                                                                              : YAxis::Down,
         .origin = {}};
-    if (const auto frame = windowOf(arguments, tracedLine.y)) {
-        tracedLine.window = frame->box;
-        tracedLine.line = {intoFrame(*frame, tracedLine.line.a),
-                           intoFrame(*frame, tracedLine.line.b)};
-        if (frame->angle != 0)
-            say(Commands::tr("The window is rotated: the line and its steps are in the window's "
-                             "own directions, turned about its centre."));
-    }
+    if (const auto text = arguments.text(QStringLiteral("window")))
+        takeWindow({QStringLiteral("window"), *text}, tracedLine);
     return tracedLine;
 }
 
@@ -190,10 +208,11 @@ Command traceCommand()
               .arg(latin(usualAlgorithm().key))},
          {{"line"}, "X1,Y1,X2,Y2", Commands::tr("The line, from End 1 to End 2.")},
          {{"w", "window"},
-          "XMIN,YMIN,XMAX,YMAX[@DEGREES]",
-          Commands::tr("The window (-100,-75,100,75, the paper's). @DEGREES rotates it "
-                       "counterclockwise about its centre; the steps are then in its own "
-                       "directions.")},
+          "WINDOW",
+          Commands::tr("The window (-100,-75,100,75, the paper's): XMIN,YMIN,XMAX,YMAX, with "
+                       "@DEGREES to rotate it counterclockwise about its centre; the steps are "
+                       "then in its own directions. Or a convex window, for algorithms that clip "
+                       "there: “polygon:X,Y X,Y …” or circle:X,Y,R.")},
          {{"f", "format"},
           formatKeys().join(u'|'),
           Commands::tr("Format of the output (by the ending of the name in -o, otherwise text).")},
@@ -217,6 +236,7 @@ Command traceCommand()
          {{"overwrite"}, {}, Commands::tr("Replace numbered files that exist.")},
          {{"q", "quiet"}, {}, Commands::tr("Do not report the files written.")}},
         {"clearcut trace -a md --line -160,-30,70,130",
+         "clearcut trace -a cb --line -160,-30,70,130 -w 'polygon:-100,-75 100,-75 0,90'",
          "clearcut trace -a cs:published --line 1,1,-1,-1 -w 0.1,0.1,3,3 -f json",
          "clearcut trace -a lb --line -160,-30,70,130 -o slides.pdf",
          "clearcut trace -a nln --line -160,-30,70,130 -f svg -o frames/ --theme dark"},

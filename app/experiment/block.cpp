@@ -63,6 +63,8 @@ void Block::refill(std::size_t count, const std::function<void(std::span<clippin
 std::size_t Block::clip(const Variant& variant)
 {
     const clipping::Algorithm& algorithm = *variant.algorithm;
+    if (how_.shape)
+        return clipAllAt(*how_.shape, variant, lines_, visible_);
     if (how_.precision == Precision::Single) {
         assert(variant.form == clipping::Form::Corrected);
         return clipped<float>(how_.threads, algorithm.single->clipAll, singleLines_,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/experiment/shaped_window.h"
 #include "app/experiment/variants_of.h"
 
 #include <functional>
@@ -19,6 +20,8 @@ struct Clipping {
     clipping::Window window;
     Precision precision = Precision::Double;
     std::size_t threads = 1; ///< at most mostThreads
+    /// A window that is no rectangle; only in double precision and on one thread.
+    std::shared_ptr<const ShapedWindow> shape{};
 };
 
 /// Some lines of an experiment, and a buffer for their visible pieces.

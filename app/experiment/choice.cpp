@@ -6,6 +6,7 @@
 #include "app/base/short_names.h"
 #include "app/experiment/one_by_one.h"
 #include "app/scene/compared_window.h"
+#include "app/scene/window_needs.h"
 
 #include <QCoreApplication>
 
@@ -40,7 +41,9 @@ std::vector<Variant> chosenVariants(const Choice& choice)
                                       ? variantsOf(choice.algorithms, form)
                                       : variantsOf(choice.subject.papers.front(), form))
             all.push_back(one);
-    return withOneByOne(all); // no table of the paper has `exact`
+    all = withOneByOne(all); // no table of the paper has `exact`
+    const auto& shape = choice.subject.options.field.shape;
+    return shape ? withoutUnable(*shape, std::move(all)) : all;
 }
 
 std::vector<PlannedTrial> trialsOf(const Choice& choice)
@@ -64,8 +67,14 @@ std::optional<QString> missing(const Choice& choice)
     if (choice.subject.papers.empty() && choice.algorithms.empty())
         return Experiments::tr("Choose at least one algorithm.");
     if (choice.forms.empty() || chosenVariants(choice).empty())
-        return Experiments::tr("None of these algorithms has a published form. Choose “Corrected” "
-                               "or other algorithms.");
+        return choice.subject.options.field.shape
+                   ? Experiments::tr("None of these algorithms clips at this window in this form. "
+                                     "Choose “Corrected” or other algorithms.")
+                   : Experiments::tr("None of these algorithms has a published form. Choose "
+                                     "“Corrected” or other algorithms.");
+    if (choice.subject.options.field.shape && choice.order == Order::ByClass)
+        return Experiments::tr("Lines are sorted by class at rectangles only. Choose another "
+                               "order.");
     const std::uint64_t runs = choice.runs.value_or(1), lines = choice.lines.value_or(1);
     if (runs < 1 || runs > mostRuns || lines < 1 || lines > mostLines)
         return Experiments::tr("Choose 1 to %1 lines and 1 to %2 runs.")
@@ -99,6 +108,34 @@ std::vector<Subject> subjects()
     return all;
 }
 
+namespace {
+
+/// The first visible clip window that is a rotated rectangle or a convex polygon.
+std::shared_ptr<const ShapedWindow> firstShape(const Document& document)
+{
+    for (const ClipWindow& window : document.windows().list)
+        if (window.visible)
+            if (auto shape = shapedWindow({.shape = window.shape}, document.page());
+                shape && refusalOf(*shape).isEmpty())
+                return shape;
+    return nullptr;
+}
+
+QString whereText(const Field& field, bool atPage)
+{
+    if (field.shape)
+        return Experiments::tr("Its lines: %1. They are clipped at its window: %2. For a larger "
+                               "number of lines they are repeated.")
+            .arg(QStringLiteral("%1"), shapeText(field.shape->step()));
+    return atPage ? Experiments::tr("Its lines: %1. They are clipped at its page, because it has "
+                                    "no clip window that is a rectangle or convex. For a larger "
+                                    "number of lines they are repeated.")
+                  : Experiments::tr("Its lines: %1. They are clipped at its window. For a larger "
+                                    "number of lines they are repeated.");
+}
+
+} // namespace
+
 std::optional<Subject> drawingSubject(const QString& name, const SceneLines& lines,
                                       const Document& document)
 {
@@ -106,19 +143,16 @@ std::optional<Subject> drawingSubject(const QString& name, const SceneLines& lin
         return std::nullopt;
     const Page& page = document.page();
     const ComparedWindow at = comparedWindow(document.windows(), page);
-    const QString meaning =
-        at.isPage
-            ? Experiments::tr("Its lines: %1. They are clipped at its page, because it has no clip "
-                              "window. For a larger number of lines they are repeated.")
-            : Experiments::tr("Its lines: %1. They are clipped at its window. For a larger number "
-                              "of lines they are repeated.");
+    Field field{page.rectangle(), at.window};
+    if (at.isPage)
+        field.shape = firstShape(document);
+    if (field.shape)
+        field.window = field.shape->step().box;
     return Subject{"drawing",
                    Experiments::tr("Lines of %1").arg(name),
-                   meaning.arg(countText(lines.size())),
+                   whereText(field, at.isPage).arg(countText(lines.size())),
                    {},
-                   {.scene = drawingScene(name, lines),
-                    .field = {page.rectangle(), at.window},
-                    .lines = lines.size()}};
+                   {.scene = drawingScene(name, lines), .field = field, .lines = lines.size()}};
 }
 
 QString leftOutText(const Choice& choice)
@@ -129,6 +163,13 @@ QString leftOutText(const Choice& choice)
                 return clipping::usesOf(*algorithm, form);
             }))
             names << shortNameOf({algorithm, clipping::Form::Corrected});
+    if (const auto& shape = choice.subject.options.field.shape) {
+        std::vector<Variant> all;
+        for (const clipping::Form form : choice.forms)
+            std::ranges::copy(variantsOf(choice.algorithms, form), std::back_inserter(all));
+        if (const QString unable = unableText(*shape, all); !unable.isEmpty())
+            return unable;
+    }
     if (!choice.subject.papers.empty() || names.isEmpty())
         return {};
     return Experiments::tr("Left out, because they have no published form: %1.")
@@ -140,7 +181,8 @@ Result<Plan> planOf(const Choice& choice)
     if (const auto sentence = missing(choice))
         return Result<Plan>::failure(*sentence);
     Plan plan{trialsOf(choice), measuresOf(choice)};
-    if (choice.explained) {
+    // By class, and with exact arithmetic, results are explained at rectangles only.
+    if (choice.explained && !choice.subject.options.field.shape) {
         plan.explained = PlannedTrial{std::nullopt, optionsOf(choice), chosenVariants(choice)};
         auto& lines = plan.explained->options.lines;
         lines = std::min(lines, mostExplained);

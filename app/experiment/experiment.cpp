@@ -66,7 +66,7 @@ Bench::Bench(const ExperimentOptions& options, std::span<const Variant> variants
     : options_(options),
       turns_(follower,
              double((options.warmUps + options.runs) * blocksOf(options.lines) * variants.size())),
-      block_({options.field.window, options.precision, options.threads}),
+      block_({options.field.window, options.precision, options.threads, options.field.shape}),
       target_(options.target ? options.target(options.field) : nullptr),
       drawClock_(target_ ? drawClock(options, *target_) : options.clock)
 {
@@ -145,6 +145,11 @@ void Bench::sort(std::span<Segment> lines) const
 
 void Bench::findErrors()
 {
+    if (options_.field.shape) {
+        const auto pieces = block_.pieces(block_.clip({&clipping::exactAlgorithm()}));
+        exactPieces_.assign(pieces.begin(), pieces.end());
+        return;
+    }
     exactPieces_.resize(block_.lines().size());
     exactPieces_.resize(clipping::exactAlgorithm().corrected.clipAll(
         block_.lines(), block_.window(), exactPieces_));

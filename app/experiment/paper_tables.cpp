@@ -124,7 +124,7 @@ QString otherLinesText(const ExperimentOptions& options)
     if (options.scene.key != testScenes().front().key)
         return Experiments::tr("lines of the scene “%1”").arg(options.scene.name);
     const bool same = rectangleText(options.field.space) == rectangleText(paperSpace)
-                      && rectangleText(options.field.window) == rectangleText(paperWindow);
+                      && windowText(options.field) == rectangleText(paperWindow);
     return same ? QString() : Experiments::tr("lines in another space or window");
 }
 

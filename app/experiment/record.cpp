@@ -121,7 +121,7 @@ std::vector<std::pair<QString, QString>> factsOf(const ExperimentOptions& option
         {"lines", QString::number(options.lines)},
         {"seed", QString::number(options.seed)},
         {"space", rectangleText(options.field.space)},
-        {"window", rectangleText(options.field.window)},
+        {"window", windowText(options.field)},
     };
 }
 

@@ -2,6 +2,7 @@
 #include "app/experiment/test_scene.h"
 
 #include "app/comparison/line_class.h"
+#include "app/formats/rectangle_text.h"
 
 #include <QCoreApplication>
 
@@ -125,7 +126,7 @@ Segment roundCorner(Random& random, const Field& field)
 /// For such windows, too: from beyond one edge to beyond the opposite one.
 Segment across(Random& random, const Field& field)
 {
-    const auto& [space, window] = field;
+    const Window &space = field.space, &window = field.window;
     if (random.heads())
         return {random.in({{space.min.x, window.min.y}, {window.min.x, window.max.y}}),
                 random.in({{window.max.x, window.min.y}, {space.max.x, window.max.y}})};
@@ -203,9 +204,14 @@ LineSource beginPaper(const Field& field, std::uint64_t seed)
 
 } // namespace
 
+QString windowText(const Field& field)
+{
+    return field.shape ? field.shape->text : rectangleText(field.window);
+}
+
 bool hasRoom(const Field& field)
 {
-    const auto& [space, window] = field;
+    const Window &space = field.space, &window = field.window;
     return space.min.x < window.min.x && window.min.x < window.max.x && window.max.x < space.max.x
            && space.min.y < window.min.y && window.min.y < window.max.y
            && window.max.y < space.max.y;
@@ -216,7 +222,7 @@ std::vector<TestScene> testScenes()
 {
     return {
         {"paper", Scenes::tr("The paper's"),
-         Scenes::tr("Both ends anywhere in the space, as in the paper."), beginPaper},
+         Scenes::tr("Both ends anywhere in the space, as in the paper."), beginPaper, 0, true},
         {"inside", Scenes::tr("Inside"), Scenes::tr("Both ends inside the window."),
          begin<inside, liesInside>},
         {"rejected", Scenes::tr("Rejected"), Scenes::tr("Both ends beyond one side of the window."),
@@ -231,7 +237,7 @@ std::vector<TestScene> testScenes()
         {"long", Scenes::tr("Long"),
          Scenes::tr(
              "Lines through or past the window, a thousand times as long as the space is wide."),
-         begin<longLine, isAnything>},
+         begin<longLine, isAnything>, 0, true},
     };
 }
 
@@ -247,8 +253,8 @@ TestScene drawingScene(const QString& name, const SceneLines& lines)
 {
     assert(lines.size() > 0);
     const auto begin = [lines](const Field&, std::uint64_t) { return Repeated(lines); };
-    return {"drawing", name, Scenes::tr("The lines of a drawing, in the drawing's order."), begin,
-            lines.size()};
+    return {"drawing", name,         Scenes::tr("The lines of a drawing, in the drawing's order."),
+            begin,     lines.size(), true};
 }
 
 TestScene repeatedScene(const QString& name, std::vector<clipping::Segment> lines)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/experiment/paper_scene.h"
+#include "app/experiment/shaped_window.h"
 #include "app/scene/scene_lines.h"
 
 #include <QString>
@@ -15,7 +16,12 @@ namespace app {
 struct Field {
     clipping::Window space = paperSpace;
     clipping::Window window = paperWindow;
+    /// The window if it is no rectangle along the axes; `window` is its bounding box then.
+    std::shared_ptr<const ShapedWindow> shape{};
 };
+
+/// The window as `clearcut bench -w` accepts it.
+QString windowText(const Field& field);
 
 /// Whether the window has an area and the space has room on all four sides of the window, as every
 /// scene of the catalogue needs.
@@ -33,6 +39,8 @@ struct TestScene {
     QString meaning; ///< one sentence
     std::function<LineSource(const Field& field, std::uint64_t seed)> begin;
     std::uint64_t lines = 0; ///< the number of different lines; 0: unlimited
+    /// Whether its meaning is true at a window of any shape, not only at a rectangle.
+    bool anyShape = false;
 };
 
 /// Every scene, in the order of every menu and table; the first is the paper's.

@@ -16,6 +16,8 @@ struct OverlayContext : OverlaySubject {
     /// The trace of this variant for another line.
     clipping::Trace traceOf(const clipping::Segment& other) const
     {
+        if (!corners.empty())
+            return polygonUsesOf(variant)->trace(other, {corners});
         return clipping::usesOf(*variant.algorithm, variant.form)->trace(other, window);
     }
 };
@@ -32,5 +34,8 @@ Overlay turnOverlay(const OverlayContext& context);      ///< Exact
 
 /// The default overlay of any algorithm: the edges, and the points where its steps cut the line.
 Overlay traceOverlay(const OverlayContext& context);
+
+/// The overlay of any algorithm at a convex polygon.
+Overlay polygonOverlay(const OverlayContext& context);
 
 } // namespace app

@@ -90,6 +90,12 @@ struct OverlaySubject {
     std::optional<Point> pointer{};
     clipping::Window seen{}; ///< the part of the drawing that is on the screen
     YAxis y = YAxis::Down;
+    /// Of the window about its centre (radians, from x towards y). The edges then have the names
+    /// that they have in the window's own directions.
+    double angle = 0;
+    /// The corners of a window that is a convex polygon, as in clipping::ConvexPolygon; `window` is
+    /// its bounding box then. Empty: a rectangle.
+    std::vector<Point> corners{};
 };
 
 } // namespace app

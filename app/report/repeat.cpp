@@ -95,8 +95,8 @@ void addScene(Words& words, const ExperimentOptions& options)
         words.add("scene", options.scene.key);
     if (drawing || options.field.space != paperSpace)
         words.add("space", rectangleText(options.field.space));
-    if (drawing || options.field.window != paperWindow)
-        words.add("window", rectangleText(options.field.window));
+    if (drawing || options.field.shape || options.field.window != paperWindow)
+        words.add("window", windowText(options.field));
     if (options.order != Order::AsTheyCome)
         words.add("order", latin(nameOf(options.order).key));
 }

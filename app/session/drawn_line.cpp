@@ -155,9 +155,7 @@ void DrawnLine::followDrawing()
     if (!attached_ || !session_.microscope.isOpen())
         return;
     TracedLine tracedLine = session_.microscope.tracedLine();
-    const TracedWindow window = tracedWindow(session_);
-    tracedLine.window = window.frame.box;
-    tracedLine.windowIsPage = window.isPage;
+    tracedWindow(session_).putInto(tracedLine);
     if (const auto line = drawn()) {
         tracedLine.origin = tracedLineOf(session_, *line_).origin;
         if (!own_)

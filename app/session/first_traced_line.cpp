@@ -37,11 +37,21 @@ struct Ranked {
     }
 };
 
-Ranked rankOf(const clipping::Segment& line, const clipping::Window& window)
+/// The parts of some lines inside a window, each with the number of its line.
+std::vector<clipping::Clipped> insideOf(const std::vector<clipping::Segment>& lines,
+                                        const TracedWindow& window)
+{
+    const clipping::Algorithm& exact = clipping::exactAlgorithm();
+    std::vector<clipping::Clipped> inside(lines.size());
+    inside.resize(window.corners.empty() ? exact.corrected.clipAll(lines, window.frame.box, inside)
+                                         : exact.polygon->clipAll(lines, {window.corners}, inside));
+    return inside;
+}
+
+Ranked rankOf(const clipping::Segment& line, const clipping::Segment& inside)
 {
     Ranked ranked;
-    if (const auto piece = clipping::exactAlgorithm().corrected.clip(line, window))
-        ranked.cutEnds = (piece->a != line.a) + (piece->b != line.b);
+    ranked.cutEnds = (inside.a != line.a) + (inside.b != line.b);
     if (ranked.cutEnds == 1)
         ranked.length = glm::distance(line.a, line.b);
     return ranked;
@@ -52,9 +62,15 @@ std::size_t mostToSee(const SceneLines& lines, const TracedWindow& window,
                       const ObjectRanges& locked)
 {
     Ranked best;
-    for (const SceneLines::Run& run : lines.runs())
-        for (std::size_t i = 0; i < run.segments.size(); ++i) {
-            Ranked ranked = rankOf(window.into(run.segments[i]), window.frame.box);
+    for (const SceneLines::Run& run : lines.runs()) {
+        std::vector<clipping::Segment> there;
+        for (const clipping::Segment& line : run.segments)
+            there.push_back(window.into(line));
+        const auto inside = insideOf(there, window);
+        auto next = inside.begin();
+        for (std::size_t i = 0; i < there.size(); ++i) {
+            const bool visible = next != inside.end() && next->source == i;
+            Ranked ranked = visible ? rankOf(there[i], next++->segment) : Ranked{};
             ranked.line = run.firstLine + i;
             ranked.unlocked = locked.empty() || !locked.contains(lines.objectOf(ranked.line));
             if (ranked > best)
@@ -62,6 +78,7 @@ std::size_t mostToSee(const SceneLines& lines, const TracedWindow& window,
             if (best.unlocked && best.cutEnds == 2)
                 return best.line;
         }
+    }
     return best.line;
 }
 
@@ -73,12 +90,12 @@ TracedLine tracedLineOf(const Session& session, std::size_t segment)
     const TracedWindow window = tracedWindow(session);
     const QString line = tr("Line %1 of %2").arg(countText(segment + 1), countText(lines.size()));
     const QString remark = window.remark();
-    return {.variant = session.variant(),
-            .line = window.into(lines[segment]),
-            .window = window.frame.box,
-            .y = YAxis::Down,
-            .origin = remark.isEmpty() ? line : tr("%1, %2").arg(line, remark),
-            .windowIsPage = window.isPage};
+    TracedLine traced{.variant = session.variant(),
+                      .line = window.into(lines[segment]),
+                      .y = YAxis::Down,
+                      .origin = remark.isEmpty() ? line : tr("%1, %2").arg(line, remark)};
+    window.putInto(traced);
+    return traced;
 }
 
 std::optional<std::size_t> firstLine(const Session& session)
@@ -96,12 +113,12 @@ TracedLine firstTracedLine(const Session& session)
     if (const auto line = firstLine(session))
         return tracedLineOf(session, *line);
     const TracedWindow window = tracedWindow(session);
-    return {.variant = session.variant(),
-            .line = across(window.frame.box),
-            .window = window.frame.box,
-            .y = YAxis::Down,
-            .origin = tr("Example line"),
-            .windowIsPage = window.isPage};
+    TracedLine traced{.variant = session.variant(),
+                      .line = across(window.frame.box),
+                      .y = YAxis::Down,
+                      .origin = tr("Example line")};
+    window.putInto(traced);
+    return traced;
 }
 
 } // namespace app

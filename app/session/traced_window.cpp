@@ -2,6 +2,7 @@
 #include "app/session/traced_window.h"
 
 #include "app/base/numbers.h"
+#include "app/session/window_in_hand.h"
 
 #include <QCoreApplication>
 
@@ -23,6 +24,13 @@ clipping::Segment TracedWindow::into(const clipping::Segment& line) const
     return {intoFrame(frame, line.a), intoFrame(frame, line.b)};
 }
 
+void TracedWindow::putInto(TracedLine& tracedLine) const
+{
+    tracedLine.window = frame.box;
+    tracedLine.windowIsPage = isPage;
+    tracedLine.corners = corners;
+}
+
 QString TracedWindow::remark() const
 {
     if (frame.angle != 0) // y grows down, and the angle from x towards y
@@ -31,8 +39,8 @@ QString TracedWindow::remark() const
     if (!notAt)
         return {};
     const QString name = notAt->isEmpty() ? Text::tr("the selected window") : *notAt;
-    return isPage ? Text::tr("at the page, as %1 is no rectangle").arg(name)
-                  : Text::tr("at another window, as %1 is no rectangle").arg(name);
+    return isPage ? Text::tr("at the page, as %1 is not convex").arg(name)
+                  : Text::tr("at another window, as %1 is not convex").arg(name);
 }
 
 TracedWindow tracedWindow(const Session& session)
@@ -45,6 +53,8 @@ TracedWindow tracedWindow(const Session& session)
     const ClipWindow& inHand = session.windows().list[*number];
     if (const auto* rectangle = std::get_if<RectangleShape>(&inHand.shape))
         return {*rectangle};
+    if (const auto* step = stepInHand(session); step && !step->polygon.corners.empty())
+        return {.frame = {step->box}, .corners = step->polygon.corners};
     traced.notAt = inHand.name;
     return traced;
 }

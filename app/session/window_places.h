@@ -27,8 +27,14 @@ std::span<const LayingPlace> windowPlaces();
 /// Lays a clip window there. If the drawing has one window only, and that is a rectangle which is
 /// not rotated, it moves there; otherwise a window is added. Does nothing without such a place.
 void layWindow(Session& session, const LayingPlace& place);
-/// The same on the page without a margin (user units) on each side. Refused, with a sentence, if
-/// nothing of the page would be left.
-void layWindowInside(Session& session, double margin);
+
+/// Margins of the page, in user units. A negative one is outside it.
+struct PageMargins {
+    double left, top, right, bottom;
+    static PageMargins same(double margin) { return {margin, margin, margin, margin}; }
+};
+/// The same on the page without margins. Refused, with a sentence, if nothing of the page would be
+/// left.
+void layWindowInside(Session& session, const PageMargins& margins);
 
 } // namespace app

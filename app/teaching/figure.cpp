@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/teaching/figure.h"
 
+#include "app/overlays/half_plane.h"
 #include "app/overlays/label_places.h"
+#include "app/overlays/polygon_edges.h"
 #include "app/teaching/figure_labels.h"
 
 #include <QFontMetricsF>
@@ -75,8 +77,33 @@ void hatch(const Picture& s, const QRectF& area)
         s.painter.drawLine(line);
 }
 
+/// Hatches what lies beyond the line of a side.
+void hatchBeyondSide(const Picture& s, std::size_t number)
+{
+    const auto [from, to] = polygonEdge(number, s.tracedLine.corners);
+    const Point along = to - from;
+    QPolygonF area;
+    for (const Point& p : common(s.frame.seen, std::array{HalfPlane{from, {along.y, -along.x}}}))
+        area << s.frame.at(p);
+    QPainterPath path;
+    path.addPolygon(area);
+    s.painter.save();
+    s.painter.setClipPath(path);
+    hatch(s, area.boundingRect());
+    s.painter.restore();
+}
+
+void paintPolygon(const Picture& s)
+{
+    for (std::size_t i = 1; i <= s.tracedLine.corners.size(); ++i)
+        strike(s, polygonEdge(i, s.tracedLine.corners),
+               pen(s.colours.window, 2 * s.u, Qt::RoundCap));
+}
+
 void paintWindow(const Picture& s)
 {
+    if (!s.tracedLine.corners.empty())
+        return paintPolygon(s);
     QPen dashes = pen(s.colours.border, s.u);
     dashes.setDashPattern({5, 4});
     const auto& [min, max] = s.tracedLine.window;
@@ -100,6 +127,10 @@ void paintWindow(const Picture& s)
 
 void paintHighlightedEdge(const Picture& s)
 {
+    if (s.scene.polygonEdge)
+        if (const auto line =
+                polygonEdgeLine(s.scene.polygonEdge, s.tracedLine.corners, s.frame.seen))
+            strike(s, *line, pen(s.colours.highlight, 2.5 * s.u));
     if (s.scene.edge == Edge::None || s.scene.edge > Edge::Top)
         return;
     if (const auto line = edgeLine(s.scene.edge, s.tracedLine, s.frame)) {
@@ -233,6 +264,8 @@ void paintStep(QPainter& painter, const TraceStep& at, const FigureFrame& frame,
     painter.fillRect(frame.picture(), colours.paper);
     if (scene.edge != Edge::None && scene.edge <= Edge::Top)
         hatch(picture, beyond(picture, scene.edge));
+    if (scene.polygonEdge)
+        hatchBeyondSide(picture, scene.polygonEdge);
     paintWindow(picture);
     paintHighlightedEdge(picture);
     paintLine(picture);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/teaching/figure_labels.h"
 
+#include "app/overlays/polygon_edges.h"
 #include "app/teaching/label_places.h"
 
 #include <QCoreApplication>
@@ -37,6 +38,21 @@ QRectF boxOf(const FigureMark& mark, const FigureFrame& frame)
     return {mark.place.x() - r, mark.place.y() - r, 2 * r, 2 * r};
 }
 
+/// The infinite lines of a rectangle's edges, or the sides of a polygon.
+std::vector<QLineF> edgeLines(const TracedLine& tracedLine, const FigureFrame& frame)
+{
+    std::vector<QLineF> lines;
+    const auto& corners = tracedLine.corners;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        if (const auto side = frame.part(polygonEdge(i + 1, corners)))
+            lines.push_back(*side);
+    if (corners.empty())
+        for (const Edge edge : edges)
+            if (const auto line = edgeLine(edge, tracedLine, frame))
+                lines.push_back(*line);
+    return lines;
+}
+
 /// The obstacles before any label is placed: marks, including those of later steps, so that labels
 /// keep their places; the line; the infinite lines of the edges.
 LabelObstacles obstaclesOf(const TracedLine& tracedLine, const Narration& narration,
@@ -58,9 +74,8 @@ LabelObstacles obstaclesOf(const TracedLine& tracedLine, const Narration& narrat
     for (const auto& line : lines)
         if (const auto part = frame.part(line))
             obstacles.lines.push_back(*part);
-    for (const Edge edge : edges)
-        if (const auto line = edgeLine(edge, tracedLine, frame))
-            obstacles.avoided.push_back(*line);
+    for (const QLineF& line : edgeLines(tracedLine, frame))
+        obstacles.avoided.push_back(line);
     return obstacles;
 }
 
@@ -141,6 +156,41 @@ void labelEdges(std::vector<FigureLabel>& labels, const TracedLine& tracedLine,
     }
 }
 
+/// The number of an edge, just outside its middle.
+std::vector<QRectF> placesBesideSide(const QLineF& side, const QSizeF& label, double unit)
+{
+    std::vector<QRectF> places;
+    const QLineF normal = side.normalVector().unitVector();
+    const double half =
+        (std::abs(normal.dx()) * label.width() + std::abs(normal.dy()) * label.height()) / 2;
+    const double away = 2 * unit + half;
+    for (const double along : {0.5, 0.35, 0.65, 0.2, 0.8})
+        for (const double sign : {1.0, -1.0}) {
+            QRectF place(QPointF(), label);
+            place.moveCenter(side.pointAt(along) + sign * away * QPointF(normal.dx(), normal.dy()));
+            places.push_back(place);
+        }
+    return places;
+}
+
+/// Numbers the edges of a polygonal window; of many edges only the one of the step.
+void labelPolygonEdges(std::vector<FigureLabel>& labels, const TracedLine& tracedLine,
+                       const StepScene& scene, LabelObstacles& obstacles, const FigureFrame& frame)
+{
+    constexpr std::size_t mostNumbered = 12;
+    const auto& corners = tracedLine.corners;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const bool now = scene.polygonEdge == i + 1;
+        const auto side = frame.part(polygonEdge(i + 1, corners));
+        if (!side || !(side->length() > 0) || (corners.size() > mostNumbered && !now))
+            continue;
+        FigureLabel label{
+            now ? Tone::HighlightedEdge : Tone::Edge, tr("edge %1").arg(i + 1), {}, {}, {}};
+        place(labels, label, placesBesideSide(*side, sizeOf(label, frame), frame.unit()),
+              obstacles);
+    }
+}
+
 /// Labels the window in one of its corners, otherwise outside at a corner.
 void labelWindow(std::vector<FigureLabel>& labels, const TracedLine& tracedLine,
                  LabelObstacles& obstacles, const FigureFrame& frame)
@@ -211,7 +261,10 @@ std::vector<FigureLabel> figureLabels(const TracedLine& tracedLine, const Narrat
     for (const FigureMark& mark : figureMarks(tracedLine, scene, frame))
         if (!mark.head.isEmpty())
             labelMark(labels, mark, obstacles, frame);
-    labelEdges(labels, tracedLine, scene, obstacles, frame);
+    if (tracedLine.corners.empty())
+        labelEdges(labels, tracedLine, scene, obstacles, frame);
+    else
+        labelPolygonEdges(labels, tracedLine, scene, obstacles, frame);
     labelWindow(labels, tracedLine, obstacles, frame);
     return labels;
 }

@@ -91,7 +91,8 @@ void addEnds(std::vector<FigureMark>& marks, const TracedLine& tracedLine, const
 
 QString detailOf(const CutPoint& cut, bool now, YAxis y)
 {
-    const QString edge = edgeWords(cut.edge, y);
+    const QString edge =
+        cut.polygonEdge ? tr("edge %1").arg(cut.polygonEdge) : edgeWords(cut.edge, y);
     if (now)
         return edge.isEmpty() ? tr("new End %1").arg(cut.end)
                               : tr("new End %1 at %2").arg(cut.end).arg(edge);

@@ -3,6 +3,7 @@
 
 #include "app/base/latin.h"
 #include "app/teaching/page.h"
+#include "app/teaching/sentences/polygon.h"
 #include "app/teaching/teaching.h"
 
 #include <QRegularExpression>
@@ -102,7 +103,14 @@ NarratedStep narratedStepOf(SentenceContext context, const Teaching& teaching,
                           .candidate = candidateOf(context, teaching),
                           .cost = step.cost};
     context.variables = narrated.variables;
-    narrated.sentence = sentenceOf(teaching, context);
+    if (context.tracedLine.corners.empty()) {
+        narrated.sentence = sentenceOf(teaching, context);
+    } else {
+        narrated.line = polygonLine(context.tracedLine.variant, step);
+        narrated.edge = clipping::Edge::None; // those of the bounding box
+        narrated.polygonEdge = polygonEdgeOf(context);
+        narrated.sentence = polygonSentence(context);
+    }
     if (step.what == clipping::What::Test)
         narrated.answer = step.holds;
     return narrated;
@@ -122,15 +130,28 @@ std::optional<double> SentenceContext::known(std::string_view name) const
     return found == variables.end() ? std::nullopt : std::optional(found->value);
 }
 
+namespace {
+
+clipping::Trace traceOf(const TracedLine& tracedLine)
+{
+    const auto& [algorithm, form, misprint] = tracedLine.variant;
+    if (tracedLine.corners.empty())
+        return clipping::usesOf(*algorithm, form)->trace(tracedLine.line, tracedLine.window);
+    return polygonUsesOf(tracedLine.variant)->trace(tracedLine.line, {tracedLine.corners});
+}
+
+} // namespace
+
 Narration narrationOf(const TracedLine& tracedLine)
 {
-    Narration narration{.code = codeOf(tracedLine.variant), .refusal = refusalOf(tracedLine)};
+    Narration narration{.code = tracedLine.corners.empty() ? codeOf(tracedLine.variant)
+                                                           : polygonCode(tracedLine.variant),
+                        .refusal = refusalOf(tracedLine)};
     if (tracedLine.variant.misprint)
         narration.visible = clipped(tracedLine.variant, tracedLine.line, tracedLine.window);
     if (!narration.refusal.isEmpty())
         return narration;
-    const auto* uses = clipping::usesOf(*tracedLine.variant.algorithm, tracedLine.variant.form);
-    const clipping::Trace trace = uses->trace(tracedLine.line, tracedLine.window);
+    const clipping::Trace trace = traceOf(tracedLine);
     narration.outcome = trace.outcome;
     if (trace.outcome == clipping::Outcome::Visible)
         narration.visible = trace.visible;

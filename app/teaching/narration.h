@@ -34,6 +34,7 @@ struct NarratedStep {
     std::vector<Variable> variables; ///< all known so far; those of End 1 and 2 first
     clipping::Segment left{};        ///< the remaining part of the line, if it is not rejected
     clipping::Edge edge = clipping::Edge::None; ///< the edge of this step
+    std::size_t polygonEdge = 0;                ///< of a polygonal window, from 1; 0: none
     std::optional<Point> candidate{};           ///< a candidate cut, from a parameter just computed
     clipping::OperationCounts cost{};           ///< since the start
     std::optional<bool> answer{};               ///< the result of a test

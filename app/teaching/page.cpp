@@ -10,10 +10,7 @@ namespace app {
 
 namespace {
 
-QStringList linesOf(std::string_view code)
-{
-    return latin(code).split(u'\n', Qt::SkipEmptyParts);
-}
+QStringList linesOf(std::string_view code) { return latin(code).split(u'\n', Qt::SkipEmptyParts); }
 
 /// A form's pseudo-code as a page shows it: numbered, in a block.
 QString blockOf(std::string_view code)

@@ -28,9 +28,19 @@ QString stepText(const Narration& narration, std::size_t step)
                                    : tr("Step %1 of %2").arg(step + 1).arg(narration.steps.size());
 }
 
+/// "Line from −160, −30 to 70, 130, convex window with 5 corners".
+QString polygonFacts(const TracedLine& tracedLine)
+{
+    return tr("Line from %1 to %2, convex window with %3 corners")
+        .arg(pointText(tracedLine.line.a), pointText(tracedLine.line.b))
+        .arg(tracedLine.corners.size());
+}
+
 /// "Line from −160, −30 to 70, 130, window from −100, −75 to 100, 75".
 QString factsText(const TracedLine& tracedLine)
 {
+    if (!tracedLine.corners.empty())
+        return polygonFacts(tracedLine);
     return (tracedLine.windowIsPage ? tr("Line from %1 to %2, page from %3 to %4")
                                     : tr("Line from %1 to %2, window from %3 to %4"))
         .arg(pointText(tracedLine.line.a), pointText(tracedLine.line.b),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/teaching/step_scene.h"
 
+#include "app/overlays/polygon_edges.h"
+
 #include <array>
 
 namespace app {
@@ -22,6 +24,17 @@ Edge edgeOf(const NarratedStep& narrated, const Point& at, const clipping::Windo
         if (isOn(edge, at, window))
             return edge;
     return narrated.edge;
+}
+
+CutPoint cutAt(const Point& at, int end, std::size_t step, const TracedLine& tracedLine,
+               const NarratedStep& narrated)
+{
+    const bool atPolygon = !tracedLine.corners.empty();
+    return {.at = at,
+            .end = end,
+            .edge = atPolygon ? Edge::None : edgeOf(narrated, at, tracedLine.window),
+            .polygonEdge = atPolygon ? polygonEdgeAt(at, tracedLine.corners) : 0,
+            .step = step};
 }
 
 /// Records the move of an end. The final rounding of an end when it is accepted is not a new cut;
@@ -82,17 +95,13 @@ StepScene stepScene(const TracedLine& tracedLine, const Narration& narration, st
         for (const auto& [was, is, given, end] :
              {std::tuple(before.a, scene.left.a, a, 1), std::tuple(before.b, scene.left.b, b, 2)})
             if (was != is)
-                noteCut(scene,
-                        {.at = is,
-                         .end = end,
-                         .edge = edgeOf(narrated, is, tracedLine.window),
-                         .step = i},
-                        given, narrated.mark);
+                noteCut(scene, cutAt(is, end, i, tracedLine, narrated), given, narrated.mark);
     }
     const NarratedStep& now = narration.steps[step];
     scene.state = stateOf(now.mark);
     scene.candidate = now.candidate;
     scene.edge = now.edge;
+    scene.polygonEdge = now.polygonEdge;
     noteDiscarded(scene, tracedLine.line.a, before.a, scene.left.a);
     noteDiscarded(scene, tracedLine.line.b, before.b, scene.left.b);
     return scene;

@@ -10,6 +10,7 @@ struct CutPoint {
     Point at;
     int end = 1;                                ///< the end that was moved there: 1 or 2
     clipping::Edge edge = clipping::Edge::None; ///< None: not on an edge, as for wrong cuts
+    std::size_t polygonEdge = 0;                ///< of a polygonal window, from 1; 0: none
     std::size_t step = 0;                       ///< index of the step
     bool stands = true;                         ///< false: the same end was cut again later
 };
@@ -24,6 +25,7 @@ struct StepScene {
     std::vector<CutPoint> cuts{}; ///< so far, in order
     std::optional<Point> candidate{};
     clipping::Edge edge = clipping::Edge::None; ///< the edge of this step
+    std::size_t polygonEdge = 0;                ///< the same of a polygonal window, from 1; 0: none
     std::size_t step = 0;
 
     bool isNow(const CutPoint& cut) const { return cut.step == step; }

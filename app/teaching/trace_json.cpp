@@ -113,7 +113,8 @@ QString stepOf(const NarratedStep& narrated, std::size_t step)
                      {"mark", markKey(narrated.mark)},
                      {"sentence", quoted(narrated.sentence)},
                      {"answer", narrated.answer ? truth(*narrated.answer) : QStringLiteral("null")},
-                     {"edge", edgeKey(narrated.edge)},
+                     {"edge", narrated.polygonEdge ? QString::number(narrated.polygonEdge)
+                                                   : edgeKey(narrated.edge)},
                      {"left", list(narrated.left)},
                      {"candidate", candidate ? list({number(candidate->x), number(candidate->y)})
                                              : QStringLiteral("null")},
@@ -137,12 +138,23 @@ QString stepsOf(const TraceExport& trace, std::span<const std::size_t> steps)
     return QStringLiteral("[\n") + lines.join(QStringLiteral(",\n")) + QStringLiteral("\n  ]");
 }
 
+/// The bounding box, and the corners of a window that is not a rectangle.
+QString windowOf(const TracedLine& tracedLine)
+{
+    const QString box = list(clipping::Segment{tracedLine.window.min, tracedLine.window.max});
+    QStringList corners;
+    for (const Point& corner : tracedLine.corners)
+        corners << list({number(corner.x), number(corner.y)});
+    return corners.isEmpty() ? box : box + QStringLiteral(",\n  \"corners\": ") + list(corners);
+}
+
 } // namespace
 
 QByteArray traceJson(const TraceExport& trace, std::span<const std::size_t> steps)
 {
     const Narration& narration = trace.narration;
-    const auto& [variant, line, window, y, origin, windowIsPage] = trace.tracedLine;
+    const TracedLine& tracedLine = trace.tracedLine;
+    const Variant& variant = tracedLine.variant;
     QStringList code;
     for (const QString& text : narration.code)
         code << quoted(text);
@@ -151,9 +163,9 @@ QByteArray traceJson(const TraceExport& trace, std::span<const std::size_t> step
          {"algorithm", quoted(latin(variant.algorithm->key))},
          {"form", quoted(variant.form == clipping::Form::Published ? QStringLiteral("published")
                                                                    : QStringLiteral("corrected"))},
-         {"line", list(line)},
-         {"window", list(clipping::Segment{window.min, window.max})},
-         {"y", quoted(y == YAxis::Up ? QStringLiteral("up") : QStringLiteral("down"))},
+         {"line", list(tracedLine.line)},
+         {"window", windowOf(tracedLine)},
+         {"y", quoted(tracedLine.y == YAxis::Up ? QStringLiteral("up") : QStringLiteral("down"))},
          {"outcome", outcomeKey(narration.outcome)},
          {"visible", narration.visible ? list(*narration.visible) : QStringLiteral("null")},
          {"code", list(code)},

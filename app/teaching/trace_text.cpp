@@ -68,16 +68,28 @@ QString endText(const Narration& narration)
                : tr("Nothing is visible.");
 }
 
+QString windowText(const TracedLine& tracedLine)
+{
+    const QString y = tracedLine.y == YAxis::Up ? tr("up") : tr("down");
+    if (tracedLine.corners.empty())
+        return (tracedLine.windowIsPage ? tr("Page:    %1 to %2, y grows %3\n\n")
+                                        : tr("Window:  %1 to %2, y grows %3\n\n"))
+            .arg(pair(tracedLine.window.min), pair(tracedLine.window.max), y);
+    QStringList corners;
+    for (const Point& corner : tracedLine.corners)
+        corners << pair(corner);
+    return tr("Window:  %1; edge 1 begins at the first corner, y grows %2\n\n")
+        .arg(corners.join(QStringLiteral("; ")), y);
+}
+
 } // namespace
 
 QByteArray traceText(const TraceExport& trace, std::span<const std::size_t> steps)
 {
-    const auto& [variant, line, window, y, origin, windowIsPage] = trace.tracedLine;
-    QString text = titleOf(variant) + u'\n';
-    text += tr("Line:    %1 to %2\n").arg(pair(line.a), pair(line.b));
-    text += (windowIsPage ? tr("Page:    %1 to %2, y grows %3\n\n")
-                          : tr("Window:  %1 to %2, y grows %3\n\n"))
-                .arg(pair(window.min), pair(window.max), y == YAxis::Up ? tr("up") : tr("down"));
+    const TracedLine& tracedLine = trace.tracedLine;
+    QString text = titleOf(tracedLine.variant) + u'\n';
+    text += tr("Line:    %1 to %2\n").arg(pair(tracedLine.line.a), pair(tracedLine.line.b));
+    text += windowText(tracedLine);
     if (trace.narration.steps.empty())
         return (text + trace.narration.refusal + u'\n').toUtf8();
     for (const std::size_t step : steps)

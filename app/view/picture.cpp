@@ -2,6 +2,7 @@
 #include "app/view/picture.h"
 
 #include "app/view/difference_marks.h"
+#include "app/view/long_pieces.h"
 #include "app/view/scene_draw_list_builder.h"
 #include "app/view/visible_colour.h"
 
@@ -141,19 +142,8 @@ void makeGhosts(DrawList& drawList, const Ghosting& ghosting)
             command.fill.alpha = std::uint8_t(command.fill.alpha * ghosting.opacity);
 }
 
-} // namespace
-
-bool outlines(const SceneLines& lines, std::span<const ObjectRange> selection)
-{
-    constexpr std::size_t mostObjects = 500, mostLines = 20'000;
-    std::size_t count = 0;
-    for (const auto& [first, end] : selection)
-        count += lines.firstLineOf(end) - lines.firstLineOf(first);
-    return count <= mostLines && objectsIn(selection) <= mostObjects;
-}
-
-Picture picture(const StyleTable& styles, const SceneLines& lines, const SceneFrame& frame,
-                const PictureOptions& options)
+Picture pictureOf(const StyleTable& styles, const SceneLines& lines, const SceneFrame& frame,
+                  const PictureOptions& options)
 {
     const auto drawListOf = [&](Painted part) {
         return drawList(styles, lines, PaintedPart(frame, part), options);
@@ -168,6 +158,26 @@ Picture picture(const StyleTable& styles, const SceneLines& lines, const SceneFr
     picture.selected = selected(styles, lines, options);
     picture.differing = differenceMarks(styles, lines, options);
     return picture;
+}
+
+} // namespace
+
+bool outlines(const SceneLines& lines, std::span<const ObjectRange> selection)
+{
+    constexpr std::size_t mostObjects = 500, mostLines = 20'000;
+    std::size_t count = 0;
+    for (const auto& [first, end] : selection)
+        count += lines.firstLineOf(end) - lines.firstLineOf(first);
+    return count <= mostLines && objectsIn(selection) <= mostObjects;
+}
+
+Picture picture(const StyleTable& styles, const SceneLines& lines, const SceneFrame& frame,
+                const PictureOptions& options)
+{
+    if (options.leastLength > 0)
+        return pictureOf(styles, lines, LongPieces(styles, frame, options.leastLength).frame(),
+                         options);
+    return pictureOf(styles, lines, frame, options);
 }
 
 } // namespace app

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/scene_draw_list_builder.h"
 
+#include "app/view/long_pieces.h"
+
 #include <algorithm>
 
 namespace app {
@@ -9,7 +11,7 @@ SceneDrawListBuilder::SceneDrawListBuilder(const SceneLines& lines, const Painte
                                            std::size_t expectedPieces)
     : lines_(lines), part_(part), cutFill_(options.region, part.which()),
       closesAreas_(options.closesAreas && part.which() == Painted::Kept),
-      builder_(options, expectedPieces)
+      leastLength_(options.leastLength), builder_(options, expectedPieces)
 {
 }
 
@@ -175,11 +177,15 @@ bool SceneDrawListBuilder::fillObject()
         return whole;
     }
     cutOutline_.clear();
+    isCut_ = false;
     const Remains remains = cutFill_.remains(boxOf(outline_));
     if (remains == Remains::Whole)
         builder_.fill(outline_);
     if (remains == Remains::Pieces) {
         cutOutline_ = cutFill_.clip(outline_, style_->fillRule);
+        isCut_ = !cutOutline_.empty();
+        if (closesAreas_ && style_->stroke && leastLength_ > 0)
+            cutOutline_ = withoutShortRings(std::move(cutOutline_), leastLength_);
         builder_.fill({std::span<const clipping::Segment>(cutOutline_)});
     }
     return true;
@@ -188,7 +194,7 @@ bool SceneDrawListBuilder::fillObject()
 // Strokes the outline of what is left of the current area. False if the area is not cut.
 bool SceneDrawListBuilder::strokeCut()
 {
-    if (cutOutline_.empty())
+    if (!isCut_)
         return false;
     const Outline rings{std::span<const clipping::Segment>(cutOutline_)};
     LengthsBefore lengths(rings);

@@ -54,6 +54,7 @@ private:
     const PaintedPart& part_;
     CutFill cutFill_;
     const bool closesAreas_; ///< the stroke of a cut area that is kept follows the cut
+    const double leastLength_;
     DrawListBuilder builder_;
     const Style* style_ = nullptr;
     bool begun_ = false; // whether the draw command for stroked-only objects has begun
@@ -67,7 +68,8 @@ private:
     bool strokes_ = false;
     std::vector<Lines> objectLines_;
     Outline outline_;
-    std::vector<clipping::Segment> cutOutline_;
+    std::vector<clipping::Segment> cutOutline_; ///< of the current area, without short rings
+    bool isCut_ = false;                        ///< whether the area is, even if no ring is left
     std::size_t firstLine_ = 0; // in the scene
     LengthsBefore lengths_;
 };

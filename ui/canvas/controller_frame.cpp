@@ -46,6 +46,7 @@ app::Picture Controller::picture(const app::SceneFrame& frame, const Pane& pane,
     options.removed = display.removed;
     options.region = &session_.region();
     options.closesAreas = display.cutting.closeAreas;
+    options.leastLength = exportOptions(display.cutting, session_.now().page()).leastLength;
     if (look_.dark && !display.asPrinted)
         options.page = colourOf(look_.paper);
     options.leastWidth = pixelRatio < 1.5 ? 0.75 : 0.5;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/seen_overlay.h"
 
+#include "app/session/traced_window.h"
 #include "app/teaching/overlay_of.h"
 #include "ui/canvas/algorithm_overlay.h"
 #include "ui/canvas/difference_overlay.h"
@@ -22,11 +23,14 @@ std::optional<clipping::Segment> lineLookedAt(const Controller& controller)
 
 app::OverlaySubject subjectOf(const Controller& controller, const Pane& pane)
 {
+    const app::TracedWindow window = app::tracedWindow(controller.session());
     app::OverlaySubject subject{.variant = pane.choice,
-                                .window = controller.window(),
+                                .window = window.frame.box,
                                 .line = lineLookedAt(controller),
                                 .seen = controller.view().visible(),
-                                .y = app::YAxis::Down};
+                                .y = app::YAxis::Down,
+                                .angle = window.frame.angle,
+                                .corners = window.corners};
     if (controller.pointer())
         subject.pointer = controller.pointer()->position;
     return subject;

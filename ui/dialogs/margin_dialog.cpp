@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/margin_dialog.h"
 
-#include "app/session/window_places.h"
 #include "ui/look/look.h"
 #include "ui/widgets/length_field.h"
 
+#include <QCheckBox>
 #include <QDialogButtonBox>
-#include <QFormLayout>
+#include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
 
@@ -16,32 +16,80 @@ namespace {
 
 constexpr double usualMargin = 10; // mm on paper
 
+LengthField* lengthField(const QString& name)
+{
+    return new LengthField(name, LengthField::Range::Any, LengthField::Suffix::Unit);
+}
+
 } // namespace
 
 MarginDialog::MarginDialog(app::Session& session, QWidget* parent)
     : QDialog(parent), session_(session),
-      margin_(usualMargin / session.now().page().millimetresPerUnit())
+      margins_(app::PageMargins::same(usualMargin / session.now().page().millimetresPerUnit())),
+      sides_{Side{lengthField(tr("Left")), &app::PageMargins::left},
+             Side{lengthField(tr("Top")), &app::PageMargins::top},
+             Side{lengthField(tr("Right")), &app::PageMargins::right},
+             Side{lengthField(tr("Bottom")), &app::PageMargins::bottom}},
+      same_(new QCheckBox(tr("&Same margin on all sides")))
 {
-    setWindowTitle(tr("Lay window inside margin"));
+    setWindowTitle(tr("Lay window inside margins"));
     setObjectName(QStringLiteral("margin-dialog"));
-    auto* field = new LengthField(tr("Margin"), LengthField::Range::Any, LengthField::Suffix::Unit);
-    field->show(margin_, session.display().unit, session.now().page().millimetresPerUnit());
-    auto* sentence = new QLabel(tr("On each side of the page. A negative margin is outside it."));
+    same_->setChecked(true);
+    connect(same_, &QCheckBox::toggled, this, [this](bool same) {
+        if (same)
+            take(&app::PageMargins::left, margins_.left);
+    });
+    auto* sentence = new QLabel(tr("A negative margin is outside the page."));
     sentence->setForegroundRole(QPalette::PlaceholderText);
-    connect(field, &LengthField::edited, this, [this](double margin) { margin_ = margin; });
-    connect(field, &LengthField::refused, sentence, &QLabel::setText);
+    for (const Side& side : sides_)
+        connect(side.field, &LengthField::refused, sentence, &QLabel::setText);
     auto* buttons = new QDialogButtonBox;
     buttons->addButton(tr("Cancel"), QDialogButtonBox::RejectRole);
     QPushButton* lay = buttons->addButton(tr("&Lay window"), QDialogButtonBox::AcceptRole);
     lay->setDefault(true);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    auto* form = new QFormLayout(this);
-    form->setContentsMargins(space::betweenGroups, space::betweenGroups, space::betweenGroups,
-                             space::betweenGroups);
-    form->addRow(tr("&Margin"), field);
-    form->addRow(sentence);
-    form->addRow(buttons);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(space::betweenGroups, space::betweenGroups, space::betweenGroups,
+                               space::betweenGroups);
+    column->addLayout(makeFields());
+    column->addWidget(same_);
+    column->addWidget(sentence);
+    column->addWidget(buttons);
+    follow();
+}
+
+QGridLayout* MarginDialog::makeFields()
+{
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(space::labelToField);
+    for (int i = 0; i < int(sides_.size()); ++i) {
+        const auto& [field, margin] = sides_[std::size_t(i)];
+        auto* label = new QLabel(field->accessibleName());
+        label->setBuddy(field);
+        grid->addWidget(label, i / 2, 2 * (i % 2));
+        grid->addWidget(field, i / 2, 2 * (i % 2) + 1);
+        connect(field, &LengthField::edited, this,
+                [this, side = margin](double length) { take(side, length); });
+    }
+    grid->setColumnStretch(1, 1);
+    grid->setColumnStretch(3, 1);
+    return grid;
+}
+
+void MarginDialog::take(double app::PageMargins::*side, double margin)
+{
+    margins_.*side = margin;
+    if (same_->isChecked())
+        margins_ = app::PageMargins::same(margin);
+    follow();
+}
+
+void MarginDialog::follow()
+{
+    for (const auto& [field, margin] : sides_)
+        field->show(margins_.*margin, session_.display().unit,
+                    session_.now().page().millimetresPerUnit());
 }
 
 void MarginDialog::show(app::Session& session, QWidget& parent)
@@ -53,7 +101,7 @@ void MarginDialog::show(app::Session& session, QWidget& parent)
 
 void MarginDialog::accept()
 {
-    app::layWindowInside(session_, margin_);
+    app::layWindowInside(session_, margins_);
     QDialog::accept();
 }
 

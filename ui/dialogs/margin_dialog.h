@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/session/session.h"
+#include "app/session/window_places.h"
 
 #include <QDialog>
 
+#include <array>
+
+class QCheckBox;
+class QGridLayout;
+
 namespace ui {
 
-/// Lays a clip window on the page without a margin.
+class LengthField;
+
+/// Lays a clip window on the page without margins: the same on all sides, or each its own.
 class MarginDialog : public QDialog {
     Q_OBJECT
 
@@ -18,8 +25,18 @@ public:
     void accept() override;
 
 private:
+    QGridLayout* makeFields();
+    void take(double app::PageMargins::*side, double margin);
+    void follow();
+
+    struct Side {
+        LengthField* field;
+        double app::PageMargins::*margin;
+    };
     app::Session& session_;
-    double margin_; ///< in user units
+    app::PageMargins margins_;
+    std::array<Side, 4> sides_;
+    QCheckBox* same_;
 };
 
 } // namespace ui

@@ -51,7 +51,7 @@ CutOptionsBox::CutOptionsBox(app::Session& session, WindowPanel& panel)
 {
     least_->setObjectName(QStringLiteral("least-piece"));
     least_->setToolTip(tr("Shorter pieces of lines that are cut are left out when you crop, cut "
-                          "out, split or export. The canvas still shows them."));
+                          "out, split or export. The canvas does not show them as kept."));
     auto* label = new QLabel(tr("Drop pieces below"));
     label->setForegroundRole(QPalette::PlaceholderText);
     label->setBuddy(least_);
@@ -63,6 +63,7 @@ CutOptionsBox::CutOptionsBox(app::Session& session, WindowPanel& panel)
     grid->addWidget(hidden_, 0, 1, 1, 2);
     grid->addWidget(label, 1, 0);
     grid->addWidget(least_, 1, 1);
+    grid->addWidget(&panel.tilesButton(), 1, 2, Qt::AlignRight);
     grid->setColumnStretch(2, 1);
     grid->setContentsMargins(space::dockMargin, 0, space::dockMargin, space::dockMargin);
     connect(least_, &LengthField::edited, this, [this](double length) {

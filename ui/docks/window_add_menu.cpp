@@ -41,7 +41,7 @@ void addPlaces(app::Session& session, QMenu& menu, QWidget& parent)
             action->setEnabled(place.box(session).has_value());
         });
     }
-    menu.addAction(tr("Lay window inside the page's &margin…"), &menu,
+    menu.addAction(tr("Lay window inside the page's &margins…"), &menu,
                    [&session, &parent] { MarginDialog::show(session, parent); });
 }
 

@@ -30,7 +30,7 @@ WindowPanel::WindowPanel(app::Session& session, QWidget* parent)
       operation_(new ToolList),
       colour_(iconButton("plus", tr("Colour of the clip window on the screen"))),
       colours_(new ColourPopup(this)), fields_(new WindowFields(session)),
-      pages_(new QStackedLayout(this))
+      tiles_(new QToolButton(this)), pages_(new QStackedLayout(this))
 {
     pages_->addWidget(makeList());
     pages_->addWidget(makeOffer());
@@ -40,6 +40,15 @@ WindowPanel::WindowPanel(app::Session& session, QWidget* parent)
     connect(fields_, &WindowFields::taken, this, &WindowPanel::taken);
     connect(&session, &app::Session::previewChanged, this, &WindowPanel::follow);
     follow();
+}
+
+void WindowPanel::setTiles(QAction& tiles)
+{
+    tiles_->setDefaultAction(&tiles);
+    tiles_->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    tiles_->setProperty("framed", true);
+    tiles_->setFixedHeight(space::fieldHeight);
+    tiles_->setObjectName(QStringLiteral("open-tiles"));
 }
 
 // Options of cuts, which concern all windows, come below the numbers.

@@ -25,6 +25,10 @@ class WindowPanel : public QWidget {
 public:
     explicit WindowPanel(app::Session& session, QWidget* parent = nullptr);
 
+    /// A button with a command's name, for the foot of the panel (cut_options.h).
+    void setTiles(QAction& tiles);
+    QToolButton& tilesButton() { return *tiles_; }
+
 signals:
     void entered(); ///< a number or a unit was entered: the focus returns to the canvas
     void refused(const QString& sentence); ///< the typed text is not a length
@@ -53,6 +57,7 @@ private:
     QToolButton* colour_;
     ColourPopup* colours_;
     WindowFields* fields_;
+    QToolButton* tiles_;
     QStackedLayout* pages_; ///< the list, or the offer
 };
 

@@ -5,6 +5,7 @@
 #include "app/session/window_steps.h"
 #include "app/view/picking.h"
 #include "ui/bars/option_bar.h"
+#include "ui/docks/window_panel.h"
 #include "ui/dialogs/margin_dialog.h"
 #include "ui/editing/keeping.h"
 #include "ui/files/files.h"
@@ -118,7 +119,7 @@ std::vector<ActionInfo> placeRows()
         });
     rows.push_back({
         .key = "window-inside-margin",
-        .text = tr("Lay window inside the page's &margin…"),
+        .text = tr("Lay window inside the page's &margins…"),
         .run = [](MainWindow& w) { MarginDialog::show(w.session(), w); },
     });
     return rows;
@@ -202,7 +203,11 @@ MenuInfo clipMenu()
                     .icon = "tiles",
                     .run = toggleTiles,
                     .refusal = whyNoTiles,
-                    .made = [](MainWindow& w, QAction& action) { w.optionBar().setTiles(action); },
+                    .made =
+                        [](MainWindow& w, QAction& action) {
+                            w.optionBar().setTiles(action);
+                            w.windowPanel().setTiles(action);
+                        },
                 },
                 {
                     .key = "windows-of-selection",

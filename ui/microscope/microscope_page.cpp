@@ -2,6 +2,7 @@
 #include "ui/microscope/microscope_page.h"
 
 #include "app/comparison/at_text.h"
+#include "app/teaching/traced_edges.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/microscope/answer_cover.h"
@@ -18,6 +19,8 @@
 #include <QVBoxLayout>
 
 #include <glm/common.hpp>
+
+#include <algorithm>
 
 namespace ui {
 
@@ -186,9 +189,10 @@ void MicroscopePage::showStep()
 
 void MicroscopePage::showPlace()
 {
-    const QString origin = session_.microscope.tracedLine().origin;
-    QStringList lines(drawn_.changed() ? tr("%1, changed").arg(origin) : origin);
-    const QString at = drawn_.line() ? app::atText(session_.compared()) : QString();
+    const app::TracedLine& traced = session_.microscope.tracedLine();
+    QStringList lines(drawn_.changed() ? tr("%1, changed").arg(traced.origin) : traced.origin);
+    const QString at =
+        drawn_.line() ? app::atText({traced.window, traced.windowIsPage}) : QString();
     if (!at.isEmpty())
         lines << at;
     place_->setText(lines.join(u'\n'));
@@ -249,10 +253,8 @@ QRect MicroscopePage::cornerFor(const QSize& size)
             return clipping::exactAlgorithm().corrected.clip(line, area).has_value();
         };
         const auto& [a, b] = tracedLine.line;
-        const auto& [min, max] = tracedLine.window;
         return 8 * (hides({a, a}) + hides({b, b})) + 4 * hides(tracedLine.line)
-               + (hides({min, {max.x, min.y}}) + hides({{max.x, min.y}, max})
-                  + hides({max, {min.x, max.y}}) + hides({{min.x, max.y}, min}));
+               + int(std::ranges::count_if(app::edgesOf(tracedLine), hides));
     };
     if (covered(corner_) >= 4)
         for (const Qt::Corner other :

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/microscope/overview.h"
 
+#include "app/session/traced_window.h"
+#include "app/teaching/traced_edges.h"
 #include "ui/look/look.h"
 
 #include <QEvent>
@@ -93,6 +95,14 @@ QPixmap Overview::drawing(const app::View& view) const
     return picture;
 }
 
+/// The frame in whose directions the line is traced, on the drawing.
+app::WindowFrame Overview::frameOf(const app::TracedLine& tracedLine) const
+{
+    const app::TracedWindow window = app::tracedWindow(session_);
+    return window.frame.box == tracedLine.window ? window.frame
+                                                 : app::WindowFrame{tracedLine.window};
+}
+
 void Overview::paintEvent(QPaintEvent*)
 {
     const Look& look = lookOf(palette());
@@ -103,15 +113,21 @@ void Overview::paintEvent(QPaintEvent*)
     painter.drawPixmap(0, 0, drawing_);
     painter.setRenderHint(QPainter::Antialiasing);
     const app::TracedLine& tracedLine = session_.microscope.tracedLine();
-    const app::Point a = seen.toScreen(tracedLine.window.min),
-                     b = seen.toScreen(tracedLine.window.max);
+    const app::WindowFrame frame = frameOf(tracedLine);
+    const auto onPaper = [&](const app::Point& p) { return outOfFrame(frame, p); };
+    QPolygonF window;
+    for (const clipping::Segment& edge : app::edgesOf(tracedLine)) {
+        const app::Point corner = seen.toScreen(onPaper(edge.a));
+        window << QPointF(corner.x, corner.y);
+    }
     QColor inside = look.accent;
     inside.setAlphaF(0.12F);
     painter.setPen(QPen(look.accent, 1.5));
     painter.setBrush(inside);
-    painter.drawRect(QRectF(QPointF(a.x, a.y), QPointF(b.x, b.y)));
+    painter.drawPolygon(window);
     painter.setPen(QPen(look.selection, 2, Qt::SolidLine, Qt::RoundCap));
-    if (const auto line = onScreen(tracedLine.line, seen))
+    const auto& [a, b] = tracedLine.line;
+    if (const auto line = onScreen({onPaper(a), onPaper(b)}, seen))
         painter.drawLine(*line);
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setBrush(Qt::NoBrush);

@@ -31,6 +31,7 @@ private:
     app::View view() const;
     std::vector<QLineF> linesIn(const app::View& view) const;
     QPixmap drawing(const app::View& view) const;
+    app::WindowFrame frameOf(const app::TracedLine& tracedLine) const;
 
     const app::Session& session_;
     QPixmap drawing_; ///< the cached picture; null: must be painted

@@ -27,7 +27,10 @@ public:
         app::drawWindow(bench.session, shape);
         before_.reset();
         bench.session.setPreview({});
+        kept_ = bench.session.windowNumber().value_or(0);
     }
+    /// Chooses the window that was kept last, when it is restored after a correction.
+    void choose(Workbench& bench) { bench.session.chooseWindow(kept_); }
     void drop(Workbench& bench)
     {
         bench.session.setPreview({});
@@ -37,6 +40,7 @@ public:
 
 private:
     std::optional<std::size_t> before_; ///< the window that was chosen
+    std::size_t kept_ = 0;
 };
 
 } // namespace ui

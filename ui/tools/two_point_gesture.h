@@ -19,6 +19,8 @@ public:
     void accept(const app::GestureEnd& end, Workbench& bench) override;
     void reopen(Workbench& bench) override;
     bool corrects() const override { return last_.isOpen(); }
+    /// Whether numbers typed now would change what was made last.
+    bool canCorrect(const Workbench& bench) const { return last_.canReopen(bench); }
 
 protected:
     struct Gesture {

@@ -24,8 +24,11 @@ public:
     }
     void cancel(Workbench& bench) override
     {
+        const bool restores = corrects();
         TwoPointGesture::cancel(bench);
         window_.drop(bench);
+        if (restores)
+            window_.choose(bench);
     }
     bool key(QKeyEvent& event, Workbench&) override
     {
@@ -135,6 +138,12 @@ private:
 };
 
 } // namespace
+
+bool canCorrect(const Tool& drawing, const Workbench& bench)
+{
+    const auto* gesture = dynamic_cast<const WindowOfTwoPoints*>(&drawing);
+    return gesture && gesture->canCorrect(bench);
+}
 
 std::unique_ptr<Tool> makeWindowDrawing(const app::WindowKind& kind)
 {

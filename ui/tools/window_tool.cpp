@@ -50,6 +50,7 @@ public:
     {
         if (drawing_)
             drawing_->cancel(bench);
+        forgetDrawn();
         drawing_.reset();
         gesture_.cancel(bench);
     }
@@ -72,8 +73,18 @@ public:
 
     std::optional<app::Gauge> gauge(const Workbench& bench) const override
     {
-        return drawing_ ? drawing_->gauge(bench) : gesture_.gauge(bench);
+        if (drawing_ || gesture_.going())
+            return drawing_ ? drawing_->gauge(bench) : gesture_.gauge(bench);
+        return corrigible(bench) ? drawn_->gauge(bench) : std::nullopt;
     }
+    void reopen(Workbench& bench) override
+    {
+        if (drawing_ || gesture_.going() || !corrigible(bench))
+            return;
+        drawing_ = std::move(drawn_);
+        drawing_->reopen(bench);
+    }
+    bool corrects() const override { return drawing_ && drawing_->corrects(); }
     void accept(const app::GestureEnd& end, Workbench& bench) override
     {
         drawing_ ? drawing_->accept(end, bench) : gesture_.accept(end, bench);
@@ -124,20 +135,34 @@ private:
                                          bench.inDrawing(reach));
         return inside ? std::optional(app::Handle{}) : std::nullopt;
     }
-    /// The next gesture may draw another shape.
+    /// The next gesture may draw another shape; until then numbers change the one that was drawn.
     void forgetDrawn()
     {
         if (drawing_ && !drawing_->busy())
-            drawing_.reset();
+            drawn_ = std::move(drawing_);
+    }
+    /// Whether numbers typed now change the window drawn last. The pen must be the same, as the
+    /// window is drawn again with it.
+    bool corrigible(const Workbench& bench) const
+    {
+        const app::WindowPen& pen = bench.session.windowPen;
+        return drawn_ && pen.kind == drawnWith_.kind && pen.use == drawnWith_.use
+               && canCorrect(*drawn_, bench);
     }
 
     WindowGesture gesture_;
     std::unique_ptr<Tool> drawing_; ///< null: no window is being drawn
+    std::unique_ptr<Tool> drawn_;   ///< what has drawn the last window
+    app::WindowPen drawnWith_;
     std::optional<app::Handle> hoveredHandle_;
 };
 
 void WindowTool::press(const Pointer& pointer, Workbench& bench)
 {
+    if (corrects()) { // a press ends the correction
+        drawing_->cancel(bench);
+        forgetDrawn();
+    }
     if (!drawing_) {
         hoveredHandle_ = handleUnder(pointer, bench);
         if (hoveredHandle_)
@@ -147,6 +172,7 @@ void WindowTool::press(const Pointer& pointer, Workbench& bench)
             return gesture_.start({}, pointer, bench);
         }
         drawing_ = makeWindowDrawing(app::windowKind(bench.session.windowPen.kind));
+        drawnWith_ = bench.session.windowPen;
     }
     drawing_->press(pointer, bench);
     forgetDrawn();

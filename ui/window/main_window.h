@@ -47,6 +47,7 @@ public:
     Canvas& canvas() { return *canvas_; }
     const Canvas& canvas() const { return *canvas_; }
     Files& files() { return *files_; }
+    WindowPanel& windowPanel() { return *panels_.window; }
     AlgorithmPanel& algorithmPanel() { return *panels_.algorithm; }
     DifferencePanel& differencePanel() { return *panels_.difference; }
     CostMapPanel& costMapPanel() { return *panels_.costMap; }

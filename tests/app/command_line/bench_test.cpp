@@ -50,6 +50,40 @@ private slots:
         QCOMPARE(inShell("QT_QPA_PLATFORM=xcb $clearcut bench -n 1000 -r 1 -a md").code, 0);
     }
 
+    void aRotatedRectangleIsForAllAndAConvexWindowForSome()
+    {
+        const QStringList bench{"bench", "-n", "2000", "-r", "1", "-f", "json", "-w"};
+        const auto rows = [](const QByteArray& json) {
+            return tablesOf(json)[0].toObject()["rows"].toArray();
+        };
+        const auto rotated = clearcut(bench + QStringList{"-100,-75,100,75@30"});
+        QCOMPARE(rotated.code, 0);
+        QCOMPARE(rotated.err, "");
+        const auto facts = tablesOf(rotated.out)[0].toObject()["facts"].toObject();
+        QCOMPARE(facts["window"].toString(), "-100,-75,100,75@30");
+        QVERIFY(rows(rotated.out).size() > 20);
+        const auto straight = clearcut(bench + QStringList{"-100,-75,100,75"});
+        QCOMPARE(rows(rotated.out).size() + 1, rows(straight.out).size()); // not one by one
+        const auto circle = clearcut(bench + QStringList{"circle:0,0,90"});
+        QCOMPARE(circle.code, 0);
+        QVERIFY2(circle.err.startsWith("Left out, because they clip at rectangles only: CS,"),
+                 circle.err.constData());
+        QCOMPARE(rows(circle.out).size(), 4);
+        for (const auto& row : rows(circle.out)) {
+            QCOMPARE(row.toObject()["visible"], rows(circle.out)[0].toObject()["visible"]);
+            QCOMPARE(row.toObject()["lost"].toVariant().toInt(), 0);
+        }
+        for (const QStringList& more : {QStringList{"--scene", "inside"},
+                                        {"--measure", "operations"},
+                                        {"--order", "sorted"},
+                                        {"--precision", "single"},
+                                        {"-a", "lb"},
+                                        {"--paper", "table1"}})
+            QCOMPARE(clearcut(bench + QStringList{"circle:0,0,90"} + more).code, 2);
+        const QByteArray concave = clearcut(bench + QStringList{"polygon:0,0 90,0 20,20 0,90"}).err;
+        QVERIFY2(concave.contains("this window is concave, 4 edges."), concave.constData());
+    }
+
     void everyRunCanHaveARow()
     {
         const auto run = clearcut({"bench", "-n", "1000", "-r", "3", "-a", "cs,md", "--form",

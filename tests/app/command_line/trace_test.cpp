@@ -55,10 +55,34 @@ private slots:
         QVERIFY(!run.out.contains("Line:    \u2212160"));
         for (const char* bad : {"0,0,9,9@", "0,0,9,9@x", "0,0,9,9@1@2", "0,0,9@3"})
             QCOMPARE(clearcut(QStringList(md_) << "-w" << bad).code, 2);
-        const auto circle = clearcut(QStringList(md_) << "-w"
-                                                      << "circle:0,0,9");
-        QCOMPARE(circle.code, 2);
-        QVERIFY2(circle.err.contains("steps are shown at rectangles only"), circle.err.constData());
+    }
+
+    void aConvexWindowHasNumberedEdges()
+    {
+        const QStringList line{"trace", "--line", "-160,-30,70,130", "-w"};
+        const QString square = "polygon:-100,-75 100,-75 100,75 -100,75";
+        for (const char* row : {"cb", "skala", "exact", "wn"}) {
+            const auto run = clearcut(line + QStringList{square, "-a", row});
+            QCOMPARE(run.code, 0);
+            QVERIFY2(run.out.contains("End 1 is cut at edge 4: it moves to (\u2212100, 11.7391)."),
+                     run.out.constData());
+            QVERIFY2(run.out.contains("End 2 is cut at edge 3: it moves to (\u22129.0625, 75)."),
+                     run.out.constData());
+        }
+        const auto json = clearcut(line + QStringList{square, "-a", "exact", "-f", "json"});
+        const auto all = QJsonDocument::fromJson(json.out);
+        QCOMPARE(all["corners"].toArray()[2].toArray(), (QJsonArray{100, 75}));
+        QCOMPARE(clearcut(line + QStringList{"circle:0,0,90", "-a", "cb"}).code, 0);
+        const auto refused = [&](const char* window, const char* row) {
+            const auto run = clearcut(line + QStringList{window, "-a", row});
+            return run.code == 2 ? run.err : QByteArray("not refused");
+        };
+        QVERIFY(refused("circle:0,0,9", "md").contains(
+            "Matthes-Drakopoulos clips at rectangles only. Choose Cyrus-Beck, Skala, Winding "
+            "number or Exact."));
+        QVERIFY(refused("circle:0,0,9", "skala:published").contains("Choose the corrected form."));
+        QVERIFY(refused("polygon:0,0 9,0 2,2 0,9", "exact").contains("this polygon is not convex"));
+        QVERIFY(refused("shape:a", "exact").contains("steps are shown at rectangles, circle:"));
     }
 
     void jsonIsWhatTheLibraryAnswers()

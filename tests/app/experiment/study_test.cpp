@@ -269,6 +269,33 @@ private slots:
         QVERIFY(subject->meaning.contains("at its page, because it has no clip window"));
     }
 
+    void aRotatedWindowIsMeasuredAsSuch()
+    {
+        app::Sheet sheet;
+        sheet.shapes.emplace_back();
+        sheet.shapes.back().paths = {{{0, 20}, {{{90, 20}}}, false}};
+        app::Document document = app::documentOf(sheet);
+        const app::RectangleShape rotated{{{10, 10}, {30, 30}}, 0.5};
+        document.apply({.windows = app::ClipWindows{{{.shape = rotated}}}});
+        const app::EditedDocument edited(document);
+        const auto subject = app::drawingSubject("it", app::Scene(edited).lines(), document);
+        QVERIFY(subject && subject->options.field.shape);
+        QVERIFY(subject->meaning.contains("at its window: rotated rectangle"));
+        app::Choice choice{*subject};
+        choice.runs = 2;
+        choice.algorithms = named({"ex", "cs", "lb"});
+        choice.forms = {Form::Corrected};
+        const auto plan = app::planOf(choice);
+        QVERIFY(plan && !plan.value->explained);
+        const auto study = app::study(*plan.value);
+        QCOMPARE(study->trials[0].record.timings.size(), 3u);
+        for (const auto& timing : study->trials[0].record.timings)
+            QCOMPARE(timing.found.visible, 1u);
+        QVERIFY(subject->options.field.shape->text.startsWith("10,10,30,30@-28.6"));
+        choice.order = app::Order::ByClass;
+        QVERIFY(!app::planOf(choice));
+    }
+
     void aStudyHasWhatWasPlanned()
     {
         app::Choice choice = few("all");

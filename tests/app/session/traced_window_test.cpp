@@ -70,14 +70,43 @@ private slots:
         Session session;
         show(session, {{.name = "Star", .shape = starShape()}});
         QVERIFY(tracedLineOf(session, 0).windowIsPage);
-        QVERIFY(tracedLineOf(session, 0).origin.endsWith(", at the page, as Star is no rectangle"));
+        QVERIFY(tracedLineOf(session, 0).origin.endsWith(", at the page, as Star is not convex"));
         const ClipWindow box{.shape = RectangleShape{{{1, 1}, {9, 9}}}};
         show(session, {{.name = "Star", .shape = starShape()}, box});
         QVERIFY(tracedLineOf(session, 0).window == (clipping::Window{{1, 1}, {9, 9}}));
         QVERIFY(tracedLineOf(session, 0)
-                    .origin.endsWith(", at another window, as Star is no rectangle"));
+                    .origin.endsWith(", at another window, as Star is not convex"));
         session.chooseWindow(1);
         QCOMPARE(tracedLineOf(session, 0).origin, "Line 1 of 3,000");
+    }
+    void aConvexPolygonIsTracedWhereItLies()
+    {
+        const auto kinds = windowKinds();
+        const auto hexagon = std::ranges::find(kinds, "polygon", &WindowKind::key);
+        QVERIFY(hexagon != kinds.end());
+        Session session;
+        show(session, {{.name = "Comb", .shape = hexagon->make({{200, 200}, {900, 600}})}});
+        const auto& step = session.region().steps[0];
+        QVERIFY(!step.polygon.corners.empty());
+        std::size_t cut = 0;
+        for (std::size_t i = 0; i < session.scene.lines().size(); ++i) {
+            const TracedLine traced = tracedLineOf(session, i);
+            QVERIFY(traced.corners == step.polygon.corners && traced.window == step.box);
+            QVERIFY(traced.line == session.scene.lines()[i] && !traced.windowIsPage);
+            const auto expected =
+                clipping::exactAlgorithm().polygon->clip(traced.line, step.polygon);
+            QCOMPARE(narrationOf(traced).visible, expected);
+            cut += expected && *expected != traced.line;
+        }
+        QVERIFY(cut > 3);
+        QCOMPARE(tracedLineOf(session, 0).origin, "Line 1 of 3,000");
+        const Narration first = narrationOf(firstTracedLine(session));
+        QVERIFY(first.visible && *first.visible != firstTracedLine(session).line);
+        session.changeDisplay([](app::Display& display) {
+            display.variant.algorithm = clipping::findAlgorithm("lb");
+        });
+        QVERIFY(narrationOf(tracedLineOf(session, 0))
+                    .refusal.startsWith("Liang-Barsky clips at rectangles only."));
     }
     void headingsNameTheWindowInHand()
     {

@@ -136,6 +136,26 @@ private slots:
         }
     }
 
+    void rotatedAndConvexWindowsHaveOverlays()
+    {
+        const app::RectangleShape rotated{{{50, 20}, {150, 80}}, 0.4};
+        const app::Subpath ring{{40, 20}, {{{160, 30}}, {{110, 90}}}, true};
+        Stage stage(ui::Backend::Raster, {line({10, 90}, {120, 5})});
+        stage.session.inspect(0);
+        for (const app::WindowShape& shape :
+             {app::WindowShape(rotated), app::WindowShape(app::PathShape{app::Path({&ring, 1})})}) {
+            app::Edit edit;
+            edit.windows = app::ClipWindows{{{.shape = shape}}};
+            stage.session.document.apply(edit);
+            for (const char* row : {"CB", "CS"}) {
+                show(stage, false, row);
+                const QImage plain = stage.picture();
+                show(stage, true, row);
+                QVERIFY2(differing(stage.picture(), plain) > 500, row);
+            }
+        }
+    }
+
     void aClipWindowOutsideTheViewIsAccepted()
     {
         Stage stage(ui::Backend::Raster);

@@ -1,15 +1,105 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A person draws a star over the street map, makes it a clip window, cuts a rotated rectangle out
-// of it, crops, and undoes it: by events alone.
+// of it, crops, undoes it, and exports the rest on sheets of A4: by events alone. The command line
+// makes the same sheets.
 #include "app/document/window_shape.h"
 #include "app/session/samples.h"
 #include "app/view/frame_handles.h"
 
 #include <QAbstractButton>
+#include <QDir>
+#include <QImage>
 #include <QLabel>
 #include <QListView>
+#include <QRadioButton>
 
+#include <glm/trigonometric.hpp>
+
+#include "tests/app/command_line/program.h"
 #include "tests/ui/tools/hand.h"
+
+namespace {
+
+void clickOn(QWidget* widget) { QTest::mouseClick(widget, Qt::LeftButton, {}, {8, 8}); }
+
+/// The map is on the canvas, without a clip window.
+void openMap(Hand& h)
+{
+    const auto samples = app::samples();
+    const auto map = std::ranges::find(samples, QString("street-map"), &app::Sample::key);
+    QVERIFY(map != samples.end());
+    h.t.window->files().openSample(*map);
+    h.t.window->files().wait();
+    h.canvas.fitDrawing();
+    h.canvas.setFocus();
+    h.t.run("remove-window"); // the sample has one
+}
+
+QList<QAbstractButton*> choices(Hand& h, const char* segments)
+{
+    return h.t.window->findChild<QWidget*>(segments)->findChildren<QAbstractButton*>();
+}
+
+/// The next window cuts out a rectangle; it is drawn, and turned by its handle.
+void cutOutRotated(Hand& h, app::Point from, app::Point to)
+{
+    clickOn(choices(h, "window-shapes").front());
+    clickOn(choices(h, "window-use")[1]);
+    h.drag(from, to);
+    const app::Point middle((from.x + to.x) / 2, std::min(from.y, to.y));
+    const double above = app::rotationHandleAbove / h.canvas.view().zoom;
+    h.drag(middle - app::Point(0, above), middle + app::Point(15, -above));
+}
+
+QString numbersText(std::initializer_list<double> numbers)
+{
+    QStringList texts;
+    for (const double number : numbers)
+        texts << QString::number(number, 'g', 17);
+    return texts.join(u',');
+}
+
+/// The windows of the drawing for the command line: the star's corners, and the rectangle.
+QStringList windowOptions(const app::ClipWindows& windows)
+{
+    QStringList corners;
+    const auto star = std::get<app::PathShape>(windows.list[0].shape).path.subpaths().front();
+    corners << numbersText({star.start.x, star.start.y});
+    for (const app::PathSegment& side : star.segments)
+        corners << numbersText({side.to.x, side.to.y});
+    const auto& hole = std::get<app::RectangleShape>(windows.list[1].shape);
+    const auto& [min, max] = hole.box;
+    return {"-w", "polygon:" + corners.join(u' '), "--cut-out",
+            numbersText({min.x, min.y, max.x, max.y}) + '@'
+                + QString::number(-glm::degrees(hole.angle), 'g', 17)};
+}
+
+/// How rsvg-convert paints a file, at 96 dpi.
+QImage seen(const QString& file)
+{
+    const QString png = file + ".png";
+    return runProgram("rsvg-convert", {"-b", "white", "-o", png, file}).code == 0 ? QImage(png)
+                                                                                  : QImage();
+}
+
+/// The share of pixels that differ visibly.
+double difference(const QImage& a, const QImage& b)
+{
+    int different = 0;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x)
+            different += std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y))) > 40;
+    return a.size() == b.size() ? double(different) / a.width() / a.height() : 1;
+}
+
+bool hasInk(const QImage& picture)
+{
+    QImage white(picture.size(), picture.format());
+    white.fill(Qt::white);
+    return difference(picture, white) > 0.001;
+}
+
+} // namespace
 
 class CutByStarTest : public QObject {
     Q_OBJECT
@@ -18,14 +108,7 @@ private slots:
     void fromStarToCroppedMapAndBack()
     {
         Hand h({});
-        const auto samples = app::samples();
-        const auto map = std::ranges::find(samples, QString("street-map"), &app::Sample::key);
-        QVERIFY(map != samples.end());
-        h.t.window->files().openSample(*map);
-        h.t.window->files().wait();
-        h.canvas.fitDrawing();
-        h.canvas.setFocus();
-        h.t.run("remove-window"); // the sample has one
+        openMap(h);
         const app::Document before = h.session.now();
         const auto visible = [&] {
             return h.session.scene.clip(h.session.region(), h.session.variant()).visible;
@@ -66,6 +149,79 @@ private slots:
         for (int step = h.session.history.index(); step > 1; --step)
             h.key(Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(h.session.now() == before);
+    }
+
+    void fromStarToSheetsOfPaper()
+    {
+        Hand h({});
+        openMap(h);
+        h.t.window->resize(1280, 800);
+        QTest::keyClick(h.t.window.get(), Qt::Key_2, Qt::ControlModifier | Qt::AltModifier); // Cut
+        h.canvas.fitDrawing();
+        const auto visible = [&] {
+            return h.session.scene.clip(h.session.region(), h.session.variant()).visible;
+        };
+        h.canvas.setFocus();
+        h.key(Qt::Key_W);
+        clickOn(choices(h, "window-shapes")[3]); // Star
+        h.drag({60, 20}, {360, 280});
+        const std::size_t inStar = visible();
+        QVERIFY(inStar > 5000 && inStar < h.session.scene.lines().size());
+        cutOutRotated(h, {180, 110}, {240, 170});
+        QVERIFY(visible() < inStar);
+        const app::Document before = h.session.now();
+        QCOMPARE(before.windows().list.size(), 2u);
+        QVERIFY(std::get<app::RectangleShape>(before.windows().list[1].shape).angle > 0.1);
+
+        h.key(Qt::Key_X, Qt::ControlModifier | Qt::ShiftModifier); // Crop to windows
+        h.t.window->files().wait();
+        QVERIFY(h.session.now().objects().size() < before.objects().size());
+        h.key(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(h.session.now() == before);
+
+        auto* tiles = h.t.window->findChild<QAbstractButton*>("open-tiles");
+        QVERIFY(tiles && tiles->isVisible() && tiles->text().startsWith("Tiles"));
+        clickOn(tiles);
+        app::LiveSheets& sheets = h.t.window->sheets();
+        QVERIFY(sheets.isOpen());
+        sheets.wait();
+        QCOMPARE(sheets.settings().paper, "A4");
+        auto* exporting = h.t.window->findChild<QAbstractButton*>("export-sheets");
+        h.t.answers->directory = h.t.folder.path();
+        clickOn(exporting);
+        h.t.window->files().wait();
+        const QDir folder(h.t.folder.path());
+        const QStringList names = folder.entryList({"*-?-?.svg"}, QDir::Files, QDir::Name);
+        QCOMPARE(names.size(), sheets.tiling().value->tiles.size());
+        QVERIFY(names.size() >= 4);
+
+        QDir().mkpath(h.t.path("command"));
+        const auto run =
+            clearcut(QStringList{"clip", SOURCE_DIR "/resources/samples/street-map.svg", "--tiles",
+                                 "a4", "--overlap", "10mm", "--marks", "-o",
+                                 h.t.path("command/sheet-{row}-{column}.svg")}
+                     + windowOptions(before.windows()));
+        QVERIFY2(run.code == 0, run.err.constData());
+        int inked = 0;
+        for (const QString& name : names) {
+            const QImage mine = seen(folder.filePath(name));
+            QCOMPARE(mine.size(), QSize(794, 1123)); // A4 at 96 dpi
+            inked += hasInk(mine);
+            const QString place = name.section('-', -2); // "1-2.svg"
+            const QImage theirs = seen(folder.filePath("command/sheet-" + place));
+            const double share = difference(mine, theirs);
+            QVERIFY2(share < 2e-3, qPrintable(QString("%1: %2").arg(name).arg(share)));
+        }
+        QVERIFY(inked >= 4);
+
+        clickOn(h.t.window->findChild<QRadioButton*>("one-pdf"));
+        h.t.answers->save = h.t.path("all.pdf");
+        clickOn(exporting);
+        h.t.window->files().wait();
+        const auto info = runProgram("pdfinfo", {h.t.path("all.pdf")});
+        QVERIFY2(info.out.contains(QString("Pages:           %1\n").arg(names.size()).toUtf8())
+                     && info.out.contains("(A4)"),
+                 info.out.constData());
     }
 };
 

@@ -3,12 +3,14 @@
 #include "app/document/recipe_outline.h"
 #include "app/document/window_outline.h"
 #include "app/document/window_shape.h"
+#include "app/formats/rectangle_text.h"
 #include "app/view/frame_handles.h"
 #include "ui/docks/window_panel.h"
 #include "ui/widgets/colour_popup.h"
 #include "ui/widgets/length_field.h"
 
 #include <QAbstractButton>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
 #include <QLabel>
@@ -202,6 +204,34 @@ private slots:
         QVERIFY(std::abs(turned.angle + M_PI / 6) < 1e-12);
         QCOMPARE(w.session.history.undoText(), "Rotate clip window");
     }
+    void numbersCorrectADrawnWindow()
+    {
+        Windows w;
+        w.key(Qt::Key_W);
+        w.drag({88, 2}, {108, 18});
+        const int steps = w.session.history.index();
+        const std::size_t drawn = w.session.now().windows().list.size() - 1;
+        const auto size = [&] {
+            const auto box = std::get<app::RectangleShape>(w.window(drawn).shape).box;
+            return box.max - box.min;
+        };
+        const double height = size().y;
+        w.type("50\n");
+        QVERIFY(glm::distance(size(), app::Point(50, height)) < 1e-9);
+        w.type("44\t30\n"); // again, both numbers
+        QVERIFY(glm::distance(size(), app::Point(44, 30)) < 1e-9);
+        QCOMPARE(w.session.history.index(), steps);
+        w.type("9");
+        w.key(Qt::Key_Escape); // gives up the correction
+        w.key(Qt::Key_Escape);
+        QVERIFY(glm::distance(size(), app::Point(44, 30)) < 1e-9);
+        QCOMPARE(w.session.windowNumber(), std::optional(drawn));
+        w.key(Qt::Key_Right); // something else: digits choose the algorithm again
+        const auto* before = w.session.display().variant.algorithm;
+        w.type("2");
+        QVERIFY(w.session.display().variant.algorithm != before);
+        QVERIFY(glm::distance(size(), app::Point(44, 30)) < 1e-9);
+    }
     void aWindowIsLaidInsideTheMargin()
     {
         Windows w;
@@ -216,6 +246,25 @@ private slots:
             QTest::keyClick(dialog, Qt::Key_Return);
         QCOMPARE(w.session.now().windows().list.size(), 3u);
         QVERIFY(w.window(2).shape == app::WindowShape(app::RectangleShape{{{15, 15}, {185, 85}}}));
+    }
+    void fourMarginsMayDiffer()
+    {
+        Windows w;
+        w.t.action("window-inside-margin")->trigger();
+        auto* dialog = w.t.window->findChild<QDialog*>("margin-dialog");
+        QTest::mouseClick(dialog->findChild<QCheckBox*>(), Qt::LeftButton, {}, {8, 8});
+        const char* margins[]{"1", "2", "3", "4"}; // left, top, right, bottom
+        for (int i = 0; i < 4; ++i) {
+            auto* field = dialog->findChildren<ui::LengthField*>()[i];
+            field->setFocus();
+            field->selectAll();
+            QTest::keyClicks(field, margins[i]);
+            QFocusEvent leaves(QEvent::FocusOut, Qt::TabFocusReason); // no focus without a screen
+            QApplication::sendEvent(field, &leaves);
+        }
+        dialog->accept();
+        const auto box = std::get<app::RectangleShape>(w.window(2).shape).box;
+        QCOMPARE(app::rectangleText(box), "1,2,197,96");
     }
     void aWindowOfTheSelectionIsAdded()
     {

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/teaching/sentence.h"
+
+#include <QStringList>
+
+// How a step at a convex polygon is described. Edges are numbered from 1, from corner to corner.
+
+namespace app {
+
+/// The pseudo-code of a row's form for convex polygons; a row without its own has that of its form
+/// for windows.
+QStringList polygonCode(const Variant& variant);
+/// The line of that pseudo-code, from 1, for a step of the library's trace.
+int polygonLine(const Variant& variant, const clipping::Step& step);
+/// The sentence of a step, with the numbers of edges; never empty.
+QString polygonSentence(const SentenceContext& context);
+
+/// The number of the edge that a step concerns; 0: none.
+std::size_t polygonEdgeOf(const SentenceContext& context);
+
+} // namespace app
