@@ -13,7 +13,7 @@
 // degenerate intersections", Computers & Graphics: X 2, 2019), winding numbers are counted on both
 // sides of an edge, infinitely near to it (region/sweep.h).
 
-namespace clipping {
+namespace CLEARCUT_API clipping {
 
 /// What a window leaves of an area.
 enum class AreaPart : std::uint8_t {
@@ -36,7 +36,7 @@ struct EdgeOrigin {
 };
 
 /// The part of an area that a window keeps.
-struct ClippedArea {
+struct CLEARCUT_HOLDS_CONTAINERS ClippedArea {
     AreaPart part = AreaPart::None;
     /// Ring after ring; the last point of a ring joins its first.
     std::vector<glm::dvec2> points{};

@@ -5,11 +5,11 @@
 
 #include <string_view>
 
-namespace clipping {
+namespace CLEARCUT_API clipping {
 
 /// The form of a catalogue row (algorithm.h) for regions of any shape. Its functions keep the
 /// contract of `clipAll` in region.h, apart from the errors that `ulps` allows.
-struct RegionAlgorithm {
+struct CLEARCUT_HOLDS_CONTAINERS RegionAlgorithm {
     std::string_view key;  ///< that of the row
     std::string_view idea; ///< one sentence
     double ulps;           ///< the largest error of a new end, in ulps of the coordinate

@@ -12,7 +12,7 @@
 // Clips segments at areas of any shape: concave, with holes, crossing themselves; several of them
 // together, added, cut out and intersected. All decisions are exact.
 
-namespace clipping {
+namespace CLEARCUT_API clipping {
 
 /// Which winding numbers are inside: all but 0, or the odd ones.
 enum class FillRule : std::uint8_t { NonZero, EvenOdd };
@@ -22,7 +22,7 @@ enum class FillRule : std::uint8_t { NonZero, EvenOdd };
 /// inside on neither side is not part of it, and rings without area (repeated points, a line there
 /// and back) contribute nothing. Rings may cross and touch themselves and each other. An area with
 /// a number that is not finite contains nothing.
-struct Area {
+struct CLEARCUT_HOLDS_CONTAINERS Area {
     std::vector<glm::dvec2> points; ///< ring after ring; the last point of a ring joins its first
     /// For each ring, one past the index of its last point, ascending. Empty: all points are one
     /// ring. Points after the last ring are ignored.
@@ -44,7 +44,7 @@ enum class Keep : std::uint8_t { Inside, Outside };
 /// A set of points. It starts with no point if the first step adds, else with all points; then each
 /// step adds its area, cuts it out, or intersects with it. A cut-out removes the border of its area
 /// too. Without steps everything is kept, whatever `keep` is.
-struct Region {
+struct CLEARCUT_HOLDS_CONTAINERS Region {
     struct Step {
         Area area;
         AreaOperation operation = AreaOperation::Add;
