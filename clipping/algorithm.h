@@ -92,7 +92,8 @@ struct CLEARCUT_HOLDS_CONTAINERS Algorithm {
     const Uses<Ray, Window, Segment>* ray;   ///< rays; keeps the contract
     /// The pseudo-code of each form, for display: lines without numbers, counted from 1 in a
     /// trace's steps; empty if there is none.
-    std::string_view correctedCode, publishedCode;
+    std::string_view correctedCode;
+    std::string_view publishedCode; ///< of the published form
 };
 
 /// The functions of one form of a row; null if there is no such form.

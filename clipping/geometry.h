@@ -68,10 +68,12 @@ struct CLEARCUT_HOLDS_CONTAINERS ConvexPolygon {
     std::vector<glm::dvec2> corners; ///< in counter-clockwise order
 
     /// The polygon of these corners, prepared for clipping many times (convex_window.h).
+    /// @{
     static ConvexWindow from(std::span<const glm::dvec2> corners);
     static ConvexWindow from(std::initializer_list<glm::dvec2> corners);
     template <class Points>
     static ConvexWindow from(const Points& corners);
+    /// @}
 };
 
 /// The edges of a window, or the sides of a box. Top is max.y, as in the papers; Near is min.z, Far

@@ -8,6 +8,12 @@
 
 namespace CLEARCUT_API clipping {
 
+/// What `clipAll` can write into: see Output.
+template <class Reference, class Piece>
+concept OutputElement =
+    std::same_as<Reference, Piece&> || std::same_as<Reference, std::uint32_t&> || std::same_as<
+        Reference, std::uint8_t&> || std::same_as<Reference, bool&>;
+
 /// Where `clipAll` (clip.h) writes what it finds, in memory of the caller: an array of
 /// - pieces (BasicClipped): each visible piece, with its source and where it was cut;
 /// - sources (std::uint32_t): only the indices of the visible segments;
@@ -15,34 +21,21 @@ namespace CLEARCUT_API clipping {
 template <class T>
 class Output {
 public:
-    using Piece = BasicClipped<BasicSegment<T>>;
+    using Piece = BasicClipped<BasicSegment<T>>; ///< a visible piece
 
+    /// An array of the caller: a vector, an array, a span.
     template <std::ranges::contiguous_range Array>
-    requires(
-        !std::is_const_v<std::remove_reference_t<std::ranges::range_reference_t<
-            Array>>>) constexpr Output(Array&& array) noexcept // NOLINT: it is meant to convert
-        requires std::same_as<std::ranges::range_value_t<Array>, Piece>
-        : pieces_(std::ranges::data(array)), room_(std::ranges::size(array))
+    requires OutputElement<std::ranges::range_reference_t<Array>, Piece>
+    constexpr Output(Array&& array) noexcept // NOLINT: it is meant to convert
+        : room_(std::ranges::size(array))
     {
-    }
-    template <std::ranges::contiguous_range Array>
-    requires(
-        !std::is_const_v<std::remove_reference_t<std::ranges::range_reference_t<
-            Array>>>) constexpr Output(Array&& array) noexcept // NOLINT: it is meant to convert
-        requires std::same_as<std::ranges::range_value_t<Array>, std::uint32_t>
-        : sources_(std::ranges::data(array)), room_(std::ranges::size(array))
-    {
-    }
-    template <std::ranges::contiguous_range Array>
-    requires(!std::is_const_v<std::remove_reference_t<std::ranges::range_reference_t<Array>>>)
-        Output(Array&& array)
-    noexcept // NOLINT: it is meant to convert
-        requires(
-            std::same_as<std::ranges::range_value_t<Array>,
-                         std::uint8_t> || std::same_as<std::ranges::range_value_t<Array>, bool>)
-        : mask_(reinterpret_cast<std::uint8_t*>(std::ranges::data(array))),
-          room_(std::ranges::size(array))
-    {
+        using Element = std::ranges::range_value_t<Array>;
+        if constexpr (std::same_as<Element, Piece>)
+            pieces_ = std::ranges::data(array);
+        else if constexpr (std::same_as<Element, std::uint32_t>)
+            sources_ = std::ranges::data(array);
+        else
+            mask_ = reinterpret_cast<std::uint8_t*>(std::ranges::data(array));
     }
 
     /// The array, as one of the three; the other two are null. All three are null if it is empty.

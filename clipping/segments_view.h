@@ -25,6 +25,7 @@ public:
         : SegmentsView(std::ranges::data(segments), std::ranges::size(segments))
     {
     }
+    /// The same by the first segment and their number.
     constexpr SegmentsView(const BasicSegment<T>* first, std::size_t count) noexcept
         : count_(count), stride_(sizeof(BasicSegment<T>))
     {
@@ -41,7 +42,8 @@ public:
     {
     }
 
-    constexpr std::size_t size() const noexcept { return count_; }
+    constexpr std::size_t size() const noexcept { return count_; } ///< number of segments
+    /// A copy of segment i.
     BasicSegment<T> operator[](std::size_t i) const noexcept
     {
         return {{at(ax_, i), at(ay_, i)}, {at(bx_, i), at(by_, i)}};

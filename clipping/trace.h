@@ -37,7 +37,7 @@ enum class What : std::uint8_t { Test, Let, Cut, Accept, Reject, GiveUp };
 /// One step in the run of an algorithm.
 template <glm::length_t N>
 struct CLEARCUT_HOLDS_CONTAINERS BasicStep {
-    What what;
+    What what;             ///< the kind of the step
     bool holds;            ///< the result of a Test; false for other steps
     std::string_view name; ///< of the assigned variable, for Let
     /// Line of the form's pseudo-code (`codeOf` in algorithm.h), from 1; 0 for a step on the third

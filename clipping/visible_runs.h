@@ -19,9 +19,11 @@ using Polyline = BasicPolyline<double>;
 template <class T>
 class BasicVisibleRuns {
 public:
-    using Point = glm::vec<2, T>;
+    using Point = glm::vec<2, T>; ///< of a polyline
 
+    /// Clips the polyline. One of 2^32 points or more ends the program, with a sentence.
     BasicVisibleRuns(const BasicPolyline<T>& polyline, const BasicWindow<T>& window);
+    /// Takes the memory of another one, which is empty afterwards.
     BasicVisibleRuns(BasicVisibleRuns&& other) noexcept : runs_(other.runs_)
     {
         other.runs_ = nullptr;
@@ -30,8 +32,8 @@ public:
     BasicVisibleRuns& operator=(const BasicVisibleRuns&) = delete;
     ~BasicVisibleRuns();
 
-    std::size_t size() const noexcept; ///< number of runs
-    bool empty() const noexcept { return size() == 0; }
+    std::size_t size() const noexcept;                  ///< number of runs
+    bool empty() const noexcept { return size() == 0; } ///< whether nothing is visible
 
     /// The points of run i, one at least.
     std::span<const Point> operator[](std::size_t i) const noexcept;

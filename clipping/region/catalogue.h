@@ -13,7 +13,9 @@ struct CLEARCUT_HOLDS_CONTAINERS RegionAlgorithm {
     std::string_view key;  ///< that of the row
     std::string_view idea; ///< one sentence
     double ulps;           ///< the largest error of a new end, in ulps of the coordinate
+    /// The kept pieces of one segment.
     std::vector<RegionPiece> (*clip)(const Segment& segment, const PreparedRegion& region);
+    /// The kept pieces of many segments.
     RegionProgress (*clipAll)(std::span<const Segment> in, const PreparedRegion& region,
                               std::span<RegionPiece> out, RegionProgress from);
 };
