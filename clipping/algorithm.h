@@ -8,7 +8,7 @@
 #include <span>
 #include <string_view>
 
-namespace clipping {
+namespace CLEARCUT_API clipping {
 
 /// The functions of one form of an algorithm, for segments S and windows W.
 ///
@@ -30,7 +30,7 @@ namespace clipping {
 /// Lines and rays keep the same contract, with the two points that define them counted among the
 /// coordinates; the visible part of a line or ray is a segment.
 template <class S, class W, class Piece = S>
-struct Uses {
+struct CLEARCUT_HOLDS_CONTAINERS Uses {
     /// The part of one segment inside the window; nothing if there is none.
     std::optional<Piece> (*clip)(const S& segment, const W& window);
 
@@ -74,7 +74,7 @@ enum class Form : std::uint8_t { Corrected, Published };
 
 /// One row of the catalogue. A null pointer means that there is no such form; `single` is never
 /// null.
-struct Algorithm {
+struct CLEARCUT_HOLDS_CONTAINERS Algorithm {
     std::string_view key;                   ///< in files and on the command line; never changes
     std::string_view abbreviation;          ///< CS, LB ... EX, in any case
     std::string_view name;                  ///< its authors' names, for display
@@ -92,7 +92,8 @@ struct Algorithm {
     const Uses<Ray, Window, Segment>* ray;   ///< rays; keeps the contract
     /// The pseudo-code of each form, for display: lines without numbers, counted from 1 in a
     /// trace's steps; empty if there is none.
-    std::string_view correctedCode, publishedCode;
+    std::string_view correctedCode;
+    std::string_view publishedCode; ///< of the published form
 };
 
 /// The functions of one form of a row; null if there is no such form.

@@ -3,6 +3,7 @@
 
 #include "clipping/batch/sets.h"
 #include "clipping/ieee_numbers.h"
+#include "clipping/limits.h"
 
 #include <algorithm>
 #include <cassert>
@@ -84,7 +85,7 @@ std::size_t BasicChunks<T>::clipAll(std::span<const BasicSegment<T>> segments,
                                     const BasicWindow<T>& window,
                                     std::span<BasicClipped<BasicSegment<T>>> out) const
 {
-    assert(out.size() >= segments.size());
+    requireRoom(segments.size(), out.size());
     assert(segments.size() == (chunks_.empty() ? 0 : chunks_.back().end));
     if (!canShow(window))
         return 0;

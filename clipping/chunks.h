@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace clipping {
+namespace CLEARCUT_API clipping {
 
 /// Bounding boxes of short runs of segments, for drawings that stay the same while the window
 /// moves. Clips like the row `exact`, bit for bit, but examines only the segments near the window's
@@ -15,7 +15,7 @@ namespace clipping {
 /// after `longest` segments, or where the pen was lifted, so that no box spans from one stroke to
 /// the next.
 template <class T>
-class BasicChunks {
+class CLEARCUT_HOLDS_CONTAINERS BasicChunks {
 public:
     static constexpr std::size_t longest = 64; ///< maximum number of segments in a run
     static constexpr std::size_t shortest = 8; ///< minimum before a lifted pen ends a run

@@ -6,7 +6,7 @@
 #include <compare>
 #include <concepts>
 
-namespace clipping {
+namespace CLEARCUT_API clipping {
 
 /// Numbers of arithmetic operations.
 struct OperationCounts {

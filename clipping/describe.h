@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "clipping/limits.h"
 #include "clipping/line_or_ray.h"
 #include "clipping/outcode.h"
-
-#include <cassert>
 
 // Makes the catalogue row of an algorithm from its two functions, `Method::published` and
 // `Method::corrected`. The file of a row ends with `template Algorithm describe<ItsOwnName>();`.
@@ -146,7 +145,7 @@ std::size_t
 clipMany(std::span<const BasicSegment<T, N>> in, const BasicWindow<T, N>& window,
          std::span<BasicClipped<BasicSegment<T, N>>> out)
 {
-    assert(out.size() >= in.size());
+    requireRoom(in.size(), out.size());
     const At<Method, form, T, N> at(window);
     std::size_t visible = 0;
     for (std::size_t i = 0; i < in.size(); ++i)

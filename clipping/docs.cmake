@@ -16,4 +16,7 @@ set(DOXYGEN_SORT_MEMBER_DOCS NO)
 set(DOXYGEN_DISTRIBUTE_GROUP_DOC YES)
 set(DOXYGEN_HAVE_DOT NO)
 set(DOXYGEN_QUIET YES)
+set(DOXYGEN_MACRO_EXPANSION YES) # abi.h has attributes that Doxygen does not know
+set(DOXYGEN_EXPAND_ONLY_PREDEF YES)
+set(DOXYGEN_PREDEFINED "CLEARCUT_API=" "CLEARCUT_HOLDS_CONTAINERS=")
 doxygen_add_docs(docs README.md ${public_headers} parallel/clip_all.h)

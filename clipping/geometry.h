@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "clipping/abi.h"
+
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
+#include <span>
 #include <type_traits>
 #include <vector>
 
-namespace clipping {
+namespace CLEARCUT_API clipping {
 
 /// A directed segment in N dimensions, in the same unit as the window. `a == b` is legal and means
 /// a single point.
@@ -38,24 +42,38 @@ using Window3 = BasicWindow<double, 3>;
 
 /// The infinite line through two points, directed from a to b. If `a == b`, nothing is
 /// visible.
-struct Line {
-    glm::dvec2 a; ///< a point of the line
-    glm::dvec2 b; ///< another point, further along its direction
+template <class T>
+struct BasicLine {
+    glm::vec<2, T> a; ///< a point of the line
+    glm::vec<2, T> b; ///< another point, further along its direction
 };
 /// The ray that starts at a and passes through b. If `a == b`, it has no direction and
 /// nothing is visible.
-struct Ray {
-    glm::dvec2 a; ///< the start
-    glm::dvec2 b; ///< another point of the ray
+template <class T>
+struct BasicRay {
+    glm::vec<2, T> a; ///< the start
+    glm::vec<2, T> b; ///< another point of the ray
 };
+using Line = BasicLine<double>;
+using Ray = BasicRay<double>;
+
+class ConvexWindow;
 
 /// A closed convex window: its corners, counter-clockwise if y points up. Edge i runs from corner i
 /// to the next one, the last edge to corner 0. Corners may be repeated, or lie on the line between
 /// two others. If all corners are collinear, the polygon is the segment between the outermost two;
 /// one corner is a point. A polygon contains nothing if it has no corners, is clockwise, turns
 /// right at a corner, goes round more than once, or has a number that is not finite.
-struct ConvexPolygon {
+struct CLEARCUT_HOLDS_CONTAINERS ConvexPolygon {
     std::vector<glm::dvec2> corners; ///< in counter-clockwise order
+
+    /// The polygon of these corners, prepared for clipping many times (convex_window.h).
+    /// @{
+    static ConvexWindow from(std::span<const glm::dvec2> corners);
+    static ConvexWindow from(std::initializer_list<glm::dvec2> corners);
+    template <class Points>
+    static ConvexWindow from(const Points& corners);
+    /// @}
 };
 
 /// The edges of a window, or the sides of a box. Top is max.y, as in the papers; Near is min.z, Far

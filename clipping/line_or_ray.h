@@ -4,9 +4,9 @@
 #include "clipping/algorithm.h"
 #include "clipping/ends.h"
 #include "clipping/frame.h"
+#include "clipping/limits.h"
 #include "clipping/numbers.h"
 
-#include <cassert>
 #include <limits>
 
 // Makes the functions of an algorithm for infinite lines and rays from `Method::clip<reach>`
@@ -85,7 +85,7 @@ template <class Method, Reach reach>
 std::size_t clipManyLinesOrRays(std::span<const LineOrRay<reach>> in, const Window& w,
                                 std::span<Clipped> out)
 {
-    assert(out.size() >= in.size());
+    requireRoom(in.size(), out.size());
     std::size_t visible = 0;
     for (std::size_t i = 0; i < in.size(); ++i)
         if (const auto piece = clipOneLineOrRay<Method, reach>(in[i], w)) {

@@ -5,7 +5,7 @@
 
 #include <concepts>
 
-namespace clipping {
+namespace CLEARCUT_API clipping {
 
 /// The bits of an outcode: the sides of the window that a point is strictly beyond. The next two
 /// bits, 16 and 32, are those of the third axis.

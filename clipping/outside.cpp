@@ -2,8 +2,7 @@
 #include "clipping/outside.h"
 
 #include "clipping/ieee_numbers.h"
-
-#include <cassert>
+#include "clipping/limits.h"
 
 namespace clipping {
 
@@ -17,7 +16,8 @@ static bool isTurned(const Segment& part, const Segment& whole)
 std::size_t outsideAll(std::span<const Segment> in, std::span<const Clipped> inside,
                        std::span<Clipped> out)
 {
-    assert(out.size() >= in.size() + inside.size());
+    if (out.size() < in.size() + inside.size()) [[unlikely]]
+        refuse(in.size() + inside.size(), out.size());
     std::size_t written = 0;
     auto next = inside.begin();
     for (std::size_t i = 0; i < in.size(); ++i) {

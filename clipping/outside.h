@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <span>
 
-namespace clipping {
+namespace CLEARCUT_API clipping {
 
 /// Computes what the window removes: the parts of `in` outside it, given the result `inside` of
 /// `clipAll` for the same input and window. Writes to `out`, which must not overlap the inputs and

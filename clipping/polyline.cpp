@@ -3,6 +3,7 @@
 
 #include "clipping/batch/kernels.h"
 #include "clipping/ieee_numbers.h"
+#include "clipping/polyline_runs.h"
 
 #include <algorithm>
 #include <array>
@@ -11,9 +12,10 @@ namespace clipping {
 namespace {
 
 /// Joins visible pieces, in the order of the polyline, into runs.
+template <class T>
 class Joiner {
 public:
-    explicit Joiner(PolylineRuns& out) : out_(out)
+    explicit Joiner(BasicPolylineRuns<T>& out) : out_(out)
     {
         out_.points.clear();
         out_.runs.clear();
@@ -21,7 +23,7 @@ public:
 
     /// Adds the visible piece of a segment. `follows`: the previous piece belongs to the previous
     /// segment.
-    void add(const Segment& whole, const Clipped& piece, bool follows)
+    void add(const BasicSegment<T>& whole, const BasicClipped<BasicSegment<T>>& piece, bool follows)
     {
         const auto& [a, b] = piece.segment;
         const Edge enter = cutEdgeOfA(piece.cut), leave = cutEdgeOfB(piece.cut);
@@ -37,22 +39,23 @@ public:
     }
 
 private:
-    void begin(std::uint32_t source, const glm::dvec2& a, Edge edge)
+    void begin(std::uint32_t source, const glm::vec<2, T>& a, Edge edge)
     {
         out_.runs.push_back({out_.points.size(), 0, source, edge, Edge::None});
         out_.points.push_back(a);
     }
-    PolylineRuns& out_;
+    BasicPolylineRuns<T>& out_;
 };
 
 /// Clips `count` segments, beginning with the one at point `start`; the last point is followed by
 /// the first.
-void clipFrom(std::size_t start, std::size_t count, std::span<const glm::dvec2> points,
-              const Window& window, PolylineRuns& out)
+template <class T>
+void clipFrom(std::size_t start, std::size_t count, std::span<const glm::vec<2, T>> points,
+              const BasicWindow<T>& window, BasicPolylineRuns<T>& out)
 {
     constexpr std::size_t block = 256;
-    std::array<Segment, block> segments;
-    std::array<Clipped, block> pieces;
+    std::array<BasicSegment<T>, block> segments;
+    std::array<BasicClipped<BasicSegment<T>>, block> pieces;
     Joiner joiner(out);
     // The next point, and the segment that would continue the run.
     std::size_t at = start, next = start;
@@ -60,10 +63,9 @@ void clipFrom(std::size_t start, std::size_t count, std::span<const glm::dvec2> 
         const std::size_t size = std::min({count, block, points.size() - at});
         for (std::size_t i = 0; i < size; ++i)
             segments[i] = {points[at + i], points[(at + i + 1) % points.size()]};
-        const auto found =
-            clipBatch(Batch<double>{segments.data(), 0, size, window, pieces.data()});
-        for (Clipped& piece : std::span(pieces).first(found.pieces)) {
-            const Segment& whole = segments[piece.source];
+        const auto found = clipBatch(Batch<T>{segments.data(), 0, size, window, pieces.data()});
+        for (auto& piece : std::span(pieces).first(found.pieces)) {
+            const BasicSegment<T>& whole = segments[piece.source];
             piece.source += static_cast<std::uint32_t>(at);
             joiner.add(whole, piece, piece.source == next && !out.runs.empty());
             next = (piece.source + 1) % points.size();
@@ -73,14 +75,15 @@ void clipFrom(std::size_t start, std::size_t count, std::span<const glm::dvec2> 
     }
 }
 
-bool contains(const Window& w, const glm::dvec2& p)
+template <class T>
+bool contains(const BasicWindow<T>& w, const glm::vec<2, T>& p)
 {
     return p.x >= w.min.x && p.x <= w.max.x && p.y >= w.min.y && p.y <= w.max.y;
 }
 
-} // namespace
-
-void clipPolyline(std::span<const glm::dvec2> points, const Window& window, PolylineRuns& out)
+template <class T>
+void clipOpen(std::span<const glm::vec<2, T>> points, const BasicWindow<T>& window,
+              BasicPolylineRuns<T>& out)
 {
     // A single point is clipped as a segment to itself, whose second end is then dropped.
     clipFrom(0, points.size() == 1 ? 1 : points.size() - !points.empty(), points, window, out);
@@ -90,13 +93,37 @@ void clipPolyline(std::span<const glm::dvec2> points, const Window& window, Poly
     }
 }
 
-void clipClosedPolyline(std::span<const glm::dvec2> points, const Window& window, PolylineRuns& out)
+template <class T>
+void clipClosed(std::span<const glm::vec<2, T>> points, const BasicWindow<T>& window,
+                BasicPolylineRuns<T>& out)
 {
     // No run passes through a point outside, so starting there splits no run.
     const auto outside =
-        std::ranges::find_if(points, [&](const glm::dvec2& p) { return !contains(window, p); });
+        std::ranges::find_if(points, [&](const auto& p) { return !contains(window, p); });
     const auto start = static_cast<std::size_t>(outside - points.begin());
     clipFrom(start == points.size() ? 0 : start, points.size(), points, window, out);
+}
+
+} // namespace
+
+template <class T>
+void findRuns(const BasicPolyline<T>& polyline, const BasicWindow<T>& window,
+              BasicPolylineRuns<T>& out)
+{
+    (polyline.closed ? clipClosed<T> : clipOpen<T>)(polyline.points, window, out);
+}
+template void findRuns(const BasicPolyline<double>&, const Window&, PolylineRuns&);
+template void findRuns(const BasicPolyline<float>&, const BasicWindow<float>&,
+                       BasicPolylineRuns<float>&);
+
+void clipPolyline(std::span<const glm::dvec2> points, const Window& window, PolylineRuns& out)
+{
+    clipOpen(points, window, out);
+}
+
+void clipClosedPolyline(std::span<const glm::dvec2> points, const Window& window, PolylineRuns& out)
+{
+    clipClosed(points, window, out);
 }
 
 } // namespace clipping

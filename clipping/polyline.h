@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace clipping {
+namespace CLEARCUT_API clipping {
 
 /// A part of a polyline that is visible without a gap.
 struct VisibleRun {
@@ -19,10 +19,12 @@ struct VisibleRun {
 };
 
 /// The visible part of a polyline. Reuse one object for many calls to reuse its memory.
-struct PolylineRuns {
-    std::vector<glm::dvec2> points; ///< the points of all runs, one run after the other
-    std::vector<VisibleRun> runs;   ///< in the order of the polyline
+template <class T>
+struct CLEARCUT_HOLDS_CONTAINERS BasicPolylineRuns {
+    std::vector<glm::vec<2, T>> points; ///< the points of all runs, one run after the other
+    std::vector<VisibleRun> runs;       ///< in the order of the polyline
 };
+using PolylineRuns = BasicPolylineRuns<double>;
 
 /// Computes the part of the polyline through `points` inside the closed window, bit for bit as the
 /// row `exact` clips its segments: no wrong decision, new ends rounded once and exactly on the

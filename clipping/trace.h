@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace clipping {
+namespace CLEARCUT_API clipping {
 
 /// The kind of a value. Bits: an outcode or a pattern of corners. Whole: a count or an index.
 /// Truth: true or false.
@@ -36,8 +36,8 @@ enum class What : std::uint8_t { Test, Let, Cut, Accept, Reject, GiveUp };
 
 /// One step in the run of an algorithm.
 template <glm::length_t N>
-struct BasicStep {
-    What what;
+struct CLEARCUT_HOLDS_CONTAINERS BasicStep {
+    What what;             ///< the kind of the step
     bool holds;            ///< the result of a Test; false for other steps
     std::string_view name; ///< of the assigned variable, for Let
     /// Line of the form's pseudo-code (`codeOf` in algorithm.h), from 1; 0 for a step on the third
@@ -56,7 +56,7 @@ enum class Outcome : std::uint8_t { Visible, Invisible, DidNotEnd };
 /// A whole run. If the outcome is Visible, `visible` is bit for bit what the same form's `clip`
 /// returns.
 template <glm::length_t N>
-struct BasicTrace {
+struct CLEARCUT_HOLDS_CONTAINERS BasicTrace {
     std::vector<BasicStep<N>> steps;      ///< in the order of the run; empty for invalid input
     Outcome outcome = Outcome::Invisible; ///< how the run ended
     BasicSegment<double, N> visible{};    ///< the visible piece, if Visible
@@ -107,7 +107,7 @@ struct Unwatched {
 /// Records every step. An algorithm passes values that it has computed anyway, and computes nothing
 /// extra for the recorder.
 template <glm::length_t N>
-class BasicRecorder {
+class CLEARCUT_HOLDS_CONTAINERS BasicRecorder {
 public:
     /// Sets the segment and the window that the algorithm starts with.
     void begin(const BasicSegment<double, N>& segment, const BasicWindow<double, N>& window)

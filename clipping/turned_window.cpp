@@ -20,10 +20,10 @@
 #include "clipping/exact/line.h"
 #include "clipping/frame.h"
 #include "clipping/ieee_numbers.h"
+#include "clipping/limits.h"
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 
 namespace clipping {
@@ -139,7 +139,7 @@ std::optional<Segment> clipTurned(const Uses<Segment, Window>& form, const Segme
 std::size_t clipAllTurned(const Uses<Segment, Window>& form, std::span<const Segment> in,
                           const TurnedWindow& window, std::span<Clipped> out)
 {
-    assert(out.size() >= in.size());
+    requireRoom(in.size(), out.size());
     if (!legal(window))
         return 0;
     constexpr std::size_t most = 256; // segments turned at a time: 8 KiB

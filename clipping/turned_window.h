@@ -3,7 +3,7 @@
 
 #include "clipping/algorithm.h"
 
-namespace clipping {
+namespace CLEARCUT_API clipping {
 
 /// A closed rectangle turned about its centre, counter-clockwise if y points up. With c and s, the
 /// cosine and sine of the angle in double, its frame has the axes u = (c, s) and v = (-s, c). A

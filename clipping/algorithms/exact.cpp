@@ -16,6 +16,7 @@
 #include "clipping/describe.h"
 #include "clipping/exact/line_through.h"
 #include "clipping/ieee_numbers.h"
+#include "clipping/limits.h"
 #include "clipping/polygon/uses.h"
 
 namespace clipping {
@@ -39,7 +40,7 @@ struct Exact {
     static std::size_t many(std::span<const BasicSegment<T>> in, const BasicWindow<T>& window,
                             std::span<BasicClipped<BasicSegment<T>>> out)
     {
-        assert(out.size() >= in.size());
+        requireRoom(in.size(), out.size());
         return clipBatch(Batch<T>{in.data(), 0, in.size(), window, out.data()}).pieces;
     }
 

@@ -13,7 +13,7 @@
 // degenerate intersections", Computers & Graphics: X 2, 2019), winding numbers are counted on both
 // sides of an edge, infinitely near to it (region/sweep.h).
 
-namespace clipping {
+namespace CLEARCUT_API clipping {
 
 /// What a window leaves of an area.
 enum class AreaPart : std::uint8_t {
@@ -32,12 +32,13 @@ enum class AreaPart : std::uint8_t {
 struct EdgeOrigin {
     std::uint32_t number; ///< of the edge, as in RegionPiece: PreparedRegion::edge finds it
     bool isOfWindow;      ///< whether the number counts the points of the window's areas
-    double from, to;      ///< shares of the way along the edge
+    double from;          ///< share of the way along the edge where it begins
+    double to;            ///< share where it ends
 };
 
 /// The part of an area that a window keeps.
-struct ClippedArea {
-    AreaPart part = AreaPart::None;
+struct CLEARCUT_HOLDS_CONTAINERS ClippedArea {
+    AreaPart part = AreaPart::None; ///< nothing, all, or some of it
     /// Ring after ring; the last point of a ring joins its first.
     std::vector<glm::dvec2> points{};
     std::vector<std::uint32_t> ringEnds{}; ///< as in Area

@@ -35,6 +35,25 @@ const InstructionSet& fastest()
     return set;
 }
 
+/// So few segments are faster one by one: their vectors would be filled in part only.
+constexpr std::size_t few = 8;
+
+template <class AnyBatch, class Window>
+BatchResult clipFew(const AnyBatch& batch, const Window& window)
+{
+    std::array<std::uint32_t, few> indices;
+    const std::size_t count = batch.end - batch.begin;
+    for (std::size_t i = 0; i < count; ++i)
+        indices[i] = static_cast<std::uint32_t>(batch.begin + i);
+    return {clipOneByOne(batch.segments, indices.data(), count, window, batch.out), 0};
+}
+
+template <class AnyBatch>
+bool isFew(const AnyBatch& batch)
+{
+    return batch.end - batch.begin < few;
+}
+
 } // namespace
 
 std::span<const InstructionSet> instructionSets()
@@ -50,15 +69,18 @@ std::span<const InstructionSet> instructionSets()
 template <>
 BatchResult clipBatch(const Batch<double>& batch)
 {
-    return fastest().clip(batch);
+    return isFew(batch) ? clipFew(batch, batch.window) : fastest().clip(batch);
 }
 
 template <>
 BatchResult clipBatch(const Batch<float>& batch)
 {
-    return fastest().clipSingle(batch);
+    return isFew(batch) ? clipFew(batch, batch.window) : fastest().clipSingle(batch);
 }
 
-BatchResult clipBatch(const PolygonBatch& batch) { return fastest().clipPolygon(batch); }
+BatchResult clipBatch(const PolygonBatch& batch)
+{
+    return isFew(batch) ? clipFew(batch, *batch.polygon) : fastest().clipPolygon(batch);
+}
 
 } // namespace clipping

@@ -49,8 +49,9 @@ struct InstructionSet {
 std::span<const InstructionSet> instructionSets();
 
 /// `exact` for many segments with the fastest instruction set of this processor.
+/// Not hidden in a shared library, because clipping_parallel calls it.
 template <class T>
-BatchResult clipBatch(const Batch<T>& batch);
+CLEARCUT_API BatchResult clipBatch(const Batch<T>& batch);
 BatchResult clipBatch(const PolygonBatch& batch);
 
 } // namespace clipping

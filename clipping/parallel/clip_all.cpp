@@ -3,9 +3,9 @@
 
 #include "clipping/batch/kernels.h"
 #include "clipping/ieee_numbers.h"
+#include "clipping/limits.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cstring>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
@@ -41,7 +41,7 @@ template <class T>
 std::size_t inParallel(std::span<const BasicSegment<T>> in, const BasicWindow<T>& window,
                        std::span<BasicClipped<BasicSegment<T>>> out)
 {
-    assert(out.size() >= in.size());
+    requireRoom(in.size(), out.size());
     const Plan plan = planFor(in.size());
     std::size_t begun = 0, pieces = 0;
     const auto take = [&](tbb::flow_control& flow) -> Slice<T> {

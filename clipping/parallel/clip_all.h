@@ -6,10 +6,10 @@
 #include <cstddef>
 #include <span>
 
-namespace clipping {
+namespace CLEARCUT_API clipping {
 
 /// The number of segments from which splitting the work among threads is faster.
-constexpr std::size_t parallelThreshold = 100'000;
+constexpr std::size_t parallelThreshold = 500'000;
 
 /// Does what `clipAll` of the row `exact` does, with the same result bit for bit, on all threads of
 /// the calling task arena (oneTBB; limit them with tbb::task_arena or tbb::global_control). Fewer

@@ -3,10 +3,9 @@
 
 #include "clipping/algorithm.h"
 #include "clipping/frame.h"
+#include "clipping/limits.h"
 #include "clipping/polygon/meet.h"
 #include "clipping/polygon/uses.h"
-
-#include <cassert>
 
 // Makes the functions of an algorithm for convex polygons from one template, `Method::clip`. Only
 // the .cpp files of this folder include it.
@@ -73,7 +72,7 @@ template <class Method>
 std::size_t clipManyInPolygon(std::span<const Segment> in, const ConvexPolygon& polygon,
                               std::span<Clipped> out)
 {
-    assert(out.size() >= in.size());
+    requireRoom(in.size(), out.size());
     const auto window = prepared(polygon);
     std::size_t visible = 0;
     for (std::size_t i = 0; window && i < in.size(); ++i)

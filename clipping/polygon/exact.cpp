@@ -19,6 +19,7 @@
 #include "clipping/batch/kernels.h"
 #include "clipping/batch/sets.h"
 #include "clipping/ieee_numbers.h"
+#include "clipping/limits.h"
 #include "clipping/polygon/crossed.h"
 #include "clipping/polygon/describe.h"
 #include "clipping/polygon/edge_table.h"
@@ -82,7 +83,7 @@ constexpr std::size_t fewest = 32;
 std::size_t clipAllInPolygon(std::span<const Segment> in, const ConvexPolygon& polygon,
                              std::span<Clipped> out)
 {
-    assert(out.size() >= in.size());
+    requireRoom(in.size(), out.size());
     const auto window = prepared(polygon);
     if (!window)
         return 0;

@@ -19,11 +19,20 @@ struct Corner {
 bool before(const glm::dvec2& p, const glm::dvec2& q) { return p.x != q.x ? p.x < q.x : p.y < q.y; }
 bool finite(const glm::dvec2& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
-std::vector<Corner> withoutRepeats(const std::vector<glm::dvec2>& corners)
+/// A corner by its place in the order, and the edge from it to the next one in that order.
+Corner cornerAt(std::size_t i, std::span<const glm::dvec2> corners, Order order)
+{
+    if (order == Order::Given)
+        return {corners[i], static_cast<std::uint32_t>(i + 1)};
+    const std::size_t n = corners.size(), given = n - 1 - i;
+    return {corners[given], static_cast<std::uint32_t>(given == 0 ? n : given)};
+}
+
+std::vector<Corner> withoutRepeats(std::span<const glm::dvec2> corners, Order order)
 {
     std::vector<Corner> all;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Corner corner{corners[i], static_cast<std::uint32_t>(i + 1)};
+        const Corner corner = cornerAt(i, corners, order);
         if (all.empty() || all.back().at != corner.at)
             all.push_back(corner);
         else
@@ -97,9 +106,14 @@ void measure(PreparedPolygon& polygon)
 
 std::optional<PreparedPolygon> prepared(const ConvexPolygon& polygon)
 {
-    if (polygon.corners.empty() || !std::ranges::all_of(polygon.corners, finite))
+    return prepared(polygon.corners, Order::Given);
+}
+
+std::optional<PreparedPolygon> prepared(std::span<const glm::dvec2> given, Order order)
+{
+    if (given.empty() || !std::ranges::all_of(given, finite))
         return std::nullopt;
-    std::vector<Corner> corners = withoutRepeats(polygon.corners);
+    std::vector<Corner> corners = withoutRepeats(given, order);
     bool flat = true;
     for (std::size_t i = 0; flat && i < corners.size(); ++i)
         flat = turnAt(corners, i) == 0;

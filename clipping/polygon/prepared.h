@@ -27,6 +27,11 @@ struct PreparedPolygon {
 /// clockwise, not convex, or going round more than once. The decision is exact.
 std::optional<PreparedPolygon> prepared(const ConvexPolygon& polygon);
 
+/// The same, with the corners in the order given or in the opposite one. Each edge has the number
+/// of the edge between the same two corners as given.
+enum class Order : std::uint8_t { Given, Reversed };
+std::optional<PreparedPolygon> prepared(std::span<const glm::dvec2> corners, Order order);
+
 /// A prepared polygon with coordinates of type T.
 template <class T>
 class PolygonIn {
@@ -46,10 +51,7 @@ public:
         }
     }
     std::uint32_t number(std::size_t i) const { return polygon_->numbers[i]; }
-    BasicWindow<T> box() const
-    {
-        return windowIn<T>(polygon_->box);
-    }
+    BasicWindow<T> box() const { return windowIn<T>(polygon_->box); }
 
 private:
     const PreparedPolygon* polygon_;

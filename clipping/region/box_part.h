@@ -3,7 +3,7 @@
 
 #include "clipping/region/region.h"
 
-namespace clipping {
+namespace CLEARCUT_API clipping {
 
 /// What a region keeps of the points of a box.
 enum class BoxPart : std::uint8_t {

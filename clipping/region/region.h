@@ -12,7 +12,7 @@
 // Clips segments at areas of any shape: concave, with holes, crossing themselves; several of them
 // together, added, cut out and intersected. All decisions are exact.
 
-namespace clipping {
+namespace CLEARCUT_API clipping {
 
 /// Which winding numbers are inside: all but 0, or the odd ones.
 enum class FillRule : std::uint8_t { NonZero, EvenOdd };
@@ -22,12 +22,12 @@ enum class FillRule : std::uint8_t { NonZero, EvenOdd };
 /// inside on neither side is not part of it, and rings without area (repeated points, a line there
 /// and back) contribute nothing. Rings may cross and touch themselves and each other. An area with
 /// a number that is not finite contains nothing.
-struct Area {
+struct CLEARCUT_HOLDS_CONTAINERS Area {
     std::vector<glm::dvec2> points; ///< ring after ring; the last point of a ring joins its first
     /// For each ring, one past the index of its last point, ascending. Empty: all points are one
     /// ring. Points after the last ring are ignored.
     std::vector<std::uint32_t> ringEnds{};
-    FillRule rule = FillRule::NonZero;
+    FillRule rule = FillRule::NonZero; ///< which winding numbers are inside
 };
 
 /// The area of a window: four edges (bottom, right, top, left if y points up). Contains nothing if
@@ -44,30 +44,31 @@ enum class Keep : std::uint8_t { Inside, Outside };
 /// A set of points. It starts with no point if the first step adds, else with all points; then each
 /// step adds its area, cuts it out, or intersects with it. A cut-out removes the border of its area
 /// too. Without steps everything is kept, whatever `keep` is.
-struct Region {
+struct CLEARCUT_HOLDS_CONTAINERS Region {
+    /// One area, and what it does.
     struct Step {
-        Area area;
-        AreaOperation operation = AreaOperation::Add;
+        Area area;                                    ///< a set of points
+        AreaOperation operation = AreaOperation::Add; ///< what happens to its points
     };
-    std::vector<Step> steps;
-    Keep keep = Keep::Inside;
+    std::vector<Step> steps;  ///< in their order
+    Keep keep = Keep::Inside; ///< which points of the plane are kept in the end
 };
 
 /// A region with its edges in a search grid. Cheap to copy; may be used by several threads.
 /// Preparing takes O(edges · log) in ordinary drawings. A region has less than 2^32 - 1 points.
 class PreparedRegion {
 public:
-    explicit PreparedRegion(const Region& region);
+    explicit PreparedRegion(const Region& region); ///< makes the grid
 
     /// The edge with a number from a RegionPiece.
     struct Edge {
         std::uint32_t step; ///< index of the area's step
         Segment segment;    ///< in the ring's direction
     };
-    Edge edge(std::uint32_t number) const;
+    Edge edge(std::uint32_t number) const; ///< the number is not 0
 
     struct Data;
-    const Data& data() const { return *data_; }
+    const Data& data() const { return *data_; } ///< for the library
 
 private:
     std::shared_ptr<const Data> data_;

@@ -4,12 +4,14 @@
 // the other rows and beside other libraries. Prints Markdown; README.md keeps what it printed.
 //   clip_bench                          everything, in about five minutes
 //   clip_bench SCENE MILLIONS [ROUNDS]  one scene (or "all")
+//   clip_bench few                      from 1 to 100 segments a call
 //   clip_bench check                    little data; fails where results differ
 #include <cstdio>
 #include <cstdlib>
 #include <iterator>
 
 #include "tests/benchmarks/clip/contenders.h"
+#include "tests/benchmarks/clip/few.h"
 #include "tests/benchmarks/clip/machine.h"
 #include "tests/benchmarks/clip/map_scene.h"
 #include "tests/benchmarks/clip/report.h"
@@ -152,6 +154,10 @@ int main(int argc, char** argv)
     printMachine();
     std::printf("- map: %s\n", realMap().source.c_str());
     const std::string scene = argc > 1 ? argv[1] : "";
+    if (scene == "few")
+        return printFew(9) ? EXIT_SUCCESS : EXIT_FAILURE;
+    if (scene == "check" && !printFew(1))
+        return EXIT_FAILURE;
     std::vector<Plan> plans{{"all", 1'000'000, 5}, {"all", 10'000'000, 5}};
     if (scene == "check")
         plans = {{"all", 20'000, 1}};

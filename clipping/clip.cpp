@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include "clipping/clip.h"
+
+#include "clipping/algorithm.h"
+#include "clipping/batch/sets.h"
+#include "clipping/blocks.h"
+#include "clipping/gradual_underflow.h"
+#include "clipping/ieee_numbers.h"
+#include "clipping/polygon/window_data.h"
+
+namespace clipping {
+namespace {
+
+/// The row that clips a Shape.
+template <class Shape>
+const Algorithm& rowFor()
+{
+    static const Algorithm& row = *findAlgorithm(algorithmFor<Shape>);
+    return row;
+}
+
+template <class Shape>
+const auto& lineOrRayOf(const Algorithm& row)
+{
+    if constexpr (std::is_same_v<Shape, Line>)
+        return *row.line;
+    else
+        return *row.ray;
+}
+
+std::size_t clipAtPolygon(std::span<const Segment> in, const ConvexWindow::Data& window,
+                          Clipped* out)
+{
+    if (window.table)
+        return clipBatch({in.data(), 0, in.size(), &window.polygon, &window.table->table(), out})
+            .pieces;
+    std::size_t visible = 0;
+    for (std::uint32_t i = 0; i < in.size(); ++i)
+        visible += clipOneByOne(in.data(), &i, 1, window.polygon, out + visible);
+    return visible;
+}
+
+/// Clips the segments of a view with a `clip` of arrays, at once if they are an array that goes
+/// into another with enough room.
+template <class T, class Clip>
+Progress clipView(const SegmentsView<T>& in, const Output<T>& out, const Clip& clip)
+{
+    const BasicSegment<T>* const array = in.array();
+    if (array && out.pieces() && out.room() >= in.size() && in.size() < tooMany)
+        return {in.size(), clip(std::span(array, in.size()), out.pieces())};
+    return clipInBlocks(
+        in.size(), out, [&](std::size_t i) { return in[i]; }, clip);
+}
+
+template <class T>
+Progress clipAtWindow(const SegmentsView<T>& in, const BasicWindow<T>& window, const Output<T>& out)
+{
+    const GradualUnderflow here;
+    return clipView(in, out, [&](std::span<const BasicSegment<T>> block, auto* pieces) {
+        return clipBatch(Batch<T>{block.data(), 0, block.size(), window, pieces}).pieces;
+    });
+}
+
+/// Lines or rays, in double.
+template <class Shape, template <class> class Basic, class T>
+Progress clipLinesOrRays(std::span<const Basic<T>> in, const BasicWindow<T>& window,
+                         const Output<T>& out)
+{
+    const GradualUnderflow here;
+    const Window w{glm::dvec2(window.min), glm::dvec2(window.max)};
+    const auto& form = lineOrRayOf<Shape>(rowFor<Shape>());
+    return clipInBlocks(
+        in.size(), out,
+        [&](std::size_t i) {
+            return Shape{glm::dvec2(in[i].a), glm::dvec2(in[i].b)};
+        },
+        [&](std::span<const Shape> block, Clipped* pieces) {
+            return form.clipAll(block, w, {pieces, block.size()});
+        });
+}
+
+/// One of anything, by the functions for many.
+template <class T, class Many>
+std::optional<BasicSegment<T>> clipOne(const Many& clipMany)
+{
+    BasicClipped<BasicSegment<T>> piece;
+    return clipMany(Output<T>(std::span(&piece, 1))).visible == 1 ? std::optional(piece.segment)
+                                                                  : std::nullopt;
+}
+
+} // namespace
+
+std::optional<Segment> clip(const Segment& segment, const Window& window) noexcept
+{
+    const GradualUnderflow here;
+    return rowFor<Segment>().corrected.clip(segment, window);
+}
+
+std::optional<BasicSegment<float>> clip(const BasicSegment<float>& segment,
+                                        const BasicWindow<float>& window) noexcept
+{
+    const GradualUnderflow here;
+    return rowFor<BasicSegment<float>>().single->clip(segment, window);
+}
+
+std::optional<Segment> clip(const Segment& segment, const ConvexWindow& window) noexcept
+{
+    const GradualUnderflow here;
+    Clipped piece;
+    const std::uint32_t only = 0;
+    if (!window || clipOneByOne(&segment, &only, 1, window.data()->polygon, &piece) == 0)
+        return std::nullopt;
+    return piece.segment;
+}
+
+std::optional<BasicSegment<float>> clip(const BasicSegment<float>& segment,
+                                        const ConvexWindow& window) noexcept
+{
+    const auto piece = clip(converted<double>(segment), window);
+    return piece ? std::optional(converted<float>(*piece)) : std::nullopt;
+}
+
+std::optional<Segment> clip(const Line& line, const Window& window) noexcept
+{
+    const GradualUnderflow here;
+    return rowFor<Line>().line->clip(line, window);
+}
+
+std::optional<BasicSegment<float>> clip(const BasicLine<float>& line,
+                                        const BasicWindow<float>& window) noexcept
+{
+    return clipOne<float>(
+        [&](const Output<float>& out) { return clipAll(std::span(&line, 1), window, out); });
+}
+
+std::optional<Segment> clip(const Ray& ray, const Window& window) noexcept
+{
+    const GradualUnderflow here;
+    return rowFor<Ray>().ray->clip(ray, window);
+}
+
+std::optional<BasicSegment<float>> clip(const BasicRay<float>& ray,
+                                        const BasicWindow<float>& window) noexcept
+{
+    return clipOne<float>(
+        [&](const Output<float>& out) { return clipAll(std::span(&ray, 1), window, out); });
+}
+
+std::optional<Segment3> clip(const Segment3& segment, const Window3& box) noexcept
+{
+    const GradualUnderflow here;
+    return rowFor<Segment3>().box->clip(segment, box);
+}
+
+Progress clipAll(const SegmentsView<double>& in, const Window& window, Output<double> out) noexcept
+{
+    return clipAtWindow(in, window, out);
+}
+
+Progress clipAll(const SegmentsView<float>& in, const BasicWindow<float>& window,
+                 Output<float> out) noexcept
+{
+    return clipAtWindow(in, window, out);
+}
+
+Progress clipAll(const SegmentsView<double>& in, const ConvexWindow& window,
+                 Output<double> out) noexcept
+{
+    const GradualUnderflow here;
+    return clipView(in, out, [&](std::span<const Segment> block, Clipped* pieces) {
+        return window ? clipAtPolygon(block, *window.data(), pieces) : 0;
+    });
+}
+
+Progress clipAll(const SegmentsView<float>& in, const ConvexWindow& window,
+                 Output<float> out) noexcept
+{
+    const GradualUnderflow here;
+    return clipInBlocks(
+        in.size(), out, [&](std::size_t i) { return converted<double>(in[i]); },
+        [&](std::span<const Segment> block, Clipped* pieces) {
+            return window ? clipAtPolygon(block, *window.data(), pieces) : 0;
+        });
+}
+
+Progress clipAll(std::span<const Line> in, const Window& window, Output<double> out) noexcept
+{
+    return clipLinesOrRays<Line>(in, window, out);
+}
+
+Progress clipAll(std::span<const BasicLine<float>> in, const BasicWindow<float>& window,
+                 Output<float> out) noexcept
+{
+    return clipLinesOrRays<Line>(in, window, out);
+}
+
+Progress clipAll(std::span<const Ray> in, const Window& window, Output<double> out) noexcept
+{
+    return clipLinesOrRays<Ray>(in, window, out);
+}
+
+Progress clipAll(std::span<const BasicRay<float>> in, const BasicWindow<float>& window,
+                 Output<float> out) noexcept
+{
+    return clipLinesOrRays<Ray>(in, window, out);
+}
+
+Progress clipAll(std::span<const Segment3> in, const Window3& box,
+                 std::span<BasicClipped<Segment3>> out) noexcept
+{
+    const GradualUnderflow here;
+    const std::size_t count = std::min(in.size(), tooMany - 1);
+    Progress done;
+    while (true) {
+        const auto rest = out.subspan(done.visible);
+        const std::size_t size = std::min(count - done.segments, rest.size());
+        if (size == 0)
+            return done;
+        const auto block = in.subspan(done.segments, size);
+        const std::size_t found = rowFor<Segment3>().box->clipAll(block, box, rest);
+        for (auto& piece : rest.first(found))
+            piece.source += static_cast<std::uint32_t>(done.segments);
+        done.segments += size, done.visible += found;
+    }
+}
+
+} // namespace clipping
