@@ -2,33 +2,21 @@
 #pragma once
 
 #include "clipping/geometry.h"
+#include "clipping/python/large_memory.h"
 
 #include <memory>
-#include <new>
 #include <pybind11/numpy.h>
 #include <span>
 
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
-
 namespace clipping::python {
 
-/// Memory for pieces, of which only the pages that are written are ever occupied.
+/// Memory for pieces.
 template <class Piece>
 class PieceBuffer {
 public:
-    explicit PieceBuffer(std::size_t size) : size_(size)
+    explicit PieceBuffer(std::size_t size)
+        : memory_(static_cast<Piece*>(takeMemory(size * sizeof(Piece)))), size_(size)
     {
-        const std::size_t page = size * sizeof(Piece) < 2 * hugePage ? smallPage : hugePage;
-        const std::size_t bytes = (size * sizeof(Piece) / page + 1) * page;
-        memory_.reset(static_cast<Piece*>(std::aligned_alloc(page, bytes)));
-        if (!memory_)
-            throw std::bad_alloc();
-#ifdef __linux__
-        if (page == hugePage) // a hundred thousand page faults take longer than clipping
-            ::madvise(memory_.get(), bytes, MADV_HUGEPAGE);
-#endif
     }
 
     std::span<Piece> room() { return {memory_.get(), size_}; }
@@ -40,7 +28,7 @@ public:
         namespace py = pybind11;
         using Number = typename decltype(Piece::segment.a)::value_type;
         Piece* const first = memory_.release();
-        const py::capsule owner(first, [](void* memory) { std::free(memory); });
+        const py::capsule owner(first, giveMemory);
         constexpr py::ssize_t stride = sizeof(Piece);
         const auto n = static_cast<py::ssize_t>(count);
         const auto numbers = reinterpret_cast<const Number*>(first);
@@ -53,9 +41,8 @@ public:
 
 private:
     struct Free {
-        void operator()(Piece* memory) const { std::free(memory); }
+        void operator()(Piece* memory) const { giveMemory(memory); }
     };
-    static constexpr std::size_t smallPage = 4096, hugePage = std::size_t(1) << 21;
     std::unique_ptr<Piece, Free> memory_;
     std::size_t size_;
 };

@@ -77,11 +77,13 @@ class Reading(unittest.TestCase):
 
 class Results(unittest.TestCase):
     def test_views_outlive_each_other(self):
-        segments, source, cut = clearcut.clip(plain(1000), WINDOW)
-        copy = source.copy()
-        del segments, cut
-        clearcut.clip(plain(1000, seed=9), WINDOW)
-        np.testing.assert_array_equal(source, copy)
+        for n in (1000, 300_000):  # the memory of large results is used again
+            segments, source, cut = clearcut.clip(plain(n), WINDOW)
+            copy = source.copy()
+            del segments, cut
+            for _ in range(3):
+                clearcut.clip(plain(n, seed=9), WINDOW)
+                np.testing.assert_array_equal(source, copy)
 
     def test_types_and_shapes(self):
         for dtype in (np.float64, np.float32):
@@ -100,7 +102,7 @@ class Results(unittest.TestCase):
         same(clearcut.clip(a.astype(np.float32), WINDOW), clearcut.clip(a.astype(np.float32), WINDOW, threads=1))
 
     def test_many_python_threads(self):
-        a = plain(20_000)
+        a = plain(150_000)
         expected, found = clearcut.clip(a, WINDOW), []
         threads = [threading.Thread(target=lambda: found.append(clearcut.clip(a, WINDOW))) for _ in range(8)]
         for thread in threads:
