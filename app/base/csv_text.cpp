@@ -9,7 +9,6 @@ namespace app::csv {
 namespace {
 
 constexpr qsizetype chunk = 1 << 16;
-constexpr std::size_t longestRecord = 1 << 20; // bytes; longer text without a line break is not CSV
 constexpr int end = -1;
 
 bool endsLine(int c) { return c == end || c == '\n' || c == '\r'; }

@@ -17,6 +17,8 @@ struct Refused {
     QString why;
 };
 
+constexpr std::size_t longestRecord = 1 << 20; ///< bytes; longer text without an end is not CSV
+
 /// One record of RFC 4180: fields without their quotation marks.
 struct Record {
     std::size_t line = 0; ///< 1-based line of the file on which the record begins

@@ -3,6 +3,7 @@
 #include "app/command_line/cut_options.h"
 #include "app/command_line/drawing_files.h"
 #include "app/command_line/refusal.h"
+#include "app/command_line/table_clip.h"
 #include "app/command_line/terminal.h"
 #include "app/command_line/tile_options.h"
 #include "app/command_line/window_options.h"
@@ -53,31 +54,27 @@ CutOptions cutOptionsOf(const ParsedArguments& arguments, const Imported& import
 void sayNothingIsLeft(const Imported& imported, const Document& before, const Document& after,
                       Keep keep)
 {
-    const bool allGone = after.objects().empty(), inside = keep == Keep::Inside;
+    const bool allGone = after.objects().empty();
     const auto bounds = contentsOf(allGone ? before : withoutHidden(before)).bounds;
     if (!bounds)
         return say(allGone ? Commands::tr("The drawing is empty: there is nothing to cut.")
                            : Commands::tr("Nothing visible is left: every shape is hidden."));
-    const QString why =
-        allGone ? (inside ? Commands::tr("Nothing is left: all of the drawing is outside the "
-                                         "window. The drawing is in %1.")
-                          : Commands::tr("Nothing is left: all of the drawing is inside the "
-                                         "window. The drawing is in %1."))
-                : (inside ? Commands::tr("Nothing visible is left: every visible shape is outside "
-                                         "the window. These shapes are in %1.")
-                          : Commands::tr("Nothing visible is left: every visible shape is inside "
-                                         "the window. These shapes are in %1."));
-    say(why.arg(placeText(*bounds, imported)));
+    const QString place = placeText(*bounds, imported);
+    if (allGone)
+        return say(nothingLeftText(keep, place));
+    say((keep == Keep::Inside
+             ? Commands::tr("Nothing visible is left: every visible shape is outside the window. "
+                            "These shapes are in %1.")
+             : Commands::tr("Nothing visible is left: every visible shape is inside the window. "
+                            "These shapes are in %1."))
+            .arg(place));
 }
 
 void report(const Imported& imported, const Document& before, const CutCounts& counts)
 {
     const std::size_t hidden = hiddenObjects(before).size(); // the cut applied to all of them
     sayLosses(imported);
-    QString text = Commands::tr("Shapes: %1 kept whole, %2 cut, %3 removed")
-                       .arg(counts.whole)
-                       .arg(counts.cut)
-                       .arg(counts.gone);
+    QString text = shapesText(counts);
     if (counts.opened > 0)
         text += Commands::tr("; closed paths opened: %1").arg(counts.opened);
     say(text + u'.');
@@ -142,6 +139,9 @@ void clip(const ParsedArguments& arguments)
 {
     const QString input = arguments.operands().first();
     Output output = outputOf(arguments, input);
+    if (clipsTable(arguments, input, output))
+        return clipTable(arguments, input, output,
+                         cutOptionsOf(arguments, tableWithoutLines(), output));
     Laps laps;
     const Imported imported = readDrawing(arguments, input);
     refuseLossInPlace(arguments, imported, input, output);
@@ -211,8 +211,8 @@ Command clipCommand()
                       "and stay hidden if the type of the output can hide them (svg). Locked "
                       "layers are always cut.")},
     };
-    for (const auto& more :
-         {further, cuttingOptions(), tileOptions(), writingOptions(), readingOptions()})
+    for (const auto& more : {further, cuttingOptions(), tileOptions(), tableClipOptions(),
+                             writingOptions(), readingOptions()})
         options.insert(options.end(), more.begin(), more.end());
     options.push_back(
         {{"q", "quiet"}, {}, Commands::tr("Do not report windows, counts and losses.")});
@@ -231,7 +231,7 @@ Command clipCommand()
             1,
             clip,
             false,
-            readingAndWritingLimits()};
+            readingAndWritingLimits() << tableLimit()};
 }
 
 } // namespace app

@@ -64,6 +64,24 @@ QString occlusionText(const CutCounts& counts)
         .arg(counts.fillsRemoved);
 }
 
+QString shapesText(const CutCounts& counts)
+{
+    return Commands::tr("Shapes: %1 kept whole, %2 cut, %3 removed")
+        .arg(counts.whole)
+        .arg(counts.cut)
+        .arg(counts.gone);
+}
+
+QString nothingLeftText(Keep keep, const QString& place)
+{
+    return (keep == Keep::Inside
+                ? Commands::tr("Nothing is left: all of the drawing is outside the window. The "
+                               "drawing is in %1.")
+                : Commands::tr("Nothing is left: all of the drawing is inside the window. The "
+                               "drawing is in %1."))
+        .arg(place);
+}
+
 QString furtherCountsText(const CutCounts& counts)
 {
     QStringList sentences;

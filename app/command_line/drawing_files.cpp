@@ -51,12 +51,12 @@ const Format& formatOf(const ParsedArguments& arguments, const QString& option, 
                          .arg(path == standardStream ? stream : path, option, typesWith(can))};
 }
 
+} // namespace
+
 const Format& readFormatOf(const ParsedArguments& arguments, const QString& path)
 {
     return formatOf(arguments, QStringLiteral("from"), path, &Format::read, formatToRead(path));
 }
-
-} // namespace
 
 std::vector<Option> readingOptions()
 {
@@ -195,6 +195,15 @@ void writeDrawing(const Document& document, const Output& output)
         return;
     }
     printWith([&](QIODevice& out) { return output.format->write(document, out, output.options); });
+}
+
+void writeWith(const Filling& write, const Output& output)
+{
+    if (output.path == standardStream)
+        return printAtOnce(write);
+    const Unfinished guard(output.path);
+    if (const auto error = replaceFile(output.path, write))
+        throw Failure{Commands::tr("Cannot write %1: %2").arg(output.path, *error)};
 }
 
 QStringList losses(const Imported& imported)

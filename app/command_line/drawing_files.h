@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/replace_file.h"
 #include "app/command_line/parsed_arguments.h"
 
 // Input and output of drawings: a file, or - for standard input and output. The type is given by
@@ -24,6 +25,9 @@ void sayHiddenLeftOut(std::size_t count, const Format& format);
 QStringList readingLimits();
 QStringList readingAndWritingLimits();
 
+/// The type of a command's input, as --from or its name says; throws WrongUsage.
+const Format& readFormatOf(const ParsedArguments& arguments, const QString& path);
+
 /// Reads the drawing in the file `path`, whose type its name shows; throws Failure.
 Imported readDrawing(const QString& path);
 /// The same for the input of a command, which may be standard input, or have a type that is given.
@@ -42,6 +46,9 @@ Output outputOf(const ParsedArguments& arguments, const QString& input);
 
 /// Replaces an existing file only by a complete new one; throws Failure.
 void writeDrawing(const Document& document, const Output& output);
+
+/// The same for output that is made bit by bit: standard output passes on each write at once.
+void writeWith(const Filling& write, const Output& output);
 
 /// Throws Failure if overwriting the input would lose what the import could not keep.
 void refuseLossInPlace(const ParsedArguments& arguments, const Imported& imported,

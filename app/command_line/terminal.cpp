@@ -22,12 +22,19 @@ void print(const QString& text)
     });
 }
 
-void printWith(const Filling& write)
+static void printInto(const Filling& write, QIODevice::OpenMode mode)
 {
     QFile out;
-    const bool open = out.open(STDOUT_FILENO, QIODevice::WriteOnly);
+    const bool open = out.open(STDOUT_FILENO, mode);
     if (const auto error = open ? fill(out, write) : out.errorString() + u'.')
         throw Failure{Commands::tr("Cannot write standard output: %1").arg(*error)};
+}
+
+void printWith(const Filling& write) { printInto(write, QIODevice::WriteOnly); }
+
+void printAtOnce(const Filling& write)
+{
+    printInto(write, QIODevice::WriteOnly | QIODevice::Unbuffered);
 }
 
 void say(const QString& line) { std::fputs((line + u'\n').toUtf8().constData(), stderr); }

@@ -14,6 +14,9 @@ void print(const QString& text);
 /// The same for binary data: `write` writes to standard output.
 void printWith(const Filling& write);
 
+/// The same, without a buffer: the reader of a pipe gets what each write has written.
+void printAtOnce(const Filling& write);
+
 /// Prints a line for the person on standard error.
 void say(const QString& line);
 

@@ -182,21 +182,32 @@ constexpr std::array forms{
     WindowForm{"", "XMIN,YMIN,XMAX,YMAX[@DEGREES]", rectangle},
     WindowForm{"circle", "circle:CX,CY,R", circle},
     WindowForm{"polygon", "polygon:X,Y X,Y …", polygon},
-    WindowForm{"shape", "shape:ID", shape},
-    WindowForm{"layer", "layer:NAME", layer},
+    WindowForm{"shape", "shape:ID", shape, true},
+    WindowForm{"layer", "layer:NAME", layer, true},
     WindowForm{"file", "file:MASK.svg", mask},
-    WindowForm{"page", "page", page},
+    WindowForm{"page", "page", page, true},
 };
 
 } // namespace
 
 std::span<const WindowForm> windowForms() { return forms; }
 
-std::vector<ClipWindow> windowsOf(const GivenValue& value, const Imported& imported)
+static const WindowForm* formOf(const GivenValue& value)
 {
     const QString key = value.text.section(u':', 0, 0);
     const auto* form = std::ranges::find(forms, key.toStdString(), &WindowForm::key);
-    if (form != forms.end())
+    return form == forms.end() ? nullptr : form;
+}
+
+bool needsDrawing(const GivenValue& value)
+{
+    const auto* form = formOf(value);
+    return form && form->needsDrawing;
+}
+
+std::vector<ClipWindow> windowsOf(const GivenValue& value, const Imported& imported)
+{
+    if (const auto* form = formOf(value))
         return form->windows(value, value.text.section(u':', 1), imported);
     if (value.text.contains(u':')) {
         QStringList usages;

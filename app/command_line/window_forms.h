@@ -17,10 +17,14 @@ struct WindowForm {
     /// WrongUsage or Failure.
     std::vector<ClipWindow> (*windows)(const GivenValue& value, const QString& text,
                                        const Imported& imported);
+    bool needsDrawing = false; ///< looks into the drawing, not only at its unit
 };
 
 /// Every form, in the order of the help.
 std::span<const WindowForm> windowForms();
+
+/// Whether the form of this value needs the whole drawing.
+bool needsDrawing(const GivenValue& value);
 
 /// The windows that a value stands for, "circle:50mm,50mm,20mm". Throws WrongUsage or Failure.
 std::vector<ClipWindow> windowsOf(const GivenValue& value, const Imported& imported);

@@ -151,6 +151,14 @@ clipping::Window windowOf(const Imported& imported)
     return saved.isPage ? imported.drawn.value_or(page.rectangle()) : saved.window;
 }
 
+bool windowsNeedNoDrawing(const ParsedArguments& arguments)
+{
+    const auto all = given(arguments);
+    return !all.empty() && std::ranges::none_of(all, [](const GivenValue& value) {
+        return value.option == u"page" || needsDrawing(value);
+    });
+}
+
 ClipWindows comparedWindowsOf(const ParsedArguments& arguments, const Imported& imported)
 {
     ClipWindows windows = givenWindows(arguments, imported);

@@ -29,6 +29,10 @@ ClipWindows comparedWindowsOf(const ParsedArguments& arguments, const Imported& 
 /// contains a window that clips.
 ClipWindows windowsOf(const ParsedArguments& arguments, const Imported& imported);
 
+/// Whether the options alone say where to clip, without the drawing: some windows are given, and
+/// none of them is the page or a shape of the drawing.
+bool windowsNeedNoDrawing(const ParsedArguments& arguments);
+
 /// "Window (the page): -40,-40,40,40 in …": the source of `windowsOf`, and each window as
 /// `placeText`. If the windows are not simply added: "Windows (saved in the drawing): add …; cut
 /// out …". Mentions if the outside is kept.

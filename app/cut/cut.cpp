@@ -2,11 +2,10 @@
 #include "app/cut/cut.h"
 
 #include "app/cut/cut_edit.h"
-#include "clipping/outside.h"
+#include "app/cut/line_clipping.h"
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 
 namespace app {
 namespace {
@@ -14,12 +13,6 @@ namespace {
 using clipping::Clipped;
 
 constexpr std::size_t chordsAtOnce = 65'536; // of whole objects; a single object may have more
-
-bool notFinite(const Clipped& piece)
-{
-    const auto& [a, b] = piece.segment;
-    return !std::isfinite(a.x + a.y + b.x + b.y); // coordinates are far below overflow
-}
 
 // The chords of many objects in one array, so that one call of the algorithm clips them all.
 class Batch {
@@ -57,55 +50,20 @@ private:
 };
 
 // The parts of chords that are kept.
-class Clipping {
+class ChordClipping {
 public:
-    explicit Clipping(const CutOptions& options) : options_(options)
-    {
-        folding_.start(options.region, options.clipAll);
-    }
+    explicit ChordClipping(const CutOptions& options) : clipping_(options) {}
 
     std::span<const Clipped> keptOf(std::span<const Chord> chords)
     {
         lines_.resize(chords.size());
         std::ranges::transform(chords, lines_.begin(), &Chord::segment);
-        kept_.clear();
-        if (options_.region.everything())
-            keepAll();
-        else if (const auto window = options_.region.single())
-            clipAt(*window);
-        else
-            folding_.fold(lines_, 0, kept_);
-        if (!options_.keepContacts)
-            std::erase_if(kept_, [&](const Clipped& piece) {
-                const auto& [a, b] = piece.segment;
-                return a == b && lines_[piece.source].a != lines_[piece.source].b;
-            });
-        return kept_;
+        return clipping_.keptOf(lines_);
     }
 
 private:
-    void keepAll()
-    {
-        for (std::size_t i = 0; i < lines_.size(); ++i)
-            kept_.push_back({lines_[i], std::uint32_t(i), {}});
-    }
-
-    void clipAt(const clipping::Window& window)
-    {
-        kept_.resize(lines_.size());
-        kept_.resize(options_.clipAll(lines_, window, kept_));
-        std::erase_if(kept_, notFinite); // a published form may return anything
-        if (options_.region.keep == Keep::Inside)
-            return;
-        outside_.resize(lines_.size() + kept_.size());
-        outside_.resize(clipping::outsideAll(lines_, kept_, outside_));
-        std::swap(kept_, outside_);
-    }
-
-    const CutOptions& options_;
-    RegionClipping folding_;
+    LineClipping clipping_;
     std::vector<clipping::Segment> lines_;
-    std::vector<Clipped> kept_, outside_;
 };
 
 CutOptions withTolerance(CutOptions options, const Page& page)
@@ -187,7 +145,7 @@ private:
     const Objects& objects_;
     const CutOptions options_;
     CutEdit edit_;
-    Clipping clipping_;
+    ChordClipping clipping_;
     AreaCut areas_{options_.region};
     Batch batch_;
 };
@@ -207,7 +165,7 @@ std::vector<Object> cutAlone(const Object& object, const CutOptions& options)
     assert(options.clipAll && options.tolerance > 0);
     std::vector<Chord> chords;
     flatten(object.path, options.tolerance, chords);
-    Clipping clipping(options);
+    ChordClipping clipping(options);
     const auto kept = clipping.keptOf(chords);
     std::optional<AreaLeft> area;
     if (object.style.fill && object.path.hasArea())

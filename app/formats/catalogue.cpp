@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/file_name.h"
 #include "app/base/replace_file.h"
 #include "app/formats/format.h"
 #include "app/formats/read_open_file.h"
@@ -56,14 +55,8 @@ Result<Imported> readFile(const QString& path, const Format* format)
         return Result<Imported>::failure(
             QCoreApplication::translate("formats", "Cannot open %1: %2").arg(path, why));
     };
-    const QFileInfo info(path);
-    if (info.isDir())
-        return failure(
-            QCoreApplication::translate("formats", "it is a folder. Name a file in it."));
-    if (const auto fault = faultOfName(path))
+    if (const auto fault = faultToOpen(path))
         return failure(*fault);
-    if (!info.exists())
-        return failure(QCoreApplication::translate("formats", "there is no such file."));
     format = format ? format : formatToRead(path);
     if (!format || !format->read)
         return failure(

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/read_open_file.h"
 
+#include "app/base/file_name.h"
+
 #include <QCoreApplication>
 #include <QFileInfo>
 
@@ -14,6 +16,18 @@ Result<Imported> readOpenFile(QFileDevice& file, const Format& format)
     return Result<Imported>::failure(
         QCoreApplication::translate("formats", "it cannot be read to its end. %1.")
             .arg(file.errorString()));
+}
+
+std::optional<QString> faultToOpen(const QString& path)
+{
+    const QFileInfo info(path);
+    if (info.isDir())
+        return QCoreApplication::translate("formats", "it is a folder. Name a file in it.");
+    if (auto fault = faultOfName(path))
+        return fault;
+    if (!info.exists())
+        return QCoreApplication::translate("formats", "there is no such file.");
+    return std::nullopt;
 }
 
 const Format* formatToRead(const QString& path)

@@ -11,6 +11,9 @@ namespace app {
 /// drawing.
 Result<Imported> readOpenFile(QFileDevice& file, const Format& format);
 
+/// Why this file cannot be opened, to follow "Cannot open NAME: ": it is a folder, or not there.
+std::optional<QString> faultToOpen(const QString& path);
+
 /// The format for a file name extension, in any case. A compressed SVG drawing (.svgz) counts as
 /// SVG: the SVG reader says how to uncompress it.
 const Format* formatToRead(const QString& path);

@@ -3,6 +3,7 @@
 
 #include "app/document/document_builder.h"
 #include "app/document/page_around.h"
+#include "app/formats/csv/look_columns.h"
 
 namespace app::csv {
 
@@ -39,8 +40,7 @@ Document LinesByLayer::take()
     DocumentBuilder builder;
     for (Layer& layer : layers_) {
         Container container;
-        container.name =
-            layer.name.empty() ? QStringLiteral("Drawing") : QString::fromStdString(layer.name);
+        container.name = layer.name.empty() ? usualLayer() : QString::fromStdString(layer.name);
         builder.open(std::move(container));
         builder.add(std::exchange(layer.objects, {}));
         builder.close();

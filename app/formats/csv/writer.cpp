@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/csv/writer.h"
 
-#include "app/base/csv_text.h"
-#include "app/base/number.h"
 #include "app/base/write_all.h"
 #include "app/document/flatten.h"
 #include "app/document/line_colour.h"
 #include "app/formats/coordinates.h"
-#include "app/formats/csv/columns.h"
+#include "app/formats/csv/look_columns.h"
 
 #include <algorithm>
 #include <numeric>
@@ -16,22 +14,6 @@ namespace app::csv {
 namespace {
 
 constexpr std::size_t bufferSize = 1 << 16;
-
-std::string colourText(const Colour& colour)
-{
-    constexpr std::string_view digits = "0123456789abcdef";
-    std::string text = "#";
-    const auto append = [&](std::uint8_t part) {
-        text += digits[part >> 4];
-        text += digits[part & 15];
-    };
-    append(colour.red);
-    append(colour.green);
-    append(colour.blue);
-    if (colour.alpha != 255)
-        append(colour.alpha);
-    return text;
-}
 
 class Writer {
 public:
@@ -43,10 +25,7 @@ public:
 
     std::optional<QString> write()
     {
-        const std::size_t columns = columnNames.size() - (options_.sources.empty() ? 1 : 0);
-        for (std::size_t i = 0; i < columns; ++i)
-            (text_ += i > 0 ? "," : "") += columnNames[i];
-        text_ += '\n';
+        text_ = headerText(!options_.sources.empty());
         const ObjectRanges hidden = document_.containers().hiddenRanges();
         for (const std::uint32_t i : order())
             if (!hidden.contains(i))
@@ -101,11 +80,8 @@ private:
         if (look_ == look)
             return columns_;
         look_ = look;
-        columns_ = ',';
-        appendField(columns_, document_.containers()[look.layer].name.toStdString());
-        (columns_ += ',') += colourText(look.strokeColour);
-        columns_ += ',';
-        appendNumber(columns_, document_.styles()[look.style].width);
+        columns_ = lookColumns(document_.containers()[look.layer].name, look.strokeColour,
+                               document_.styles()[look.style].width);
         return columns_;
     }
 

@@ -248,7 +248,7 @@ private slots:
             clearcut({"clip", "-", "--from", "csv", "--to", "csv", "-o", "-", "-w", "3,0,3,9"},
                      "0,5,9,5\n3,-9,3,99\n");
         QCOMPARE(run.code, 0);
-        QCOMPARE(run.out, "x1,y1,x2,y2,layer,colour,width\n");
+        QCOMPARE(run.out, csvHeader);
         QVERIFY2(run.err.contains("a window without area, which contains nothing"),
                  run.err.constData());
     }

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cut/cut.h"
+#include "app/scene/region_clipping.h"
+
+namespace app {
+
+/// The kept parts of lines, as a cut with these options leaves them. Reuses its buffers.
+class LineClipping {
+public:
+    /// `options` must outlive this object.
+    explicit LineClipping(const CutOptions& options);
+
+    /// The pieces in the order of the lines; `source` is the index of a line. Valid until the next
+    /// call.
+    std::span<const clipping::Clipped> keptOf(std::span<const clipping::Segment> lines);
+
+private:
+    void keepAll(std::span<const clipping::Segment> lines);
+    void clipAt(const clipping::Window& window, std::span<const clipping::Segment> lines);
+
+    const CutOptions& options_;
+    RegionClipping folding_;
+    std::vector<clipping::Clipped> kept_, outside_;
+};
+
+} // namespace app

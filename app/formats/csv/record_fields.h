@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace app::csv {
+
+/// Divides the text of one record into its fields, without quotation marks. Reuses its buffers.
+/// A record that needs no unquoting is not copied.
+class RecordFields {
+public:
+    /// Valid until the next call, as long as `record`. Throws Refused (its line counts from the
+    /// record's first one) for text that is not CSV.
+    std::span<const std::string_view> of(std::string_view record);
+
+private:
+    std::vector<std::string_view> fields_;
+    std::vector<std::string> unquoted_;
+};
+
+} // namespace app::csv

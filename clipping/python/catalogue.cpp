@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "clipping/algorithm.h"
+#include "clipping/python/module.h"
+
+#include <pybind11/stl.h>
+
+namespace py = pybind11;
+using namespace py::literals;
+
+namespace clipping::python {
+namespace {
+
+constexpr std::array edgeNames{"", "left", "right", "bottom", "top", "near", "far"};
+constexpr std::array stepNames{"test", "let", "cut", "accept", "reject", "give up"};
+
+std::string text(std::string_view view) { return std::string(view); }
+
+std::vector<double> numbersOf(const Segment& s) { return {s.a.x, s.a.y, s.b.x, s.b.y}; }
+
+py::list algorithmList()
+{
+    py::list rows;
+    for (const Algorithm& row : algorithms())
+        rows.append(py::dict("key"_a = text(row.key), "abbreviation"_a = text(row.abbreviation),
+                             "name"_a = text(row.name), "year"_a = row.year,
+                             "idea"_a = text(row.idea), "ulps"_a = row.ulps,
+                             "published"_a = row.published != nullptr,
+                             "polygon"_a = row.polygon != nullptr, "line"_a = row.line != nullptr,
+                             "ray"_a = row.ray != nullptr));
+    return rows;
+}
+
+py::object valueOf(const NamedValue& value)
+{
+    if (value.kind == ValueKind::Truth)
+        return py::bool_(value.value != 0);
+    if (value.kind == ValueKind::Number)
+        return py::float_(value.value);
+    return py::int_(static_cast<long long>(value.value));
+}
+
+py::dict dictOf(const Step& step, std::string_view code)
+{
+    py::dict values;
+    for (const NamedValue& value : step.values)
+        values[py::str(text(value.name))] = valueOf(value);
+    for (int line = 1; line < step.line && !code.empty(); ++line)
+        code.remove_prefix(std::min(code.find('\n'), code.size() - 1) + 1);
+    return py::dict("what"_a = stepNames[static_cast<std::size_t>(step.what)],
+                    "holds"_a = step.holds, "name"_a = text(step.name), "line"_a = step.line,
+                    "code"_a = text(code.substr(0, code.find('\n'))),
+                    "segment"_a = py::tuple(py::cast(numbersOf(step.segment))),
+                    "edge"_a = edgeNames[static_cast<std::size_t>(step.edge)], "values"_a = values);
+}
+
+py::list traceOf(const std::array<double, 4>& s, const std::array<double, 4>& w,
+                 const std::string& key, bool published)
+{
+    const Algorithm* row = findAlgorithm(key);
+    if (!row)
+        throw py::value_error("there is no algorithm '" + key
+                              + "'; clearcut.algorithms() lists them all");
+    const Form form = published ? Form::Published : Form::Corrected;
+    const auto* uses = usesOf(*row, form);
+    if (!uses)
+        throw py::value_error("'" + key + "' has no published form");
+    const Trace trace = uses->trace({{s[0], s[1]}, {s[2], s[3]}}, {{w[0], w[1]}, {w[2], w[3]}});
+    py::list steps;
+    for (const Step& step : trace.steps)
+        steps.append(dictOf(step, codeOf(*row, form)));
+    return steps;
+}
+
+} // namespace
+
+void defineCatalogue(py::module_& module)
+{
+    module.def("algorithms", algorithmList);
+    module.def("trace", traceOf);
+}
+
+} // namespace clipping::python

@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: MIT
+from __future__ import annotations
+
+from typing import Sequence
+
+import numpy as np
+
+from . import _arguments as arguments
+from . import _clearcut
+from ._clip import Clipped
+
+
+class Chunks:
+    """Boxes around short runs of segments, for a drawing that stays the same while the window moves. Clips like
+    `clip` with "exact", bit for bit, but reads only the segments near the window's edges.
+
+    segments: shape (n, 4), float64 or float32, contiguous. It is kept, not copied: after you have written to it, call
+        `update`.
+
+    >>> import numpy as np, clearcut
+    >>> drawing = np.array([[-5., 5., 15., 5.], [1., 1., 2., 2.]])
+    >>> chunks = clearcut.Chunks(drawing)
+    >>> chunks.clip((0, 0, 10, 10)).segments
+    array([[ 0.,  5., 10.,  5.],
+           [ 1.,  1.,  2.,  2.]])
+    """
+
+    def __init__(self, segments: np.ndarray) -> None:
+        array = arguments.segments(segments)
+        if not (array.flags.c_contiguous and array.flags.aligned):
+            raise ValueError(f"segments must be contiguous, because they are not copied, but these have the strides "
+                             f"{array.strides}; use numpy.ascontiguousarray")
+        make = _clearcut.Chunks if array.dtype == np.float64 else _clearcut.FloatChunks
+        self._count = len(array)
+        self._chunks = make(array)
+
+    def clip(self, window: Sequence[float]) -> Clipped:
+        """The pieces inside the window (xmin, ymin, xmax, ymax), in the order of the segments."""
+        return Clipped(*self._chunks.clip(arguments.window(window)))
+
+    def update(self, first: int, last: int) -> None:
+        """Call this after the rows from `first` up to, not including, `last` have been written to."""
+        if not 0 <= first <= last <= self._count:
+            raise ValueError(f"0 <= first <= last <= {self._count} must hold, but these are {first} and {last}")
+        self._chunks.update(first, last)

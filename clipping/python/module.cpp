@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#include "clipping/python/module.h"
+
+PYBIND11_MODULE(_clearcut, module)
+{
+    module.doc() = "The clipping library of Clearcut, without checks of types. Use clearcut.";
+    clipping::python::defineClip(module);
+    clipping::python::definePolylines(module);
+    clipping::python::defineChunks(module);
+    clipping::python::defineCatalogue(module);
+}

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "clipping/geometry.h"
+
+#include <array>
+#include <pybind11/pybind11.h>
+#include <vector>
+
+// The extension module _clearcut. The package clearcut (clipping/python/clearcut) checks what its
+// users pass, and calls these functions with arrays of the right type and shape.
+
+namespace clipping::python {
+
+using WindowNumbers = std::array<double, 4>; ///< xmin, ymin, xmax, ymax
+
+/// The polygon with these corners, made counter-clockwise. Throws ValueError if it is not convex.
+ConvexPolygon polygonOf(const std::vector<std::array<double, 2>>& corners);
+
+void defineClip(pybind11::module_& module);
+void definePolylines(pybind11::module_& module);
+void defineChunks(pybind11::module_& module);
+void defineCatalogue(pybind11::module_& module);
+
+} // namespace clipping::python

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/in_turn.h"
+
+#include <QTest>
+
+#include <chrono>
+
+class InTurnTest : public QObject {
+    Q_OBJECT
+
+    // Squares the numbers below `end`, on several threads; `give` sees them in order.
+    static void squares(int threads, int end, const std::function<bool(int)>& give,
+                        int failing = -1)
+    {
+        int next = 0;
+        std::vector<int> shares(std::size_t(threads), 0);
+        std::vector<app::TurnSteps> steps;
+        for (int& share : shares)
+            steps.push_back({[&] {
+                                 share = next++;
+                                 return share < end;
+                             },
+                             [&] {
+                                 if (share % 3 == 0)
+                                     std::this_thread::sleep_for(std::chrono::microseconds(50));
+                                 if (share == failing)
+                                     throw share;
+                                 share *= share;
+                             },
+                             [&] { return give(share); }});
+        app::InTurn().run(steps);
+    }
+
+private slots:
+    void resultsAreGivenInOrder()
+    {
+        for (const int threads : {1, 2, 5}) {
+            std::vector<int> given;
+            squares(threads, 300, [&](int square) {
+                given.push_back(square);
+                return true;
+            });
+            QCOMPARE(given.size(), 300u);
+            for (int i = 0; i < 300; ++i)
+                QCOMPARE(given[std::size_t(i)], i * i);
+        }
+    }
+
+    void whatIsBeforeAFailureIsGivenAndNothingAfterIt()
+    {
+        int given = 0;
+        const auto count = [&](int) { return ++given, true; };
+        QVERIFY_EXCEPTION_THROWN(squares(4, 300, count, 57), int);
+        QCOMPARE(given, 57);
+    }
+
+    void nothingIsGivenOnceNoMoreIsWanted()
+    {
+        int given = 0;
+        squares(4, 1'000'000, [&](int) { return ++given < 10; });
+        QCOMPARE(given, 10);
+    }
+};
+
+QTEST_GUILESS_MAIN(InTurnTest)
+#include "in_turn_test.moc"

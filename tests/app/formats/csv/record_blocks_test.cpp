@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/csv_text.h"
+#include "app/formats/csv/record_blocks.h"
+#include "app/formats/csv/record_fields.h"
+
+#include <QBuffer>
+#include <QTest>
+
+#include <random>
+
+using namespace app::csv;
+
+namespace {
+
+using Rows = std::vector<std::pair<std::size_t, std::vector<std::string>>>; // line and fields
+
+// What the reader of whole files finds, and where it refuses.
+Rows whole(const std::string& bytes)
+{
+    QByteArray copy = QByteArray::fromStdString(bytes);
+    QBuffer buffer(&copy);
+    buffer.open(QIODevice::ReadOnly);
+    Text text(buffer);
+    Rows rows;
+    try {
+        for (Record record; text.next(record);)
+            rows.emplace_back(record.line, record.fields);
+    } catch (const Refused&) {
+        rows.emplace_back(0, std::vector<std::string>{"refused"});
+    }
+    return rows;
+}
+
+// The same in blocks, from a source that gives `piece` bytes at a time.
+Rows inBlocks(const std::string& bytes, std::size_t piece)
+{
+    std::size_t at = 0;
+    RecordBlocks blocks([&](char* out, std::size_t size) {
+        const std::size_t count = std::min({piece, size, bytes.size() - at});
+        bytes.copy(out, count, at);
+        at += count;
+        return count;
+    });
+    Rows rows;
+    RecordFields fields;
+    RecordBlock block;
+    try {
+        for (bool more = blocks.first(block); more; more = blocks.next(block)) {
+            if (block.record != rows.size())
+                return {};
+            for (const auto& place : block.places) {
+                const auto found = fields.of(block.text(place));
+                rows.emplace_back(block.line + place.line,
+                                  std::vector<std::string>(found.begin(), found.end()));
+            }
+        }
+    } catch (const Refused&) {
+        rows.emplace_back(0, std::vector<std::string>{"refused"});
+    }
+    return rows;
+}
+
+} // namespace
+
+class RecordBlocksTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyTextIsDividedAsInAWholeFile()
+    {
+        std::mt19937 random(7);
+        const std::string alphabet = "\"\",,\n\r#a1 \n";
+        for (int round = 0; round < 3000; ++round) {
+            std::string text(random() % 40, ' ');
+            for (char& c : text)
+                c = alphabet[random() % alphabet.size()];
+            if (round % 7 == 0)
+                text.insert(0, "\xef\xbb\xbf");
+            for (const std::size_t piece : {1, 2, 7, 1000})
+                QVERIFY2(inBlocks(text, piece) == whole(text), text.c_str());
+        }
+    }
+
+    void aRecordThatNeverEndsIsRefused()
+    {
+        const std::string row = "1,2,3,4\n";
+        for (const char c : {'1', '"'}) {
+            const Rows rows =
+                inBlocks(row + std::string(3 << 20, c == '"' ? 'x' : c).insert(0, 1, c), 1 << 16);
+            QCOMPARE(rows.size(), 2u);
+            QCOMPARE(rows[1].second.front(), "refused");
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(RecordBlocksTest)
+#include "record_blocks_test.moc"
