@@ -8,6 +8,7 @@
 #include "ui/canvas/snap_marker.h"
 #include "ui/canvas/window_overlay.h"
 #include "ui/tools/end_drag.h"
+#include "ui/tools/transform_gesture.h"
 
 #include <glm/common.hpp>
 
@@ -188,6 +189,7 @@ void paintOverlay(QPainter& painter, const Controller& controller, const Pane& p
     paintHovered(painter, controller);
     paintInspected(painter, controller, pane);
     paintEnds(painter, controller);
+    paintCopies(painter, controller.bench(), controller.session().preview().copies);
     if (controller.session().display().overlay)
         paintWhatIsSeen(painter, controller, pane);
     painter.save();

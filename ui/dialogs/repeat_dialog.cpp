@@ -139,6 +139,7 @@ void RepeatDialog::follow()
         kind_->chosen() == 1 ? count_->value() : double(rows_->value()) * double(columns_->value());
     const bool fits = copies * double(session_.selection().size()) <= 1e6;
     repeat_->setEnabled(fits);
+    session_.setPreview({.copies = fits ? maps() : std::vector<app::AffineMap>()});
     result_->setText(fits ? tr("%1 in all, with the original").arg(app::countText(copies))
                           : tr("These would be too many objects. Make fewer copies."));
 }
@@ -147,6 +148,24 @@ void RepeatDialog::accept()
 {
     if (app::repeatSelection(session_, maps(), tr("Repeat selection")))
         QDialog::accept();
+}
+
+/// After any answer, also Esc and the button of the window's frame.
+void RepeatDialog::done(int result)
+{
+    session_.setPreview({});
+    QDialog::done(result);
+}
+
+/// Over the panels at the right, so that it does not cover the copies.
+void RepeatDialog::showEvent(QShowEvent* event)
+{
+    QDialog::showEvent(event);
+    if (event->spontaneous() || !parentWidget())
+        return;
+    const QRect window = parentWidget()->window()->frameGeometry();
+    constexpr int below = 140; // pixels below the upper edge of the window: the bars
+    move(window.right() - frameGeometry().width() - space::betweenGroups, window.top() + below);
 }
 
 } // namespace ui

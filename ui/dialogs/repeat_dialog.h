@@ -14,7 +14,8 @@ namespace ui {
 class LengthField;
 class Segments;
 
-/// Repeats the selection in rows and columns, or around a point.
+/// Repeats the selection in rows and columns, or around a point. While it is open, the copies are
+/// the session's preview.
 class RepeatDialog : public QDialog {
     Q_OBJECT
 
@@ -22,6 +23,10 @@ public:
     explicit RepeatDialog(app::Session& session, QWidget* parent = nullptr);
 
     void accept() override;
+    void done(int result) override;
+
+protected:
+    void showEvent(QShowEvent* event) override;
 
 private:
     QWidget* makeGrid();

@@ -183,8 +183,13 @@ void openMicroscope(MainWindow& window, const Options& options)
 /// Opens what the options request; saves the screenshot when everything is painted.
 int show(QApplication& application, const Options& options, const QElapsedTimer& clock)
 {
+    // With a style sheet, each widget that gets a parent has everything below it restyled. That
+    // would take a quarter of the start, so the complete window gets the sheet at once.
+    const QString styleSheet = application.styleSheet();
+    application.setStyleSheet({});
     MainWindow window(options.backend);
     addMenus(window);
+    application.setStyleSheet(styleSheet);
     if (!options.screenshot.isEmpty())
         window.resize(options.size.value_or(usualPicture)); // independent of the screen
     else if (options.size) {

@@ -260,10 +260,7 @@ void TransformGesture::paint(QPainter& painter, const Workbench& bench) const
 {
     if (!now_)
         return;
-    const auto all = maps(*now_);
-    const std::size_t most = std::max<std::size_t>(1, mostPreviewed / all.size());
-    for (std::size_t i = 0; i < std::min(all.size(), mostPreviewed); ++i)
-        paintMapped(painter, bench, all[i], most);
+    paintCopies(painter, bench, maps(*now_));
     if (now_->kind->movesPivot)
         return;
     const QPointF pivot = bench.onScreen(now_->start.from);
@@ -287,6 +284,13 @@ void paintMapped(QPainter& painter, const Workbench& bench, const app::AffineMap
     }
     painter.setPen(QPen(bench.look.selection, 1.5));
     painter.drawLines(lines.data(), int(lines.size()));
+}
+
+void paintCopies(QPainter& painter, const Workbench& bench, std::span<const app::AffineMap> copies)
+{
+    const std::size_t count = std::min(copies.size(), mostPreviewed);
+    for (const app::AffineMap& copy : copies.first(count))
+        paintMapped(painter, bench, copy, mostPreviewed / count);
 }
 
 } // namespace ui

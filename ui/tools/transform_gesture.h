@@ -76,5 +76,7 @@ constexpr std::size_t mostPreviewed = 4000; // lines
 /// Paints lines of the selection as the map would make them, at most so many.
 void paintMapped(QPainter& painter, const Workbench& bench, const app::AffineMap& map,
                  std::size_t most = mostPreviewed);
+/// The same for several maps, which share the lines; a copy has at least one.
+void paintCopies(QPainter& painter, const Workbench& bench, std::span<const app::AffineMap> copies);
 
 } // namespace ui

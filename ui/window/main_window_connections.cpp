@@ -23,9 +23,9 @@ void MainWindow::connectSession()
     connect(&session_.entered, &app::EnteredGroup::changed, this, &MainWindow::refreshActions);
     connect(&session_.history, &app::History::cleanChanged, this, &MainWindow::showTitle);
     connect(&session_.history, &app::History::indexChanged, strip_, &MessageStrip::closeDone);
-    connect(&session_, &app::Session::refused, this, [this](const QString& sentence) {
-        tell({Message::Kind::Warning, sentence});
-    });
+    // The next step shows that what was refused is settled, or no longer wanted.
+    connect(&session_.history, &app::History::indexChanged, strip_, &MessageStrip::withdrawRefusal);
+    connect(&session_, &app::Session::refused, strip_, &MessageStrip::refuse);
 }
 
 void MainWindow::connectFiles()
