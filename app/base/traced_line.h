@@ -14,7 +14,7 @@ struct TracedLine {
     clipping::Segment line{};
     clipping::Window window{};
     YAxis y = YAxis::Down;
-    QString origin{}; ///< where the line comes from: "Line 217 of 420"
+    QString origin{};          ///< where the line comes from: "Line 217 of 420"
     bool windowIsPage = false; ///< the drawing has no clip window: the line is clipped at its page
     /// The corners of a window that is a convex polygon, as in clipping::ConvexPolygon; `window` is
     /// its bounding box then. Empty: the window is the rectangle.

@@ -27,7 +27,7 @@ struct PictureOptions {
     /// if all their lines are painted.
     const ClipRegion* region = nullptr;
     bool closesAreas = false;   ///< the stroke of a cut area runs along the cut, too
-    double leastLength = 0; ///< shorter pieces of cut lines are not kept (user units)
+    double leastLength = 0;     ///< shorter pieces of cut lines are not kept (user units)
     std::optional<Colour> page; ///< make all colours visible on this page colour; empty: leave them
                                 ///< unchanged
     double leastWidth = 0.75;   ///< logical pixels; thinner strokes are drawn this wide

@@ -70,7 +70,7 @@ private:
     Outline outline_;
     std::vector<clipping::Segment> cutOutline_; ///< of the current area, without short rings
     bool isCut_ = false;                        ///< whether the area is, even if no ring is left
-    std::size_t firstLine_ = 0; // in the scene
+    std::size_t firstLine_ = 0;                 // in the scene
     LengthsBefore lengths_;
 };
 

@@ -77,9 +77,10 @@ private slots:
             const auto run = clearcut(line + QStringList{window, "-a", row});
             return run.code == 2 ? run.err : QByteArray("not refused");
         };
-        QVERIFY(refused("circle:0,0,9", "md").contains(
-            "Matthes-Drakopoulos clips at rectangles only. Choose Cyrus-Beck, Skala, Winding "
-            "number or Exact."));
+        QVERIFY(refused("circle:0,0,9", "md")
+                    .contains("Matthes-Drakopoulos clips at rectangles only. Choose Cyrus-Beck, "
+                              "Skala, Winding "
+                              "number or Exact."));
         QVERIFY(refused("circle:0,0,9", "skala:published").contains("Choose the corrected form."));
         QVERIFY(refused("polygon:0,0 9,0 2,2 0,9", "exact").contains("this polygon is not convex"));
         QVERIFY(refused("shape:a", "exact").contains("steps are shown at rectangles, circle:"));

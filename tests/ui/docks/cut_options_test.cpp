@@ -67,6 +67,30 @@ private slots:
         QCOMPARE(windowWithMenus()->session().display().cutting, (app::CutChoices{true, true, 2}));
     }
 
+    void theCanvasDropsShortPiecesToo()
+    {
+        TestWindow t;
+        t.open(drawing(t));
+        t.show();
+        Canvas& canvas = t.window->canvas();
+        const auto darkest = [&](double millimetres) { // around the line, left of the square
+            t.window->session().changeDisplay([&](app::Display& display) {
+                display.removed = app::RemovedPart::Hidden;
+                display.cutting.leastMillimetres = millimetres;
+            });
+            canvas.settle();
+            const QImage seen = canvas.paneSurface(0)->grab().toImage();
+            const app::Point at = canvas.view().toScreen({5, 50});
+            int darkest = 255;
+            for (int y = -3; y <= 3; ++y)
+                darkest = std::min(darkest, qGray(seen.pixel(qRound(at.x), qRound(at.y) + y)));
+            return darkest;
+        };
+        QVERIFY(darkest(0) < 150);
+        QVERIFY(darkest(49) < 150);
+        QVERIFY(darkest(51) > 200); // 50 mm of the line are in the window
+    }
+
     void coveredLinesAreRemovedInOneStep()
     {
         TestWindow t;

@@ -204,7 +204,11 @@ private slots:
         const clipping::Window box = app::boxOf(d.last());
         QVERIFY(same(box.max - box.min, {12.5, 30}));
         const auto* before = d.session.display().variant.algorithm;
-        d.type("2"); // not during a gesture: it chooses the algorithm
+        d.type("20\n"); // until something else happens, numbers change the window
+        QVERIFY(same(app::boxOf(d.last()).max - app::boxOf(d.last()).min, {20, 30}));
+        QCOMPARE(d.session.display().variant.algorithm, before);
+        d.key(Qt::Key_Z, Qt::ControlModifier);
+        d.type("2"); // now it chooses the algorithm
         QVERIFY(d.session.display().variant.algorithm != before);
     }
     void aMoveTakesNumbers()
