@@ -19,14 +19,12 @@ void sumUp(std::vector<std::uint32_t>& counts)
 
 bool isTame(double extent) { return extent == 0 || (extent > 0x1p-400 && extent < 0x1p400); }
 
-/// The numbers of columns and rows: about two cells for each edge, as square as possible; fewer
-/// for many areas, as each may have a winding number in each cell, and for edges that would each be
-/// listed in very many cells.
-glm::dvec2 partsFor(std::span<const AreaEdge> edges, std::size_t steps, const glm::dvec2& extent)
+/// The numbers of columns and rows for so many cells, as square as possible; fewer for edges that
+/// would each be listed in very many cells.
+glm::dvec2 partsFor(std::span<const AreaEdge> edges, double wanted, const glm::dvec2& extent)
 {
     const auto count = static_cast<double>(edges.size());
-    const double most = std::max(64.0, 0x1p24 / static_cast<double>(steps));
-    const double cells = std::min(most, std::clamp(2 * count, 16.0, 0x1p20));
+    const double cells = std::min(wanted, 0x1p20);
     if (!isTame(extent.x) || !isTame(extent.y))
         return {1, 1}; // `trace` would list every edge nearly everywhere
     const double ratio = extent.x / extent.y;
@@ -59,18 +57,42 @@ SearchGrid::Axis::Axis(double from, double to, double parts)
     perUnit = most / extent;
 }
 
-SearchGrid::SearchGrid(std::span<const AreaEdge> edges, std::size_t steps)
+SearchGrid::SearchGrid(std::span<const AreaEdge> edges, std::size_t steps, double cellsForEach,
+                       double fewest)
 {
     if (edges.empty()) {
-        firstEdge_.assign(2, 0), firstWinding_.assign(2, 0);
+        firstEdge_.assign(2, 0), firstWinding_.assign(2, 0), edgedBefore_.assign(4, 0);
         return;
     }
     box_ = boxOf(edges);
-    const glm::dvec2 parts = partsFor(edges, steps, box_.max - box_.min);
+    // Fewer cells for many areas, as each may have a winding number in each cell.
+    const double most = std::max(64.0, 0x1p24 / static_cast<double>(steps));
+    const double cells =
+        std::min(most, std::max(fewest, cellsForEach * static_cast<double>(edges.size())));
+    const glm::dvec2 parts = partsFor(edges, cells, box_.max - box_.min);
     columns_ = Axis(box_.min.x, box_.max.x, parts.x);
     rows_ = Axis(box_.min.y, box_.max.y, parts.y);
+    both_.low = Two{columns_.low, rows_.low};
+    both_.high = Two{columns_.high, rows_.high};
+    both_.perUnit = Two{columns_.perUnit, rows_.perUnit};
+    both_.last = Two{static_cast<double>(columns_.count - 1), static_cast<double>(rows_.count - 1)};
     listEdges(edges);
+    countEdged();
     findWindings(edges, steps);
+}
+
+void SearchGrid::countEdged()
+{
+    const std::size_t line = columns_.count + 1;
+    edgedBefore_.assign(line * (rows_.count + 1), 0);
+    for (std::size_t row = 0, cell = 0; row < rows_.count; ++row) {
+        std::uint32_t inRow = 0;
+        for (std::size_t column = 1; column < line; ++column, ++cell) {
+            inRow += firstEdge_[cell] != firstEdge_[cell + 1];
+            const std::size_t corner = (row + 1) * line + column;
+            edgedBefore_[corner] = edgedBefore_[corner - line] + inRow;
+        }
+    }
 }
 
 void SearchGrid::listEdges(std::span<const AreaEdge> edges)

@@ -21,9 +21,17 @@ public:
     struct Winding {
         std::uint32_t step;
         int number;
+        friend bool operator==(const Winding&, const Winding&) = default;
     };
 
-    SearchGrid(std::span<const AreaEdge> edges, std::size_t steps);
+    /// A rectangle of cells.
+    struct Block {
+        std::size_t left, right, bottom, top; ///< columns and rows, all of them included
+    };
+
+    /// With about so many cells for each edge, and at least `fewest`.
+    SearchGrid(std::span<const AreaEdge> edges, std::size_t steps, double cellsForEach,
+               double fewest);
 
     const Window& box() const { return box_; }
     std::size_t cells() const { return columns_.count * rows_.count; }
@@ -31,7 +39,23 @@ public:
     {
         return rows_.of(p.y) * columns_.count + columns_.of(p.x);
     }
-    bool hasEdges(std::size_t cell) const { return firstEdge_[cell] != firstEdge_[cell + 1]; }
+    /// The cells that the bounding box of a segment meets, the nearest ones if it is off the grid:
+    /// wherever an edge meets the segment, one of them lists the edge. Any cells for a segment with
+    /// a number that is not finite.
+    Block blockOf(const Segment& s) const;
+    std::size_t firstIn(const Block& block) const
+    {
+        return block.bottom * columns_.count + block.left;
+    }
+    /// Whether a cell of the block lists an edge.
+    bool hasEdges(const Block& block) const
+    {
+        const std::size_t line = columns_.count + 1;
+        const std::uint32_t* below = &edgedBefore_[block.bottom * line];
+        const std::uint32_t* above = &edgedBefore_[(block.top + 1) * line];
+        return above[block.right + 1] - above[block.left]
+               != below[block.right + 1] - below[block.left];
+    }
     /// Indices of the edges that meet the cells from `first` to `last`, cell after cell.
     std::span<const std::uint32_t> edgesIn(std::size_t first, std::size_t last) const
     {
@@ -93,36 +117,61 @@ private:
         int change;
     };
 
+    /// Both axes together, for vectors of two numbers.
+    using Two [[gnu::vector_size(2 * sizeof(double))]] = double;
+    struct BothAxes {
+        Two low, high, perUnit, last; ///< last: the number of the last part
+    };
+
     void listEdges(std::span<const AreaEdge> edges);
+    void countEdged();
     std::size_t firstRightOf(const Segment& edge, std::size_t row) const;
     std::vector<std::vector<Crossed>> crossedRows(std::span<const AreaEdge> edges) const;
     void findWindings(std::span<const AreaEdge> edges, std::size_t steps);
 
     Window box_;
     Axis columns_, rows_;
+    BothAxes both_{};
     std::vector<std::uint32_t> firstEdge_, edges_;
+    /// For each corner of a cell, the number of cells with edges to the left of it and below.
+    std::vector<std::uint32_t> edgedBefore_;
     std::vector<std::uint32_t> firstWinding_;
     std::vector<Winding> windings_;
 };
 
+inline SearchGrid::Block SearchGrid::blockOf(const Segment& s) const
+{
+    const auto& [low, high, perUnit, last] = both_;
+    const auto partsOf = [&](const Two& p) { // as Axis::of
+        const Two above = p > low ? p : low, inside = above < high ? above : high;
+        const Two part = (inside - low) * perUnit;
+        return part < last ? part : last;
+    };
+    const Two a{s.a.x, s.a.y}, b{s.b.x, s.b.y};
+    const Two lower = partsOf(a < b ? a : b), upper = partsOf(a < b ? b : a);
+    const auto whole = [](double part) { return static_cast<std::size_t>(static_cast<int>(part)); };
+    return {whole(lower[0]), whole(upper[0]), whole(lower[1]), whole(upper[1])};
+}
+
 template <class Visit>
 void SearchGrid::trace(const Segment& s, Visit&& visit) const
 {
+    const auto [left, right, bottom, top] = blockOf(s);
+    const auto visitAll = [&, first = left, last = right] {
+        for (std::size_t row = bottom; row <= top; ++row)
+            visit(row * columns_.count + first, row * columns_.count + last);
+    };
+    if (right - left < 2 || bottom == top)
+        return visitAll();
     const bool up = s.a.y <= s.b.y;
     const glm::dvec2 &from = up ? s.a : s.b, &to = up ? s.b : s.a;
-    const std::size_t left = columns_.of(std::min(from.x, to.x));
-    const std::size_t right = columns_.of(std::max(from.x, to.x));
-    const std::size_t bottom = rows_.of(from.y), top = rows_.of(to.y);
     const double slope = (to.x - from.x) / (to.y - from.y);
     const double reach = std::max(std::abs(from.x), std::abs(to.x));
     // Whether nothing of what follows overflows or underflows.
     const bool isTame = std::abs(slope) > 0x1p-900 && std::abs(slope) < 0x1p900 && reach > 0x1p-900
                         && std::isfinite(to.y - from.y);
-    if (right - left < 2 || bottom == top || !isTame) {
-        for (std::size_t row = bottom; row <= top; ++row)
-            visit(row * columns_.count + left, row * columns_.count + right);
-        return;
-    }
+    if (!isTame)
+        return visitAll();
     // In the lower and upper row the segment's own ends limit it. Between them, x is off by at most
     // 11 e times the larger |x|; rows begin within a margin, which is moved along the slope.
     const double margin = 0x1p-48 * reach + rows_.margin * std::abs(slope);

@@ -4,26 +4,62 @@
 #include "clipping/ieee_numbers.h"
 #include "clipping/region/convex.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace clipping {
+namespace {
+
+std::vector<FillRule> rulesOf(const Region& region)
+{
+    std::vector<FillRule> rules;
+    for (const Region::Step& step : region.steps)
+        rules.push_back(step.area.rule);
+    return rules;
+}
+
+constexpr double cellsForEach = 2, fewestCells = 16;
+constexpr double fineCellsForEach = 64, fewestFineCells = 1024;
+constexpr std::size_t fineMostEdges = 1024; // with more, the usual cells are small enough
+constexpr std::size_t manySegments = 4096;
+
+} // namespace
+
+RegionGrid::RegionGrid(const PreparedRegion::Data& region, double each, double fewest)
+    : SearchGrid(region.edges, region.rules.size(), each, fewest)
+{
+    keepsReference.reserve(cells());
+    RegionFold::Words state;
+    for (std::size_t cell = 0; cell < cells(); ++cell) {
+        if (cell > 0 && std::ranges::equal(windingsIn(cell - 1), windingsIn(cell))) {
+            keepsReference.push_back(keepsReference.back());
+            continue;
+        }
+        state = region.fold.inNone();
+        for (const auto& [step, winding] : windingsIn(cell))
+            if (region.fills(step, winding))
+                RegionFold::flip(state, step);
+        keepsReference.push_back(region.fold.keeps(state));
+    }
+}
 
 PreparedRegion::Data::Data(const Region& region)
-    : fold(region), edges(edgesOf(region)), grid(edges, region.steps.size()),
-      keepsNone(fold.keeps(fold.inNone())), convex(convexRegion(region))
+    : fold(region), rules(rulesOf(region)), edges(edgesOf(region)),
+      isFinite(std::ranges::all_of(region.steps,
+                                   [](const auto& step) { return clipping::isFinite(step.area); })),
+      keepsNone(fold.keeps(fold.inNone())), grid(*this, cellsForEach, fewestCells),
+      convex(convexRegion(region))
 {
-    for (const Region::Step& step : region.steps) {
-        rules.push_back(step.area.rule);
-        isFinite = isFinite && clipping::isFinite(step.area);
-    }
-    keepsReference.reserve(grid.cells());
-    for (std::size_t cell = 0; cell < grid.cells(); ++cell) {
-        RegionFold::Words state = fold.inNone();
-        for (const auto& [step, winding] : grid.windingsIn(cell))
-            if (fills(step, winding))
-                RegionFold::flip(state, step);
-        keepsReference.push_back(fold.keeps(state));
-    }
+}
+
+const RegionGrid& PreparedRegion::Data::gridFor(std::size_t segments) const
+{
+    if (segments < manySegments || edges.empty() || edges.size() > fineMostEdges)
+        return grid;
+    std::call_once(isFineMade_, [this] {
+        fine_ = std::make_unique<RegionGrid>(*this, fineCellsForEach, fewestFineCells);
+    });
+    return *fine_;
 }
 
 PreparedRegion::PreparedRegion(const Region& region) : data_(std::make_shared<Data>(region)) {}

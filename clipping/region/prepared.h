@@ -5,10 +5,18 @@
 #include "clipping/region/grid.h"
 
 #include <memory>
+#include <mutex>
 
 namespace clipping {
 
 struct ConvexRegion;
+
+/// The edges of a region in a search grid, and what the region keeps between them.
+struct RegionGrid : SearchGrid {
+    RegionGrid(const PreparedRegion::Data& region, double cellsForEach, double fewest);
+
+    std::vector<std::uint8_t> keepsReference; ///< for each cell, whether its reference is kept
+};
 
 /// A region with its edges ordered and in a grid, so that lines are clipped fast.
 struct PreparedRegion::Data {
@@ -17,16 +25,22 @@ struct PreparedRegion::Data {
     RegionFold fold;
     std::vector<FillRule> rules; ///< of the steps' areas
     std::vector<AreaEdge> edges; ///< ordered by number
-    SearchGrid grid;
-    bool isFinite = true;                       ///< whether all numbers are
-    bool keepsNone;                             ///< whether points in no area are kept
-    std::vector<std::uint8_t> keepsReference;   ///< for each cell, whether its reference is kept
+    bool isFinite = true;        ///< whether all numbers are
+    bool keepsNone;              ///< whether points in no area are kept
+    RegionGrid grid;
     std::shared_ptr<const ConvexRegion> convex; ///< null unless it is one (convex.h)
 
     bool fills(std::uint32_t step, int winding) const
     {
         return rules[step] == FillRule::NonZero ? winding != 0 : (winding & 1) != 0;
     }
+    /// The grid for clipping so many segments. Many pay for one with smaller cells, which most
+    /// short segments pass without meeting an edge; the first call makes it.
+    const RegionGrid& gridFor(std::size_t segments) const;
+
+private:
+    mutable std::once_flag isFineMade_;
+    mutable std::unique_ptr<const RegionGrid> fine_;
 };
 
 } // namespace clipping

@@ -1,29 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "clipping/region/region.h"
 
-#include "clipping/frame.h"
 #include "clipping/ieee_numbers.h"
 #include "clipping/region/convex.h"
-#include "clipping/region/resume.h"
+#include "clipping/region/first_look.h"
 #include "clipping/region/sweep.h"
 
 #include <glm/common.hpp>
 
+#include <algorithm>
+
 namespace clipping {
 namespace {
 
-/// What the region's bounding box and grid tell about a segment, before any edge is tested.
-enum class Known : std::uint8_t { Gone, Whole, Undecided };
+using Known = FirstLook::Known;
 
-Known known(bool isKept) { return isKept ? Known::Whole : Known::Gone; }
-
-/// Without branches, which would often be mispredicted.
-bool areApart(const Segment& s, const Window& box)
-{
-    const glm::dvec2 low = glm::min(s.a, s.b), high = glm::max(s.a, s.b);
-    return ((high.x < box.min.x) | (low.x > box.max.x) | (high.y < box.min.y) | (low.y > box.max.y))
-           != 0;
-}
+/// A segment that meets more rows of small cells is swept through large ones.
+constexpr std::size_t fewRows = 4;
 
 /// A box as its middle and half its extent, for lines that pass it.
 class PassedBox {
@@ -50,48 +43,71 @@ private:
     glm::dvec2 middle_, half_;
 };
 
-/// Looks at a segment as far as the grid alone can tell.
-class FirstLook {
-public:
-    explicit FirstLook(const PreparedRegion::Data& region)
-        : region_(region), passed_(region.grid.box())
-    {
-    }
-    Known at(const Segment& s) const
-    {
-        if (region_.edges.empty() || !legal(s) || areApart(s, region_.grid.box()))
-            return known(region_.keepsNone);
-        const std::size_t cell = region_.grid.cellOf(s.a);
-        if (cell == region_.grid.cellOf(s.b))
-            return region_.grid.hasEdges(cell) ? Known::Undecided
-                                               : known(region_.keepsReference[cell]);
-        return passed_.isMissedBy(s) ? known(region_.keepsNone) : Known::Undecided;
-    }
-
-private:
-    const PreparedRegion::Data& region_;
-    PassedBox passed_;
-};
-
-/// The row `exact`: the first look, and the sweep where that leaves the answer open.
+/// The row `exact`: the first look, and a sweep where that leaves the answer open.
 class ExactPieces {
 public:
-    explicit ExactPieces(const PreparedRegion::Data& region) : look_(region), sweep_(region) {}
-
-    std::span<const RegionPiece> of(const Segment& segment, std::uint32_t source)
+    ExactPieces(const PreparedRegion::Data& region, std::size_t segments)
+        : region_(region), grid_(region.gridFor(segments)), look_(region, grid_),
+          passed_(region.grid.box()), sweep_(region)
     {
-        const Known answer = look_.at(segment);
-        if (answer == Known::Undecided)
-            return sweep_.piecesOf(segment, source);
+    }
+    std::span<const FirstLook::Seen> lookAt(std::span<const Segment> segments)
+    {
+        return look_.at(segments);
+    }
+    /// The kept pieces of a segment that was seen. Valid until the next call.
+    std::span<const RegionPiece> of(const Segment& segment, std::uint32_t source, Known known)
+    {
+        bool isKept = known == Known::Whole;
+        if (known == Known::Undecided) {
+            if (!passed_.isMissedBy(segment))
+                return sweep_.piecesOf(segment, source, gridFor(segment));
+            isKept = region_.keepsNone;
+        }
         whole_ = {segment, source, 0, 0};
-        return {&whole_, answer == Known::Whole ? 1U : 0U};
+        return {&whole_, isKept ? 1U : 0U};
     }
 
 private:
+    /// The one with smaller cells if the segment meets few of them.
+    const RegionGrid& gridFor(const Segment& segment) const
+    {
+        const auto block = grid_.blockOf(segment);
+        return block.top - block.bottom < fewRows ? grid_ : region_.grid;
+    }
+
+    const PreparedRegion::Data& region_;
+    const RegionGrid& grid_;
     FirstLook look_;
+    PassedBox passed_;
     LineSweep sweep_;
     RegionPiece whole_{};
 };
+
+RegionProgress clipEach(std::span<const Segment> in, ExactPieces& exact, std::span<RegionPiece> out,
+                        RegionProgress from)
+{
+    while (from.segment < in.size()) {
+        // Not much more than fits into the output.
+        const std::size_t first = from.segment;
+        const std::size_t room = 32 + 8 * (out.size() - from.written);
+        const auto ahead =
+            in.subspan(first, std::min({FirstLook::mostAtOnce, room, in.size() - first}));
+        for (const auto& [index, known] : exact.lookAt(ahead)) {
+            from.piece = first + index == from.segment ? from.piece : 0;
+            from.segment = first + index;
+            const auto source = static_cast<std::uint32_t>(from.segment);
+            const auto kept = exact.of(ahead[index], source, known);
+            for (; from.piece < kept.size(); ++from.piece) {
+                if (from.written == out.size())
+                    return from;
+                out[from.written++] = kept[from.piece];
+            }
+        }
+        from.segment = first + ahead.size(), from.piece = 0;
+    }
+    return from;
+}
 
 } // namespace
 
@@ -102,14 +118,20 @@ RegionProgress clipAll(std::span<const Segment> in, const PreparedRegion& region
         LineSweep sweep(region.data());
         return clipAllConvex(in, *convex, sweep, out, from);
     }
-    ExactPieces pieces(region.data());
-    return clipEach(in, pieces, out, from);
+    from.written = 0;
+    const std::size_t segments = std::min(in.size() - from.segment, out.size());
+    ExactPieces exact(region.data(), segments);
+    return clipEach(in, exact, out, from);
 }
 
 std::vector<RegionPiece> clip(const Segment& segment, const PreparedRegion& region)
 {
-    ExactPieces pieces(region.data());
-    return piecesOf(segment, pieces);
+    ExactPieces exact(region.data(), 1);
+    const auto seen = exact.lookAt({&segment, 1});
+    if (seen.empty())
+        return {};
+    const auto kept = exact.of(segment, 0, seen.front().known);
+    return {kept.begin(), kept.end()};
 }
 
 } // namespace clipping

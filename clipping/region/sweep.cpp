@@ -5,43 +5,31 @@
 
 namespace clipping {
 
-std::span<const RegionPiece> LineSweep::piecesOf(const Segment& segment, std::uint32_t source)
+std::span<const RegionPiece> LineSweep::piecesOf(const Segment& segment, std::uint32_t source,
+                                                 const RegionGrid& grid)
 {
     const SweptLine swept(segment);
-    if (findMeetings(swept)) {
-        meetings_.sort(swept);
-        enterAt(swept);
-        return walk_.piecesOf(swept, meetings_, source);
-    }
-    whole_ = {segment, source, 0, 0};
-    return {&whole_, keepsStart(segment) ? 1U : 0U};
+    findMeetings(swept, grid);
+    meetings_.sort(swept);
+    enterAt(swept, grid);
+    return walk_.piecesOf(swept, meetings_, source);
 }
 
-/// Whether a segment is kept that no edge is near.
-bool LineSweep::keepsStart(const Segment& segment) const
+void LineSweep::findMeetings(const SweptLine& swept, const RegionGrid& grid)
 {
-    return contains(region_.grid.box(), segment.a)
-               ? region_.keepsReference[region_.grid.cellOf(segment.a)] != 0
-               : region_.keepsNone;
-}
-
-/// Whether there may be an edge between the segment and the reference point of its start.
-bool LineSweep::findMeetings(const SweptLine& swept)
-{
-    meetings_.clear();
-    bool any = false;
     std::size_t count = 0;
-    region_.grid.trace(swept.segment, [&](std::size_t first, std::size_t last) {
-        const auto edges = region_.grid.edgesIn(first, last);
-        if (edges.empty())
-            return;
-        any = true;
-        count = addNear(swept.line, edges, count);
+    grid.trace(swept.segment, [&](std::size_t first, std::size_t last) {
+        count = addNear(swept.line, grid.edgesIn(first, last), count);
     });
-    for (const std::uint32_t edge : std::span(near_).first(count))
-        if (const auto meeting = meetingOf(swept, region_.edges[edge]))
+    meetings_.clear();
+    isNearEdge_ = false;
+    for (const std::uint32_t i : std::span(near_).first(count)) {
+        if (swept.isApartFrom(region_.edges[i].segment))
+            continue;
+        isNearEdge_ = true;
+        if (const auto meeting = meetingOf(swept, region_.edges[i]))
             meetings_.add(*meeting);
-    return any;
+    }
 }
 
 /// Adds the edges that the line may meet to the first `count` ones in `near_`; returns their
@@ -59,9 +47,8 @@ std::size_t LineSweep::addNear(const DirectedLine& line, std::span<const std::ui
 }
 
 /// Counts the windings beside the start of the segment.
-void LineSweep::enterAt(const SweptLine& swept)
+void LineSweep::enterAt(const SweptLine& swept, const RegionGrid& grid)
 {
-    const SearchGrid& grid = region_.grid;
     if (!contains(grid.box(), swept.segment.a))
         return;
     const std::size_t cell = grid.cellOf(swept.segment.a);
@@ -72,7 +59,8 @@ void LineSweep::enterAt(const SweptLine& swept)
     for (const std::uint32_t i : grid.edgesIn(cell, cell)) {
         const AreaEdge& edge = region_.edges[i];
         const int ofLeft = windingStep(edge.segment, reference, left);
-        const int ofRight = windingStep(edge.segment, reference, right);
+        // No edge passes between both sides of a start that none is near.
+        const int ofRight = isNearEdge_ ? windingStep(edge.segment, reference, right) : ofLeft;
         if (ofLeft != 0 || ofRight != 0)
             walk_.turn(edge.step, ofLeft, ofRight);
     }

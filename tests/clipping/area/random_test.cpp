@@ -90,6 +90,25 @@ private slots:
         QVERIFY(parts[0] > 1'000 && parts[1] > 1'000 && parts[2] > 5'000 && parts[3] == 0);
     }
 
+    /// Long edges, which are listed in many cells of the grid, but must meet each other once.
+    void manyLongEdges()
+    {
+        Random random(3);
+        for (int i = 0; i < 10; ++i) {
+            Area area{{}, {}, random.whole(0, 1) ? FillRule::NonZero : FillRule::EvenOdd};
+            for (int side = 0; side < 40; ++side)
+                area.points.push_back({random.whole(0, 2) + side % 2 * 10, random.whole(0, 12)});
+            const Region filled{{{area}}, Keep::Inside};
+            const Region window{{{areaOf(Window{{3, 2}, {9, 11}})}}, Keep(random.whole(0, 1))};
+            const Truth truth(filled, window);
+            const ClippedArea result = clipArea(area, PreparedRegion(window));
+            QVERIFY(result.part == AreaPart::Cut);
+            // All corners are off by at most half an ulp of 16, and there are fewer than 4,000.
+            const Rational off = exactArea(result) - areaIn(truth);
+            QVERIFY2(abs(off) < rational(0x1p-36), exactly({}, filled).c_str());
+        }
+    }
+
     void insideAndOutsideAreAll()
     {
         Random random(2);
