@@ -100,7 +100,7 @@ std::optional<BasicSegment<float>> clip(const BasicSegment<float>& segment,
                                         const BasicWindow<float>& window) noexcept
 {
     const GradualUnderflow here;
-    return rowFor<BasicSegment<float>>().single->clip(segment, window);
+    return rowFor<BasicSegment<float>>().floats->clip(segment, window);
 }
 
 std::optional<Segment> clip(const Segment& segment, const ConvexWindow& window) noexcept
