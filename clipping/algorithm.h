@@ -30,7 +30,7 @@ namespace CLEARCUT_API clipping {
 /// Lines and rays keep the same contract, with the two points that define them counted among the
 /// coordinates; the visible part of a line or ray is a segment.
 template <class S, class W, class Piece = S>
-struct CLEARCUT_HOLDS_CONTAINERS Uses {
+struct CLEARCUT_HOLDS_CONTAINERS Functions {
     /// The part of one segment inside the window; nothing if there is none.
     std::optional<Piece> (*clip)(const S& segment, const W& window);
 
@@ -72,24 +72,35 @@ inline constexpr double boxUlps = 48;
 /// it.
 enum class Form : std::uint8_t { Corrected, Published };
 
-/// One row of the catalogue. A null pointer means that there is no such form; `single` is never
+/// The old name of Functions, until the next minor version.
+template <class S, class W, class Piece = S>
+using Uses = Functions<S, W, Piece>;
+
+/// One row of the catalogue. A null pointer means that there is no such form; `floats` is never
 /// null.
 struct CLEARCUT_HOLDS_CONTAINERS Algorithm {
-    std::string_view key;                   ///< in files and on the command line; never changes
-    std::string_view abbreviation;          ///< CS, LB ... EX, in any case
-    std::string_view name;                  ///< its authors' names, for display
-    int year;                               ///< of its first publication
-    std::string_view idea;                  ///< one sentence
-    double ulps;                            ///< k of the contract
-    Uses<Segment, Window> corrected;        ///< the form to use: keeps the contract
-    const Uses<Segment, Window>* published; ///< as its authors printed it
-    const Uses<BasicSegment<float>, BasicWindow<float>>* single; ///< corrected, for float data
-    const Uses<Segment, ConvexPolygon>* polygon;                 ///< clips at a convex polygon
-    /// Same result, bit for bit, in O(log corners).
-    const Uses<Segment, ConvexPolygon>* searchedPolygon;
-    const Uses<Segment3, Window3>* box; ///< in three dimensions; keeps the contract with `boxUlps`
-    const Uses<Line, Window, Segment>* line; ///< infinite lines; keeps the contract
-    const Uses<Ray, Window, Segment>* ray;   ///< rays; keeps the contract
+    std::string_view key;                 ///< in files and on the command line; never changes
+    std::string_view abbreviation;        ///< CS, LB ... EX, in any case
+    std::string_view name;                ///< its authors' names, for display
+    int year;                             ///< of its first publication
+    std::string_view idea;                ///< one sentence
+    double ulps;                          ///< k of the contract
+    Functions<Segment, Window> corrected; ///< the form to use: keeps the contract
+    const Functions<Segment, Window>* published; ///< as its authors printed it
+    union {
+        const Functions<BasicSegment<float>, BasicWindow<float>>* floats; ///< corrected, for floats
+        const Functions<BasicSegment<float>, BasicWindow<float>>* single; ///< its old name
+    };
+    const Functions<Segment, ConvexPolygon>* polygon; ///< clips at a convex polygon
+    union {
+        /// Same result, bit for bit, in O(log corners).
+        const Functions<Segment, ConvexPolygon>* polygonBySearch;
+        const Functions<Segment, ConvexPolygon>* searchedPolygon; ///< its old name
+    };
+    const Functions<Segment3, Window3>*
+        box; ///< in three dimensions; keeps the contract with `boxUlps`
+    const Functions<Line, Window, Segment>* line; ///< infinite lines; keeps the contract
+    const Functions<Ray, Window, Segment>* ray;   ///< rays; keeps the contract
     /// The pseudo-code of each form, for display: lines without numbers, counted from 1 in a
     /// trace's steps; empty if there is none.
     std::string_view correctedCode;
@@ -97,9 +108,15 @@ struct CLEARCUT_HOLDS_CONTAINERS Algorithm {
 };
 
 /// The functions of one form of a row; null if there is no such form.
-constexpr const Uses<Segment, Window>* usesOf(const Algorithm& algorithm, Form form)
+constexpr const Functions<Segment, Window>* functionsOf(const Algorithm& algorithm, Form form)
 {
     return form == Form::Corrected ? &algorithm.corrected : algorithm.published;
+}
+
+/// The old name of functionsOf, until the next minor version.
+constexpr const Functions<Segment, Window>* usesOf(const Algorithm& algorithm, Form form)
+{
+    return functionsOf(algorithm, form);
 }
 
 /// The pseudo-code of one form; empty if there is none.

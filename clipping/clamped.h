@@ -22,7 +22,7 @@ constexpr glm::vec<N, T> clamped(glm::vec<N, T> p, const BasicWindow<T, N>& w)
 }
 
 /// The same for a p that already has the coordinate of `edge`, which saves its comparison; p itself
-/// for Edge::None.
+/// for Edge::NoEdge.
 template <class T, glm::length_t N>
 constexpr glm::vec<N, T> clampedAlong(Edge edge, glm::vec<N, T> p, const BasicWindow<T, N>& w)
 {

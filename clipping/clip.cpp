@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "clipping/clip.h"
 
-#include "clipping/algorithm.h"
+#include "clipping/algorithms/best.h"
 #include "clipping/batch/sets.h"
 #include "clipping/blocks.h"
 #include "clipping/gradual_underflow.h"
@@ -11,21 +11,13 @@
 namespace clipping {
 namespace {
 
-/// The row that clips a Shape.
 template <class Shape>
-const Algorithm& rowFor()
-{
-    static const Algorithm& row = *findAlgorithm(algorithmFor<Shape>);
-    return row;
-}
-
-template <class Shape>
-const auto& lineOrRayOf(const Algorithm& row)
+const Functions<Shape, Window, Segment>& lineOrRay()
 {
     if constexpr (std::is_same_v<Shape, Line>)
-        return *row.line;
+        return liangBarskyLine;
     else
-        return *row.ray;
+        return liangBarskyRay;
 }
 
 std::size_t clipAtPolygon(std::span<const Segment> in, const ConvexWindow::Data& window,
@@ -68,14 +60,13 @@ Progress clipLinesOrRays(std::span<const Basic<T>> in, const BasicWindow<T>& win
 {
     const GradualUnderflow here;
     const Window w{glm::dvec2(window.min), glm::dvec2(window.max)};
-    const auto& form = lineOrRayOf<Shape>(rowFor<Shape>());
     return clipInBlocks(
         in.size(), out,
         [&](std::size_t i) {
             return Shape{glm::dvec2(in[i].a), glm::dvec2(in[i].b)};
         },
         [&](std::span<const Shape> block, Clipped* pieces) {
-            return form.clipAll(block, w, {pieces, block.size()});
+            return lineOrRay<Shape>().clipAll(block, w, {pieces, block.size()});
         });
 }
 
@@ -93,14 +84,14 @@ std::optional<BasicSegment<T>> clipOne(const Many& clipMany)
 std::optional<Segment> clip(const Segment& segment, const Window& window) noexcept
 {
     const GradualUnderflow here;
-    return rowFor<Segment>().corrected.clip(segment, window);
+    return exactWindow.clip(segment, window);
 }
 
 std::optional<BasicSegment<float>> clip(const BasicSegment<float>& segment,
                                         const BasicWindow<float>& window) noexcept
 {
     const GradualUnderflow here;
-    return rowFor<BasicSegment<float>>().single->clip(segment, window);
+    return exactFloats.clip(segment, window);
 }
 
 std::optional<Segment> clip(const Segment& segment, const ConvexWindow& window) noexcept
@@ -123,7 +114,7 @@ std::optional<BasicSegment<float>> clip(const BasicSegment<float>& segment,
 std::optional<Segment> clip(const Line& line, const Window& window) noexcept
 {
     const GradualUnderflow here;
-    return rowFor<Line>().line->clip(line, window);
+    return liangBarskyLine.clip(line, window);
 }
 
 std::optional<BasicSegment<float>> clip(const BasicLine<float>& line,
@@ -136,7 +127,7 @@ std::optional<BasicSegment<float>> clip(const BasicLine<float>& line,
 std::optional<Segment> clip(const Ray& ray, const Window& window) noexcept
 {
     const GradualUnderflow here;
-    return rowFor<Ray>().ray->clip(ray, window);
+    return liangBarskyRay.clip(ray, window);
 }
 
 std::optional<BasicSegment<float>> clip(const BasicRay<float>& ray,
@@ -149,7 +140,7 @@ std::optional<BasicSegment<float>> clip(const BasicRay<float>& ray,
 std::optional<Segment3> clip(const Segment3& segment, const Window3& box) noexcept
 {
     const GradualUnderflow here;
-    return rowFor<Segment3>().box->clip(segment, box);
+    return liangBarskyBox.clip(segment, box);
 }
 
 Progress clipAll(const SegmentsView<double>& in, const Window& window, Output<double> out) noexcept
@@ -217,7 +208,7 @@ Progress clipAll(std::span<const Segment3> in, const Window3& box,
         if (size == 0)
             return done;
         const auto block = in.subspan(done.segments, size);
-        const std::size_t found = rowFor<Segment3>().box->clipAll(block, box, rest);
+        const std::size_t found = liangBarskyBox.clipAll(block, box, rest);
         for (auto& piece : rest.first(found))
             piece.source += static_cast<std::uint32_t>(done.segments);
         done.segments += size, done.visible += found;

@@ -196,13 +196,13 @@ constexpr auto manyOf()
 }
 
 template <class Method, Form form, class T = double, glm::length_t N = 2>
-constexpr Uses<BasicSegment<T, N>, BasicWindow<T, N>> uses{
+constexpr Functions<BasicSegment<T, N>, BasicWindow<T, N>> uses{
     clipOne<Method, form, T, N>, manyOf<Method, form, T, N>(), countMany<Method, form, T, N>,
     traceOne<Method, form, T, N>};
 
 /// The published form; none if the row has `ours`.
 template <class Method>
-constexpr const Uses<Segment, Window>* publishedUses()
+constexpr const Functions<Segment, Window>* publishedUses()
 {
     if constexpr (requires { Method::ours; })
         return nullptr;
@@ -212,7 +212,7 @@ constexpr const Uses<Segment, Window>* publishedUses()
 
 /// The forms for convex polygons (polygon/uses.h), if the row names them.
 template <class Method>
-constexpr const Uses<Segment, ConvexPolygon>* polygonOf()
+constexpr const Functions<Segment, ConvexPolygon>* polygonOf()
 {
     if constexpr (requires { Method::polygon; })
         return Method::polygon;
@@ -220,10 +220,10 @@ constexpr const Uses<Segment, ConvexPolygon>* polygonOf()
         return nullptr;
 }
 template <class Method>
-constexpr const Uses<Segment, ConvexPolygon>* searchedPolygonOf()
+constexpr const Functions<Segment, ConvexPolygon>* polygonBySearchOf()
 {
-    if constexpr (requires { Method::searchedPolygon; })
-        return Method::searchedPolygon;
+    if constexpr (requires { Method::polygonBySearch; })
+        return Method::polygonBySearch;
     else
         return nullptr;
 }
@@ -231,7 +231,7 @@ constexpr const Uses<Segment, ConvexPolygon>* searchedPolygonOf()
 /// The form in three dimensions: the one that the row names (box/), or its corrected function if
 /// that works for any number of axes; else none.
 template <class Method>
-constexpr const Uses<Segment3, Window3>* boxUses()
+constexpr const Functions<Segment3, Window3>* boxUses()
 {
     if constexpr (requires { Method::box; })
         return Method::box;
@@ -267,9 +267,9 @@ Algorithm describe()
             about.ulps,
             uses<Method, Form::Corrected>,
             publishedUses<Method>(),
-            &uses<Method, Form::Corrected, float>,
+            {&uses<Method, Form::Corrected, float>},
             polygonOf<Method>(),
-            searchedPolygonOf<Method>(),
+            {polygonBySearchOf<Method>()},
             boxUses<Method>(),
             lineOrRayUsesOf<Method, Reach::BothWays>(),
             lineOrRayUsesOf<Method, Reach::OneWay>(),

@@ -14,7 +14,7 @@ constexpr Edge edgeAt(const glm::vec<N, T>& p, const BasicWindow<T, N>& w)
             return lowerEdge(k);
         else if (p[k] == w.max[k])
             return upperEdge(k);
-    return Edge::None;
+    return Edge::NoEdge;
 }
 
 /// The `cut` value of a piece: which of its ends differ from those of `whole`, and the edges they
@@ -23,8 +23,8 @@ template <class T, glm::length_t N>
 constexpr std::uint32_t cutOf(const BasicSegment<T, N>& whole, const BasicSegment<T, N>& piece,
                               const BasicWindow<T, N>& w)
 {
-    return cutAt(piece.a == whole.a ? Edge::None : edgeAt(piece.a, w),
-                 piece.b == whole.b ? Edge::None : edgeAt(piece.b, w));
+    return cutAt(piece.a == whole.a ? Edge::NoEdge : edgeAt(piece.a, w),
+                 piece.b == whole.b ? Edge::NoEdge : edgeAt(piece.b, w));
 }
 
 /// Whether a segment, or the line through it, can meet the window in at most one point, because it

@@ -78,13 +78,24 @@ struct CLEARCUT_HOLDS_CONTAINERS ConvexPolygon {
 
 /// The edges of a window, or the sides of a box. Top is max.y, as in the papers; Near is min.z, Far
 /// is max.z.
-enum class Edge : std::uint8_t { None, Left, Right, Bottom, Top, Near, Far };
+enum class Edge : std::uint8_t {
+    NoEdge,
+    Left,
+    Right,
+    Bottom,
+    Top,
+    Near,
+    Far,
+#ifndef None
+    None = NoEdge, ///< the old name of NoEdge, until the next minor version; X11 has a macro None
+#endif
+};
 
 /// The edge at the lower and at the upper end of an axis.
 constexpr Edge lowerEdge(glm::length_t axis) { return static_cast<Edge>(1 + 2 * axis); }
 constexpr Edge upperEdge(glm::length_t axis) { return static_cast<Edge>(2 + 2 * axis); }
 /// The axis perpendicular to an edge, and the coordinate of the edge's points on that axis. Not for
-/// Edge::None.
+/// Edge::NoEdge.
 constexpr glm::length_t axisOf(Edge edge) { return (static_cast<int>(edge) - 1) / 2; }
 template <class T, glm::length_t N>
 constexpr T levelOf(Edge edge, const BasicWindow<T, N>& w)
@@ -106,9 +117,9 @@ constexpr std::uint32_t cutAt(Edge a, Edge b)
 {
     return static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b) << 8;
 }
-/// The edge at which a piece's a was cut; Edge::None if a is an end of the input.
+/// The edge at which a piece's a was cut; Edge::NoEdge if a is an end of the input.
 constexpr Edge cutEdgeOfA(std::uint32_t cut) { return static_cast<Edge>(cut & 0xff); }
-/// The edge at which a piece's b was cut; Edge::None if b is an end of the input.
+/// The edge at which a piece's b was cut; Edge::NoEdge if b is an end of the input.
 constexpr Edge cutEdgeOfB(std::uint32_t cut) { return static_cast<Edge>(cut >> 8 & 0xff); }
 
 /// For a polygon, `Clipped::cut` holds two numbers of 16 bits: 0 for an end of the input, else 1 +

@@ -90,8 +90,9 @@ std::size_t clipManyLinesOrRays(std::span<const LineOrRay<reach>> in, const Wind
     for (std::size_t i = 0; i < in.size(); ++i)
         if (const auto piece = clipOneLineOrRay<Method, reach>(in[i], w)) {
             const bool cutA = reach == Reach::BothWays || piece->a != in[i].a;
-            out[visible++] = {*piece, static_cast<std::uint32_t>(i),
-                              cutAt(cutA ? edgeAt(piece->a, w) : Edge::None, edgeAt(piece->b, w))};
+            out[visible++] = {
+                *piece, static_cast<std::uint32_t>(i),
+                cutAt(cutA ? edgeAt(piece->a, w) : Edge::NoEdge, edgeAt(piece->b, w))};
         }
     return visible;
 }
@@ -127,13 +128,13 @@ Trace traceOneLineOrRay(const LineOrRay<reach>& lineOrRay, const Window& w)
 }
 
 template <class Method, Reach reach>
-constexpr Uses<LineOrRay<reach>, Window, Segment> lineOrRayUses{
+constexpr Functions<LineOrRay<reach>, Window, Segment> lineOrRayUses{
     clipOneLineOrRay<Method, reach>, clipManyLinesOrRays<Method, reach>,
     countManyLinesOrRays<Method, reach>, traceOneLineOrRay<Method, reach>};
 
 /// The form for infinite lines or rays; none unless the row names one (algorithms/lines_and_rays/).
 template <class Method, Reach reach>
-constexpr const Uses<LineOrRay<reach>, Window, Segment>* lineOrRayUsesOf()
+constexpr const Functions<LineOrRay<reach>, Window, Segment>* lineOrRayUsesOf()
 {
     if constexpr (requires { Method::line; }) {
         if constexpr (reach == Reach::BothWays)

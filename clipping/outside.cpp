@@ -34,9 +34,9 @@ std::size_t outsideAll(std::span<const Segment> in, std::span<const Clipped> ins
         const Edge enter = turned ? cutEdgeOfB(part->cut) : cutEdgeOfA(part->cut);
         const Edge leave = turned ? cutEdgeOfA(part->cut) : cutEdgeOfB(part->cut);
         if (inner.a != whole.a)
-            out[written++] = {{whole.a, inner.a}, source, cutAt(Edge::None, enter)};
+            out[written++] = {{whole.a, inner.a}, source, cutAt(Edge::NoEdge, enter)};
         if (inner.b != whole.b)
-            out[written++] = {{inner.b, whole.b}, source, cutAt(leave, Edge::None)};
+            out[written++] = {{inner.b, whole.b}, source, cutAt(leave, Edge::NoEdge)};
     }
     return written;
 }

@@ -14,7 +14,7 @@ namespace clipping {
 template <class T>
 struct Part {
     T start, stop;
-    Edge startEdge = Edge::None, stopEdge = Edge::None;
+    Edge startEdge = Edge::NoEdge, stopEdge = Edge::NoEdge;
 };
 
 /// The pseudo-codes' names of b - a on each axis.
@@ -53,7 +53,7 @@ constexpr BasicSegment<T, N> endsOf(const Part<T>& part, const BasicSegment<T, N
     if (reach == Reach::BothWays || step.test(line + 4, part.start > T(0), part.startEdge)) {
         visible.a = along(s, d, part.start, part.startEdge, w);
         step.cut(line + 5, 0, visible.a, part.startEdge);
-        if (step.test(line + 6, part.stopEdge != Edge::None && part.start == part.stop)) {
+        if (step.test(line + 6, part.stopEdge != Edge::NoEdge && part.start == part.stop)) {
             visible.a = visible.b; // a single common point
             step.cut(line + 7, 0, visible.a, part.startEdge);
         }

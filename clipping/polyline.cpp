@@ -27,13 +27,13 @@ public:
     {
         const auto& [a, b] = piece.segment;
         const Edge enter = cutEdgeOfA(piece.cut), leave = cutEdgeOfB(piece.cut);
-        if (!follows || enter != Edge::None)
+        if (!follows || enter != Edge::NoEdge)
             begin(piece.source, a, enter);
         VisibleRun& run = out_.runs.back();
         run.end = leave;
         if (a != b || whole.a == whole.b)
             out_.points.push_back(b);
-        else if (leave == Edge::None)
+        else if (leave == Edge::NoEdge)
             out_.points.back() = b; // use the polyline's own point, because its zero may be -0
         run.count = out_.points.size() - run.first;
     }
@@ -41,7 +41,7 @@ public:
 private:
     void begin(std::uint32_t source, const glm::vec<2, T>& a, Edge edge)
     {
-        out_.runs.push_back({out_.points.size(), 0, source, edge, Edge::None});
+        out_.runs.push_back({out_.points.size(), 0, source, edge, Edge::NoEdge});
         out_.points.push_back(a);
     }
     BasicPolylineRuns<T>& out_;

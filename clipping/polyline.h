@@ -14,7 +14,7 @@ struct VisibleRun {
     std::size_t first;    ///< index of its first point in PolylineRuns::points
     std::size_t count;    ///< number of its points, at least 1
     std::uint32_t source; ///< segment where it begins, from point `source` to the next
-    Edge begin;           ///< edge that cut it; None: an end, or next to a non-finite point
+    Edge begin;           ///< edge that cut it; NoEdge: an end, or next to a non-finite point
     Edge end;             ///< the same at its end
 };
 

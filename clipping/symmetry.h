@@ -97,7 +97,7 @@ struct TurnedStep {
         return step.test(line, condition, edgeIn<Symmetry>(edge));
     }
     template <class T>
-    T let(int line, std::string_view name, T value, Edge edge = Edge::None) const
+    T let(int line, std::string_view name, T value, Edge edge = Edge::NoEdge) const
     {
         return step.let(line, name, value, edgeIn<Symmetry>(edge));
     }

@@ -70,13 +70,13 @@ using Trace = BasicTrace<2>;
 /// one expression: here `step.test(l, c)` is just `(c)`, and `step.let(l, n, v)` is `(v)`.
 struct Unwatched {
     /// Tests a condition about an edge, or about the two edges of an axis; returns the condition.
-    constexpr bool test(int, bool condition, Edge = Edge::None, Edge = Edge::None) const
+    constexpr bool test(int, bool condition, Edge = Edge::NoEdge, Edge = Edge::NoEdge) const
     {
         return condition;
     }
     /// Assigns a variable, possibly for an intersection with an edge; returns the value.
     template <class T>
-    constexpr T let(int, std::string_view, T value, Edge = Edge::None) const
+    constexpr T let(int, std::string_view, T value, Edge = Edge::NoEdge) const
     {
         return value;
     }
@@ -91,7 +91,7 @@ struct Unwatched {
     /// Let.
     constexpr void cut(int, int, const auto&...) const {}
     /// Replaces both ends of the remaining segment.
-    constexpr void left(int, const auto&, Edge = Edge::None) const {}
+    constexpr void left(int, const auto&, Edge = Edge::NoEdge) const {}
     /// Ends the run: nothing is visible.
     constexpr std::nullopt_t reject(int) const { return std::nullopt; }
     /// Ends the run: a published form does not end and is stopped.
@@ -116,14 +116,14 @@ public:
     }
     /// The functions of Unwatched, which record here.
     /// @{
-    bool test(int line, bool condition, Edge edge = Edge::None, Edge other = Edge::None)
+    bool test(int line, bool condition, Edge edge = Edge::NoEdge, Edge other = Edge::NoEdge)
     {
-        if (other != Edge::None) // if it holds, the edge that both ends are beyond
-            edge = !condition ? Edge::None : isBeyond(other) ? other : edge;
+        if (other != Edge::NoEdge) // if it holds, the edge that both ends are beyond
+            edge = !condition ? Edge::NoEdge : isBeyond(other) ? other : edge;
         return tell({What::Test, condition}, line, edge), condition;
     }
     template <class T>
-    T let(int line, std::string_view name, T value, Edge edge = Edge::None)
+    T let(int line, std::string_view name, T value, Edge edge = Edge::NoEdge)
     {
         return set(name, value), tell({What::Let, false, name}, line, edge), value;
     }
@@ -147,14 +147,14 @@ public:
     template <class T>
     void cut(int line, int end, T x, T y, std::string_view variable)
     {
-        Edge edge = Edge::None;
+        Edge edge = Edge::NoEdge;
         for (const BasicStep<N>& step : trace_.steps)
             if (step.what == What::Let && step.name == variable)
                 edge = step.edge;
         cut(line, end, x, y, edge);
     }
     template <class S>
-    void left(int line, const S& segment, Edge edge = Edge::None)
+    void left(int line, const S& segment, Edge edge = Edge::NoEdge)
     {
         left_ = inDouble(plain(segment));
         tell({What::Let, false, "left"}, line, edge);
@@ -162,18 +162,18 @@ public:
     std::nullopt_t giveUp(int line)
     {
         trace_.outcome = Outcome::DidNotEnd;
-        return tell({What::GiveUp}, line, Edge::None), std::nullopt;
+        return tell({What::GiveUp}, line, Edge::NoEdge), std::nullopt;
     }
     std::nullopt_t reject(int line)
     {
-        tell({What::Reject}, line, trace_.steps.empty() ? Edge::None : trace_.steps.back().edge);
+        tell({What::Reject}, line, trace_.steps.empty() ? Edge::NoEdge : trace_.steps.back().edge);
         return std::nullopt;
     }
     template <class S>
     std::optional<S> accept(int line, const S& visible)
     {
         left_ = inDouble(plain(visible));
-        return tell({What::Accept}, line, Edge::None), visible;
+        return tell({What::Accept}, line, Edge::NoEdge), visible;
     }
     /// @}
     /// Returns the recorded trace; the recorder is empty afterwards.

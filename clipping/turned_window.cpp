@@ -125,7 +125,7 @@ ConvexPolygon cornersOf(const TurnedWindow& w)
     return polygon;
 }
 
-std::optional<Segment> clipTurned(const Uses<Segment, Window>& form, const Segment& segment,
+std::optional<Segment> clipTurned(const Functions<Segment, Window>& form, const Segment& segment,
                                   const TurnedWindow& window)
 {
     if (!legal(window))
@@ -136,7 +136,7 @@ std::optional<Segment> clipTurned(const Uses<Segment, Window>& form, const Segme
     return piece ? std::optional(turning.back(*piece, segment, inFrame)) : std::nullopt;
 }
 
-std::size_t clipAllTurned(const Uses<Segment, Window>& form, std::span<const Segment> in,
+std::size_t clipAllTurned(const Functions<Segment, Window>& form, std::span<const Segment> in,
                           const TurnedWindow& window, std::span<Clipped> out)
 {
     requireRoom(in.size(), out.size());
@@ -167,7 +167,7 @@ std::size_t clipAllTurned(const Uses<Segment, Window>& form, std::span<const Seg
     return visible;
 }
 
-OperationCounts countTurned(const Uses<Segment, Window>& form, std::span<const Segment> in,
+OperationCounts countTurned(const Functions<Segment, Window>& form, std::span<const Segment> in,
                             const TurnedWindow& window)
 {
     OperationCounts all;
@@ -184,7 +184,7 @@ OperationCounts countTurned(const Uses<Segment, Window>& form, std::span<const S
     return all;
 }
 
-Trace traceTurned(const Uses<Segment, Window>& form, const Segment& segment,
+Trace traceTurned(const Functions<Segment, Window>& form, const Segment& segment,
                   const TurnedWindow& window)
 {
     if (!legal(window))

@@ -43,22 +43,22 @@ constexpr double turnedUlps(const Algorithm& algorithm) { return 6 * algorithm.u
 ///
 /// In `Clipped::cut`, Left is the edge at -half.x in the frame, Right at half.x, Bottom at -half.y
 /// and Top at half.y.
-std::optional<Segment> clipTurned(const Uses<Segment, Window>& form, const Segment& segment,
+std::optional<Segment> clipTurned(const Functions<Segment, Window>& form, const Segment& segment,
                                   const TurnedWindow& window);
 
-/// Clips many segments, as `Uses::clipAll` does, with the same result as one by one. Allocates
+/// Clips many segments, as `Functions::clipAll` does, with the same result as one by one. Allocates
 /// nothing.
-std::size_t clipAllTurned(const Uses<Segment, Window>& form, std::span<const Segment> in,
+std::size_t clipAllTurned(const Functions<Segment, Window>& form, std::span<const Segment> in,
                           const TurnedWindow& window, std::span<Clipped> out);
 
 /// The operations of the form in the frame; turning is not counted (eleven a segment to turn it,
 /// and six a new end to turn that back).
-OperationCounts countTurned(const Uses<Segment, Window>& form, std::span<const Segment> in,
+OperationCounts countTurned(const Functions<Segment, Window>& form, std::span<const Segment> in,
                             const TurnedWindow& window);
 
 /// How one segment is clipped, step by step, in the coordinates of the frame: the origin is the
 /// window's centre, and x points along its width. So are the steps, the values and `visible`.
-Trace traceTurned(const Uses<Segment, Window>& form, const Segment& segment,
+Trace traceTurned(const Functions<Segment, Window>& form, const Segment& segment,
                   const TurnedWindow& window);
 
 } // namespace clipping

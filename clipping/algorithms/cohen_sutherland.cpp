@@ -146,7 +146,7 @@ accept the line from x[1], y[1] to x[2], y[2]
         unsigned code;
         unsigned done = 0;                ///< bits of the edges that have cut it
         glm::vec<N, T> at = given, way{}; ///< the current position, and the distance moved
-        Edge edge = Edge::None;           ///< the edge that cut it last
+        Edge edge = Edge::NoEdge;         ///< the edge that cut it last
     };
 
     /// The pseudo-code line of the test for an edge, plus `after`; 0 for Near and Far, which have
@@ -201,7 +201,7 @@ accept the line from x[1], y[1] to x[2], y[2]
     static constexpr bool meet(const End<T, N>& one, const End<T, N>& two,
                                const BasicWindow<T, N>& w)
     {
-        if (one.edge == Edge::None || two.edge == Edge::None)
+        if (one.edge == Edge::NoEdge || two.edge == Edge::NoEdge)
             return false;
         const glm::length_t axis = axisOf(two.edge);
         return one.way[axis] == levelOf(two.edge, w) - one.given[axis];

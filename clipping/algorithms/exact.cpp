@@ -12,6 +12,7 @@
 // which side of it a corner of the window lies. exact/bounds.h proves when floating point gives
 // that order and the rounded coordinate; integer arithmetic decides the rest.
 
+#include "clipping/algorithms/best.h"
 #include "clipping/batch/sets.h"
 #include "clipping/describe.h"
 #include "clipping/exact/line_through.h"
@@ -34,7 +35,7 @@ struct Exact {
     static constexpr bool ours = true;     // no published form
     static constexpr bool unframed = true; // it handles all finite numbers itself
     static constexpr const auto* polygon = &exactPolygon;
-    static constexpr const auto* searchedPolygon = &exactSearchedPolygon;
+    static constexpr const auto* polygonBySearch = &exactSearchedPolygon;
 
     template <class T>
     static std::size_t many(std::span<const BasicSegment<T>> in, const BasicWindow<T>& window,
@@ -71,13 +72,13 @@ else if leaveY
   y[2] = yfar,  x[2] = xAt(yfar)
 accept the line from x[1], y[1] to x[2], y[2]
 )";
-    /// The visible piece, and the edges at which it enters and leaves; None at an end of the input.
-    /// (The coordinates alone do not tell the edge, because a new end may be rounded onto another
-    /// edge as well.)
+    /// The visible piece, and the edges at which it enters and leaves; NoEdge at an end of the
+    /// input. (The coordinates alone do not tell the edge, because a new end may be rounded onto
+    /// another edge as well.)
     template <class T>
     struct Piece {
         BasicSegment<T> visible;
-        Edge enter = Edge::None, leave = Edge::None;
+        Edge enter = Edge::NoEdge, leave = Edge::NoEdge;
     };
 
     template <class T, class Step>
@@ -159,6 +160,10 @@ template std::size_t clipOneByOne(const Segment*, const std::uint32_t*, std::siz
                                   Clipped*);
 template std::size_t clipOneByOne(const BasicSegment<float>*, const std::uint32_t*, std::size_t,
                                   const BasicWindow<float>&, BasicClipped<BasicSegment<float>>*);
+
+const Functions<Segment, Window> exactWindow = uses<Exact, Form::Corrected>;
+const Functions<BasicSegment<float>, BasicWindow<float>> exactFloats =
+    uses<Exact, Form::Corrected, float>;
 
 template Algorithm describe<Exact>();
 

@@ -245,7 +245,7 @@ pushInY(i, yi, yo):
         bool moved = step.set("moved", false);
         const T xi = step.set("xi", end.x), yi = step.set("yi", end.y);
         const T xo = step.set("xo", other.x), yo = step.let(4 + i, "yo", other.y);
-        Edge edge = Edge::None;
+        Edge edge = Edge::NoEdge;
         T rise(0);
         if (step.test(21, xi < xmin, Edge::Left)) {
             if (step.test(22, xo < xmin, Edge::Left))

@@ -11,7 +11,7 @@
 
 #include "clipping/algorithms/liang_barsky.h"
 
-#include "clipping/algorithms/lines_and_rays/uses.h"
+#include "clipping/algorithms/best.h"
 #include "clipping/describe.h"
 #include "clipping/ieee_numbers.h"
 #include "clipping/part.h"
@@ -160,6 +160,8 @@ accept the line from x1, y1 to x2, y2
         return step.accept(30, endsOf(part, s, d, w, 20, step));
     }
 };
+
+const Functions<Segment3, Window3> liangBarskyBox = uses<LiangBarsky, Form::Corrected, double, 3>;
 
 template Algorithm describe<LiangBarsky>();
 

@@ -135,7 +135,7 @@ accept the line from x[1], y[1] to x[2], y[2]
             return step.reject(4);
         const T dx = step.set("dx", x2 - x1), dy = step.let(5, "dy", y2 - y1);
         BasicSegment<T> visible = s;
-        Edge edges[]{Edge::None, Edge::None}; // the edges that cut End 1 and End 2 last
+        Edge edges[]{Edge::NoEdge, Edge::NoEdge}; // the edges that cut End 1 and End 2 last
         for (int i = 0; i < 2; ++i) {
             step.set("i", i + 1);
             const T xi = step.set("xi", i == 0 ? x1 : x2), yi = step.set("yi", i == 0 ? y1 : y2);

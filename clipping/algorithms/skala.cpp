@@ -33,7 +33,7 @@ struct Skala {
         .ulps = 24, // README.md, "How far off"
     };
     static constexpr const auto* polygon = &skalaPolygon;
-    static constexpr const auto* searchedPolygon = &skalaSearchedPolygon;
+    static constexpr const auto* polygonBySearch = &skalaSearchedPolygon;
     static constexpr auto line = &skalaLine;
     static constexpr auto ray = &skalaRay;
 

@@ -36,8 +36,8 @@ struct MatthesDrakopoulosBox {
         for (glm::length_t k = 0; k < 3; ++k) {
             const Edge side = moving.isBelow(k)   ? lowerEdge(k)
                               : moving.isAbove(k) ? upperEdge(k)
-                                                  : Edge::None;
-            if (side == Edge::None)
+                                                  : Edge::NoEdge;
+            if (side == Edge::NoEdge)
                 continue;
             moving.moveTo(side);
             step.cut(lineOf(side), end, moving.at(), side);
@@ -71,7 +71,7 @@ struct MatthesDrakopoulosBox {
 
 } // namespace
 
-const Uses<Segment3, Window3> matthesDrakopoulosBox =
+const Functions<Segment3, Window3> matthesDrakopoulosBox =
     uses<MatthesDrakopoulosBox, Form::Corrected, double, 3>;
 
 } // namespace clipping

@@ -18,7 +18,7 @@ public:
     {
     }
 
-    /// The side it moved to last; Edge::None if it has not moved.
+    /// The side it moved to last; Edge::NoEdge if it has not moved.
     constexpr Edge side() const { return side_; }
     constexpr bool isBelow(glm::length_t axis) const
     {
@@ -54,14 +54,14 @@ private:
     glm::vec<3, T> given_, at_, way_{T(0), T(0), T(0)};
     const glm::vec<3, T>& d_;
     const BasicWindow<T, 3>& w_;
-    Edge side_ = Edge::None;
+    Edge side_ = Edge::NoEdge;
 };
 
 /// The segment between two ends. A contact with the box has the same point at both ends.
 template <class T>
 constexpr BasicSegment<T, 3> between(const MovingEnd<T>& a, const MovingEnd<T>& b)
 {
-    const bool touch = a.side() != Edge::None && b.side() != Edge::None && a.isOn(b.side());
+    const bool touch = a.side() != Edge::NoEdge && b.side() != Edge::NoEdge && a.isOn(b.side());
     const glm::vec<3, T> end = b.held();
     return {touch ? end : a.held(), end};
 }

@@ -108,13 +108,13 @@ struct CyrusBeckPolygon {
         if (exit.edge) {
             piece.segment.b = clamped(at(exit.t, s), box);
             piece.numberOfB = polygon.number(*exit.edge);
-            step.cut(16, 1, piece.segment.b, Edge::None);
+            step.cut(16, 1, piece.segment.b, Edge::NoEdge);
         }
         if (entry.edge) {
             const bool contact = exit.edge && entry.t == exit.t;
             piece.segment.a = contact ? piece.segment.b : clamped(at(entry.t, s), box);
             piece.numberOfA = polygon.number(*entry.edge);
-            step.cut(contact ? 22 : 20, 0, piece.segment.a, Edge::None);
+            step.cut(contact ? 22 : 20, 0, piece.segment.a, Edge::NoEdge);
         }
         step.accept(acceptLine, piece.segment);
         return piece;
@@ -123,6 +123,6 @@ struct CyrusBeckPolygon {
 
 } // namespace
 
-const Uses<Segment, ConvexPolygon> cyrusBeckPolygon = polygonUses<CyrusBeckPolygon>;
+const Functions<Segment, ConvexPolygon> cyrusBeckPolygon = polygonUses<CyrusBeckPolygon>;
 
 } // namespace clipping

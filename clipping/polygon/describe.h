@@ -138,7 +138,7 @@ constexpr auto manyInPolygon()
 }
 
 template <class Method>
-constexpr Uses<Segment, ConvexPolygon> polygonUses{
+constexpr Functions<Segment, ConvexPolygon> polygonUses{
     clipOneInPolygon<Method>, manyInPolygon<Method>(), countManyInPolygon<Method>,
     traceOneInPolygon<Method>};
 

@@ -64,13 +64,13 @@ struct ExactPolygon : ExactEnds {
             const auto end = endOn(enter, line, polygon);
             piece.segment.a = bEnters == 0 ? s.b : end.at;
             piece.numberOfA = end.number;
-            step.cut(18, 0, piece.segment.a, Edge::None);
+            step.cut(18, 0, piece.segment.a, Edge::NoEdge);
         }
         if (step.test(21, sideOf(s.b, leave, polygon) < 0)) {
             const auto end = endOn(leave, line, polygon);
             piece.segment.b = aLeaves == 0 ? s.a : end.at;
             piece.numberOfB = end.number;
-            step.cut(22, 1, piece.segment.b, Edge::None);
+            step.cut(22, 1, piece.segment.b, Edge::NoEdge);
         }
         step.accept(acceptLine, piece.segment);
         return piece;
@@ -111,7 +111,7 @@ std::size_t clipOneByOne(const Segment* segments, const std::uint32_t* indices, 
     return visible;
 }
 
-const Uses<Segment, ConvexPolygon> exactPolygon = polygonUses<ExactPolygon<OneByOne>>;
-const Uses<Segment, ConvexPolygon> exactSearchedPolygon = polygonUses<ExactPolygon<Searched>>;
+const Functions<Segment, ConvexPolygon> exactPolygon = polygonUses<ExactPolygon<OneByOne>>;
+const Functions<Segment, ConvexPolygon> exactSearchedPolygon = polygonUses<ExactPolygon<Searched>>;
 
 } // namespace clipping

@@ -45,12 +45,12 @@ struct SkalaPolygon {
         if (step.test(27, sideOf(s.a, enter, polygon) < 0)) {
             piece.segment.a = bEnters == 0 ? s.b : meet(line, enter, polygon);
             piece.numberOfA = polygon.number(enter);
-            step.cut(28, 0, piece.segment.a, Edge::None);
+            step.cut(28, 0, piece.segment.a, Edge::NoEdge);
         }
         if (step.test(25, sideOf(s.b, leave, polygon) < 0)) {
             piece.segment.b = aLeaves == 0 ? s.a : meet(line, leave, polygon);
             piece.numberOfB = polygon.number(leave);
-            step.cut(26, 1, piece.segment.b, Edge::None);
+            step.cut(26, 1, piece.segment.b, Edge::NoEdge);
         }
         step.accept(acceptLine, piece.segment);
         return piece;
@@ -59,7 +59,7 @@ struct SkalaPolygon {
 
 } // namespace
 
-const Uses<Segment, ConvexPolygon> skalaPolygon = polygonUses<SkalaPolygon<OneByOne>>;
-const Uses<Segment, ConvexPolygon> skalaSearchedPolygon = polygonUses<SkalaPolygon<Searched>>;
+const Functions<Segment, ConvexPolygon> skalaPolygon = polygonUses<SkalaPolygon<OneByOne>>;
+const Functions<Segment, ConvexPolygon> skalaSearchedPolygon = polygonUses<SkalaPolygon<Searched>>;
 
 } // namespace clipping

@@ -6,9 +6,9 @@
 namespace clipping {
 
 /// The functions of catalogue rows for convex polygons.
-extern const Uses<Segment, ConvexPolygon> cyrusBeckPolygon;
-extern const Uses<Segment, ConvexPolygon> exactPolygon, exactSearchedPolygon;
-extern const Uses<Segment, ConvexPolygon> skalaPolygon, skalaSearchedPolygon;
-extern const Uses<Segment, ConvexPolygon> windingNumberPolygon;
+extern const Functions<Segment, ConvexPolygon> cyrusBeckPolygon;
+extern const Functions<Segment, ConvexPolygon> exactPolygon, exactSearchedPolygon;
+extern const Functions<Segment, ConvexPolygon> skalaPolygon, skalaSearchedPolygon;
+extern const Functions<Segment, ConvexPolygon> windingNumberPolygon;
 
 } // namespace clipping

@@ -95,13 +95,13 @@ struct WindingNumberPolygon : ExactEnds {
             const auto end = endOn(*count.enter, line, polygon);
             piece.segment.a = sideOf(s.b, *count.enter, polygon) == 0 ? s.b : end.at;
             piece.numberOfA = end.number;
-            step.cut(18, 0, piece.segment.a, Edge::None);
+            step.cut(18, 0, piece.segment.a, Edge::NoEdge);
         }
         if (count.leave) {
             const auto end = endOn(*count.leave, line, polygon);
             piece.segment.b = sideOf(s.a, *count.leave, polygon) == 0 ? s.a : end.at;
             piece.numberOfB = end.number;
-            step.cut(23, 1, piece.segment.b, Edge::None);
+            step.cut(23, 1, piece.segment.b, Edge::NoEdge);
         }
         step.accept(acceptLine, piece.segment);
         return piece;
@@ -110,6 +110,6 @@ struct WindingNumberPolygon : ExactEnds {
 
 } // namespace
 
-const Uses<Segment, ConvexPolygon> windingNumberPolygon = polygonUses<WindingNumberPolygon>;
+const Functions<Segment, ConvexPolygon> windingNumberPolygon = polygonUses<WindingNumberPolygon>;
 
 } // namespace clipping

@@ -90,7 +90,7 @@ struct Asked : Question {
 };
 
 template <class S, class W, class Piece>
-Ask askAll(const Uses<S, W, Piece>& uses)
+Ask askAll(const Functions<S, W, Piece>& uses)
 {
     return [&uses](const Block& block) {
         Answers bytes;
@@ -142,9 +142,9 @@ const std::vector<Asked>& everything()
         for (const Algorithm& row : algorithms()) {
             add(row.key, "corrected", Numbers::Plane, &row.corrected);
             add(row.key, "published", Numbers::Plane, row.published);
-            add(row.key, "float", Numbers::PlaneInFloat, row.single);
+            add(row.key, "float", Numbers::PlaneInFloat, row.floats);
             add(row.key, "polygon", Numbers::Polygon, row.polygon);
-            add(row.key, "searched polygon", Numbers::Polygon, row.searchedPolygon);
+            add(row.key, "searched polygon", Numbers::Polygon, row.polygonBySearch);
             add(row.key, "box", Numbers::Space, row.box);
             add(row.key, "line", Numbers::Plane, row.line);
             add(row.key, "ray", Numbers::Plane, row.ray);

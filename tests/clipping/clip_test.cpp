@@ -92,6 +92,9 @@ private slots:
             QVERIFY(row.key != algorithmFor<Ray> || row.ray);
             QVERIFY(row.key != algorithmFor<Segment3> || row.box);
         }
+        const Window window{{0, 0}, {3, 1}};
+        const Line line{{-1, 5}, {7, -6.3}};
+        QVERIFY(clip(line, window) == findAlgorithm(algorithmFor<Line>)->line->clip(line, window));
         const Segment3 diagonal{{-2, -2, -2}, {2, 2, 2}};
         const Window3 box{{-1, -1, -1}, {1, 1, 1}};
         QVERIFY(clip(diagonal, box)

@@ -35,7 +35,7 @@ const Known& known(const Family& family)
 std::optional<Segment> clippedInFloat(const Algorithm& algorithm, const Input& input)
 {
     const auto& [s, w] = input;
-    const auto piece = algorithm.single->clip({glm::vec2(s.a), glm::vec2(s.b)},
+    const auto piece = algorithm.floats->clip({glm::vec2(s.a), glm::vec2(s.b)},
                                               {glm::vec2(w.min), glm::vec2(w.max)});
     if (!piece)
         return std::nullopt;
@@ -56,7 +56,7 @@ Input spoilt(int index, double by)
     return input;
 }
 
-bool seesNothing(const Uses<Segment, Window>& uses, const Input& input)
+bool seesNothing(const Functions<Segment, Window>& uses, const Input& input)
 {
     std::array<Clipped, 1> out;
     return !uses.clip(input.segment, input.window)

@@ -37,7 +37,7 @@ std::vector<Told> allTold()
     std::vector<Told> all;
     for (const Algorithm& algorithm : algorithms())
         for (const Form form : {Form::Published, Form::Corrected})
-            if (usesOf(algorithm, form) && !codeOf(algorithm, form).empty())
+            if (functionsOf(algorithm, form) && !codeOf(algorithm, form).empty())
                 all.push_back({&algorithm, form});
     return all;
 }
@@ -51,7 +51,7 @@ const std::vector<formulas::Input>& inputs()
 /// The first fault on all lines.
 std::optional<std::string> faultOf(const Told& told, formulas::Checker& checker)
 {
-    const auto* uses = usesOf(*told.algorithm, told.form);
+    const auto* uses = functionsOf(*told.algorithm, told.form);
     for (const auto& [segment, window] : inputs()) {
         const Trace trace = uses->trace(segment, window);
         const auto cost = uses->count({&segment, 1}, window);
@@ -92,7 +92,7 @@ private slots:
     {
         for (const Algorithm& algorithm : algorithms())
             for (const Form form : {Form::Published, Form::Corrected})
-                QVERIFY2(!usesOf(algorithm, form) || !codeOf(algorithm, form).empty(),
+                QVERIFY2(!functionsOf(algorithm, form) || !codeOf(algorithm, form).empty(),
                          qPrintable(QStringLiteral("%1 has no pseudo-code in one of its forms")
                                         .arg(algorithm.key.data())));
     }

@@ -15,7 +15,7 @@ namespace {
 template <class S>
 struct Row {
     const Algorithm* algorithm;
-    const Uses<S, Window, Segment>* uses;
+    const Functions<S, Window, Segment>* uses;
     static constexpr bool isRay = std::is_same_v<S, Ray>;
 
     std::string faultAt(const Input& input, double k) const
@@ -90,8 +90,8 @@ void compareUses()
                 QVERIFY2(sameBits(*piece, out[0].segment) && sameBits(*piece, trace.visible),
                          text.c_str());
                 const bool keepsA = Row<S>::isRay && piece->a == points.a;
-                QVERIFY2((cutEdgeOfA(out[0].cut) == Edge::None) == keepsA, text.c_str());
-                QVERIFY2(cutEdgeOfB(out[0].cut) != Edge::None, text.c_str());
+                QVERIFY2((cutEdgeOfA(out[0].cut) == Edge::NoEdge) == keepsA, text.c_str());
+                QVERIFY2(cutEdgeOfB(out[0].cut) != Edge::NoEdge, text.c_str());
             }
     }
 }

@@ -102,9 +102,9 @@ private slots:
         const auto outside = outsideOf(in, insideOf(in, algorithms().back()));
         QCOMPARE(outside.size(), 2u);
         QVERIFY(outside[0].segment == (Segment{{-5, 0}, {-1, 0}}));
-        QCOMPARE(outside[0].cut, cutAt(Edge::None, Edge::Left));
+        QCOMPARE(outside[0].cut, cutAt(Edge::NoEdge, Edge::Left));
         QVERIFY(outside[1].segment == (Segment{{3, 0}, {5, 0}}));
-        QCOMPARE(outside[1].cut, cutAt(Edge::Right, Edge::None));
+        QCOMPARE(outside[1].cut, cutAt(Edge::Right, Edge::NoEdge));
     }
 
     void aReversedPieceIsStillCutOut()
@@ -120,7 +120,7 @@ private slots:
         for (const Clipped& piece : outside)
             QVERIFY((piece.segment.a.x <= -1 && piece.segment.b.x <= -1)
                     || (piece.segment.a.x >= 3 && piece.segment.b.x >= 3));
-        QCOMPARE(outside[0].cut, cutAt(Edge::None, Edge::Left));
+        QCOMPARE(outside[0].cut, cutAt(Edge::NoEdge, Edge::Left));
     }
 
     void aTouchLeavesTheSegmentWholeAnEdgeBelongsToTheInside()

@@ -81,7 +81,7 @@ Points withoutRepeats(Points points)
 
 bool isOn(Edge edge, const dvec2& p, const Window& w)
 {
-    return edge != Edge::None && p[axisOf(edge)] == levelOf(edge, w);
+    return edge != Edge::NoEdge && p[axisOf(edge)] == levelOf(edge, w);
 }
 
 /// How the runs differ from the exact ones; empty if they do not.
@@ -105,9 +105,9 @@ std::string fault(const PolylineRuns& all, std::vector<TrueRun> truth, const Poi
         const Points is(first, first + std::ptrdiff_t(run.count));
         if (withoutRepeats(is) != withoutRepeats(truth[i].points))
             return "other points";
-        if (truth[i].cutAtBegin ? !isOn(run.begin, is.front(), w) : run.begin != Edge::None)
+        if (truth[i].cutAtBegin ? !isOn(run.begin, is.front(), w) : run.begin != Edge::NoEdge)
             return "another edge at the begin";
-        if (truth[i].cutAtEnd ? !isOn(run.end, is.back(), w) : run.end != Edge::None)
+        if (truth[i].cutAtEnd ? !isOn(run.end, is.back(), w) : run.end != Edge::NoEdge)
             return "another edge at the end";
     }
     if (total != all.points.size())
@@ -213,7 +213,7 @@ private slots:
         const auto open = clipped(Kind::Open, points, unit);
         QCOMPARE(open.runs.size(), std::size_t(1));
         QVERIFY(open.points == points && std::signbit(open.points[3].x));
-        QVERIFY(open.runs[0].begin == Edge::None && open.runs[0].end == Edge::None);
+        QVERIFY(open.runs[0].begin == Edge::NoEdge && open.runs[0].end == Edge::NoEdge);
         auto round = points;
         round.push_back(points.front());
         QVERIFY(clipped(Kind::Closed, points, unit).points == round);
@@ -275,7 +275,7 @@ private slots:
 
     void theBufferIsReplacedAndItsMemoryReused()
     {
-        PolylineRuns out{{{7, 7}}, {{0, 1, 0, Edge::None, Edge::None}}};
+        PolylineRuns out{{{7, 7}}, {{0, 1, 0, Edge::NoEdge, Edge::NoEdge}}};
         Points points;
         for (int i = 0; i < 1'000; ++i)
             points.push_back({0.5, i % 4 - 1});

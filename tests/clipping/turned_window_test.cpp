@@ -156,7 +156,7 @@ private slots:
                 if (form == &algorithm->corrected) {
                     QVERIFY(sameBits(*piece, next->segment));
                     QVERIFY(std::abs(trace.visible.a.x) <= 3 && std::abs(trace.visible.a.y) <= 1);
-                    QVERIFY(cutEdgeOfA(next->cut) != Edge::None
+                    QVERIFY(cutEdgeOfA(next->cut) != Edge::NoEdge
                             || next->segment.a == segments[i].a);
                 }
                 ++next;

@@ -142,10 +142,10 @@ private slots:
         for (const Form form : formsOf(*algorithm))
             for (const auto& [segments, window] : batches(20'000)) {
                 std::vector<Clipped> out(segments.size());
-                out.resize(usesOf(*algorithm, form)->clipAll(segments, window, out));
+                out.resize(functionsOf(*algorithm, form)->clipAll(segments, window, out));
                 auto next = out.begin();
                 for (std::size_t i = 0; i < segments.size(); ++i) {
-                    const auto piece = usesOf(*algorithm, form)->clip(segments[i], window);
+                    const auto piece = functionsOf(*algorithm, form)->clip(segments[i], window);
                     const bool written = next != out.end() && next->source == i;
                     if (written != piece.has_value())
                         QFAIL(exactly({segments[i], window}).c_str());
@@ -169,7 +169,7 @@ private slots:
         for (const Form form : formsOf(*algorithm))
             for (const auto& [segments, window] : batches(3'000))
                 for (const Segment& s : segments) {
-                    const auto* uses = usesOf(*algorithm, form);
+                    const auto* uses = functionsOf(*algorithm, form);
                     const auto piece = uses->clip(s, window);
                     const Trace trace = uses->trace(s, window);
                     if (piece.has_value() != (trace.outcome == Outcome::Visible))
@@ -200,7 +200,7 @@ private slots:
             QCOMPARE(*lines.rbegin(), int(lines.size()));
             for (const Input& input : grid())
                 for (const Step& step :
-                     usesOf(*algorithm, form)->trace(input.segment, input.window).steps)
+                     functionsOf(*algorithm, form)->trace(input.segment, input.window).steps)
                     if (!lines.contains(step.line))
                         QFAIL(qPrintable(QString::number(step.line)));
         }
@@ -276,8 +276,8 @@ private:
     static bool saysWhereItIsCut(const Clipped& c, const Segment& whole, const Window& w)
     {
         const Edge a = cutEdgeOfA(c.cut), b = cutEdgeOfB(c.cut);
-        return (a == Edge::None ? c.segment.a == whole.a : on(a, c.segment.a, w))
-               && (b == Edge::None ? c.segment.b == whole.b : on(b, c.segment.b, w));
+        return (a == Edge::NoEdge ? c.segment.a == whole.a : on(a, c.segment.a, w))
+               && (b == Edge::NoEdge ? c.segment.b == whole.b : on(b, c.segment.b, w));
     }
 };
 

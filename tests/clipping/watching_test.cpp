@@ -38,6 +38,7 @@ Functions functionsIn(const QString& archive)
     static const QRegularExpression refersTo("^\\s+[0-9a-f]+: (R_\\w+)\\s+(\\S+)$");
     static const QRegularExpression instruction("^\\s+[0-9a-f]+:\\t(.*)$");
     static const QRegularExpression inside("[0-9a-f]+ <(\\S+)>");
+    static const QRegularExpression unlinked("(?<=^call )\\S+$|(?<=^jmp )\\S+$");
     Functions functions;
     Function* now = nullptr;
     QString target; // of the last instruction, unless what the linker is told follows
@@ -52,7 +53,8 @@ Functions functionsIn(const QString& archive)
         } else if (const auto use = refersTo.match(line); use.hasMatch() && now) {
             target.clear();
             const QString symbol = withoutOffset(use.captured(2));
-            now->code.last().remove(inside);
+            // Until it is linked it leads to the next instruction, even one of another function.
+            now->code.last().remove(unlinked);
             now->code += use.captured(1) + ' ' + (symbol.startsWith('.') ? "." : symbol);
             now->uses += symbol;
         } else if (const auto words = instruction.match(line); words.hasMatch() && now) {

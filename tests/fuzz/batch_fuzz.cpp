@@ -20,7 +20,7 @@ template <class T>
 using Pieces = std::vector<BasicClipped<BasicSegment<T>>>;
 
 template <class T>
-const Uses<BasicSegment<T>, BasicWindow<T>>& exactUses()
+const Functions<BasicSegment<T>, BasicWindow<T>>& exactUses()
 {
     static const Algorithm& exact = *findAlgorithm("exact");
     if constexpr (sizeof(T) == sizeof(double))

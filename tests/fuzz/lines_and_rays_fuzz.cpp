@@ -8,7 +8,7 @@ using namespace clipping;
 namespace {
 
 template <class S>
-void keepContract(const Uses<S, Window, Segment>& uses, const Input& input, double ulps,
+void keepContract(const Functions<S, Window, Segment>& uses, const Input& input, double ulps,
                   const std::string& who)
 {
     agree<2>(uses, S{input.segment.a, input.segment.b}, input, who);

@@ -14,7 +14,7 @@
 
 template <glm::length_t N>
 using FormUses =
-    clipping::Uses<clipping::BasicSegment<double, N>, clipping::BasicWindow<double, N>>;
+    clipping::Functions<clipping::BasicSegment<double, N>, clipping::BasicWindow<double, N>>;
 
 template <glm::length_t N>
 glm::vec<N, double> pointOf(Bytes& bytes)
@@ -49,8 +49,8 @@ bool legalInput(const BasicInput<N>& input)
 
 /// The three ways to ask for one say the same, in the order of a and b.
 template <glm::length_t N, class S>
-void agree(const clipping::Uses<S, clipping::BasicWindow<double, N>,
-                                clipping::BasicSegment<double, N>>& uses,
+void agree(const clipping::Functions<S, clipping::BasicWindow<double, N>,
+                                     clipping::BasicSegment<double, N>>& uses,
            const S& segment, const BasicInput<N>& input, const std::string& who)
 {
     using Piece = clipping::BasicSegment<double, N>;

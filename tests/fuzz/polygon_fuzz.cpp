@@ -56,7 +56,7 @@ void tryForm(const PolygonUses& uses, const Segment& s, const ConvexPolygon& raw
 
 void trySearched(const Algorithm& a, const Segment& s, const ConvexPolygon& polygon)
 {
-    const auto one = clipOne(*a.polygon, s, polygon), two = clipOne(*a.searchedPolygon, s, polygon);
+    const auto one = clipOne(*a.polygon, s, polygon), two = clipOne(*a.polygonBySearch, s, polygon);
     if (one.has_value() != two.has_value()
         || (one && (!sameBits(one->segment, two->segment) || one->cut != two->cut)))
         found(std::string(a.key) + ": searched differs for " + exactly(s, polygon));
@@ -111,9 +111,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const Algorithm& a : algorithms()) {
         if (a.polygon)
             tryForm(*a.polygon, s, raw, hull, std::string(a.key));
-        if (!a.searchedPolygon)
+        if (!a.polygonBySearch)
             continue;
-        tryForm(*a.searchedPolygon, s, raw, hull, std::string(a.key) + ", searched");
+        tryForm(*a.polygonBySearch, s, raw, hull, std::string(a.key) + ", searched");
         trySearched(a, s, raw);
         trySearched(a, s, hull);
     }

@@ -24,7 +24,7 @@ Input rounded(const Input& input)
 }
 
 /// Whether the three ways to ask for one segment say the same.
-bool seesTheSame(const Uses<S, W>& uses, const S& s, const W& w)
+bool seesTheSame(const Functions<S, W>& uses, const S& s, const W& w)
 {
     const auto one = inDouble(uses.clip(s, w));
     const auto same = [&one](bool seen, const Segment& piece) {
@@ -42,9 +42,9 @@ std::string faultOf(const Algorithm& a, const Input& input, const Truth<2>& trut
 {
     const S s = inFloat(input.segment);
     const W w = inFloat(input.window);
-    if (!seesTheSame(*a.single, s, w))
+    if (!seesTheSame(*a.floats, s, w))
         return "clip, clipAll and the trace differ";
-    const auto result = inDouble(a.single->clip(s, w));
+    const auto result = inDouble(a.floats->clip(s, w));
     if (!legalInput<2>(input))
         return result ? "seen where the contract says nothing" : "";
     return fault<2>(result, input, truth, a.ulps, oracle::Number::Single);
@@ -57,7 +57,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto input = rounded(inputOf<2>({data, size}));
     const auto truth = legalInput<2>(input) ? truthOf(input) : std::nullopt;
     for (const Algorithm& a : algorithms())
-        if (a.single)
+        if (a.floats)
             if (const auto wrong = faultOf(a, input, truth); !wrong.empty())
                 found(std::string(a.key) + " in float: " + wrong + " for " + exactly(input));
     return 0;

@@ -46,7 +46,8 @@ bool isNarrow(const TurnedInput& input)
     return narrow;
 }
 
-void checkAny(const Uses<Segment, Window>& form, const TurnedInput& input, std::string_view key)
+void checkAny(const Functions<Segment, Window>& form, const TurnedInput& input,
+              std::string_view key)
 {
     const auto& [s, w] = input;
     const std::string what = std::string(key) + " for " + described(s, w);

@@ -32,7 +32,8 @@ struct OnLinesAndRays {
 
 } // namespace
 
-const Uses<Line, Window, Segment> cyrusBeckLine = lineOrRayUses<OnLinesAndRays, Reach::BothWays>;
-const Uses<Ray, Window, Segment> cyrusBeckRay = lineOrRayUses<OnLinesAndRays, Reach::OneWay>;
+const Functions<Line, Window, Segment> cyrusBeckLine =
+    lineOrRayUses<OnLinesAndRays, Reach::BothWays>;
+const Functions<Ray, Window, Segment> cyrusBeckRay = lineOrRayUses<OnLinesAndRays, Reach::OneWay>;
 
 } // namespace clipping

@@ -34,7 +34,8 @@ struct OnLinesAndRays {
 
 } // namespace
 
-const Uses<Line, Window, Segment> liangBarskyLine = lineOrRayUses<OnLinesAndRays, Reach::BothWays>;
-const Uses<Ray, Window, Segment> liangBarskyRay = lineOrRayUses<OnLinesAndRays, Reach::OneWay>;
+const Functions<Line, Window, Segment> liangBarskyLine =
+    lineOrRayUses<OnLinesAndRays, Reach::BothWays>;
+const Functions<Ray, Window, Segment> liangBarskyRay = lineOrRayUses<OnLinesAndRays, Reach::OneWay>;
 
 } // namespace clipping

@@ -18,7 +18,7 @@ struct OnLinesAndRays {
     template <class T>
     static constexpr Edge side(T d, bool backwards, Edge low, Edge high)
     {
-        return d == T(0) ? Edge::None : (d > T(0)) != backwards ? high : low;
+        return d == T(0) ? Edge::NoEdge : (d > T(0)) != backwards ? high : low;
     }
 
     /// Whether the line or ray through a and b is wholly below `low` or above `high` on an axis.
@@ -43,8 +43,8 @@ struct OnLinesAndRays {
         edge = infinite ? side(d.x, backwards, Edge::Left, Edge::Right)
                : step.test(8, p.x < w.min.x, Edge::Left)   ? Edge::Left
                : step.test(11, p.x > w.max.x, Edge::Right) ? Edge::Right
-                                                           : Edge::None;
-        const bool moved = edge != Edge::None;
+                                                           : Edge::NoEdge;
+        const bool moved = edge != Edge::NoEdge;
         if (moved) {
             const T x = edge == Edge::Left ? w.min.x : w.max.x;
             rise = step.let(edge == Edge::Left ? 9 : 12, "rise", d.y * (x - from.x) / d.x, edge);
@@ -56,8 +56,8 @@ struct OnLinesAndRays {
             infinite && !moved ? side(d.y, backwards, Edge::Bottom, Edge::Top)
             : step.test(14, moved ? rise < low - from.y : p.y < low, Edge::Bottom) ? Edge::Bottom
             : step.test(17, moved ? rise > high - from.y : p.y > high, Edge::Top)  ? Edge::Top
-                                                                                   : Edge::None;
-        if (next == Edge::None)
+                                                                                   : Edge::NoEdge;
+        if (next == Edge::NoEdge)
             return p;
         edge = next;
         const T y = next == Edge::Bottom ? low : high;
@@ -91,9 +91,9 @@ struct OnLinesAndRays {
 
 } // namespace
 
-const Uses<Line, Window, Segment> matthesDrakopoulosLine =
+const Functions<Line, Window, Segment> matthesDrakopoulosLine =
     lineOrRayUses<OnLinesAndRays, Reach::BothWays>;
-const Uses<Ray, Window, Segment> matthesDrakopoulosRay =
+const Functions<Ray, Window, Segment> matthesDrakopoulosRay =
     lineOrRayUses<OnLinesAndRays, Reach::OneWay>;
 
 } // namespace clipping

@@ -51,7 +51,7 @@ struct OnLinesAndRays {
 
 } // namespace
 
-const Uses<Line, Window, Segment> skalaLine = lineOrRayUses<OnLinesAndRays, Reach::BothWays>;
-const Uses<Ray, Window, Segment> skalaRay = lineOrRayUses<OnLinesAndRays, Reach::OneWay>;
+const Functions<Line, Window, Segment> skalaLine = lineOrRayUses<OnLinesAndRays, Reach::BothWays>;
+const Functions<Ray, Window, Segment> skalaRay = lineOrRayUses<OnLinesAndRays, Reach::OneWay>;
 
 } // namespace clipping

@@ -7,9 +7,9 @@ namespace clipping {
 
 // The forms for infinite lines and rays that the rows of the catalogue name. Each is defined in its
 // algorithm's file in this folder.
-extern const Uses<Line, Window, Segment> cyrusBeckLine, liangBarskyLine, matthesDrakopoulosLine,
-    skalaLine;
-extern const Uses<Ray, Window, Segment> cyrusBeckRay, liangBarskyRay, matthesDrakopoulosRay,
+extern const Functions<Line, Window, Segment> cyrusBeckLine, liangBarskyLine,
+    matthesDrakopoulosLine, skalaLine;
+extern const Functions<Ray, Window, Segment> cyrusBeckRay, liangBarskyRay, matthesDrakopoulosRay,
     skalaRay;
 
 } // namespace clipping

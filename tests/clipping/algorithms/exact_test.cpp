@@ -82,7 +82,7 @@ std::string described(const S& s)
 }
 
 template <class T>
-void compareWithTruth(const Uses<BasicSegment<T>, BasicWindow<T>>& exact)
+void compareWithTruth(const Functions<BasicSegment<T>, BasicWindow<T>>& exact)
 {
     for (const auto& [name, window, segments] : hardScenes<T>(3000)) {
         std::size_t visible = 0;
@@ -104,7 +104,7 @@ void compareWithTruth(const Uses<BasicSegment<T>, BasicWindow<T>>& exact)
 }
 
 template <class T>
-void compareWithReversed(const Uses<BasicSegment<T>, BasicWindow<T>>& exact)
+void compareWithReversed(const Functions<BasicSegment<T>, BasicWindow<T>>& exact)
 {
     for (const auto& [name, window, segments] : hardScenes<T>(30000))
         for (const auto& s : segments) {
@@ -117,7 +117,7 @@ void compareWithReversed(const Uses<BasicSegment<T>, BasicWindow<T>>& exact)
 }
 
 template <class T>
-void compareEnds(const Uses<BasicSegment<T>, BasicWindow<T>>& exact)
+void compareEnds(const Functions<BasicSegment<T>, BasicWindow<T>>& exact)
 {
     const auto inside = [](const glm::vec<2, T>& p, const BasicWindow<T>& w) {
         return p.x >= w.min.x && p.x <= w.max.x && p.y >= w.min.y && p.y <= w.max.y;

@@ -26,12 +26,12 @@ auto clipOf(const InstructionSet& set)
 }
 
 template <class T>
-const Uses<BasicSegment<T>, BasicWindow<T>>& exactUses()
+const Functions<BasicSegment<T>, BasicWindow<T>>& exactUses()
 {
     if constexpr (sizeof(T) == sizeof(double))
         return exactAlgorithm().corrected;
     else
-        return *exactAlgorithm().single;
+        return *exactAlgorithm().floats;
 }
 
 /// The result of `exact`, one segment after the other.

@@ -45,7 +45,7 @@ const Known& known(const BoxFamily& family)
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-bool seesNothing(const Uses<Segment3, Window3>& uses, const BoxInput& input)
+bool seesNothing(const Functions<Segment3, Window3>& uses, const BoxInput& input)
 {
     std::array<BasicClipped<Segment3>, 1> out;
     return !uses.clip(input.segment, input.window)
@@ -62,7 +62,7 @@ bool notLess(const OperationCounts& x, const OperationCounts& y)
 /// Whether a cut says an end is new, or not, and names a side that it lies on.
 bool namesTheSide(Edge side, const glm::dvec3& end, const glm::dvec3& given, const Window3& w)
 {
-    return side == Edge::None ? end == given : end[axisOf(side)] == levelOf(side, w);
+    return side == Edge::NoEdge ? end == given : end[axisOf(side)] == levelOf(side, w);
 }
 
 /// The input mirrored in each axis that `mirrored` names, a bit an axis, or the same, back.

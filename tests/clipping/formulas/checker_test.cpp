@@ -33,19 +33,26 @@ const clipping::Segment cut{{0, 1}, {5, 1}}, held{{0, 1}, {4, 1}};
 std::vector<Step> goodRun()
 {
     return {
-        {What::Let, false, "half", 1, given, Edge::None, {{"dx", 8}, {"half", 4}}, {1, 0, 1, 0, 0}},
+        {What::Let,
+         false,
+         "half",
+         1,
+         given,
+         Edge::NoEdge,
+         {{"dx", 8}, {"half", 4}},
+         {1, 0, 1, 0, 0}},
         {What::Let,
          false,
          "q",
          4,
          given,
-         Edge::None,
+         Edge::NoEdge,
          {{"i", 1}, {"xi", -3}, {"moved", 0}, {"p", 16}, {"q", -3}},
          {1, 1, 1, 0, 0}},
-        {What::Test, false, "", 7, given, Edge::None, {}, {1, 1, 1, 1, 0}},
+        {What::Test, false, "", 7, given, Edge::NoEdge, {}, {1, 1, 1, 1, 0}},
         {What::Cut, false, "", 5, cut, Edge::Left, {}, {1, 1, 1, 3, 0}},
-        {What::Let, false, "left", 10, held, Edge::None, {{"nx", -1}}, {1, 1, 1, 9, 0}},
-        {What::Accept, false, "", 12, held, Edge::None, {}, {1, 1, 1, 9, 0}},
+        {What::Let, false, "left", 10, held, Edge::NoEdge, {{"nx", -1}}, {1, 1, 1, 9, 0}},
+        {What::Accept, false, "", 12, held, Edge::NoEdge, {}, {1, 1, 1, 9, 0}},
     };
 }
 
@@ -61,10 +68,10 @@ std::vector<Step> turningRun()
                                                    {"x1", -1},  {"y2", 5},      {"xmin", -4}};
     return {
         {What::Test, true, "", 1, given, Edge::Top, {}, {0, 0, 0, 1, 0}},
-        {What::Let, false, "xmin", 1, given, Edge::None, inside, {0, 0, 0, 1, 4}},
+        {What::Let, false, "xmin", 1, given, Edge::NoEdge, inside, {0, 0, 0, 1, 4}},
         {What::Cut, false, "", 4, cut, Edge::Left, {{"y1", 0}}, {0, 0, 0, 3, 4}},
-        {What::Let, false, "left", 1, cut, Edge::None, {{"x1", 0}, {"ymax", 4}}, {0, 0, 0, 3, 6}},
-        {What::Accept, false, "", 2, cut, Edge::None, {}, {0, 0, 0, 3, 6}},
+        {What::Let, false, "left", 1, cut, Edge::NoEdge, {{"x1", 0}, {"ymax", 4}}, {0, 0, 0, 3, 6}},
+        {What::Accept, false, "", 2, cut, Edge::NoEdge, {}, {0, 0, 0, 3, 6}},
     };
 }
 

@@ -25,7 +25,7 @@ double held(double value, const Scope& scope)
     if (scope.axis < 0)
         throw Unreadable("held(...) is no coordinate here");
     const clipping::Window w = scope.window();
-    if (scope.edge != clipping::Edge::None && clipping::axisOf(scope.edge) == scope.axis)
+    if (scope.edge != clipping::Edge::NoEdge && clipping::axisOf(scope.edge) == scope.axis)
         return clipping::levelOf(scope.edge, w);
     return clipping::clamped(value, w.min[scope.axis], w.max[scope.axis]);
 }
@@ -33,7 +33,7 @@ double held(double value, const Scope& scope)
 /// Whether a point is beyond the edge of the step.
 bool isBeyond(const glm::dvec2& p, const Scope& scope)
 {
-    if (scope.edge == clipping::Edge::None)
+    if (scope.edge == clipping::Edge::NoEdge)
         throw Unreadable("beyond(...) is of no edge here");
     const auto axis = clipping::axisOf(scope.edge);
     const double level = clipping::levelOf(scope.edge, scope.window());

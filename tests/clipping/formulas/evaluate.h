@@ -19,7 +19,7 @@ public:
     void setWindow(const clipping::Window& window);
     std::string text() const; ///< every known variable with its value
 
-    clipping::Edge edge = clipping::Edge::None; ///< that the step is about
+    clipping::Edge edge = clipping::Edge::NoEdge; ///< that the step is about
     int axis = -1; ///< of the coordinate that gets the value; -1: it is none
 
 private:

@@ -12,7 +12,7 @@ namespace {
 const clipping::Segment segment{{1, 2}, {30, 40}};
 const clipping::Window window{{5, 6}, {7, 8}};
 
-double valueOf(const char* formula, clipping::Edge edge = clipping::Edge::None, int axis = -1)
+double valueOf(const char* formula, clipping::Edge edge = clipping::Edge::NoEdge, int axis = -1)
 {
     Names names;
     const std::set<std::string> loops{"i"};

@@ -13,7 +13,7 @@ std::array<double, 4> Plane::of(const clipping::Segment& s) const
 
 clipping::Edge Plane::of(clipping::Edge edge) const
 {
-    if (edge == clipping::Edge::None)
+    if (edge == clipping::Edge::NoEdge)
         return edge;
     const int axis = int(clipping::axisOf(edge)), k = axes[0] == axis ? 0 : 1;
     const bool isLower = edge == clipping::lowerEdge(axis);

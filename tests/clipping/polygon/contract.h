@@ -17,7 +17,7 @@
 #include "tests/clipping/rational.h"
 #include "tests/clipping/same_bits.h"
 
-using PolygonUses = clipping::Uses<clipping::Segment, clipping::ConvexPolygon>;
+using PolygonUses = clipping::Functions<clipping::Segment, clipping::ConvexPolygon>;
 
 inline std::string exactly(const clipping::Segment& s, const clipping::ConvexPolygon& p)
 {

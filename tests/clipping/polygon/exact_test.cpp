@@ -108,7 +108,7 @@ std::vector<Clipped> oneByOne(const std::vector<Segment>& segments, const Convex
 {
     std::vector<Clipped> all;
     for (std::size_t i = 0; i < segments.size(); ++i)
-        if (auto piece = clipOne(*exactAlgorithm().searchedPolygon, segments[i], polygon)) {
+        if (auto piece = clipOne(*exactAlgorithm().polygonBySearch, segments[i], polygon)) {
             piece->source = std::uint32_t(i);
             all.push_back(*piece);
         }
@@ -178,7 +178,7 @@ void everyExactForm()
 {
     QTest::addColumn<const PolygonUses*>("uses");
     QTest::newRow("polygon") << exactAlgorithm().polygon;
-    QTest::newRow("searched") << exactAlgorithm().searchedPolygon;
+    QTest::newRow("searched") << exactAlgorithm().polygonBySearch;
     QTest::newRow("winding number") << findAlgorithm("winding-number")->polygon;
 }
 

@@ -449,7 +449,7 @@ private slots:
                 segments.push_back(someSegment(random, polygon, size));
             std::vector<Clipped> one(segments.size()), two(segments.size());
             one.resize(skala->polygon->clipAll(segments, polygon, one));
-            two.resize(skala->searchedPolygon->clipAll(segments, polygon, two));
+            two.resize(skala->polygonBySearch->clipAll(segments, polygon, two));
             QCOMPARE(one.size(), two.size());
             for (std::size_t j = 0; j < one.size(); ++j)
                 QVERIFY2(one[j].source == two[j].source && one[j].cut == two[j].cut
@@ -471,9 +471,9 @@ private slots:
             return uses.count({&s, 1}, polygon).comparisons;
         };
         QVERIFY(comparisons(*skala->polygon, 4'096) > 15 * comparisons(*skala->polygon, 256));
-        QVERIFY(comparisons(*skala->searchedPolygon, 4'096)
-                < 1.5 * double(comparisons(*skala->searchedPolygon, 256)));
-        QVERIFY(comparisons(*skala->searchedPolygon, 4'096)
+        QVERIFY(comparisons(*skala->polygonBySearch, 4'096)
+                < 1.5 * double(comparisons(*skala->polygonBySearch, 256)));
+        QVERIFY(comparisons(*skala->polygonBySearch, 4'096)
                 < comparisons(*skala->polygon, 4'096) / 20);
     }
 

@@ -17,8 +17,8 @@ inline void everyPolygonForm()
         const bool exact = a.key != std::string_view("cyrus-beck");
         if (a.polygon)
             QTest::newRow(a.key.data()) << a.polygon << exact;
-        if (a.searchedPolygon)
-            QTest::addRow("%s, searched", a.key.data()) << a.searchedPolygon << exact;
+        if (a.polygonBySearch)
+            QTest::addRow("%s, searched", a.key.data()) << a.polygonBySearch << exact;
     }
 }
 
