@@ -55,6 +55,9 @@ const Format& formatOf(const ParsedArguments& arguments, const QString& option, 
 
 const Format& readFormatOf(const ParsedArguments& arguments, const QString& path)
 {
+    const bool there = QFileInfo::exists(path) && !QFileInfo(path).isDir();
+    if (path != standardStream && !there)
+        return formats()[0];
     return formatOf(arguments, QStringLiteral("from"), path, &Format::read, formatToRead(path));
 }
 
@@ -153,11 +156,9 @@ Imported readDrawing(const QString& path)
 
 Imported readDrawing(const ParsedArguments& arguments, const QString& path)
 {
-    if (path != standardStream) {
-        const bool there = QFileInfo::exists(path) && !QFileInfo(path).isDir();
-        return readAs(path, there ? readFormatOf(arguments, path) : formats()[0]);
-    }
     const Format& format = readFormatOf(arguments, path);
+    if (path != standardStream)
+        return readAs(path, format);
     QFile in;
     if (!in.open(stdin, QIODevice::ReadOnly))
         throw Failure{Commands::tr("Cannot read standard input: %1.").arg(in.errorString())};

@@ -25,7 +25,8 @@ void sayHiddenLeftOut(std::size_t count, const Format& format);
 QStringList readingLimits();
 QStringList readingAndWritingLimits();
 
-/// The type of a command's input, as --from or its name says; throws WrongUsage.
+/// The type of a command's input, as --from or its name says; throws WrongUsage. For a file that is
+/// not there it is any type, because reading it says so.
 const Format& readFormatOf(const ParsedArguments& arguments, const QString& path);
 
 /// Reads the drawing in the file `path`, whose type its name shows; throws Failure.

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "clipping/algorithm.h"
 #include "clipping/outside.h"
+#include "clipping/python/exact_on_threads.h"
 #include "clipping/python/module.h"
 #include "clipping/python/pieces.h"
 #include "clipping/python/rows.h"
 
 #include <pybind11/stl.h>
-
-#ifdef CLEARCUT_THREADS
-#include "clipping/parallel/clip_all.h"
-
-#include <tbb/task_arena.h>
-#endif
 
 namespace py = pybind11;
 
@@ -54,22 +49,6 @@ py::tuple clipArray(const py::array& array, const ClipAll& clipAll)
     return pieces.take(count);
 }
 
-template <class T>
-std::size_t exactInParallel([[maybe_unused]] int threads, std::span<const BasicSegment<T>> in,
-                            const BasicWindow<T>& window, std::span<PieceOf<T>> out)
-{
-#ifdef CLEARCUT_THREADS
-    if (threads == 0)
-        return clipAllInParallel(in, window, out);
-    if (threads > 1)
-        return tbb::task_arena(threads).execute([&] { return clipAllInParallel(in, window, out); });
-#endif
-    if constexpr (std::is_same_v<T, float>)
-        return exactAlgorithm().single->clipAll(in, window, out);
-    else
-        return exactAlgorithm().corrected.clipAll(in, window, out);
-}
-
 const Algorithm& rowOf(const std::string& key)
 {
     const Algorithm* row = findAlgorithm(key);
@@ -97,7 +76,7 @@ py::tuple clipAtWindow(const py::array& array, const WindowNumbers& numbers, con
         formOf(usesOf(row, published ? Form::Published : Form::Corrected), row, "published form");
     const bool isExact = &row == &exactAlgorithm();
     return clipArray<Segment, double>(array, [&](auto in, auto out) {
-        return isExact ? exactInParallel<double>(threads, in, window, out)
+        return isExact ? exactOnThreads<double>(threads, in, window, out)
                        : uses.clipAll(in, window, out);
     });
 }
@@ -109,7 +88,7 @@ py::tuple clipFloats(const py::array& array, const WindowNumbers& numbers, const
     const auto window = windowOf<float>(numbers);
     const bool isExact = &row == &exactAlgorithm();
     return clipArray<BasicSegment<float>, float>(array, [&](auto in, auto out) {
-        return isExact ? exactInParallel<float>(threads, in, window, out)
+        return isExact ? exactOnThreads<float>(threads, in, window, out)
                        : row.single->clipAll(in, window, out);
     });
 }

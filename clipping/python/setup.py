@@ -27,7 +27,8 @@ class BuildWithCMake(build_ext):
         build = pathlib.Path(self.build_temp).resolve()
         subprocess.run(["cmake", "-S", LIBRARY, "-B", build, "-DCMAKE_BUILD_TYPE=Release", "-DCLEARCUT_PYTHON=ON",
                         "-DCLEARCUT_INSTALL=OFF", f"-DPython3_EXECUTABLE={sys.executable}"], check=True)
-        subprocess.run(["cmake", "--build", build, "--target", "clearcut_python", "--parallel"], check=True)
+        subprocess.run(["cmake", "--build", build, "--target", "clearcut_python", "--parallel",
+                        str(os.cpu_count() or 1)], check=True)
         return build / "python/clearcut"
 
 

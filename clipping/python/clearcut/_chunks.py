@@ -39,7 +39,8 @@ class Chunks:
         return Clipped(*self._chunks.clip(arguments.window(window)))
 
     def update(self, first: int, last: int) -> None:
-        """Call this after the rows from `first` up to, not including, `last` have been written to."""
+        """Call this after the rows from `first` up to, not including, `last` have been written to, and not while another
+        thread clips."""
         if not 0 <= first <= last <= self._count:
             raise ValueError(f"0 <= first <= last <= {self._count} must hold, but these are {first} and {last}")
         self._chunks.update(first, last)

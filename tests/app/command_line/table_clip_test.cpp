@@ -165,6 +165,17 @@ private slots:
         QCOMPARE(contentOf(out), header + "0,0,1,1,Drawing,#000000,1,0\n");
     }
 
+    void aFileThatIsNotThereIsSaid()
+    {
+        for (const char* name : {"none", "none.csv"}) {
+            const QString in = folder_.filePath(QString::fromUtf8(name));
+            const auto run = clearcut({"clip", in, "--to", "csv", "-w", "0,0,9,9", "-o", "-"});
+            QCOMPARE(run.code, 1);
+            QCOMPARE(run.err,
+                     "clearcut clip: Cannot open " + in.toUtf8() + ": there is no such file.\n");
+        }
+    }
+
     void optionsOfTablesNeedATable()
     {
         for (const char* option : {"--skip-bad", "--rows-only"}) {

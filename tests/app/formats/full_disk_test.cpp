@@ -2,11 +2,13 @@
 #include "app/base/latin.h"
 #include "app/base/replace_file.h"
 #include "app/base/usual_algorithm.h"
+#include "app/base/write_all.h"
 #include "app/charts/chart_file.h"
 #include "app/charts/record_chart.h"
 #include "app/command_line/command.h"
 #include "app/cost_map/files.h"
 #include "app/experiment/paper_tables.h"
+#include "app/formats/csv/table_cut.h"
 #include "app/formats/format.h"
 #include "app/judge/example_files.h"
 #include "app/report/report.h"
@@ -85,6 +87,25 @@ std::optional<QString> paintPdf(QIODevice& out)
     return std::nullopt;
 }
 
+/// Cuts a table row by row into the file, as clearcut clip does.
+std::optional<QString> cutRows(QIODevice& out)
+{
+    std::string rows;
+    for (int i = 0; i < 400; ++i)
+        rows += "0," + std::to_string(i % 9) + ",9,9\n";
+    const auto source = [rows, at = std::size_t(0)](char* bytes, std::size_t size) mutable {
+        const std::size_t count = rows.copy(bytes, size, at);
+        at += count;
+        return count;
+    };
+    csv::cutTable(source, [&](std::string_view text) { return writeAll(out, text); },
+                  {.cut = {.clipAll = usualAlgorithm().corrected.clipAll,
+                           .region = regionOf({{{.shape = RectangleShape{{{1, 1}, {8, 8}}}}}}, 1)},
+                   .write = {},
+                   .threads = 2});
+    return std::nullopt;
+}
+
 std::vector<Writer> madeWriters()
 {
     std::vector<Writer> all;
@@ -136,6 +157,8 @@ std::vector<Writer> madeWriters()
                                {.title = "R", .sections = {{.title = "S", .tables = {table()}}}},
                                path);
                        }});
+    all.push_back(
+        {"cut table", "csv", [](const QString& path) { return replaceFile(path, cutRows); }});
     all.push_back(
         {"Qt's PDF", "pdf", [](const QString& path) { return replaceFile(path, paintPdf); }});
     return all;

@@ -3,30 +3,34 @@
 import contextlib
 import doctest
 import importlib
+import importlib.util
 import io
+import os
 import pathlib
 import pkgutil
 import re
 import tempfile
-import os
 import unittest
+import warnings
 
 import clearcut
 
 PAGE = pathlib.Path(__file__).resolve().parents[3] / "clipping/python/README.md"
+warnings.simplefilter("default")  # Dask's own warnings are no errors
 OPTIONAL = {"shapely", "dask", "matplotlib"}
 
 
 class Page(unittest.TestCase):
     def test_doctests(self):
         tried = 0
-        for module in [clearcut] + [importlib.import_module(f"clearcut.{m.name}")
-                                    for m in pkgutil.iter_modules(clearcut.__path__) if m.name != "_clearcut"]:
-            if module.__name__ == "clearcut._geometry" and not installed("shapely"):
-                continue
+        needs = {"_geometry": "shapely", "dask": "dask"}
+        names = [m.name for m in pkgutil.iter_modules(clearcut.__path__) if installed(needs.get(m.name, "numpy"))]
+        for name in names:
+            module = importlib.import_module(f"clearcut.{name}")
             result = doctest.testmod(module)
-            self.assertEqual(result.failed, 0, module.__name__)
+            self.assertEqual(result.failed, 0, name)
             tried += result.attempted
+        tried += doctest.testmod(clearcut, raise_on_error=True).attempted
         self.assertGreater(tried, 20)
 
     def test_programs(self):
@@ -35,7 +39,7 @@ class Page(unittest.TestCase):
         self.assertGreater(len(programs), 2)
         home = os.getcwd()
         for i, program in programs:
-            if any(re.search(rf"^(import|from) {name}", program, re.M) and not installed(name) for name in OPTIONAL):
+            if any(re.search(rf"^(import|from) (clearcut\.)?{name}", program, re.M) and not installed(name) for name in OPTIONAL):
                 continue
             printed = io.StringIO()
             with self.subTest(program=program), tempfile.TemporaryDirectory() as folder:

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: MIT
+"""Clips arrays that are larger than memory, or on several computers, with Dask. Needs dask; clusters need distributed.
+
+Each chunk is clipped on its own by `clearcut.clip`, on the worker that has it. So a worker that is lost loses nothing:
+Dask clips its chunks again elsewhere, and the result has the same bits.
+
+>>> import dask.array as da, numpy as np, clearcut.dask
+>>> lines = da.from_array(np.array([[-5., 5., 15., 5.], [20., 20., 30., 30.], [1., 1., 2., 2.]]), chunks=(2, 4))
+>>> pieces = clearcut.dask.clip(lines, (0, 0, 10, 10))
+>>> pieces.segments.compute(scheduler="sync")
+array([[ 0.,  5., 10.,  5.],
+       [ 1.,  1.,  2.,  2.]])
+>>> pieces.source.compute(scheduler="sync")
+array([0, 2])
+"""
+from __future__ import annotations
+
+import json
+import math
+import os
+from typing import Any, NamedTuple, Sequence
+
+import numpy as np
+
+from . import _arguments as arguments
+from . import _clip
+
+try:
+    import dask
+    import dask.array as da
+except ImportError:
+    raise ImportError("clearcut.dask needs dask (Debian: python3-dask)") from None
+
+
+class Pieces(NamedTuple):
+    """As `clearcut.Clipped`, but Dask arrays, whose lengths are not known before they are computed."""
+
+    #: Shape (m, 4), the dtype of the input.
+    segments: da.Array
+    #: Shape (m,), int64: the index of each piece's segment in the whole array.
+    source: da.Array
+    #: Shape (m,), uint32: as in `clearcut.Clipped`.
+    cut: da.Array
+
+
+def clip(lines: da.Array, window: Sequence[float] | None = None, **options: Any) -> Pieces:
+    """Clips a Dask array of shape (n, 4), float64 or float32, in chunks of rows; nothing is computed yet.
+
+    window and options are those of `clearcut.clip`; each chunk is clipped on one thread unless `threads` is given.
+    The pieces are in the order of the rows, and chunk i of the result comes from chunk i of `lines`.
+    """
+    found = [_pieces_of(chunk, first, window, options) for chunk, first in _chunks(lines, window, options)]
+
+    def joined(part: str, shape: tuple[float, ...], dtype: Any) -> da.Array:
+        arrays = [da.from_delayed(dask.delayed(getattr)(each, part), shape, dtype) for each in found]
+        return da.concatenate(arrays) if arrays else da.zeros((0, *shape[1:]), dtype=dtype)
+
+    return Pieces(joined("segments", (math.nan, 4), lines.dtype), joined("source", (math.nan,), np.int64),
+                  joined("cut", (math.nan,), np.uint32))
+
+
+def clip_to_files(lines: da.Array, folder: str, window: Sequence[float] | None = None, **options: Any) -> dict[str, Any]:
+    """Clips as `clip` does, and writes the pieces of each chunk to files of NumPy in `folder`: part-00000-segments.npy,
+    -source.npy and -cut.npy. No chunk passes through the caller. A file is there only when it is complete.
+
+    Returns what it also writes to manifest.json: "parts", a dict for each chunk with its number, the index of its
+    first row, the number of its pieces, and "error": null, or why it could not be clipped. The other chunks are
+    written all the same.
+    """
+    os.makedirs(folder, exist_ok=True)
+    parts = [dask.delayed(_write)(chunk, number, first, folder, window, options)
+             for number, (chunk, first) in enumerate(_chunks(lines, window, options))]
+    manifest = {"parts": list(dask.compute(*parts))}
+    _replace(os.path.join(folder, "manifest.json"), lambda file: file.write(json.dumps(manifest, indent=1).encode()))
+    return manifest
+
+
+def _chunks(lines: da.Array, window: Any, options: dict[str, Any]) -> list[tuple[Any, int]]:
+    """Each chunk as a delayed array, with the index of its first row."""
+    if not isinstance(lines, da.Array):
+        raise TypeError(f"lines must be a Dask array of shape (n, 4), but this is a {type(lines).__name__}")
+    _clip.clip(np.zeros((0, *lines.shape[1:]), lines.dtype), window, **options)  # refuses what is wrong at once
+    if any(math.isnan(size) for size in lines.chunks[0]):
+        raise ValueError("the lengths of the chunks must be known; call lines.compute_chunk_sizes() first")
+    rows = lines.rechunk({1: 4})
+    firsts = np.concatenate([[0], np.cumsum(rows.chunks[0], dtype=np.int64)])
+    return [(chunk, int(first)) for chunk, first in zip(rows.to_delayed().reshape(-1), firsts)]
+
+
+def _pieces_of(chunk: Any, first: int, window: Any, options: dict[str, Any]) -> Any:
+    return dask.delayed(_clip_chunk)(chunk, first, window, options)
+
+
+def _clip_chunk(chunk: np.ndarray, first: int, window: Any, options: dict[str, Any]) -> _clip.Clipped:
+    segments, source, cut = _clip.clip(chunk, window, **{"threads": 1, **options})
+    # Copies: views would carry the memory of the largest possible result from worker to worker.
+    return _clip.Clipped(segments.copy(), source.astype(np.int64) + first, cut.copy())
+
+
+def _write(chunk: Any, number: int, first: int, folder: str, window: Any, options: dict[str, Any]) -> dict[str, Any]:
+    part: dict[str, Any] = {"part": number, "first": first, "pieces": 0, "error": None}
+    try:
+        pieces = _clip_chunk(arguments.segments(chunk), first, window, options)
+    except (TypeError, ValueError) as error:
+        return {**part, "error": f"chunk {number}: {error}"}
+    for name, array in pieces._asdict().items():
+        _replace(os.path.join(folder, f"part-{number:05}-{name}.npy"), lambda file, array=array: np.save(file, array))
+    return {**part, "pieces": len(pieces.source)}
+
+
+def _replace(path: str, write: Any) -> None:
+    unfinished = f"{path}.{os.getpid()}.unfinished"
+    with open(unfinished, "wb") as file:
+        write(file)
+    os.replace(unfinished, path)
