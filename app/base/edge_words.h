@@ -11,7 +11,7 @@ namespace app {
 /// library's Top is the edge at ymax in either case.
 enum class YAxis : std::uint8_t { Down, Up };
 
-/// "the top edge", as seen on screen; empty for Edge::None.
+/// "the top edge", as seen on screen; empty for Edge::NoEdge.
 QString edgeWords(clipping::Edge edge, YAxis y);
 
 } // namespace app

@@ -17,9 +17,9 @@ enum class FixedEnd : std::uint8_t { End1, End2 };
 
 /// What a cost map shows.
 struct CostPlan {
-    std::optional<Variant> shown{};   ///< whose cost; empty: the map of the cheapest variants
-    std::vector<Variant> variants;    ///< the candidates for the cheapest; at most 32
-    const CostMeasure* measure;       ///< never null
+    std::optional<Variant> shown{}; ///< whose cost; empty: the map of the cheapest variants
+    std::vector<Variant> variants;  ///< the candidates for the cheapest; at most 32
+    const CostMeasure* measure;     ///< never null
     Point fixed;
     FixedEnd end = FixedEnd::End1;
     clipping::Window window;
@@ -45,7 +45,7 @@ CostPlan usualCostPlan(const clipping::Window& window);
 /// one.
 clipping::Window areaAround(const clipping::Window& window);
 
-/// The cost of one line: counts are those of `clipping::Uses::count`. Time: nanoseconds of the
+/// The cost of one line: counts are those of `clipping::Functions::count`. Time: nanoseconds of the
 /// thread's processor time a line, the median of some rounds that each clip the line many times.
 /// The time is noisy, and shorter than among other lines, because the processor predicts the
 /// branches.

@@ -44,7 +44,7 @@ bool comesBefore(const Point& p, const Point& q, const Segment& line)
 
 std::uint32_t cutAt(bool a, bool b)
 {
-    constexpr auto none = clipping::Edge::None;
+    constexpr auto none = clipping::Edge::NoEdge;
     return clipping::cutAt(a ? borderEdge : none, b ? borderEdge : none);
 }
 

@@ -86,7 +86,7 @@ End refined(const Bezier& curve, const Chord& chord, const Point& cut, Edge edge
     const End onChord{chord.t0 + (chord.t1 - chord.t0) * std::clamp(s, 0.0, 1.0), cut};
     if (edge == borderEdge)
         return endAtBorder(curve, chord, cut, region).value_or(onChord);
-    if (edge == Edge::None)
+    if (edge == Edge::NoEdge)
         return onChord;
     const int axis = edge == Edge::Left || edge == Edge::Right ? 0 : 1;
     const auto t = passage(curve, chord, [&](const Point& p) { return p[axis] > cut[axis]; });

@@ -11,11 +11,11 @@ namespace app {
 
 /// The kept part of one chord of a flattened path, in the direction from a to b. An end that
 /// differs from the chord's own end, in any bit, is a cut. `edgeA` and `edgeB` name the clip
-/// window's edge that made the cut, or are Edge::None.
+/// window's edge that made the cut, or are Edge::NoEdge.
 struct KeptPart {
     std::size_t chord;
     clipping::Segment segment;
-    clipping::Edge edgeA = clipping::Edge::None, edgeB = clipping::Edge::None;
+    clipping::Edge edgeA = clipping::Edge::NoEdge, edgeB = clipping::Edge::NoEdge;
 };
 
 /// A part of a path that is kept without a gap; `before` is its distance along the path from the

@@ -15,7 +15,7 @@ struct HalfPlane {
     HalfPlane other() const { return {on, -normal}; }
 };
 
-/// Whether a point lies strictly beyond an edge of the window. Not for Edge::None.
+/// Whether a point lies strictly beyond an edge of the window. Not for Edge::NoEdge.
 bool isBeyond(const Point& p, clipping::Edge edge, const clipping::Window& window);
 /// The half-plane beyond an edge of the window.
 HalfPlane beyond(clipping::Edge edge, const clipping::Window& window);

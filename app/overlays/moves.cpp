@@ -27,7 +27,7 @@ std::vector<EndMove> movesOf(const clipping::Trace& trace, const clipping::Segme
             moves.push_back({ofB, edge, from, to});
     };
     for (const clipping::Step& step : trace.steps) {
-        if (step.edge != clipping::Edge::None) {
+        if (step.edge != clipping::Edge::NoEdge) {
             note(false, step.edge, before.a, step.segment.a);
             note(true, step.edge, before.b, step.segment.b);
         }

@@ -16,7 +16,7 @@ QString tr(const char* text) { return QCoreApplication::translate("Overlay", tex
 
 /// The intersection of the line with an edge's infinite line.
 struct Crossing {
-    Edge edge = Edge::None;
+    Edge edge = Edge::NoEdge;
     double t = 0;
     bool enters = false;
     Point at{};
@@ -52,7 +52,7 @@ std::optional<Crossing> crossing(Edge edge, const OverlayContext& context)
 
 /// The last entry and the first exit, which bound the visible part. None: an end of the line does.
 struct Bounds {
-    Edge enter = Edge::None, leave = Edge::None;
+    Edge enter = Edge::NoEdge, leave = Edge::NoEdge;
     double from = 0, to = 1;
     bool has(Edge edge) const { return edge == enter || edge == leave; }
 };
@@ -78,7 +78,7 @@ Edge shutOut(const OverlayContext& context)
             && (edge == clipping::lowerEdge(axis) ? a[axis] < level : a[axis] > level))
             return edge;
     }
-    return Edge::None;
+    return Edge::NoEdge;
 }
 
 QString caption(const OverlayContext& context, const Bounds& bounds)
@@ -88,18 +88,18 @@ QString caption(const OverlayContext& context, const Bounds& bounds)
                   "is hatched. %1")
             .arg(pointAtALine());
     const auto words = [&](Edge edge) { return edgeWords(edge, context.y); };
-    if (const Edge edge = shutOut(context); edge != Edge::None)
+    if (const Edge edge = shutOut(context); edge != Edge::NoEdge)
         return tr("The line is parallel to %1 and lies beyond it: nothing is visible.")
             .arg(words(edge));
-    const QString start = bounds.enter == Edge::None
+    const QString start = bounds.enter == Edge::NoEdge
                               ? tr("The line starts inside all four half-planes")
                               : tr("The line enters the last half-plane at t = %1, at %2,")
                                     .arg(parameterText(bounds.from), words(bounds.enter));
-    const QString stop = bounds.leave == Edge::None
+    const QString stop = bounds.leave == Edge::NoEdge
                              ? tr("leaves none of them before its end")
                              : tr("leaves the first one at t = %1, at %2")
                                    .arg(parameterText(bounds.to), words(bounds.leave));
-    const bool whole = bounds.enter == Edge::None && bounds.leave == Edge::None;
+    const bool whole = bounds.enter == Edge::NoEdge && bounds.leave == Edge::NoEdge;
     const QString end = bounds.from > bounds.to
                             ? tr("The line leaves before it has entered: nothing is visible.")
                         : whole ? tr("The whole line is visible.")
@@ -134,7 +134,7 @@ Overlay parameterOverlay(const OverlayContext& context)
     if (!context.line)
         return overlay;
     OverlayAxis axis{.from = bounds.from, .to = bounds.to};
-    if (shutOut(context) != Edge::None)
+    if (shutOut(context) != Edge::NoEdge)
         axis.from = 1, axis.to = 0;
     for (const Crossing& c : crossings) {
         const auto emphasis = bounds.has(c.edge) ? Emphasis::Highlighted : Emphasis::Quiet;

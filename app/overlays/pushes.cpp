@@ -61,9 +61,9 @@ QString caption(const OverlayContext& context, std::span<const EndMove> moves)
         ways.isEmpty() ? tr("No end is pushed.") : tr("Pushed: %1.").arg(ways.join(tr(", ")));
     if (context.trace.outcome == clipping::Outcome::Visible)
         return pushed + QStringLiteral(" ") + tr("The remaining part is visible.");
-    const Edge last = context.trace.steps.empty() ? Edge::None : context.trace.steps.back().edge;
+    const Edge last = context.trace.steps.empty() ? Edge::NoEdge : context.trace.steps.back().edge;
     const QString why =
-        last == Edge::None
+        last == Edge::NoEdge
             ? tr("The test for a miss fires: nothing is visible.")
             : tr("Both ends are beyond %1: nothing is visible.").arg(edgeWords(last, context.y));
     return pushed + QStringLiteral(" ") + why;

@@ -17,7 +17,7 @@ QString tr(const char* text) { return QCoreApplication::translate("Overlay", tex
 
 /// The edges at which a line from the first end enters and leaves the window.
 struct Sector {
-    Edge enter = Edge::None, leave = Edge::None;
+    Edge enter = Edge::NoEdge, leave = Edge::NoEdge;
     friend bool operator==(const Sector&, const Sector&) = default;
 };
 
@@ -52,9 +52,9 @@ public:
     std::vector<OverlayArea> sectors() const
     {
         std::vector<OverlayArea> areas = blind();
-        const std::vector<Edge> entries = facing_.empty() ? std::vector{Edge::None} : facing_;
+        const std::vector<Edge> entries = facing_.empty() ? std::vector{Edge::NoEdge} : facing_;
         for (const Edge enter : entries) {
-            areas.push_back(sector({enter, Edge::None}));
+            areas.push_back(sector({enter, Edge::NoEdge}));
             for (const Edge leave : windowEdges)
                 if (std::ranges::find(facing_, leave) == facing_.end())
                     areas.push_back(sector({enter, leave}));
@@ -84,9 +84,9 @@ private:
     OverlayArea sector(const Sector& of) const
     {
         std::vector<HalfPlane> halves;
-        if (of.enter != Edge::None)
+        if (of.enter != Edge::NoEdge)
             addWedge(halves, of.enter);
-        if (of.leave != Edge::None) {
+        if (of.leave != Edge::NoEdge) {
             addWedge(halves, of.leave);
             halves.push_back(beyond(of.leave, context_.window));
         } else
@@ -166,10 +166,10 @@ QString caption(const OverlayContext& context, const Point& eye,
         return tr("End 1 lies %1, and so does End 2: nothing is cut.").arg(place);
     const auto words = [&](Edge edge) { return edgeWords(edge, context.y); };
     const QString text =
-        sector->enter == Edge::None   ? tr("the line leaves through %1").arg(words(sector->leave))
-        : sector->leave == Edge::None ? tr("the line enters through %1").arg(words(sector->enter))
-                                      : tr("the line enters through %1 and leaves through %2")
-                                            .arg(words(sector->enter), words(sector->leave));
+        sector->enter == Edge::NoEdge   ? tr("the line leaves through %1").arg(words(sector->leave))
+        : sector->leave == Edge::NoEdge ? tr("the line enters through %1").arg(words(sector->enter))
+                                        : tr("the line enters through %1 and leaves through %2")
+                                              .arg(words(sector->enter), words(sector->leave));
     return tr("End 1 lies %1, End 2 in sector %2: %3.")
         .arg(place, labelOf(*sector, context.y), text);
 }

@@ -64,7 +64,7 @@ Point cornerOf(const Question& question, const clipping::Window& w)
 Edge edgeOfRejection(const clipping::Trace& trace)
 {
     if (trace.outcome == clipping::Outcome::Visible || trace.steps.size() < 2)
-        return Edge::None;
+        return Edge::NoEdge;
     return trace.steps[trace.steps.size() - 2].edge;
 }
 

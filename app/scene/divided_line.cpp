@@ -99,9 +99,9 @@ private:
     /// An end of the line or of a piece.
     struct Breakpoint {
         glm::dvec2 at;
-        Edge edge = Edge::None; ///< of the window; None: an end of the line
-        double level = 0;       ///< of that edge; NaN: a border that is not along an axis
-        double rounding = 0;    ///< the largest rounding error of an algorithm along the edge
+        Edge edge = Edge::NoEdge; ///< of the window; None: an end of the line
+        double level = 0;         ///< of that edge; NaN: a border that is not along an axis
+        double rounding = 0;      ///< the largest rounding error of an algorithm along the edge
         int place = 0;
     };
     /// A range of places inside a window, both ends included; `from > to`: empty.
@@ -112,7 +112,7 @@ private:
     struct Place {
         int breakpoint; ///< the first breakpoint at this place
         /// The edges of the first and of the last breakpoint at this place that have an edge.
-        Edge firstEdge = Edge::None, lastEdge = Edge::None;
+        Edge firstEdge = Edge::NoEdge, lastEdge = Edge::NoEdge;
         int starting = -1, ending = -1; ///< the first step whose stay starts or ends here; Step
                                         ///< links to the next
     };
@@ -137,7 +137,7 @@ private:
         if (edge == borderEdge)
             breakpoints_ << Breakpoint{at, edge, std::numeric_limits<double>::quiet_NaN(),
                                        2 * mostShapedUlps * ulpOf(line_, box)};
-        else if (edge == Edge::None || clipping::axisOf(edge) > 1) // published forms say anything
+        else if (edge == Edge::NoEdge || clipping::axisOf(edge) > 1) // published forms say anything
             breakpoints_ << Breakpoint{at};
         else
             breakpoints_ << Breakpoint{at, edge, clipping::levelOf(edge, box),
@@ -154,7 +154,7 @@ private:
         };
         QVarLengthArray<int, 32> order;
         for (int i = 0; i < breakpoints_.size(); ++i)
-            if (breakpoints_[i].edge != Edge::None && !std::isnan(breakpoints_[i].level))
+            if (breakpoints_[i].edge != Edge::NoEdge && !std::isnan(breakpoints_[i].level))
                 order << i;
         const bool sorted = order.size() > 16; // a linear search is as fast for fewer
         if (sorted)
@@ -185,7 +185,7 @@ private:
     {
         for (int i = 2; i < breakpoints_.size(); ++i) {
             Breakpoint& here = breakpoints_[i];
-            if (here.edge == Edge::None)
+            if (here.edge == Edge::NoEdge)
                 continue;
             const auto same = std::find_if(
                 breakpoints_.begin() + 2, breakpoints_.begin() + i, [&](const Breakpoint& other) {
@@ -193,7 +193,7 @@ private:
                         return false;
                     const auto apart = glm::abs(other.at - here.at);
                     const double most = std::max(other.rounding, here.rounding);
-                    return other.edge != Edge::None && apart.x <= most && apart.y <= most;
+                    return other.edge != Edge::NoEdge && apart.x <= most && apart.y <= most;
                 });
             if (same != breakpoints_.begin() + i)
                 here.at = same->at;
@@ -214,9 +214,9 @@ private:
             if (places_.isEmpty() || before(places_.last().breakpoint, i))
                 places_ << Place{i};
             breakpoints_[i].place = int(places_.size()) - 1;
-            if (const Edge edge = breakpoints_[i].edge; edge != Edge::None) {
+            if (const Edge edge = breakpoints_[i].edge; edge != Edge::NoEdge) {
                 Place& place = places_.last();
-                place.firstEdge = place.firstEdge == Edge::None ? edge : place.firstEdge;
+                place.firstEdge = place.firstEdge == Edge::NoEdge ? edge : place.firstEdge;
                 place.lastEdge = edge;
             }
         }
@@ -260,8 +260,8 @@ private:
         const glm::dvec2& a = breakpoints_[places_[first].breakpoint].at;
         const glm::dvec2& b = breakpoints_[places_[last].breakpoint].at;
         // A contact may lie on two edges: the first is its edge of a, the last its edge of b.
-        const Edge edgeOfA = startsAtA ? Edge::None : places_[first].firstEdge;
-        const Edge edgeOfB = endsAtB ? Edge::None : places_[last].lastEdge;
+        const Edge edgeOfA = startsAtA ? Edge::NoEdge : places_[first].firstEdge;
+        const Edge edgeOfB = endsAtB ? Edge::NoEdge : places_[last].lastEdge;
         // The two ends of a point may be 0 and -0.
         return {{a, endsAtB ? line_.b : b}, source, clipping::cutAt(edgeOfA, edgeOfB)};
     }

@@ -93,8 +93,8 @@ Remains remainsOf(const ClipRegion& region, const clipping::Window& box);
 /// Combines the pieces that an algorithm leaves of one line inside each step's window into the kept
 /// pieces, and appends these in the line's order. `atStep` has one element for each step. Each end
 /// is an end of the line or of a piece, bit for bit. `Clipped::cut` names the window edge that the
-/// end lies on, or Edge::None for an end of the line. The edge's level is the coordinate of the end
-/// across that edge. `source` is stored in every piece.
+/// end lies on, or Edge::NoEdge for an end of the line. The edge's level is the coordinate of the
+/// end across that edge. `source` is stored in every piece.
 ///
 /// For one rectangle the result is the algorithm's piece, or its `outsideAll`, bit for bit. With
 /// several windows, ends on the same level of an axis are merged into the first of them if they

@@ -91,7 +91,7 @@ void RegionClipping::fold(std::span<const Segment> lines, std::size_t first,
 
 static clipping::Edge edgeOf(std::uint32_t number)
 {
-    return number == 0 ? clipping::Edge::None : borderEdge;
+    return number == 0 ? clipping::Edge::NoEdge : borderEdge;
 }
 
 void RegionClipping::clipRegion(std::span<const Segment> lines, std::size_t first,

@@ -36,7 +36,7 @@ bool hasOwnForm(const RowForms& forms, const ClipRegion::Step& step)
 
 void markBorders(std::span<Clipped> pieces)
 {
-    const auto marked = [](bool cut) { return cut ? borderEdge : clipping::Edge::None; };
+    const auto marked = [](bool cut) { return cut ? borderEdge : clipping::Edge::NoEdge; };
     for (Clipped& piece : pieces)
         piece.cut = clipping::cutAt(marked(clipping::polygonEdgeOfA(piece.cut) != 0),
                                     marked(clipping::polygonEdgeOfB(piece.cut) != 0));
@@ -45,7 +45,7 @@ void markBorders(std::span<Clipped> pieces)
 void markTurnedBorders(std::span<Clipped> pieces)
 {
     const auto marked = [](clipping::Edge edge) {
-        return edge == clipping::Edge::None ? edge : borderEdge;
+        return edge == clipping::Edge::NoEdge ? edge : borderEdge;
     };
     for (Clipped& piece : pieces)
         piece.cut = clipping::cutAt(marked(clipping::cutEdgeOfA(piece.cut)),

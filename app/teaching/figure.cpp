@@ -131,7 +131,7 @@ void paintHighlightedEdge(const Picture& s)
         if (const auto line =
                 polygonEdgeLine(s.scene.polygonEdge, s.tracedLine.corners, s.frame.seen))
             strike(s, *line, pen(s.colours.highlight, 2.5 * s.u));
-    if (s.scene.edge == Edge::None || s.scene.edge > Edge::Top)
+    if (s.scene.edge == Edge::NoEdge || s.scene.edge > Edge::Top)
         return;
     if (const auto line = edgeLine(s.scene.edge, s.tracedLine, s.frame)) {
         s.painter.setPen(pen(s.colours.highlight, 2.5 * s.u));
@@ -262,7 +262,7 @@ void paintStep(QPainter& painter, const TraceStep& at, const FigureFrame& frame,
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(frame.picture(), colours.paper);
-    if (scene.edge != Edge::None && scene.edge <= Edge::Top)
+    if (scene.edge != Edge::NoEdge && scene.edge <= Edge::Top)
         hatch(picture, beyond(picture, scene.edge));
     if (scene.polygonEdge)
         hatchBeyondSide(picture, scene.polygonEdge);

@@ -107,7 +107,7 @@ NarratedStep narratedStepOf(SentenceContext context, const Teaching& teaching,
         narrated.sentence = sentenceOf(teaching, context);
     } else {
         narrated.line = polygonLine(context.tracedLine.variant, step);
-        narrated.edge = clipping::Edge::None; // those of the bounding box
+        narrated.edge = clipping::Edge::NoEdge; // those of the bounding box
         narrated.polygonEdge = polygonEdgeOf(context);
         narrated.sentence = polygonSentence(context);
     }

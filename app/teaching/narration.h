@@ -33,11 +33,11 @@ struct NarratedStep {
     QString sentence;                ///< what happens, in plain words
     std::vector<Variable> variables; ///< all known so far; those of End 1 and 2 first
     clipping::Segment left{};        ///< the remaining part of the line, if it is not rejected
-    clipping::Edge edge = clipping::Edge::None; ///< the edge of this step
-    std::size_t polygonEdge = 0;                ///< of a polygonal window, from 1; 0: none
-    std::optional<Point> candidate{};           ///< a candidate cut, from a parameter just computed
-    clipping::OperationCounts cost{};           ///< since the start
-    std::optional<bool> answer{};               ///< the result of a test
+    clipping::Edge edge = clipping::Edge::NoEdge; ///< the edge of this step
+    std::size_t polygonEdge = 0;                  ///< of a polygonal window, from 1; 0: none
+    std::optional<Point> candidate{}; ///< a candidate cut, from a parameter just computed
+    clipping::OperationCounts cost{}; ///< since the start
+    std::optional<bool> answer{};     ///< the result of a test
 };
 
 /// A whole trace as people read it. The steps are the library's own, so that they always match its

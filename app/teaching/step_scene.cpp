@@ -13,7 +13,7 @@ using clipping::Edge;
 
 bool isOn(clipping::Edge edge, const Point& at, const clipping::Window& window)
 {
-    return edge != Edge::None && edge <= Edge::Top
+    return edge != Edge::NoEdge && edge <= Edge::Top
            && at[clipping::axisOf(edge)] == clipping::levelOf(edge, window);
 }
 
@@ -32,7 +32,7 @@ CutPoint cutAt(const Point& at, int end, std::size_t step, const TracedLine& tra
     const bool atPolygon = !tracedLine.corners.empty();
     return {.at = at,
             .end = end,
-            .edge = atPolygon ? Edge::None : edgeOf(narrated, at, tracedLine.window),
+            .edge = atPolygon ? Edge::NoEdge : edgeOf(narrated, at, tracedLine.window),
             .polygonEdge = atPolygon ? polygonEdgeAt(at, tracedLine.corners) : 0,
             .step = step};
 }

@@ -8,11 +8,11 @@ namespace app {
 /// A place where the line was cut.
 struct CutPoint {
     Point at;
-    int end = 1;                                ///< the end that was moved there: 1 or 2
-    clipping::Edge edge = clipping::Edge::None; ///< None: not on an edge, as for wrong cuts
-    std::size_t polygonEdge = 0;                ///< of a polygonal window, from 1; 0: none
-    std::size_t step = 0;                       ///< index of the step
-    bool stands = true;                         ///< false: the same end was cut again later
+    int end = 1;                                  ///< the end that was moved there: 1 or 2
+    clipping::Edge edge = clipping::Edge::NoEdge; ///< None: not on an edge, as for wrong cuts
+    std::size_t polygonEdge = 0;                  ///< of a polygonal window, from 1; 0: none
+    std::size_t step = 0;                         ///< index of the step
+    bool stands = true;                           ///< false: the same end was cut again later
 };
 
 /// The picture of a step, in the drawing's coordinates.
@@ -24,8 +24,8 @@ struct StepScene {
     std::vector<clipping::Segment> discardedNow;
     std::vector<CutPoint> cuts{}; ///< so far, in order
     std::optional<Point> candidate{};
-    clipping::Edge edge = clipping::Edge::None; ///< the edge of this step
-    std::size_t polygonEdge = 0;                ///< the same of a polygonal window, from 1; 0: none
+    clipping::Edge edge = clipping::Edge::NoEdge; ///< the edge of this step
+    std::size_t polygonEdge = 0; ///< the same of a polygonal window, from 1; 0: none
     std::size_t step = 0;
 
     bool isNow(const CutPoint& cut) const { return cut.step == step; }

@@ -154,8 +154,8 @@ std::optional<SeenPart> DrawListBuilder::partSeen(const clipping::Clipped& piece
     const clipping::Segment& s = piece.segment;
     if (s.a == s.b && source.a != source.b)
         return std::nullopt;
-    SeenPart part{s, clipping::cutEdgeOfA(piece.cut) != clipping::Edge::None,
-                  clipping::cutEdgeOfB(piece.cut) != clipping::Edge::None};
+    SeenPart part{s, clipping::cutEdgeOfA(piece.cut) != clipping::Edge::NoEdge,
+                  clipping::cutEdgeOfB(piece.cut) != clipping::Edge::NoEdge};
     if (contains(seen_, s.a) && contains(seen_, s.b))
         return part;
     const auto visible = clipToView(s, seen_);

@@ -15,7 +15,7 @@ void appendGaps(const Segment& line, std::uint32_t source, std::span<const Clipp
                 std::vector<Clipped>& gaps)
 {
     Segment gap = line; // its b is set when the gap ends
-    Edge from = Edge::None;
+    Edge from = Edge::NoEdge;
     bool touched = false;
     for (const Clipped& piece : kept) {
         Segment part = piece.segment;
@@ -35,7 +35,7 @@ void appendGaps(const Segment& line, std::uint32_t source, std::span<const Clipp
     if (!touched)
         gaps.push_back({line, source, 0});
     else if (gap.a != line.b)
-        gaps.push_back({{gap.a, line.b}, source, clipping::cutAt(from, Edge::None)});
+        gaps.push_back({{gap.a, line.b}, source, clipping::cutAt(from, Edge::NoEdge)});
 }
 
 } // namespace app

@@ -79,9 +79,9 @@ std::vector<Segment> removedParts(const Segment& whole, const clipping::Clipped*
     if (!visible)
         return {whole};
     std::vector<Segment> parts;
-    if (clipping::cutEdgeOfA(visible->cut) != clipping::Edge::None)
+    if (clipping::cutEdgeOfA(visible->cut) != clipping::Edge::NoEdge)
         parts.push_back({whole.a, visible->segment.a});
-    if (clipping::cutEdgeOfB(visible->cut) != clipping::Edge::None)
+    if (clipping::cutEdgeOfB(visible->cut) != clipping::Edge::NoEdge)
         parts.push_back({visible->segment.b, whole.b});
     return parts;
 }
@@ -127,9 +127,9 @@ void paintInspected(QPainter& painter, const Controller& controller, const Pane&
     const auto seen = visible ? lineOnScreen(controller, piece[0].segment) : std::nullopt;
     if (seen)
         paintFrame(painter, *seen, strokeWidth(controller, *session.inspected()), blue);
-    if (visible && clipping::cutEdgeOfA(piece[0].cut) != clipping::Edge::None)
+    if (visible && clipping::cutEdgeOfA(piece[0].cut) != clipping::Edge::NoEdge)
         paintCut(painter, controller, whole, piece[0].segment.a);
-    if (visible && clipping::cutEdgeOfB(piece[0].cut) != clipping::Edge::None)
+    if (visible && clipping::cutEdgeOfB(piece[0].cut) != clipping::Edge::NoEdge)
         paintCut(painter, controller, whole, piece[0].segment.b);
 }
 

@@ -100,7 +100,7 @@ double ConvexRegion::height(std::size_t side, const Point& p) const
 Edge ConvexRegion::edge(std::size_t side) const
 {
     const Point along = next(side) - corners_[side];
-    return along.x == 0 ? Edge::Left : along.y == 0 ? Edge::Bottom : Edge::None;
+    return along.x == 0 ? Edge::Left : along.y == 0 ? Edge::Bottom : Edge::NoEdge;
 }
 
 Point ConvexRegion::crossing(std::size_t side, const Point& a, const Point& b) const

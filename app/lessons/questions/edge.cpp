@@ -19,7 +19,7 @@ std::optional<Question> ask(const TracedLine& tracedLine, const Narration& narra
     const auto from =
         narration.steps.begin() + std::ptrdiff_t(std::min(step + 1, narration.steps.size()));
     const auto cut = std::find_if(from, narration.steps.end(), [](const NarratedStep& narrated) {
-        return narrated.mark == Mark::Cut && narrated.edge != clipping::Edge::None;
+        return narrated.mark == Mark::Cut && narrated.edge != clipping::Edge::NoEdge;
     });
     if (cut == narration.steps.end())
         return std::nullopt;

@@ -143,7 +143,7 @@ QString moved(const SentenceContext& context)
 QString newCode(const SentenceContext& context)
 {
     const int number = endOutside(context);
-    if (context.edge() != clipping::Edge::None)
+    if (context.edge() != clipping::Edge::NoEdge)
         return tr("The distance that %1 has moved, compared with its distances to the other edges, "
                   "gives the outcode %2.")
             .arg(words::end(number), codeAndRegion(context, number));
@@ -186,7 +186,7 @@ QString sentence(const SentenceContext& context)
     if (what == What::Cut)
         return moved(context);
     if (what == What::Test)
-        return context.edge() == clipping::Edge::None ? decided(context) : cutThere(context);
+        return context.edge() == clipping::Edge::NoEdge ? decided(context) : cutThere(context);
     if (context.step.line == 1)
         return outcodes(context);
     if (name == "left")

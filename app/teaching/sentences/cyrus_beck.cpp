@@ -115,8 +115,8 @@ QString sentence(const SentenceContext& context)
     if (context.step.line >= names.line)
         return words::endsOfPart(context, names);
     if (what == clipping::What::Let)
-        return context.edge() == clipping::Edge::None ? words::wholeLine(context, names)
-                                                      : given(context);
+        return context.edge() == clipping::Edge::NoEdge ? words::wholeLine(context, names)
+                                                        : given(context);
     return lineOf(context) == 14 ? concluded(context) : asked(context);
 }
 

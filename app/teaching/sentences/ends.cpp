@@ -51,7 +51,7 @@ Point endOf(int number, const SentenceContext& context)
 
 bool isBeyond(const SentenceContext& context, int number, Edge edge)
 {
-    return edge != Edge::None
+    return edge != Edge::NoEdge
            && app::isBeyond(endOf(number, context), edge, context.tracedLine.window);
 }
 
@@ -87,7 +87,7 @@ QString bothBeyond(const SentenceContext& context)
 {
     const auto& [a, b] = context.tracedLine.line;
     const Edge edge =
-        context.edge() != Edge::None ? context.edge() : commonEdge(context.tracedLine);
+        context.edge() != Edge::NoEdge ? context.edge() : commonEdge(context.tracedLine);
     const auto& window = context.tracedLine.window;
     return tr("Both ends lie %1 (%2 and %3): no point of the line can be inside.")
         .arg(beyond(edge, context.tracedLine.y), compared(a, edge, window),
@@ -101,7 +101,7 @@ QString corner(Edge one, Edge other, YAxis y)
         "the top right corner"};
     if (one > other)
         std::swap(one, other);
-    if (one == Edge::None || one > Edge::Right || other < Edge::Bottom)
+    if (one == Edge::NoEdge || one > Edge::Right || other < Edge::Bottom)
         return {};
     const bool top = (other == Edge::Top) == (y == YAxis::Up);
     return tr(corners[(top ? 2 : 0) + (one == Edge::Right ? 1 : 0)]);

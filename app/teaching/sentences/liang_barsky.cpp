@@ -119,8 +119,8 @@ QString sentence(const SentenceContext& context)
     if (line >= names.line)
         return words::endsOfPart(context, names);
     if (what == clipping::What::Let)
-        return context.edge() == clipping::Edge::None ? words::wholeLine(context, names)
-                                                      : given(context);
+        return context.edge() == clipping::Edge::NoEdge ? words::wholeLine(context, names)
+                                                        : given(context);
     return line == 2 || line == 7 || line == 12 ? direction(context) : crossing(context);
 }
 

@@ -32,7 +32,7 @@ Edge otherEdge(const SentenceContext& context, int end)
     const auto axis = 1 - clipping::axisOf(context.edge());
     return words::isBeyond(context, end, clipping::lowerEdge(axis))   ? clipping::lowerEdge(axis)
            : words::isBeyond(context, end, clipping::upperEdge(axis)) ? clipping::upperEdge(axis)
-                                                                      : Edge::None;
+                                                                      : Edge::NoEdge;
 }
 
 /// The result of a comparison with a corner of the window; `end` lies beyond the corner.

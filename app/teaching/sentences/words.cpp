@@ -79,7 +79,7 @@ QString region(unsigned code, YAxis y)
 
 clipping::Edge edgeOf(unsigned code)
 {
-    return code == 0 ? clipping::Edge::None : clipping::Edge(std::countr_zero(code) + 1);
+    return code == 0 ? clipping::Edge::NoEdge : clipping::Edge(std::countr_zero(code) + 1);
 }
 
 QString codeAndRegion(unsigned code, YAxis y)

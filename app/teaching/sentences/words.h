@@ -7,7 +7,7 @@
 
 namespace app::words {
 
-/// "left of the window", "above the window", as seen on screen. Not for Edge::None.
+/// "left of the window", "above the window", as seen on screen. Not for Edge::NoEdge.
 QString beyond(clipping::Edge edge, YAxis y);
 /// "x" or "y": the axis perpendicular to the edge.
 QString axisName(clipping::Edge edge);

@@ -31,7 +31,7 @@ QString captionWithoutEdges(const Variant& variant, const Window& w, const Segme
     app::OverlayContext context{{variant, w, line, {}, everything}};
     context.trace = context.traceOf(line);
     for (clipping::Step& step : context.trace.steps)
-        step.edge = clipping::Edge::None;
+        step.edge = clipping::Edge::NoEdge;
     return app::traceOverlay(context).caption;
 }
 

@@ -123,7 +123,7 @@ private slots:
                          what);
                 for (const clipping::Step& step : trace.steps)
                     for (const clipping::NamedValue& value : step.values)
-                        if (step.edge != Edge::None && (value.name == "r" || value.name == "t")) {
+                        if (step.edge != Edge::NoEdge && (value.name == "r" || value.name == "t")) {
                             const QString name = std::array{"", "left", "right", "bottom",
                                                             "top"}[std::size_t(step.edge)];
                             const auto tick = std::ranges::find(overlay.axis->ticks, name,

@@ -159,7 +159,7 @@ private slots:
                 QStringList fired;
                 Point before = p;
                 for (const clipping::Step& step : trace.steps) {
-                    if (step.edge != clipping::Edge::None && step.segment.a != before)
+                    if (step.edge != clipping::Edge::NoEdge && step.segment.a != before)
                         fired << std::array{"", "left", "right", "bottom",
                                             "top"}[std::size_t(step.edge)];
                     before = step.segment.a;

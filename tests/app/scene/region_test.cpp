@@ -147,9 +147,9 @@ bool agrees(const std::vector<Clipped>& kept, const std::vector<truth::Kept>& tr
     const auto agrees = [&](const Clipped& piece, const truth::Kept& t) {
         return isPoint(piece.segment.a, t.from) && isPoint(piece.segment.b, t.to)
                && piece.source == 7
-               && (clipping::cutEdgeOfA(piece.cut) == clipping::Edge::None)
+               && (clipping::cutEdgeOfA(piece.cut) == clipping::Edge::NoEdge)
                       == (t.from == truth::Fraction(0))
-               && (clipping::cutEdgeOfB(piece.cut) == clipping::Edge::None)
+               && (clipping::cutEdgeOfB(piece.cut) == clipping::Edge::NoEdge)
                       == (t.to == truth::Fraction(line.a == line.b ? 0 : 1));
     };
     return std::equal(kept.begin(), kept.end(), truth.begin(), truth.end(), agrees);

@@ -101,7 +101,7 @@ Pieces keptOf(std::span<const Segment> lines, const ClipRegion& region, const ap
     for (std::uint32_t i = 0; i < lines.size(); ++i)
         for (const clipping::RegionPiece& piece : form->clip(lines[i], *prepared)) {
             const auto edge = [](auto number) {
-                return number ? app::borderEdge : clipping::Edge::None;
+                return number ? app::borderEdge : clipping::Edge::NoEdge;
             };
             kept.push_back(
                 {piece.segment, i, clipping::cutAt(edge(piece.edgeOfA), edge(piece.edgeOfB))});

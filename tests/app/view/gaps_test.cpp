@@ -14,9 +14,9 @@ private slots:
     void gapsAndPiecesAreTheLine()
     {
         const clipping::Segment line{{0, 0}, {10, 0}};
-        const Clipped first{{{0, 0}, {2, 0}}, 7, cutAt(Edge::None, Edge::Right)};
+        const Clipped first{{{0, 0}, {2, 0}}, 7, cutAt(Edge::NoEdge, Edge::Right)};
         const Clipped middle{{{4, 0}, {5, 0}}, 7, cutAt(Edge::Left, Edge::Right)};
-        const Clipped last{{{8, 0}, {10, 0}}, 7, cutAt(Edge::Left, Edge::None)};
+        const Clipped last{{{8, 0}, {10, 0}}, 7, cutAt(Edge::Left, Edge::NoEdge)};
         const Clipped touch{{{6, 0}, {6, 0}}, 7, cutAt(Edge::Left, Edge::Left)};
         QVERIFY(equal(gaps(line, {}), {{line, 7, 0}}));
         QVERIFY(equal(gaps(line, {{line, 7, 0}}), {}));
@@ -25,15 +25,15 @@ private slots:
                                            {{{5, 0}, {8, 0}}, 7, cutAt(Edge::Right, Edge::Left)}};
         QVERIFY(equal(gaps(line, {first, middle, last}), between));
         QVERIFY(equal(gaps(line, {first, middle, touch, last}), between));
-        QVERIFY(
-            equal(gaps(line, {middle}), {{{{0, 0}, {4, 0}}, 7, cutAt(Edge::None, Edge::Left)},
-                                         {{{5, 0}, {10, 0}}, 7, cutAt(Edge::Right, Edge::None)}}));
+        QVERIFY(equal(gaps(line, {middle}),
+                      {{{{0, 0}, {4, 0}}, 7, cutAt(Edge::NoEdge, Edge::Left)},
+                       {{{5, 0}, {10, 0}}, 7, cutAt(Edge::Right, Edge::NoEdge)}}));
     }
     void aPieceThatRunsTheOtherWayIsTurned()
     {
         const clipping::Segment line{{0, 0}, {10, 0}};
-        QVERIFY(equal(gaps(line, {{{{5, 0}, {0, 0}}, 7, cutAt(Edge::Right, Edge::None)}}),
-                      {{{{5, 0}, {10, 0}}, 7, cutAt(Edge::Right, Edge::None)}}));
+        QVERIFY(equal(gaps(line, {{{{5, 0}, {0, 0}}, 7, cutAt(Edge::Right, Edge::NoEdge)}}),
+                      {{{{5, 0}, {10, 0}}, 7, cutAt(Edge::Right, Edge::NoEdge)}}));
     }
     void aPointIsThereOrMissing()
     {
