@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/live_sheets.h"
 
+#include "app/cut/cut_choices.h"
+
 namespace app {
 namespace {
 
@@ -69,7 +71,8 @@ void LiveSheets::cutDrawing()
         cut_.reset();
         return;
     }
-    const CutOptions options{.clipAll = session_.uses().clipAll, .region = region};
+    CutOptions options = cutOptions();
+    options.region = region;
     const auto take = [this](Document drawing) {
         cut_ = std::make_unique<CutDrawing>(std::move(drawing));
         emit changed();
@@ -82,6 +85,13 @@ void LiveSheets::cutDrawing()
     cutter_.start([document = session_.document.snapshot(),
                    options](const Follower&) { return cutAtItsWindows(document, options); },
                   take);
+}
+
+CutOptions LiveSheets::cutOptions() const
+{
+    CutOptions options = exportOptions(session_.display().cutting, session_.now().page());
+    options.clipAll = session_.uses().clipAll;
+    return options;
 }
 
 void LiveSheets::divide() { tiling_ = tilingOf(session_.now().page(), planOf(settings_)); }
@@ -117,8 +127,7 @@ void LiveSheets::setTitle(const QString& title)
 
 Sheets LiveSheets::sheets() const
 {
-    return {drawing(), planOf(settings_), *tiling_.value, {.clipAll = session_.uses().clipAll},
-            title_,    settings_.overview};
+    return {drawing(), planOf(settings_), *tiling_.value, cutOptions(), title_, settings_.overview};
 }
 
 QStringList LiveSheets::files() const

@@ -51,6 +51,7 @@ private:
     void forget();
     void divide();
     void cutDrawing();
+    CutOptions cutOptions() const; ///< as for an export; without a region
 
     struct CutDrawing {
         explicit CutDrawing(Document drawing) : document(std::move(drawing)) {}

@@ -126,6 +126,23 @@ private slots:
         QCOMPARE(contentsOf(session.now()).length, 400.0);
     }
 
+    // The sheets have what an exported file has.
+    void piecesThatAreTooShortAreDropped()
+    {
+        Session session;
+        LiveSheets sheets(session);
+        session.load(wide());
+        sheets.open();
+        addWindow(session, {.shape = RectangleShape{{{100, 50}, {150, 150}}}});
+        Display display = session.display();
+        display.cutting.leastMillimetres = 60;
+        session.setDisplay(display);
+        sheets.wait();
+        QCOMPARE(contentsOf(sheets.drawing()).length, 0.0);
+        QCOMPARE(sheets.sheets().options.leastLength,
+                 60 / session.now().page().millimetresPerUnit());
+    }
+
     void namesOfFiles()
     {
         Session session;
