@@ -25,6 +25,13 @@ void MainWindow::connectSession()
     connect(&session_.history, &app::History::indexChanged, strip_, &MessageStrip::closeDone);
     connect(&session_, &app::Session::refused, this, [this](const QString& sentence) {
         tell({Message::Kind::Warning, sentence});
+        // The next step shows that it is settled, or no longer wanted.
+        const auto withdraw = [this, sentence] {
+            if (message() == sentence)
+                tell({});
+        };
+        connect(&session_.history, &app::History::indexChanged, strip_, withdraw,
+                Qt::SingleShotConnection);
     });
 }
 

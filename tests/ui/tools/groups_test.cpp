@@ -227,6 +227,9 @@ private slots:
         drawing.click({10, 10});
         QCOMPARE(refused.count(), 2);
         QCOMPARE(drawing.session.history.count(), steps);
+        QVERIFY(drawing.t.window->message().contains("locked"));
+        model->setData(model->index(0), false, ui::LayerModel::LockedRole);
+        QVERIFY(drawing.t.window->message().isEmpty()); // it is settled
     }
     // Measured, not judged: a busy machine is slow. With all panels, without painting.
     void manyObjects()
