@@ -29,10 +29,9 @@ public:
 
     void tell(Message message);
     void closeDone(); ///< closes a Done message, because it is outdated
-    /// Shows why typed text or a step was refused, in place of the current message, which returns
-    /// afterwards.
+    /// Shows a warning about typed text in place of the current message, which returns afterwards.
     void refuse(const QString& sentence);
-    void withdrawRefusal(); ///< a field has accepted a value, or a step was made
+    void withdrawRefusal(); ///< a field has accepted a value
     QString sentence() const { return isHidden() ? QString() : message_.sentence; }
 
 protected:

@@ -23,9 +23,16 @@ void MainWindow::connectSession()
     connect(&session_.entered, &app::EnteredGroup::changed, this, &MainWindow::refreshActions);
     connect(&session_.history, &app::History::cleanChanged, this, &MainWindow::showTitle);
     connect(&session_.history, &app::History::indexChanged, strip_, &MessageStrip::closeDone);
-    // The next step shows that what was refused is settled, or no longer wanted.
-    connect(&session_.history, &app::History::indexChanged, strip_, &MessageStrip::withdrawRefusal);
-    connect(&session_, &app::Session::refused, strip_, &MessageStrip::refuse);
+    connect(&session_, &app::Session::refused, this, [this](const QString& sentence) {
+        tell({Message::Kind::Warning, sentence});
+        // The next step shows that it is settled, or no longer wanted.
+        const auto withdraw = [this, sentence] {
+            if (message() == sentence)
+                tell({});
+        };
+        connect(&session_.history, &app::History::indexChanged, strip_, withdraw,
+                Qt::SingleShotConnection);
+    });
 }
 
 void MainWindow::connectFiles()

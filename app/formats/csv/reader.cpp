@@ -10,8 +10,6 @@
 namespace app::csv {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("csv", text); }
-
 class Reader {
 public:
     explicit Reader(QIODevice& in) : text_(in) {}
@@ -46,8 +44,9 @@ private:
     void addRow(const Record& record)
     {
         if (lines_.size() == mostRows)
-            throw Refused{record.line,
-                          tr("exceeds the limit of %1 lines. Split the file.").arg(mostRows)};
+            throw Refused{
+                record.line,
+                Words::tr("exceeds the limit of %1 lines. Split the file.").arg(mostRows)};
         const Row row = rows_.row(fieldsOf(record), record.line);
         const StyleIndex style = styleOf(row, record.line);
         lines_.turnTo(row.layer);
@@ -71,7 +70,8 @@ private:
         imported_.report = rows_.report();
         if (const int beyond = lines_.beyond(); beyond > 0)
             imported_.report.push_back(
-                {tr("layer names of lines, beyond the first %1 layers").arg(Containers::mostLayers),
+                {Words::tr("layer names of lines, beyond the first %1 layers")
+                     .arg(Containers::mostLayers),
                  beyond});
         imported_.document = lines_.take();
         imported_.rows = lines_.order();
@@ -93,7 +93,8 @@ Result<Imported> read(QIODevice& in)
     try {
         return Result<Imported>::of(Reader(in).read());
     } catch (const Refused& refused) {
-        return Result<Imported>::failure(tr("line %1 %2").arg(refused.line).arg(refused.why));
+        return Result<Imported>::failure(
+            Words::tr("line %1 %2").arg(refused.line).arg(refused.why));
     }
 }
 

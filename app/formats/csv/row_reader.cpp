@@ -16,8 +16,6 @@ namespace {
 
 constexpr double largest = 1e300; // keeps sums and differences finite
 
-QString tr(const char* text) { return QCoreApplication::translate("csv", text); }
-
 std::string_view trimmed(std::string_view text)
 {
     constexpr std::string_view blank = " \t";
@@ -65,7 +63,7 @@ std::optional<Colour> colour(std::string_view text)
 
 QString columnsText(std::size_t count)
 {
-    return count == 1 ? tr("1 column") : tr("%1 columns").arg(count);
+    return count == 1 ? Words::tr("1 column") : Words::tr("%1 columns").arg(count);
 }
 
 } // namespace
@@ -81,8 +79,8 @@ bool RowReader::readHeader(Fields fields, std::size_t line)
         readName(fields[i], i, line);
     for (std::size_t i = 0; i < coordinateColumns; ++i)
         if (positions_[i] == none)
-            throw Refused{line, tr("is neither four numbers nor a header with x1, y1, "
-                                   "x2 and y2.")};
+            throw Refused{line, Words::tr("is neither four numbers nor a header with x1, y1, "
+                                          "x2 and y2.")};
     mostFields_ = fields.size();
     return true;
 }
@@ -94,19 +92,19 @@ void RowReader::readName(std::string_view field, std::size_t index, std::size_t 
                            [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
     const auto found = std::ranges::find(columnNames, name);
     if (found == columnNames.end()) {
-        report_.push_back({tr("column %1").arg(shown(name))});
+        report_.push_back({Words::tr("column %1").arg(shown(name))});
         return;
     }
     auto& position = positions_[std::size_t(found - columnNames.begin())];
     if (position != none)
-        throw Refused{line, tr("names the column %1 twice.").arg(shown(name))};
+        throw Refused{line, Words::tr("names the column %1 twice.").arg(shown(name))};
     position = index;
 }
 
 Row RowReader::row(Fields fields, std::size_t line) const
 {
     if (fields.size() > mostFields_)
-        throw Refused{line, tr("has %1; at most %2 are possible.")
+        throw Refused{line, Words::tr("has %1; at most %2 are possible.")
                                 .arg(columnsText(fields.size()))
                                 .arg(mostFields_)};
     const Point a{number(fields, X1, line), number(fields, Y1, line)};
@@ -127,15 +125,17 @@ std::string_view RowReader::field(Fields fields, Column column) const
 double RowReader::number(Fields fields, Column column, std::size_t line) const
 {
     if (positions_[column] >= fields.size())
-        throw Refused{line,
-                      tr("has %1; x1, y1, x2 and y2 are needed.").arg(columnsText(fields.size()))};
+        throw Refused{
+            line,
+            Words::tr("has %1; x1, y1, x2 and y2 are needed.").arg(columnsText(fields.size()))};
     const auto text = field(fields, column);
     if (const auto value = coordinate(text))
         return *value;
     if (tooLarge(text))
-        throw Refused{line,
-                      tr("has %1, which is too large; numbers go up to 1e300.").arg(shown(text))};
-    throw Refused{line, tr("has %1 where a number is needed.").arg(shown(text))};
+        throw Refused{
+            line,
+            Words::tr("has %1, which is too large; numbers go up to 1e300.").arg(shown(text))};
+    throw Refused{line, Words::tr("has %1 where a number is needed.").arg(shown(text))};
 }
 
 Style styleOf(const Row& row, std::size_t line)
@@ -144,16 +144,14 @@ Style styleOf(const Row& row, std::size_t line)
     if (!row.colour.empty()) {
         style.stroke = colour(row.colour);
         if (!style.stroke)
-            throw Refused{
-                line,
-                tr("has the colour %1; write it as #rrggbb or #rrggbbaa.").arg(shown(row.colour))};
+            throw Refused{line, Words::tr("has the colour %1; write it as #rrggbb or #rrggbbaa.")
+                                    .arg(shown(row.colour))};
     }
     if (!row.width.empty()) {
         const auto number = coordinate(row.width);
         if (!number || *number < 0)
-            throw Refused{
-                line,
-                tr("has the width %1; write a number that is not negative.").arg(shown(row.width))};
+            throw Refused{line, Words::tr("has the width %1; write a number that is not negative.")
+                                    .arg(shown(row.width))};
         style.width = *number;
     }
     return style;

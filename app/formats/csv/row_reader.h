@@ -5,11 +5,17 @@
 #include "app/formats/csv/columns.h"
 #include "app/formats/format.h"
 
+#include <QCoreApplication>
+
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace app::csv {
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(csv)
+};
 
 using Fields = std::span<const std::string_view>;
 
