@@ -32,6 +32,11 @@ std::shared_ptr<const clipping::PreparedRegion> areaWindows(const ClipRegion& re
 {
     if (region.prepared)
         return region.prepared;
+    if (region.steps.size() == 1 && region.keep == Keep::Inside) {
+        const ClipRegion::Step& only = region.steps.front();
+        if (only.area && only.operation == WindowOperation::Add)
+            return only.area; // prepared already
+    }
     clipping::Region windows{{}, clipping::Keep(region.keep)};
     for (const ClipRegion::Step& step : region.steps)
         windows.steps.push_back({areaOf(step), clipping::AreaOperation(step.operation)});

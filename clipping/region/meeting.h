@@ -23,13 +23,12 @@ struct SweptLine {
     {
         return p.x >= box.min.x && p.x <= box.max.x && p.y >= box.min.y && p.y <= box.max.y;
     }
-    /// Whether the edge certainly has no common point with the segment. Without branches, which
-    /// would often be mispredicted.
+    /// Whether the edge certainly has no common point with the segment.
     bool isApartFrom(const Segment& edge) const
     {
-        const glm::dvec2 low = glm::min(edge.a, edge.b), high = glm::max(edge.a, edge.b);
-        return (high.x < box.min.x) | (low.x > box.max.x) | (high.y < box.min.y)
-               | (low.y > box.max.y);
+        const glm::dvec2 &p = edge.a, &q = edge.b;
+        return (p.x < box.min.x && q.x < box.min.x) || (p.x > box.max.x && q.x > box.max.x)
+               || (p.y < box.min.y && q.y < box.min.y) || (p.y > box.max.y && q.y > box.max.y);
     }
     Segment segment;
     DirectedLine line;

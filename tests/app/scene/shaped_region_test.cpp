@@ -166,9 +166,18 @@ private slots:
         const ClipRegion region = regionOf(all, tolerance);
         QCOMPARE(remainsOf(region, {{70, 80}, {80, 85}}), Remains::Whole);
         QCOMPARE(remainsOf(region, {{-9, -9}, {-5, 100}}), Remains::Gone);
-        QCOMPARE(remainsOf(region, {{30, 25}, {31, 26}}), Remains::Whole); // in the rotated one
+        QCOMPARE(remainsOf(region, {{30, 25}, {31, 26}}), Remains::Whole);  // in the rotated one
         QCOMPARE(remainsOf(region, {{29, 39}, {31, 41}}), Remains::Pieces); // at the circle
         QVERIFY(!region.single() && region.prepared);
+    }
+    void aSingleWindowIsPreparedOnce()
+    {
+        ClipWindows all = windows(Keep::Inside);
+        all.list = {all.list[1]};
+        const ClipRegion inside = regionOf(all, tolerance);
+        QVERIFY(inside.prepared && inside.prepared == inside.steps[0].area);
+        const ClipRegion outside = app::withKeep(inside, Keep::Outside);
+        QVERIFY(outside.prepared && outside.prepared != inside.prepared);
     }
     void aWindowWithoutAreaBesideAShapeKeepsNothing()
     {
