@@ -61,8 +61,8 @@ public:
     /// The segments as an array, if they are one; else null.
     const BasicSegment<T>* array() const noexcept
     {
-        const bool dense = stride_ == std::ptrdiff_t(sizeof(BasicSegment<T>)) && ay_ == ax_ + 1
-                           && bx_ == ax_ + 2 && by_ == ax_ + 3;
+        const bool dense = ax_ && stride_ == std::ptrdiff_t(sizeof(BasicSegment<T>))
+                           && ay_ == ax_ + 1 && bx_ == ax_ + 2 && by_ == ax_ + 3;
         return dense ? reinterpret_cast<const BasicSegment<T>*>(ax_) : nullptr;
     }
 
@@ -116,6 +116,8 @@ template <class T>
 SegmentsView<T> rows(const T* numbers, std::size_t count,
                      std::ptrdiff_t stride = 4 * sizeof(T)) noexcept
 {
+    if (count == 0)
+        return {};
     return {numbers, numbers + 1, numbers + 2, numbers + 3, count, stride};
 }
 

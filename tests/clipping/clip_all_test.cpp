@@ -143,6 +143,8 @@ private slots:
         QVERIFY(same(structs(edges, &Edge::from, &Edge::to)));
         QCOMPARE(structs(std::vector<Edge>{}, &Edge::from, &Edge::to).size(), 0u);
 
+        QVERIFY(clipAll(rows<double>(nullptr, 0), window).empty());
+
         // From the end to the start.
         const auto backwards = clipAll(rows(matrix.data() + 5 * (in.size() - 1), in.size(),
                                             -5 * std::ptrdiff_t(sizeof(double))),
