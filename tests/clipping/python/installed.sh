@@ -15,8 +15,7 @@ if ! "$python" -m venv --system-site-packages "$work/venv" >"$work/log" 2>&1 \
 fi
 cp -r "$source/clipping" "$work/clipping" # pip writes into the folder
 cd "$work/clipping/python"
-CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)} \
-    "$work/venv/bin/pip" install --no-build-isolation --no-index . >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+"$work/venv/bin/pip" install --no-build-isolation --no-index . >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 cd /
 "$work/venv/bin/python" - "$work/venv" <<'EOF'
 import sys
