@@ -42,6 +42,17 @@ private:
                                     Remains::Pieces};
 };
 
+/// One look at the edges of all windows, where `remainsOf` would ask each window.
+Remains partOf(const clipping::Window& box, const clipping::PreparedRegion& region)
+{
+    if (!isProper(box))
+        return Remains::Pieces;
+    const clipping::BoxPart part = clipping::partOf(box, region);
+    return part == clipping::BoxPart::None    ? Remains::Gone
+           : part == clipping::BoxPart::Whole ? Remains::Whole
+                                              : Remains::Pieces;
+}
+
 template <class RemainsOfBox>
 void find(const SceneBlock& block, const RemainsOfBox& remainsOfBox, std::span<Remains> remains)
 {
@@ -62,6 +73,10 @@ void findRemains(const SceneBlock& block, const ClipRegion& region, std::span<Re
     assert(remains.size() == block.chunks.size());
     if (const auto window = region.single(); window && isFinite(*window))
         find(block, OneWindow(*window, region.keep), remains);
+    else if (region.prepared)
+        find(
+            block, [&](const FloatBox& box) { return partOf(box.window(), *region.prepared); },
+            remains);
     else
         find(
             block, [&](const FloatBox& box) { return remainsOf(region, box.window()); }, remains);
