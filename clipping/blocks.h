@@ -22,7 +22,7 @@ constexpr BasicSegment<T> converted(const BasicSegment<N>& s)
     return {glm::vec<2, T>(s.a), glm::vec<2, T>(s.b)};
 }
 
-/// Writes the pieces of a block of `size` segments to wherever the output wants them.
+/// Writes the pieces of a block of `size` segments into the output.
 template <class T, class N>
 void put(std::span<const BasicClipped<BasicSegment<N>>> found, std::size_t size, Progress at,
          const Output<T>& out)

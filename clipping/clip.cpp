@@ -107,6 +107,7 @@ std::optional<Segment> clip(const Segment& segment, const ConvexWindow& window) 
 std::optional<BasicSegment<float>> clip(const BasicSegment<float>& segment,
                                         const ConvexWindow& window) noexcept
 {
+    const GradualUnderflow here;
     const auto piece = clip(converted<double>(segment), window);
     return piece ? std::optional(converted<float>(*piece)) : std::nullopt;
 }

@@ -10,7 +10,7 @@
 
 namespace CLEARCUT_API clipping {
 
-/// Segments that lie in somebody's memory, in any regular order, without a copy: an array of
+/// Segments that lie in the caller's memory, in any regular order, without a copy: an array of
 /// segments, arrays of coordinates (`columns`), an array of structures (`structs`), or numbers at a
 /// distance (`rows`). The memory must outlive the view.
 template <class T>

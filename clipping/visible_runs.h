@@ -5,7 +5,7 @@
 
 namespace CLEARCUT_API clipping {
 
-/// A polyline to be clipped: points in somebody's memory, which must outlive it.
+/// A polyline to be clipped: points in the caller's memory, which must outlive it.
 template <class T>
 struct BasicPolyline {
     std::span<const glm::vec<2, T>> points; ///< fewer than 2^32

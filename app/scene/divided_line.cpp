@@ -99,7 +99,7 @@ private:
     /// An end of the line or of a piece.
     struct Breakpoint {
         glm::dvec2 at;
-        Edge edge = Edge::NoEdge; ///< of the window; None: an end of the line
+        Edge edge = Edge::NoEdge; ///< of the window; NoEdge: an end of the line
         double level = 0;         ///< of that edge; NaN: a border that is not along an axis
         double rounding = 0;      ///< the largest rounding error of an algorithm along the edge
         int place = 0;

@@ -76,16 +76,17 @@ void layWindow(Session& session, const LayingPlace& place)
         lay(session, *box, place.name(session), tr(place.step));
 }
 
-void layWindowInside(Session& session, const PageMargins& margins)
+std::optional<QString> layWindowInside(Session& session, const PageMargins& margins)
 {
     const clipping::Window page = session.now().page().rectangle();
     const clipping::Window inside{page.min + Point(margins.left, margins.top),
                                   page.max - Point(margins.right, margins.bottom)};
-    if (inside.min.x < inside.max.x && inside.min.y < inside.max.y)
-        return lay(session, inside, {},
-                   tr(QT_TRANSLATE_NOOP("WindowPlaces", "Lay clip window inside the margin")));
-    emit session.refused(tr(QT_TRANSLATE_NOOP(
-        "WindowPlaces", "The margins leave nothing of the page. Type smaller ones.")));
+    if (!(inside.min.x < inside.max.x && inside.min.y < inside.max.y))
+        return tr(QT_TRANSLATE_NOOP("WindowPlaces",
+                                    "The margins leave nothing of the page. Type smaller ones."));
+    lay(session, inside, {},
+        tr(QT_TRANSLATE_NOOP("WindowPlaces", "Lay clip window inside the margin")));
+    return std::nullopt;
 }
 
 } // namespace app

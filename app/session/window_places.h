@@ -3,6 +3,7 @@
 
 #include "app/session/session.h"
 
+#include <optional>
 #include <span>
 
 // Rectangular clip windows that are laid on something in one step: the page, the selection, a
@@ -33,8 +34,8 @@ struct PageMargins {
     double left, top, right, bottom;
     static PageMargins same(double margin) { return {margin, margin, margin, margin}; }
 };
-/// The same on the page without margins. Refused, with a sentence, if nothing of the page would be
-/// left.
-void layWindowInside(Session& session, const PageMargins& margins);
+/// The same on the page without margins. Returns why not, as a sentence, if nothing of the page
+/// would be left.
+std::optional<QString> layWindowInside(Session& session, const PageMargins& margins);
 
 } // namespace app

@@ -30,9 +30,10 @@ glm::dvec2 partsFor(std::span<const AreaEdge> edges, double wanted, const glm::d
     const double ratio = extent.x / extent.y;
     const double across = std::clamp(std::sqrt(cells * (ratio > 0 ? ratio : 1)), 1.0, cells);
     const glm::dvec2 parts(across, cells / across);
+    const glm::dvec2 size(extent.x > 0 ? extent.x : 1, extent.y > 0 ? extent.y : 1);
     double crossed = 0;
     for (const AreaEdge& edge : edges) {
-        const glm::dvec2 share = glm::abs(edge.segment.b - edge.segment.a) / extent;
+        const glm::dvec2 share = glm::abs(edge.segment.b - edge.segment.a) / size;
         crossed += share.x * parts.x + share.y * parts.y;
     }
     const double room = 0x1p20 + 64 * count;

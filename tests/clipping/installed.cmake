@@ -22,8 +22,8 @@ endfunction()
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/made --component library)
 file(RENAME ${WORK}/made ${WORK}/moved)
 
-# Every installed header can be included first, needs none that is not installed, and does not mind how its user
-# computes.
+# Every installed header can be included first, needs none that is not installed, and compiles with
+# -ffast-math.
 file(GLOB_RECURSE headers ${WORK}/moved/include/*.h)
 foreach(header IN LISTS headers)
   run(${CXX} -std=c++20 -ffast-math -Wall -Wextra -Werror -fsyntax-only -I${WORK}/moved/include -x c++ -include ${header} /dev/null)
@@ -51,32 +51,30 @@ endfunction()
 expect_promised(${WORK}/build/hatching)
 
 # The same by pkg-config instead of CMake, once more with other containers than the library was compiled with.
-find_program(PKG_CONFIG pkg-config)
-if(PKG_CONFIG)
-  file(GLOB pc ${WORK}/moved/lib*/pkgconfig/clearcut.pc ${WORK}/moved/lib*/*/pkgconfig/clearcut.pc)
-  cmake_path(GET pc PARENT_PATH folder)
-  set(ENV{PKG_CONFIG_PATH} ${folder})
-  run(${PKG_CONFIG} --cflags --libs clearcut)
-  separate_arguments(flags UNIX_COMMAND "${output}")
-  file(GLOB library ${WORK}/moved/lib*/libclipping.* ${WORK}/moved/lib*/*/libclipping.*)
-  list(GET library 0 library)
-  cmake_path(GET library PARENT_PATH folder)
-  list(APPEND flags -Wl,-rpath,${folder})
-  run(${CXX} -std=c++20 ${WORK}/project/main.cpp ${flags} -o ${WORK}/by_pkg_config)
-  expect_promised(${WORK}/by_pkg_config)
-  run(${CXX} -std=c++20 -D_GLIBCXX_DEBUG ${WORK}/project/main.cpp ${flags} -o ${WORK}/with_debug_containers)
-  expect_promised(${WORK}/with_debug_containers)
+find_program(PKG_CONFIG pkg-config REQUIRED)
+file(GLOB pc ${WORK}/moved/lib*/pkgconfig/clearcut.pc ${WORK}/moved/lib*/*/pkgconfig/clearcut.pc)
+cmake_path(GET pc PARENT_PATH folder)
+set(ENV{PKG_CONFIG_PATH} ${folder})
+run(${PKG_CONFIG} --cflags --libs clearcut)
+separate_arguments(flags UNIX_COMMAND "${output}")
+file(GLOB library ${WORK}/moved/lib*/libclipping.* ${WORK}/moved/lib*/*/libclipping.*)
+list(GET library 0 library)
+cmake_path(GET library PARENT_PATH folder)
+list(APPEND flags -Wl,-rpath,${folder})
+run(${CXX} -std=c++20 ${WORK}/project/main.cpp ${flags} -o ${WORK}/by_pkg_config)
+expect_promised(${WORK}/by_pkg_config)
+run(${CXX} -std=c++20 -D_GLIBCXX_DEBUG ${WORK}/project/main.cpp ${flags} -o ${WORK}/with_debug_containers)
+expect_promised(${WORK}/with_debug_containers)
 
-  # Where containers would cross the boundary, the linker says what to do.
-  file(WRITE ${WORK}/project/trace.cpp "#include <clipping/algorithm.h>
-    int main() { return clipping::exactAlgorithm().corrected.trace({}, {}).steps.size() > 99; }")
-  run(${CXX} -std=c++20 ${WORK}/project/trace.cpp ${flags} -o ${WORK}/trace)
-  run(${WORK}/trace)
-  execute_process(COMMAND ${CXX} -std=c++20 -D_GLIBCXX_DEBUG ${WORK}/project/trace.cpp ${flags} -o ${WORK}/trace
-    RESULT_VARIABLE code ERROR_VARIABLE error)
-  if(code EQUAL 0 OR NOT error MATCHES "compile_Clearcut_with_GLIBCXX_DEBUG_too")
-    message(FATAL_ERROR "A program with other containers is not refused: ${error}")
-  endif()
+# Where containers would cross the boundary, the linker says what to do.
+file(WRITE ${WORK}/project/trace.cpp "#include <clipping/algorithm.h>
+  int main() { return clipping::exactAlgorithm().corrected.trace({}, {}).steps.size() > 99; }")
+run(${CXX} -std=c++20 ${WORK}/project/trace.cpp ${flags} -o ${WORK}/trace)
+run(${WORK}/trace)
+execute_process(COMMAND ${CXX} -std=c++20 -D_GLIBCXX_DEBUG ${WORK}/project/trace.cpp ${flags} -o ${WORK}/trace
+  RESULT_VARIABLE code ERROR_VARIABLE error)
+if(code EQUAL 0 OR NOT error MATCHES "compile_Clearcut_with_GLIBCXX_DEBUG_too")
+  message(FATAL_ERROR "A program with other containers is not refused: ${error}")
 endif()
 
 # A shared library is found by a name with its minor version, and shows nothing internal.

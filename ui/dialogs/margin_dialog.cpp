@@ -30,7 +30,7 @@ MarginDialog::MarginDialog(app::Session& session, QWidget* parent)
              Side{lengthField(tr("Top")), &app::PageMargins::top},
              Side{lengthField(tr("Right")), &app::PageMargins::right},
              Side{lengthField(tr("Bottom")), &app::PageMargins::bottom}},
-      same_(new QCheckBox(tr("&Same margin on all sides")))
+      same_(new QCheckBox(tr("&Same margin on all sides"))), sentence_(new QLabel)
 {
     setWindowTitle(tr("Lay window inside margins"));
     setObjectName(QStringLiteral("margin-dialog"));
@@ -39,10 +39,9 @@ MarginDialog::MarginDialog(app::Session& session, QWidget* parent)
         if (same)
             take(&app::PageMargins::left, margins_.left);
     });
-    auto* sentence = new QLabel(tr("A negative margin is outside the page."));
-    sentence->setForegroundRole(QPalette::PlaceholderText);
+    sentence_->setForegroundRole(QPalette::PlaceholderText);
     for (const Side& side : sides_)
-        connect(side.field, &LengthField::refused, sentence, &QLabel::setText);
+        connect(side.field, &LengthField::refused, sentence_, &QLabel::setText);
     auto* buttons = new QDialogButtonBox;
     buttons->addButton(tr("Cancel"), QDialogButtonBox::RejectRole);
     QPushButton* lay = buttons->addButton(tr("&Lay window"), QDialogButtonBox::AcceptRole);
@@ -54,7 +53,7 @@ MarginDialog::MarginDialog(app::Session& session, QWidget* parent)
                                space::betweenGroups);
     column->addLayout(makeFields());
     column->addWidget(same_);
-    column->addWidget(sentence);
+    column->addWidget(sentence_);
     column->addWidget(buttons);
     follow();
 }
@@ -90,6 +89,7 @@ void MarginDialog::follow()
     for (const auto& [field, margin] : sides_)
         field->show(margins_.*margin, session_.display().unit,
                     session_.now().page().millimetresPerUnit());
+    sentence_->setText(tr("A negative margin is outside the page."));
 }
 
 void MarginDialog::show(app::Session& session, QWidget& parent)
@@ -101,8 +101,10 @@ void MarginDialog::show(app::Session& session, QWidget& parent)
 
 void MarginDialog::accept()
 {
-    app::layWindowInside(session_, margins_);
-    QDialog::accept();
+    if (const auto refusal = app::layWindowInside(session_, margins_))
+        sentence_->setText(*refusal);
+    else
+        QDialog::accept();
 }
 
 } // namespace ui

@@ -9,6 +9,7 @@
 
 class QCheckBox;
 class QGridLayout;
+class QLabel;
 
 namespace ui {
 
@@ -37,6 +38,7 @@ private:
     app::PageMargins margins_;
     std::array<Side, 4> sides_;
     QCheckBox* same_;
+    QLabel* sentence_; ///< a hint, or why something is refused
 };
 
 } // namespace ui

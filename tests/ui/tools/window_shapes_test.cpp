@@ -266,6 +266,22 @@ private slots:
         const auto box = std::get<app::RectangleShape>(w.window(2).shape).box;
         QCOMPARE(app::rectangleText(box), "1,2,197,96");
     }
+    void marginsThatLeaveNothingStayInTheDialog()
+    {
+        Windows w;
+        w.t.action("window-inside-margin")->trigger();
+        auto* dialog = w.t.window->findChild<QDialog*>("margin-dialog");
+        auto* margin = dialog->findChild<ui::LengthField*>();
+        margin->selectAll();
+        QTest::keyClicks(margin, "150");
+        QTest::keyClick(margin, Qt::Key_Return);
+        dialog->accept();
+        QVERIFY(dialog->isVisible());
+        QVERIFY(std::ranges::any_of(dialog->findChildren<QLabel*>(), [](const QLabel* label) {
+            return label->text() == "The margins leave nothing of the page. Type smaller ones.";
+        }));
+        QCOMPARE(w.session.now().windows().list.size(), 2u);
+    }
     void aWindowOfTheSelectionIsAdded()
     {
         Windows w;
