@@ -134,7 +134,7 @@ private slots:
         session.load(wide());
         sheets.open();
         addWindow(session, {.shape = RectangleShape{{{100, 50}, {150, 150}}}});
-        Display display = session.display();
+        app::Display display = session.display();
         display.cutting.leastMillimetres = 60;
         session.setDisplay(display);
         sheets.wait();
