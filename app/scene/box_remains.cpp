@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scene/box_remains.h"
 
+#include "app/scene/area_windows.h"
+#include "clipping/region/box_part.h"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -43,7 +46,7 @@ private:
 };
 
 /// One look at the edges of all windows, where `remainsOf` would ask each window.
-Remains partOf(const clipping::Window& box, const clipping::PreparedRegion& region)
+Remains remainsOf(const clipping::Window& box, const clipping::PreparedRegion& region)
 {
     if (!isProper(box))
         return Remains::Pieces;
@@ -75,7 +78,7 @@ void findRemains(const SceneBlock& block, const ClipRegion& region, std::span<Re
         find(block, OneWindow(*window, region.keep), remains);
     else if (region.prepared)
         find(
-            block, [&](const FloatBox& box) { return partOf(box.window(), *region.prepared); },
+            block, [&](const FloatBox& box) { return remainsOf(box.window(), *region.prepared); },
             remains);
     else
         find(
