@@ -52,9 +52,9 @@ template <class T>
 void define(py::module_& module, const char* name)
 {
     py::class_<ArrayChunks<T>>(module, name)
-        .def(py::init<py::array>())
-        .def("update", &ArrayChunks<T>::update)
-        .def("clip", &ArrayChunks<T>::clip);
+        .def(py::init<py::array>(), Guarded())
+        .def("update", &ArrayChunks<T>::update, Guarded())
+        .def("clip", &ArrayChunks<T>::clip, Guarded());
 }
 
 } // namespace

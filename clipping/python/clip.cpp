@@ -150,12 +150,12 @@ py::tuple outsideOf(const py::array& array, const WindowNumbers& numbers)
 
 void defineClip(py::module_& module)
 {
-    module.def("clip_at_window", clipAtWindow);
-    module.def("clip_floats", clipFloats);
-    module.def("clip_lines_at_window", clipLines);
-    module.def("clip_rays_at_window", clipRays);
-    module.def("clip_at_polygon", clipAtPolygon);
-    module.def("split", outsideOf);
+    module.def("clip_at_window", clipAtWindow, Guarded());
+    module.def("clip_floats", clipFloats, Guarded());
+    module.def("clip_lines_at_window", clipLines, Guarded());
+    module.def("clip_rays_at_window", clipRays, Guarded());
+    module.def("clip_at_polygon", clipAtPolygon, Guarded());
+    module.def("split", outsideOf, Guarded());
 }
 
 } // namespace clipping::python

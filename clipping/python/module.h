@@ -2,6 +2,7 @@
 #pragma once
 
 #include "clipping/geometry.h"
+#include "clipping/gradual_underflow.h"
 
 #include <array>
 #include <pybind11/pybind11.h>
@@ -11,6 +12,10 @@
 // users pass, and calls these functions with arrays of the right type and shape.
 
 namespace clipping::python {
+
+/// Every function that computes is defined with this guard: a Python process has the processor's
+/// modes FTZ and DAZ if any extension in it is linked with -ffast-math.
+using Guarded = pybind11::call_guard<GradualUnderflow>;
 
 using WindowNumbers = std::array<double, 4>; ///< xmin, ymin, xmax, ymax
 
