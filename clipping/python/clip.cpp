@@ -117,10 +117,10 @@ py::tuple clipAtPolygon(const py::array& array, const std::vector<std::array<dou
                         const std::string& key)
 {
     const Algorithm& row = rowOf(key);
-    const auto& uses = formOf(row.polygon, row, "form for convex polygons");
-    const ConvexPolygon polygon = polygonOf(corners);
+    formOf(row.polygon, row, "form for convex polygons");
+    const ConvexWindow polygon = polygonOf(corners);
     return clipArray<Segment, double>(
-        array, [&](auto in, auto out) { return uses.clipAll(in, polygon, out); });
+        array, [&](auto in, auto out) { return clipAllAt(polygon, row, in, out); });
 }
 
 py::tuple outsideOf(const py::array& array, const WindowNumbers& numbers)

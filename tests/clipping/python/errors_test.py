@@ -40,7 +40,7 @@ class Refused(unittest.TestCase):
 
     def test_polygons(self):
         self.refuses(ValueError, "convex", A, polygon=[(0, 0), (9, 0), (1, 1), (0, 9)])
-        self.refuses(ValueError, "convex", A, polygon=[(0, 0), (9, 0), (np.nan, 1)])
+        self.refuses(ValueError, "not finite", A, polygon=[(0, 0), (9, 0), (np.nan, 1)])
         self.refuses(ValueError, "these are 2", A, polygon=[(0, 0), (9, 0)])
         self.refuses(TypeError, "points", A, polygon=[1, 2, 3])
         self.refuses(ValueError, "no form for convex polygons", A, polygon=[(0, 0), (9, 0), (0, 9)], algorithm="nln")
