@@ -2,6 +2,7 @@
 #include "clipping/parallel/clip_all.h"
 
 #include "clipping/batch/kernels.h"
+#include "clipping/gradual_underflow.h"
 #include "clipping/ieee_numbers.h"
 #include "clipping/limits.h"
 
@@ -41,6 +42,7 @@ template <class T>
 std::size_t inParallel(std::span<const BasicSegment<T>> in, const BasicWindow<T>& window,
                        std::span<BasicClipped<BasicSegment<T>>> out)
 {
+    const GradualUnderflow here;
     requireRoom(in.size(), out.size());
     const Plan plan = planFor(in.size());
     std::size_t begun = 0, pieces = 0;
@@ -55,6 +57,7 @@ std::size_t inParallel(std::span<const BasicSegment<T>> in, const BasicWindow<T>
         return {begin, begun, out.data() + plan.shared + slot * plan.partSize, 0};
     };
     const auto clip = [&](Slice<T> slice) {
+        const GradualUnderflow onThisThread;
         slice.pieces =
             clipBatch(Batch<T>{in.data(), slice.begin, slice.end, window, slice.slot}).pieces;
         return slice;

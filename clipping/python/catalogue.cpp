@@ -76,7 +76,7 @@ py::list traceOf(const std::array<double, 4>& s, const std::array<double, 4>& w,
 void defineCatalogue(py::module_& module)
 {
     module.def("algorithms", algorithmList);
-    module.def("trace", traceOf);
+    module.def("trace", traceOf, Guarded());
 }
 
 } // namespace clipping::python

@@ -18,7 +18,10 @@ class ArrayChunks {
 public:
     using S = BasicSegment<T>;
 
-    explicit ArrayChunks(const py::array& array) : array_(array), chunks_(segments()) {}
+    explicit ArrayChunks(const py::array& array)
+        : array_(array), count_(Rows<T>(array).size()), chunks_(segments())
+    {
+    }
 
     void update(std::size_t first, std::size_t last) { chunks_.update(segments(), first, last); }
 
@@ -41,10 +44,15 @@ private:
         const Rows<T> rows(array_);
         if (!rows.template isPacked<S>())
             throw py::value_error("the array must be contiguous, because it is not copied");
+        if (rows.size() != count_) // numpy.ndarray.resize with refcheck=False
+            throw py::value_error("the array has " + std::to_string(rows.size()) + " rows, but had "
+                                  + std::to_string(count_)
+                                  + " when its Chunks were made; make them again");
         return {static_cast<const S*>(array_.data()), rows.size()};
     }
 
     py::array array_;
+    std::size_t count_;
     BasicChunks<T> chunks_;
 };
 
@@ -52,9 +60,9 @@ template <class T>
 void define(py::module_& module, const char* name)
 {
     py::class_<ArrayChunks<T>>(module, name)
-        .def(py::init<py::array>())
-        .def("update", &ArrayChunks<T>::update)
-        .def("clip", &ArrayChunks<T>::clip);
+        .def(py::init<py::array>(), Guarded())
+        .def("update", &ArrayChunks<T>::update, Guarded())
+        .def("clip", &ArrayChunks<T>::clip, Guarded());
 }
 
 } // namespace

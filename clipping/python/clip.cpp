@@ -117,10 +117,10 @@ py::tuple clipAtPolygon(const py::array& array, const std::vector<std::array<dou
                         const std::string& key)
 {
     const Algorithm& row = rowOf(key);
-    const auto& uses = formOf(row.polygon, row, "form for convex polygons");
-    const ConvexPolygon polygon = polygonOf(corners);
+    formOf(row.polygon, row, "form for convex polygons");
+    const ConvexWindow polygon = polygonOf(corners);
     return clipArray<Segment, double>(
-        array, [&](auto in, auto out) { return uses.clipAll(in, polygon, out); });
+        array, [&](auto in, auto out) { return clipAllAt(polygon, row, in, out); });
 }
 
 py::tuple outsideOf(const py::array& array, const WindowNumbers& numbers)
@@ -150,12 +150,12 @@ py::tuple outsideOf(const py::array& array, const WindowNumbers& numbers)
 
 void defineClip(py::module_& module)
 {
-    module.def("clip_at_window", clipAtWindow);
-    module.def("clip_floats", clipFloats);
-    module.def("clip_lines_at_window", clipLines);
-    module.def("clip_rays_at_window", clipRays);
-    module.def("clip_at_polygon", clipAtPolygon);
-    module.def("split", outsideOf);
+    module.def("clip_at_window", clipAtWindow, Guarded());
+    module.def("clip_floats", clipFloats, Guarded());
+    module.def("clip_lines_at_window", clipLines, Guarded());
+    module.def("clip_rays_at_window", clipRays, Guarded());
+    module.def("clip_at_polygon", clipAtPolygon, Guarded());
+    module.def("split", outsideOf, Guarded());
 }
 
 } // namespace clipping::python

@@ -52,6 +52,9 @@ py::tuple clipPolylines(const py::list& polylines, const WindowNumbers& w, bool 
 
 } // namespace
 
-void definePolylines(py::module_& module) { module.def("clip_polylines", clipPolylines); }
+void definePolylines(py::module_& module)
+{
+    module.def("clip_polylines", clipPolylines, Guarded());
+}
 
 } // namespace clipping::python

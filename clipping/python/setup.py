@@ -12,6 +12,11 @@ from setuptools.command.build_ext import build_ext
 LIBRARY = pathlib.Path(__file__).resolve().parent.parent
 
 
+def processors():
+    """How many this process may use, which in a container can be fewer than there are."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
 class BuildWithCMake(build_ext):
     def build_extension(self, ext):
         target = pathlib.Path(self.get_ext_fullpath(ext.name)).resolve()
@@ -27,8 +32,8 @@ class BuildWithCMake(build_ext):
         build = pathlib.Path(self.build_temp).resolve()
         subprocess.run(["cmake", "-S", LIBRARY, "-B", build, "-DCMAKE_BUILD_TYPE=Release", "-DCLEARCUT_PYTHON=ON",
                         "-DCLEARCUT_INSTALL=OFF", f"-DPython3_EXECUTABLE={sys.executable}"], check=True)
-        subprocess.run(["cmake", "--build", build, "--target", "clearcut_python", "--parallel",
-                        str(os.cpu_count() or 1)], check=True)
+        jobs = {"CMAKE_BUILD_PARALLEL_LEVEL": str(processors())}
+        subprocess.run(["cmake", "--build", build, "--target", "clearcut_python"], env={**jobs, **os.environ}, check=True)
         return build / "python/clearcut"
 
 

@@ -17,8 +17,15 @@ def _got(value: Any) -> str:
     return f"a {type(value).__name__}"
 
 
+def _refuse_mask(value: Any, what: str) -> None:
+    if isinstance(value, np.ma.MaskedArray):
+        raise TypeError(f"{what} must not have a mask, because it would be ignored; numpy.ma.filled(..., numpy.nan) "
+                        "makes its rows invisible")
+
+
 def segments(value: Any) -> np.ndarray:
     """An array of shape (n, 4) of float64 or float32."""
+    _refuse_mask(value, "segments")
     if not isinstance(value, np.ndarray):
         raise TypeError(f"segments must be a NumPy array of shape (n, 4), but this is {_got(value)}; "
                         "use numpy.asarray(..., dtype=float)")
@@ -76,6 +83,7 @@ def corners(value: Any) -> list[tuple[float, float]]:
 
 def polyline(value: Any) -> np.ndarray:
     """An array of shape (k, 2) of float64; a complex array is seen as one."""
+    _refuse_mask(value, "a line")
     if isinstance(value, np.ndarray) and value.dtype == np.complex128 and value.ndim == 1:
         if not value.flags.c_contiguous:
             raise ValueError("a complex line must be contiguous, because it is not copied; use numpy.ascontiguousarray")

@@ -18,7 +18,8 @@ class Clipped(NamedTuple):
     source: np.ndarray
     #: Shape (m,), uint32: which ends are new, and at which edges; 0 if both are the segment's. At a window, bits 0
     #: to 7 are the edge that cut the start and bits 8 to 15 that of the end: 1 left, 2 right, 3 bottom (ymin),
-    #: 4 top (ymax). At a polygon they are 16 bits each: 1 + the index of the edge, counter-clockwise.
+    #: 4 top (ymax). At a polygon they are 16 bits each: 1 + the index of the edge (65535 from index 65534 on).
+    #: Edge i runs between the corners i and i + 1 of the polygon as given, the last one between the last and corner 0.
     cut: np.ndarray
 
 

@@ -18,6 +18,8 @@ from __future__ import annotations
 import json
 import math
 import os
+import pathlib
+import uuid
 from typing import Any, NamedTuple, Sequence
 
 import numpy as np
@@ -61,18 +63,50 @@ def clip(lines: da.Array, window: Sequence[float] | None = None, **options: Any)
 
 def clip_to_files(lines: da.Array, folder: str, window: Sequence[float] | None = None, **options: Any) -> dict[str, Any]:
     """Clips as `clip` does, and writes the pieces of each chunk to files of NumPy in `folder`: part-00000-segments.npy,
-    -source.npy and -cut.npy. No chunk passes through the caller. A file is there only when it is complete.
+    -source.npy and -cut.npy. No chunk passes through the caller. A file is there only when it is complete, and only if
+    its part has no error.
 
     Returns what it also writes to manifest.json: "parts", a dict for each chunk with its number, the index of its
-    first row, the number of its pieces, and "error": null, or why it could not be clipped. The other chunks are
-    written all the same.
+    first row, the number of its pieces, and "error": null, or why the chunk could not be loaded, clipped or written.
+    The other chunks are written all the same; if a chunk cannot be loaded, some of them are clipped again for that.
+    Raises an error only for wrong arguments, or if the folder or the manifest cannot be written.
     """
     os.makedirs(folder, exist_ok=True)
-    parts = [dask.delayed(_write)(chunk, number, first, folder, window, options)
+    tasks = [_Task(number, first, dask.delayed(_write)(chunk, number, first, folder, window, options))
              for number, (chunk, first) in enumerate(_chunks(lines, window, options))]
-    manifest = {"parts": list(dask.compute(*parts))}
+    try:
+        manifest = {"parts": _computed(tasks)}
+    finally:
+        _remove(folder, "part-*.unfinished")  # of workers that were lost
+    for part in manifest["parts"]:
+        if part["error"] is not None:
+            _remove(folder, f'part-{part["part"]:05}-*.npy')
     _replace(os.path.join(folder, "manifest.json"), lambda file: file.write(json.dumps(manifest, indent=1).encode()))
     return manifest
+
+
+class _Task(NamedTuple):
+    number: int
+    first: int
+    part: Any  # delayed
+
+
+def _computed(tasks: list[_Task]) -> list[dict[str, Any]]:
+    """The parts of the manifest. Dask gives up all tasks if one chunk cannot be loaded; then each half is computed on
+    its own, until the chunk is found."""
+    try:
+        return list(dask.compute(*(task.part for task in tasks)))
+    except Exception as error:
+        if len(tasks) == 1:
+            return [_failed(tasks[0].number, tasks[0].first, error)]
+    half = len(tasks) // 2
+    return _computed(tasks[:half]) + _computed(tasks[half:])
+
+
+def _failed(number: int, first: int, error: Exception) -> dict[str, Any]:
+    kind = [] if isinstance(error, (TypeError, ValueError)) else [type(error).__name__]
+    says = ": ".join([f"chunk {number}", *kind, *filter(None, [str(error)])])
+    return {"part": number, "first": first, "pieces": 0, "error": says}
 
 
 def _chunks(lines: da.Array, window: Any, options: dict[str, Any]) -> list[tuple[Any, int]]:
@@ -98,18 +132,25 @@ def _clip_chunk(chunk: np.ndarray, first: int, window: Any, options: dict[str, A
 
 
 def _write(chunk: Any, number: int, first: int, folder: str, window: Any, options: dict[str, Any]) -> dict[str, Any]:
-    part: dict[str, Any] = {"part": number, "first": first, "pieces": 0, "error": None}
     try:
         pieces = _clip_chunk(arguments.segments(chunk), first, window, options)
-    except (TypeError, ValueError) as error:
-        return {**part, "error": f"chunk {number}: {error}"}
-    for name, array in pieces._asdict().items():
-        _replace(os.path.join(folder, f"part-{number:05}-{name}.npy"), lambda file, array=array: np.save(file, array))
-    return {**part, "pieces": len(pieces.source)}
+        for name, array in pieces._asdict().items():
+            _replace(os.path.join(folder, f"part-{number:05}-{name}.npy"), lambda file, array=array: np.save(file, array))
+    except Exception as error:  # also a full disk or too little memory
+        return _failed(number, first, error)
+    return {"part": number, "first": first, "pieces": len(pieces.source), "error": None}
 
 
 def _replace(path: str, write: Any) -> None:
-    unfinished = f"{path}.{os.getpid()}.unfinished"
-    with open(unfinished, "wb") as file:
-        write(file)
-    os.replace(unfinished, path)
+    unfinished = f"{path}.{uuid.uuid4().hex}.unfinished"  # a chunk may be clipped on two workers at once
+    try:
+        with open(unfinished, "wb") as file:
+            write(file)
+        os.replace(unfinished, path)
+    finally:
+        pathlib.Path(unfinished).unlink(missing_ok=True)
+
+
+def _remove(folder: str, pattern: str) -> None:
+    for path in pathlib.Path(folder).glob(pattern):
+        path.unlink(missing_ok=True)

@@ -138,7 +138,14 @@ class Results(unittest.TestCase):
     def test_polygons_in_either_direction(self):
         corners = [(0, 0), (80, 0), (90, 60), (20, 70)]
         a = plain(3000)
-        same(clearcut.clip(a, polygon=corners[::-1]), clearcut.clip(a, polygon=np.array(corners)))
+        for algorithm in ("exact", "cyrus-beck", "skala"):
+            forwards = clearcut.clip(a, polygon=np.array(corners), algorithm=algorithm)
+            backwards = clearcut.clip(a, polygon=corners[::-1], algorithm=algorithm)
+            same(forwards[:2], backwards[:2])
+            for shift in (0, 16):  # edge i runs between the corners i and i + 1 as given
+                edge, mirrored = (found.cut >> shift & 0xffff for found in (forwards, backwards))
+                np.testing.assert_array_equal(mirrored, np.array([0, 3, 2, 1, 4])[edge])
+                self.assertEqual(set(edge), {0, 1, 2, 3, 4})
         square = clearcut.clip(a, polygon=[(-100, -75), (100, -75), (100, 75), (-100, 75)])
         window = clearcut.clip(a, WINDOW)
         np.testing.assert_array_equal(square.source, window.source)

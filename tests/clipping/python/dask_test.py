@@ -4,9 +4,8 @@ import os
 import pathlib
 import signal
 import tempfile
-import threading
-import time
 import unittest
+import unittest.mock
 import warnings
 
 import numpy as np
@@ -32,11 +31,18 @@ def plain(n, dtype=np.float64):
     return np.random.default_rng(1).uniform(-200, 200, (n, 4)).astype(dtype)
 
 
-def slow(block, marks=None):
-    """Takes a while, and leaves a mark where its worker can be seen at work."""
-    pathlib.Path(marks, str(os.getpid())).touch()
-    time.sleep(0.2)
+def deadly(block, marks=None, block_id=None):
+    """Counts how often each chunk is loaded, and kills its process when chunk 5 is loaded for the first time."""
+    with open(pathlib.Path(marks, str(block_id[0])), "a") as mark:
+        mark.write("x")
+        first = mark.tell() == 1
+    if block_id[0] == 5 and first:
+        os.kill(os.getpid(), signal.SIGKILL)
     return block
+
+
+def fail(error):
+    raise error
 
 
 @unittest.skipIf(da is None, "python3-dask is not installed")
@@ -81,6 +87,41 @@ class Dask(unittest.TestCase):
         self.assertTrue(manifest["parts"][2]["error"].startswith("chunk 2: segments must be a NumPy array"))
         self.assert_parts_are(clearcut.clip(a[:2000], WINDOW), manifest)
 
+    def test_a_chunk_that_cannot_be_loaded(self):
+        """Its part says why, and the files of an earlier run are not taken for its pieces."""
+        a = plain(5000)
+        chunks = [da.from_array(a[i:i + 1000]) for i in range(0, 5000, 1000)]
+        clearcut.dask.clip_to_files(da.concatenate(chunks), self.folder, WINDOW)
+        pathlib.Path(self.folder, "part-00001-cut.npy.lost.unfinished").touch()
+        for error, text in [(OSError(5, "Input/output error"), "chunk 3: OSError: [Errno 5] Input/output error"),
+                            (MemoryError(), "chunk 3: MemoryError")]:
+            chunks[3] = da.from_delayed(dask.delayed(fail)(error), (1000, 4), float)
+            manifest = clearcut.dask.clip_to_files(da.concatenate(chunks), self.folder, WINDOW)
+            self.assertEqual(manifest, json.loads(pathlib.Path(self.folder, "manifest.json").read_text()))
+            self.assertEqual([part["error"] for part in manifest["parts"]], [None, None, None, text, None])
+            self.assertEqual([p for p in os.listdir(self.folder) if p.startswith("part-00003")], [])
+            found = [np.load(pathlib.Path(self.folder, f"part-0000{i}-source.npy")) for i in (0, 1, 2, 4)]
+            source = clearcut.clip(a, WINDOW).source
+            np.testing.assert_array_equal(np.concatenate(found), source[source // 1000 != 3])
+        self.assertEqual([p for p in os.listdir(self.folder) if p.endswith("unfinished")], [])
+
+    def test_a_full_disk(self):
+        """The error of the part whose file does not fit, and no half of a part."""
+        save = np.save
+
+        def save_or_fail(file, array):
+            if "part-00001-source" in file.name:
+                file.write(b"half")
+                raise OSError(28, "No space left on device")
+            save(file, array)
+
+        a = plain(3000)
+        with unittest.mock.patch("numpy.save", save_or_fail):
+            manifest = clearcut.dask.clip_to_files(da.from_array(a, chunks=(1000, 4)), self.folder, WINDOW)
+        self.assertEqual([part["error"] for part in manifest["parts"]],
+                         [None, "chunk 1: OSError: [Errno 28] No space left on device", None])
+        self.assertEqual(sorted({p[:10] for p in os.listdir(self.folder)}), ["manifest.j", "part-00000", "part-00002"])
+
     def assert_parts_are(self, expected, manifest):
         for name, whole in expected._asdict().items():
             parts = [np.load(pathlib.Path(self.folder, f'part-{part["part"]:05}-{name}.npy'))
@@ -96,21 +137,10 @@ class Dask(unittest.TestCase):
         marks.mkdir()
         with distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster, \
                 distributed.Client(cluster):
-            killed = []
-
-            def kill():
-                while not list(marks.iterdir()):
-                    time.sleep(0.02)
-                killed.append(int(next(marks.iterdir()).name))
-                os.kill(killed[0], signal.SIGKILL)
-
-            killer = threading.Thread(target=kill)
-            killer.start()
-            lines = da.from_array(a, chunks=(1000, 4)).map_blocks(slow, marks=str(marks), dtype=float,
-                                                                 meta=np.zeros((0, 4)))
+            lines = da.from_array(a, chunks=(1000, 4)).map_blocks(deadly, marks=str(marks), dtype=float,
+                                                                  meta=np.zeros((0, 4)))
             manifest = clearcut.dask.clip_to_files(lines, self.folder, WINDOW)
-            killer.join()
-        self.assertEqual(len(killed), 1)
+        self.assertGreaterEqual(len((marks / "5").read_text()), 2)
         self.assert_parts_are(clearcut.clip(a, WINDOW), manifest)
 
 

@@ -29,6 +29,15 @@ class Refused(unittest.TestCase):
         self.refuses(TypeError, "longdouble" if np.dtype("g").name == "longdouble" else np.dtype("g").name,
                      np.zeros((3, 4), "g"), WINDOW)
 
+    def test_masks(self):
+        """A masked row would be clipped as if it were not masked."""
+        masked = np.ma.masked_invalid([[0, 0, 1, 1], [np.nan, 0, 1, 1]])
+        self.refuses(TypeError, "must not have a mask", masked, WINDOW)
+        self.refuses(TypeError, "must not have a mask", masked, call=clearcut.Chunks)
+        self.refuses(TypeError, "must not have a mask", masked, WINDOW, call=clearcut.split)
+        for line in (masked[:, :2], masked[:, 0] * 1j):
+            self.refuses(TypeError, "must not have a mask", [line], WINDOW, call=clearcut.clip_lines)
+
     def test_windows(self):
         self.refuses(TypeError, "either a window or a polygon", A)
         self.refuses(TypeError, "either a window or a polygon", A, WINDOW, polygon=[(0, 0), (1, 0), (0, 1)])
@@ -40,7 +49,7 @@ class Refused(unittest.TestCase):
 
     def test_polygons(self):
         self.refuses(ValueError, "convex", A, polygon=[(0, 0), (9, 0), (1, 1), (0, 9)])
-        self.refuses(ValueError, "convex", A, polygon=[(0, 0), (9, 0), (np.nan, 1)])
+        self.refuses(ValueError, "not finite", A, polygon=[(0, 0), (9, 0), (np.nan, 1)])
         self.refuses(ValueError, "these are 2", A, polygon=[(0, 0), (9, 0)])
         self.refuses(TypeError, "points", A, polygon=[1, 2, 3])
         self.refuses(ValueError, "no form for convex polygons", A, polygon=[(0, 0), (9, 0), (0, 9)], algorithm="nln")
@@ -63,6 +72,16 @@ class Refused(unittest.TestCase):
         chunks = clearcut.Chunks(A)
         self.refuses(ValueError, "0 <= first", 2, 9, call=chunks.update)
         self.refuses(ValueError, "xmin <= xmax", (1, 1, 0, 0), call=chunks.clip)
+
+    def test_chunks_of_a_resized_array(self):
+        for dtype in (np.float64, np.float32):
+            for rows in (10, 200_000):
+                drawing = np.zeros((100_000, 4), dtype)
+                chunks = clearcut.Chunks(drawing)
+                drawing.resize((rows, 4), refcheck=False)
+                text = f"the array has {rows} rows, but had 100000 when its Chunks were made"
+                self.refuses(ValueError, text, WINDOW, call=chunks.clip)
+                self.refuses(ValueError, text, 0, 10, call=chunks.update)
 
     def test_lines(self):
         for lines in [[np.zeros(4)], [np.zeros((3, 3))]]:

@@ -8,11 +8,13 @@ python=$1 source=$2 work=$3
 [ $# -lt 4 ] || export CLEARCUT_BUILD=$4
 rm -rf "$work"
 mkdir -p "$work"
-if ! "$python" -m venv --system-site-packages "$work/venv" >"$work/log" 2>&1 \
-        || ! "$python" -c 'import setuptools, wheel' 2>>"$work/log"; then
-    echo "Skipped: python3-venv, python3-setuptools or python3-wheel is not installed"
+missing=$("$python" -c 'import importlib.util
+print(*(name for name in ("ensurepip", "setuptools", "wheel") if not importlib.util.find_spec(name)))')
+if [ -n "$missing" ]; then
+    echo "Skipped: Python lacks $missing (Debian: python3-venv, python3-setuptools, python3-wheel)"
     exit 0
 fi
+"$python" -m venv --system-site-packages "$work/venv" >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 cp -r "$source/clipping" "$work/clipping" # pip writes into the folder
 cd "$work/clipping/python"
 "$work/venv/bin/pip" install --no-build-isolation --no-index . >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
