@@ -26,7 +26,7 @@ struct Rooms {
 Rooms roomsIn(const QString& cmake)
 {
     static const QRegularExpression row(
-        QStringLiteral("^room\\((\\w+)(?: ON ([a-z_ ]+?))?(?: USES [^)]*| DATA [^)]*)?\\)"),
+        QStringLiteral("^room\\((\\w+)(?: ON ([a-z_ ]+?))?(?: TOGETHER)?(?: USES [^)]*| DATA [^)]*)?\\)"),
         QRegularExpression::MultilineOption);
     Rooms rooms;
     for (auto match = row.globalMatch(cmake); match.hasNext();) {

@@ -56,9 +56,9 @@ const RegionGrid& PreparedRegion::Data::gridFor(std::size_t segments) const
 {
     if (segments < manySegments || edges.empty() || edges.size() > fineMostEdges)
         return grid;
-    std::call_once(isFineMade_, [this] {
+    const std::scoped_lock one(makingFine_);
+    if (!fine_)
         fine_ = std::make_unique<RegionGrid>(*this, fineCellsForEach, fewestFineCells);
-    });
     return *fine_;
 }
 

@@ -39,7 +39,7 @@ struct PreparedRegion::Data {
     const RegionGrid& gridFor(std::size_t segments) const;
 
 private:
-    mutable std::once_flag isFineMade_;
+    mutable std::mutex makingFine_;
     mutable std::unique_ptr<const RegionGrid> fine_;
 };
 
