@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "clipping/python/large_memory.h"
 
+#include "clipping/ieee_numbers.h"
+
 #include <cassert>
 #include <cstdlib>
 #include <mutex>

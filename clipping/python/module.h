@@ -4,6 +4,7 @@
 #include "clipping/algorithm.h"
 #include "clipping/convex_window.h"
 #include "clipping/gradual_underflow.h"
+#include "clipping/ieee_numbers.h"
 
 #include <array>
 #include <pybind11/pybind11.h>
