@@ -25,8 +25,11 @@ struct TurnSteps {
 /// what was taken before it has been given.
 class InTurn {
 public:
-    void run(const std::vector<TurnSteps>& threads)
+    /// `stopTaking` is called at most once, on any thread, when nothing will be given any more. It
+    /// ends the wait of a `take` for input, and the waits of later ones.
+    void run(const std::vector<TurnSteps>& threads, const std::function<void()>& stopTaking = {})
     {
+        stopTaking_ = stopTaking;
         {
             std::vector<std::jthread> others;
             for (std::size_t i = 1; i < threads.size(); ++i)
@@ -84,11 +87,14 @@ private:
             bool wanted = true;
             error_ = share.error ? share.error : errorOf([&] { wanted = steps.give(); });
             stopped_ = error_ || !wanted;
+            if (stopped_ && stopTaking_)
+                stopTaking_();
         }
         ++given_;
         turn_.notify_all();
     }
 
+    std::function<void()> stopTaking_;
     std::mutex taking_, giving_;
     std::condition_variable turn_;
     std::size_t taken_ = 0; ///< shares, guarded by taking_

@@ -53,6 +53,7 @@ void report(const ParsedArguments& arguments, const csv::TableCut& made, const C
 csv::TableCut clipRows(InputBytes& in, const Output& output, csv::TableCutOptions options)
 {
     csv::TableCut made;
+    options.stopSource = [&] { in.stop(); };
     const auto source = [&](char* bytes, std::size_t size) { return in.read(bytes, size); };
     writeWith(
         [&](QIODevice& out) -> std::optional<QString> {

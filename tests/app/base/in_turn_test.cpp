@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include <chrono>
+#include <semaphore>
 
 class InTurnTest : public QObject {
     Q_OBJECT
@@ -52,6 +53,34 @@ private slots:
         const auto count = [&](int) { return ++given, true; };
         QVERIFY_EXCEPTION_THROWN(squares(4, 300, count, 57), int);
         QCOMPARE(given, 57);
+    }
+
+    // The third share does not come before the input is stopped.
+    void aWaitForInputEndsWithTheWork()
+    {
+        for (const bool fails : {false, true}) {
+            std::binary_semaphore stop(0);
+            int taken = 0;
+            bool stopped = true;
+            const auto take = [&] {
+                if (++taken < 3)
+                    return true;
+                stopped = stop.try_acquire_for(std::chrono::seconds(20));
+                return false;
+            };
+            const auto give = [&]() -> bool {
+                if (fails)
+                    throw 1;
+                return false;
+            };
+            const std::vector<app::TurnSteps> threads(3, {take, [] {}, give});
+            const auto run = [&] { app::InTurn().run(threads, [&] { stop.release(); }); };
+            if (fails)
+                QVERIFY_EXCEPTION_THROWN(run(), int);
+            else
+                run();
+            QVERIFY(stopped);
+        }
     }
 
     void nothingIsGivenOnceNoMoreIsWanted()

@@ -4,8 +4,10 @@
 #include <QTest>
 
 #include <algorithm>
+#include <fcntl.h>
 #include <random>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include "tests/app/command_line/program.h"
 #include "tests/sanitizer.h"
@@ -14,6 +16,30 @@ namespace {
 
 const QByteArray header = "x1,y1,x2,y2,layer,colour,width,source\n";
 const QStringList clip{"clip", "-", "--from", "csv", "--to", "csv", "-o", "-"};
+
+struct Pipe {
+    int out = -1, in = -1;
+
+    Pipe()
+    {
+        int ends[2];
+        if (::pipe2(ends, O_CLOEXEC) != 0)
+            qFatal("no pipe");
+        out = ends[0];
+        in = ends[1];
+    }
+    ~Pipe()
+    {
+        close(out);
+        close(in);
+    }
+    static void close(int& end)
+    {
+        if (end >= 0)
+            ::close(end);
+        end = -1;
+    }
+};
 
 // Rows with everything that a table may have.
 QByteArray oddTable()
@@ -126,6 +152,55 @@ private slots:
                                  "- | head -n 1; echo ${PIPESTATUS[1]}");
         QCOMPARE(run.out, header + "0\n");
         QCOMPARE(run.err, "");
+    }
+
+    void aBadRowEndsTheWorkWhileTheInputIsSilent()
+    {
+        QProcess process;
+        process.start(QStringLiteral(CLEARCUT_BINARY), clip + QStringList{"-w", "0,0,9,9"});
+        process.write("0,0,1,1\nbad\n");
+        QVERIFY(process.waitForFinished(20'000));
+        QCOMPARE(process.exitCode(), 1);
+        QCOMPARE(process.readAllStandardError(),
+                 "clearcut clip: Cannot read standard input: line 2 has “bad” where a number is "
+                 "needed.\n");
+    }
+
+    void aReaderThatGoesEndsTheWorkWhileTheInputIsSilent()
+    {
+        QProcess process;
+        Pipe output;
+        process.setChildProcessModifier([&] { ::dup2(output.in, STDOUT_FILENO); });
+        process.start(QStringLiteral(CLEARCUT_BINARY), clip + QStringList{"-w", "0,0,9,9"});
+        process.write("1,1,2,2\n");
+        QVERIFY(process.waitForBytesWritten(20'000));
+        char first = 0;
+        QCOMPARE(::read(output.out, &first, 1), 1);
+        output.close(output.out);
+        process.write("1,1,2,2\n");
+        QVERIFY(process.waitForFinished(20'000));
+        QCOMPARE(process.exitCode(), 0);
+        QCOMPARE(process.readAllStandardError(), "");
+    }
+
+    void anInputThatDoesNotBlockIsReadToItsEnd()
+    {
+        QProcess process;
+        Pipe input;
+        ::fcntl(input.out, F_SETFL, O_NONBLOCK);
+        process.setChildProcessModifier([&] { ::dup2(input.out, STDIN_FILENO); });
+        process.start(QStringLiteral(CLEARCUT_BINARY), clip + QStringList{"-q", "-w", "0,0,9,9"});
+        QTest::qSleep(100);
+        const QByteArray rows = "1,1,2,2\n3,3,4,4\n";
+        for (const QByteArray& row : {rows.first(8), rows.sliced(8)}) {
+            QCOMPARE(::write(input.in, row.data(), 8), 8);
+            process.waitForReadyRead(20'000);
+        }
+        input.close(input.in);
+        QVERIFY(process.waitForFinished(20'000));
+        QCOMPARE(process.readAllStandardError(), "");
+        QCOMPARE(process.readAllStandardOutput(),
+                 header + "1,1,2,2,Drawing,#000000,1,0\n3,3,4,4,Drawing,#000000,1,1\n");
     }
 
     void badRowsAreNamed()
