@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/in_turn.h"
 
+#include <QScopeGuard>
 #include <QTest>
 
 #include <chrono>
@@ -45,6 +46,20 @@ private slots:
             for (int i = 0; i < 300; ++i)
                 QCOMPARE(given[std::size_t(i)], i * i);
         }
+    }
+
+    void whereNoThreadCanBeMadeTheCallingThreadWorksAlone()
+    {
+        pthread_attr_t usual, huge;
+        QCOMPARE(pthread_getattr_default_np(&usual), 0);
+        QCOMPARE(pthread_attr_init(&huge), 0);
+        QCOMPARE(pthread_attr_setstacksize(&huge, std::size_t(1) << 60), 0); // no memory is left
+        QCOMPARE(pthread_setattr_default_np(&huge), 0);
+        const auto reset = qScopeGuard([&] { QCOMPARE(pthread_setattr_default_np(&usual), 0); });
+        QVERIFY_EXCEPTION_THROWN(std::jthread([] {}), std::system_error);
+        int given = 0;
+        squares(4, 10, [&](int) { return ++given, true; });
+        QCOMPARE(given, 10);
     }
 
     void whatIsBeforeAFailureIsGivenAndNothingAfterIt()
