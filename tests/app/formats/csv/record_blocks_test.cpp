@@ -4,6 +4,7 @@
 #include "app/formats/csv/record_fields.h"
 
 #include <QBuffer>
+#include <QElapsedTimer>
 #include <QTest>
 
 #include <random>
@@ -78,6 +79,22 @@ private slots:
                 text.insert(0, "\xef\xbb\xbf");
             for (const std::size_t piece : {1, 2, 7, 1000})
                 QVERIFY2(inBlocks(text, piece) == whole(text), text.c_str());
+        }
+    }
+
+    // Scanned anew for each piece, it takes half a minute.
+    void aLongRecordMayComeInSmallPieces()
+    {
+        std::string quoted = "1,\"", plain = "1";
+        while (quoted.size() < 1'000'000) {
+            quoted += "two\n\"\"lines";
+            plain += ",22";
+        }
+        for (const std::string& text : {quoted + "\"\n1,2\n", plain + "\n1,2\n"}) {
+            QElapsedTimer timer;
+            timer.start();
+            QVERIFY(inBlocks(text, 7) == whole(text));
+            QVERIFY2(timer.elapsed() < 5000, qPrintable(QString::number(timer.elapsed())));
         }
     }
 
