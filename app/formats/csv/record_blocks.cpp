@@ -64,10 +64,10 @@ void RecordBlocks::drop(std::size_t count)
 void RecordBlocks::refuseTooLong() const
 {
     if (size_ > longestRecord)
-        throw Refused{line_, waiting().find('"') == std::string_view::npos
-                                 ? QCoreApplication::translate("csv", "is too long for CSV.")
-                                 : QCoreApplication::translate(
-                                     "csv", "opens a quotation mark that is never closed.")};
+        throw Refused{line_, scan_.isQuoted()
+                                 ? QCoreApplication::translate(
+                                     "csv", "opens a quotation mark that is never closed.")
+                                 : QCoreApplication::translate("csv", "is too long for CSV.")};
 }
 
 std::size_t RecordBlocks::scan(RecordBlock& block, std::size_t most)
@@ -76,13 +76,15 @@ std::size_t RecordBlocks::scan(RecordBlock& block, std::size_t most)
     scan_.continueIn(waiting(), ended_);
     std::size_t taken = 0, lines = 0;
     while (block.places.size() < most && !scan_.isEnd(taken)) {
-        const char c = scan_.at(taken);
-        const bool isBlank = c == '\n' || c == '\r' || (c == '#' && comments_);
-        const std::size_t end = isBlank ? scan_.endOfLine(taken) : scan_.endOfRecord(taken);
+        if (inComment_ || (comments_ && scan_.at(taken) == '#')) {
+            taken = passComment(taken);
+            continue;
+        }
+        const std::size_t end = scan_.endOfRecord(taken);
         const std::size_t after = end == RecordScan::unknown ? end : scan_.afterBreak(end);
         if (after == RecordScan::unknown)
             break;
-        if (!isBlank)
+        if (end > taken) // otherwise the line is blank
             block.places.push_back(
                 {std::uint32_t(taken), std::uint32_t(end), std::uint32_t(lines)});
         taken = after;
@@ -91,6 +93,14 @@ std::size_t RecordBlocks::scan(RecordBlock& block, std::size_t most)
     line_ += lines;
     record_ += block.places.size();
     return taken;
+}
+
+// The bytes of a comment need not wait for its end. Its line break is left, as a blank line.
+std::size_t RecordBlocks::passComment(std::size_t from)
+{
+    const std::size_t end = scan_.endOfLine(from);
+    inComment_ = end == RecordScan::unknown;
+    return inComment_ ? waiting().size() : end;
 }
 
 } // namespace app::csv

@@ -56,13 +56,14 @@ private:
     void drop(std::size_t count);
     void refuseTooLong() const;
     std::size_t scan(RecordBlock& block, std::size_t most);
+    std::size_t passComment(std::size_t from);
 
     ByteSource source_;
     std::unique_ptr<char[]> waiting_; ///< the longest record, and what is read with its end
     std::size_t size_ = 0;            ///< of the bytes in `waiting_`, which are not in a block yet
     RecordScan scan_;
     std::size_t line_ = 1, record_ = 0;
-    bool started_ = false, ended_ = false, comments_ = true;
+    bool started_ = false, ended_ = false, comments_ = true, inComment_ = false;
 };
 
 } // namespace app::csv

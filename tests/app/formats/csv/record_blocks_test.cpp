@@ -32,16 +32,34 @@ Rows whole(const std::string& bytes)
     return rows;
 }
 
-// The same in blocks, from a source that gives `piece` bytes at a time.
-Rows inBlocks(const std::string& bytes, std::size_t piece)
+// Gives `piece` bytes at a time; `bytes` must outlive it.
+ByteSource sourceOf(const std::string& bytes, std::size_t piece)
 {
-    std::size_t at = 0;
-    RecordBlocks blocks([&](char* out, std::size_t size) {
+    return [&bytes, piece, at = std::size_t(0)](char* out, std::size_t size) mutable {
         const std::size_t count = std::min({piece, size, bytes.size() - at});
         bytes.copy(out, count, at);
         at += count;
         return count;
-    });
+    };
+}
+
+// Why the blocks of this text are refused.
+QString reasonInBlocks(const std::string& bytes)
+{
+    RecordBlocks blocks(sourceOf(bytes, 4096));
+    try {
+        for (RecordBlock block; blocks.next(block);)
+            continue;
+    } catch (const Refused& refused) {
+        return refused.why;
+    }
+    return {};
+}
+
+// The same in blocks, from a source that gives `piece` bytes at a time.
+Rows inBlocks(const std::string& bytes, std::size_t piece)
+{
+    RecordBlocks blocks(sourceOf(bytes, piece));
     Rows rows;
     RecordFields fields;
     RecordBlock block;
@@ -79,6 +97,24 @@ private slots:
                 text.insert(0, "\xef\xbb\xbf");
             for (const std::size_t piece : {1, 2, 7, 1000})
                 QVERIFY2(inBlocks(text, piece) == whole(text), text.c_str());
+        }
+    }
+
+    void aCommentMayBeLongerThanARecord()
+    {
+        const std::string comment = "#\"" + std::string(2'000'000, 'x');
+        for (const char* end : {"\n1,2\n", "\r\n1,2", "\r1,2\n#", ""})
+            QVERIFY(inBlocks("1,1\n" + comment + end, 4096) == whole("1,1\n" + comment + end));
+    }
+
+    void whatMakesARecordTooLongIsSaid()
+    {
+        const std::string rest(2 << 20, 'x');
+        for (const bool quoted : {false, true}) {
+            const std::string row = quoted ? "1,\"" : "1,a\"";
+            QCOMPARE(reasonInBlocks("\"1\",1\n" + row + rest),
+                     quoted ? "opens a quotation mark that is never closed."
+                            : "is too long for CSV.");
         }
     }
 
