@@ -100,6 +100,13 @@ private slots:
         }
     }
 
+    void onlyTheFileBeginsWithAByteOrderMark()
+    {
+        const std::string mark = "\xef\xbb\xbf", row = mark + "1,1,2,2,\"a\"\n";
+        QVERIFY(inBlocks("0,0,1,1\n" + row, 1000) == whole("0,0,1,1\n" + row));
+        QVERIFY(inBlocks(mark + row, 1000) == whole(mark + row));
+    }
+
     void aCommentMayBeLongerThanARecord()
     {
         const std::string comment = "#\"" + std::string(2'000'000, 'x');
