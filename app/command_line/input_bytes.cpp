@@ -61,9 +61,11 @@ std::optional<std::size_t> InputBytes::size() const
 
 void InputBytes::fail(const QString& why) const
 {
-    throw Failure{path_ == QStringLiteral("-")
-                      ? Commands::tr("Cannot read standard input: %1").arg(why)
-                      : Commands::tr("Cannot open %1: %2").arg(path_, why)};
+    if (path_ == QStringLiteral("-"))
+        throw Failure{Commands::tr("Cannot read standard input: %1").arg(why)};
+    throw Failure{
+        (file_.isOpen() ? Commands::tr("Cannot read %1: %2") : Commands::tr("Cannot open %1: %2"))
+            .arg(path_, why)};
 }
 
 } // namespace app
