@@ -177,7 +177,9 @@ private slots:
     {
         QProcess process;
         process.start(QStringLiteral(CLEARCUT_BINARY), clip + QStringList{"-w", "0,0,9,9"});
-        process.write("0,0,1,1\nbad\n");
+        process.write("0,0,1,1\n");
+        QVERIFY(process.waitForReadyRead(20'000));
+        process.write("bad\n");
         QVERIFY(process.waitForFinished(20'000));
         QCOMPARE(process.exitCode(), 1);
         QCOMPARE(process.readAllStandardError(),
