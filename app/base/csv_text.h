@@ -37,6 +37,9 @@ public:
     /// Treats later lines that begin with # as records (a first field may be a colour).
     void endComments() { comments_ = false; }
 
+    /// The text is a later part of a file: a byte order mark belongs to its first field.
+    void beginWithinFile() { started_ = true; }
+
 private:
     int get();  ///< the next byte, or -1
     int peek(); ///< the byte that `get` will return, or -1

@@ -6,6 +6,7 @@
 #include <exception>
 #include <functional>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -18,19 +19,25 @@ struct TurnSteps {
     std::function<bool()> give; ///< gives the result away; false: no more is wanted
 };
 
-/// Runs one thread for each of `threads`, the first one on the calling thread. Only one thread
-/// takes at a time, and they give in the order in which they have taken. A thread that waits in
-/// `take` does not keep others from giving. Returns at the end of the input, or once no more is
-/// wanted. After the first exception of a share nothing is given any more, and it is thrown again;
-/// what was taken before it has been given.
+/// Runs one thread for each of `threads`, the first one on the calling thread, or fewer if the
+/// system allows no more. Only one thread takes at a time, and they give in the order in which they
+/// have taken. A thread that waits in `take` does not keep others from giving. Returns at the end
+/// of the input, or once no more is wanted. After the first exception of a share nothing is given
+/// any more, and it is thrown again; what was taken before it has been given.
 class InTurn {
 public:
-    void run(const std::vector<TurnSteps>& threads)
+    /// `stopTaking` is called at most once, on any thread, when nothing will be given any more. It
+    /// ends the wait of a `take` for input, and the waits of later ones.
+    void run(const std::vector<TurnSteps>& threads, const std::function<void()>& stopTaking = {})
     {
+        stopTaking_ = stopTaking;
         {
             std::vector<std::jthread> others;
-            for (std::size_t i = 1; i < threads.size(); ++i)
-                others.emplace_back([this, &steps = threads[i]] { follow(steps); });
+            try {
+                for (std::size_t i = 1; i < threads.size(); ++i)
+                    others.emplace_back([this, &steps = threads[i]] { follow(steps); });
+            } catch (const std::system_error&) { // the system allows no more threads
+            }
             follow(threads.front());
         }
         if (error_)
@@ -84,11 +91,14 @@ private:
             bool wanted = true;
             error_ = share.error ? share.error : errorOf([&] { wanted = steps.give(); });
             stopped_ = error_ || !wanted;
+            if (stopped_ && stopTaking_)
+                stopTaking_();
         }
         ++given_;
         turn_.notify_all();
     }
 
+    std::function<void()> stopTaking_;
     std::mutex taking_, giving_;
     std::condition_variable turn_;
     std::size_t taken_ = 0; ///< shares, guarded by taking_

@@ -6,18 +6,10 @@
 
 #include <cerrno>
 #include <poll.h>
+#include <sys/eventfd.h>
 #include <unistd.h>
 
 namespace app {
-namespace {
-
-bool isReady(int file)
-{
-    pollfd asked{file, POLLIN, 0};
-    return ::poll(&asked, 1, 0) > 0;
-}
-
-} // namespace
 
 InputBytes::InputBytes(const QString& path) : path_(path), file_(path)
 {
@@ -28,14 +20,17 @@ InputBytes::InputBytes(const QString& path) : path_(path), file_(path)
         isStream ? file_.open(STDIN_FILENO, QIODevice::ReadOnly) : file_.open(QIODevice::ReadOnly);
     if (!open)
         fail(file_.errorString() + u'.');
+    stopped_ = ::eventfd(0, EFD_CLOEXEC);
 }
+
+InputBytes::~InputBytes() { ::close(stopped_); }
 
 std::size_t InputBytes::read(char* bytes, std::size_t size)
 {
     std::size_t done = 0;
-    while (done < size && (done == 0 || isReady(file_.handle()))) {
+    while (done < size && isReady(done == 0)) {
         const ssize_t count = ::read(file_.handle(), bytes + done, size - done);
-        if (count < 0 && errno == EINTR)
+        if (count < 0 && (errno == EINTR || errno == EAGAIN)) // another process may have read them
             continue;
         if (count < 0)
             fail(Commands::tr("it cannot be read to its end. %1.").arg(qt_error_string(errno)));
@@ -46,6 +41,19 @@ std::size_t InputBytes::read(char* bytes, std::size_t size)
     return done;
 }
 
+void InputBytes::stop() { ::eventfd_write(stopped_, 1); }
+
+// False after `stop`, and if there are no bytes and it does not wait.
+bool InputBytes::isReady(bool waits) const
+{
+    pollfd asked[] = {{file_.handle(), POLLIN, 0}, {stopped_, POLLIN, 0}};
+    int count = 0;
+    do
+        count = ::poll(asked, std::size(asked), waits ? -1 : 0);
+    while (count < 0 && errno == EINTR);
+    return count != 0 && asked[1].revents == 0;
+}
+
 std::optional<std::size_t> InputBytes::size() const
 {
     return file_.isSequential() ? std::nullopt : std::optional(std::size_t(file_.size()));
@@ -53,9 +61,11 @@ std::optional<std::size_t> InputBytes::size() const
 
 void InputBytes::fail(const QString& why) const
 {
-    throw Failure{path_ == QStringLiteral("-")
-                      ? Commands::tr("Cannot read standard input: %1").arg(why)
-                      : Commands::tr("Cannot open %1: %2").arg(path_, why)};
+    if (path_ == QStringLiteral("-"))
+        throw Failure{Commands::tr("Cannot read standard input: %1").arg(why)};
+    throw Failure{
+        (file_.isOpen() ? Commands::tr("Cannot read %1: %2") : Commands::tr("Cannot open %1: %2"))
+            .arg(path_, why)};
 }
 
 } // namespace app

@@ -17,14 +17,14 @@
 namespace app {
 namespace {
 
-constexpr std::size_t mostThreads = 32; // each needs a megabyte
+constexpr std::size_t mostThreads = 12; // each needs up to 3.5 MB, and all together at most 100 MB
 constexpr std::size_t bytesForAThread = 1 << 18;
 
 std::size_t threadsFor(const InputBytes& in)
 {
-    const auto cores = std::min(std::size_t(QThread::idealThreadCount()), mostThreads);
     // One more than cores: one of them waits for bytes, or for its turn to write.
-    return std::min(cores + 1, in.size().value_or(cores * bytesForAThread) / bytesForAThread + 1);
+    const auto threads = std::min(std::size_t(QThread::idealThreadCount()) + 1, mostThreads);
+    return in.size() ? std::min(threads, *in.size() / bytesForAThread + 1) : threads;
 }
 
 QString badRowText(const csv::BadRow& row)
@@ -53,6 +53,7 @@ void report(const ParsedArguments& arguments, const csv::TableCut& made, const C
 csv::TableCut clipRows(InputBytes& in, const Output& output, csv::TableCutOptions options)
 {
     csv::TableCut made;
+    options.stopSource = [&] { in.stop(); };
     const auto source = [&](char* bytes, std::size_t size) { return in.read(bytes, size); };
     writeWith(
         [&](QIODevice& out) -> std::optional<QString> {

@@ -28,6 +28,7 @@ struct TableCutOptions {
     bool rowsOnly = false; ///< neither header nor the column `source`
     std::size_t threads = 1;
     std::function<void(const BadRow&)> sayBad{}; ///< for the first bad rows, in order
+    std::function<void()> stopSource{}; ///< ends the source's wait for bytes, on any thread
 };
 constexpr std::size_t mostBadRowsNamed = 10;
 

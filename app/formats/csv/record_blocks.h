@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/formats/csv/record_scan.h"
+
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,7 +36,7 @@ struct RecordBlock {
 /// ends them. Memory is bounded; a block is complete as soon as the source has given some records.
 class RecordBlocks {
 public:
-    explicit RecordBlocks(ByteSource source) : source_(std::move(source)) {}
+    explicit RecordBlocks(ByteSource source);
 
     /// The next block; false at the end. Reuses the memory of `block`. Throws Refused if a record
     /// is too long to be one.
@@ -49,13 +52,18 @@ public:
 private:
     bool next(RecordBlock& block, std::size_t most);
     bool fill();
+    std::string_view waiting() const { return {waiting_.get(), size_}; }
+    void drop(std::size_t count);
     void refuseTooLong() const;
     std::size_t scan(RecordBlock& block, std::size_t most);
+    std::size_t passComment(std::size_t from);
 
     ByteSource source_;
-    std::string waiting_; ///< bytes that are not in a block yet
+    std::unique_ptr<char[]> waiting_; ///< the longest record, and what is read with its end
+    std::size_t size_ = 0;            ///< of the bytes in `waiting_`, which are not in a block yet
+    RecordScan scan_;
     std::size_t line_ = 1, record_ = 0;
-    bool started_ = false, ended_ = false, comments_ = true;
+    bool started_ = false, ended_ = false, comments_ = true, inComment_ = false;
 };
 
 } // namespace app::csv

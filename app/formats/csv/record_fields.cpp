@@ -17,6 +17,7 @@ std::vector<std::string> unquoted(std::string_view record)
     buffer.open(QIODevice::ReadOnly);
     Text text(buffer);
     text.endComments();
+    text.beginWithinFile();
     Record read;
     text.next(read);
     return std::move(read.fields);

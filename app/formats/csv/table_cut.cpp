@@ -28,7 +28,7 @@ public:
         }
         result_.complete = options_.rowsOnly || give_(headerText(true));
         if (result_.complete)
-            InTurn().run(threads);
+            InTurn().run(threads, options_.stopSource);
         result_.report = rows_.report();
         return std::move(result_);
     }

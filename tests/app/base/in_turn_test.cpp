@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/in_turn.h"
 
+#include <QScopeGuard>
 #include <QTest>
 
 #include <chrono>
+#include <semaphore>
 
 class InTurnTest : public QObject {
     Q_OBJECT
@@ -46,12 +48,54 @@ private slots:
         }
     }
 
+    void whereNoThreadCanBeMadeTheCallingThreadWorksAlone()
+    {
+        pthread_attr_t usual, huge;
+        QCOMPARE(pthread_getattr_default_np(&usual), 0);
+        QCOMPARE(pthread_attr_init(&huge), 0);
+        QCOMPARE(pthread_attr_setstacksize(&huge, std::size_t(1) << 60), 0); // no memory is left
+        QCOMPARE(pthread_setattr_default_np(&huge), 0);
+        const auto reset = qScopeGuard([&] { QCOMPARE(pthread_setattr_default_np(&usual), 0); });
+        QVERIFY_EXCEPTION_THROWN(std::jthread([] {}), std::system_error);
+        int given = 0;
+        squares(4, 10, [&](int) { return ++given, true; });
+        QCOMPARE(given, 10);
+    }
+
     void whatIsBeforeAFailureIsGivenAndNothingAfterIt()
     {
         int given = 0;
         const auto count = [&](int) { return ++given, true; };
         QVERIFY_EXCEPTION_THROWN(squares(4, 300, count, 57), int);
         QCOMPARE(given, 57);
+    }
+
+    // The third share does not come before the input is stopped.
+    void aWaitForInputEndsWithTheWork()
+    {
+        for (const bool fails : {false, true}) {
+            std::binary_semaphore stop(0);
+            int taken = 0;
+            bool stopped = true;
+            const auto take = [&] {
+                if (++taken < 3)
+                    return true;
+                stopped = stop.try_acquire_for(std::chrono::seconds(20));
+                return false;
+            };
+            const auto give = [&]() -> bool {
+                if (fails)
+                    throw 1;
+                return false;
+            };
+            const std::vector<app::TurnSteps> threads(3, {take, [] {}, give});
+            const auto run = [&] { app::InTurn().run(threads, [&] { stop.release(); }); };
+            if (fails)
+                QVERIFY_EXCEPTION_THROWN(run(), int);
+            else
+                run();
+            QVERIFY(stopped);
+        }
     }
 
     void nothingIsGivenOnceNoMoreIsWanted()

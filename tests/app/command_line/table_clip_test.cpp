@@ -4,8 +4,9 @@
 #include <QTest>
 
 #include <algorithm>
+#include <fcntl.h>
 #include <random>
-#include <sys/resource.h>
+#include <unistd.h>
 
 #include "tests/app/command_line/program.h"
 #include "tests/sanitizer.h"
@@ -14,6 +15,40 @@ namespace {
 
 const QByteArray header = "x1,y1,x2,y2,layer,colour,width,source\n";
 const QStringList clip{"clip", "-", "--from", "csv", "--to", "csv", "-o", "-"};
+
+struct Pipe {
+    int out = -1, in = -1;
+
+    Pipe()
+    {
+        int ends[2];
+        if (::pipe2(ends, O_CLOEXEC) != 0)
+            qFatal("no pipe");
+        out = ends[0];
+        in = ends[1];
+    }
+    ~Pipe()
+    {
+        close(out);
+        close(in);
+    }
+    static void close(int& end)
+    {
+        if (end >= 0)
+            ::close(end);
+        end = -1;
+    }
+};
+
+// The most memory that a running program has used.
+QByteArray peakKilobytes(const QProcess& process)
+{
+    const QString status = QStringLiteral("/proc/%1/status").arg(process.processId());
+    for (const QByteArray& line : contentOf(status).split('\n'))
+        if (line.startsWith("VmHWM:"))
+            return line.simplified().split(' ').at(1);
+    return {};
+}
 
 // Rows with everything that a table may have.
 QByteArray oddTable()
@@ -110,14 +145,24 @@ private slots:
 
     void memoryDoesNotGrow()
     {
-        const auto run =
-            inShell("yes -- -5,0,15,10 | head -n 1500000 | $clearcut clip - --from csv "
-                    "--to csv -w 0,0,9,9 -o - | tail -n 1");
-        QCOMPARE(run.out, "0,2.5,9,7,Drawing,#000000,1,1499999\n");
-        rusage used{};
-        getrusage(RUSAGE_CHILDREN, &used);
-        QVERIFY2(!memoryCanBeLimited || used.ru_maxrss < 100'000,
-                 qPrintable(QString::number(used.ru_maxrss)));
+        QProcess process, last;
+        process.setStandardOutputProcess(&last);
+        process.start(QStringLiteral(CLEARCUT_BINARY), clip + QStringList{"-w", "0,0,9,9"});
+        last.start(QStringLiteral("tail"), {"-n", "1"});
+        QVERIFY(process.waitForStarted());
+        const QByteArray rows = QByteArray("-5,0,15,10\n").repeated(15'000);
+        for (int i = 0; i < 100; ++i) {
+            process.write(rows);
+            while (process.bytesToWrite() > 0)
+                QVERIFY(process.waitForBytesWritten(20'000));
+        }
+        const QByteArray most = peakKilobytes(process);
+        process.closeWriteChannel();
+        QVERIFY(process.waitForFinished(20'000));
+        QVERIFY(last.waitForFinished(20'000));
+        QCOMPARE(last.readAllStandardOutput(), "0,2.5,9,7,Drawing,#000000,1,1499999\n");
+        QVERIFY(most.toInt() > 0);
+        QVERIFY2(!memoryCanBeLimited || most.toInt() < 100'000, most);
     }
 
     void aReaderThatGoesEndsTheWork()
@@ -126,6 +171,64 @@ private slots:
                                  "- | head -n 1; echo ${PIPESTATUS[1]}");
         QCOMPARE(run.out, header + "0\n");
         QCOMPARE(run.err, "");
+    }
+
+    void aBadRowEndsTheWorkWhileTheInputIsSilent()
+    {
+        QProcess process;
+        process.start(QStringLiteral(CLEARCUT_BINARY), clip + QStringList{"-w", "0,0,9,9"});
+        process.write("0,0,1,1\n");
+        QVERIFY(process.waitForReadyRead(20'000));
+        process.write("bad\n");
+        QVERIFY(process.waitForFinished(20'000));
+        QCOMPARE(process.exitCode(), 1);
+        QCOMPARE(process.readAllStandardError(),
+                 "clearcut clip: Cannot read standard input: line 2 has “bad” where a number is "
+                 "needed.\n");
+    }
+
+    void aReaderThatGoesEndsTheWorkWhileTheInputIsSilent()
+    {
+        QProcess process;
+        Pipe output;
+        process.setChildProcessModifier([&] { ::dup2(output.in, STDOUT_FILENO); });
+        process.start(QStringLiteral(CLEARCUT_BINARY), clip + QStringList{"-w", "0,0,9,9"});
+        process.write("1,1,2,2\n");
+        QVERIFY(process.waitForBytesWritten(20'000));
+        output.close(output.in);
+        const QByteArray first = header + "1,1,2,2,Drawing,#000000,1,0\n";
+        QByteArray got(first.size(), ' ');
+        for (qsizetype at = 0; at < got.size();) {
+            const ssize_t count = ::read(output.out, got.data() + at, std::size_t(got.size() - at));
+            QVERIFY(count > 0);
+            at += count;
+        }
+        QCOMPARE(got, first);
+        output.close(output.out);
+        process.write("1,1,2,2\n");
+        QVERIFY(process.waitForFinished(20'000));
+        QCOMPARE(process.exitCode(), 0);
+        QCOMPARE(process.readAllStandardError(), "");
+    }
+
+    void anInputThatDoesNotBlockIsReadToItsEnd()
+    {
+        QProcess process;
+        Pipe input;
+        ::fcntl(input.out, F_SETFL, O_NONBLOCK);
+        process.setChildProcessModifier([&] { ::dup2(input.out, STDIN_FILENO); });
+        process.start(QStringLiteral(CLEARCUT_BINARY), clip + QStringList{"-q", "-w", "0,0,9,9"});
+        QTest::qSleep(100);
+        const QByteArray rows = "1,1,2,2\n3,3,4,4\n";
+        for (const QByteArray& row : {rows.first(8), rows.sliced(8)}) {
+            QCOMPARE(::write(input.in, row.data(), 8), 8);
+            process.waitForReadyRead(20'000);
+        }
+        input.close(input.in);
+        QVERIFY(process.waitForFinished(20'000));
+        QCOMPARE(process.readAllStandardError(), "");
+        QCOMPARE(process.readAllStandardOutput(),
+                 header + "1,1,2,2,Drawing,#000000,1,0\n3,3,4,4,Drawing,#000000,1,1\n");
     }
 
     void badRowsAreNamed()
@@ -158,7 +261,7 @@ private slots:
         const QStringList toFile{"clip", in, "-w", "0,0,9,9", "-o", out};
         const auto run = clearcut(toFile);
         QCOMPARE(run.code, 1);
-        QVERIFY2(run.err.startsWith("clearcut clip: Cannot open " + in.toUtf8() + ": line 2 has"),
+        QVERIFY2(run.err.startsWith("clearcut clip: Cannot read " + in.toUtf8() + ": line 2 has"),
                  run.err);
         QCOMPARE(contentOf(out), "old");
         QCOMPARE(clearcut(toFile + QStringList{"--skip-bad"}).code, 0);

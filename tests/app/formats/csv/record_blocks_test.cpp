@@ -4,6 +4,7 @@
 #include "app/formats/csv/record_fields.h"
 
 #include <QBuffer>
+#include <QElapsedTimer>
 #include <QTest>
 
 #include <random>
@@ -31,16 +32,34 @@ Rows whole(const std::string& bytes)
     return rows;
 }
 
-// The same in blocks, from a source that gives `piece` bytes at a time.
-Rows inBlocks(const std::string& bytes, std::size_t piece)
+// Gives `piece` bytes at a time; `bytes` must outlive it.
+ByteSource sourceOf(const std::string& bytes, std::size_t piece)
 {
-    std::size_t at = 0;
-    RecordBlocks blocks([&](char* out, std::size_t size) {
+    return [&bytes, piece, at = std::size_t(0)](char* out, std::size_t size) mutable {
         const std::size_t count = std::min({piece, size, bytes.size() - at});
         bytes.copy(out, count, at);
         at += count;
         return count;
-    });
+    };
+}
+
+// Why the blocks of this text are refused.
+QString reasonInBlocks(const std::string& bytes)
+{
+    RecordBlocks blocks(sourceOf(bytes, 4096));
+    try {
+        for (RecordBlock block; blocks.next(block);)
+            continue;
+    } catch (const Refused& refused) {
+        return refused.why;
+    }
+    return {};
+}
+
+// The same in blocks, from a source that gives `piece` bytes at a time.
+Rows inBlocks(const std::string& bytes, std::size_t piece)
+{
+    RecordBlocks blocks(sourceOf(bytes, piece));
     Rows rows;
     RecordFields fields;
     RecordBlock block;
@@ -78,6 +97,47 @@ private slots:
                 text.insert(0, "\xef\xbb\xbf");
             for (const std::size_t piece : {1, 2, 7, 1000})
                 QVERIFY2(inBlocks(text, piece) == whole(text), text.c_str());
+        }
+    }
+
+    void onlyTheFileBeginsWithAByteOrderMark()
+    {
+        const std::string mark = "\xef\xbb\xbf", row = mark + "1,1,2,2,\"a\"\n";
+        QVERIFY(inBlocks("0,0,1,1\n" + row, 1000) == whole("0,0,1,1\n" + row));
+        QVERIFY(inBlocks(mark + row, 1000) == whole(mark + row));
+    }
+
+    void aCommentMayBeLongerThanARecord()
+    {
+        const std::string comment = "#\"" + std::string(2'000'000, 'x');
+        for (const char* end : {"\n1,2\n", "\r\n1,2", "\r1,2\n#", ""})
+            QVERIFY(inBlocks("1,1\n" + comment + end, 4096) == whole("1,1\n" + comment + end));
+    }
+
+    void whatMakesARecordTooLongIsSaid()
+    {
+        const std::string rest(2 << 20, 'x');
+        for (const bool quoted : {false, true}) {
+            const std::string row = quoted ? "1,\"" : "1,a\"";
+            QCOMPARE(reasonInBlocks("\"1\",1\n" + row + rest),
+                     quoted ? "opens a quotation mark that is never closed."
+                            : "is too long for CSV.");
+        }
+    }
+
+    // Scanned anew for each piece, it takes half a minute.
+    void aLongRecordMayComeInSmallPieces()
+    {
+        std::string quoted = "1,\"", plain = "1";
+        while (quoted.size() < 1'000'000) {
+            quoted += "two\n\"\"lines";
+            plain += ",22";
+        }
+        for (const std::string& text : {quoted + "\"\n1,2\n", plain + "\n1,2\n"}) {
+            QElapsedTimer timer;
+            timer.start();
+            QVERIFY(inBlocks(text, 7) == whole(text));
+            QVERIFY2(timer.elapsed() < 5000, qPrintable(QString::number(timer.elapsed())));
         }
     }
 
