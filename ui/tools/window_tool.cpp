@@ -48,8 +48,11 @@ public:
     }
     void cancel(Workbench& bench) override
     {
+        const bool corrected = corrects();
         if (drawing_)
             drawing_->cancel(bench);
+        if (corrected)
+            app::setWindowPen(bench.session, penAfter());
         forgetDrawn();
         drawing_.reset();
         gesture_.cancel(bench);
@@ -82,6 +85,7 @@ public:
         if (drawing_ || gesture_.going() || !corrigible(bench))
             return;
         drawing_ = std::move(drawn_);
+        app::setWindowPen(bench.session, drawnWith_);
         drawing_->reopen(bench);
     }
     bool corrects() const override { return drawing_ && drawing_->corrects(); }
@@ -146,8 +150,14 @@ private:
     bool corrigible(const Workbench& bench) const
     {
         const app::WindowPen& pen = bench.session.windowPen;
-        return drawn_ && pen.kind == drawnWith_.kind && pen.use == drawnWith_.use
+        return drawn_ && pen.kind == drawnWith_.kind && pen.use == penAfter().use
                && canCorrect(*drawn_, bench);
+    }
+    /// The pen once the window is drawn (drawWindow).
+    app::WindowPen penAfter() const
+    {
+        using Use = app::WindowPen::Use;
+        return {drawnWith_.kind, drawnWith_.use == Use::Replace ? Use::Replace : Use::Add};
     }
 
     WindowGesture gesture_;
@@ -161,6 +171,7 @@ void WindowTool::press(const Pointer& pointer, Workbench& bench)
 {
     if (corrects()) { // a press ends the correction
         drawing_->cancel(bench);
+        app::setWindowPen(bench.session, penAfter());
         forgetDrawn();
     }
     if (!drawing_) {

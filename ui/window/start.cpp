@@ -5,6 +5,7 @@
 #include "ui/files/files.h"
 #include "ui/window/main_window.h"
 #include "ui/window/panel_layout.h"
+#include "ui/window/workspaces.h"
 
 namespace ui {
 
@@ -13,6 +14,7 @@ void connectStart(StartPanel& start, PanelLayout& layout, MainWindow& window)
     Files& files = window.files();
     QObject::connect(&start, &StartPanel::drawWanted, &window, [&window] {
         window.files().startNew();
+        window.choose(findWorkspace("workspace-draw"));
         window.canvas().setTool("line");
     });
     QObject::connect(&start, &StartPanel::openWanted, &files, qOverload<>(&Files::open));

@@ -163,6 +163,22 @@ private slots:
         QCOMPARE(d.list().size(), 3u);
         QVERIFY(d.isNearBox(app::boxOf(d.last()), {{60, 45}, {70, 55}}));
     }
+    // After a window that cuts out the tool adds again; a number still changes the hole.
+    void numbersChangeTheHoleThatWasDrawn()
+    {
+        Drawer d;
+        const auto* algorithm = d.session.display().variant.algorithm;
+        d.choose("window-use", 1);
+        d.drag({15, 15}, {85, 30});
+        d.type("40\t10\n");
+        QCOMPARE(d.session.display().variant.algorithm, algorithm);
+        QCOMPARE(d.list().size(), 2u);
+        QCOMPARE(d.list()[1].operation, app::WindowOperation::CutOut);
+        const clipping::Window box = app::boxOf(d.last());
+        QVERIFY(same(box.max - box.min, {40, 10}));
+        d.drag({100, 20}, {150, 60});
+        QCOMPARE(d.list().back().operation, app::WindowOperation::Add);
+    }
     void theChosenWindowIsDrawnAnew()
     {
         Drawer d;

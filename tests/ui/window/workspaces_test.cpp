@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/start_panel.h"
 #include "ui/look/look.h"
 #include "ui/window/panel_docks.h"
 #include "ui/window/workspaces.h"
@@ -65,6 +66,15 @@ private slots:
         QCOMPARE(t.window->session().history.count(), 0);
         QVERIFY(t.window->session().now().objects() == before.objects());
         QCOMPARE(t.window->canvas().view().zoom, zoom);
+    }
+    void aNewDrawingBeginsInDraw()
+    {
+        TestWindow t;
+        t.show();
+        click(t, 1);
+        emit t.window->findChild<StartPanel*>()->drawWanted();
+        QCOMPARE(&t.window->workspace(), &findWorkspace("workspace-draw"));
+        QCOMPARE(t.window->canvas().tool(), "line");
     }
     void inDrawTheAlgorithmIsOneLine_data()
     {
