@@ -19,9 +19,9 @@ using Places = std::map<QString, std::set<QString>>; // of the definitions, by t
 void addTypesOf(const QString& path, Places& places)
 {
     static const QRegularExpression opens(
-        QStringLiteral(R"(^(?:inline )?namespace\s*([\w:]*)\s*\{)"));
-    static const QRegularExpression defines(
-        QStringLiteral(R"(^(?:struct|class|enum|enum class)\s+(\w+)(?:\s+final)?\s*(?::[^:].*)?\{)"));
+        QStringLiteral(R"(^(?:inline )?namespace\s*(?:[A-Z_]+ )?([\w:]*)\s*\{)"));
+    static const QRegularExpression defines(QStringLiteral(
+        R"(^(?:struct|class|enum|enum class)\s+(\w+)(?:\s+final)?\s*(?::[^:].*)?\{)"));
     QFile file(path);
     QVERIFY2(file.open(QIODevice::ReadOnly), qPrintable(path));
     QStringList within;
@@ -29,10 +29,11 @@ void addTypesOf(const QString& path, Places& places)
         const QString line = QString::fromUtf8(file.readLine());
         if (const auto found = opens.match(line); found.hasMatch())
             within.push_back(found.captured(1));
-        else if (line.startsWith(QLatin1StringView("} // namespace")))
+        else if (line.startsWith(QLatin1StringView("} // namespace"))) {
+            QVERIFY2(!within.isEmpty(), qPrintable(path));
             within.removeLast();
-        else if (const auto type = defines.match(line);
-                 type.hasMatch() && !within.contains(QString()))
+        } else if (const auto type = defines.match(line);
+                   type.hasMatch() && !within.contains(QString()))
             places[(within + QStringList{type.captured(1)}).join(QStringLiteral("::"))].insert(
                 path);
     }
