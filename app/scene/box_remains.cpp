@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scene/box_remains.h"
 
-#include "app/scene/area_windows.h"
-#include "clipping/region/box_part.h"
-
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -45,17 +42,6 @@ private:
                                     Remains::Pieces};
 };
 
-/// One look at the edges of all windows, where `remainsOf` would ask each window.
-Remains remainsOf(const clipping::Window& box, const clipping::PreparedRegion& region)
-{
-    if (!isProper(box))
-        return Remains::Pieces;
-    const clipping::BoxPart part = clipping::partOf(box, region);
-    return part == clipping::BoxPart::None    ? Remains::Gone
-           : part == clipping::BoxPart::Whole ? Remains::Whole
-                                              : Remains::Pieces;
-}
-
 template <class RemainsOfBox>
 void find(const SceneBlock& block, const RemainsOfBox& remainsOfBox, std::span<Remains> remains)
 {
@@ -76,10 +62,6 @@ void findRemains(const SceneBlock& block, const ClipRegion& region, std::span<Re
     assert(remains.size() == block.chunks.size());
     if (const auto window = region.single(); window && isFinite(*window))
         find(block, OneWindow(*window, region.keep), remains);
-    else if (region.prepared)
-        find(
-            block, [&](const FloatBox& box) { return remainsOf(box.window(), *region.prepared); },
-            remains);
     else
         find(
             block, [&](const FloatBox& box) { return remainsOf(region, box.window()); }, remains);
