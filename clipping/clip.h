@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-// What to use if you only want to clip, and not to compare algorithms: each function takes the best
-// row of the catalogue (`algorithmFor`), whose contract (algorithm.h) holds. No container of the
+// For programs that only clip and do not compare algorithms. Each function uses the best row of the
+// catalogue (`algorithmFor`), whose contract (algorithm.h) holds. No container of the
 // standard library passes between a program and the compiled library. A program that takes numbers
 // near 0 for 0 (linked with -ffast-math) gets the same results here.
 

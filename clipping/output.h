@@ -8,7 +8,7 @@
 
 namespace CLEARCUT_API clipping {
 
-/// What `clipAll` can write into: see Output.
+/// The element types of the arrays that an Output can be: a piece, an index or a mask's byte.
 template <class Reference, class Piece>
 concept OutputElement =
     std::same_as<Reference, Piece&> || std::same_as<Reference, std::uint32_t&> || std::same_as<

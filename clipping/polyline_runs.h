@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "clipping/visible_runs.h"
+#include "clipping/polyline.h"
 
 namespace clipping {
 
-/// What polyline.h promises, for float and double.
+/// `clipPolyline` or `clipClosedPolyline` (polyline.h), for float or double.
 template <class T>
-void findRuns(const BasicPolyline<T>& polyline, const BasicWindow<T>& window,
+void findRuns(std::span<const glm::vec<2, T>> points, bool closed, const BasicWindow<T>& window,
               BasicPolylineRuns<T>& out);
 
 } // namespace clipping

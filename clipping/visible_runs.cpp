@@ -17,7 +17,7 @@ BasicVisibleRuns<T>::BasicVisibleRuns(const BasicPolyline<T>& polyline,
     requireRoom(polyline.points.size(), polyline.points.size());
     const GradualUnderflow here;
     auto found = std::make_unique<BasicPolylineRuns<T>>();
-    findRuns(polyline, window, *found);
+    findRuns(polyline.points, polyline.closed, window, *found);
     runs_ = found.release();
 }
 

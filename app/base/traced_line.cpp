@@ -36,7 +36,7 @@ QString polygonRefusal(const Variant& variant)
 } // namespace
 
 // The forms for polygons exist in the corrected form alone.
-const clipping::Uses<clipping::Segment, clipping::ConvexPolygon>*
+const clipping::Functions<clipping::Segment, clipping::ConvexPolygon>*
 polygonUsesOf(const Variant& variant)
 {
     const bool corrected = variant.form == clipping::Form::Corrected && !variant.misprint;

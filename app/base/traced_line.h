@@ -23,7 +23,7 @@ struct TracedLine {
 };
 
 /// The functions of a variant at convex polygons; null if it clips at rectangles only.
-const clipping::Uses<clipping::Segment, clipping::ConvexPolygon>*
+const clipping::Functions<clipping::Segment, clipping::ConvexPolygon>*
 polygonUsesOf(const Variant& variant);
 
 /// Why the line cannot be traced, and what to do; empty if it can.

@@ -19,7 +19,7 @@ struct Variant {
 /// The wish, in the corrected form if its algorithm has no published form that can clip.
 inline Variant usable(const Variant& wish)
 {
-    const bool has = clipping::usesOf(*wish.algorithm, wish.form);
+    const bool has = clipping::functionsOf(*wish.algorithm, wish.form);
     return {wish.algorithm, has ? wish.form : clipping::Form::Corrected};
 }
 

@@ -131,7 +131,7 @@ void takeWindow(const ParsedArguments& arguments, const Imported& imported, Fiel
         field.window = *plainRectangle(arguments, option);
 }
 
-// What a window that is no rectangle along the axes rules out.
+// Refuses options that work only at axis-aligned rectangles.
 void refuseAtShape(const ParsedArguments& arguments, const ExperimentOptions& options,
                    const Wanted& wanted)
 {

@@ -18,7 +18,8 @@
 namespace app {
 namespace {
 
-const clipping::Uses<clipping::Segment, clipping::Window>& usesOf(const ParsedArguments& arguments)
+const clipping::Functions<clipping::Segment, clipping::Window>&
+usesOf(const ParsedArguments& arguments)
 {
     const auto named = arguments.algorithms(QStringLiteral("algorithm"));
     if (named.size() > 1)
@@ -26,8 +27,8 @@ const clipping::Uses<clipping::Segment, clipping::Window>& usesOf(const ParsedAr
     const auto& algorithm = named.empty() ? usualAlgorithm() : *named.front();
     const bool published =
         arguments.choice(QStringLiteral("form"), {"corrected", "published"}) == 1;
-    const auto* uses = clipping::usesOf(algorithm, published ? clipping::Form::Published
-                                                             : clipping::Form::Corrected);
+    const auto* uses = clipping::functionsOf(algorithm, published ? clipping::Form::Published
+                                                                  : clipping::Form::Corrected);
     if (!uses)
         throw WrongUsage{Commands::tr("“%1” has no published form. Name another algorithm with -a.")
                              .arg(QLatin1StringView(algorithm.name))};

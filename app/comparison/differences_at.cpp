@@ -17,7 +17,7 @@ struct DifferencesAt {
 ClipAll functionOf(const Variant& variant)
 {
     return variant.misprint ? variant.misprint->clipAll
-                            : clipping::usesOf(*variant.algorithm, variant.form)->clipAll;
+                            : clipping::functionsOf(*variant.algorithm, variant.form)->clipAll;
 }
 
 double ulpsOf(const ClipRegion::Step& step, const Variant& variant)

@@ -17,7 +17,7 @@ std::vector<Variant> variants()
     std::vector<Variant> all;
     for (const clipping::Algorithm& algorithm : clipping::algorithms())
         for (const Form form : {Form::Corrected, Form::Published})
-            if (clipping::usesOf(algorithm, form))
+            if (clipping::functionsOf(algorithm, form))
                 all.push_back({&algorithm, form});
     for (const Misprint& misprint : misprints())
         all.push_back({misprint.meant, Form::Published, &misprint});
@@ -67,7 +67,7 @@ std::optional<Variant> findVariant(const QString& key)
     const QString name = published ? key.chopped(publishedSuffix.size()) : key;
     const auto* algorithm = clipping::findAlgorithm(name.toStdString());
     const Form form = published ? Form::Published : Form::Corrected;
-    if (!algorithm || !clipping::usesOf(*algorithm, form))
+    if (!algorithm || !clipping::functionsOf(*algorithm, form))
         return std::nullopt;
     return Variant{algorithm, form};
 }
@@ -77,7 +77,7 @@ std::size_t clipAll(const Variant& variant, std::span<const Segment> in, const W
 {
     return variant.misprint
                ? variant.misprint->clipAll(in, window, out)
-               : clipping::usesOf(*variant.algorithm, variant.form)->clipAll(in, window, out);
+               : clipping::functionsOf(*variant.algorithm, variant.form)->clipAll(in, window, out);
 }
 
 std::vector<Clipped> clipped(const Variant& variant, std::span<const Segment> in,

@@ -22,7 +22,7 @@ QString keyOf(const Variant& variant);
 /// no such algorithm, form or known misprint.
 std::optional<Variant> findVariant(const QString& key);
 
-/// As in `clipping::Uses`.
+/// As in `clipping::Functions`.
 std::size_t clipAll(const Variant& variant, std::span<const clipping::Segment> in,
                     const clipping::Window& window, std::span<clipping::Clipped> out);
 /// All visible pieces, in the order of the lines.

@@ -59,7 +59,7 @@ std::vector<Variant> costVariants(clipping::Form form)
 {
     std::vector<Variant> all;
     for (const clipping::Algorithm& algorithm : clipping::algorithms())
-        if (clipping::usesOf(algorithm, form))
+        if (clipping::functionsOf(algorithm, form))
             all.push_back({&algorithm, form});
     return all;
 }
@@ -98,7 +98,7 @@ double costOf(const Variant& variant, const CostMeasure& measure, const Segment&
     assert(canMeasure(variant, measure));
     if (measure.isTime())
         return nanosecondsOf(variant, line, window);
-    const auto* uses = clipping::usesOf(*variant.algorithm, variant.form);
+    const auto* uses = clipping::functionsOf(*variant.algorithm, variant.form);
     return double(measure.of(uses->count({&line, 1}, window)));
 }
 

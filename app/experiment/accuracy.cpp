@@ -65,7 +65,8 @@ void clipInto(std::vector<Clipped>& out, const Variant& variant, std::span<const
               const Window& window)
 {
     out.resize(lines.size());
-    out.resize(clipping::usesOf(*variant.algorithm, variant.form)->clipAll(lines, window, out));
+    out.resize(
+        clipping::functionsOf(*variant.algorithm, variant.form)->clipAll(lines, window, out));
 }
 
 QStringList rowOf(const Accuracy& row)

@@ -67,11 +67,11 @@ std::size_t Block::clip(const Variant& variant)
         return clipAllAt(*how_.shape, variant, lines_, visible_);
     if (how_.precision == Precision::Single) {
         assert(variant.form == clipping::Form::Corrected);
-        return clipped<float>(how_.threads, algorithm.single->clipAll, singleLines_,
+        return clipped<float>(how_.threads, algorithm.floats->clipAll, singleLines_,
                               single(how_.window), singleVisible_);
     }
-    return clipped<double>(how_.threads, clipping::usesOf(algorithm, variant.form)->clipAll, lines_,
-                           how_.window, visible_);
+    return clipped<double>(how_.threads, clipping::functionsOf(algorithm, variant.form)->clipAll,
+                           lines_, how_.window, visible_);
 }
 
 std::span<const clipping::Clipped> Block::pieces(std::size_t count)

@@ -160,7 +160,7 @@ QString leftOutText(const Choice& choice)
     QStringList names;
     for (const auto* algorithm : choice.algorithms)
         if (std::ranges::none_of(choice.forms, [&](clipping::Form form) {
-                return clipping::usesOf(*algorithm, form);
+                return clipping::functionsOf(*algorithm, form);
             }))
             names << shortNameOf({algorithm, clipping::Form::Corrected});
     if (const auto& shape = choice.subject.options.field.shape) {

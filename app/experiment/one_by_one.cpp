@@ -22,7 +22,7 @@ std::size_t clipEach(std::span<const clipping::BasicSegment<T>> in,
 {
     const auto clip = [] {
         if constexpr (std::is_same_v<T, float>)
-            return clipping::exactAlgorithm().single->clip;
+            return clipping::exactAlgorithm().floats->clip;
         else
             return clipping::exactAlgorithm().corrected.clip;
     }();
@@ -41,7 +41,7 @@ bool isOneByOne(const Variant& one) { return one.algorithm == &exactOneByOne(); 
 const clipping::Algorithm& exactOneByOne()
 {
     static const auto single = [] {
-        auto uses = *clipping::exactAlgorithm().single;
+        auto uses = *clipping::exactAlgorithm().floats;
         uses.clipAll = clipEach<float>;
         return uses;
     }();
@@ -51,7 +51,7 @@ const clipping::Algorithm& exactOneByOne()
         all.abbreviation = "EX one by one";
         all.name = "Exact, one by one";
         all.corrected.clipAll = clipEach<double>;
-        all.single = &single;
+        all.floats = &single;
         return all;
     }();
     return row;

@@ -42,7 +42,7 @@ void count(OperationProfile& profile, const LinesByClass& classes, const TurnPro
         for (auto& [variant, byClass] : profile.rows) {
             if (turns.stopped())
                 return;
-            const auto& uses = *clipping::usesOf(*variant.algorithm, variant.form);
+            const auto& uses = *clipping::functionsOf(*variant.algorithm, variant.form);
             byClass[c] = sum(byClass[c], uses.count(classes[c], profile.options.field.window));
         }
     }

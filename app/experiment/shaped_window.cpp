@@ -71,7 +71,7 @@ QString refusalOf(const ShapedWindow& window)
 std::size_t clipAllAt(const ShapedWindow& window, const Variant& variant,
                       std::span<const clipping::Segment> in, std::span<clipping::Clipped> out)
 {
-    const auto* uses = clipping::usesOf(*variant.algorithm, variant.form);
+    const auto* uses = clipping::functionsOf(*variant.algorithm, variant.form);
     return clipAtStep(formsAt(window.region, uses->clipAll), window.step(), in, out);
 }
 

@@ -22,7 +22,7 @@ std::shared_ptr<const ShapedWindow> shapedWindow(const ClipWindow& window, const
                                                  const QString& text = {});
 QString refusalOf(const ShapedWindow& window);
 
-/// Clips lines as `clipping::Uses::clipAll` does, with a variant that `withoutUnable` leaves:
+/// Clips lines as `clipping::Functions::clipAll` does, with a variant that `withoutUnable` leaves:
 /// with its form for polygons, if it has one; else it turns the lines into the rectangle's frame.
 std::size_t clipAllAt(const ShapedWindow& window, const Variant& variant,
                       std::span<const clipping::Segment> in, std::span<clipping::Clipped> out);

@@ -26,8 +26,8 @@ double operationsOf(const PlannedTrial& trial)
     trial.options.scene.begin(trial.options.field, trial.options.seed)(some);
     std::uint64_t all = 0;
     for (const Variant& one : trial.variants) {
-        all += promisedOf(
-            clipping::usesOf(*one.algorithm, one.form)->count(some, trial.options.field.window));
+        all += promisedOf(clipping::functionsOf(*one.algorithm, one.form)
+                              ->count(some, trial.options.field.window));
     }
     return double(all) / double(some.size());
 }
@@ -39,7 +39,7 @@ double pixelsOf(const PlannedTrial& trial)
     std::vector<clipping::Segment> some(std::min<std::uint64_t>(trial.options.lines, 2000));
     trial.options.scene.begin(field, trial.options.seed)(some);
     std::vector<clipping::Clipped> visible(some.size());
-    visible.resize(clipping::usesOf(clipping::exactAlgorithm(), clipping::Form::Corrected)
+    visible.resize(clipping::functionsOf(clipping::exactAlgorithm(), clipping::Form::Corrected)
                        ->clipAll(some, field.window, visible));
     double length = 0;
     for (const clipping::Clipped& line : visible) {

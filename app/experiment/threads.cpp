@@ -20,7 +20,7 @@ template <class T>
 using Pieces = std::span<clipping::BasicClipped<clipping::BasicSegment<T>>>;
 
 ClipAllOf<double> exactOf(double) { return clipping::exactAlgorithm().corrected.clipAll; }
-ClipAllOf<float> exactOf(float) { return clipping::exactAlgorithm().single->clipAll; }
+ClipAllOf<float> exactOf(float) { return clipping::exactAlgorithm().floats->clipAll; }
 
 /// Moves the pieces together: each part's pieces lie at the position of its lines.
 template <class T>

@@ -8,7 +8,7 @@ std::vector<Variant> variantsOf(std::span<const clipping::Algorithm* const> algo
 {
     std::vector<Variant> all;
     for (const auto* algorithm : algorithms)
-        if (clipping::usesOf(*algorithm, form))
+        if (clipping::functionsOf(*algorithm, form))
             all.push_back({algorithm, form});
     return all;
 }

@@ -39,7 +39,7 @@ double beyond(const Segment& piece, const Window& w)
 bool didNotEnd(const Variant& variant, const HardCase& hard)
 {
     return !variant.misprint
-           && clipping::usesOf(*variant.algorithm, variant.form)
+           && clipping::functionsOf(*variant.algorithm, variant.form)
                       ->trace(hard.line, hard.window)
                       .outcome
                   == clipping::Outcome::DidNotEnd;

@@ -18,7 +18,7 @@ struct OverlayContext : OverlaySubject {
     {
         if (!corners.empty())
             return polygonUsesOf(variant)->trace(other, {corners});
-        return clipping::usesOf(*variant.algorithm, variant.form)->trace(other, window);
+        return clipping::functionsOf(*variant.algorithm, variant.form)->trace(other, window);
     }
 };
 

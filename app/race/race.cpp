@@ -41,7 +41,7 @@ std::vector<clipping::Segment> evenly(const SceneLines& lines, std::size_t most)
 
 const auto& usesOf(const Variant& variant)
 {
-    return *clipping::usesOf(*variant.algorithm, variant.form);
+    return *clipping::functionsOf(*variant.algorithm, variant.form);
 }
 
 } // namespace

@@ -13,9 +13,9 @@ void BlockScene::update(const Objects& objects, const ObjectRanges& hidden, doub
 
 SceneFrame BlockScene::clip(const ClipRegion& region, const Variant& variant)
 {
-    assert(!variant.misprint && clipping::usesOf(*variant.algorithm, variant.form));
+    assert(!variant.misprint && clipping::functionsOf(*variant.algorithm, variant.form));
     return clipping_.clip(lines_, region,
-                          clipping::usesOf(*variant.algorithm, variant.form)->clipAll);
+                          clipping::functionsOf(*variant.algorithm, variant.form)->clipAll);
 }
 
 } // namespace app

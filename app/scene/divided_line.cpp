@@ -46,7 +46,7 @@ private:
 };
 
 // The largest errors of an end, in ulps of the largest coordinate: at a window along the axes, as
-// `clipping::Uses` states, and at any other window (`turnedUlps`).
+// `clipping::Functions` states, and at any other window (`turnedUlps`).
 constexpr double mostUlps = 64, mostShapedUlps = 6 * mostUlps + 20;
 
 // One to two units in the last place of the largest |coordinate|.

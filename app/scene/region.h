@@ -26,8 +26,8 @@ namespace app {
 /// - a cut-out that a line meets in a single point removes nothing from the line;
 /// - a single point of a longer line that is in the set, while its neighbours are not, is a
 ///   contact: a piece of length zero.
-/// For a single window these are the rules of `clipping::Uses` (inside) and `clipping::outsideAll`.
-/// A window without area contains nothing, alone or beside others.
+/// For a single window these are the rules of `clipping::Functions` (inside) and
+/// `clipping::outsideAll`. A window without area contains nothing, alone or beside others.
 struct ClipRegion {
     struct Step {
         clipping::Window box; ///< contains nothing if `min > max` or a number is not finite

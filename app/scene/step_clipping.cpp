@@ -18,11 +18,11 @@ constexpr std::size_t manyCorners = 16; // from here on, searching is faster
 RowForms formsOf(const Variant& variant)
 {
     RowForms forms{.exact = variant == Variant{&clipping::exactAlgorithm()},
-                   .atWindow = clipping::usesOf(*variant.algorithm, variant.form)->clipAll};
+                   .atWindow = clipping::functionsOf(*variant.algorithm, variant.form)->clipAll};
     if (variant.form == Form::Published)
         return forms;
     forms.atPolygon = variant.algorithm->polygon;
-    forms.atLongPolygon = variant.algorithm->searchedPolygon;
+    forms.atLongPolygon = variant.algorithm->polygonBySearch;
     if (const auto* region = clipping::findRegionAlgorithm(variant.algorithm->key))
         forms.atRegion = region->clipAll;
     return forms;
@@ -58,7 +58,7 @@ std::optional<Variant> variantOf(ClipAll clipAll)
 {
     for (const clipping::Algorithm& algorithm : clipping::algorithms())
         for (const Form form : {Form::Corrected, Form::Published})
-            if (const auto* uses = clipping::usesOf(algorithm, form);
+            if (const auto* uses = clipping::functionsOf(algorithm, form);
                 uses && uses->clipAll == clipAll)
                 return Variant{&algorithm, form};
     return std::nullopt;
@@ -89,7 +89,7 @@ std::size_t clipAtStep(const RowForms& forms, const ClipRegion::Step& step,
         count = form->clipAll(lines, step.polygon, out);
         markBorders(out.first(count));
     } else {
-        clipping::Uses<Segment, clipping::Window> form{};
+        clipping::Functions<Segment, clipping::Window> form{};
         form.clipAll = forms.atWindow;
         count = clipping::clipAllTurned(form, lines, *step.turned, out);
         markTurnedBorders(out.first(count));

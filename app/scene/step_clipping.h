@@ -6,8 +6,8 @@
 
 namespace app {
 
-/// The type of `clipping::Uses::clipAll`.
-using ClipAll = decltype(clipping::Uses<clipping::Segment, clipping::Window>::clipAll);
+/// The type of `clipping::Functions::clipAll`.
+using ClipAll = decltype(clipping::Functions<clipping::Segment, clipping::Window>::clipAll);
 
 /// The form of the catalogue whose function this is; empty for any other function.
 std::optional<Variant> variantOf(ClipAll clipAll);
@@ -17,8 +17,8 @@ std::optional<Variant> variantOf(ClipAll clipAll);
 struct RowForms {
     bool exact = false; ///< the row `exact`
     ClipAll atWindow = nullptr;
-    const clipping::Uses<clipping::Segment, clipping::ConvexPolygon>* atPolygon = nullptr;
-    const clipping::Uses<clipping::Segment, clipping::ConvexPolygon>* atLongPolygon = nullptr;
+    const clipping::Functions<clipping::Segment, clipping::ConvexPolygon>* atPolygon = nullptr;
+    const clipping::Functions<clipping::Segment, clipping::ConvexPolygon>* atLongPolygon = nullptr;
     /// For all windows at once; null if they are clipped at one by one.
     clipping::RegionProgress (*atRegion)(std::span<const clipping::Segment> in,
                                          const clipping::PreparedRegion& region,

@@ -209,7 +209,7 @@ Inspection inspect(const Session& session, std::size_t segment)
     line.visible = clipped(line.variant, line.segment, window);
     line.lineClass = lineClassOf(line.segment, window, line.visible.has_value());
     if (!line.variant.misprint) {
-        const auto& uses = *clipping::usesOf(*line.variant.algorithm, line.variant.form);
+        const auto& uses = *clipping::functionsOf(*line.variant.algorithm, line.variant.form);
         line.cost = uses.count({&line.segment, 1}, window);
         line.trace = uses.trace(line.segment, window);
     }

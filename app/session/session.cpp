@@ -74,10 +74,10 @@ void Session::setDisplay(const Display& display)
     emit displayChanged();
 }
 
-const clipping::Uses<clipping::Segment, clipping::Window>& Session::uses() const
+const clipping::Functions<clipping::Segment, clipping::Window>& Session::uses() const
 {
     const Variant used = variant();
-    return *clipping::usesOf(*used.algorithm, used.form);
+    return *clipping::functionsOf(*used.algorithm, used.form);
 }
 
 void Session::select(ObjectRanges objects)

@@ -121,7 +121,7 @@ public:
     }
     /// The variant that clips: the wanted form if the algorithm has it.
     Variant variant() const { return usable(display_.variant); }
-    const clipping::Uses<clipping::Segment, clipping::Window>& uses() const;
+    const clipping::Functions<clipping::Segment, clipping::Window>& uses() const;
 
     /// Numbers of the selected objects; adjusted after insertions and removals.
     const ObjectRanges& selection() const { return selection_; }

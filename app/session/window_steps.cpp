@@ -88,6 +88,13 @@ DrawnWindow withDrawn(const Session& session, const WindowShape& shape)
     return {std::move(windows), number};
 }
 
+WindowPen penAfter(WindowPen pen)
+{
+    if (pen.use != WindowPen::Use::Replace)
+        pen.use = WindowPen::Use::Add;
+    return pen;
+}
+
 void drawWindow(Session& session, const WindowShape& shape)
 {
     if (replacedBy(session)) {
@@ -96,8 +103,7 @@ void drawWindow(Session& session, const WindowShape& shape)
     }
     if (!addWindow(session, {.shape = shape, .operation = operationOf(session.windowPen.use)}))
         return;
-    if (session.windowPen.use != WindowPen::Use::Replace)
-        setWindowPen(session, {session.windowPen.kind, WindowPen::Use::Add});
+    setWindowPen(session, penAfter(session.windowPen));
 }
 
 void moveWindow(Session& session, const Point& by, Merging merging)

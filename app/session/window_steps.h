@@ -25,8 +25,9 @@ struct DrawnWindow {
     std::size_t number;
 };
 DrawnWindow withDrawn(const Session& session, const WindowShape& shape);
-/// Draws it, and chooses it. A window that cuts out or intersects is one: the next one adds.
-/// Refused if there is no room for it.
+/// The pen after a window was drawn with it: the next one adds, or replaces as before.
+WindowPen penAfter(WindowPen pen);
+/// Draws it, and chooses it; then the pen is `penAfter`. Refused if there is no room for it.
 void drawWindow(Session& session, const WindowShape& shape);
 
 void moveWindow(Session& session, const Point& by, Merging merging = Merging::Never);

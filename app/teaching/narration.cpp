@@ -136,7 +136,7 @@ clipping::Trace traceOf(const TracedLine& tracedLine)
 {
     const auto& [algorithm, form, misprint] = tracedLine.variant;
     if (tracedLine.corners.empty())
-        return clipping::usesOf(*algorithm, form)->trace(tracedLine.line, tracedLine.window);
+        return clipping::functionsOf(*algorithm, form)->trace(tracedLine.line, tracedLine.window);
     return polygonUsesOf(tracedLine.variant)->trace(tracedLine.line, {tracedLine.corners});
 }
 

@@ -6,8 +6,8 @@
 
 namespace clipping {
 
-/// What a ConvexWindow keeps. There is a table for vectors if the polygon has an area and its
-/// numbers are ordinary.
+/// The prepared polygon of a ConvexWindow. Only a polygon with an area and ordinary numbers has a
+/// table, for clipping with vector instructions.
 struct ConvexWindow::Data {
     explicit Data(PreparedPolygon of) : polygon(std::move(of))
     {

@@ -61,7 +61,7 @@ py::list traceOf(const std::array<double, 4>& s, const std::array<double, 4>& w,
         throw py::value_error("there is no algorithm '" + key
                               + "'; clearcut.algorithms() lists them all");
     const Form form = published ? Form::Published : Form::Corrected;
-    const auto* uses = usesOf(*row, form);
+    const auto* uses = functionsOf(*row, form);
     if (!uses)
         throw py::value_error("'" + key + "' has no published form");
     const Trace trace = uses->trace({{s[0], s[1]}, {s[2], s[3]}}, {{w[0], w[1]}, {w[2], w[3]}});

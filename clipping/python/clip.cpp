@@ -58,8 +58,8 @@ const Algorithm& rowOf(const std::string& key)
     return *row;
 }
 
-template <class Uses>
-const Uses& formOf(const Uses* uses, const Algorithm& row, const char* form)
+template <class Form>
+const Form& formOf(const Form* uses, const Algorithm& row, const char* form)
 {
     if (!uses)
         throw py::value_error("'" + std::string(row.key) + "' has no " + form
@@ -72,8 +72,8 @@ py::tuple clipAtWindow(const py::array& array, const WindowNumbers& numbers, con
 {
     const Algorithm& row = rowOf(key);
     const Window window = windowOf<double>(numbers);
-    const auto& uses =
-        formOf(usesOf(row, published ? Form::Published : Form::Corrected), row, "published form");
+    const auto& uses = formOf(functionsOf(row, published ? Form::Published : Form::Corrected), row,
+                              "published form");
     const bool isExact = &row == &exactAlgorithm();
     return clipArray<Segment, double>(array, [&](auto in, auto out) {
         return isExact ? exactOnThreads<double>(threads, in, window, out)
@@ -89,28 +89,29 @@ py::tuple clipFloats(const py::array& array, const WindowNumbers& numbers, const
     const bool isExact = &row == &exactAlgorithm();
     return clipArray<BasicSegment<float>, float>(array, [&](auto in, auto out) {
         return isExact ? exactOnThreads<float>(threads, in, window, out)
-                       : row.single->clipAll(in, window, out);
+                       : row.floats->clipAll(in, window, out);
     });
+}
+
+template <class Shape>
+py::tuple clipAs(const py::array& array, const WindowNumbers& numbers,
+                 const Functions<Shape, Window, Segment>& form)
+{
+    const Window window = windowOf<double>(numbers);
+    return clipArray<Shape, double>(
+        array, [&](auto in, auto out) { return form.clipAll(in, window, out); });
 }
 
 py::tuple clipLines(const py::array& array, const WindowNumbers& numbers, const std::string& key)
 {
     const Algorithm& row = rowOf(key);
-    const auto& uses = formOf(row.line, row, "form for infinite lines");
-    return clipArray<Line, double>(array,
-                                   [&, window = windowOf<double>(numbers)](auto in, auto out) {
-                                       return uses.clipAll(in, window, out);
-                                   });
+    return clipAs(array, numbers, formOf(row.line, row, "form for infinite lines"));
 }
 
 py::tuple clipRays(const py::array& array, const WindowNumbers& numbers, const std::string& key)
 {
     const Algorithm& row = rowOf(key);
-    const auto& uses = formOf(row.ray, row, "form for rays");
-    return clipArray<Ray, double>(array,
-                                  [&, window = windowOf<double>(numbers)](auto in, auto out) {
-                                      return uses.clipAll(in, window, out);
-                                  });
+    return clipAs(array, numbers, formOf(row.ray, row, "form for rays"));
 }
 
 py::tuple clipAtPolygon(const py::array& array, const std::vector<std::array<double, 2>>& corners,

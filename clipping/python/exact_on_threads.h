@@ -24,7 +24,7 @@ std::size_t exactOnThreads([[maybe_unused]] int threads, std::span<const BasicSe
         return tbb::task_arena(threads).execute([&] { return clipAllInParallel(in, window, out); });
 #endif
     if constexpr (std::is_same_v<T, float>)
-        return exactAlgorithm().single->clipAll(in, window, out);
+        return exactAlgorithm().floats->clipAll(in, window, out);
     else
         return exactAlgorithm().corrected.clipAll(in, window, out);
 }

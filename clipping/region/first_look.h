@@ -7,7 +7,7 @@
 
 namespace clipping {
 
-/// What the cells of a grid tell about segments, before any edge is tested.
+/// Decides segments by the cells of a grid alone, where no edge has to be tested.
 class FirstLook {
 public:
     enum class Known : std::uint8_t { Gone, Whole, Undecided };

@@ -20,7 +20,7 @@ auto clippedAll(const Scene<T>& scene)
     if constexpr (sizeof(T) == sizeof(double))
         out.resize(exact.corrected.clipAll(scene.segments, scene.window, out));
     else
-        out.resize(exact.single->clipAll(scene.segments, scene.window, out));
+        out.resize(exact.floats->clipAll(scene.segments, scene.window, out));
     return out;
 }
 

@@ -26,7 +26,7 @@ const Functions<BasicSegment<T>, BasicWindow<T>>& exactUses()
     if constexpr (sizeof(T) == sizeof(double))
         return exact.corrected;
     else
-        return *exact.single;
+        return *exact.floats;
 }
 
 template <class T>

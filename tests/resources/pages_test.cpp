@@ -104,7 +104,7 @@ std::array<double, 4> costOf(const Algorithm& algorithm, Form form, const QStrin
     const auto end = [&](int i) { return glm::dvec2{ends[i].toDouble(), ends[i + 1].toDouble()}; };
     const clipping::Segment segment{end(0), end(2)};
     return numbersOf(
-        usesOf(algorithm, form)->trace(segment, {{-100, -75}, {100, 75}}).steps.back().cost);
+        functionsOf(algorithm, form)->trace(segment, {{-100, -75}, {100, 75}}).steps.back().cost);
 }
 
 /// The mean of the scene, by the page's own command.

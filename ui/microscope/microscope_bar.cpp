@@ -97,7 +97,8 @@ void MicroscopeBar::addAlgorithm()
     connect(algorithm_, &QComboBox::activated, this, [this](int index) {
         const auto& chosen = clipping::algorithms()[std::size_t(index)];
         const auto form = microscope_.tracedLine().variant.form;
-        drawn_.choose({&chosen, clipping::usesOf(chosen, form) ? form : clipping::Form::Corrected});
+        drawn_.choose(
+            {&chosen, clipping::functionsOf(chosen, form) ? form : clipping::Form::Corrected});
     });
     connect(corrected_, &QRadioButton::clicked, this,
             [this] { choose(clipping::Form::Corrected); });

@@ -43,8 +43,8 @@ std::span<const ToolInfo> tools()
                  tr("Drag a rectangle to zoom to it. Click to zoom in, Alt+click to zoom out."),
                  QKeySequence("Z"), makeZoomTool},
         ToolInfo{"line", tr("Line"),
-                 tr("Click points, or drag. Type a length, Tab, an angle, Enter. Esc: begin anew, "
-                    "Shift: 15° steps."),
+                 tr("Click points, or drag. Type a length, Tab, an angle, Enter. Esc: begin another "
+                    "line, Shift: 15° steps."),
                  QKeySequence("L"), makeLineTool, ToolInfo::Group::New},
         ToolInfo{"polyline", tr("Polyline"),
                  tr("Click corners, or type a length, Tab, an angle, Enter. Ctrl+Z: corner back, Esc: "

@@ -52,7 +52,7 @@ public:
         if (drawing_)
             drawing_->cancel(bench);
         if (corrected)
-            app::setWindowPen(bench.session, penAfter());
+            app::setWindowPen(bench.session, app::penAfter(drawnWith_));
         forgetDrawn();
         drawing_.reset();
         gesture_.cancel(bench);
@@ -150,14 +150,8 @@ private:
     bool corrigible(const Workbench& bench) const
     {
         const app::WindowPen& pen = bench.session.windowPen;
-        return drawn_ && pen.kind == drawnWith_.kind && pen.use == penAfter().use
+        return drawn_ && pen.kind == drawnWith_.kind && pen.use == app::penAfter(drawnWith_).use
                && canCorrect(*drawn_, bench);
-    }
-    /// The pen once the window is drawn (drawWindow).
-    app::WindowPen penAfter() const
-    {
-        using Use = app::WindowPen::Use;
-        return {drawnWith_.kind, drawnWith_.use == Use::Replace ? Use::Replace : Use::Add};
     }
 
     WindowGesture gesture_;
@@ -171,7 +165,7 @@ void WindowTool::press(const Pointer& pointer, Workbench& bench)
 {
     if (corrects()) { // a press ends the correction
         drawing_->cancel(bench);
-        app::setWindowPen(bench.session, penAfter());
+        app::setWindowPen(bench.session, app::penAfter(drawnWith_));
         forgetDrawn();
     }
     if (!drawing_) {

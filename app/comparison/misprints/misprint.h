@@ -18,7 +18,7 @@ struct Misprint {
     QString name;        ///< translated, like the next text: "MD with Step 2 as printed"
     QString whatIsWrong; ///< what was printed, what it should be, and the consequence
     const clipping::Algorithm* meant; ///< the correct algorithm
-    /// As in `clipping::Uses`.
+    /// As in `clipping::Functions`.
     std::size_t (*clipAll)(std::span<const clipping::Segment> in, const clipping::Window& window,
                            std::span<clipping::Clipped> out);
 };

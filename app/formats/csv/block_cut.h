@@ -10,7 +10,7 @@
 
 namespace app::csv {
 
-/// What has become of the lines of a table, or of a part of it.
+/// Counts of the lines of a table, or of a part of it, before and after the cut.
 struct TableCounts {
     CutCounts lines;
     std::size_t badRows = 0;

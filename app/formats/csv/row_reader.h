@@ -19,7 +19,7 @@ struct Words {
 
 using Fields = std::span<const std::string_view>;
 
-/// What a row says. The texts are parts of its fields.
+/// The line in a row of a table, and how it is drawn. The texts lie in the row's fields.
 struct Row {
     clipping::Segment line;
     std::string_view layer;         ///< as written

@@ -36,7 +36,7 @@ std::optional<Question> ask(const TracedLine& tracedLine, const Narration&, std:
     if (operation == operations.end() || !one || !other || one->misprint || other->misprint)
         return std::nullopt;
     const auto count = [&](const Variant& variant) {
-        return clipping::usesOf(*variant.algorithm, variant.form)
+        return clipping::functionsOf(*variant.algorithm, variant.form)
                    ->count({&tracedLine.line, 1}, tracedLine.window)
                .*(operation->count);
     };

@@ -44,8 +44,8 @@ std::vector<Difference> byHand(std::span<const Segment> lines, const Window& w, 
 {
     std::vector<Difference> found;
     for (std::uint32_t i = 0; i < lines.size(); ++i) {
-        const auto one = usesOf(*a.algorithm, a.form)->clip(lines[i], w);
-        const auto two = usesOf(*b.algorithm, b.form)->clip(lines[i], w);
+        const auto one = functionsOf(*a.algorithm, a.form)->clip(lines[i], w);
+        const auto two = functionsOf(*b.algorithm, b.form)->clip(lines[i], w);
         double most = 0;
         for (const double v : {lines[i].a.x, lines[i].a.y, lines[i].b.x, lines[i].b.y, w.min.x,
                                w.min.y, w.max.x, w.max.y})

@@ -69,7 +69,9 @@ private slots:
                                      .divisions = 4000,
                                      .comparisons = 1,
                                      .negations = 50000};
-        const auto of = [&](const char* key) { return costMeasure(QLatin1StringView(key)).of(counts); };
+        const auto of = [&](const char* key) {
+            return costMeasure(QLatin1StringView(key)).of(counts);
+        };
         QCOMPARE(of("comparisons"), 1u);
         QCOMPARE(of("additions"), 20u);
         QCOMPARE(of("multiplications"), 300u);
@@ -95,7 +97,7 @@ private slots:
         const CostPlan plan = planOf(variant, costMeasure(measure));
         const CostMap map = costMap(plan);
         QVERIFY(map.complete());
-        const auto* uses = usesOf(*variant.algorithm, variant.form);
+        const auto* uses = functionsOf(*variant.algorithm, variant.form);
         for (int row = 0; row < plan.rows; ++row)
             for (int column = 0; column < plan.columns; ++column) {
                 const Point middle(-300 + 600 * (column + 0.5) / 24, -225 + 450 * (row + 0.5) / 18);

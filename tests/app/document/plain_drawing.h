@@ -67,7 +67,7 @@ public:
     struct Frame {
         std::vector<clipping::Clipped> inside, outside;
     };
-    Frame clip(const clipping::Uses<clipping::Segment, clipping::Window>& algorithm,
+    Frame clip(const clipping::Functions<clipping::Segment, clipping::Window>& algorithm,
                const clipping::Window& window) const
     {
         Frame frame;

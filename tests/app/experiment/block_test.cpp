@@ -48,7 +48,7 @@ private slots:
         std::vector<clipping::BasicClipped<Single>> truth(lines.size());
         for (const app::Variant& one :
              app::variantsOf(everyAlgorithm(), clipping::Form::Corrected)) {
-            const auto count = one.algorithm->single->clipAll(
+            const auto count = one.algorithm->floats->clipAll(
                 rounded, {glm::vec2(window.min), glm::vec2(window.max)}, truth);
             const auto found = block.pieces(block.clip(one));
             QCOMPARE(found.size(), count);

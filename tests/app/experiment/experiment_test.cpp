@@ -67,7 +67,8 @@ private slots:
         std::vector<clipping::Clipped> visible(lines.size());
         const auto timings = app::experiment(options, all);
         for (const app::Timing& timing : *timings) {
-            const auto& uses = *clipping::usesOf(*timing.variant.algorithm, timing.variant.form);
+            const auto& uses =
+                *clipping::functionsOf(*timing.variant.algorithm, timing.variant.form);
             QCOMPARE(timing.clip.size(), options.runs);
             QCOMPARE(timing.found.visible, uses.clipAll(lines, app::paperWindow, visible));
             QVERIFY(std::ranges::all_of(timing.clip, [](double ns) { return ns > 0.1; }));

@@ -62,7 +62,7 @@ double apart(const glm::dvec2& p, const oracle::Point& q)
 app::Accuracy byOracle(const Variant& variant, std::span<const Segment> lines)
 {
     const auto& w = app::paperWindow;
-    const auto& uses = *clipping::usesOf(*variant.algorithm, variant.form);
+    const auto& uses = *clipping::functionsOf(*variant.algorithm, variant.form);
     app::Accuracy sum{.variant = variant};
     for (const Segment& line : lines) {
         const auto truth = truthOf(line, w);

@@ -216,7 +216,7 @@ private slots:
         app::Choice choice = few("paper");
         choice.algorithms.clear();
         for (const auto& algorithm : clipping::algorithms())
-            if (!clipping::usesOf(algorithm, clipping::Form::Published))
+            if (!clipping::functionsOf(algorithm, clipping::Form::Published))
                 choice.algorithms.push_back(&algorithm);
         if (choice.algorithms.size() > 7)
             QVERIFY(app::leftOutText(choice).endsWith(

@@ -41,7 +41,7 @@ Ruling ruling(const HardCase& hard, const Variant& variant)
 {
     const auto truth = truthOf(hard);
     const auto piece = clipped(variant, hard.line, hard.window);
-    const auto& uses = clipping::usesOf(*variant.algorithm, variant.form);
+    const auto& uses = clipping::functionsOf(*variant.algorithm, variant.form);
     if (!piece && !variant.misprint
         && uses->trace(hard.line, hard.window).outcome == clipping::Outcome::DidNotEnd)
         return Ruling::DidNotEnd;

@@ -68,7 +68,7 @@ inline std::vector<app::Variant> formsOf(std::initializer_list<std::string_view>
 inline clipping::Trace traceOf(const app::Variant& variant, const clipping::Segment& line,
                                const clipping::Window& window)
 {
-    return clipping::usesOf(*variant.algorithm, variant.form)->trace(line, window);
+    return clipping::functionsOf(*variant.algorithm, variant.form)->trace(line, window);
 }
 
 /// All values of that name, in order.

@@ -48,7 +48,7 @@ void run(app::Race& race, const app::RaceFrame& frame,
     QVERIFY(!race.running());
 }
 
-std::vector<Clipped> clipped(const Uses<Segment, Window>& uses, std::span<const Segment> lines)
+std::vector<Clipped> clipped(const Functions<Segment, Window>& uses, std::span<const Segment> lines)
 {
     std::vector<Clipped> pieces(lines.size());
     pieces.resize(uses.clipAll(lines, window, pieces));
@@ -62,7 +62,7 @@ app::DifferenceCounts countedOneByOne(const app::Variant& variant, std::span<con
     const double ulps = variant.algorithm->ulps + exactAlgorithm().ulps;
     app::DifferenceCounts counts;
     for (const Segment& line : lines) {
-        const auto found = usesOf(*variant.algorithm, variant.form)->clip(line, w);
+        const auto found = functionsOf(*variant.algorithm, variant.form)->clip(line, w);
         const auto truth = exactAlgorithm().corrected.clip(line, w);
         counts.onlyA += found && !truth;
         counts.onlyB += truth && !found;
@@ -141,7 +141,7 @@ private slots:
         run(race, {scene, window});
         for (const app::RaceRow& row : notEmpty(race.rows())) {
             const auto* algorithm = row.variant.algorithm;
-            const auto pieces = clipped(*usesOf(*algorithm, row.variant.form), lines);
+            const auto pieces = clipped(*functionsOf(*algorithm, row.variant.form), lines);
             const app::DifferenceCounts expected = countedOneByOne(row.variant, lines, window);
             QVERIFY2(row.visible == pieces.size(), algorithm->key.data());
             QVERIFY2(row.differences == expected, algorithm->key.data());

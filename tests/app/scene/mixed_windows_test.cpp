@@ -94,7 +94,7 @@ std::vector<Variant> everyForm()
     std::vector<Variant> all;
     for (const clipping::Algorithm& row : clipping::algorithms())
         for (const auto form : {clipping::Form::Corrected, clipping::Form::Published})
-            if (usesOf(row, form))
+            if (functionsOf(row, form))
                 all.push_back({&row, form});
     return all;
 }
@@ -233,7 +233,7 @@ private slots:
             const Document document = builder.take({});
             LineScene scene(lines);
             for (const Variant& variant : everyForm()) {
-                CutOptions options{usesOf(*variant.algorithm, variant.form)->clipAll, region};
+                CutOptions options{functionsOf(*variant.algorithm, variant.form)->clipAll, region};
                 options.keepContacts = true;
                 Document after = document;
                 after.apply(cut(document, options).edit);

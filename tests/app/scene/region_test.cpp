@@ -23,7 +23,7 @@ namespace {
 constexpr int grid = 8; // numbers go from 0 to it
 constexpr double infinity = Limits<double>::infinity(), notANumber = Limits<double>::quiet_NaN();
 
-using Uses = clipping::Uses<Segment, clipping::Window>;
+using Uses = clipping::Functions<Segment, clipping::Window>;
 
 std::vector<Clipped> keptOf(const ClipRegion& region, const Segment& line,
                             const Uses& uses = clipping::exactAlgorithm().corrected)
@@ -214,7 +214,7 @@ private slots:
             const clipping::Window window{{number(), number()}, {number(), number()}};
             for (const auto& row : clipping::algorithms())
                 for (const auto form : {clipping::Form::Corrected, clipping::Form::Published}) {
-                    const Uses* uses = usesOf(row, form);
+                    const Uses* uses = functionsOf(row, form);
                     if (!uses)
                         continue;
                     auto count = uses->clipAll(std::span(&line, 1), window, inside);

@@ -62,7 +62,7 @@ std::vector<app::Variant> variants()
     std::vector<app::Variant> all;
     for (const auto& algorithm : clipping::algorithms())
         for (const Form form : {Form::Corrected, Form::Published})
-            if (clipping::usesOf(algorithm, form))
+            if (clipping::functionsOf(algorithm, form))
                 all.push_back({&algorithm, form});
     return all;
 }
@@ -92,7 +92,7 @@ Pieces folded(std::span<const Segment> lines, const ClipRegion& region, app::Cli
 /// What a scene should keep: the row `exact` has a form for regions, other rows are folded.
 Pieces keptOf(std::span<const Segment> lines, const ClipRegion& region, const app::Variant& variant)
 {
-    const auto clipAll = clipping::usesOf(*variant.algorithm, variant.form)->clipAll;
+    const auto clipAll = clipping::functionsOf(*variant.algorithm, variant.form)->clipAll;
     const auto* form = clipping::findRegionAlgorithm(variant.algorithm->key);
     if (!form || variant.form == Form::Published || region.steps.size() == 1)
         return folded(lines, region, clipAll);
@@ -151,7 +151,7 @@ public:
     /// Whether both scenes show the same at one window.
     bool agree(const Window& window, const app::Variant& variant)
     {
-        const auto& uses = *clipping::usesOf(*variant.algorithm, variant.form);
+        const auto& uses = *clipping::functionsOf(*variant.algorithm, variant.form);
         const PlainScene::Frame old = scene.clip(uses, window);
         for (const Keep keep : {Keep::Inside, Keep::Outside}) {
             const auto operation =

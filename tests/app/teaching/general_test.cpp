@@ -18,7 +18,7 @@ QStringList told(const char* key, const clipping::Segment& line = across)
     const app::TracedLine tracedLine{
         *app::findVariant(QLatin1StringView(key)), line, window, app::YAxis::Up, {}};
     const auto& variant = tracedLine.variant;
-    const auto trace = clipping::usesOf(*variant.algorithm, variant.form)->trace(line, window);
+    const auto trace = clipping::functionsOf(*variant.algorithm, variant.form)->trace(line, window);
     const app::Narration narration = app::narrationOf(tracedLine);
     QStringList all;
     for (std::size_t i = 0; i < trace.steps.size(); ++i) {

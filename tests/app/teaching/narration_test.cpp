@@ -69,7 +69,7 @@ private slots:
                     continue;
                 const app::TracedLine tracedLine{variant, line, window, app::YAxis::Up, {}};
                 const auto trace =
-                    clipping::usesOf(*variant.algorithm, variant.form)->trace(line, window);
+                    clipping::functionsOf(*variant.algorithm, variant.form)->trace(line, window);
                 const auto piece = app::clipped(variant, line, window);
                 QVERIFY2(!trace.steps.empty(), told(tracedLine));
                 QVERIFY2((trace.outcome == Outcome::Visible) == piece.has_value(),
@@ -89,7 +89,7 @@ private slots:
                     continue;
                 const app::TracedLine tracedLine{variant, line, window, app::YAxis::Up, {}};
                 const auto trace =
-                    clipping::usesOf(*variant.algorithm, variant.form)->trace(line, window);
+                    clipping::functionsOf(*variant.algorithm, variant.form)->trace(line, window);
                 const app::Narration narration = app::narrationOf(tracedLine);
                 QCOMPARE(narration.steps.size(), trace.steps.size());
                 for (std::size_t step = 0; step < trace.steps.size(); ++step)

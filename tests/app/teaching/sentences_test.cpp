@@ -61,7 +61,7 @@ void forEachStep(const app::Variant& variant, const clipping::Segment& line,
                  const clipping::Window& w, app::YAxis y, const auto& of)
 {
     const app::TracedLine tracedLine{variant, line, w, y, {}};
-    const auto trace = clipping::usesOf(*variant.algorithm, variant.form)->trace(line, w);
+    const auto trace = clipping::functionsOf(*variant.algorithm, variant.form)->trace(line, w);
     const auto narration = app::narrationOf(tracedLine); // no steps for what is refused
     const clipping::Step* before = nullptr;
     for (std::size_t i = 0; i < notEmpty(trace.steps).size(); ++i) {
@@ -230,7 +230,7 @@ private slots:
                 forEachStep(variant, line, window, app::YAxis::Up, say(up));
                 forEachStep(variant, line, window, app::YAxis::Down, say(down));
                 const auto trace =
-                    clipping::usesOf(*variant.algorithm, variant.form)->trace(line, window);
+                    clipping::functionsOf(*variant.algorithm, variant.form)->trace(line, window);
                 for (qsizetype i = 0; i < up.size(); ++i) {
                     const Edge edge = trace.steps[std::size_t(i)].edge;
                     if ((edge == Edge::Top || edge == Edge::Bottom) && up[i].contains(vertical)) {

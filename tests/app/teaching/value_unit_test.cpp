@@ -45,7 +45,7 @@ std::vector<clipping::Step> stepsOf(const Variant& variant, const clipping::Segm
                                     double size, const Point& by)
 {
     const auto moved = [&](const Point& p) { return p * size + by; };
-    return clipping::usesOf(*variant.algorithm, variant.form)
+    return clipping::functionsOf(*variant.algorithm, variant.form)
         ->trace({moved(line.a), moved(line.b)}, {moved(window.min), moved(window.max)})
         .steps;
 }

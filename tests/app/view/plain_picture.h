@@ -23,7 +23,7 @@ public:
             first_.push_back(lines.firstLineOf(i));
     }
 
-    void clip(const clipping::Uses<clipping::Segment, clipping::Window>& uses,
+    void clip(const clipping::Functions<clipping::Segment, clipping::Window>& uses,
               const clipping::Window& window)
     {
         inside_.resize(all_.size());

@@ -24,7 +24,7 @@ using clipping::Window;
 struct OneForm {
     const clipping::Algorithm* algorithm;
     Form form;
-    app::ClipAll clipAll() const { return clipping::usesOf(*algorithm, form)->clipAll; }
+    app::ClipAll clipAll() const { return clipping::functionsOf(*algorithm, form)->clipAll; }
 };
 
 std::vector<OneForm> forms()
@@ -32,7 +32,7 @@ std::vector<OneForm> forms()
     std::vector<OneForm> all;
     for (const auto& algorithm : clipping::algorithms())
         for (const Form form : {Form::Corrected, Form::Published})
-            if (clipping::usesOf(algorithm, form))
+            if (clipping::functionsOf(algorithm, form))
                 all.push_back({&algorithm, form});
     return all;
 }
@@ -114,7 +114,7 @@ private slots:
         for (int round = 0; round < (isLong ? 2 : 4); ++round) {
             const OneForm form = round == 0 ? all.front() : all[random.below(all.size())];
             const Window window = random.window();
-            plain.clip(*clipping::usesOf(*form.algorithm, form.form), window);
+            plain.clip(*clipping::functionsOf(*form.algorithm, form.form), window);
             for (const Keep keep : {Keep::Inside, Keep::Outside})
                 check(random, document, lines, plain, form, window, keep);
             if (QTest::currentTestFailed())

@@ -53,13 +53,13 @@ clipping::BatchResult clipWith(const clipping::InstructionSet& set, const clippi
 }
 
 template <class T>
-const clipping::Uses<clipping::BasicSegment<T>, clipping::BasicWindow<T>>*
+const clipping::Functions<clipping::BasicSegment<T>, clipping::BasicWindow<T>>*
 usesFor(const clipping::Algorithm& algorithm)
 {
     if constexpr (sizeof(T) == sizeof(double))
         return &algorithm.corrected;
     else
-        return algorithm.single;
+        return algorithm.floats;
 }
 
 inline std::string nameOf(const clipping::InstructionSet& set)

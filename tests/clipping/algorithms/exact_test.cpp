@@ -143,11 +143,11 @@ class ExactTest : public QObject {
 
 private slots:
     void visibilityIsExactAndEndsAreRoundedOnce() { compareWithTruth(exact_.corrected); }
-    void visibilityIsExactAndEndsAreRoundedOnceInFloat() { compareWithTruth(*exact_.single); }
+    void visibilityIsExactAndEndsAreRoundedOnceInFloat() { compareWithTruth(*exact_.floats); }
     void reversedSegmentsGiveTheSameBits() { compareWithReversed(exact_.corrected); }
-    void reversedSegmentsGiveTheSameBitsInFloat() { compareWithReversed(*exact_.single); }
+    void reversedSegmentsGiveTheSameBitsInFloat() { compareWithReversed(*exact_.floats); }
     void endsStayInsideAndInnerEndsAreUnchanged() { compareEnds(exact_.corrected); }
-    void endsStayInsideAndInnerEndsAreUnchangedInFloat() { compareEnds(*exact_.single); }
+    void endsStayInsideAndInnerEndsAreUnchangedInFloat() { compareEnds(*exact_.floats); }
 
     void emptyWindowsAndNonFiniteNumbersGiveNothing()
     {
@@ -174,7 +174,7 @@ private slots:
         QVERIFY(exact_.corrected.clip({{-1, 1 + u}, {3, 1 - 3 * u}}, unit));
     }
 
-    void hasNoPublishedForm() { QVERIFY(!exact_.published && exact_.single); }
+    void hasNoPublishedForm() { QVERIFY(!exact_.published && exact_.floats); }
 };
 
 QTEST_APPLESS_MAIN(ExactTest)

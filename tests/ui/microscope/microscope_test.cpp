@@ -322,7 +322,7 @@ private slots:
         Stage s;
         for (const clipping::Algorithm& algorithm : clipping::algorithms())
             for (const auto form : {clipping::Form::Corrected, clipping::Form::Published}) {
-                if (!clipping::usesOf(algorithm, form))
+                if (!clipping::functionsOf(algorithm, form))
                     continue;
                 s.t.window->drawnLine().choose({&algorithm, form});
                 QCOMPARE(s.microscope().tracedLine().variant.algorithm, &algorithm);

@@ -27,6 +27,13 @@ class WorkspacesTest : public QObject {
         QTest::mouseClick(&tabs(t), Qt::LeftButton, {}, tabs(t).tabRect(tab).center());
         QCoreApplication::processEvents();
     }
+    static void showInDraw(TestWindow& t, QSize size)
+    {
+        t.open(t.twoLines());
+        t.window->resize(size);
+        t.show();
+        click(t, 0);
+    }
     static QMap<QString, QRect> places(const TestWindow& t)
     {
         QMap<QString, QRect> places;
@@ -87,10 +94,7 @@ private slots:
     {
         QFETCH(QSize, size);
         TestWindow t;
-        t.open(t.twoLines());
-        t.window->resize(size);
-        t.show();
-        click(t, 0);
+        showInDraw(t, size);
         const auto* algorithm = t.window->findChild<Dock*>("algorithm");
         const auto* selection = t.window->findChild<Dock*>("selection");
         QVERIFY(algorithm->isFolded());
@@ -105,10 +109,7 @@ private slots:
     {
         QFETCH(QSize, size);
         TestWindow t;
-        t.open(t.twoLines());
-        t.window->resize(size);
-        t.show();
-        click(t, 0);
+        showInDraw(t, size);
         std::vector<QRect> shown;
         for (const Dock* dock : t.window->findChildren<Dock*>()) {
             if (dock->visibleRegion().isEmpty())

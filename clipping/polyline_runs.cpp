@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "clipping/polyline.h"
+#include "clipping/polyline_runs.h"
 
 #include "clipping/batch/kernels.h"
 #include "clipping/ieee_numbers.h"
-#include "clipping/polyline_runs.h"
 
 #include <algorithm>
 #include <array>
@@ -107,13 +106,13 @@ void clipClosed(std::span<const glm::vec<2, T>> points, const BasicWindow<T>& wi
 } // namespace
 
 template <class T>
-void findRuns(const BasicPolyline<T>& polyline, const BasicWindow<T>& window,
+void findRuns(std::span<const glm::vec<2, T>> points, bool closed, const BasicWindow<T>& window,
               BasicPolylineRuns<T>& out)
 {
-    (polyline.closed ? clipClosed<T> : clipOpen<T>)(polyline.points, window, out);
+    (closed ? clipClosed<T> : clipOpen<T>)(points, window, out);
 }
-template void findRuns(const BasicPolyline<double>&, const Window&, PolylineRuns&);
-template void findRuns(const BasicPolyline<float>&, const BasicWindow<float>&,
+template void findRuns(std::span<const glm::dvec2>, bool, const Window&, PolylineRuns&);
+template void findRuns(std::span<const glm::vec2>, bool, const BasicWindow<float>&,
                        BasicPolylineRuns<float>&);
 
 void clipPolyline(std::span<const glm::dvec2> points, const Window& window, PolylineRuns& out)
