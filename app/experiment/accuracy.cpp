@@ -3,8 +3,7 @@
 
 #include "app/base/turn_progress.h"
 #include "app/comparison/variants.h"
-
-#include <QCoreApplication>
+#include "app/experiment/translated.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,10 +14,6 @@ namespace {
 using clipping::Clipped;
 using clipping::Segment;
 using clipping::Window;
-
-struct Experiments {
-    Q_DECLARE_TR_FUNCTIONS(Experiments)
-};
 
 constexpr std::uint64_t blockSize = 100'000;
 

@@ -5,8 +5,7 @@
 #include "app/experiment/class_profile.h"
 #include "app/experiment/one_by_one.h"
 #include "app/experiment/operation_profile.h"
-
-#include <QCoreApplication>
+#include "app/experiment/translated.h"
 
 namespace app {
 namespace {
@@ -38,9 +37,6 @@ std::optional<Table> accuracy(const ExperimentOptions& options, Variants variant
 
 std::vector<Analysis> analyses()
 {
-    struct Experiments {
-        Q_DECLARE_TR_FUNCTIONS(Experiments)
-    };
     return {
         {"classes", Experiments::tr("Times by class"),
          Experiments::tr(

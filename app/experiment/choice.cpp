@@ -5,19 +5,14 @@
 #include "app/base/numbers.h"
 #include "app/base/short_names.h"
 #include "app/experiment/one_by_one.h"
+#include "app/experiment/translated.h"
 #include "app/scene/compared_window.h"
 #include "app/scene/window_needs.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 
 namespace app {
 namespace {
-
-struct Experiments {
-    Q_DECLARE_TR_FUNCTIONS(Experiments)
-};
 
 /// More lines than this do not change operation counts and accuracy noticeably.
 constexpr std::uint64_t mostExplained = 1'000'000;

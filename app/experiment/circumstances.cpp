@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/circumstances.h"
 
-#include <QCoreApplication>
+#include "app/experiment/translated.h"
+
 #include <QFile>
 #include <QSysInfo>
 #include <QThread>
 
 namespace app {
 namespace {
-
-struct Experiments {
-    Q_DECLARE_TR_FUNCTIONS(Experiments)
-};
 
 /// The first "KEY : VALUE" of a file of the Linux kernel.
 QString fromKernel(const QString& path, const QByteArray& key)

@@ -3,17 +3,12 @@
 
 #include "app/base/phased_progress.h"
 #include "app/experiment/one_by_one.h"
-
-#include <QCoreApplication>
+#include "app/experiment/translated.h"
 
 #include <algorithm>
 
 namespace app {
 namespace {
-
-struct Experiments {
-    Q_DECLARE_TR_FUNCTIONS(Experiments)
-};
 
 std::optional<Record> recordOf(const ExperimentOptions& scene, std::vector<clipping::Segment> lines,
                                std::span<const Variant> variants, const Follower& follower)

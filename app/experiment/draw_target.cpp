@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/draw_target.h"
 
-#include <QCoreApplication>
+#include "app/experiment/translated.h"
+
 #include <QtMath>
 
 namespace app {
@@ -9,9 +10,6 @@ namespace app {
 // THE CATALOGUE. To add a draw target: write its file in app/experiment/, and name it here.
 std::vector<DrawTargetKind> drawTargetKinds()
 {
-    struct Experiments {
-        Q_DECLARE_TR_FUNCTIONS(Experiments)
-    };
     return {
         {"opengl", Experiments::tr("OpenGL"), openGlTarget},
         {"raster", Experiments::tr("Raster"), [] { return DrawTargetMaker(rasterTarget); }},

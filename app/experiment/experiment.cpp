@@ -6,8 +6,7 @@
 #include "app/base/turn_progress.h"
 #include "app/base/vector_registers.h"
 #include "app/comparison/line_class.h"
-
-#include <QCoreApplication>
+#include "app/experiment/translated.h"
 
 #include <algorithm>
 #include <array>
@@ -18,10 +17,6 @@ namespace {
 
 using clipping::Clipped;
 using clipping::Segment;
-
-struct Experiments {
-    Q_DECLARE_TR_FUNCTIONS(Experiments)
-};
 
 constexpr std::uint64_t blockSize = 1'000'000;
 /// Lines that are generated or drawn between two tests for a stop: some hundredths of a second.

@@ -3,17 +3,12 @@
 
 #include "app/base/latin.h"
 #include "app/experiment/paper_runs.h"
-
-#include <QCoreApplication>
+#include "app/experiment/translated.h"
 
 #include <algorithm>
 
 namespace app {
 namespace {
-
-struct Experiments {
-    Q_DECLARE_TR_FUNCTIONS(Experiments)
-};
 
 template <class T>
 std::size_t clipEach(std::span<const clipping::BasicSegment<T>> in,

@@ -2,18 +2,13 @@
 #include "app/experiment/operation_profile.h"
 
 #include "app/base/turn_progress.h"
-
-#include <QCoreApplication>
+#include "app/experiment/translated.h"
 
 #include <algorithm>
 #include <numeric>
 
 namespace app {
 namespace {
-
-struct Experiments {
-    Q_DECLARE_TR_FUNCTIONS(Experiments)
-};
 
 using clipping::OperationCounts;
 

@@ -4,19 +4,14 @@
 #include "app/base/numbers.h"
 #include "app/experiment/paper_scene.h"
 #include "app/experiment/ranking_text.h"
+#include "app/experiment/translated.h"
 #include "app/formats/rectangle_text.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <cassert>
 
 namespace app {
 namespace {
-
-struct Experiments {
-    Q_DECLARE_TR_FUNCTIONS(Experiments)
-};
 
 /// A table's columns in seconds per run, measured by the paper or by us.
 using Columns = std::vector<std::vector<double>>;

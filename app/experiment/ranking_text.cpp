@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/ranking_text.h"
 
-#include <QCoreApplication>
+#include "app/experiment/translated.h"
 
 #include <cmath>
 
 namespace app {
 namespace {
-
-struct Experiments {
-    Q_DECLARE_TR_FUNCTIONS(Experiments)
-};
 
 QString lettersMeaning()
 {

@@ -4,17 +4,12 @@
 #include "app/base/numbers.h"
 #include "app/base/short_names.h"
 #include "app/experiment/ranking_text.h"
-
-#include <QCoreApplication>
+#include "app/experiment/translated.h"
 
 #include <algorithm>
 
 namespace app {
 namespace {
-
-struct Experiments {
-    Q_DECLARE_TR_FUNCTIONS(Experiments)
-};
 
 template <class Rows>
 std::vector<Variant> variantsOf(const Rows& rows)

@@ -6,18 +6,13 @@
 #include "app/experiment/circumstances.h"
 #include "app/experiment/one_by_one.h"
 #include "app/experiment/ranking_text.h"
+#include "app/experiment/translated.h"
 #include "app/formats/rectangle_text.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 
 namespace app {
 namespace {
-
-struct Experiments {
-    Q_DECLARE_TR_FUNCTIONS(Experiments)
-};
 
 QString inNanoseconds(double time) { return QString::number(time, 'f', 2); }
 

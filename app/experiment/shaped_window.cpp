@@ -5,11 +5,10 @@
 #include "app/base/short_names.h"
 #include "app/comparison/differences_at.h"
 #include "app/experiment/one_by_one.h"
+#include "app/experiment/translated.h"
 #include "app/formats/rectangle_text.h"
 #include "app/scene/step_clipping.h"
 #include "app/scene/window_needs.h"
-
-#include <QCoreApplication>
 
 #include <glm/trigonometric.hpp>
 
@@ -17,10 +16,6 @@
 
 namespace app {
 namespace {
-
-struct Experiments {
-    Q_DECLARE_TR_FUNCTIONS(Experiments)
-};
 
 bool isUnable(const ShapedWindow& window, const Variant& variant)
 {

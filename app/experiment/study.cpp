@@ -4,8 +4,7 @@
 #include "app/base/phased_progress.h"
 #include "app/experiment/class_lines.h"
 #include "app/experiment/one_by_one.h"
-
-#include <QCoreApplication>
+#include "app/experiment/translated.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +12,6 @@
 
 namespace app {
 namespace {
-
-struct Experiments {
-    Q_DECLARE_TR_FUNCTIONS(Experiments)
-};
 
 /// Operations per line of all variants together, estimated on some lines of the scene: some
 /// algorithms need a hundred times as many as others.

@@ -7,17 +7,12 @@
 #include "app/experiment/one_by_one.h"
 #include "app/experiment/paper_tables.h"
 #include "app/experiment/ranking_text.h"
-
-#include <QCoreApplication>
+#include "app/experiment/translated.h"
 
 #include <algorithm>
 
 namespace app {
 namespace {
-
-struct Experiments {
-    Q_DECLARE_TR_FUNCTIONS(Experiments)
-};
 
 QString shortName(const Record& record, std::size_t i) { return nameAmong(variantsOf(record), i); }
 

@@ -2,8 +2,7 @@
 #include "app/judge/category.h"
 
 #include "app/experiment/paper_scene.h"
-
-#include <QCoreApplication>
+#include "app/judge/translated.h"
 
 #include <cmath>
 #include <limits>
@@ -14,10 +13,6 @@ namespace {
 using clipping::Segment;
 using clipping::Window;
 using Questions = std::vector<Question>;
-
-struct PlugIn {
-    Q_DECLARE_TR_FUNCTIONS(PlugIn)
-};
 
 constexpr std::size_t linesOfAPair = 8, someLines = 500;
 

@@ -5,6 +5,7 @@
 #include "app/judge/hello.h"
 #include "app/judge/library_file.h"
 #include "app/judge/signal_text.h"
+#include "app/judge/translated.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -15,10 +16,6 @@
 
 namespace app::plug_in {
 namespace {
-
-struct PlugIn {
-    Q_DECLARE_TR_FUNCTIONS(PlugIn)
-};
 
 constexpr std::size_t mostAtOnce = 1024; ///< questions sent at a time
 constexpr double someTime = 30;          ///< milliseconds between two readings of the time

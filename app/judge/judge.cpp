@@ -7,18 +7,14 @@
 #include "app/judge/examination.h"
 #include "app/judge/race_check.h"
 #include "app/judge/signal_text.h"
+#include "app/judge/translated.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 
 #include <algorithm>
 
 namespace app::plug_in {
 namespace {
-
-struct PlugIn {
-    Q_DECLARE_TR_FUNCTIONS(PlugIn)
-};
 
 constexpr double mostLines = 100'000, fewestLines = 2000;
 constexpr double raceNanoseconds = 4e9; ///< of the library in a race

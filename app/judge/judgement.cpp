@@ -2,9 +2,8 @@
 #include "app/judge/judgement.h"
 
 #include "app/comparison/ulps.h"
+#include "app/judge/translated.h"
 #include "clipping/algorithm.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <bit>
@@ -17,10 +16,6 @@ namespace {
 
 using clipping::Segment;
 using clipping::Window;
-
-struct PlugIn {
-    Q_DECLARE_TR_FUNCTIONS(PlugIn)
-};
 
 bool isFinite(const glm::dvec2& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/judge/library_file.h"
 
-#include <QCoreApplication>
+#include "app/judge/translated.h"
+
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -12,10 +13,6 @@
 
 namespace app::plug_in {
 namespace {
-
-struct PlugIn {
-    Q_DECLARE_TR_FUNCTIONS(PlugIn)
-};
 
 /// Quoted for a shell.
 QString quoted(const QString& path)

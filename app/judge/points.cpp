@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/judge/points.h"
 
-#include <QCoreApplication>
+#include "app/judge/translated.h"
 
 #include <algorithm>
 
 namespace app::plug_in {
 namespace {
-
-struct PlugIn {
-    Q_DECLARE_TR_FUNCTIONS(PlugIn)
-};
 
 constexpr int unfinished = -1, untested = -2; ///< instead of points: the time was up
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/judge/signal_text.h"
 
-#include <QCoreApplication>
+#include "app/judge/translated.h"
 
 #include <csignal>
 #include <cstring>
@@ -9,10 +9,6 @@
 
 namespace app::plug_in {
 namespace {
-
-struct PlugIn {
-    Q_DECLARE_TR_FUNCTIONS(PlugIn)
-};
 
 const std::map<int, QString>& reasons()
 {

@@ -3,8 +3,8 @@
 
 #include "app/base/latin.h"
 #include "app/experiment/ranking_text.h"
+#include "app/judge/translated.h"
 
-#include <QCoreApplication>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -13,10 +13,6 @@
 
 namespace app::plug_in {
 namespace {
-
-struct PlugIn {
-    Q_DECLARE_TR_FUNCTIONS(PlugIn)
-};
 
 template <class Numbers>
 QJsonArray arrayOf(const Numbers& numbers)

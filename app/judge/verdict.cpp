@@ -6,8 +6,7 @@
 #include "app/base/numbers.h"
 #include "app/base/short_names.h"
 #include "app/judge/points.h"
-
-#include <QCoreApplication>
+#include "app/judge/translated.h"
 
 #include <algorithm>
 #include <numeric>
@@ -16,10 +15,6 @@
 
 namespace app::plug_in {
 namespace {
-
-struct PlugIn {
-    Q_DECLARE_TR_FUNCTIONS(PlugIn)
-};
 
 std::size_t sum(const std::vector<CategoryCount>& all, std::size_t CategoryCount::*what)
 {

@@ -2,20 +2,16 @@
 #include "app/base/numbers.h"
 #include "app/comparison/ulps.h"
 #include "app/judge/points.h"
+#include "app/judge/translated.h"
 #include "app/teaching/line_text.h"
 #include "app/teaching/narration.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 
 #include <cmath>
 
 namespace app::plug_in {
 namespace {
-
-struct PlugIn {
-    Q_DECLARE_TR_FUNCTIONS(PlugIn)
-};
 
 /// As many digits as are needed to read back bit for bit; with an exponent if that is shorter.
 QString number(double value)

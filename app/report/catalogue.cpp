@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/replace_file.h"
 #include "app/report/report.h"
+#include "app/report/translated.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -14,10 +14,6 @@ std::optional<QString> writeHtmlReport(const Report& report, QIODevice& out);
 std::optional<QString> writePdfReport(const Report& report, QIODevice& out);
 
 namespace {
-
-struct Reports {
-    Q_DECLARE_TR_FUNCTIONS(Reports)
-};
 
 QString endings()
 {

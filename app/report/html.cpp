@@ -3,16 +3,12 @@
 #include "app/charts/chart_file.h"
 #include "app/experiment/heading.h"
 #include "app/report/report.h"
+#include "app/report/translated.h"
 
-#include <QCoreApplication>
 #include <QRegularExpression>
 
 namespace app {
 namespace {
-
-struct Reports {
-    Q_DECLARE_TR_FUNCTIONS(Reports)
-};
 
 /// Escapes text and attributes, and removes characters that XML forbids.
 QString escaped(const QString& text)

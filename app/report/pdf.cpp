@@ -2,20 +2,16 @@
 #include "app/base/write_all.h"
 #include "app/report/document.h"
 #include "app/report/keep_together.h"
+#include "app/report/translated.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
-#include <QCoreApplication>
 #include <QPainter>
 #include <QPdfWriter>
 #include <QTextDocument>
 
 namespace app {
 namespace {
-
-struct Reports {
-    Q_DECLARE_TR_FUNCTIONS(Reports)
-};
 
 constexpr int resolution = 600;
 constexpr double footerMillimetres = 8, marginMillimetres = 15;

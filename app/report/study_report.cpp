@@ -6,17 +6,12 @@
 #include "app/charts/study_charts.h"
 #include "app/experiment/one_by_one.h"
 #include "app/experiment/verdict.h"
-
-#include <QCoreApplication>
+#include "app/report/translated.h"
 
 #include <algorithm>
 
 namespace app {
 namespace {
-
-struct Reports {
-    Q_DECLARE_TR_FUNCTIONS(Reports)
-};
 
 /// The tables without the facts that the table of circumstances has already.
 std::vector<Table> withoutFacts(std::vector<Table> tables, const Table& circumstances)
