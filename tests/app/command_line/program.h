@@ -7,6 +7,8 @@
 
 #include <functional>
 
+#include "tests/content_of.h"
+
 /// How a program ended.
 struct Ended {
     int code;
@@ -55,10 +57,4 @@ inline void writeText(const QString& path, const QByteArray& text)
     QFile file(path);
     if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size())
         qFatal("cannot write %s", qPrintable(path));
-}
-
-inline QByteArray contentOf(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }

@@ -38,7 +38,7 @@ std::vector<Subpath> changed(std::vector<Subpath> subpaths, const Change& change
     return subpaths;
 }
 
-Bits bitsOf(const std::vector<clipping::Segment>& segments)
+Bits bitsOfSegments(const std::vector<clipping::Segment>& segments)
 {
     Bits bits;
     for (const clipping::Segment& segment : segments) {
@@ -105,14 +105,14 @@ private slots:
             flatten(path, tolerance, packed);
             for (const Subpath& subpath : path.subpaths())
                 flatten(subpath, tolerance, plain);
-            QCOMPARE(bitsOf(segmentsOf(packed)), bitsOf(segmentsOf(plain)));
+            QCOMPARE(bitsOfSegments(segmentsOf(packed)), bitsOfSegments(segmentsOf(plain)));
             const auto rest = [](const Chord& chord) {
                 return std::tuple(chord.pathSegment, chord.t0, chord.t1);
             };
             QVERIFY(std::ranges::equal(packed, plain, {}, rest, rest));
             std::vector<clipping::Segment> segments;
             appendSegments(path, tolerance, segments);
-            QCOMPARE(bitsOf(segments), bitsOf(segmentsOf(plain)));
+            QCOMPARE(bitsOfSegments(segments), bitsOfSegments(segmentsOf(plain)));
             chordsSeen += plain.size();
         }
         QVERIFY(chordsSeen > 50'000);

@@ -4,9 +4,9 @@
 #include "app/formats/format.h"
 
 #include <QBuffer>
-#include <QFile>
 
 #include "tests/app/document/sheet.h"
+#include "tests/content_of.h"
 
 // Between SVG texts and drawings, through the catalogue's row.
 
@@ -29,12 +29,6 @@ inline QByteArray textOf(const app::Document& document, const app::WriteOptions&
 inline QByteArray textOf(const app::Sheet& sheet, const app::WriteOptions& options = {})
 {
     return textOf(app::documentOf(sheet), options);
-}
-
-inline QByteArray contentOf(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 /// A drawing of 100 by 100 units around some elements.
