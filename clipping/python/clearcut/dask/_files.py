@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: MIT
+"""Results as files of NumPy, with a manifest that says of each part whether it is there."""
+from __future__ import annotations
+
+import json
+import os
+import pathlib
+import uuid
+from typing import Any, Callable, NamedTuple, Sequence
+
+import dask
+import dask.array as da
+import numpy as np
+
+from .. import _arguments as arguments
+from ._arrays import chunks_of, clip_chunk
+
+
+def clip_to_files(lines: da.Array, folder: str, window: Sequence[float] | None = None, **options: Any) -> dict[str, Any]:
+    """Clips as `clip` does, and writes the pieces of each chunk to files of NumPy in `folder`: part-00000-segments.npy,
+    -source.npy and -cut.npy. No chunk passes through the caller. A file is there only when it is complete, and only if
+    its part has no error. On a cluster all workers must see the folder.
+
+    Returns what it also writes to manifest.json: "parts", a dict for each chunk with its number, the index of its
+    first row, the number of its pieces, and "error": null, or why the chunk could not be loaded, clipped or written.
+    The other chunks are written all the same. Without a cluster, if a chunk cannot be loaded, some of the others are
+    clipped again. Raises an error only for wrong arguments, or if the folder or the manifest cannot be written.
+    """
+    chunks = chunks_of(lines, window, **options)
+    os.makedirs(folder, exist_ok=True)
+    manifest = {"parts": write_parts(chunks, _write, folder, window, options)}
+    write_manifest(folder, manifest)
+    return manifest
+
+
+def _write(chunk: np.ndarray, name: str, first: int, window: Any, options: dict[str, Any]) -> int:
+    pieces = clip_chunk(chunk, first, window, options)
+    save(name, **pieces._asdict())
+    return len(pieces.source)
+
+
+def write_parts(chunks: Sequence[tuple[Any, int]], write: Callable[..., int], folder: str, *given: Any
+                ) -> list[dict[str, Any]]:
+    """Computes write(chunk, "folder/part-NNNNN", first, *given), which returns the number of pieces, for each chunk.
+    Returns the parts of a manifest. No files are left of parts with an error."""
+    tasks = [_Task(number, first, dask.delayed(_part)(chunk, number, first, write, folder, given))
+             for number, (chunk, first) in enumerate(chunks)]
+    try:
+        parts = _computed(tasks)
+    finally:
+        _remove(folder, "part-*.unfinished")  # of workers that were lost
+    for part in parts:
+        if part["error"] is not None:
+            _remove(folder, f'part-{part["part"]:05}-*.npy')
+    return parts
+
+
+class _Task(NamedTuple):
+    number: int
+    first: int
+    part: Any  # delayed
+
+
+def _part(chunk: Any, number: int, first: int, write: Callable[..., int], folder: str, given: Any) -> dict[str, Any]:
+    try:
+        pieces = write(arguments.segments(chunk), os.path.join(folder, f"part-{number:05}"), first, *given)
+    except Exception as error:  # also a full disk or too little memory
+        return _failed(number, first, error)
+    return {"part": number, "first": first, "pieces": pieces, "error": None}
+
+
+def _failed(number: int, first: int, error: BaseException) -> dict[str, Any]:
+    return {"part": number, "first": first, "pieces": 0, "error": f"chunk {number}: {says(error)}"}
+
+
+def says(error: BaseException) -> str:
+    kind = [] if isinstance(error, (TypeError, ValueError)) else [type(error).__name__]
+    return ": ".join([*kind, *filter(None, [str(error)])])
+
+
+def _computed(tasks: list[_Task]) -> list[dict[str, Any]]:
+    """The parts of the manifest, each of which may fail on its own, because its chunk cannot be loaded. A cluster
+    answers for each task."""
+    client = getattr(dask.base.get_scheduler(), "__self__", None)
+    if not hasattr(client, "futures"):
+        return _computed_by_halves(tasks)
+    futures = client.compute([task.part for task in tasks])
+    parts = []
+    for task, future in zip(tasks, futures):
+        error = future.exception()
+        parts.append(future.result() if error is None else _failed(task.number, task.first, error))
+    return parts
+
+
+def _computed_by_halves(tasks: list[_Task]) -> list[dict[str, Any]]:
+    """In one process Dask gives up all tasks if one chunk cannot be loaded; then each half is computed on its own,
+    until the chunk is found."""
+    try:
+        return list(dask.compute(*(task.part for task in tasks)))
+    except Exception as error:
+        if len(tasks) == 1:
+            return [_failed(tasks[0].number, tasks[0].first, error)]
+    half = len(tasks) // 2
+    return _computed_by_halves(tasks[:half]) + _computed_by_halves(tasks[half:])
+
+
+def save(name: str, **arrays: np.ndarray) -> None:
+    """Writes each array to NAME-KEY.npy."""
+    for key, array in arrays.items():
+        _replace(f"{name}-{key}.npy", lambda file, array=array: np.save(file, array))
+
+
+def write_manifest(folder: str, manifest: dict[str, Any]) -> None:
+    _replace(os.path.join(folder, "manifest.json"), lambda file: file.write(json.dumps(manifest, indent=1).encode()))
+
+
+def _replace(path: str, write: Any) -> None:
+    unfinished = f"{path}.{uuid.uuid4().hex}.unfinished"  # a chunk may be clipped on two workers at once
+    try:
+        with open(unfinished, "wb") as file:
+            write(file)
+        os.replace(unfinished, path)
+    finally:
+        pathlib.Path(unfinished).unlink(missing_ok=True)
+
+
+def _remove(folder: str, pattern: str) -> None:
+    for path in pathlib.Path(folder).glob(pattern):
+        path.unlink(missing_ok=True)
