@@ -28,8 +28,8 @@ class Chunks:
     def __init__(self, segments: np.ndarray) -> None:
         array = arguments.segments(segments)
         if not (array.flags.c_contiguous and array.flags.aligned):
-            raise ValueError(f"segments must be contiguous, because they are not copied, but these have the strides "
-                             f"{array.strides}; use numpy.ascontiguousarray")
+            raise ValueError(f"segments must be contiguous and aligned, because they are not copied, but these of shape "
+                             f"{array.shape} have the strides {array.strides}; use numpy.array(..., copy=True)")
         make = _clearcut.Chunks if array.dtype == np.float64 else _clearcut.FloatChunks
         self._count = len(array)
         self._chunks = make(array)
