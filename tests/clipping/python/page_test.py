@@ -20,7 +20,7 @@ import clearcut
 
 FOLDER = pathlib.Path(__file__).resolve().parents[3] / "clipping/python"
 warnings.simplefilter("default")  # Dask's own warnings are no errors
-NEEDS = {"clearcut._geometry": "shapely", "clearcut.dask": "dask"}
+NEEDS = {"clearcut._geometry": "shapely", "clearcut.dask": "dask", "clearcut.vpype": "vpype_cli"}
 
 
 class Page(unittest.TestCase):
