@@ -102,10 +102,11 @@ def polyline(value: Any) -> np.ndarray:
     return value
 
 
-def polylines(value: Sequence[np.ndarray]) -> list[np.ndarray]:
+def listed(value: Any) -> list[Any]:
+    """The lines of a list, or of anything that gives one after the other."""
     if isinstance(value, (str, bytes)) or not hasattr(value, "__iter__"):
         raise TypeError(f"lines must be a list of arrays, but this is {_got(value)}")
-    return [polyline(line) for line in value]
+    return list(value)
 
 
 def choice(value: Any, name: str, choices: Sequence[str]) -> str:

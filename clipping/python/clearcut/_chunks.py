@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 from __future__ import annotations
 
-from typing import Sequence
+from typing import Any, Sequence
 
 import numpy as np
 
@@ -30,17 +30,22 @@ class Chunks:
         if not (array.flags.c_contiguous and array.flags.aligned):
             raise ValueError(f"segments must be contiguous and aligned, because they are not copied, but these of shape "
                              f"{array.shape} have the strides {array.strides}; use numpy.array(..., copy=True)")
-        make = _clearcut.Chunks if array.dtype == np.float64 else _clearcut.FloatChunks
+        make: Any = _clearcut.Chunks if array.dtype == np.float64 else _clearcut.FloatChunks
         self._count = len(array)
         self._chunks = make(array)
 
     def clip(self, window: Sequence[float]) -> Clipped:
-        """The pieces inside the window (xmin, ymin, xmax, ymax), in the order of the segments."""
+        """The pieces inside the window, in the order of the segments.
+
+        window: (xmin, ymin, xmax, ymax), in the unit of the segments. For float32 it is rounded to float32.
+        """
         return Clipped(*self._chunks.clip(arguments.window(window)))
 
     def update(self, first: int, last: int) -> None:
-        """Call this after the rows from `first` up to, not including, `last` have been written to, and not while another
-        thread clips."""
+        """Call this after rows have been written to, and not while another thread clips.
+
+        first, last: the rows from `first` up to, not including, `last`.
+        """
         if not 0 <= first <= last <= self._count:
             raise ValueError(f"0 <= first <= last <= {self._count} must hold, but these are {first} and {last}")
         self._chunks.update(first, last)

@@ -82,8 +82,8 @@ def main(arguments: list[str]) -> int:
         return 1
     results = [*manifest["parts"], *manifest.get("tiles", [])]
     errors = [result["error"] for result in results if result["error"] is not None]
-    for error in errors:
-        print(error, file=sys.stderr)
+    for text in errors:
+        print(text, file=sys.stderr)
     pieces = sum(result["pieces"] for result in manifest["parts"])
     print(f"{pieces} pieces of {lines.shape[0]} segments in {options.output}, from {len(manifest['parts'])} parts"
           + (f"; {len(errors)} failed" if errors else ""))

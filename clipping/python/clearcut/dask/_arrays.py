@@ -23,9 +23,12 @@ class Pieces(NamedTuple):
 
 
 def clip(lines: da.Array, window: Sequence[float] | None = None, **options: Any) -> Pieces:
-    """Clips a Dask array of shape (n, 4), float64 or float32, in chunks of rows; nothing is computed yet.
+    """Clips a Dask array, chunk by chunk; nothing is computed yet.
 
-    window and options are those of `clearcut.clip`; each chunk is clipped on one thread unless `threads` is given.
+    lines: shape (n, 4), float64 or float32, in chunks of rows, whose lengths must be known.
+    window and options: those of `clearcut.clip`, in the unit of the lines; each chunk is clipped on one thread unless
+        `threads` is given.
+
     The pieces are in the order of the rows, and chunk i of the result comes from chunk i of `lines`.
     """
     found = [dask.delayed(clip_chunk)(chunk, first, window, options)
@@ -72,6 +75,7 @@ def _got(value: Any) -> str:
 
 
 def clip_chunk(chunk: np.ndarray, first: int, window: Any, options: dict[str, Any]) -> _clip.Clipped:
-    segments, source, cut = _clip.clip(chunk, window, **{"threads": 1, **options})
+    chosen: dict[str, Any] = {"threads": 1, **options}
+    segments, source, cut = _clip.clip(chunk, window, **chosen)
     # Copies: views would carry the memory of the largest possible result from worker to worker.
     return _clip.Clipped(segments.copy(), source.astype(np.int64) + first, cut.copy())

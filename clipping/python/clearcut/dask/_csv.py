@@ -118,7 +118,7 @@ def _fault(body: bytes, name: str, line: int, columns: list[int]) -> str | None:
     """What is wrong with the first row that is not four numbers."""
     for i, raw in enumerate(body.split(b"\n")):
         text = raw.decode("latin1").removesuffix("\r")
-        fields = next(csv.reader([text.replace("\0", " ")]), [])
+        fields: list[str] = next(csv.reader([text.replace("\0", " ")]), [])
         if fields and not all(column < len(fields) and _is_number(fields[column]) for column in columns):
             return f"{name}, line {line + i}: four numbers are needed, but this is {text[:60]!r}"
     return None

@@ -19,7 +19,11 @@ from ._arrays import chunks_of, clip_chunk
 def clip_to_files(lines: da.Array, folder: str, window: Sequence[float] | None = None, **options: Any) -> dict[str, Any]:
     """Clips as `clip` does, and writes the pieces of each chunk to files of NumPy in `folder`: part-00000-segments.npy,
     -source.npy and -cut.npy. No chunk passes through the caller. A file is there only when it is complete, and only if
-    its part has no error. On a cluster all workers must see the folder.
+    its part has no error.
+
+    lines: shape (n, 4), float64 or float32, in chunks of rows.
+    folder: made if it is missing. On a cluster all workers must see it.
+    window and options: those of `clearcut.clip`, in the unit of the lines.
 
     Returns what it also writes to manifest.json: "parts", a dict for each chunk with its number, the index of its
     first row, the number of its pieces, and "error": null, or why the chunk could not be loaded, clipped or written.
@@ -81,15 +85,21 @@ def says(error: BaseException) -> str:
 def _computed(tasks: list[_Task]) -> list[dict[str, Any]]:
     """The parts of the manifest, each of which may fail on its own, because its chunk cannot be loaded. A cluster
     answers for each task."""
-    client = getattr(dask.base.get_scheduler(), "__self__", None)
+    client: Any = getattr(dask.base.get_scheduler(), "__self__", None)
     if not hasattr(client, "futures"):
         return _computed_by_halves(tasks)
     futures = client.compute([task.part for task in tasks])
-    parts = []
-    for task, future in zip(tasks, futures):
-        error = future.exception()
-        parts.append(future.result() if error is None else _failed(task.number, task.first, error))
-    return parts
+    try:
+        return client.gather(futures)
+    except Exception:
+        return [_answer(task, future) for task, future in zip(tasks, futures)]
+
+
+def _answer(task: _Task, future: Any) -> dict[str, Any]:
+    try:
+        return future.result()
+    except Exception as error:  # its chunk cannot be loaded, or its workers die
+        return _failed(task.number, task.first, error)
 
 
 def _computed_by_halves(tasks: list[_Task]) -> list[dict[str, Any]]:

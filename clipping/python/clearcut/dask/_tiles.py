@@ -19,6 +19,9 @@ def grid(window: Sequence[float], columns: int, rows: int) -> np.ndarray:
     """The windows of a grid of tiles, shape (rows * columns, 4): row by row from ymin on, in each from xmin on.
     Neighbours share the numbers of their common edge.
 
+    window: (xmin, ymin, xmax, ymax), which the tiles fill.
+    columns, rows: how many tiles lie side by side, and one above the other.
+
     >>> import clearcut.dask
     >>> clearcut.dask.grid((0, 0, 4, 3), 2, 1)
     array([[0., 0., 2., 3.],
@@ -60,7 +63,11 @@ def clip_at_windows(lines: da.Array, windows: np.ndarray) -> list[Pieces]:
 def clip_to_tiles(lines: da.Array, folder: str, windows: np.ndarray) -> dict[str, Any]:
     """Clips as `clip_at_windows` does, and writes the pieces of each window to files of NumPy in `folder`:
     tile-00000-segments.npy, -source.npy and -cut.npy. Meanwhile the pieces are in the folder "parts" in it, so that a
-    worker needs the memory of one chunk, or of one tile. On a cluster all workers must see the folder.
+    worker needs the memory of one chunk, or of one tile.
+
+    lines: shape (n, 4), float64 or float32, in chunks of rows.
+    folder: made if it is missing. On a cluster all workers must see it.
+    windows: shape (t, 4), as of `grid`, in the unit of the lines.
 
     Returns what it also writes to manifest.json: "parts" as `clip_to_files` does, and "tiles", a dict for each window
     with its number, "window", the number of its pieces, and "error": null, or why its files could not be written. The
