@@ -26,4 +26,5 @@ install(DIRECTORY clearcut DESTINATION ${modules_folder} ${quietly} FILES_MATCHI
   PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/${info} DESTINATION ${modules_folder} ${quietly})
 install(FILES README.md cluster.md DESTINATION share/doc/python3-clearcut ${quietly})
+install(DIRECTORY examples DESTINATION share/doc/python3-clearcut ${quietly})
 install(FILES ../LICENSE DESTINATION share/doc/python3-clearcut RENAME copyright ${quietly})
