@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: MIT
 from __future__ import annotations
 
+import functools
 import math
 from typing import Any, Iterator, NamedTuple, Sequence
 
-import dask
 import dask.array as da
 import numpy as np
 
 from .. import _clip
+from ._graph import array_of, objects
 
 
 class Pieces(NamedTuple):
@@ -31,24 +32,24 @@ def clip(lines: da.Array, window: Sequence[float] | None = None, **options: Any)
 
     The pieces are in the order of the rows, and chunk i of the result comes from chunk i of `lines`.
     """
-    found = [dask.delayed(clip_chunk)(chunk, first, window, options)
-             for chunk, first in chunks_of(lines, window, **options)]
-    return pieces_of(found, lines.dtype)
+    rows = rows_of(lines, window, **options)
+    clip_here = functools.partial(clip_chunk, window=window, options=options)
+    found = objects("clip", [(clip_here, chunk, first) for chunk, first in chunks_of(rows)], [rows])
+    return pieces_of(found, range(found.numblocks[0]), lines.dtype)
 
 
-def pieces_of(found: Sequence[Any], dtype: Any) -> Pieces:
-    """Delayed `Clipped`s one after the other, as one."""
+def pieces_of(found: da.Array, numbers: Sequence[int], dtype: Any) -> Pieces:
+    """The `Clipped`s that are the chunks with these numbers, one after the other, as one."""
 
-    def joined(part: str, shape: tuple[float, ...], dtype: Any) -> da.Array:
-        arrays = [da.from_delayed(dask.delayed(getattr)(each, part), shape, dtype) for each in found]
-        return da.concatenate(arrays) if arrays else da.zeros((0, *shape[1:]), dtype=dtype)
+    def joined(part: str, dtype: Any, columns: int = 0) -> da.Array:
+        tasks = [(getattr, (found.name, i), part) for i in numbers]
+        return array_of(part, tasks, [math.nan] * len(tasks), dtype, columns, [found])
 
-    return Pieces(joined("segments", (math.nan, 4), dtype), joined("source", (math.nan,), np.int64),
-                  joined("cut", (math.nan,), np.uint32))
+    return Pieces(joined("segments", dtype, 4), joined("source", np.int64), joined("cut", np.uint32))
 
 
-def chunks_of(lines: da.Array, window: Any, **options: Any) -> list[tuple[Any, int]]:
-    """Each chunk as a delayed array, with the index of its first row. Refuses at once what `clearcut.clip` would."""
+def rows_of(lines: da.Array, window: Any, **options: Any) -> da.Array:
+    """The lines in chunks of whole rows. Refuses at once what `clearcut.clip` would."""
     if not isinstance(lines, da.Array):
         raise TypeError(f"lines must be a Dask array of shape (n, 4), but this is {_got(lines)}")
     if lines.ndim != 2 or lines.shape[1] != 4:
@@ -57,14 +58,14 @@ def chunks_of(lines: da.Array, window: Any, **options: Any) -> list[tuple[Any, i
     _clip.clip(np.zeros((0, 4), lines.dtype), window, **options)
     if any(math.isnan(size) for size in lines.chunks[0]):
         raise ValueError("the lengths of the chunks must be known; call lines.compute_chunk_sizes() first")
-    rows = lines.rechunk({1: 4})
-    return list(zip(rows.to_delayed().reshape(-1), _firsts(rows.chunks[0])))
+    return lines.rechunk({1: 4})
 
 
-def _firsts(lengths: Sequence[int]) -> Iterator[int]:
+def chunks_of(rows: da.Array) -> Iterator[tuple[tuple[str, int, int], int]]:
+    """The key of each chunk, with the index of its first row."""
     first = 0
-    for length in lengths:
-        yield first
+    for i, length in enumerate(rows.chunks[0]):
+        yield (rows.name, i, 0), first
         first += length
 
 

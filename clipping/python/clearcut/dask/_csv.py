@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import csv
+import functools
 import io
 from typing import Any, NamedTuple, Sequence
 
-import dask
 import dask.array as da
 import numpy as np
 from dask.bytes import read_bytes
 
+from ._graph import alone, array_of, objects
 from ._npy import matching
 
 _NAMES = ("x1", "y1", "x2", "y2")
@@ -33,17 +34,23 @@ def read_csv(paths: str | Sequence[str], block_size: int | str = "64 MiB") -> da
     `clip_to_files` writes that down and goes on.
     """
     _, files, names = read_bytes(matching(paths), delimiter=b"\n", blocksize=block_size, sample=False, include_path=True)
-    counts = dask.compute([[dask.delayed(_count)(block, first=i == 0) for i, block in enumerate(blocks)]
-                           for blocks in files])[0]
-    chunks = []
-    for blocks, counted, name in zip(files, counts, names):
-        columns = _columns(counted[0].head, name) if counted else []
-        line = 1
-        for block, count in zip(blocks, counted):
-            rows = dask.delayed(_rows)(block, name, line + count.head_lines, columns, count)
-            chunks.append(da.from_delayed(rows, (count.rows, 4), float))
+    reading = {key: task for blocks in files for block in blocks for key, task in block.dask.items()}
+    if not reading:
+        return da.zeros((0, 4))
+    counting = objects("count", [(_count, block.key, i == 0) for blocks in files for i, block in enumerate(blocks)],
+                       more=reading)
+    counts = iter(counting.compute())
+    tasks, lengths = [], []
+    for blocks, name in zip(files, names):
+        line, columns = 1, None
+        for block in blocks:
+            count = next(counts)
+            columns = columns or _columns(count.head, name)
+            of_block = functools.partial(_rows, name=name, line=line + count.head_lines, columns=columns, count=count)
+            tasks.append((of_block, block.key))
+            lengths.append(count.rows)
             line += count.head_lines + count.lines
-    return da.concatenate(chunks) if chunks else da.zeros((0, 4))
+    return array_of("read-csv", tasks, lengths, float, 4, more=reading)
 
 
 class _Count(NamedTuple):
@@ -54,7 +61,7 @@ class _Count(NamedTuple):
     head_lines: int
 
 
-def _count(block: bytes, first: bool) -> _Count:
+def _count(block: bytes, first: bool) -> np.ndarray:
     head, size, head_lines = _head(block) if first else (None, 0, 0)
     text = np.frombuffer(block, np.uint8)[size:]
     ends = np.flatnonzero(text == ord("\n"))
@@ -63,7 +70,7 @@ def _count(block: bytes, first: bool) -> _Count:
     lengths = np.diff(ends, prepend=-1) - 1
     returns = text[ends - 1] == ord("\r") if len(text) else lengths  # line breaks of Windows
     blank = (lengths == 0) | ((lengths == 1) & (returns == 1))
-    return _Count(len(ends) - int(np.count_nonzero(blank)), len(ends), head, size, head_lines)
+    return alone(_Count(len(ends) - int(np.count_nonzero(blank)), len(ends), head, size, head_lines))
 
 
 def _head(block: bytes) -> tuple[list[str] | None, int, int]:

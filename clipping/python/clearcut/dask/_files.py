@@ -2,18 +2,20 @@
 """Results as files of NumPy, with a manifest that says of each part whether it is there."""
 from __future__ import annotations
 
+import functools
 import json
 import os
 import pathlib
 import uuid
-from typing import Any, Callable, NamedTuple, Sequence
+from typing import Any, Callable, Mapping, NamedTuple, Sequence
 
 import dask
 import dask.array as da
 import numpy as np
 
 from .. import _arguments as arguments
-from ._arrays import chunks_of, clip_chunk
+from ._arrays import chunks_of, clip_chunk, rows_of
+from ._graph import alone, objects
 
 
 def clip_to_files(lines: da.Array, folder: str, window: Sequence[float] | None = None, **options: Any) -> dict[str, Any]:
@@ -30,9 +32,9 @@ def clip_to_files(lines: da.Array, folder: str, window: Sequence[float] | None =
     The other chunks are written all the same. Without a cluster, if a chunk cannot be loaded, some of the others are
     clipped again. Raises an error only for wrong arguments, or if the folder or the manifest cannot be written.
     """
-    chunks = chunks_of(lines, window, **options)
+    rows = rows_of(lines, window, **options)
     os.makedirs(folder, exist_ok=True)
-    manifest = {"parts": write_parts(chunks, _write, folder, window, options)}
+    manifest = {"parts": write_parts(rows, functools.partial(_write, window=window, options=options), folder)}
     write_manifest(folder, manifest)
     return manifest
 
@@ -43,14 +45,14 @@ def _write(chunk: np.ndarray, name: str, first: int, window: Any, options: dict[
     return len(pieces.source)
 
 
-def write_parts(chunks: Sequence[tuple[Any, int]], write: Callable[..., int], folder: str, *given: Any
-                ) -> list[dict[str, Any]]:
-    """Computes write(chunk, "folder/part-NNNNN", first, *given), which returns the number of pieces, for each chunk.
-    Returns the parts of a manifest. No files are left of parts with an error."""
-    tasks = [_Task(number, first, dask.delayed(_part)(chunk, number, first, write, folder, given))
-             for number, (chunk, first) in enumerate(chunks)]
+def write_parts(rows: da.Array, write: Callable[..., int], folder: str, given: Sequence[Any] = (),
+                more: Mapping[Any, Any] | None = None) -> list[dict[str, Any]]:
+    """Computes write(chunk, "folder/part-NNNNN", first, *given), which returns the number of pieces, for each chunk of
+    whole rows. given: keys in `more`. Returns the parts of a manifest. No files are left of parts with an error."""
+    tasks = [_Task(number, first, (_part, chunk, number, first, write, folder, *given))
+             for number, (chunk, first) in enumerate(chunks_of(rows))]
     try:
-        parts = _computed(tasks)
+        parts = _computed(tasks, rows, more)
     finally:
         _remove(folder, "part-*.unfinished")  # of workers that were lost
     for part in parts:
@@ -62,15 +64,15 @@ def write_parts(chunks: Sequence[tuple[Any, int]], write: Callable[..., int], fo
 class _Task(NamedTuple):
     number: int
     first: int
-    part: Any  # delayed
+    part: tuple[Any, ...]
 
 
-def _part(chunk: Any, number: int, first: int, write: Callable[..., int], folder: str, given: Any) -> dict[str, Any]:
+def _part(chunk: Any, number: int, first: int, write: Callable[..., int], folder: str, *given: Any) -> np.ndarray:
     try:
         pieces = write(arguments.segments(chunk), os.path.join(folder, f"part-{number:05}"), first, *given)
     except Exception as error:  # also a full disk or too little memory
-        return _failed(number, first, error)
-    return {"part": number, "first": first, "pieces": pieces, "error": None}
+        return alone(_failed(number, first, error))
+    return alone({"part": number, "first": first, "pieces": pieces, "error": None})
 
 
 def _failed(number: int, first: int, error: BaseException) -> dict[str, Any]:
@@ -82,36 +84,37 @@ def says(error: BaseException) -> str:
     return ": ".join([*kind, *filter(None, [str(error)])])
 
 
-def _computed(tasks: list[_Task]) -> list[dict[str, Any]]:
+def _computed(tasks: list[_Task], rows: da.Array, more: Mapping[Any, Any] | None) -> list[dict[str, Any]]:
     """The parts of the manifest, each of which may fail on its own, because its chunk cannot be loaded. A cluster
-    answers for each task."""
+    answers for each task. In one process Dask gives up all tasks; then each half is computed on its own, until the
+    chunk is found."""
+    parts = objects("write", [task.part for task in tasks], [rows], more)
     client: Any = getattr(dask.base.get_scheduler(), "__self__", None)
-    if not hasattr(client, "futures"):
-        return _computed_by_halves(tasks)
-    futures = client.compute([task.part for task in tasks])
+    if hasattr(client, "futures"):
+        return _gathered(client, tasks, parts)
     try:
-        return client.gather(futures)
+        return list(parts.compute())
+    except Exception as error:
+        if len(tasks) == 1:
+            return [_failed(tasks[0].number, tasks[0].first, error)]
+    half = len(tasks) // 2
+    return _computed(tasks[:half], rows, more) + _computed(tasks[half:], rows, more)
+
+
+def _gathered(client: Any, tasks: list[_Task], parts: da.Array) -> list[dict[str, Any]]:
+    running = client.persist(parts)
+    futures = [running.dask[key] for key in running.__dask_keys__()]
+    try:
+        return [result[0] for result in client.gather(futures)]
     except Exception:
         return [_answer(task, future) for task, future in zip(tasks, futures)]
 
 
 def _answer(task: _Task, future: Any) -> dict[str, Any]:
     try:
-        return future.result()
+        return future.result()[0]
     except Exception as error:  # its chunk cannot be loaded, or its workers die
         return _failed(task.number, task.first, error)
-
-
-def _computed_by_halves(tasks: list[_Task]) -> list[dict[str, Any]]:
-    """In one process Dask gives up all tasks if one chunk cannot be loaded; then each half is computed on its own,
-    until the chunk is found."""
-    try:
-        return list(dask.compute(*(task.part for task in tasks)))
-    except Exception as error:
-        if len(tasks) == 1:
-            return [_failed(tasks[0].number, tasks[0].first, error)]
-    half = len(tasks) // 2
-    return _computed_by_halves(tasks[:half]) + _computed_by_halves(tasks[half:])
 
 
 def save(name: str, **arrays: np.ndarray) -> None:

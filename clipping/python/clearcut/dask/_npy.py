@@ -5,11 +5,11 @@ import glob
 import os
 from typing import Any, Sequence
 
-import dask
 import dask.array as da
 import numpy as np
 
 from .. import _arguments as arguments
+from ._graph import array_of
 
 
 def read_npy(paths: str | Sequence[str], rows: int = 1_000_000) -> da.Array:
@@ -33,8 +33,8 @@ def read_npy(paths: str | Sequence[str], rows: int = 1_000_000) -> da.Array:
                         " and ".join(sorted(map(str, dtypes))))
     if not chunks:
         return da.zeros((0, 4))
-    return da.concatenate([da.from_delayed(dask.delayed(_rows)(path, first, last), (last - first, 4), dtype)
-                           for path, first, last, dtype in chunks])
+    return array_of("read-npy", [(_rows, path, first, last) for path, first, last, _ in chunks],
+                    [last - first for _, first, last, _ in chunks], dtypes.pop(), 4)
 
 
 def matching(paths: Any) -> list[str]:

@@ -1,17 +1,19 @@
 # SPDX-License-Identifier: MIT
 from __future__ import annotations
 
+import functools
 import os
 import shutil
+import uuid
 from typing import Any, Sequence
 
-import dask
 import dask.array as da
 import numpy as np
 
 from .. import _arguments as arguments
 from .. import _clip
-from ._arrays import Pieces, chunks_of, pieces_of
+from ._arrays import Pieces, chunks_of, pieces_of, rows_of
+from ._graph import alone, objects
 from ._files import save, says, write_manifest, write_parts
 
 
@@ -53,11 +55,15 @@ def clip_at_windows(lines: da.Array, windows: np.ndarray) -> list[Pieces]:
     [[[1.0, 1.0, 2.0, 1.0]], [[2.0, 1.0, 3.0, 1.0]]]
     """
     edges = _windows(windows)
-    chunks = chunks_of(lines, (0, 0, 1, 1))
-    shared = dask.delayed(edges)
-    found = [dask.delayed(_by_tile)(chunk, first, shared) for chunk, first in chunks]
-    tiles = [dask.delayed(_joined)(found, tile, np.dtype(lines.dtype)) for tile in range(len(edges))]
-    return [pieces_of([tile], lines.dtype) for tile in tiles]
+    rows = rows_of(lines, (0, 0, 1, 1))
+    if not len(edges):
+        return []
+    shared = f"windows-{uuid.uuid4().hex}"
+    found = objects("clip", [(_by_tile, chunk, first, shared) for chunk, first in chunks_of(rows)], [rows], {shared: edges})
+    keys = [(found.name, i) for i in range(found.numblocks[0])]
+    join = functools.partial(_joined, dtype=np.dtype(lines.dtype))
+    tiles = objects("join", [(join, keys, tile) for tile in range(len(edges))], [found])
+    return [pieces_of(tiles, [tile], lines.dtype) for tile in range(len(edges))]
 
 
 def clip_to_tiles(lines: da.Array, folder: str, windows: np.ndarray) -> dict[str, Any]:
@@ -74,15 +80,17 @@ def clip_to_tiles(lines: da.Array, folder: str, windows: np.ndarray) -> dict[str
     pieces of chunks with an error are missing in the tiles.
     """
     edges = _windows(windows)
-    chunks = chunks_of(lines, (0, 0, 1, 1))
+    rows = rows_of(lines, (0, 0, 1, 1))
     between = os.path.join(folder, "parts")
     os.makedirs(between, exist_ok=True)
-    parts = write_parts(chunks, _write_part, between, dask.delayed(edges))
+    shared = f"windows-{uuid.uuid4().hex}"
+    parts = write_parts(rows, _write_part, between, [shared], {shared: edges})
     good = [os.path.join(between, f'part-{part["part"]:05}') for part in parts if part["error"] is None]
-    written = [dask.delayed(_write_tile)(good, os.path.join(folder, f"tile-{tile:05}"), tile, np.dtype(lines.dtype))
-               for tile in range(len(edges))]
+    write = functools.partial(_write_tile, parts=good, dtype=np.dtype(lines.dtype))
+    tasks = [(write, os.path.join(folder, f"tile-{tile:05}"), tile) for tile in range(len(edges))]
+    written = objects("tile", tasks).compute() if tasks else []
     tiles = [{"tile": tile, "window": window, **result}
-             for tile, (window, result) in enumerate(zip(edges.tolist(), dask.compute(*written)))]
+             for tile, (window, result) in enumerate(zip(edges.tolist(), written))]
     if all(tile["error"] is None for tile in tiles):
         shutil.rmtree(between)
     manifest = {"parts": parts, "tiles": tiles}
@@ -140,13 +148,13 @@ def _write_part(chunk: np.ndarray, name: str, first: int, windows: np.ndarray) -
     return sum(counts)
 
 
-def _write_tile(parts: list[str], name: str, tile: int, dtype: np.dtype) -> dict[str, Any]:
+def _write_tile(name: str, tile: int, parts: list[str], dtype: np.dtype) -> np.ndarray:
     try:
         pieces = _clip.Clipped(*map(np.concatenate, zip(_none(dtype), *(_of_tile(part, tile) for part in parts))))
         save(name, **pieces._asdict())
     except Exception as error:  # also a full disk or too little memory
-        return {"pieces": 0, "error": f"tile {tile}: {says(error)}"}
-    return {"pieces": len(pieces.source), "error": None}
+        return alone({"pieces": 0, "error": f"tile {tile}: {says(error)}"})
+    return alone({"pieces": len(pieces.source), "error": None})
 
 
 def _of_tile(part: str, tile: int) -> list[np.ndarray]:
