@@ -90,11 +90,11 @@ def used():
 
 
 def measured_loop(rows, folder, kind, out):
-    """Seconds, seconds of processor time, peaks of memory in MB, pieces."""
+    """Seconds, seconds of processor time (of the scheduler, of the workers), peaks of memory in MB, pieces."""
     begin, before = time.perf_counter(), used()
     pieces = plain_loop(rows, folder, kind, out)
     after = used()
-    return time.perf_counter() - begin, after[0] - before[0], [after[1]], pieces
+    return time.perf_counter() - begin, (0, after[0] - before[0]), [after[1]], pieces
 
 
 def measured_workers(workers, megabytes, rows, folder, kind, out):
@@ -103,10 +103,11 @@ def measured_workers(workers, megabytes, rows, folder, kind, out):
     with LocalCluster(n_workers=workers, threads_per_worker=1, processes=True, memory_limit=f"{megabytes}MB",
                       dashboard_address=None) as cluster, Client(cluster) as client:
         client.run(limit, megabytes)
-        before, begin = client.run(used), time.perf_counter()
+        before, own, begin = client.run(used), used()[0], time.perf_counter()
         pieces = with_dask(rows, folder, kind, out)
-        seconds, after = time.perf_counter() - begin, client.run(used)
-    return seconds, sum(after[each][0] - before[each][0] for each in after), [each[1] for each in after.values()], pieces
+        seconds, own, after = time.perf_counter() - begin, used()[0] - own, client.run(used)
+    working = sum(after[each][0] - before[each][0] for each in after)
+    return seconds, (own, working), [each[1] for each in after.values()], pieces
 
 
 def summary(out, pieces):
@@ -127,7 +128,8 @@ def main(millions="100", kind="npy", megabytes="330", rounds="2", rows="1000000"
         for _ in range(int(rounds)):
             for way, measured in ways.items():
                 seconds, processor, peaks, pieces = measured(int(rows), folder, kind, out)
-                print(f"{way}: {seconds:.1f} s, of processor time {processor:.1f} s, peak of memory {peaks} MB")
+                print(f"{way}: {seconds:.1f} s; processor time: scheduler {processor[0]:.1f} s, work {processor[1]:.1f} s; "
+                      f"peak of memory {peaks} MB", flush=True)
                 times[way].append(seconds)
                 found.add(summary(out, pieces))
                 shutil.rmtree(out)
