@@ -101,7 +101,7 @@ def measured_workers(workers, megabytes, rows, folder, kind, out):
     from distributed import Client, LocalCluster
 
     with LocalCluster(n_workers=workers, threads_per_worker=1, processes=True, memory_limit=f"{megabytes}MB",
-                      dashboard_address=None) as cluster, Client(cluster) as client:
+                      dashboard_address=":0") as cluster, Client(cluster) as client:
         client.run(limit, megabytes)
         before, own, begin = client.run(used), used()[0], time.perf_counter()
         pieces = with_dask(rows, folder, kind, out)

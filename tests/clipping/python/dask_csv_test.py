@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tables that are read by byte ranges, against the rows that were written."""
-import os
+import contextlib
+import importlib.util
+import io
 import pathlib
 import random
 import subprocess
@@ -17,6 +19,7 @@ warnings.simplefilter("default")  # Dask's own warnings are no errors
 try:
     import dask
     import clearcut.dask
+    from clearcut.dask import __main__ as program
 except ImportError:
     dask = None
 
@@ -154,9 +157,22 @@ class Arrays(Folder):
 @unittest.skipIf(dask is None, "python3-dask is not installed")
 class Program(Folder):
     def run_on(self, *words):
-        found = subprocess.run([sys.executable, "-W", "ignore", "-m", "clearcut.dask", *map(str, words)],
-                               capture_output=True, text=True, env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"})
-        return found.returncode, found.stdout, found.stderr
+        """Its exit code, and what it says on standard output and standard error."""
+        said, errors = io.StringIO(), io.StringIO()
+        with contextlib.redirect_stdout(said), contextlib.redirect_stderr(errors):
+            try:
+                code = program.main(list(map(str, words)))
+            except SystemExit as end:
+                code = end.code
+        return code, said.getvalue(), errors.getvalue()
+
+    def test_on_workers(self):
+        np.save(self.folder / "lines.npy", plain(1000))
+        workers = ["-j", "1"] if importlib.util.find_spec("distributed") else []
+        found = subprocess.run([sys.executable, "-m", "clearcut.dask", self.folder / "lines.npy", "-w", "-100,-75,100,75",
+                                "-o", self.folder / "out", *workers], capture_output=True, text=True)
+        self.assertEqual(found.returncode, 0, found.stderr)
+        self.assertEqual(found.stdout, f"650 pieces of 1000 segments in {self.folder}/out, from 1 part\n")
 
     def test_parts_and_tiles(self):
         a = plain(1000)
@@ -167,8 +183,9 @@ class Program(Folder):
         self.assertEqual((code, error), (0, ""))
         self.assertRegex(said, rf"^{pieces} pieces of 1000 segments in {out}, from [2-5] parts\n$")
         np.save(self.folder / "lines.npy", a)
-        code, _, said = self.run_on(self.folder / "lines.npy", "--window", "-100,-75,100,75", "-o", out, "-t", "3x2")
-        self.assertEqual((code, said), (0, ""))
+        code, said, error = self.run_on(self.folder / "lines.npy", "--window", "-100,-75,100,75", "-o", out, "-t", "3x2")
+        self.assertEqual((code, error), (0, ""))
+        self.assertIn("of 1000 segments", said)
         self.assertEqual(len(list(out.glob("tile-*-cut.npy"))), 6)
 
     def test_garbage_has_exit_code_1(self):

@@ -135,7 +135,7 @@ class Dask(unittest.TestCase):
         a = plain(12_000)
         marks = pathlib.Path(self.folder, "marks")
         marks.mkdir()
-        with distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster, \
+        with distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0") as cluster, \
                 distributed.Client(cluster):
             lines = da.from_array(a, chunks=(1000, 4)).map_blocks(deadly, marks=str(marks), dtype=float,
                                                                   meta=np.zeros((0, 4)))

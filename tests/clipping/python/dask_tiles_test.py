@@ -106,7 +106,7 @@ class Tiles(unittest.TestCase):
         (self.folder / "lines.csv").write_text("\n".join(rows))
         (self.folder / "marks").mkdir()
         windows = clearcut.dask.grid(SHEET, 3, 2)
-        with distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster, \
+        with distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0") as cluster, \
                 distributed.Client(cluster):
             lines = clearcut.dask.read_csv(str(self.folder / "lines.csv"), "30 kB")
             mortal = lines.map_blocks(deadly, marks=str(self.folder / "marks"), dtype=float, meta=np.zeros((0, 4)))

@@ -61,7 +61,7 @@ def _workers(options: argparse.Namespace) -> Any:
             yield
         return
     with LocalCluster(n_workers=options.workers, threads_per_worker=1, processes=True, memory_limit=options.memory,
-                      dashboard_address=None) as cluster, Client(cluster):
+                      dashboard_address=":0") as cluster, Client(cluster):
         yield
 
 
@@ -84,9 +84,9 @@ def main(arguments: list[str]) -> int:
     errors = [result["error"] for result in results if result["error"] is not None]
     for text in errors:
         print(text, file=sys.stderr)
-    pieces = sum(result["pieces"] for result in manifest["parts"])
-    print(f"{pieces} pieces of {lines.shape[0]} segments in {options.output}, from {len(manifest['parts'])} parts"
-          + (f"; {len(errors)} failed" if errors else ""))
+    parts = manifest["parts"]
+    print(f"{sum(part['pieces'] for part in parts)} pieces of {lines.shape[0]} segments in {options.output}, from "
+          f"{len(parts)} part{'s' * (len(parts) != 1)}" + (f"; {len(errors)} failed" if errors else ""))
     return 1 if errors else 0
 
 
