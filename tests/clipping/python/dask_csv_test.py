@@ -61,7 +61,7 @@ class Rows(Folder):
         for _ in range(40):
             size = chance.choice([150, 333, 1000, 4096, "1 MiB"])
             end = chance.choice(["\n", "\r\n", "\n\n", "\r\n\r\n"])
-            heads = ["", "x1,y1,x2,y2" + end, "\n# a comment\n", "\ufeffX1, y1 ,x2,Y2" + end, "# a\n\nx1,y1,x2,y2" + end]
+            heads = ["", "\ufeff", "x1,y1,x2,y2" + end, "\n# a comment\n", "\ufeffX1, y1 ,x2,Y2" + end, "# a\n\nx1,y1,x2,y2" + end]
             parts = np.split(a, sorted(chance.choices(range(301), k=2)))
             paths = [self.file(f"{i}.csv", table(part, chance.choice(heads), end)) for i, part in enumerate(parts)]
             if chance.random() < 0.5:
@@ -104,10 +104,13 @@ class Rows(Folder):
             self.assertTrue(str(caught.exception).startswith(f"{self.folder}/lines.csv, {error}"), str(caught.exception))
 
     def test_what_is_refused_at_once(self):
-        for text in ["a,b,c,d\n1,2,3,4\n", "x1,y1,x2\n", "x1,x1,y1,x2,y2\n"]:
+        for text in ["a,b,c,d\n1,2,3,4\n", "\0" * 200_000, "x1,y1,x2\n", "x1,x1,y1,x2,y2\n"]:
             with self.assertRaisesRegex(ValueError, "lines.csv: the first row must be four numbers or a header that names"):
                 self.read(text)
         self.assertRaises(FileNotFoundError, clearcut.dask.read_csv, str(self.folder / "none-*.csv"))
+        self.file("a1.csv", "1,2,3,4\n")
+        with self.assertRaisesRegex(ValueError, "must not contain"):  # a1.csv would be read
+            clearcut.dask.read_csv(self.file("a[1].csv", "5,6,7,8\n"))
         self.assertRaises(OSError, clearcut.dask.read_csv, str(self.folder / "none.csv"))
 
     def test_garbage_is_a_part_with_an_error(self):

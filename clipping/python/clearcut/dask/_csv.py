@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import csv
 import functools
+import glob
 import io
+from codecs import BOM_UTF8
 from typing import Any, NamedTuple, Sequence
 
 import dask.array as da
@@ -33,7 +35,10 @@ def read_csv(paths: str | Sequence[str], block_size: int | str = "64 MiB") -> da
     computed. A range with a row that is not four numbers raises a ValueError then, which names the file and the line;
     `clip_to_files` writes that down and goes on.
     """
-    _, files, names = read_bytes(matching(paths), delimiter=b"\n", blocksize=block_size, sample=False, include_path=True)
+    found = matching(paths)
+    for name in filter(glob.has_magic, found):
+        raise ValueError(f"{name}: a table's name must not contain *, ? or [, which Dask would take for a pattern")
+    _, files, names = read_bytes(found, delimiter=b"\n", blocksize=block_size, sample=False, include_path=True)
     reading = {key: task for blocks in files for block in blocks for key, task in block.dask.items()}
     if not reading:
         return da.zeros((0, 4))
@@ -75,11 +80,13 @@ def _count(block: bytes, first: bool) -> np.ndarray:
 
 def _head(block: bytes) -> tuple[list[str] | None, int, int]:
     """The fields of the first row, and the bytes and lines before the first row of numbers."""
-    size = lines = 0
-    for line in io.BytesIO(block):
-        text = line.decode("latin1").removeprefix("\xef\xbb\xbf").strip()
+    size, lines = len(BOM_UTF8) * block.startswith(BOM_UTF8), 0
+    file = io.BytesIO(block)
+    file.seek(size)
+    for line in file:
+        text = line.decode("latin1").strip()
         if text and not text.startswith("#"):
-            fields = next(csv.reader([text]))
+            fields = _fields(text)
             is_header = not _is_number(fields[0])
             return fields, size + is_header * len(line), lines + is_header
         size += len(line)
@@ -125,10 +132,17 @@ def _fault(body: bytes, name: str, line: int, columns: list[int]) -> str | None:
     """What is wrong with the first row that is not four numbers."""
     for i, raw in enumerate(body.split(b"\n")):
         text = raw.decode("latin1").removesuffix("\r")
-        fields: list[str] = next(csv.reader([text.replace("\0", " ")]), [])
+        fields = _fields(text)
         if fields and not all(column < len(fields) and _is_number(fields[column]) for column in columns):
             return f"{name}, line {line + i}: four numbers are needed, but this is {text[:60]!r}"
     return None
+
+
+def _fields(text: str) -> list[str]:
+    try:
+        return next(csv.reader([text.replace("\0", " ")]), [])
+    except csv.Error:  # a field that is too long
+        return text.split(",")
 
 
 def _is_number(field: str) -> bool:
