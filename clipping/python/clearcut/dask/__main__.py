@@ -77,7 +77,7 @@ def main(arguments: list[str]) -> int:
                         clip_to_tiles(lines, options.output, grid(options.window, *options.tiles)))
     except (TypeError, ValueError) as error:
         parser.error(str(error))
-    except OSError as error:
+    except (ImportError, OSError) as error:
         print(f"{parser.prog}: {error}", file=sys.stderr)
         return 1
     results = [*manifest["parts"], *manifest.get("tiles", [])]

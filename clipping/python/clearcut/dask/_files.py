@@ -33,6 +33,7 @@ def clip_to_files(lines: da.Array, folder: str, window: Sequence[float] | None =
     clipped again. Raises an error only for wrong arguments, or if the folder or the manifest cannot be written.
     """
     rows = rows_of(lines, window, **options)
+    folder = os.path.abspath(folder)  # for workers in other folders
     os.makedirs(folder, exist_ok=True)
     manifest = {"parts": write_parts(rows, functools.partial(_write, window=window, options=options), folder)}
     write_manifest(folder, manifest)

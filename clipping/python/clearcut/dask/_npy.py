@@ -38,14 +38,14 @@ def read_npy(paths: str | Sequence[str], rows: int = 1_000_000) -> da.Array:
 
 
 def matching(paths: Any) -> list[str]:
-    """The files that are meant; FileNotFoundError if there is none."""
+    """The files that are meant, with paths for workers in other folders; FileNotFoundError if there is none."""
     found: list[str] = []
     for pattern in [paths] if isinstance(paths, (str, os.PathLike)) else paths:
         path = os.fspath(pattern)
         found += sorted(glob.glob(path)) if glob.has_magic(path) and not os.path.exists(path) else [path]
     if not found:
         raise FileNotFoundError(f"no file matches {paths!r}")
-    return found
+    return [path if "://" in path else os.path.abspath(path) for path in found]
 
 
 def _opened(path: str) -> np.ndarray:

@@ -81,6 +81,7 @@ def clip_to_tiles(lines: da.Array, folder: str, windows: np.ndarray) -> dict[str
     """
     edges = _windows(windows)
     rows = rows_of(lines, (0, 0, 1, 1))
+    folder = os.path.abspath(folder)  # for workers in other folders
     between = os.path.join(folder, "parts")
     os.makedirs(between, exist_ok=True)
     shared = f"windows-{uuid.uuid4().hex}"
