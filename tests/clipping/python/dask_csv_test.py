@@ -103,6 +103,27 @@ class Rows(Folder):
                 self.read(text).compute()
             self.assertTrue(str(caught.exception).startswith(f"{self.folder}/lines.csv, {error}"), str(caught.exception))
 
+    def test_any_bytes(self):
+        """Whatever is in a table: the same rows for ranges of any length, or a ValueError that names the file."""
+        chance, results, errors = random.Random(8), 0, 0
+        for _ in range(80):
+            text = bytearray(table(plain(12).round(1), "x1,y1,x2,y2\n", chance.choice(["\n", "\r\n"])).encode())
+            for _ in range(chance.choice([0, 1, 1, 2, 5])):
+                at = chance.randrange(12, len(text))
+                text[at:at + chance.choice([0, 1, 30])] = chance.choice([b"\n", b"\r", b'"', b'""', b",", b" ", b"\0", b"\xff", b"#",
+                                                                         b"-", b"e9", b"nan", b'"1,2"', b"\n\n", b"_"])
+            found = []
+            for size in (chance.randrange(13, 200), 1 << 20):
+                try:
+                    found.append(self.read(bytes(text), size).compute().tolist())
+                except ValueError as error:
+                    self.assertIn("lines.csv, ", str(error))
+                    found.append(None)
+            np.testing.assert_equal(found[0], found[1], repr(bytes(text)))
+            results += found[0] is not None
+            errors += found[0] is None
+        self.assertGreater(min(results, errors), 10)
+
     def test_what_is_refused_at_once(self):
         for text in ["a,b,c,d\n1,2,3,4\n", "\0" * 200_000, "x1,y1,x2\n", "x1,x1,y1,x2,y2\n"]:
             with self.assertRaisesRegex(ValueError, "lines.csv: the first row must be four numbers or a header that names"):

@@ -73,6 +73,7 @@ endif()
 
 if(EXISTS ${BUILD}/clearcut) # the program
   open(clearcut "Editor for line art with a movable clip window" "libc6 .*libqt6")
+  set(ENV{QT_QPA_PLATFORM} offscreen)
   run(${WORK}/clearcut/usr/bin/clearcut --version)
   foreach(file IN ITEMS applications/io.github.clearcut.Clearcut.desktop man/man1/clearcut.1.gz)
     if(NOT EXISTS ${WORK}/clearcut/usr/share/${file})
