@@ -76,7 +76,7 @@ py::list traceOf(const std::array<double, 4>& s, const std::array<double, 4>& w,
 void defineCatalogue(py::module_& module)
 {
     module.def("algorithms", algorithmList);
-    module.def("trace", traceOf, Guarded());
+    module.def("trace", traceOf, Guarded(), "segment"_a, "window"_a, "key"_a, "published"_a);
 }
 
 } // namespace clipping::python

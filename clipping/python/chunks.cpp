@@ -8,6 +8,7 @@
 #include <pybind11/stl.h>
 
 namespace py = pybind11;
+using namespace py::literals;
 
 namespace clipping::python {
 namespace {
@@ -60,9 +61,9 @@ template <class T>
 void define(py::module_& module, const char* name)
 {
     py::class_<ArrayChunks<T>>(module, name)
-        .def(py::init<py::array>(), Guarded())
-        .def("update", &ArrayChunks<T>::update, Guarded())
-        .def("clip", &ArrayChunks<T>::clip, Guarded());
+        .def(py::init<py::array>(), Guarded(), "segments"_a)
+        .def("update", &ArrayChunks<T>::update, Guarded(), "first"_a, "last"_a)
+        .def("clip", &ArrayChunks<T>::clip, Guarded(), "window"_a);
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 #include <pybind11/stl.h>
 
 namespace py = pybind11;
+using namespace py::literals;
 
 namespace clipping::python {
 namespace {
@@ -151,12 +152,14 @@ py::tuple outsideOf(const py::array& array, const WindowNumbers& numbers)
 
 void defineClip(py::module_& module)
 {
-    module.def("clip_at_window", clipAtWindow, Guarded());
-    module.def("clip_floats", clipFloats, Guarded());
-    module.def("clip_lines_at_window", clipLines, Guarded());
-    module.def("clip_rays_at_window", clipRays, Guarded());
-    module.def("clip_at_polygon", clipAtPolygon, Guarded());
-    module.def("split", outsideOf, Guarded());
+    module.def("clip_at_window", clipAtWindow, Guarded(), "segments"_a, "window"_a, "key"_a,
+               "published"_a, "threads"_a);
+    module.def("clip_floats", clipFloats, Guarded(), "segments"_a, "window"_a, "key"_a,
+               "threads"_a);
+    module.def("clip_lines_at_window", clipLines, Guarded(), "segments"_a, "window"_a, "key"_a);
+    module.def("clip_rays_at_window", clipRays, Guarded(), "segments"_a, "window"_a, "key"_a);
+    module.def("clip_at_polygon", clipAtPolygon, Guarded(), "segments"_a, "corners"_a, "key"_a);
+    module.def("split", outsideOf, Guarded(), "segments"_a, "window"_a);
 }
 
 } // namespace clipping::python

@@ -7,6 +7,7 @@
 #include <pybind11/stl.h>
 
 namespace py = pybind11;
+using namespace py::literals;
 
 namespace clipping::python {
 namespace {
@@ -54,7 +55,7 @@ py::tuple clipPolylines(const py::list& polylines, const WindowNumbers& w, bool 
 
 void definePolylines(py::module_& module)
 {
-    module.def("clip_polylines", clipPolylines, Guarded());
+    module.def("clip_polylines", clipPolylines, Guarded(), "lines"_a, "window"_a, "closed"_a);
 }
 
 } // namespace clipping::python

@@ -37,7 +37,7 @@ public:
     bool isPacked() const
     {
         return count_ == 0
-               || (row_ == sizeof(S) && column_ == sizeof(T)
+               || ((row_ == sizeof(S) || count_ == 1) && column_ == sizeof(T)
                    && reinterpret_cast<std::uintptr_t>(data_) % alignof(S) == 0);
     }
 

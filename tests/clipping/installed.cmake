@@ -2,22 +2,10 @@
 # cmake -DBUILD=… -DREADME=… -DWORK=… -DCXX=… -DGENERATOR=… -P installed.cmake
 # Installs the library of a build tree, moves what was installed, and builds with it, where no Qt can
 # be found, the project that stands in clipping/README.md: it must print what the README says.
-# (The blocks of the README end at the first backtick.)
 cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${WORK})
 
-function(run)
-  execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY OUTPUT_VARIABLE output)
-  set(output "${output}" PARENT_SCOPE)
-endfunction()
-
-function(extract language result)
-  string(REGEX MATCH "\n```${language}\n([^`]*)```" block "${readme}")
-  if(NOT block)
-    message(FATAL_ERROR "${README} has no block of ${language}")
-  endif()
-  set(${result} "${CMAKE_MATCH_1}" PARENT_SCOPE)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/readme_example.cmake)
 
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/made --component library)
 file(RENAME ${WORK}/made ${WORK}/moved)
@@ -32,23 +20,7 @@ endforeach()
 run(${CXX} -std=c++20 -DNone=0L -Wall -Wextra -Werror -fsyntax-only -I${WORK}/moved/include -x c++ -include clearcut/clip.h
   -include clipping/algorithm.h -include clipping/turned_window.h -include clipping/chunks.h /dev/null)
 
-file(READ ${README} readme)
-extract(cmake lists)
-extract(cpp program)
-extract(text promised)
-file(WRITE ${WORK}/project/CMakeLists.txt "${lists}")
-file(WRITE ${WORK}/project/main.cpp "${program}")
-run(${CMAKE_COMMAND} -S ${WORK}/project -B ${WORK}/build -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${CXX}
-  -DCMAKE_PREFIX_PATH=${WORK}/moved -DCMAKE_DISABLE_FIND_PACKAGE_Qt6=ON -DCMAKE_BUILD_TYPE=Release
-  "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Wpedantic -Wshadow -Werror")
-run(${CMAKE_COMMAND} --build ${WORK}/build)
-function(expect_promised program)
-  run(${program})
-  if(NOT output STREQUAL promised)
-    message(FATAL_ERROR "${program} prints\n${output}but its README says\n${promised}")
-  endif()
-endfunction()
-expect_promised(${WORK}/build/hatching)
+build_readme_example(${WORK}/moved)
 
 # The same by pkg-config instead of CMake, once more with other containers than the library was compiled with.
 find_program(PKG_CONFIG pkg-config REQUIRED)

@@ -33,6 +33,8 @@ def segments(value: Any) -> np.ndarray:
         raise TypeError(f"segments must be float64 or float32, but this is {_got(value)}; use .astype(float)")
     if value.ndim != 2 or value.shape[1] != 4:
         raise ValueError(f"segments must have the shape (n, 4), a row x1, y1, x2, y2 for each, but this is {_got(value)}")
+    if len(value) >= 1 << 32:
+        raise ValueError(f"at most {(1 << 32) - 1} segments can be clipped at once, but this is {_got(value)}")
     return value
 
 
@@ -60,7 +62,7 @@ def segment(value: Any) -> tuple[float, float, float, float]:
 
 def _numbers(value: Any, count: int, name: str, form: str) -> tuple[float, ...]:
     try:
-        numbers = tuple(float(number) for number in value)
+        numbers = tuple(map(_number, value))
     except (TypeError, ValueError):
         raise TypeError(f"{name} must be {count} numbers {form}, but this is {_got(value)}") from None
     if len(numbers) != count:
@@ -70,10 +72,16 @@ def _numbers(value: Any, count: int, name: str, form: str) -> tuple[float, ...]:
     return numbers
 
 
+def _number(value: Any) -> float:
+    if np.ndim(value) or np.iscomplexobj(value) or isinstance(value, (str, bytes)):
+        raise TypeError
+    return float(value)
+
+
 def corners(value: Any) -> list[tuple[float, float]]:
     """Three or more points (x, y) of a convex polygon, in either direction."""
     try:
-        points = [(float(x), float(y)) for x, y in value]
+        points = [(_number(x), _number(y)) for x, y in value]
     except (TypeError, ValueError):
         raise TypeError(f"polygon must be points (x, y), shape (m, 2), but this is {_got(value)}") from None
     if len(points) < 3:
@@ -85,9 +93,7 @@ def polyline(value: Any) -> np.ndarray:
     """An array of shape (k, 2) of float64; a complex array is seen as one."""
     _refuse_mask(value, "a line")
     if isinstance(value, np.ndarray) and value.dtype == np.complex128 and value.ndim == 1:
-        if not value.flags.c_contiguous:
-            raise ValueError("a complex line must be contiguous, because it is not copied; use numpy.ascontiguousarray")
-        return value.view(np.float64).reshape(-1, 2)
+        return np.lib.stride_tricks.as_strided(value.real, (len(value), 2), (*value.strides, 8), writeable=False)
     if not isinstance(value, np.ndarray) or value.dtype != np.float64 or not value.dtype.isnative:
         raise TypeError(f"a line must be a float64 array of shape (k, 2) or a complex one of shape (k,), but this is "
                         f"{_got(value)}")
@@ -96,10 +102,11 @@ def polyline(value: Any) -> np.ndarray:
     return value
 
 
-def polylines(value: Sequence[np.ndarray]) -> list[np.ndarray]:
+def listed(value: Any) -> list[Any]:
+    """The lines of a list, or of anything that gives one after the other."""
     if isinstance(value, (str, bytes)) or not hasattr(value, "__iter__"):
         raise TypeError(f"lines must be a list of arrays, but this is {_got(value)}")
-    return [polyline(line) for line in value]
+    return list(value)
 
 
 def choice(value: Any, name: str, choices: Sequence[str]) -> str:

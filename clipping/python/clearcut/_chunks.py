@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 from __future__ import annotations
 
-from typing import Sequence
+from typing import Any, Sequence
 
 import numpy as np
 
@@ -28,19 +28,24 @@ class Chunks:
     def __init__(self, segments: np.ndarray) -> None:
         array = arguments.segments(segments)
         if not (array.flags.c_contiguous and array.flags.aligned):
-            raise ValueError(f"segments must be contiguous, because they are not copied, but these have the strides "
-                             f"{array.strides}; use numpy.ascontiguousarray")
-        make = _clearcut.Chunks if array.dtype == np.float64 else _clearcut.FloatChunks
+            raise ValueError(f"segments must be contiguous and aligned, because they are not copied, but these of shape "
+                             f"{array.shape} have the strides {array.strides}; use numpy.array(..., copy=True)")
+        make: Any = _clearcut.Chunks if array.dtype == np.float64 else _clearcut.FloatChunks
         self._count = len(array)
         self._chunks = make(array)
 
     def clip(self, window: Sequence[float]) -> Clipped:
-        """The pieces inside the window (xmin, ymin, xmax, ymax), in the order of the segments."""
+        """The pieces inside the window, in the order of the segments.
+
+        window: (xmin, ymin, xmax, ymax), in the unit of the segments. For float32 it is rounded to float32.
+        """
         return Clipped(*self._chunks.clip(arguments.window(window)))
 
     def update(self, first: int, last: int) -> None:
-        """Call this after the rows from `first` up to, not including, `last` have been written to, and not while another
-        thread clips."""
+        """Call this after rows have been written to, and not while another thread clips.
+
+        first, last: the rows from `first` up to, not including, `last`.
+        """
         if not 0 <= first <= last <= self._count:
             raise ValueError(f"0 <= first <= last <= {self._count} must hold, but these are {first} and {last}")
         self._chunks.update(first, last)

@@ -34,7 +34,7 @@ def clip_geometry(geometry: Any, window: Sequence[float]) -> Any:
                         f"{type(geometry).__name__}")
     points = [_points(line, closed) for line in lines if not line.is_empty]
     parts = [LineString(part) if len(part) > 1 else Point(part[0])
-             for part in clip_lines(points, window, closed=closed)]  # type: ignore[union-attr]
+             for part in clip_lines(points, window, closed=closed)]
     if len(parts) < 2:
         return parts[0] if parts else LineString()
     return (shapes.MultiLineString if all(len(part.coords) > 1 for part in parts) else shapes.GeometryCollection)(parts)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 from __future__ import annotations
 
-from typing import Sequence
+from typing import Iterable, Literal, Sequence, overload
 
 import numpy as np
 
@@ -9,7 +9,17 @@ from . import _arguments as arguments
 from . import _clearcut
 
 
-def clip_lines(lines: Sequence[np.ndarray], window: Sequence[float], *, closed: bool = False,
+@overload
+def clip_lines(lines: Iterable[np.ndarray], window: Sequence[float], *, closed: bool = ...,
+               return_source: Literal[False] = ...) -> list[np.ndarray]: ...
+
+
+@overload
+def clip_lines(lines: Iterable[np.ndarray], window: Sequence[float], *, closed: bool = ...,
+               return_source: Literal[True]) -> tuple[list[np.ndarray], list[int]]: ...
+
+
+def clip_lines(lines: Iterable[np.ndarray], window: Sequence[float], *, closed: bool = False,
                return_source: bool = False) -> list[np.ndarray] | tuple[list[np.ndarray], list[int]]:
     """The visible parts of polylines, unbroken at their corners.
 
@@ -28,8 +38,8 @@ def clip_lines(lines: Sequence[np.ndarray], window: Sequence[float], *, closed: 
     >>> clearcut.clip_lines([np.array([-5 + 1j, 5 + 1j])], (0, 0, 10, 10))
     [array([0.+1.j, 5.+1.j])]
     """
-    given = list(lines) if hasattr(lines, "__iter__") else lines
-    views = arguments.polylines(given)
+    given = arguments.listed(lines)
+    views = [arguments.polyline(line) for line in given]
     parts, source = _clearcut.clip_polylines(views, arguments.window(window), bool(closed))
     parts = [part.view(np.complex128).reshape(-1) if np.iscomplexobj(given[i]) else part
              for part, i in zip(parts, source)]

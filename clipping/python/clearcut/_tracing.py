@@ -23,6 +23,8 @@ def trace(segment: Sequence[float], window: Sequence[float], algorithm: str = "e
     """How an algorithm clips one segment, step by step.
 
     segment: (x1, y1, x2, y2); window: (xmin, ymin, xmax, ymax), in the same unit.
+    algorithm: a key or abbreviation of `algorithms()`.
+    form: "corrected", or "published", as its authors printed it.
 
     Each step is a dict: what ("test", "let", "cut", "accept", "reject" or "give up"), holds (the result of a test),
     name (of the variable that "let" assigns), line and code (of the pseudo-code), segment (what is left of it after

@@ -68,6 +68,28 @@ class Dask(unittest.TestCase):
                   a.astype(float), kind="line", algorithm="lb")
         self.same(clearcut.dask.clip(da.zeros((0, 4)), WINDOW), np.zeros((0, 4)))
 
+    def test_many_chunks_are_one_layer(self):
+        """With a layer for each chunk, planning would take a time that grows with the square of their number."""
+        np.save(pathlib.Path(self.folder, "lines.npy"), plain(1000))
+        lines = clearcut.dask.read_npy(os.path.join(self.folder, "lines.npy"), 1)
+        self.assertEqual(lines.numblocks, (1000, 1))
+        tiles = clearcut.dask.clip_at_windows(lines, clearcut.dask.grid(WINDOW, 2, 2))
+        for pieces in (clearcut.dask.clip(lines, WINDOW), tiles[3]):
+            self.assertLess(len(pieces.segments.dask.layers), 6)
+
+    def test_workers_in_other_folders(self):
+        """Relative paths mean the caller's folder."""
+        a, home = plain(100), os.getcwd()
+        os.chdir(self.folder)
+        try:
+            np.save("lines.npy", a)
+            np.savetxt("lines.csv", a, delimiter=",", fmt="%r")
+            both = [clearcut.dask.read_npy("lines.npy"), clearcut.dask.read_csv("lines.csv")]
+        finally:
+            os.chdir(home)
+        for lines in both:
+            np.testing.assert_array_equal(lines.compute(), a)
+
     def test_mistakes_are_refused_at_once(self):
         lines = da.from_array(plain(100), chunks=(10, 4))
         for error, call in [(TypeError, lambda: clearcut.dask.clip(plain(9), WINDOW)),
@@ -135,7 +157,7 @@ class Dask(unittest.TestCase):
         a = plain(12_000)
         marks = pathlib.Path(self.folder, "marks")
         marks.mkdir()
-        with distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster, \
+        with distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0") as cluster, \
                 distributed.Client(cluster):
             lines = da.from_array(a, chunks=(1000, 4)).map_blocks(deadly, marks=str(marks), dtype=float,
                                                                   meta=np.zeros((0, 4)))

@@ -44,6 +44,8 @@ class Refused(unittest.TestCase):
         self.refuses(ValueError, "these are 3", A, (0, 0, 1))
         self.refuses(TypeError, "a int", A, 5)
         self.refuses(TypeError, "a tuple", A, (0, 0, 1, "x"))
+        for window in [np.array([0, 0, 1, 1j]), np.zeros((4, 1)), ("0", "0", "1", "1"), np.array(["0", "0", "1", "1"])]:
+            self.refuses(TypeError, "window must be 4 numbers", A, window)
         self.refuses(ValueError, "finite", A, (0, 0, np.nan, 1))
         self.refuses(ValueError, "xmin <= xmax", A, (1, 0, 0, 1))
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs the doctests of the package, and the programs of its page: each python block prints the text block after it."""
+"""Runs the doctests of the package, and the programs of its pages: each python block, and each sh block before a text
+block, prints the text block after it."""
 import contextlib
 import doctest
 import importlib
@@ -9,51 +10,79 @@ import os
 import pathlib
 import pkgutil
 import re
+import subprocess
+import sys
 import tempfile
 import unittest
 import warnings
 
 import clearcut
 
-PAGE = pathlib.Path(__file__).resolve().parents[3] / "clipping/python/README.md"
+FOLDER = pathlib.Path(__file__).resolve().parents[3] / "clipping/python"
 warnings.simplefilter("default")  # Dask's own warnings are no errors
-OPTIONAL = {"shapely", "dask", "matplotlib"}
+NEEDS = {"clearcut._geometry": "shapely", "clearcut.dask": "dask", "clearcut.vpype": "vpype_cli"}
 
 
 class Page(unittest.TestCase):
     def test_doctests(self):
-        tried = 0
-        needs = {"_geometry": "shapely", "dask": "dask"}
-        names = [m.name for m in pkgutil.iter_modules(clearcut.__path__) if installed(needs.get(m.name, "numpy"))]
-        for name in names:
-            module = importlib.import_module(f"clearcut.{name}")
-            result = doctest.testmod(module)
+        tried = {}
+        for name in modules("clearcut", clearcut.__path__):
+            result = doctest.testmod(importlib.import_module(name))
             self.assertEqual(result.failed, 0, name)
-            tried += result.attempted
-        tried += doctest.testmod(clearcut, raise_on_error=True).attempted
-        self.assertGreater(tried, 20)
+            tried[name] = result.attempted
+        self.assertGreater(sum(tried.values()), 20)
+        for name in filter(tried.get, ["clearcut", "clearcut._clip", "clearcut._chunks", "clearcut._lines"]):
+            self.assertGreater(tried[name], 2, name)
 
     def test_programs(self):
-        blocks = re.findall(r"```(\w+)\n(.*?)```", PAGE.read_text(), re.S)
-        programs = [(i, text) for i, (kind, text) in enumerate(blocks) if kind == "python"]
-        self.assertGreater(len(programs), 2)
-        home = os.getcwd()
-        for i, program in programs:
-            if any(re.search(rf"^(import|from) (clearcut\.)?{name}", program, re.M) and not installed(name) for name in OPTIONAL):
-                continue
-            printed = io.StringIO()
-            with self.subTest(program=program), tempfile.TemporaryDirectory() as folder:
-                os.chdir(folder)
-                try:
-                    with contextlib.redirect_stdout(printed):
-                        exec(compile(program, "page", "exec"), {"__name__": "__main__"})
-                finally:
-                    os.chdir(home)
-                self.assertEqual(blocks[i + 1], ("text", printed.getvalue()))
+        tried = 0
+        for page in sorted(FOLDER.glob("*.md")):
+            blocks = re.findall(r"```(\w+)\n(.*?)```", page.read_text(), re.S)
+            for (kind, program), (after, printed) in zip(blocks, [*blocks[1:], ("", "")]):
+                if kind not in ("python", "sh") or (kind == "sh" and after != "text") or lacking(program):
+                    continue
+                with self.subTest(page=page.name, program=program), tempfile.TemporaryDirectory() as folder:
+                    self.assertEqual(run_in(folder, kind, program), printed if after == "text" else "")
+                    tried += 1
+        self.assertGreater(tried, 2)
+
+
+def modules(package, path):
+    yield package
+    for module in pkgutil.iter_modules(path, package + "."):
+        if module.name.endswith("__main__") or not installed(NEEDS.get(module.name, "numpy")):
+            continue
+        if module.ispkg:
+            yield from modules(module.name, importlib.import_module(module.name).__path__)
+        else:
+            yield module.name
 
 
 def installed(name):
     return importlib.util.find_spec(name) is not None
+
+
+def lacking(program):
+    needed = re.findall(r"^(?:import|from) (?:clearcut\.)?(\w+)|-m clearcut\.(\w+)", program, re.M)
+    return not all(installed(one or other) for one, other in needed if "clearcut" not in (one, other))
+
+
+def run_in(folder, kind, program):
+    if kind == "sh":
+        with tempfile.TemporaryDirectory() as programs:
+            os.symlink(sys.executable, pathlib.Path(programs, "python3"))
+            path = f"{programs}{os.pathsep}{os.environ['PATH']}"
+            return subprocess.run(["sh", "-e"], input=program, cwd=folder, env={**os.environ, "PATH": path}, check=True,
+                                  stdout=subprocess.PIPE, text=True).stdout
+    home = os.getcwd()
+    printed = io.StringIO()
+    os.chdir(folder)
+    try:
+        with contextlib.redirect_stdout(printed):
+            exec(compile(program, "page", "exec"), {"__name__": "__main__"})
+    finally:
+        os.chdir(home)
+    return printed.getvalue()
 
 
 if __name__ == "__main__":

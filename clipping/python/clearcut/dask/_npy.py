@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: MIT
+from __future__ import annotations
+
+import glob
+import os
+from typing import Any, Sequence
+
+import dask.array as da
+import numpy as np
+
+from .. import _arguments as arguments
+from ._graph import array_of
+
+
+def read_npy(paths: str | Sequence[str], rows: int = 1_000_000) -> da.Array:
+    """The segments of files of NumPy, one file after the other, as a Dask array of shape (n, 4). Only their headers are
+    read now. Each chunk is read by the worker that clips it, so all workers must see the files.
+
+    paths: a path, a pattern such as "lines-*.npy" (sorted), or a list of paths. Each file holds an array (n, 4), all of
+        float64 or all of float32.
+    rows: how many rows a chunk has at most; a row of float64 is 32 bytes.
+    """
+    if isinstance(rows, bool) or not isinstance(rows, (int, np.integer)) or rows < 1:
+        raise ValueError(f"rows must be a whole number from 1 on, but this is {rows!r}")
+    chunks = []
+    for path in matching(paths):
+        array = _opened(path)
+        chunks += [(path, first, min(first + int(rows), len(array)), array.dtype)
+                   for first in range(0, len(array), int(rows))]
+    dtypes = {dtype for *_, dtype in chunks}
+    if len(dtypes) > 1:
+        raise TypeError("the files must be all float64 or all float32, but these are " +
+                        " and ".join(sorted(map(str, dtypes))))
+    if not chunks:
+        return da.zeros((0, 4))
+    return array_of("read-npy", [(_rows, path, first, last) for path, first, last, _ in chunks],
+                    [last - first for _, first, last, _ in chunks], dtypes.pop(), 4)
+
+
+def matching(paths: Any) -> list[str]:
+    """The files that are meant, with paths for workers in other folders; FileNotFoundError if there is none."""
+    found: list[str] = []
+    for pattern in [paths] if isinstance(paths, (str, os.PathLike)) else paths:
+        path = os.fspath(pattern)
+        found += sorted(glob.glob(path)) if glob.has_magic(path) and not os.path.exists(path) else [path]
+    if not found:
+        raise FileNotFoundError(f"no file matches {paths!r}")
+    return [path if "://" in path else os.path.abspath(path) for path in found]
+
+
+def _opened(path: str) -> np.ndarray:
+    try:
+        return arguments.segments(np.load(path, mmap_mode="r"))
+    except (TypeError, ValueError, EOFError) as error:
+        raise ValueError(f"{path}: {error}") from None
+
+
+def _rows(path: str, first: int, last: int) -> np.ndarray:
+    return np.array(_opened(path)[first:last])

@@ -1,0 +1,230 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tables that are read by byte ranges, against the rows that were written."""
+import contextlib
+import importlib.util
+import io
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+import unittest
+import warnings
+
+import numpy as np
+
+import clearcut
+
+warnings.simplefilter("default")  # Dask's own warnings are no errors
+try:
+    import dask
+    import clearcut.dask
+    from clearcut.dask import __main__ as program
+except ImportError:
+    dask = None
+
+WINDOW = (-100, -75, 100, 75)
+
+
+def plain(n, seed=1):
+    return np.random.default_rng(seed).uniform(-200, 200, (n, 4))
+
+
+def table(rows, header="", end="\n"):
+    return header + "".join(",".join(map(repr, row)) + end for row in rows.tolist())
+
+
+class Folder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        if dask is not None:
+            scheduler = dask.config.set(scheduler="sync")
+            self.addCleanup(scheduler.__exit__, None, None, None)
+
+    def file(self, name, text):
+        path = self.folder / name
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
+        return str(path)
+
+
+@unittest.skipIf(dask is None, "python3-dask is not installed")
+class Rows(Folder):
+    def read(self, text, block_size="64 MiB"):
+        return clearcut.dask.read_csv(self.file("lines.csv", text), block_size)
+
+    def test_ranges_are_the_whole(self):
+        """Several files, each cut into ranges of any length, with every kind of head and line break."""
+        a = plain(300)
+        chance = random.Random(3)
+        for _ in range(40):
+            size = chance.choice([150, 333, 1000, 4096, "1 MiB"])
+            end = chance.choice(["\n", "\r\n", "\n\n", "\r\n\r\n"])
+            heads = ["", "\ufeff", "x1,y1,x2,y2" + end, "\n# a comment\n", "\ufeffX1, y1 ,x2,Y2" + end, "# a\n\nx1,y1,x2,y2" + end]
+            parts = np.split(a, sorted(chance.choices(range(301), k=2)))
+            paths = [self.file(f"{i}.csv", table(part, chance.choice(heads), end)) for i, part in enumerate(parts)]
+            if chance.random() < 0.5:
+                self.file("2.csv", pathlib.Path(paths[2]).read_bytes().rstrip())
+            lines = clearcut.dask.read_csv(paths, size)
+            self.assertEqual(lines.shape, a.shape)
+            np.testing.assert_array_equal(lines.compute(), a)
+        self.assertGreater(len(clearcut.dask.read_csv(paths, 333).chunks[0]), 50)
+
+    def test_source_is_the_row_of_all_files(self):
+        a = plain(2000)
+        self.file("b-1.csv", table(a[:700], "x1,y1,x2,y2\n"))
+        self.file("b-2.csv", table(a[700:]))
+        found = dask.compute(*clearcut.dask.clip(clearcut.dask.read_csv(str(self.folder / "b-*.csv"), 5000), WINDOW))
+        for one, other in zip(found, clearcut.clip(a, WINDOW)):
+            np.testing.assert_array_equal(one, other)
+
+    def test_columns_by_name_and_in_quotation_marks(self):
+        text = 'layer,"y2",x1,x2,y1,colour\n"a, ""b""","4",1,3,2,red\n,8,5,"7",6,\n'
+        np.testing.assert_array_equal(self.read(text).compute(), [[1, 2, 3, 4], [5, 6, 7, 8]])
+        np.testing.assert_array_equal(self.read("1,2,3,4,walls\n5,6,7,8\n").compute(), [[1, 2, 3, 4], [5, 6, 7, 8]])
+
+    def test_nothing(self):
+        for text in ["", "\n\n", "x1,y1,x2,y2\n", "# only a comment"]:
+            self.assertEqual(self.read(text).compute().shape, (0, 4))
+
+    def test_numbers_that_are_none(self):
+        np.testing.assert_array_equal(self.read("nan,inf,-Infinity,1e400\n").compute(), [[np.nan, np.inf, -np.inf, np.inf]])
+
+    def test_what_is_wrong_is_named(self):
+        for text, error in [("1,2,3,4\n\n5,6,seven,8\n", "line 3: four numbers are needed, but this is '5,6,seven,8'"),
+                            ("#\nx1,y1,x2,y2\n1,2,3\n", "line 3: four numbers are needed, but this is '1,2,3'"),
+                            ("1,2,3,4\r\n1;2;3;4\r\n", "line 2: four numbers are needed, but this is '1;2;3;4'"),
+                            ("1,2,3,4\n1_0,2,3,4\n", "line 2: four numbers"),
+                            ("1,2,3,4\n  \n", "line 2: four numbers are needed, but this is '  '"),
+                            (b"1,2,3,4\n\x00\xff\x89PNG\n", "line 2: four numbers"),
+                            ('1,2,3,4,"two\nlines"\n', "line 1: a quoted field must not contain a line break")]:
+            with self.assertRaises(ValueError) as caught:
+                self.read(text).compute()
+            self.assertTrue(str(caught.exception).startswith(f"{self.folder}/lines.csv, {error}"), str(caught.exception))
+
+    def test_any_bytes(self):
+        """Whatever is in a table: the same rows for ranges of any length, or a ValueError that names the file."""
+        chance, results, errors = random.Random(8), 0, 0
+        for _ in range(80):
+            text = bytearray(table(plain(12).round(1), "x1,y1,x2,y2\n", chance.choice(["\n", "\r\n"])).encode())
+            for _ in range(chance.choice([0, 1, 1, 2, 5])):
+                at = chance.randrange(12, len(text))
+                text[at:at + chance.choice([0, 1, 30])] = chance.choice([b"\n", b"\r", b'"', b'""', b",", b" ", b"\0", b"\xff", b"#",
+                                                                         b"-", b"e9", b"nan", b'"1,2"', b"\n\n", b"_"])
+            found = []
+            for size in (chance.randrange(13, 200), 1 << 20):
+                try:
+                    found.append(self.read(bytes(text), size).compute().tolist())
+                except ValueError as error:
+                    self.assertIn("lines.csv, ", str(error))
+                    found.append(None)
+            np.testing.assert_equal(found[0], found[1], repr(bytes(text)))
+            results += found[0] is not None
+            errors += found[0] is None
+        self.assertGreater(min(results, errors), 10)
+
+    def test_what_is_refused_at_once(self):
+        for text in ["a,b,c,d\n1,2,3,4\n", "\0" * 200_000, "x1,y1,x2\n", "x1,x1,y1,x2,y2\n"]:
+            with self.assertRaisesRegex(ValueError, "lines.csv: the first row must be four numbers or a header that names"):
+                self.read(text)
+        self.assertRaises(FileNotFoundError, clearcut.dask.read_csv, str(self.folder / "none-*.csv"))
+        self.file("a1.csv", "1,2,3,4\n")
+        with self.assertRaisesRegex(ValueError, "must not contain"):  # a1.csv would be read
+            clearcut.dask.read_csv(self.file("a[1].csv", "5,6,7,8\n"))
+        self.assertRaises(OSError, clearcut.dask.read_csv, str(self.folder / "none.csv"))
+
+    def test_garbage_is_a_part_with_an_error(self):
+        """The rows of all other ranges keep their indices."""
+        a = plain(1000)
+        texts = [table(a[i:i + 1]) for i in range(1000)]
+        texts[512] = "\x00garbage\n"
+        lines = clearcut.dask.read_csv(self.file("lines.csv", "".join(texts)), 8000)
+        manifest = clearcut.dask.clip_to_files(lines, str(self.folder / "out"), WINDOW)
+        errors = [part for part in manifest["parts"] if part["error"] is not None]
+        self.assertEqual(len(errors), 1)
+        self.assertIn("lines.csv, line 513: four numbers are needed", errors[0]["error"])
+        lost = range(errors[0]["first"], errors[0]["first"] + lines.chunks[0][errors[0]["part"]])
+        self.assertIn(512, lost)
+        found = [np.load(path) for path in sorted((self.folder / "out").glob("part-*-source.npy"))]
+        source = clearcut.clip(a, WINDOW).source
+        np.testing.assert_array_equal(np.concatenate(found), source[~np.isin(source, lost)])
+
+
+@unittest.skipIf(dask is None, "python3-dask is not installed")
+class Arrays(Folder):
+    def test_files_of_numpy(self):
+        a = plain(2500)
+        np.save(self.folder / "a-1.npy", a[:1100])
+        np.save(self.folder / "a-2.npy", np.asfortranarray(a[1100:]))
+        lines = clearcut.dask.read_npy(str(self.folder / "a-*.npy"), 400)
+        self.assertEqual(max(lines.chunks[0]), 400)
+        np.testing.assert_array_equal(lines.compute(), a)
+
+    def test_what_is_refused(self):
+        for name, array in [("shape", np.zeros((2, 3))), ("type", np.zeros((2, 4), int)),
+                            ("objects", np.array([[None] * 4], object))]:
+            np.save(self.folder / f"{name}.npy", array)
+            with self.assertRaisesRegex(ValueError, f"{name}.npy: "):
+                clearcut.dask.read_npy(str(self.folder / f"{name}.npy"))
+        for name, text in [("empty", b""), ("text", b"1,2,3,4\n")]:
+            with self.assertRaisesRegex(ValueError, f"{name}.npy: "):
+                clearcut.dask.read_npy(self.file(f"{name}.npy", text))
+        np.save(self.folder / "double.npy", plain(3))
+        np.save(self.folder / "single.npy", plain(3).astype(np.float32))
+        with self.assertRaisesRegex(TypeError, "float32 and float64"):
+            clearcut.dask.read_npy([str(self.folder / "double.npy"), str(self.folder / "single.npy")])
+        for rows in (0, 1.5, True):
+            self.assertRaisesRegex(ValueError, "rows", clearcut.dask.read_npy, str(self.folder / "double.npy"), rows)
+
+
+@unittest.skipIf(dask is None, "python3-dask is not installed")
+class Program(Folder):
+    def run_on(self, *words):
+        """Its exit code, and what it says on standard output and standard error."""
+        said, errors = io.StringIO(), io.StringIO()
+        with contextlib.redirect_stdout(said), contextlib.redirect_stderr(errors):
+            try:
+                code = program.main(list(map(str, words)))
+            except SystemExit as end:
+                code = end.code
+        return code, said.getvalue(), errors.getvalue()
+
+    def test_on_workers(self):
+        np.save(self.folder / "lines.npy", plain(1000))
+        workers = ["-j", "1"] if importlib.util.find_spec("distributed") else []
+        found = subprocess.run([sys.executable, "-m", "clearcut.dask", self.folder / "lines.npy", "-w", "-100,-75,100,75",
+                                "-o", self.folder / "out", *workers], capture_output=True, text=True)
+        self.assertEqual(found.returncode, 0, found.stderr)
+        self.assertEqual(found.stdout, f"650 pieces of 1000 segments in {self.folder}/out, from 1 part\n")
+
+    def test_parts_and_tiles(self):
+        a = plain(1000)
+        path = self.file("lines.csv", table(a, "x1,y1,x2,y2\n"))
+        pieces = len(clearcut.clip(a, WINDOW).source)
+        out = self.folder / "out"
+        code, said, error = self.run_on(path, "-w", "-100,-75,100,75", "-o", out, "-b", "20 kB")
+        self.assertEqual((code, error), (0, ""))
+        self.assertRegex(said, rf"^{pieces} pieces of 1000 segments in {out}, from [2-5] parts\n$")
+        np.save(self.folder / "lines.npy", a)
+        code, said, error = self.run_on(self.folder / "lines.npy", "--window", "-100,-75,100,75", "-o", out, "-t", "3x2")
+        self.assertEqual((code, error), (0, ""))
+        self.assertIn("of 1000 segments", said)
+        self.assertEqual(len(list(out.glob("tile-*-cut.npy"))), 6)
+
+    def test_garbage_has_exit_code_1(self):
+        path = self.file("lines.csv", "1,2,3,4\nfive,6,7,8\n")
+        code, _, said = self.run_on(path, "-w", "0,0,9,9", "-o", self.folder / "out")
+        self.assertEqual((code, said), (1, f"chunk 0: {path}, line 2: four numbers are needed, but this is 'five,6,7,8'\n"))
+        self.assertEqual(self.run_on(self.folder / "none.csv", "-w", "0,0,9,9", "-o", self.folder / "out")[0], 1)
+
+    def test_wrong_arguments_have_exit_code_2(self):
+        path = self.file("lines.csv", "1,2,3,4\n")
+        for words in [("-w", "0,0,9"), ("-w", "9,0,0,9"), ("-w", "0,0,9,9", "-t", "0x2"), ("-w",)]:
+            code, said, error = self.run_on(path, "-o", self.folder / "out", *words)
+            self.assertEqual((code, said), (2, ""))
+            self.assertIn("error: ", error)
+
+
+if __name__ == "__main__":
+    unittest.main()
