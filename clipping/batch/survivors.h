@@ -45,6 +45,17 @@ struct TurnedReach {
     }
 };
 
+/// Prefetches what will be read after a vector of segments, 2 KiB on.
+template <std::size_t width, class S>
+CLIPPING_INLINE void prefetchAhead(const S* segments)
+{
+    constexpr std::size_t ahead = 2048, row = width * sizeof(S); // bytes
+    // An integer, because the address may be behind the array.
+    for (std::size_t line = 0; line < row; line += 64)
+        __builtin_prefetch(reinterpret_cast<const void*>( // NOLINT(performance-no-int-to-ptr)
+            reinterpret_cast<std::uintptr_t>(segments) + ahead + line));
+}
+
 /// Writes the indices of the segments that may be visible and returns their number: all but those
 /// that sets.h proves to miss the box, or the shape in it. The output must have room for one vector
 /// more than the block.
@@ -54,16 +65,12 @@ CLIPPING_INLINE std::size_t survivorsOf(const BasicSegment<T>* segments, std::si
                                         std::size_t last, const Box<T>& box, const Reach& shape,
                                         std::uint32_t* indices)
 {
-    constexpr std::size_t ahead = 2048, row = V::width * sizeof(BasicSegment<T>); // bytes
     const V twiceX = V::of(box.twiceX), twiceY = V::of(box.twiceY);
     const V width = V::of(box.width), height = V::of(box.height);
     const V factor = V::of(missFactor<T>), longer = V::of(missLength<T>);
     std::size_t count = 0, i = first;
     for (; i + V::width <= last; i += V::width) {
-        // An integer, because the address may be behind the array.
-        for (std::size_t line = 0; line < row; line += 64)
-            __builtin_prefetch(reinterpret_cast<const void*>( // NOLINT(performance-no-int-to-ptr)
-                reinterpret_cast<std::uintptr_t>(segments + i) + ahead + line));
+        prefetchAhead<V::width>(segments + i);
         const Ends<V> s = V::load(segments + i);
         const V dx = s.bx - s.ax, dy = s.by - s.ay;
         const V mx = (s.ax + s.bx) - twiceX, my = (s.ay + s.by) - twiceY;
@@ -80,8 +87,8 @@ CLIPPING_INLINE std::size_t survivorsOf(const BasicSegment<T>* segments, std::si
 }
 
 /// Whether the block consists of whole vectors of segments that are all inside the window. Worth
-/// testing if all have survived, because in drawings neighbours in the array are usually neighbours
-/// on the sheet.
+/// testing if all have survived, or first if the block before was like that, because in drawings
+/// neighbours in the array are usually neighbours on the sheet.
 template <class V, class T>
 CLIPPING_INLINE bool untouched(const BasicSegment<T>* segments, std::size_t first, std::size_t last,
                                const BasicWindow<T>& window)
@@ -90,6 +97,7 @@ CLIPPING_INLINE bool untouched(const BasicSegment<T>* segments, std::size_t firs
     for (std::size_t i = first; i < last; i += V::width) {
         if (i + V::width > last)
             return false;
+        prefetchAhead<V::width>(segments + i);
         const Ends<V> s = V::load(segments + i);
         // With a NaN, min and max return their second argument, so a segment with a NaN is never
         // inside.
