@@ -208,7 +208,6 @@ struct Floats {
     struct Mask {
         __m256 lanes;
         LANE Mask operator&(Mask a, Mask b) { return {_mm256_and_ps(a.lanes, b.lanes)}; }
-        LANE Mask operator|(Mask a, Mask b) { return {_mm256_or_ps(a.lanes, b.lanes)}; }
         LANE Mask operator~(Mask a)
         {
             return {_mm256_xor_ps(a.lanes, _mm256_castsi256_ps(_mm256_set1_epi32(-1)))};
@@ -226,8 +225,6 @@ struct Floats {
     LANE Floats abs(Floats a) { return {_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.v)}; }
     LANE Floats min(Floats a, Floats b) { return {_mm256_min_ps(a.v, b.v)}; }
     LANE Floats max(Floats a, Floats b) { return {_mm256_max_ps(a.v, b.v)}; }
-    LANE Mask operator<(Floats a, Floats b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_LT_OQ)}; }
-    LANE Mask operator>(Floats a, Floats b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_GT_OQ)}; }
     LANE Mask notAbove(Floats a, Floats b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_NGT_UQ)}; }
     LANE Mask operator<=(Floats a, Floats b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)}; }
     LANE Mask operator>=(Floats a, Floats b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_GE_OQ)}; }

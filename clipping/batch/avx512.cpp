@@ -229,8 +229,6 @@ struct Floats {
     LANE Floats abs(Floats a) { return {_mm512_abs_ps(a.v)}; }
     LANE Floats min(Floats a, Floats b) { return {_mm512_maskz_min_ps(0xffff, a.v, b.v)}; }
     LANE Floats max(Floats a, Floats b) { return {_mm512_maskz_max_ps(0xffff, a.v, b.v)}; }
-    LANE Mask operator<(Floats a, Floats b) { return {_mm512_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ)}; }
-    LANE Mask operator>(Floats a, Floats b) { return {_mm512_cmp_ps_mask(a.v, b.v, _CMP_GT_OQ)}; }
     LANE Mask notAbove(Floats a, Floats b) { return {_mm512_cmp_ps_mask(a.v, b.v, _CMP_NGT_UQ)}; }
     LANE Mask operator<=(Floats a, Floats b) { return {_mm512_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ)}; }
     LANE Mask operator>=(Floats a, Floats b) { return {_mm512_cmp_ps_mask(a.v, b.v, _CMP_GE_OQ)}; }

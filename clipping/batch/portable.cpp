@@ -225,10 +225,10 @@ Box<T> boxOf(const BasicWindow<T>& w)
     };
     // K of the first test (sets.h): rounding takes less than what is more than needed here.
     const auto reach = [](T halfSize, T middle) {
-        const bool huge = !(std::abs(middle) + halfSize < mostMissed<T>);
-        return huge ? std::numeric_limits<T>::infinity()
-                    : 2 * halfSize * (1 + 2 * missFactor<T>)+missFactor<T> * std::abs(middle)
-                          + missTiny<T>;
+        constexpr T more = missFactor<T>, longer = 1 + 2 * more;
+        if (!(std::abs(middle) + halfSize < mostMissed<T>))
+            return std::numeric_limits<T>::infinity();
+        return 2 * halfSize * longer + more * std::abs(middle) + missTiny<T>;
     };
     const T x = centre(w.min.x, w.max.x), y = centre(w.min.y, w.max.y);
     const T halfX = half(w.min.x, w.max.x, x), halfY = half(w.min.y, w.max.y, y);

@@ -46,14 +46,15 @@ bool canShow(const BasicWindow<T>& window);
 /// |cx| and less than 4u of each other term are needed. The cross product is off by less than 4.3 u
 /// of each product, u of itself, and 1.3 u (|cx dy| + |cy dx|). With |my dx| <= |p| + |cross|, p =
 /// mx dy, it decides if |cross| > 16u |p| + Kx |dy| + Ky |dx|: 8.7 u |p|, 5.4 u |cross| and 2u of
-/// the right side are needed, and rounding the right side takes 5u of it. Fused or not makes no
-/// difference. `missTiny` is more than all products lose by underflow; sums lose nothing.
+/// the right side are needed, and rounding the right side takes 5u of it. The bounds hold with
+/// fused operations and without. `missTiny` is more than all products lose by underflow; sums lose
+/// nothing.
 ///
-/// Overflow: only a + b can become infinite where m must not, and then both ends are beyond a window
-/// whose numbers are below `mostMissed`; K is infinite for others. All other infinities and NaNs of
-/// finite segments make the right side infinite or NaN, which leaves the segment to the second pass;
-/// only my dx does not. Fused, the cross product is then infinite because it is larger than any right
-/// side; otherwise an infinite one decides nothing (`notAbove` in portable.cpp).
+/// Overflow: only a + b can become infinite where m must not, and then both ends are beyond a
+/// window whose numbers are below `mostMissed`; K is infinite for others. All other infinities and
+/// NaNs of finite segments make the right side infinite or NaN, which leaves the segment to the
+/// second pass; only my dx does not. Fused, the cross product is then infinite because it is larger
+/// than any right side; otherwise an infinite one decides nothing (`notAbove` in portable.cpp).
 template <class T>
 constexpr T missFactor = std::numeric_limits<T>::epsilon() * 8;
 template <class T>
