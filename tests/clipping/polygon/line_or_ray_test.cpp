@@ -118,6 +118,18 @@ private slots:
         QVERIFY(!clip(Ray{{0, 0}, {1, 1}}, ConvexWindow{}));
     }
 
+    // As for a segment, an end that rounding brings back to the input's is not a cut.
+    void anEndThatIsRoundedBackIsNoCut()
+    {
+        const auto wedge = ConvexPolygon::from({{0, 0}, {3, 1}, {0, 1}});
+        const glm::dvec2 outside{1, 1.0 / 3}; // less than a third, which is on the edge
+        const auto pieces = clipAll(std::vector{Ray{outside, {1, 2}}}, wedge);
+        QCOMPARE(pieces.size(), 1u);
+        QVERIFY(pieces[0].segment.a == outside && polygonEdgeOfA(pieces[0].cut) == 0);
+        const auto segments = clipAll(std::vector{Segment{outside, {1, 2}}}, wedge);
+        QVERIFY(same(pieces, segments));
+    }
+
     // The ends lie between the corners of their edges, however far the two points are.
     void farPointsDefineALineToo()
     {
