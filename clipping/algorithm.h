@@ -74,7 +74,7 @@ enum class Form : std::uint8_t { Corrected, Published };
 
 /// The old name of Functions, until the next minor version.
 template <class S, class W, class Piece = S>
-using Uses = Functions<S, W, Piece>;
+using Uses [[deprecated("write Functions")]] = Functions<S, W, Piece>;
 
 /// One row of the catalogue. A null pointer means that there is no such form; `floats` is never
 /// null.
@@ -89,13 +89,15 @@ struct CLEARCUT_HOLDS_CONTAINERS Algorithm {
     const Functions<Segment, Window>* published; ///< as its authors printed it
     union {
         const Functions<BasicSegment<float>, BasicWindow<float>>* floats; ///< corrected, for floats
-        const Functions<BasicSegment<float>, BasicWindow<float>>* single; ///< its old name
+        [[deprecated("write floats")]] const Functions<BasicSegment<float>, BasicWindow<float>>*
+            single; ///< its old name
     };
     const Functions<Segment, ConvexPolygon>* polygon; ///< clips at a convex polygon
     union {
         /// Same result, bit for bit, in O(log corners).
         const Functions<Segment, ConvexPolygon>* polygonBySearch;
-        const Functions<Segment, ConvexPolygon>* searchedPolygon; ///< its old name
+        [[deprecated("write polygonBySearch")]] const Functions<Segment, ConvexPolygon>*
+            searchedPolygon; ///< its old name
     };
     const Functions<Segment3, Window3>*
         box; ///< in three dimensions; keeps the contract with `boxUlps`
@@ -108,31 +110,33 @@ struct CLEARCUT_HOLDS_CONTAINERS Algorithm {
 };
 
 /// The functions of one form of a row; null if there is no such form.
-constexpr const Functions<Segment, Window>* functionsOf(const Algorithm& algorithm, Form form)
+constexpr const Functions<Segment, Window>* functionsOf(const Algorithm& algorithm,
+                                                        Form form) noexcept
 {
     return form == Form::Corrected ? &algorithm.corrected : algorithm.published;
 }
 
 /// The old name of functionsOf, until the next minor version.
-constexpr const Functions<Segment, Window>* usesOf(const Algorithm& algorithm, Form form)
+[[deprecated("write functionsOf")]] constexpr const Functions<Segment, Window>*
+usesOf(const Algorithm& algorithm, Form form) noexcept
 {
     return functionsOf(algorithm, form);
 }
 
 /// The pseudo-code of one form; empty if there is none.
-constexpr std::string_view codeOf(const Algorithm& algorithm, Form form)
+constexpr std::string_view codeOf(const Algorithm& algorithm, Form form) noexcept
 {
     return form == Form::Corrected ? algorithm.correctedCode : algorithm.publishedCode;
 }
 
 /// Every algorithm, in the order of every menu, table and chart.
-std::span<const Algorithm> algorithms();
+std::span<const Algorithm> algorithms() noexcept;
 
 /// The row `exact`: it makes no wrong decision and is the fastest on many segments. Use it if you
 /// only want to clip.
-const Algorithm& exactAlgorithm();
+const Algorithm& exactAlgorithm() noexcept;
 
 /// The algorithm with that key or abbreviation (any case), or null.
-const Algorithm* findAlgorithm(std::string_view keyOrAbbreviation);
+const Algorithm* findAlgorithm(std::string_view keyOrAbbreviation) noexcept;
 
 } // namespace clipping

@@ -39,19 +39,19 @@ static std::array<Algorithm, sizeof...(Methods)> describeAll(List<Methods...>)
     return {describe<Methods>()...};
 }
 
-std::span<const Algorithm> algorithms()
+std::span<const Algorithm> algorithms() noexcept
 {
     static const auto all = describeAll(Catalogue{});
     return all;
 }
 
-const Algorithm& exactAlgorithm()
+const Algorithm& exactAlgorithm() noexcept
 {
     static const Algorithm& exact = *findAlgorithm("exact");
     return exact;
 }
 
-const Algorithm* findAlgorithm(std::string_view wanted)
+const Algorithm* findAlgorithm(std::string_view wanted) noexcept
 {
     const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; };
     const auto same = [&](std::string_view name) {

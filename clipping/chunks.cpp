@@ -83,7 +83,7 @@ void BasicChunks<T>::update(std::span<const BasicSegment<T>> segments, std::size
 template <class T>
 std::size_t BasicChunks<T>::clipAll(std::span<const BasicSegment<T>> segments,
                                     const BasicWindow<T>& window,
-                                    std::span<BasicClipped<BasicSegment<T>>> out) const
+                                    std::span<BasicClipped<BasicSegment<T>>> out) const noexcept
 {
     requireRoom(segments.size(), out.size());
     assert(segments.size() == (chunks_.empty() ? 0 : chunks_.back().end));

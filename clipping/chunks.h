@@ -33,7 +33,7 @@ public:
     /// `out.size() >= segments.size()`, no overlap; writes in input order, returns the number of
     /// pieces, allocates nothing.
     std::size_t clipAll(std::span<const BasicSegment<T>> segments, const BasicWindow<T>& window,
-                        std::span<BasicClipped<BasicSegment<T>>> out) const;
+                        std::span<BasicClipped<BasicSegment<T>>> out) const noexcept;
 
 private:
     struct Chunk {

@@ -6,6 +6,7 @@
 #include "clipping/blocks.h"
 #include "clipping/gradual_underflow.h"
 #include "clipping/ieee_numbers.h"
+#include "clipping/polygon/line_or_ray.h"
 #include "clipping/polygon/window_data.h"
 
 namespace clipping {
@@ -53,21 +54,42 @@ Progress clipAtWindow(const SegmentsView<T>& in, const BasicWindow<T>& window, c
     });
 }
 
-/// Lines or rays, in double.
-template <class Shape, template <class> class Basic, class T>
-Progress clipLinesOrRays(std::span<const Basic<T>> in, const BasicWindow<T>& window,
-                         const Output<T>& out)
+/// Lines or rays, in double, with a `clip` of arrays.
+template <class Shape, template <class> class LineOrRay, class T, class Clip>
+Progress clipLinesOrRays(const LinesOrRaysView<LineOrRay, T>& in, const Output<T>& out,
+                         const Clip& clip)
 {
     const GradualUnderflow here;
-    const Window w{glm::dvec2(window.min), glm::dvec2(window.max)};
     return clipInBlocks(
         in.size(), out,
         [&](std::size_t i) {
-            return Shape{glm::dvec2(in[i].a), glm::dvec2(in[i].b)};
+            const LineOrRay<T> read = in[i];
+            return Shape{glm::dvec2(read.a), glm::dvec2(read.b)};
         },
-        [&](std::span<const Shape> block, Clipped* pieces) {
-            return lineOrRay<Shape>().clipAll(block, w, {pieces, block.size()});
-        });
+        clip);
+}
+template <class Shape, template <class> class LineOrRay, class T>
+Progress clipAtWindow(const LinesOrRaysView<LineOrRay, T>& in, const BasicWindow<T>& window,
+                      const Output<T>& out)
+{
+    const Window w{glm::dvec2(window.min), glm::dvec2(window.max)};
+    return clipLinesOrRays<Shape>(in, out, [&](std::span<const Shape> block, Clipped* pieces) {
+        return lineOrRay<Shape>().clipAll(block, w, {pieces, block.size()});
+    });
+}
+template <Reach reach, class T>
+Progress clipAtPolygon(const auto& in, const ConvexWindow& window, const Output<T>& out)
+{
+    using Shape = LineOrRay<reach>;
+    return clipLinesOrRays<Shape>(in, out, [&](std::span<const Shape> block, Clipped* pieces) {
+        std::size_t visible = 0;
+        for (std::uint32_t i = 0; window && i < block.size(); ++i)
+            if (const auto piece =
+                    lineOrRayInPolygon<reach>({block[i].a, block[i].b}, window.data()->polygon))
+                pieces[visible++] = {piece->segment, i,
+                                     polygonCutAt(piece->numberOfA, piece->numberOfB)};
+        return visible;
+    });
 }
 
 /// One of anything, by the functions for many.
@@ -138,6 +160,32 @@ std::optional<BasicSegment<float>> clip(const BasicRay<float>& ray,
         [&](const Output<float>& out) { return clipAll(std::span(&ray, 1), window, out); });
 }
 
+std::optional<Segment> clip(const Line& line, const ConvexWindow& window) noexcept
+{
+    return clipOne<double>(
+        [&](const Output<double>& out) { return clipAll(std::span(&line, 1), window, out); });
+}
+
+std::optional<BasicSegment<float>> clip(const BasicLine<float>& line,
+                                        const ConvexWindow& window) noexcept
+{
+    return clipOne<float>(
+        [&](const Output<float>& out) { return clipAll(std::span(&line, 1), window, out); });
+}
+
+std::optional<Segment> clip(const Ray& ray, const ConvexWindow& window) noexcept
+{
+    return clipOne<double>(
+        [&](const Output<double>& out) { return clipAll(std::span(&ray, 1), window, out); });
+}
+
+std::optional<BasicSegment<float>> clip(const BasicRay<float>& ray,
+                                        const ConvexWindow& window) noexcept
+{
+    return clipOne<float>(
+        [&](const Output<float>& out) { return clipAll(std::span(&ray, 1), window, out); });
+}
+
 std::optional<Segment3> clip(const Segment3& segment, const Window3& box) noexcept
 {
     const GradualUnderflow here;
@@ -175,26 +223,48 @@ Progress clipAll(const SegmentsView<float>& in, const ConvexWindow& window,
         });
 }
 
-Progress clipAll(std::span<const Line> in, const Window& window, Output<double> out) noexcept
+Progress clipAll(const LinesView<double>& in, const Window& window, Output<double> out) noexcept
 {
-    return clipLinesOrRays<Line>(in, window, out);
+    return clipAtWindow<Line>(in, window, out);
 }
 
-Progress clipAll(std::span<const BasicLine<float>> in, const BasicWindow<float>& window,
+Progress clipAll(const LinesView<float>& in, const BasicWindow<float>& window,
                  Output<float> out) noexcept
 {
-    return clipLinesOrRays<Line>(in, window, out);
+    return clipAtWindow<Line>(in, window, out);
 }
 
-Progress clipAll(std::span<const Ray> in, const Window& window, Output<double> out) noexcept
+Progress clipAll(const RaysView<double>& in, const Window& window, Output<double> out) noexcept
 {
-    return clipLinesOrRays<Ray>(in, window, out);
+    return clipAtWindow<Ray>(in, window, out);
 }
 
-Progress clipAll(std::span<const BasicRay<float>> in, const BasicWindow<float>& window,
+Progress clipAll(const RaysView<float>& in, const BasicWindow<float>& window,
                  Output<float> out) noexcept
 {
-    return clipLinesOrRays<Ray>(in, window, out);
+    return clipAtWindow<Ray>(in, window, out);
+}
+
+Progress clipAll(const LinesView<double>& in, const ConvexWindow& window,
+                 Output<double> out) noexcept
+{
+    return clipAtPolygon<Reach::BothWays>(in, window, out);
+}
+
+Progress clipAll(const LinesView<float>& in, const ConvexWindow& window, Output<float> out) noexcept
+{
+    return clipAtPolygon<Reach::BothWays>(in, window, out);
+}
+
+Progress clipAll(const RaysView<double>& in, const ConvexWindow& window,
+                 Output<double> out) noexcept
+{
+    return clipAtPolygon<Reach::OneWay>(in, window, out);
+}
+
+Progress clipAll(const RaysView<float>& in, const ConvexWindow& window, Output<float> out) noexcept
+{
+    return clipAtPolygon<Reach::OneWay>(in, window, out);
 }
 
 Progress clipAll(std::span<const Segment3> in, const Window3& box,

@@ -17,16 +17,18 @@
 
 namespace CLEARCUT_API clipping {
 
-/// The key of the catalogue's row that clips a Shape: "exact" makes no wrong decision and rounds
-/// each new coordinate once. Lines, rays and boxes are clipped by the row that is best there.
-template <class Shape>
+/// The key of the catalogue's row that clips a Shape at a window or a box, or At something else:
+/// "exact" makes no wrong decision and rounds each new coordinate once. At windows and boxes,
+/// lines, rays and boxes are clipped by the row that is best there. Lines and rays at polygons, for
+/// which no row has a form, are clipped as `exact` clips segments.
+template <class Shape, class At = Window>
 inline constexpr std::string_view algorithmFor = "exact";
-template <class T>
-inline constexpr std::string_view algorithmFor<BasicLine<T>> = "liang-barsky";
-template <class T>
-inline constexpr std::string_view algorithmFor<BasicRay<T>> = "liang-barsky";
-template <class T>
-inline constexpr std::string_view algorithmFor<BasicSegment<T, 3>> = "liang-barsky";
+template <class T, class U>
+inline constexpr std::string_view algorithmFor<BasicLine<T>, BasicWindow<U>> = "liang-barsky";
+template <class T, class U>
+inline constexpr std::string_view algorithmFor<BasicRay<T>, BasicWindow<U>> = "liang-barsky";
+template <class T, class At>
+inline constexpr std::string_view algorithmFor<BasicSegment<T, 3>, At> = "liang-barsky";
 
 /// The part of a segment, line, ray or polyline inside a window, a convex polygon or a box: nothing
 /// if there is none. Floats are clipped at a polygon, and as lines and rays, in double; then each
@@ -44,6 +46,12 @@ std::optional<BasicSegment<float>> clip(const BasicLine<float>& line,
 std::optional<Segment> clip(const Ray& ray, const Window& window) noexcept;
 std::optional<BasicSegment<float>> clip(const BasicRay<float>& ray,
                                         const BasicWindow<float>& window) noexcept;
+std::optional<Segment> clip(const Line& line, const ConvexWindow& window) noexcept;
+std::optional<BasicSegment<float>> clip(const BasicLine<float>& line,
+                                        const ConvexWindow& window) noexcept;
+std::optional<Segment> clip(const Ray& ray, const ConvexWindow& window) noexcept;
+std::optional<BasicSegment<float>> clip(const BasicRay<float>& ray,
+                                        const ConvexWindow& window) noexcept;
 std::optional<Segment3> clip(const Segment3& segment, const Window3& box) noexcept;
 inline VisibleRuns clip(const Polyline& polyline, const Window& window)
 {
@@ -74,17 +82,25 @@ Progress clipAll(const SegmentsView<double>& in, const ConvexWindow& window,
                  Output<double> out) noexcept;
 Progress clipAll(const SegmentsView<float>& in, const ConvexWindow& window,
                  Output<float> out) noexcept;
-Progress clipAll(std::span<const Line> in, const Window& window, Output<double> out) noexcept;
-Progress clipAll(std::span<const BasicLine<float>> in, const BasicWindow<float>& window,
+Progress clipAll(const LinesView<double>& in, const Window& window, Output<double> out) noexcept;
+Progress clipAll(const LinesView<float>& in, const BasicWindow<float>& window,
                  Output<float> out) noexcept;
-Progress clipAll(std::span<const Ray> in, const Window& window, Output<double> out) noexcept;
-Progress clipAll(std::span<const BasicRay<float>> in, const BasicWindow<float>& window,
+Progress clipAll(const RaysView<double>& in, const Window& window, Output<double> out) noexcept;
+Progress clipAll(const RaysView<float>& in, const BasicWindow<float>& window,
                  Output<float> out) noexcept;
+Progress clipAll(const LinesView<double>& in, const ConvexWindow& window,
+                 Output<double> out) noexcept;
+Progress clipAll(const LinesView<float>& in, const ConvexWindow& window,
+                 Output<float> out) noexcept;
+Progress clipAll(const RaysView<double>& in, const ConvexWindow& window,
+                 Output<double> out) noexcept;
+Progress clipAll(const RaysView<float>& in, const ConvexWindow& window, Output<float> out) noexcept;
 Progress clipAll(std::span<const Segment3> in, const Window3& box,
                  std::span<BasicClipped<Segment3>> out) noexcept;
 /// @}
 
-/// The visible pieces of fewer than 2^32 segments.
+/// The visible pieces of fewer than 2^32 segments, lines or rays.
+/// @{
 template <class T, class Window>
 std::vector<BasicClipped<BasicSegment<T>>> clipAll(const SegmentsView<T>& in, const Window& window)
 {
@@ -92,11 +108,26 @@ std::vector<BasicClipped<BasicSegment<T>>> clipAll(const SegmentsView<T>& in, co
     pieces.resize(clipAll(in, window, Output<T>(pieces)).visible);
     return pieces;
 }
-template <std::ranges::contiguous_range Segments, class Window>
-auto clipAll(const Segments& in, const Window& window)
+template <template <class> class LineOrRay, class T, class Window>
+std::vector<BasicClipped<BasicSegment<T>>> clipAll(const LinesOrRaysView<LineOrRay, T>& in,
+                                                   const Window& window)
 {
-    using T = decltype(std::ranges::range_value_t<Segments>::a.x);
-    return clipAll(SegmentsView<T>(in), window);
+    std::vector<BasicClipped<BasicSegment<T>>> pieces(in.size());
+    pieces.resize(clipAll(in, window, Output<T>(pieces)).visible);
+    return pieces;
 }
+template <std::ranges::contiguous_range Array, class Window>
+auto clipAll(const Array& in, const Window& window)
+{
+    using Shape = std::ranges::range_value_t<Array>;
+    using T = decltype(Shape::a.x);
+    if constexpr (std::same_as<Shape, BasicLine<T>>)
+        return clipAll(LinesView<T>(in), window);
+    else if constexpr (std::same_as<Shape, BasicRay<T>>)
+        return clipAll(RaysView<T>(in), window);
+    else
+        return clipAll(SegmentsView<T>(in), window);
+}
+/// @}
 
 } // namespace clipping

@@ -19,4 +19,4 @@ set(DOXYGEN_QUIET YES)
 set(DOXYGEN_MACRO_EXPANSION YES) # abi.h has attributes that Doxygen does not know
 set(DOXYGEN_EXPAND_ONLY_PREDEF YES)
 set(DOXYGEN_PREDEFINED "CLEARCUT_API=" "CLEARCUT_HOLDS_CONTAINERS=")
-doxygen_add_docs(docs README.md ${public_headers} parallel/clip_all.h)
+doxygen_add_docs(docs README.md cpp.md ${public_headers} parallel/clip_all.h)

@@ -87,18 +87,19 @@ enum class Edge : std::uint8_t {
     Near,
     Far,
 #ifndef None
-    None = NoEdge, ///< the old name of NoEdge, until the next minor version; X11 has a macro None
+    /// The old name of NoEdge, until the next minor version; X11 has a macro None.
+    None [[deprecated("write NoEdge")]] = NoEdge,
 #endif
 };
 
 /// The edge at the lower and at the upper end of an axis.
-constexpr Edge lowerEdge(glm::length_t axis) { return static_cast<Edge>(1 + 2 * axis); }
-constexpr Edge upperEdge(glm::length_t axis) { return static_cast<Edge>(2 + 2 * axis); }
+constexpr Edge lowerEdge(glm::length_t axis) noexcept { return static_cast<Edge>(1 + 2 * axis); }
+constexpr Edge upperEdge(glm::length_t axis) noexcept { return static_cast<Edge>(2 + 2 * axis); }
 /// The axis perpendicular to an edge, and the coordinate of the edge's points on that axis. Not for
 /// Edge::NoEdge.
-constexpr glm::length_t axisOf(Edge edge) { return (static_cast<int>(edge) - 1) / 2; }
+constexpr glm::length_t axisOf(Edge edge) noexcept { return (static_cast<int>(edge) - 1) / 2; }
 template <class T, glm::length_t N>
-constexpr T levelOf(Edge edge, const BasicWindow<T, N>& w)
+constexpr T levelOf(Edge edge, const BasicWindow<T, N>& w) noexcept
 {
     return (edge == lowerEdge(axisOf(edge)) ? w.min : w.max)[axisOf(edge)];
 }
@@ -113,29 +114,29 @@ struct BasicClipped {
 using Clipped = BasicClipped<Segment>;
 
 /// `Clipped::cut` for a piece whose a was cut at one edge and whose b at another.
-constexpr std::uint32_t cutAt(Edge a, Edge b)
+constexpr std::uint32_t cutAt(Edge a, Edge b) noexcept
 {
     return static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b) << 8;
 }
 /// The edge at which a piece's a was cut; Edge::NoEdge if a is an end of the input.
-constexpr Edge cutEdgeOfA(std::uint32_t cut) { return static_cast<Edge>(cut & 0xff); }
+constexpr Edge cutEdgeOfA(std::uint32_t cut) noexcept { return static_cast<Edge>(cut & 0xff); }
 /// The edge at which a piece's b was cut; Edge::NoEdge if b is an end of the input.
-constexpr Edge cutEdgeOfB(std::uint32_t cut) { return static_cast<Edge>(cut >> 8 & 0xff); }
+constexpr Edge cutEdgeOfB(std::uint32_t cut) noexcept { return static_cast<Edge>(cut >> 8 & 0xff); }
 
 /// For a polygon, `Clipped::cut` holds two numbers of 16 bits: 0 for an end of the input, else 1 +
 /// the index of the edge that cut it, and 65535 for edge 65534 and all later ones. Of several
 /// collinear edges it is the first one's number; at a corner, the number of one of the two edges
 /// that meet there. An edge between two equal corners cuts nothing.
-constexpr std::uint32_t edgeNumber(std::size_t index)
+constexpr std::uint32_t edgeNumber(std::size_t index) noexcept
 {
     return index < 0xfffe ? static_cast<std::uint32_t>(index + 1) : 0xffff;
 }
-constexpr std::uint32_t polygonCutAt(std::uint32_t numberOfA, std::uint32_t numberOfB)
+constexpr std::uint32_t polygonCutAt(std::uint32_t numberOfA, std::uint32_t numberOfB) noexcept
 {
     return numberOfA | numberOfB << 16;
 }
-constexpr std::uint32_t polygonEdgeOfA(std::uint32_t cut) { return cut & 0xffff; }
-constexpr std::uint32_t polygonEdgeOfB(std::uint32_t cut) { return cut >> 16; }
+constexpr std::uint32_t polygonEdgeOfA(std::uint32_t cut) noexcept { return cut & 0xffff; }
+constexpr std::uint32_t polygonEdgeOfB(std::uint32_t cut) noexcept { return cut >> 16; }
 
 /// Whether an S has exactly this size, without padding, and may be copied as bytes.
 template <class S, std::size_t bytes>

@@ -19,14 +19,14 @@ inline constexpr unsigned top = 8;    ///< y > ymax
 /// The side of an axis that a number is strictly beyond: `left` below `low`, `right` above `high`.
 /// 0 between them, and for a NaN. At most two comparisons.
 template <class T>
-constexpr unsigned sideBeyond(const T& v, const T& low, const T& high)
+constexpr unsigned sideBeyond(const T& v, const T& low, const T& high) noexcept
 {
     return v < low ? outcode::left : v > high ? outcode::right : 0;
 }
 
 /// The same for plain numbers, without branches, because they could not be predicted.
 template <std::floating_point T>
-constexpr unsigned sideBeyond(const T& v, const T& low, const T& high)
+constexpr unsigned sideBeyond(const T& v, const T& low, const T& high) noexcept
 {
     const unsigned below = v < low ? 1 : 0;
     const unsigned above = v > high ? 1 : 0;
@@ -36,7 +36,7 @@ constexpr unsigned sideBeyond(const T& v, const T& low, const T& high)
 /// The outcode of a point: the sum of its bits, 0 in the window and on its edges. The window has
 /// min <= max on every axis.
 template <class T, glm::length_t N>
-constexpr unsigned outcodeOf(const glm::vec<N, T>& p, const BasicWindow<T, N>& w)
+constexpr unsigned outcodeOf(const glm::vec<N, T>& p, const BasicWindow<T, N>& w) noexcept
 {
     unsigned code = 0;
     for (glm::length_t k = 0; k < N; ++k)

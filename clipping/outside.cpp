@@ -14,7 +14,7 @@ static bool isTurned(const Segment& part, const Segment& whole)
 }
 
 std::size_t outsideAll(std::span<const Segment> in, std::span<const Clipped> inside,
-                       std::span<Clipped> out)
+                       std::span<Clipped> out) noexcept
 {
     if (out.size() < in.size() + inside.size()) [[unlikely]]
         refuse(in.size() + inside.size(), out.size());

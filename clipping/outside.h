@@ -16,6 +16,6 @@ namespace CLEARCUT_API clipping {
 /// point inside is returned whole, once. A part along an edge belongs to the inside. A piece of a
 /// published form may have the opposite direction. Allocates nothing.
 std::size_t outsideAll(std::span<const Segment> in, std::span<const Clipped> inside,
-                       std::span<Clipped> out);
+                       std::span<Clipped> out) noexcept;
 
 } // namespace clipping

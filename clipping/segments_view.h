@@ -80,7 +80,8 @@ private:
 /// Segments whose numbers are in four arrays: a structure of arrays. As many as the shortest holds.
 template <std::ranges::contiguous_range Numbers>
 // NOLINTNEXTLINE(readability-function-size): four numbers make a segment
-auto columns(const Numbers& ax, const Numbers& ay, const Numbers& bx, const Numbers& by) noexcept
+constexpr auto columns(const Numbers& ax, const Numbers& ay, const Numbers& bx,
+                       const Numbers& by) noexcept
 {
     using T = std::ranges::range_value_t<Numbers>;
     const std::size_t count = std::min({std::ranges::size(ax), std::ranges::size(ay),
@@ -92,7 +93,7 @@ auto columns(const Numbers& ax, const Numbers& ay, const Numbers& bx, const Numb
 /// Segments in an array of structures, by the two members that hold their ends. These may be points
 /// of any type with members x and y, or [0] and [1], of float or double.
 template <std::ranges::contiguous_range Structs, class S, PointLike P>
-auto structs(const Structs& all, P S::*a, P S::*b) noexcept
+constexpr auto structs(const Structs& all, P S::*a, P S::*b) noexcept
 {
     const auto address = []<int axis>(const P& p, std::integral_constant<int, axis>) {
         if constexpr (requires { std::addressof(p.x); })
@@ -113,12 +114,63 @@ auto structs(const Structs& all, P S::*a, P S::*b) noexcept
 /// Segments of four numbers in a row, x and y of a, then of b, and `stride` bytes from each row to
 /// the next.
 template <class T>
-SegmentsView<T> rows(const T* numbers, std::size_t count,
-                     std::ptrdiff_t stride = 4 * sizeof(T)) noexcept
+constexpr SegmentsView<T> rows(const T* numbers, std::size_t count,
+                               std::ptrdiff_t stride = 4 * sizeof(T)) noexcept
 {
     if (count == 0)
         return {};
     return {numbers, numbers + 1, numbers + 2, numbers + 3, count, stride};
 }
+
+/// Lines or rays in the caller's memory: an array of them, or the two points of each in any regular
+/// order (`asLines`, `asRays`).
+template <template <class> class LineOrRay, class T>
+class LinesOrRaysView {
+public:
+    constexpr LinesOrRaysView() = default;
+    /// An array of lines or rays: a vector, an array, a span.
+    template <std::ranges::contiguous_range Array>
+    requires std::same_as<std::ranges::range_value_t<Array>, LineOrRay<T>>
+    constexpr LinesOrRaysView(const Array& array) noexcept // NOLINT: it is meant to convert
+        : points_(structs(array, &LineOrRay<T>::a, &LineOrRay<T>::b))
+    {
+    }
+    /// One through the two ends of each segment.
+    explicit constexpr LinesOrRaysView(const SegmentsView<T>& points) noexcept : points_(points) {}
+
+    constexpr std::size_t size() const noexcept { return points_.size(); } ///< their number
+    /// A copy of line or ray i.
+    LineOrRay<T> operator[](std::size_t i) const noexcept
+    {
+        const BasicSegment<T> points = points_[i];
+        return {points.a, points.b};
+    }
+    /// Those from `first` on; none if there are not so many.
+    LinesOrRaysView from(std::size_t first) const noexcept
+    {
+        return LinesOrRaysView(points_.from(first));
+    }
+
+private:
+    SegmentsView<T> points_;
+};
+template <class T>
+using LinesView = LinesOrRaysView<BasicLine, T>;
+template <class T>
+using RaysView = LinesOrRaysView<BasicRay, T>;
+
+/// Lines through the ends of segments, and rays from their a through their b.
+/// @{
+template <class T>
+constexpr LinesView<T> asLines(const SegmentsView<T>& points) noexcept
+{
+    return LinesView<T>(points);
+}
+template <class T>
+constexpr RaysView<T> asRays(const SegmentsView<T>& points) noexcept
+{
+    return RaysView<T>(points);
+}
+/// @}
 
 } // namespace clipping

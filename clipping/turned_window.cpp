@@ -136,7 +136,7 @@ std::optional<Segment> clipTurned(const Functions<Segment, Window>& form, const 
     return piece ? std::optional(turning.back(*piece, segment, inFrame)) : std::nullopt;
 }
 
-std::size_t clipAllTurned(const Functions<Segment, Window>& form, std::span<const Segment> in,
+std::size_t clipAllTurned(ClipAllAtWindow clipAll, std::span<const Segment> in,
                           const TurnedWindow& window, std::span<Clipped> out)
 {
     requireRoom(in.size(), out.size());
@@ -155,8 +155,8 @@ std::size_t clipAllTurned(const Functions<Segment, Window>& form, std::span<cons
         const Turning turning = huge ? turningFor(part[0], window) : Turning(window);
         for (std::size_t i = 0; i < count; ++i)
             inFrame[i] = turning.into(part[i]);
-        const std::size_t pieces = form.clipAll({inFrame.data(), count}, turning.window(),
-                                                out.subspan(visible, out.size() - visible));
+        const std::size_t pieces = clipAll({inFrame.data(), count}, turning.window(),
+                                           out.subspan(visible, out.size() - visible));
         for (Clipped& piece : out.subspan(visible, pieces)) {
             const std::size_t i = piece.source;
             piece.segment = turning.back(piece.segment, part[i], inFrame[i]);

@@ -46,10 +46,19 @@ constexpr double turnedUlps(const Algorithm& algorithm) { return 6 * algorithm.u
 std::optional<Segment> clipTurned(const Functions<Segment, Window>& form, const Segment& segment,
                                   const TurnedWindow& window);
 
+/// The type of `Functions::clipAll` for segments and windows.
+using ClipAllAtWindow = decltype(Functions<Segment, Window>::clipAll);
+
 /// Clips many segments, as `Functions::clipAll` does, with the same result as one by one. Allocates
-/// nothing.
-std::size_t clipAllTurned(const Functions<Segment, Window>& form, std::span<const Segment> in,
+/// nothing. Of the form it needs `clipAll` alone.
+std::size_t clipAllTurned(ClipAllAtWindow clipAll, std::span<const Segment> in,
                           const TurnedWindow& window, std::span<Clipped> out);
+inline std::size_t clipAllTurned(const Functions<Segment, Window>& form,
+                                 std::span<const Segment> in, const TurnedWindow& window,
+                                 std::span<Clipped> out)
+{
+    return clipAllTurned(form.clipAll, in, window, out);
+}
 
 /// The operations of the form in the frame; turning is not counted (eleven a segment to turn it,
 /// and six a new end to turn that back).

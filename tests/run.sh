@@ -9,7 +9,8 @@ shift || true
 
 # The program's own packages (boost: also the oracle's exact numbers); xvfb, xauth: tests with OpenGL;
 # pkgconf: a program is built by it on the installed library; dpkg-dev: our Debian packages;
-# python3-*, pybind11-dev: the Python module and its tests; parallel: the example with GNU parallel;
+# libtbb-dev: the library with threads; python3-*, pybind11-dev: the Python module and its tests;
+# parallel: the example with GNU parallel;
 # librsvg2-bin, poppler-utils, texlive-latex-recommended: independent readers of the files we write.
 case $preset in
 tidy) more=(clang-tidy) ;;
@@ -17,7 +18,7 @@ fuzz) more=(clang "?libclang-rt-14-dev") ;; # the latter: libFuzzer on Debian 12
 *) more=() ;;
 esac
 bash "$root/app/install_packages.sh" "${more[@]}" g++ cmake ninja-build qt6-base-dev "?libqt6opengl6-dev" libqt6svg6-dev libgif-dev hershey-fonts-data libglm-dev \
-    libboost-dev pkgconf dpkg-dev python3-dev pybind11-dev python3-numpy python3-setuptools python3-wheel python3-venv python3-pip python3-shapely python3-dask python3-distributed parallel xvfb xauth librsvg2-bin poppler-utils texlive-latex-recommended
+    libboost-dev libtbb-dev pkgconf dpkg-dev python3-dev pybind11-dev python3-numpy python3-setuptools python3-wheel python3-venv python3-pip python3-shapely python3-dask python3-distributed parallel xvfb xauth librsvg2-bin poppler-utils texlive-latex-recommended
 cd "$root"
 export QT_LOGGING_RULES='*.debug=false'
 cmake --preset "$preset"

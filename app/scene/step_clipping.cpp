@@ -89,9 +89,7 @@ std::size_t clipAtStep(const RowForms& forms, const ClipRegion::Step& step,
         count = form->clipAll(lines, step.polygon, out);
         markBorders(out.first(count));
     } else {
-        clipping::Functions<Segment, clipping::Window> form{};
-        form.clipAll = forms.atWindow;
-        count = clipping::clipAllTurned(form, lines, *step.turned, out);
+        count = clipping::clipAllTurned(forms.atWindow, lines, *step.turned, out);
         markTurnedBorders(out.first(count));
     }
     return count;

@@ -19,16 +19,19 @@ constexpr bool clipt(T p, T q, Part<T>& part, int line, Edge edge, Step& step)
             step.reject(4);
             return false;
         }
-        if (step.test(5, r > part.start, edge))
-            part.start = step.let(6, "u0", r, edge), part.startEdge = edge;
+        // Here and below selected, because the branches could not be predicted.
+        const bool later = step.test(5, r > part.start, edge);
+        part.start = later ? step.let(6, "u0", r, edge) : part.start;
+        part.startEdge = later ? edge : part.startEdge;
     } else if (step.test(7, p > T(0), edge)) {
         const T r = step.let(8, "r", q / p, edge);
         if (step.test(9, r < part.start, edge)) {
             step.reject(9);
             return false;
         }
-        if (step.test(10, r < part.stop, edge))
-            part.stop = step.let(11, "u1", r, edge), part.stopEdge = edge;
+        const bool sooner = step.test(10, r < part.stop, edge);
+        part.stop = sooner ? step.let(11, "u1", r, edge) : part.stop;
+        part.stopEdge = sooner ? edge : part.stopEdge;
     } else if (step.test(12, q < T(0), edge)) {
         step.reject(12);
         return false;

@@ -83,6 +83,7 @@ struct Doubles {
     LANE Doubles signOf(Doubles a) { return {_mm256_and_pd(a.v, _mm256_set1_pd(-0.0))}; }
     LANE Mask operator<(Doubles a, Doubles b) { return {_mm256_cmp_pd(a.v, b.v, _CMP_LT_OQ)}; }
     LANE Mask operator>(Doubles a, Doubles b) { return {_mm256_cmp_pd(a.v, b.v, _CMP_GT_OQ)}; }
+    LANE Mask notAbove(Doubles a, Doubles b) { return {_mm256_cmp_pd(a.v, b.v, _CMP_NGT_UQ)}; }
     LANE Mask operator<=(Doubles a, Doubles b) { return {_mm256_cmp_pd(a.v, b.v, _CMP_LE_OQ)}; }
     LANE Mask operator>=(Doubles a, Doubles b) { return {_mm256_cmp_pd(a.v, b.v, _CMP_GE_OQ)}; }
     LANE Mask operator==(Doubles a, Doubles b) { return {_mm256_cmp_pd(a.v, b.v, _CMP_EQ_OQ)}; }
@@ -207,7 +208,6 @@ struct Floats {
     struct Mask {
         __m256 lanes;
         LANE Mask operator&(Mask a, Mask b) { return {_mm256_and_ps(a.lanes, b.lanes)}; }
-        LANE Mask operator|(Mask a, Mask b) { return {_mm256_or_ps(a.lanes, b.lanes)}; }
         LANE Mask operator~(Mask a)
         {
             return {_mm256_xor_ps(a.lanes, _mm256_castsi256_ps(_mm256_set1_epi32(-1)))};
@@ -221,11 +221,11 @@ struct Floats {
     LANE Floats operator-(Floats a, Floats b) { return {_mm256_sub_ps(a.v, b.v)}; }
     LANE Floats operator*(Floats a, Floats b) { return {_mm256_mul_ps(a.v, b.v)}; }
     LANE Floats fma(Floats a, Floats b, Floats c) { return {_mm256_fmadd_ps(a.v, b.v, c.v)}; }
+    LANE Floats fnma(Floats a, Floats b, Floats c) { return {_mm256_fnmadd_ps(a.v, b.v, c.v)}; }
     LANE Floats abs(Floats a) { return {_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.v)}; }
     LANE Floats min(Floats a, Floats b) { return {_mm256_min_ps(a.v, b.v)}; }
     LANE Floats max(Floats a, Floats b) { return {_mm256_max_ps(a.v, b.v)}; }
-    LANE Mask operator<(Floats a, Floats b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_LT_OQ)}; }
-    LANE Mask operator>(Floats a, Floats b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_GT_OQ)}; }
+    LANE Mask notAbove(Floats a, Floats b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_NGT_UQ)}; }
     LANE Mask operator<=(Floats a, Floats b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)}; }
     LANE Mask operator>=(Floats a, Floats b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_GE_OQ)}; }
 

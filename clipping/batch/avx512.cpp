@@ -60,6 +60,7 @@ struct Doubles {
     LANE Mask irregular(Doubles a) { return {_mm512_fpclass_pd_mask(a.v, 0xb9)}; }
     LANE Mask operator<(Doubles a, Doubles b) { return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_LT_OQ)}; }
     LANE Mask operator>(Doubles a, Doubles b) { return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_GT_OQ)}; }
+    LANE Mask notAbove(Doubles a, Doubles b) { return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_NGT_UQ)}; }
     LANE Mask operator<=(Doubles a, Doubles b)
     {
         return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_LE_OQ)};
@@ -224,11 +225,11 @@ struct Floats {
     LANE Floats operator-(Floats a, Floats b) { return {_mm512_sub_ps(a.v, b.v)}; }
     LANE Floats operator*(Floats a, Floats b) { return {_mm512_mul_ps(a.v, b.v)}; }
     LANE Floats fma(Floats a, Floats b, Floats c) { return {_mm512_fmadd_ps(a.v, b.v, c.v)}; }
+    LANE Floats fnma(Floats a, Floats b, Floats c) { return {_mm512_fnmadd_ps(a.v, b.v, c.v)}; }
     LANE Floats abs(Floats a) { return {_mm512_abs_ps(a.v)}; }
     LANE Floats min(Floats a, Floats b) { return {_mm512_maskz_min_ps(0xffff, a.v, b.v)}; }
     LANE Floats max(Floats a, Floats b) { return {_mm512_maskz_max_ps(0xffff, a.v, b.v)}; }
-    LANE Mask operator<(Floats a, Floats b) { return {_mm512_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ)}; }
-    LANE Mask operator>(Floats a, Floats b) { return {_mm512_cmp_ps_mask(a.v, b.v, _CMP_GT_OQ)}; }
+    LANE Mask notAbove(Floats a, Floats b) { return {_mm512_cmp_ps_mask(a.v, b.v, _CMP_NGT_UQ)}; }
     LANE Mask operator<=(Floats a, Floats b) { return {_mm512_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ)}; }
     LANE Mask operator>=(Floats a, Floats b) { return {_mm512_cmp_ps_mask(a.v, b.v, _CMP_GE_OQ)}; }
 

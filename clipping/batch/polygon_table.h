@@ -24,7 +24,7 @@ struct PolygonTable {
     const double *offX, *offY; ///< each corner relative to the centre of the box, rounded
     Box<double> box;           ///< the bounding box
     double ux, uy, vx, vy;     ///< half sides of a parallelogram around that centre, enclosing it
-    double acrossX, acrossY;   ///< at least |ux| + |vx| and |uy| + |vy|
+    double acrossX, acrossY;   ///< at least |ux| + |vx| + |centreX| of the box, and the same in y
     bool hasAxisAligned;       ///< whether an edge is horizontal or vertical
     bool namesEveryCut;        ///< that of the PreparedPolygon
 };

@@ -70,6 +70,11 @@ struct Numbers {
     LANE Mask operator>(Numbers a, Numbers b) { return {reinterpret_cast<Bits>(a.v > b.v)}; }
     LANE Mask operator<=(Numbers a, Numbers b) { return {reinterpret_cast<Bits>(a.v <= b.v)}; }
     LANE Mask operator>=(Numbers a, Numbers b) { return {reinterpret_cast<Bits>(a.v >= b.v)}; }
+    /// Not a > b, or a is infinite: here a product may overflow before it is added to another.
+    LANE Mask notAbove(Numbers a, Numbers b)
+    {
+        return ~((a > b) & (a <= of(std::numeric_limits<T>::max())));
+    }
     LANE Mask operator==(Numbers a, Numbers b) { return {reinterpret_cast<Bits>(a.v == b.v)}; }
     LANE Numbers select(Mask m, Numbers a, Numbers b)
     {
@@ -218,8 +223,16 @@ Box<T> boxOf(const BasicWindow<T>& w)
         const T larger = std::max(high - middle, middle - low);
         return std::nextafter(larger, std::numeric_limits<T>::infinity());
     };
+    // K of the first test (sets.h): rounding takes less than what is more than needed here.
+    const auto reach = [](T halfSize, T middle) {
+        constexpr T more = missFactor<T>, longer = 1 + 2 * more;
+        if (!(std::abs(middle) + halfSize < mostMissed<T>))
+            return std::numeric_limits<T>::infinity();
+        return 2 * halfSize * longer + more * std::abs(middle) + missTiny<T>;
+    };
     const T x = centre(w.min.x, w.max.x), y = centre(w.min.y, w.max.y);
-    return {w, x, y, half(w.min.x, w.max.x, x), half(w.min.y, w.max.y, y)};
+    const T halfX = half(w.min.x, w.max.x, x), halfY = half(w.min.y, w.max.y, y);
+    return {x, y, halfX, halfY, 2 * x, 2 * y, reach(halfX, x), reach(halfY, y)};
 }
 template Box<double> boxOf(const BasicWindow<double>&);
 template Box<float> boxOf(const BasicWindow<float>&);

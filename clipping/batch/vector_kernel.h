@@ -161,11 +161,19 @@ CLIPPING_INLINE BatchResult clipInVectors(const Shape& shape)
     const auto& batch = shape.batch;
     std::uint32_t indices[blockSize + V::width + First::width];
     BatchResult result{};
+    bool wasUntouched = false; // the block before
     for (std::size_t first = batch.begin; first < batch.end; first += blockSize) {
         const std::size_t last = batch.end - first < blockSize ? batch.end : first + blockSize;
-        const std::size_t count = shape.template survivors<First>(first, last, indices);
         auto* const out = batch.out + result.pieces;
-        if (count == last - first && shape.template isUntouched<First>(first, last)) {
+        bool isUntouched = wasUntouched && shape.template isUntouched<First>(first, last);
+        std::size_t count = last - first;
+        if (!isUntouched) {
+            count = shape.template survivors<First>(first, last, indices);
+            isUntouched = !wasUntouched && count == last - first
+                          && shape.template isUntouched<First>(first, last);
+        }
+        wasUntouched = isUntouched;
+        if (isUntouched) {
             copyBlock(batch.segments, first, last, out);
             result.pieces += count;
             continue;

@@ -73,9 +73,9 @@ std::optional<N> coordinateAt(const MeetingShare<N>& t, N start, NumberPair<N> w
 }
 
 /// The point where the lines of two segments meet, each coordinate rounded once to the nearest
-/// number, ties to even; never -0. The lines must not be parallel, and the point within both
-/// segments' bounding boxes. It is the same, bit for bit, for segments that are reversed or
-/// exchanged.
+/// number, ties to even; never -0. The lines must not be parallel, and the point within the bounding
+/// box of s; `edge` only defines a line. It is the same, bit for bit, for segments that are reversed
+/// or, if it is within both boxes, exchanged.
 template <class N>
 glm::vec<2, N> meeting(const BasicSegment<N>& s, const BasicSegment<N>& edge)
 {

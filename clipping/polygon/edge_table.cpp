@@ -105,8 +105,8 @@ EdgeTable::EdgeTable(const PreparedPolygon& polygon)
               u.y,
               v.x,
               v.y,
-              up(std::abs(u.x) + std::abs(v.x)),
-              up(std::abs(u.y) + std::abs(v.y)),
+              up(std::abs(u.x) + std::abs(v.x) + std::abs(box.centreX)),
+              up(std::abs(u.y) + std::abs(v.y) + std::abs(box.centreY)),
               hasAxisAligned,
               polygon.namesEveryCut};
 }

@@ -27,7 +27,7 @@ function(every_command name pattern)
   endforeach()
 endfunction()
 
-# The two ways that clipping/README.md names, word for word: optimised.
+# The two ways that clipping/cpp.md names, word for word: optimised.
 configure(folder_alone ${SOURCE}/clipping)
 every_command(folder_alone " -O3 -DNDEBUG ")
 configure(library_alone ${SOURCE} -DCLEARCUT_APP=OFF)

@@ -90,6 +90,28 @@ private slots:
         QVERIFY(same(oneByOne(segments, box), inBox));
     }
 
+    void linesAndRaysAreReadFromEveryLayout()
+    {
+        const auto in = someSegments(777);
+        std::vector<Line> lines;
+        std::vector<Ray> rays;
+        std::vector<double> x1, y1, x2, y2;
+        for (const auto& [a, b] : in) {
+            lines.push_back({a, b}), rays.push_back({a, b});
+            x1.push_back(a.x), y1.push_back(a.y), x2.push_back(b.x), y2.push_back(b.y);
+        }
+        const auto view = columns(x1, y1, x2, y2);
+        QVERIFY(same(oneByOne(lines, window), clipAll(asLines(view), window)));
+        QVERIFY(same(oneByOne(rays, window), clipAll(asRays(view), window)));
+        QVERIFY(same(oneByOne(lines, triangle), clipAll(lines, triangle)));
+        QVERIFY(same(oneByOne(rays, triangle), clipAll(asRays(view), triangle)));
+        std::vector<std::uint8_t> mask(in.size());
+        const Progress all = clipAll(asRays(view), window, mask);
+        QCOMPARE(all, (Progress{in.size(), oneByOne(rays, window).size()}));
+        QCOMPARE(LinesView<double>(lines).from(700).size(), 77u);
+        QVERIFY(clipAll(std::vector<Line>{}, window).empty());
+    }
+
     void everyOutputTellsTheSame()
     {
         const auto in = someSegments(1000);

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The one header for those who only want to clip, against whole numbers of any length.
+#include "clipping/algorithm.h"
+#include "clipping/outcode.h"
+
 #include <QTest>
 
 #include <clearcut/clip.h>
@@ -87,6 +90,7 @@ private slots:
     {
         QCOMPARE(algorithmFor<Segment>, std::string_view("exact"));
         QCOMPARE(algorithmFor<BasicSegment<float>>, std::string_view("exact"));
+        QCOMPARE((algorithmFor<Line, ConvexWindow>), std::string_view("exact"));
         for (const Algorithm& row : algorithms()) {
             QVERIFY(row.key != algorithmFor<Line> || row.line);
             QVERIFY(row.key != algorithmFor<Ray> || row.ray);
@@ -145,11 +149,33 @@ private slots:
         QVERIFY(piece && *piece == (Segment{{-1, 0}, {1, 0}}));
     }
 
+    // What a compiler can compute: everything but clipping itself, which needs the compiled
+    // library.
+    void viewsEdgesAndOutcodesAreConstants()
+    {
+        static constexpr std::array<double, 8> numbers{0, 0, 1, 1, 2, 2, 3, 3};
+        static_assert(rows(numbers.data(), 2).size() == 2);
+        static_assert(columns(numbers, numbers, numbers, numbers).size() == 8);
+        static_assert(asLines(rows(numbers.data(), 2)).size() == 2);
+        static constexpr std::array<Segment, 1> segments{Segment{{0, 0}, {1, 1}}};
+        static_assert(SegmentsView<double>(segments).size() == 1);
+        static_assert(outcodeOf(glm::dvec2(2, 0), Window{{-1, -1}, {1, 1}}) == outcode::right);
+        static_assert(cutEdgeOfB(cutAt(Edge::Left, Edge::Top)) == Edge::Top);
+        static_assert(levelOf(Edge::Top, Window{{-1, -1}, {1, 2}}) == 2);
+    }
+
     void clippingNeverThrows()
     {
         static_assert(noexcept(clip(Segment{}, Window{})));
         static_assert(noexcept(clip(Segment{}, ConvexWindow{})));
+        static_assert(noexcept(clip(Ray{}, ConvexWindow{})));
+        static_assert(noexcept(clip(BasicLine<float>{}, BasicWindow<float>{})));
+        static_assert(noexcept(clip(QPointF(), QPointF(), Window{})));
         static_assert(noexcept(clipAll(SegmentsView<double>{}, Window{}, std::span<Clipped>{})));
+        static_assert(noexcept(clipAll(LinesView<float>{}, ConvexWindow{},
+                                       std::span<BasicClipped<BasicSegment<float>>>{})));
+        static_assert(noexcept(algorithms())&& noexcept(findAlgorithm("md")));
+        static_assert(noexcept(outcodeOf(glm::dvec2(), Window{})));
         static_assert(CLEARCUT_VERSION
                       == CLEARCUT_VERSION_MINOR * 100 + CLEARCUT_VERSION_PATCH
                              + CLEARCUT_VERSION_MAJOR * 10000);

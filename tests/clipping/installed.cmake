@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# cmake -DBUILD=… -DREADME=… -DWORK=… -DCXX=… -DGENERATOR=… -P installed.cmake
+# cmake -DBUILD=… -DPAGE=… -DWORK=… -DCXX=… -DGENERATOR=… -DPROGRAMS=all|main -P installed.cmake
 # Installs the library of a build tree, moves what was installed, and builds with it, where no Qt can
-# be found, the project that stands in clipping/README.md: it must print what the README says.
+# be found, the project of clipping/cpp.md and, if asked, all other programs of this page: they must
+# print what it says.
 cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${WORK})
 
-include(${CMAKE_CURRENT_LIST_DIR}/readme_example.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/programs_of_page.cmake)
 
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/made --component library)
 file(RENAME ${WORK}/made ${WORK}/moved)
@@ -20,7 +21,21 @@ endforeach()
 run(${CXX} -std=c++20 -DNone=0L -Wall -Wextra -Werror -fsyntax-only -I${WORK}/moved/include -x c++ -include clearcut/clip.h
   -include clipping/algorithm.h -include clipping/turned_window.h -include clipping/chunks.h /dev/null)
 
-build_readme_example(${WORK}/moved)
+# Old names still compile, each with a note that says what to write.
+file(WRITE ${WORK}/old_names.cpp "#include <clipping/algorithm.h>
+  using namespace clipping;
+  const Uses<Segment, Window>* old = usesOf(exactAlgorithm(), Form::Corrected);
+  const void *floats = exactAlgorithm().single, *search = exactAlgorithm().searchedPolygon;
+  Edge none = Edge::None;")
+execute_process(COMMAND ${CXX} -std=c++20 -fsyntax-only -I${WORK}/moved/include ${WORK}/old_names.cpp
+  COMMAND_ERROR_IS_FATAL ANY ERROR_VARIABLE notes)
+foreach(name IN ITEMS Functions functionsOf floats polygonBySearch NoEdge)
+  if(NOT notes MATCHES "deprecated: write ${name}")
+    message(FATAL_ERROR "No note says \"write ${name}\":\n${notes}")
+  endif()
+endforeach()
+
+build_programs_of_page(${WORK}/moved)
 
 # The same by pkg-config instead of CMake, once more with other containers than the library was compiled with.
 find_program(PKG_CONFIG pkg-config REQUIRED)
@@ -62,4 +77,5 @@ foreach(library IN LISTS shared)
   endif()
 endforeach()
 list(LENGTH headers count)
-message(STATUS "The README's example ran on ${count} installed headers and printed what it promises")
+math(EXPR programs "${programs} + 1")
+message(STATUS "${programs} programs ran on ${count} installed headers and printed what the page promises")

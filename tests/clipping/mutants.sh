@@ -17,6 +17,7 @@ testsOf() { # KEY
     region/box-part) echo region.box_part ;;
     winding-number | region/winding-number) echo algorithms.winding_number ;;
     polygon/exact | polygon/winding-number | polygon/exact-ends* | polygon/edge-table | exact/meeting* | exact/quotient) echo polygon.exact ;;
+    polygon/line-or-ray) echo polygon.line_or_ray ;;
     turned-window) echo turned_window ;;
     polygon/* | exact/turn*) echo polygon.polygon fingerprints ;;
     polyline) echo polyline ;;

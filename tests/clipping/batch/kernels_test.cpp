@@ -4,7 +4,9 @@
 
 #include <QTest>
 
+#include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "tests/clipping/same_bits.h"
 #include "tests/clipping/scenes.h"
@@ -88,12 +90,35 @@ Scene<T> spoilt(Scene<T> scene)
     return scene;
 }
 
+/// Through the window from where products of two coordinates are just below or above the largest
+/// number, and between points whose sum overflows.
+template <class T>
+Scene<T> nearOverflow()
+{
+    constexpr auto half = std::numeric_limits<T>::max_exponent / 2;
+    const T most = std::ldexp(T(1), half), near = most / 128;
+    Scene<T> scene{"near overflow", {{-near, -near}, {near, near}}, {}};
+    RandomNumbers random(8);
+    const auto number = [&](double low, double high, T unit) {
+        return unit * static_cast<T>(random.uniform(low, high));
+    };
+    for (int i = 0; i < 5000; ++i) {
+        const T x = number(0.99, 1.01, most), y = number(0.99, 1.01, most);
+        scene.segments.push_back({{x, y}, {number(-2, 2, near), number(-2, 2, near)}});
+        const T large = std::numeric_limits<T>::max();
+        const T far = number(0.4, 1, large), further = number(0.4, 1, large);
+        scene.segments.push_back({{far, number(-1, 1, near)}, {further, number(-1, 1, near)}});
+    }
+    return scene;
+}
+
 template <class T>
 std::vector<Scene<T>> allScenes()
 {
     auto scenes = hardScenes<T>(20011);
     for (const std::size_t i : {0, 1})
         scenes.push_back(spoilt(scenes[i]));
+    scenes.push_back(nearOverflow<T>());
     auto inside = paperScene<T>(5003);
     inside.name = "all inside";
     inside.window = {{-960, -720}, {960, 720}};

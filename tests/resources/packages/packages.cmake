@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# cmake -DBUILD=… -DREADME=… -DWORK=… -DCXX=… -DGENERATOR=… -DPYTHON=… -P packages.cmake
-# Packs what a build tree has, extracts each Debian package into an empty folder, and uses it there: the README's example on
-# the library, a program on the Python module, `clearcut --version`.
+# cmake -DBUILD=… -DPAGE=… -DPROGRAMS=main -DWORK=… -DCXX=… -DGENERATOR=… -DPYTHON=… -P packages.cmake
+# Packs what a build tree has, extracts each Debian package into an empty folder, and uses it there: the main program of
+# the page on the library, a program on the Python module, `clearcut --version`.
 cmake_minimum_required(VERSION 3.25)
 find_program(DPKG_DEB dpkg-deb)
 find_program(SHLIBDEPS dpkg-shlibdeps)
@@ -9,7 +9,7 @@ if(NOT DPKG_DEB OR NOT SHLIBDEPS)
   message(STATUS "Skipped: dpkg-deb or dpkg-shlibdeps is missing (Debian: dpkg-dev)")
   return()
 endif()
-include(${CMAKE_CURRENT_LIST_DIR}/../../clipping/readme_example.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/../../clipping/programs_of_page.cmake)
 file(REMOVE_RECURSE ${WORK})
 cmake_path(GET CMAKE_COMMAND PARENT_PATH programs)
 run(${programs}/cpack --config ${BUILD}/CPackConfig.cmake -B ${WORK})
@@ -40,7 +40,7 @@ function(open package summary depends)
 endfunction()
 
 open(libclearcut-dev "C[+][+]20 library that clips lines exactly" "^libglm-dev\n")
-build_readme_example(${WORK}/libclearcut-dev/usr)
+build_programs_of_page(${WORK}/libclearcut-dev/usr)
 find_program(PKG_CONFIG pkg-config REQUIRED)
 file(GLOB folder ${WORK}/libclearcut-dev/usr/lib/pkgconfig ${WORK}/libclearcut-dev/usr/lib/*/pkgconfig)
 set(ENV{PKG_CONFIG_PATH} ${folder})
