@@ -54,6 +54,7 @@ void compareRows(const std::vector<std::uint32_t>& rowOfObject, const SceneLines
     });
 }
 
+// Compares all lines even if the reader of the rows has ended, for the report.
 void compareDrawing(const Imported& imported, const ComparedAt& at, DifferenceOutput& output)
 {
     const EditedDocument document(imported.document);
@@ -61,20 +62,19 @@ void compareDrawing(const Imported& imported, const ComparedAt& at, DifferenceOu
     const SceneLines& lines = scene.lines();
     DifferenceRows rows(at, output.form());
     output.write([&] {
-        bool wanted = output.begin();
-        if (wanted && !imported.rows.empty()) {
+        output.begin();
+        if (!imported.rows.empty()) {
             compareRows(imported.rows, lines, rows);
-            wanted = output.give(rows);
-        } else
-            for (const SceneLines::Run& run : lines.runs()) {
-                if (!wanted)
-                    return;
-                rows.compare(run.segments, [&](std::size_t i) {
-                    const std::size_t line = run.firstLine + i;
-                    return DifferenceRows::Numbers{line + 1, lines.objectOf(line) + 1};
-                });
-                wanted = output.give(rows);
-            }
+            output.give(rows);
+            return;
+        }
+        for (const SceneLines::Run& run : lines.runs()) {
+            rows.compare(run.segments, [&](std::size_t i) {
+                const std::size_t line = run.firstLine + i;
+                return DifferenceRows::Numbers{line + 1, lines.objectOf(line) + 1};
+            });
+            output.give(rows);
+        }
     });
 }
 
