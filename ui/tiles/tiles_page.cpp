@@ -13,7 +13,7 @@
 namespace ui {
 namespace {
 
-constexpr int columnWidth = 336, leastOverview = 80; // pixels
+constexpr int columnWidth = 336, leastOverview = 60; // pixels
 
 /// The whole drawing with all sheets, small.
 class OverviewSection : public Section {
