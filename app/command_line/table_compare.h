@@ -18,8 +18,8 @@ QString tableCompareLimit();
 /// cannot, but one of `tableCompareOptions` was given.
 bool comparesTable(const ParsedArguments& arguments, const QString& input);
 
-/// Compares the lines of the table `input` and writes what differs; throws Failure. `shape` is the
-/// row, bad ones included.
+/// Compares the lines of the table `input` and writes what differs; throws Failure. Lines and
+/// shapes are numbered by rows, bad ones included.
 csv::TableStreamed compareTable(const ParsedArguments& arguments, const QString& input,
                                 const ComparedAt& at, DifferenceOutput& output);
 

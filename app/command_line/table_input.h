@@ -15,7 +15,7 @@ Option skipBadOption(const QString& meaning);
 /// Stands for the table when options are read: no lines, and the unit of all tables.
 Imported tableWithoutLines();
 
-/// What works on the rows; see csv::streamTable. `begin` and the works are called while `in` lives.
+/// Hands the source and the options on to csv::streamTable.
 using StreamsTable = std::function<csv::TableStreamed(csv::ByteSource, csv::TableStreamOptions)>;
 
 /// Lets `stream` read the table, with as many threads as are useful; throws Failure, also at a bad
