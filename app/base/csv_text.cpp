@@ -4,12 +4,14 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <utility>
 
 namespace app::csv {
 namespace {
 
 constexpr qsizetype chunk = 1 << 16;
 constexpr int end = -1;
+constexpr QByteArrayView byteOrderMark("\xef\xbb\xbf");
 
 bool endsLine(int c) { return c == end || c == '\n' || c == '\r'; }
 bool endsField(int c) { return endsLine(c) || c == ','; }
@@ -18,14 +20,23 @@ bool endsField(int c) { return endsLine(c) || c == ','; }
 
 int Text::peek()
 {
-    if (at_ == buffer_.size()) {
-        buffer_ = in_.read(chunk);
-        at_ = 0;
-        if (!started_ && buffer_.startsWith("\xef\xbb\xbf"))
-            at_ = 3;
-        started_ = true;
-    }
+    if (at_ == buffer_.size())
+        fill();
     return at_ < buffer_.size() ? static_cast<unsigned char>(buffer_.at(at_)) : end;
+}
+
+void Text::fill()
+{
+    buffer_ = in_.read(chunk);
+    at_ = 0;
+    if (std::exchange(started_, true))
+        return;
+    // A pipe may give the mark byte by byte; some text must follow it in the buffer.
+    for (QByteArray more = buffer_; !more.isEmpty() && buffer_.size() <= byteOrderMark.size();
+         buffer_ += more)
+        more = in_.read(chunk);
+    if (buffer_.startsWith(byteOrderMark))
+        at_ = byteOrderMark.size();
 }
 
 int Text::get()

@@ -43,6 +43,7 @@ public:
 private:
     int get();  ///< the next byte, or -1
     int peek(); ///< the byte that `get` will return, or -1
+    void fill();
     void skipLine();
     void readField(std::string& field, std::size_t& size);
     void readQuoted(std::string& field, std::size_t& size);

@@ -4,11 +4,22 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include <algorithm>
 #include <cmath>
 
 namespace app {
 
 namespace {
+
+// The magnitude, so that a half is rounded up. People see 31.565, although the nearest double, or a
+// difference of two, may be a little less. Adds too little to be seen otherwise.
+double withHalfUp(double magnitude, int decimals)
+{
+    const double step = std::pow(10.0, -decimals);
+    const double ulp = std::nextafter(magnitude, HUGE_VAL) - magnitude;
+    return std::isfinite(ulp) ? magnitude + std::min(std::max(step * 1e-7, ulp), step * 1e-3)
+                              : magnitude;
+}
 
 QString withUnit(const QString& number, Unit unit)
 {
@@ -23,7 +34,7 @@ QString withUnit(const QString& number, Unit unit)
 QString numberText(double value, int decimals)
 {
     const QLocale locale;
-    QString text = locale.toString(std::abs(value), 'f', decimals);
+    QString text = locale.toString(withHalfUp(std::abs(value), decimals), 'f', decimals);
     const bool zero = text == locale.toString(0.0, 'f', decimals);
     return value < 0 && !zero ? u'\u2212' + text : text;
 }

@@ -12,7 +12,8 @@
 
 namespace app {
 
-/// "1,234.50", "−3.00"; a number that rounds to zero has no sign.
+/// "1,234.50", "−3.00"; a number that rounds to zero has no sign. A half is rounded away from zero,
+/// and so is what is less than a half by rounding errors only (1e-7 of the last decimal).
 QString numberText(double value, int decimals);
 QString countText(std::size_t count);
 /// "1 line", "1,234 lines".

@@ -4,6 +4,7 @@
 #include "app/command_line/drawing_files.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/table_clip.h"
+#include "app/command_line/table_input.h"
 #include "app/command_line/terminal.h"
 #include "app/command_line/tile_options.h"
 #include "app/command_line/window_options.h"

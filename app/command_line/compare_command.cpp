@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/number.h"
-#include "app/command_line/drawing_files.h"
 #include "app/command_line/refusal.h"
-#include "app/command_line/table.h"
+#include "app/command_line/table_compare.h"
 #include "app/command_line/terminal.h"
 #include "app/command_line/window_options.h"
-#include "app/comparison/differences_at.h"
-#include "app/formats/rectangle_text.h"
 
-#include <array>
-#include <cmath>
+#include <algorithm>
+#include <numeric>
 
 namespace app {
 namespace {
 
 constexpr quint64 mostUlps = 1'000'000'000;
-
-/// In tables: which variant sees the line.
-constexpr std::array words{"only_a", "only_b", "ends"}; // in the order of Difference::Kind
 
 Comparison comparisonOf(const ParsedArguments& arguments)
 {
@@ -32,15 +25,6 @@ Comparison comparisonOf(const ParsedArguments& arguments)
     return comparison;
 }
 
-QString number(double value)
-{
-    if (!std::isfinite(value))
-        return std::isnan(value) ? QStringLiteral("nan") : QStringLiteral("inf");
-    std::string text;
-    appendNumber(text, value);
-    return QString::fromStdString(text);
-}
-
 // The one window at which both can clip.
 ClipRegion regionOf(const ParsedArguments& arguments, const Imported& imported,
                     const Comparison& comparison)
@@ -53,81 +37,67 @@ ClipRegion regionOf(const ParsedArguments& arguments, const Imported& imported,
     return region;
 }
 
-void append(QStringList& row, const std::vector<clipping::Clipped>& pieces)
+// The lines of a table in the order of its rows. In the document they are grouped by layer.
+void compareRows(const std::vector<std::uint32_t>& rowOfObject, const SceneLines& lines,
+                 DifferenceRows& rows)
 {
-    const auto piece = pieces.empty() ? std::nullopt : std::optional(pieces.front().segment);
-    for (const std::size_t i : {0, 1, 2, 3})
-        row << (piece ? number((i < 2 ? piece->a : piece->b)[int(i % 2)]) : QString());
+    std::vector<std::size_t> order(lines.size()); // the line of each row
+    std::iota(order.begin(), order.end(), 0);
+    const auto rowOf = [&](std::size_t line) { return rowOfObject[lines.objectOf(line)]; };
+    std::ranges::sort(order, {}, rowOf);
+    std::vector<clipping::Segment> ordered;
+    std::ranges::transform(order, std::back_inserter(ordered),
+                           [&](std::size_t line) { return lines[line]; });
+    rows.compare(ordered, [&](std::size_t i) {
+        const std::size_t row = rowOf(order[i]) + 1;
+        return DifferenceRows::Numbers{row, row};
+    });
 }
 
-QStringList rowOf(const Difference& difference, const Comparison& comparison, const Scene& scene,
-                  const ClipRegion& region)
+// Compares all lines even if the reader of the rows has ended, for the report.
+void compareDrawing(const Imported& imported, const ComparedAt& at, DifferenceOutput& output)
 {
-    const clipping::Segment line = scene.lines()[difference.source];
-    QStringList row{QString::number(difference.source + 1),
-                    QString::number(scene.lines().objectOf(difference.source) + 1),
-                    QLatin1StringView(words[std::size_t(difference.kind)]),
-                    QString::number(difference.ulps, 'g', 6)};
-    append(row, clippedAt(region, comparison.a, {&line, 1}));
-    append(row, clippedAt(region, comparison.b, {&line, 1}));
-    return row;
-}
-
-Table tableOf(const Comparison& comparison, const Scene& scene, const ClipRegion& region,
-              const Differences& found, const QString& title)
-{
-    Table table{.names = {"line", "shape", "differs", "ulps", "a_x1", "a_y1", "a_x2", "a_y2",
-                          "b_x1", "b_y1", "b_x2", "b_y2"},
-                .title = title,
-                .key = QStringLiteral("differences"),
-                .facts = {{"a", keyOf(comparison.a)},
-                          {"b", keyOf(comparison.b)},
-                          {"ulps_allowed", QString::number(allowedAt(region, comparison))},
-                          {"window", rectangleText(found.window)},
-                          {"lines", QString::number(found.lines)},
-                          {"differing", QString::number(found.list.size())}}};
-    for (const Difference& difference : found.list)
-        table.rows.push_back(rowOf(difference, comparison, scene, region));
-    return table;
-}
-
-/// The facts about all lines in one row, without the lines that differ.
-Table summed(Table table)
-{
-    table.names.clear();
-    table.rows = {{}};
-    for (const auto& [name, value] : table.facts) {
-        table.names << name;
-        table.rows.front() << value;
-    }
-    table.facts.clear();
-    return table;
+    const EditedDocument document(imported.document);
+    const Scene scene(document);
+    const SceneLines& lines = scene.lines();
+    DifferenceRows rows(at, output.form());
+    output.write([&] {
+        output.begin();
+        if (!imported.rows.empty()) {
+            compareRows(imported.rows, lines, rows);
+            output.give(rows);
+            return;
+        }
+        for (const SceneLines::Run& run : lines.runs()) {
+            rows.compare(run.segments, [&](std::size_t i) {
+                const std::size_t line = run.firstLine + i;
+                return DifferenceRows::Numbers{line + 1, lines.objectOf(line) + 1};
+            });
+            output.give(rows);
+        }
+    });
 }
 
 void compare(const ParsedArguments& arguments)
 {
     const Comparison comparison = comparisonOf(arguments);
-    const TableOutput output = tableOutput(arguments);
-    const Imported imported = readDrawing(arguments, arguments.operands().first());
-    const EditedDocument document(imported.document);
-    const Scene scene(document);
-    const ClipRegion region = regionOf(arguments, imported, comparison);
-    const Differences found = differencesAt(region, comparison, scene.lines());
-    const QString summary =
-        sentence(comparison.a, comparison.b, counted(found.list), found.lines) + u'.';
-    // In text format, a summary or a comparison without differences prints only the sentence.
-    const bool forPerson = output.format.key == QStringLiteral("text");
-    const bool whole = !arguments.has(QStringLiteral("summary"));
-    Table table = tableOf(comparison, scene, region, found, summary);
-    if (!whole)
-        table = summed(std::move(table));
-    if (!forPerson || (whole && !found.list.empty()))
-        writeTables(output, {&table, 1});
-    if (!arguments.has(QStringLiteral("quiet"))) {
-        say(windowText(arguments, imported, region));
-        say(summary);
+    const TableOutput target = tableOutput(arguments);
+    const QString input = arguments.operands().first();
+    const bool table = comparesTable(arguments, input);
+    const Imported imported = table ? tableWithoutLines() : readDrawing(arguments, input);
+    const ComparedAt at{comparison, regionOf(arguments, imported, comparison)};
+    DifferenceOutput output(at, target, arguments.has(QStringLiteral("summary")));
+    csv::TableStreamed streamed;
+    if (table)
+        streamed = compareTable(arguments, input, at, output);
+    else
+        compareDrawing(imported, at, output);
+    if (streamed.complete && !arguments.has(QStringLiteral("quiet"))) {
+        sayBadRows(streamed);
+        say(windowText(arguments, imported, at.window));
+        say(output.summary());
     }
-    if (!found.list.empty())
+    if (output.totals().counts.all() > 0)
         throw CheckFailed{};
 }
 
@@ -150,7 +120,8 @@ Command compareCommand()
     const std::vector<Option> last{
         {{"summary"}, {}, Commands::tr("Print only a summary of the lines that differ.")},
         {{"q", "quiet"}, {}, Commands::tr("Do not report the window and the number of lines.")}};
-    for (const auto& more : {comparedWindowOptions(), tableOptions(), readingOptions(), last})
+    for (const auto& more :
+         {comparedWindowOptions(), tableOptions(), readingOptions(), tableCompareOptions(), last})
         options.insert(options.end(), more.begin(), more.end());
     return {"compare",
             "INPUT -a A [-b B] [OPTIONS]",
@@ -159,11 +130,12 @@ Command compareCommand()
             std::move(options),
             {"clearcut compare plan.svg -a kwc:published",
              "clearcut compare map.svg -w 0,0,210mm,297mm -a md -b lb --ulps 0 --format csv",
-             "clearcut compare map.svg -w circle:50mm,50mm,20mm -a skala"},
+             "clearcut compare map.svg -w circle:50mm,50mm,20mm -a skala",
+             "clearcut compare - --from csv -w -100,-75,100,75 -a nln --ulps 0 -f csv < lines.csv"},
             1,
             compare,
             false,
-            readingLimits()};
+            readingLimits() << tableCompareLimit()};
 }
 
 } // namespace app

@@ -198,13 +198,13 @@ void writeDrawing(const Document& document, const Output& output)
     printWith([&](QIODevice& out) { return output.format->write(document, out, output.options); });
 }
 
-void writeWith(const Filling& write, const Output& output)
+void writeWith(const Filling& write, const QString& path)
 {
-    if (output.path == standardStream)
+    if (path == standardStream)
         return printAtOnce(write);
-    const Unfinished guard(output.path);
-    if (const auto error = replaceFile(output.path, write))
-        throw Failure{Commands::tr("Cannot write %1: %2").arg(output.path, *error)};
+    const Unfinished guard(path);
+    if (const auto error = replaceFile(path, write))
+        throw Failure{Commands::tr("Cannot write %1: %2").arg(path, *error)};
 }
 
 QStringList losses(const Imported& imported)

@@ -48,8 +48,9 @@ Output outputOf(const ParsedArguments& arguments, const QString& input);
 /// Replaces an existing file only by a complete new one; throws Failure.
 void writeDrawing(const Document& document, const Output& output);
 
-/// The same for output that is made bit by bit: standard output passes on each write at once.
-void writeWith(const Filling& write, const Output& output);
+/// The same for output that is made bit by bit, to a file or -: standard output passes on each
+/// write at once.
+void writeWith(const Filling& write, const QString& path);
 
 /// Throws Failure if overwriting the input would lose what the import could not keep.
 void refuseLossInPlace(const ParsedArguments& arguments, const Imported& imported,

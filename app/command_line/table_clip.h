@@ -17,9 +17,6 @@ QString tableLimit();
 /// it cannot, but one of `tableClipOptions` was given.
 bool clipsTable(const ParsedArguments& arguments, const QString& input, const Output& output);
 
-/// Stands for the table when options are read: no lines, and the unit of all tables.
-Imported tableWithoutLines();
-
 /// Cuts the table `input`; throws Failure. Prints the report of `clip`. If the reader of standard
 /// output has ended, nothing more is read or reported.
 void clipTable(const ParsedArguments& arguments, const QString& input, const Output& output,

@@ -4,6 +4,7 @@
 #include "app/base/numbers.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
+#include "app/tiles/empty_sheets.h"
 #include "app/tiles/papers.h"
 #include "app/tiles/sheet_names.h"
 #include "app/tiles/sheets.h"
@@ -65,9 +66,18 @@ double scaleOf(const ParsedArguments& arguments)
 
 void refuseWithoutTiles(const ParsedArguments& arguments)
 {
-    for (const char* option : {"overlap", "sheet-margin", "marks", "scale", "overview"})
+    for (const char* option :
+         {"overlap", "sheet-margin", "marks", "scale", "overview", "empty-sheets"})
         if (arguments.has(QString::fromLatin1(option)))
             throw WrongUsage{Commands::tr("--%1 needs --tiles.").arg(QLatin1StringView(option))};
+}
+
+Tiling withoutEmpty(const Tiling& tiling, const TilePlan& plan, const Document& drawing,
+                    const CutOptions& options)
+{
+    const SceneLines lines =
+        linesOf(drawing.objects(), drawing.containers().hiddenRanges(), options.tolerance);
+    return withoutEmptySheets(tiling, plan, lines, drawing.objects(), options.leastLength);
 }
 
 // "a.svg", or the first and the last file.
@@ -107,6 +117,9 @@ std::vector<Option> tileOptions()
          Commands::tr("Add a sheet with the whole drawing, the edges of all sheets and their "
                       "numbers: the first page of a PDF file, or a file with “overview” in place "
                       "of {row} and {column}.")},
+        {{"empty-sheets"},
+         {},
+         Commands::tr("Write sheets without any part of the drawing, too (they are left out).")},
     };
 }
 
@@ -120,6 +133,8 @@ std::optional<TilePlan> tilePlanOf(const ParsedArguments& arguments, const Page&
     TilePlan plan;
     plan.marks = arguments.has(QStringLiteral("marks")) ? allMarks : SheetMarks{};
     plan.scale = scaleOf(arguments);
+    if (arguments.has(QStringLiteral("empty-sheets")))
+        plan.empty = EmptySheets::Written;
     const bool byNumber = takeNumbers(*text, plan);
     if (!byNumber && !takePaper(*text, plan))
         refuse({optionName, *text},
@@ -138,18 +153,22 @@ void writeTiles(const ParsedArguments& arguments, const TilePlan& plan, const Do
         throw WrongUsage{tiling.error};
     const Sheets sheets{drawing,
                         plan,
-                        *tiling.value,
+                        withoutEmpty(*tiling.value, plan, drawing, options),
                         options,
                         QFileInfo(arguments.operands().first()).completeBaseName(),
                         arguments.has(QStringLiteral("overview")) ? OverviewSheet::Yes
                                                                   : OverviewSheet::No};
     if (output.path == QLatin1StringView("-"))
         throw WrongUsage{Commands::tr("--tiles writes files: name them with -o.")};
+    if (sheets.tiling.written() == 0)
+        throw Failure{Commands::tr("All sheets are empty. --empty-sheets writes them.")};
     if (const auto error = writeSheets(sheets, output.path, *output.format, output.options))
         throw Failure{*error};
     say(Commands::tr("Sheets: %1 of %2 × %3 mm: %4.")
             .arg(gridText(*tiling.value), numberText(tiling.value->sheet.x, 1),
                  numberText(tiling.value->sheet.y, 1), filesText(filesOf(sheets, output.path))));
+    if (const QString empty = emptySheetsText(sheets.tiling); !empty.isEmpty())
+        say(empty + u' ' + Commands::tr("--empty-sheets writes them."));
 }
 
 } // namespace app

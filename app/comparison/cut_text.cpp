@@ -35,7 +35,7 @@ QString cutText(const CutCounts& counts)
     addFirst(counts.cut, "%1 object cut", "%1 objects cut", "%1 cut");
     addFirst(counts.gone, "%1 object left out", "%1 objects left out", "%1 left out");
     QString text = parts.isEmpty() ? tr("there was nothing to cut.") : parts.join(tr(", ")) + u'.';
-    addCount(text, counts.opened, "Opened: %1.");
+    addCount(text, counts.opened, "Closed shapes cut open: %1.");
     addCount(text, counts.dropped, "Short pieces dropped: %1.");
     addCount(text, counts.fillsRemoved, "Fills removed: %1.");
     addCount(text, counts.hidden, "Still hidden: %1.");

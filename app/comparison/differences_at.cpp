@@ -62,21 +62,11 @@ double allowedAt(const ClipRegion& window, const Comparison& comparison)
 }
 
 Differences differencesAt(const ClipRegion& window, const Comparison& comparison,
-                          const SceneLines& lines)
+                          std::span<const clipping::Segment> lines)
 {
-    Differences all{window.steps.front().box};
-    for (const SceneLines::Run& run : lines.runs()) {
-        auto found =
-            differences(run.segments, all.window, clippedAt(window, comparison.a, run.segments),
-                        clippedAt(window, comparison.b, run.segments),
-                        {allowedAt(window, comparison), endsOf(comparison.a, comparison.b)});
-        for (Difference& difference : found) {
-            difference.source += std::uint32_t(run.firstLine);
-            all.list.push_back(difference);
-        }
-        all.lines += run.segments.size();
-    }
-    return all;
+    return extended({window.steps.front().box}, lines, clippedAt(window, comparison.a, lines),
+                    clippedAt(window, comparison.b, lines),
+                    {allowedAt(window, comparison), endsOf(comparison.a, comparison.b)});
 }
 
 } // namespace app

@@ -20,9 +20,9 @@ std::vector<clipping::Clipped> clippedAt(const ClipRegion& window, const Variant
 /// How far both together may be off there, in ulps.
 double allowedAt(const ClipRegion& window, const Comparison& comparison);
 
-/// All differences at one window that adds; `Differences::window` is its bounding box. A limit in
-/// ulps in the comparison holds.
+/// The differences of these lines at one window that adds; `Differences::window` is its bounding
+/// box. A limit in ulps in the comparison holds.
 Differences differencesAt(const ClipRegion& window, const Comparison& comparison,
-                          const SceneLines& lines);
+                          std::span<const clipping::Segment> lines);
 
 } // namespace app

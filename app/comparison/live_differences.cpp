@@ -41,11 +41,17 @@ bool isFinite(const Segment& s)
 
 Differences extended(Differences so, const Comparison& comparison, std::span<const Segment> more)
 {
-    const auto first = std::uint32_t(so.lines);
     const auto a = clipped(comparison.a, more, so.window);
     const auto b = clipped(comparison.b, more, so.window);
-    auto found = differences(more, so.window, a, b,
-                             {comparison.allowed(), endsOf(comparison.a, comparison.b)});
+    return extended(std::move(so), more, a, b,
+                    {comparison.allowed(), endsOf(comparison.a, comparison.b)});
+}
+
+Differences extended(Differences so, std::span<const Segment> more, std::span<const Clipped> a,
+                     std::span<const Clipped> b, const Allowance& allowed)
+{
+    const auto first = std::uint32_t(so.lines);
+    auto found = differences(more, so.window, a, b, allowed);
     appendPieces(so.pieces, found, a, b, first);
     for (Difference& difference : found) {
         difference.source += first;

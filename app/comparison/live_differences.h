@@ -20,12 +20,16 @@ struct Differences {
     clipping::Window window{};
     std::size_t lines = 0;                   ///< number of lines compared so far
     std::vector<Difference> list{};          ///< ascending by line
-    std::vector<clipping::Clipped> pieces{}; ///< what A and B leave of these lines
+    std::vector<clipping::Clipped> pieces{}; ///< what A and B leave of these lines, A's first
 };
 
 /// Compares the lines `more`, which follow those compared so far, and adds their differences.
 Differences extended(Differences so, const Comparison& comparison,
                      std::span<const clipping::Segment> more);
+/// The same from what A and B leave of these lines.
+Differences extended(Differences so, std::span<const clipping::Segment> more,
+                     std::span<const clipping::Clipped> a, std::span<const clipping::Clipped> b,
+                     const Allowance& allowed);
 /// The same for the next `count` of all lines, or as many as are left.
 Differences extended(Differences so, const Comparison& comparison, const SceneLines& lines,
                      std::size_t count);

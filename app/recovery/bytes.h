@@ -23,9 +23,21 @@ static_assert(std::endian::native == std::endian::little);
 template <class T>
 concept PlainBytes = std::is_trivially_copyable_v<T> && !std::is_pointer_v<T>;
 
+/// Bytes that are not copied: they lie where `bytes` points to, and come before the byte number
+/// `before` of the copied ones.
+struct LentBytes {
+    std::size_t before;
+    std::string_view bytes;
+};
+
+enum class Lending : std::uint8_t { No, Yes };
+
 /// Appends values to a string of bytes.
 class ByteWriter {
 public:
+    /// With Lending::Yes, long lists are not copied but lent.
+    explicit ByteWriter(Lending lending = Lending::No) : lending_(lending) {}
+
     template <PlainBytes T>
     void put(const T& value)
     {
@@ -46,15 +58,31 @@ public:
         putCount(std::size_t(std::ranges::size(values)));
         putAll(values);
     }
+    /// The same for a list that stays where it is until what was written is used. A long one is
+    /// lent: copying it would touch as much new memory.
+    void lendList(const std::ranges::contiguous_range auto& values)
+    {
+        const auto all = std::as_bytes(std::span(values));
+        if (lending_ == Lending::No || all.size() < leastLent)
+            return putList(values);
+        putCount(std::ranges::size(values));
+        lent_.push_back({bytes_.size(), {reinterpret_cast<const char*>(all.data()), all.size()}});
+    }
     void put(const QString& text)
     {
         putList(std::u16string_view(reinterpret_cast<const char16_t*>(text.utf16()),
                                     std::size_t(text.size())));
     }
     std::string& bytes() { return bytes_; }
+    Lending lending() const { return lending_; }
+    std::vector<LentBytes>& lent() { return lent_; }
 
 private:
+    static constexpr std::size_t leastLent = 4096;
+
+    Lending lending_;
     std::string bytes_;
+    std::vector<LentBytes> lent_;
 };
 
 /// Reads values from untrusted bytes. After the first value that is not there or not valid, ok()

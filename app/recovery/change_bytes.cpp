@@ -84,8 +84,9 @@ std::optional<Edit> readStyles(ByteReader& in, const Document& document,
 
 } // namespace
 
-void writeChange(ByteWriter& out, const EditCommand& command, const Document& now)
+Objects writeChange(ByteWriter& out, const EditCommand& command, const Document& now)
 {
+    Objects written;
     const Edit& back = command.next();
     const std::vector<Splice> splices = inverse(back.splices);
     const bool plain = !back.containers && !back.windows && !back.page && exchanges(splices);
@@ -106,9 +107,11 @@ void writeChange(ByteWriter& out, const EditCommand& command, const Document& no
             rest.windows = now.windows();
         if (back.page)
             rest.page = now.page();
-        ObjectBytes().write(out, addedObjects(now, splices));
+        written = addedObjects(now, splices);
+        ObjectBytes().write(out, written);
         writeSetting(out, rest);
     }
+    return written;
 }
 
 std::optional<Change> readChange(ByteReader& in, const Document& document)

@@ -9,7 +9,8 @@ namespace app {
 /// Writes the change that `command` has just made; `now` is the document after it. A move is
 /// written as its ranges and its vector, a restyling without paths: some bytes, however many
 /// objects. Anything else is written with all added objects. What is removed is not written.
-void writeChange(ByteWriter& out, const EditCommand& command, const Document& now);
+/// Returns the objects that were written; their lines are lent, and lie in them.
+Objects writeChange(ByteWriter& out, const EditCommand& command, const Document& now);
 
 /// A change that was read, for the document to which it is then applied.
 struct Change {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <string_view>
+#include "app/recovery/bytes.h"
+
+#include <memory>
 
 // A journal's files are sequences of frames: size, checksum, payload. The checksum covers the
 // frame's number too, so a frame is valid only at its own place.
@@ -19,6 +18,17 @@ constexpr std::size_t frameHeader = 16; ///< bytes before the payload
 
 /// Fills the first `frameHeader` bytes of `frame`; the payload follows them.
 void sealFrame(std::string& frame, std::uint64_t number);
+
+/// A frame, of which some bytes lie elsewhere, in what `owner` keeps.
+struct Frame {
+    std::string bytes; ///< with room for the header
+    std::vector<LentBytes> lent{};
+    std::shared_ptr<const void> owner{};
+
+    std::vector<std::string_view> parts() const; ///< all bytes, in order
+    std::size_t size() const;                    ///< of all parts
+};
+void sealFrame(Frame& frame, std::uint64_t number);
 
 /// Reads frames from untrusted bytes, up to the first one that is not complete or damaged.
 class FrameReader {

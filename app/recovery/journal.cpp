@@ -130,7 +130,7 @@ bool Journal::opened()
         if (!log_)
             fail(opening->error);
         for (std::string& frame : std::exchange(later_, {}))
-            append(std::move(frame), timeOfRecord);
+            append({std::move(frame)}, timeOfRecord);
     }
     return log_ != nullptr;
 }
@@ -163,7 +163,7 @@ bool Journal::startGeneration()
         QMetaObject::invokeMethod(this, deliver, Qt::QueuedConnection);
     });
     if (inHand_)
-        append(inHandRecord(inHand_), timeOfRecord);
+        append({inHandRecord(inHand_)}, timeOfRecord);
     return true;
 }
 
@@ -196,12 +196,12 @@ void Journal::renew()
         replayTime_ = 0; // tries again after as many records
 }
 
-void Journal::append(std::string frame, double replayTime)
+void Journal::append(Frame frame, double replayTime)
 {
     if (!opened())
         return say();
     sealFrame(frame, nextRecord_);
-    if (const auto wrong = log_->append(frame)) {
+    if (const auto wrong = log_->append(frame.parts())) {
         fail(*wrong);
         return say();
     }
@@ -216,7 +216,7 @@ void Journal::appendLater(std::string frame)
     if (opening_)
         later_.push_back(std::move(frame));
     else if (log_)
-        append(std::move(frame), timeOfRecord);
+        append({std::move(frame)}, timeOfRecord);
 }
 
 // The next log must not seem to continue this one.
@@ -268,7 +268,7 @@ void Journal::noteIndex(int index)
     if (!std::exchange(pushing_, false) && (history_.count() > 0 || history_.forgotten() > 0)) {
         beyondBase_ = beyondBase_ || number(index) < firstKept_;
         if (index != before)
-            append(indexRecord(number(index)), timeBetween(before, index));
+            append({indexRecord(number(index))}, timeBetween(before, index));
     }
     renew();
 }
@@ -298,7 +298,7 @@ void Journal::setInHand(std::optional<ObjectInHand> object)
     if (object == inHand_)
         return;
     inHand_ = std::move(object);
-    append(inHandRecord(inHand_), timeOfRecord);
+    append({inHandRecord(inHand_)}, timeOfRecord);
 }
 
 void Journal::wait()

@@ -69,7 +69,7 @@ private:
     void noteBase(const QString& error);
     void renew();
     bool opened();
-    void append(std::string frame, double replayTime);
+    void append(Frame frame, double replayTime);
     void appendLater(std::string frame);
     void fail(const QString& reason);
     void noteUnsynced(const std::shared_ptr<LogFile>& log, const QString& reason);

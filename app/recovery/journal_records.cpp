@@ -4,18 +4,18 @@
 namespace app {
 namespace {
 
-ByteWriter started(RecordKind kind)
+ByteWriter started(RecordKind kind, Lending lending = Lending::No)
 {
-    ByteWriter out = startedFrame();
+    ByteWriter out = startedFrame(lending);
     out.put(kind);
     return out;
 }
 
 } // namespace
 
-ByteWriter startedFrame()
+ByteWriter startedFrame(Lending lending)
 {
-    ByteWriter out;
+    ByteWriter out(lending);
     out.bytes().resize(frameHeader);
     return out;
 }
@@ -56,14 +56,14 @@ std::optional<StepNumber> readClean(ByteReader& in)
     return some && in.ok() ? std::optional(clean) : std::nullopt;
 }
 
-std::string stepRecord(const EditCommand& done, const Document& now, bool joined)
+Frame stepRecord(const EditCommand& done, const Document& now, bool joined)
 {
-    ByteWriter out = started(joined ? RecordKind::Joined : RecordKind::Step);
+    ByteWriter out = started(joined ? RecordKind::Joined : RecordKind::Step, Lending::Yes);
     const std::string_view key = done.kind().key;
     out.putList(key);
     out.put(done.text());
-    writeChange(out, done, now);
-    return std::move(out.bytes());
+    auto written = std::make_shared<const Objects>(writeChange(out, done, now));
+    return {std::move(out.bytes()), std::move(out.lent()), std::move(written)};
 }
 
 std::string indexRecord(StepNumber index)

@@ -34,7 +34,8 @@ void writeOrigin(ByteWriter& out, const JournalOrigin& origin);
 JournalOrigin readOrigin(ByteReader& in);
 
 // Frames that are not sealed yet.
-std::string stepRecord(const EditCommand& done, const Document& now, bool joined);
+/// Lends the lines that were added.
+Frame stepRecord(const EditCommand& done, const Document& now, bool joined);
 std::string indexRecord(StepNumber index);
 std::string cleanRecord(std::optional<StepNumber> clean);
 std::string originRecord(const JournalOrigin& origin);
@@ -42,7 +43,7 @@ std::string inHandRecord(const std::optional<ObjectInHand>& object);
 std::optional<ObjectInHand> readInHand(ByteReader& in);
 
 /// Begins a frame: the place of its header.
-ByteWriter startedFrame();
+ByteWriter startedFrame(Lending lending = Lending::No);
 
 /// What can be said of a journal without its drawing.
 struct JournalState {

@@ -10,9 +10,14 @@
 
 #if defined(Q_OS_UNIX)
 #include <cerrno>
+#include <climits>
 #include <fcntl.h>
+#include <sys/uio.h>
 #include <unistd.h>
 #endif
+
+#include <algorithm>
+#include <vector>
 
 namespace app {
 
@@ -30,15 +35,31 @@ bool isSynced(int result)
     return result == 0 || errno == EINVAL || errno == ENOSYS || errno == ENOTSUP;
 }
 
-bool writeAt(int file, std::string_view bytes)
+// Drops what has been written.
+void drop(std::vector<iovec>& parts, std::size_t& first, std::size_t written)
 {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(file, bytes.data(), bytes.size());
+    for (; first < parts.size() && written >= parts[first].iov_len; ++first)
+        written -= parts[first].iov_len;
+    if (written > 0) {
+        parts[first].iov_base = static_cast<char*>(parts[first].iov_base) + written;
+        parts[first].iov_len -= written;
+    }
+}
+
+bool writeAt(int file, std::span<const std::string_view> bytes)
+{
+    std::vector<iovec> parts;
+    for (const std::string_view part : bytes)
+        if (!part.empty())
+            parts.push_back({const_cast<char*>(part.data()), part.size()}); // only read
+    for (std::size_t first = 0; first < parts.size();) {
+        const int count = int(std::min<std::size_t>(parts.size() - first, IOV_MAX));
+        const ssize_t written = ::writev(file, parts.data() + first, count);
         if (written < 0 && errno == EINTR)
             continue;
         if (written <= 0)
             return false;
-        bytes.remove_prefix(std::size_t(written));
+        drop(parts, first, std::size_t(written));
     }
     return true;
 }
@@ -66,14 +87,15 @@ std::shared_ptr<LogFile> LogFile::create(const QString& path, std::string_view b
 
 LogFile::~LogFile() { ::close(file_); }
 
-std::optional<QString> LogFile::append(std::string_view bytes)
+std::optional<QString> LogFile::append(std::span<const std::string_view> parts)
 {
-    if (!writeAt(file_, bytes)) {
+    if (!writeAt(file_, parts)) {
         const QString why = reason();
         [[maybe_unused]] const int cut = ::ftruncate(file_, off_t(size_)); // a torn end is ignored
         return why;
     }
-    size_ += bytes.size();
+    for (const std::string_view part : parts)
+        size_ += part.size();
     return std::nullopt;
 }
 
@@ -112,7 +134,7 @@ std::shared_ptr<LogFile> LogFile::create(const QString&, std::string_view, QStri
     return nullptr;
 }
 LogFile::~LogFile() = default;
-std::optional<QString> LogFile::append(std::string_view) { return QString(); }
+std::optional<QString> LogFile::append(std::span<const std::string_view>) { return QString(); }
 std::optional<QString> LogFile::sync() { return QString(); }
 std::optional<QString> LogFile::syncNames() const { return QString(); }
 

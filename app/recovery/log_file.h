@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string_view>
 
 namespace app {
@@ -20,8 +21,10 @@ public:
     LogFile(const LogFile&) = delete;
     LogFile& operator=(const LogFile&) = delete;
 
-    /// Appends all bytes with one call of the system, or none. Returns nothing, or the reason.
-    std::optional<QString> append(std::string_view bytes);
+    /// Appends all bytes with one call of the system (with more for a thousand parts), or none.
+    /// Returns nothing, or the reason.
+    std::optional<QString> append(std::span<const std::string_view> parts);
+    std::optional<QString> append(std::string_view bytes) { return append({&bytes, 1}); }
     /// Returns when all appended bytes are on the disk, and the names of the file and its folder;
     /// or the reason why they may not be.
     std::optional<QString> sync();

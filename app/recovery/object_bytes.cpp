@@ -109,13 +109,15 @@ struct UsedStyles {
     std::vector<StyleIndex> list;
 };
 
-/// Without those of paths and styles, and the small ones of particular objects.
-std::size_t leastBytes(const Objects& objects)
+/// Without those that are lent, those of paths and styles, and the small ones of particular
+/// objects.
+std::size_t leastBytes(const Objects& objects, Lending lending)
 {
     constexpr std::size_t aBlock = 64;
     std::size_t bytes = 0;
     for (const Shared<ObjectBlock>& block : objects.blocks())
-        bytes += aBlock + block->lines.size() * sizeof(clipping::Segment)
+        bytes += aBlock
+                 + (lending == Lending::No ? block->lines.size() * sizeof(clipping::Segment) : 0)
                  + block->styles.size() * sizeof(std::uint32_t) + block->hidden.size();
     return bytes;
 }
@@ -200,7 +202,7 @@ Path ObjectReader::path(ByteReader& in)
 
 void ObjectBytes::write(ByteWriter& out, const Objects& objects)
 {
-    out.reserve(leastBytes(objects));
+    out.reserve(leastBytes(objects, out.lending()));
     const UsedStyles styles(objects);
     out.putCount(styles.list.size());
     for (const StyleIndex style : styles.list)
@@ -210,7 +212,7 @@ void ObjectBytes::write(ByteWriter& out, const Objects& objects)
         const auto& [lines, paths, styleOf, hidden, particularsOf, points] = *shared;
         out.put(std::uint8_t(paths.empty()));
         if (paths.empty()) {
-            out.putList(lines);
+            out.lendList(lines);
         } else {
             out.putCount(paths.size());
             for (const Path& path : paths)

@@ -8,8 +8,8 @@
 
 namespace app {
 
-/// Writes objects with all their bits. Paths that share points share them in the bytes of one
-/// writer, too.
+/// Writes objects with all their bits; lends the columns of lines. Paths that share points share
+/// them in the bytes of one writer, too.
 class ObjectBytes {
 public:
     void write(ByteWriter& out, const Objects& objects);

@@ -2,6 +2,7 @@
 #include "app/session/live_sheets.h"
 
 #include "app/cut/cut_choices.h"
+#include "app/tiles/empty_sheets.h"
 
 namespace app {
 namespace {
@@ -75,6 +76,7 @@ void LiveSheets::cutDrawing()
     options.region = region;
     const auto take = [this](Document drawing) {
         cut_ = std::make_unique<CutDrawing>(std::move(drawing));
+        divide();
         emit changed();
     };
     if (session_.scene.lines().size() <= mostLinesAtOnce) {
@@ -94,19 +96,29 @@ CutOptions LiveSheets::cutOptions() const
     return options;
 }
 
-void LiveSheets::divide() { tiling_ = tilingOf(session_.now().page(), planOf(settings_)); }
+void LiveSheets::divide() { tiling_ = divided(settings_); }
+
+Result<Tiling> LiveSheets::divided(const SheetSettings& settings)
+{
+    const TilePlan plan = planOf(settings);
+    Result<Tiling> made = tilingOf(session_.now().page(), plan);
+    if (made && open_)
+        made.value = withoutEmptySheets(std::move(*made.value), plan, scene().lines(),
+                                        drawing().objects(), cutOptions().leastLength);
+    return made;
+}
 
 std::optional<QString> LiveSheets::change(SheetSettings next)
 {
     if (next == settings_)
         return std::nullopt;
-    Result<Tiling> made = tilingOf(session_.now().page(), planOf(next));
+    Result<Tiling> made = divided(next);
     const bool other = made && tiling_
                        && (made.value->columns != tiling_.value->columns
                            || made.value->rows != tiling_.value->rows);
     if (other && !next.plan.leftOut.empty()) { // they were other sheets
         next.plan.leftOut.clear();
-        made = tilingOf(session_.now().page(), planOf(next));
+        made = divided(next);
     }
     if (!made && tiling_)
         return made.error;

@@ -50,6 +50,7 @@ private:
     void follow();
     void forget();
     void divide();
+    Result<Tiling> divided(const SheetSettings& settings);
     void cutDrawing();
     CutOptions cutOptions() const; ///< as for an export; without a region
 

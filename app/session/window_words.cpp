@@ -52,14 +52,20 @@ QString signOf(WindowOperation operation)
 QString resultOf(const ClipWindows& windows)
 {
     QString text;
-    for (const ClipWindow& window : windows.list) {
-        if (!window.visible)
+    const auto end = windows.list.end();
+    for (auto window = windows.list.begin(); window != end;) {
+        const QString name = nameOf(*window);
+        int count = 0; // of neighbours that read the same
+        const WindowOperation operation = window->operation;
+        for (; window != end && window->operation == operation && nameOf(*window) == name; ++window)
+            count += window->visible;
+        if (count == 0)
             continue;
-        if (text.isEmpty() && window.operation != WindowOperation::Add)
+        if (text.isEmpty() && operation != WindowOperation::Add)
             text = tr("everything");
         if (!text.isEmpty())
-            text += u' ' + signOf(window.operation) + u' ';
-        text += nameOf(window);
+            text += u' ' + signOf(operation) + u' ';
+        text += count == 1 ? name : tr("%1 × %2").arg(count).arg(name);
     }
     return text;
 }

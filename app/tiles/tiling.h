@@ -18,6 +18,9 @@ struct SheetMarks {
 };
 constexpr SheetMarks allMarks{true, true, true};
 
+/// Whether sheets without any part of the drawing are written.
+enum class EmptySheets : std::uint8_t { LeftOut, Written };
+
 /// How a large drawing is divided among sheets of paper. Lengths are in millimetres on paper.
 struct TilePlan {
     Point sheet{0, 0};         ///< of paper; (0, 0): just large enough for `columns` and `rows`
@@ -28,7 +31,8 @@ struct TilePlan {
     double scale = 1; ///< size on paper ÷ size in the drawing; strokes are scaled, too
     /// The first sheet begins so far left of and above the page. Only used with `sheet`.
     Point shift{0, 0};
-    std::vector<int> leftOut{}; ///< numbers of sheets that are not written
+    std::vector<int> leftOut{};               ///< numbers of sheets that are not written
+    EmptySheets empty = EmptySheets::LeftOut; ///< see empty_sheets.h
     friend bool operator==(const TilePlan&, const TilePlan&) = default;
 };
 
@@ -36,7 +40,8 @@ struct TilePlan {
 struct Tile {
     int row, column;         ///< from 1, from the top left
     clipping::Window window; ///< in user units, without the margins
-    bool leftOut = false;
+    bool leftOut = false;    ///< is not written
+    bool empty = false;      ///< is left out because nothing is drawn on it
 };
 
 /// All sheets, row by row. They begin at the page's top left corner; the last ones may reach beyond

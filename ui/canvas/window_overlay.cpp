@@ -63,7 +63,7 @@ QPainterPath outlineOnScreen(const app::View& view, const app::WindowShape& shap
         path.addRect(onScreen(view, *box));
         return path;
     }
-    constexpr double tolerance = 0.2; // pixels
+    constexpr double tolerance = 0.2, leastStep = 0.5; // pixels
     const app::WindowOutline rings = app::outlineOf(shape, tolerance / view.zoom);
     QPainterPath path;
     for (const auto& ring : rings.rings) {
@@ -72,12 +72,39 @@ QPainterPath outlineOnScreen(const app::View& view, const app::WindowShape& shap
             const app::Point at = view.toScreen(corner);
             if (!(std::abs(at.x) < 1e5 && std::abs(at.y) < 1e5))
                 return clippedOutline(view, rings);
-            polygon << QPointF(at.x, at.y);
+            // A coast has far more corners than can be seen.
+            const QPointF next(at.x, at.y);
+            if (polygon.isEmpty() || QLineF(polygon.last(), next).length() >= leastStep)
+                polygon << next;
         }
         path.addPolygon(polygon);
         path.closeSubpath();
     }
     return path;
+}
+
+// In parts if it is long: they take less time than one path that crosses itself thousands of times.
+void paintOutline(QPainter& painter, const QPainterPath& border)
+{
+    constexpr int mostAtOnce = 2000;
+    constexpr qsizetype together = 100; // edges
+    if (border.elementCount() <= mostAtOnce)
+        return painter.drawPath(border);
+    QPen pen = painter.pen();
+    const QList<QPolygonF> rings = border.toSubpathPolygons();
+    for (const QPolygonF& ring : rings) {
+        double length = 0;
+        for (qsizetype first = 0; first + 1 < ring.size(); first += together) {
+            const qsizetype count = std::min(together + 1, ring.size() - first);
+            if (pen.style() == Qt::CustomDashLine) { // they go on from part to part
+                pen.setDashOffset(length / pen.widthF());
+                for (qsizetype i = first + 1; i < first + count; ++i)
+                    length += QLineF(ring[i - 1], ring[i]).length();
+                painter.setPen(pen);
+            }
+            painter.drawPolyline(ring.constData() + first, int(count));
+        }
+    }
 }
 
 const app::ClipWindow& actedOn(const Controller& controller)
@@ -112,7 +139,7 @@ void paintOthers(QPainter& painter, const Controller& controller)
         QPen pen(colourOf(list[i], controller), 1);
         setDashes(pen, list[i].operation);
         painter.setPen(pen);
-        painter.drawPath(outlineOnScreen(controller.view(), list[i].shape));
+        paintOutline(painter, outlineOnScreen(controller.view(), list[i].shape));
     }
 }
 
@@ -238,12 +265,12 @@ void paintWindow(QPainter& painter, const Controller& controller, const Pane& pa
              Qt::MiterJoin);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(pen);
-    painter.drawPath(border);
+    paintOutline(painter, border);
     pen.setColor(colourOf(actedOn(controller), controller));
     pen.setWidthF(width);
     setDashes(pen, actedOn(controller).operation);
     painter.setPen(pen);
-    painter.drawPath(border);
+    paintOutline(painter, border);
     if (pane.active)
         paintTags(painter, controller);
     if (!isFurnished(controller, pane, window))

@@ -122,6 +122,12 @@ void WindowFields::follow()
     for (std::size_t i = 0; i < lengths.size(); ++i)
         fields_[i]->show(lengths[i], unit, size);
     fields_[Angle]->show(angleOf(frame), app::Unit::User, 1);
+    const QString where =
+        frame.angle == 0 ? tr("The left edge of the window, and its top edge")
+                         : tr("The top left corner that the window has without its rotation about "
+                              "its middle");
+    for (const std::size_t i : {X, Y})
+        fields_[i]->setToolTip(where);
 }
 
 void WindowFields::edit(std::size_t field, double number, app::Merging merging)

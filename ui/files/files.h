@@ -33,7 +33,7 @@ public:
     /// written or waited for.
     using Answer = std::function<void(bool)>;
 
-    void startNew(); ///< an empty A3 sheet
+    void startNew(std::function<void()> started = {}); ///< an empty A3 sheet
     void open();
     void open(const QString& path);
     void openSample(const app::Sample& sample);

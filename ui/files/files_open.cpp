@@ -37,9 +37,13 @@ void Files::show(app::Imported imported, const QString& path, const QString& tit
     emit told({});
 }
 
-void Files::startNew()
+void Files::startNew(std::function<void()> started)
 {
-    replace([this](const Turn&) { show({app::newDrawing(), {}}, {}, {}); });
+    replace([this, started = std::move(started)](const Turn&) {
+        show({app::newDrawing(), {}}, {}, {});
+        if (started)
+            started();
+    });
 }
 
 void Files::openMade(app::Document document, const QString& title, Answer opened)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/tiles/empty_sheets.h"
 #include "app/tiles/sheet_export.h"
 #include "ui/files/files.h"
 
@@ -48,14 +49,17 @@ void Files::writeSheets(const app::Sheets& sheets, const QString& path, const Tu
         [sheets, path](const app::Follower& follower) {
             return app::exportSheets(sheets, path, follower);
         },
-        [this, names, pages, turn](const std::optional<app::WriteResult>& written) {
+        [this, names, pages, turn, empty = app::emptySheetsText(sheets.tiling)](
+            const std::optional<app::WriteResult>& written) {
             const app::WriteResult& result = written.value();
             if (result.end != app::WriteResult::End::Written)
                 emit told({Message::Kind::Warning, result.error});
-            else
+            else {
+                const QString all = pages == 1 ? tr("Exported 1 sheet: %1").arg(names)
+                                               : tr("Exported %1 sheets: %2").arg(pages).arg(names);
                 emit told({Message::Kind::Done,
-                           pages == 1 ? tr("Exported 1 sheet: %1").arg(names)
-                                      : tr("Exported %1 sheets: %2").arg(pages).arg(names)});
+                           empty.isEmpty() ? all : all + QStringLiteral(". ") + empty});
+            }
         },
         InBackground::Cancel::Stops);
 }

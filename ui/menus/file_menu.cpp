@@ -94,7 +94,10 @@ MenuInfo fileMenu()
                     .key = "close",
                     .text = tr("&Close"),
                     .keys = {K("Ctrl+W")},
-                    .run = [](MainWindow& w) { w.close(); },
+                    .run =
+                        [](MainWindow& w) {
+                            w.files().startNew([&w] { w.raisePanel(QStringLiteral("start")); });
+                        },
                 },
                 {
                     .key = "quit",

@@ -3,6 +3,7 @@
 
 #include "app/base/latin.h"
 #include "app/base/numbers.h"
+#include "app/tiles/empty_sheets.h"
 #include "ui/look/error_colour.h"
 #include "ui/look/look_icon.h"
 #include "ui/widgets/elided_label.h"
@@ -35,6 +36,7 @@ FilesSection::FilesSection(app::LiveSheets& sheets, QWidget* parent)
       each_(new QRadioButton(tr("one file a sheet"))), one_(new QRadioButton(tr("one PDF"))),
       name_(new QLineEdit), frame_(new RefusalFrame(*name_)), files_(new ElidedLabel),
       overview_(new QCheckBox(tr("Overview sheet with all numbers"))),
+      empty_(new QCheckBox(tr("Leave out empty sheets"))),
       export_(new QPushButton(icon("export"), {}))
 {
     addFormat();
@@ -42,12 +44,19 @@ FilesSection::FilesSection(app::LiveSheets& sheets, QWidget* parent)
     overview_->setObjectName(QStringLiteral("overview-sheet"));
     overview_->setToolTip(tr("A further sheet that shows where each one belongs"));
     addWide(overview_);
+    empty_->setObjectName(QStringLiteral("leave-out-empty-sheets"));
+    addWide(empty_);
     export_->setObjectName(QStringLiteral("export-sheets"));
     export_->setIconSize({16, 16});
     addWide(export_);
     connect(overview_, &QCheckBox::clicked, this, [this](bool checked) {
         app::SheetSettings next = sheets_.settings();
         next.overview = checked ? app::OverviewSheet::Yes : app::OverviewSheet::No;
+        change(std::move(next));
+    });
+    connect(empty_, &QCheckBox::clicked, this, [this](bool checked) {
+        app::SheetSettings next = sheets_.settings();
+        next.plan.empty = checked ? app::EmptySheets::LeftOut : app::EmptySheets::Written;
         change(std::move(next));
     });
     connect(export_, &QPushButton::clicked, this, &FilesSection::exportWanted);
@@ -131,6 +140,10 @@ void FilesSection::follow()
     format_->choose(int(chosen - formats_.begin()));
     (now.oneFile ? one_ : each_)->setChecked(true);
     overview_->setChecked(now.overview == app::OverviewSheet::Yes);
+    empty_->setChecked(now.plan.empty == app::EmptySheets::LeftOut);
+    const QString leftOut =
+        sheets_.tiling() ? app::emptySheetsText(*sheets_.tiling().value) : QString();
+    empty_->setToolTip(leftOut.isEmpty() ? tr("Sheets without any part of the drawing") : leftOut);
     frame_->hide();
     if (!name_->isModified() || !name_->hasFocus())
         name_->setText(app::patternOf(now, sheets_.title()));

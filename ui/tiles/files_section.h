@@ -42,7 +42,7 @@ private:
     QLineEdit* name_;
     RefusalFrame* frame_;
     ElidedLabel* files_;
-    QCheckBox* overview_;
+    QCheckBox *overview_, *empty_;
     QPushButton* export_;
 };
 

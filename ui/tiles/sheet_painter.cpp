@@ -191,8 +191,9 @@ void SheetPainter::paintTag(std::size_t sheet, const QFont& font, bool large)
     painter_.drawRoundedRect(tag, space::radius - 1, space::radius - 1);
     painter_.setPen(tile.leftOut ? look_.panel : look_.onAccent);
     painter_.drawText(tag, Qt::AlignCenter, name);
-    const QString remark =
-        tile.leftOut ? tr("left out") : app::paperText(sheets_.settings(), tiling_);
+    const QString remark = tile.empty     ? tr("empty, left out")
+                           : tile.leftOut ? tr("left out")
+                                          : app::paperText(sheets_.settings(), tiling_);
     painter_.setFont(font);
     const double room = paper.right() - tag.right() - 8;
     if (!above || QFontMetricsF(font).horizontalAdvance(remark) > room)

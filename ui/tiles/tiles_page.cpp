@@ -13,7 +13,7 @@
 namespace ui {
 namespace {
 
-constexpr int columnWidth = 336, leastOverview = 80; // pixels
+constexpr int columnWidth = 336, leastOverview = 60; // pixels
 
 /// The whole drawing with all sheets, small.
 class OverviewSection : public Section {
@@ -52,6 +52,8 @@ TilesPage::TilesPage(app::Session& session, app::LiveSheets& sheets, QWidget* pa
     connect(bar_, &TilesBar::tinted, view_, &TilesView::tintOverlaps);
     connect(bar_, &TilesBar::fitWanted, view_, &TilesView::fit);
     connect(bar_, &TilesBar::closeWanted, this, &TilesPage::closeWanted);
+    connect(view_, &TilesView::hinted, this, &TilesPage::hinted);
+    connect(overview_, &TilesView::hinted, this, &TilesPage::hinted);
     connect(&sheets, &app::LiveSheets::changed, this, &TilesPage::tellHint);
 }
 

@@ -19,6 +19,7 @@ public:
     TilesView& view() { return *view_; }
     TilesView& overview() { return *overview_; }
     SheetsSection& sheetsSection() { return *sheetsSection_; }
+    QRect sheetsArea() const { return view_->geometry(); } ///< without the bar and the column
 
 signals:
     void closeWanted();

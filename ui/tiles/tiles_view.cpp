@@ -299,9 +299,14 @@ void TilesView::keyPressEvent(QKeyEvent* event)
 void TilesView::toggle(std::size_t sheet)
 {
     const app::Tiling& tiling = *sheets_.tiling().value;
-    const int number = tiling.numberOf(tiling.tiles[sheet]);
+    const app::Tile& tile = tiling.tiles[sheet];
+    const int number = tiling.numberOf(tile);
     app::SheetSettings next = sheets_.settings();
     auto& leftOut = next.plan.leftOut;
+    if (tile.empty && std::ranges::count(leftOut, number) == 0)
+        return emit hinted(tr("Sheet %1-%2 is empty. Clear “Leave out empty sheets” to export it.")
+                               .arg(tile.row)
+                               .arg(tile.column));
     if (std::erase(leftOut, number) == 0)
         leftOut.push_back(number);
     std::ranges::sort(leftOut);

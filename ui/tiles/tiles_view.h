@@ -33,6 +33,7 @@ public:
 
 signals:
     void frameShown(const ui::FrameTimes& times);
+    void hinted(const QString& hint); ///< why a click did nothing
 
 protected:
     void paintEvent(QPaintEvent* event) override;

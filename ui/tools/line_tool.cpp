@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/numbers.h"
 #include "ui/tools/two_points.h"
 
 #include <QCoreApplication>
+
+#include <glm/geometric.hpp>
 
 namespace ui {
 namespace {
@@ -58,6 +61,13 @@ protected:
     QString undoText() const override
     {
         return QCoreApplication::translate("Commands", "Draw line");
+    }
+    QString historyText(const Workbench& bench) const override
+    {
+        const clipping::Segment line = lineOf(*gesture_);
+        return QCoreApplication::translate("Commands", "Draw line, %1")
+            .arg(app::lengthText(glm::distance(line.a, line.b), bench.session.display().unit,
+                                 bench.session.now().page().millimetresPerUnit()));
     }
     void follow(const Gesture& gesture, Workbench& bench) override
     {

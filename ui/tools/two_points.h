@@ -19,9 +19,11 @@ protected:
     virtual app::Subpath path(const Gesture& gesture) const = 0;
     virtual app::Recipe recipe(const Gesture&) const { return {}; }
     virtual QString undoText() const = 0;
+    /// The name of the finished step, with the sizes that tell it from others.
+    virtual QString historyText(const Workbench&) const { return undoText(); }
     void make(Workbench& bench) override
     {
-        draw(bench, {path(*gesture_)}, undoText(), recipe(*gesture_));
+        draw(bench, {path(*gesture_)}, historyText(bench), recipe(*gesture_));
         bench.lastPoint = gesture_->to;
     }
 };

@@ -54,21 +54,24 @@ void Centre::resizeEvent(QResizeEvent* event)
 
 bool Centre::eventFilter(QObject* watched, QEvent* event)
 {
-    if (event->type() == QEvent::LayoutRequest)
+    if (event->type() == (watched == messages_ ? QEvent::LayoutRequest : QEvent::Resize))
         placeMessages();
     return QWidget::eventFilter(watched, event);
 }
 
 void Centre::placeMessages()
 {
-    const QPoint corner = showsCanvas() ? canvas_.drawingCorner() : QPoint();
-    const int across = width() - corner.x();
+    const bool showsTiles = tiles_ && pages_->currentWidget() == tiles_;
+    const QPoint corner = showsCanvas() ? canvas_.drawingCorner()
+                          : showsTiles  ? tiles_->sheetsArea().topLeft()
+                                        : QPoint();
+    const int across = showsTiles ? tiles_->sheetsArea().width() : width() - corner.x();
     const QLayout& messages = *messages_->layout();
     const int height = messages.isEmpty()             ? 0
                        : messages.hasHeightForWidth() ? messages.heightForWidth(across)
                                                       : messages.sizeHint().height();
     messages_->setGeometry(corner.x(), corner.y(), across, height);
-    layout()->setContentsMargins(0, showsCanvas() ? 0 : height, 0, 0);
+    layout()->setContentsMargins(0, showsCanvas() || showsTiles ? 0 : height, 0, 0);
 }
 
 void Centre::setMicroscope(MicroscopePage* page)
@@ -82,6 +85,7 @@ void Centre::setMicroscope(MicroscopePage* page)
 void Centre::setTiles(TilesPage* page)
 {
     tiles_ = page;
+    page->view().installEventFilter(this);
     pages_->addWidget(page);
 }
 

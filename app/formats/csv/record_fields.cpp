@@ -10,7 +10,7 @@
 namespace app::csv {
 namespace {
 
-std::vector<std::string> unquoted(std::string_view record)
+std::vector<std::string> unquoted(std::string_view record, std::size_t line)
 {
     QByteArray bytes = QByteArray::fromRawData(record.data(), qsizetype(record.size()));
     QBuffer buffer(&bytes);
@@ -19,17 +19,22 @@ std::vector<std::string> unquoted(std::string_view record)
     text.endComments();
     text.beginWithinFile();
     Record read;
-    text.next(read);
+    try {
+        text.next(read);
+    } catch (Refused& refused) {
+        refused.line += line - 1; // the text counts from the record's first line
+        throw;
+    }
     return std::move(read.fields);
 }
 
 } // namespace
 
-std::span<const std::string_view> RecordFields::of(std::string_view record)
+std::span<const std::string_view> RecordFields::of(std::string_view record, std::size_t line)
 {
     fields_.clear();
     if (record.find('"') != std::string_view::npos || record.size() > longestRecord) {
-        unquoted_ = unquoted(record);
+        unquoted_ = unquoted(record, line);
         fields_.assign(unquoted_.begin(), unquoted_.end());
         return fields_;
     }

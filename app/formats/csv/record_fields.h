@@ -12,9 +12,9 @@ namespace app::csv {
 /// A record that needs no unquoting is not copied.
 class RecordFields {
 public:
-    /// Valid until the next call, as long as `record`. Throws Refused (its line counts from the
-    /// record's first one) for text that is not CSV.
-    std::span<const std::string_view> of(std::string_view record);
+    /// Valid until the next call, as long as `record`, which begins on the line `line` of its file.
+    /// Throws Refused for text that is not CSV.
+    std::span<const std::string_view> of(std::string_view record, std::size_t line);
 
 private:
     std::vector<std::string_view> fields_;

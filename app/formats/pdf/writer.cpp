@@ -15,7 +15,7 @@ namespace {
 constexpr double pointsPerMillimetre = 72 / 25.4;
 constexpr double largestPage = 14'400; // units; on larger pages the unit is larger
 
-std::string text(double number)
+std::string numberText(double number)
 {
     std::string result;
     appendNumber(result, number);
@@ -75,11 +75,11 @@ std::string reference(std::size_t object) { return std::to_string(object) + " 0 
 std::string pageObject(const Point& size, double userUnit, std::size_t contents,
                        const std::string& resources)
 {
-    std::string page = "<</Type/Page/Parent 2 0 R/MediaBox[0 0 " + text(size.x) + ' ' + text(size.y)
-                       + "]/Contents " + reference(contents) + "/Resources<<" + resources
-                       + ">>/Group<</S/Transparency/CS/DeviceRGB>>";
+    std::string page = "<</Type/Page/Parent 2 0 R/MediaBox[0 0 " + numberText(size.x) + ' '
+                       + numberText(size.y) + "]/Contents " + reference(contents) + "/Resources<<"
+                       + resources + ">>/Group<</S/Transparency/CS/DeviceRGB>>";
     if (userUnit > 1)
-        page += "/UserUnit " + text(userUnit);
+        page += "/UserUnit " + numberText(userUnit);
     return page + ">>";
 }
 

@@ -20,6 +20,20 @@ private slots:
         QCOMPARE(app::linesText(1), "1 line");
         QCOMPARE(app::linesText(49696), "49,696 lines");
     }
+    // The size of a window is the difference of its edges: 31.56499999999999773.
+    void aHalfIsRoundedAwayFromZero()
+    {
+        QCOMPARE(app::numberText(131.565 - 100, 2), "31.57");
+        QCOMPARE(app::numberText(31.565, 2), "31.57");
+        QCOMPARE(app::numberText(2.675, 2), "2.68");
+        QCOMPARE(app::numberText(-0.125, 2), QStringLiteral("−0.13"));
+        QCOMPARE(app::numberText(0.5, 0), "1");
+        QCOMPARE(app::numberText(1e9 + 0.565, 2), "1,000,000,000.57");
+        QCOMPARE(app::numberText(31.5649, 2), "31.56");
+        QCOMPARE(app::numberText(31.56499999, 2), "31.56");
+        QCOMPARE(app::numberText(9007199254740992, 2), "9,007,199,254,740,992.00");
+        QCOMPARE(app::numberText(0.1, 16), "0.1000000000000000");
+    }
     void followsTheLocale()
     {
         QLocale::setDefault(QLocale(QLocale::German));

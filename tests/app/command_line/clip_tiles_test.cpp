@@ -117,6 +117,25 @@ private slots:
                  help.constData());
     }
 
+    void emptySheetsAreLeftOut()
+    {
+        const Desk desk;
+        writeText(desk.input, "<svg xmlns='http://www.w3.org/2000/svg' width='300mm' "
+                              "height='200mm' viewBox='0 0 300 200'><path stroke='#000' "
+                              "d='M10 10L90 90'/></svg>");
+        const QStringList options{"3x2", "-o", desk.path("e-{n}.svg")};
+        const auto some = desk.tiles(options);
+        QCOMPARE(desk.files("e-*.svg"), QStringList{"e-1.svg"});
+        QVERIFY2(some.err.contains("\n5 empty sheets were left out. --empty-sheets writes them.\n"),
+                 some.err.constData());
+        const auto all = desk.tiles(options + QStringList{"--empty-sheets"});
+        QCOMPARE(desk.files("e-*.svg").size(), 6);
+        QVERIFY(!all.err.contains("left out."));
+        const auto none = desk.tiles(options + QStringList{"-w", "200,0,300,200"});
+        QCOMPARE(none.code, 1);
+        QVERIFY2(none.err.contains("All sheets are empty."), none.err.constData());
+    }
+
     // 200 mm of two sheets of 105 mm: both have the 10 mm in the middle.
     void neighboursShareTheOverlap()
     {

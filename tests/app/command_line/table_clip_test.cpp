@@ -4,51 +4,16 @@
 #include <QTest>
 
 #include <algorithm>
-#include <fcntl.h>
 #include <random>
-#include <unistd.h>
 
 #include "tests/app/command_line/program.h"
+#include "tests/app/command_line/running.h"
 #include "tests/sanitizer.h"
 
 namespace {
 
 const QByteArray header = "x1,y1,x2,y2,layer,colour,width,source\n";
 const QStringList clip{"clip", "-", "--from", "csv", "--to", "csv", "-o", "-"};
-
-struct Pipe {
-    int out = -1, in = -1;
-
-    Pipe()
-    {
-        int ends[2];
-        if (::pipe2(ends, O_CLOEXEC) != 0)
-            qFatal("no pipe");
-        out = ends[0];
-        in = ends[1];
-    }
-    ~Pipe()
-    {
-        close(out);
-        close(in);
-    }
-    static void close(int& end)
-    {
-        if (end >= 0)
-            ::close(end);
-        end = -1;
-    }
-};
-
-// The most memory that a running program has used.
-QByteArray peakKilobytes(const QProcess& process)
-{
-    const QString status = QStringLiteral("/proc/%1/status").arg(process.processId());
-    for (const QByteArray& line : contentOf(status).split('\n'))
-        if (line.startsWith("VmHWM:"))
-            return line.simplified().split(' ').at(1);
-    return {};
-}
 
 // Rows with everything that a table may have.
 QByteArray oddTable()

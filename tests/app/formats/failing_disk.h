@@ -11,6 +11,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
+#include <sys/uio.h>
 #include <unistd.h>
 #include <vector>
 
@@ -107,6 +108,20 @@ ssize_t write(int file, const void* bytes, std::size_t size)
         room -= size;
     }
     return ::syscall(SYS_write, file, bytes, size);
+}
+
+ssize_t writev(int file, const iovec* parts, int count)
+{
+    ssize_t all = 0;
+    for (int i = 0; i < count; ++i) {
+        const ssize_t written = write(file, parts[i].iov_base, parts[i].iov_len);
+        if (written < 0)
+            return all > 0 ? all : written;
+        all += written;
+        if (std::size_t(written) < parts[i].iov_len)
+            break;
+    }
+    return all;
 }
 
 ssize_t read(int file, void* bytes, std::size_t size)

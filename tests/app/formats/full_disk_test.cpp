@@ -98,11 +98,12 @@ std::optional<QString> cutRows(QIODevice& out)
         at += count;
         return count;
     };
-    csv::cutTable(source, [&](std::string_view text) { return writeAll(out, text); },
-                  {.cut = {.clipAll = usualAlgorithm().corrected.clipAll,
-                           .region = regionOf({{{.shape = RectangleShape{{{1, 1}, {8, 8}}}}}}, 1)},
-                   .write = {},
-                   .threads = 2});
+    csv::cutTable(
+        source, [&](std::string_view text) { return writeAll(out, text); },
+        {.rows = {.cut = {.clipAll = usualAlgorithm().corrected.clipAll,
+                          .region = regionOf({{{.shape = RectangleShape{{{1, 1}, {8, 8}}}}}}, 1)},
+                  .write = {}},
+         .stream = {.threads = 2}});
     return std::nullopt;
 }
 

@@ -54,6 +54,27 @@ private slots:
                 QVERIFY(!FrameReader(std::string_view(bytes).substr(0, cut), 3).next());
         }
     }
+    void lentBytesAreAsCopiedOnes()
+    {
+        std::string all;
+        for (int i = 0; i < 300; ++i)
+            all += char(i * 7 + i / 50);
+        for (std::size_t first = 0; first < 70; ++first)
+            for (std::size_t count : {0, 1, 8, 31, 32, 33, 100, 130}) {
+                const std::size_t second = first + 40, more = 37;
+                Frame frame{
+                    std::string(frameHeader, '\0') + all.substr(0, first)
+                        + all.substr(first + count, 40) + all.substr(second + count + more),
+                    {{frameHeader + first, std::string_view(all).substr(first, count)},
+                     {frameHeader + second, std::string_view(all).substr(second + count, more)}}};
+                sealFrame(frame, 9);
+                std::string joined;
+                for (const std::string_view part : frame.parts())
+                    joined += part;
+                QCOMPARE(joined.size(), frame.size());
+                QVERIFY(joined == framed(all, 9));
+            }
+    }
     void aHugeSizeIsRefused()
     {
         const std::string bytes(frameHeader, '\xff');

@@ -108,8 +108,27 @@ private slots:
         next.plan.leftOut = {2};
         QVERIFY(!sheets.change(next));
         next.landscape = true; // 2 columns × 2 rows
+        next.plan.empty = EmptySheets::Written;
         QVERIFY(!sheets.change(next));
         QCOMPARE(sheets.tiling().value->written(), 4);
+    }
+
+    void emptySheetsFollowTheDrawing()
+    {
+        Session session;
+        LiveSheets sheets(session);
+        session.load(wide());
+        sheets.open();
+        SheetSettings next = sheets.settings();
+        next.landscape = true; // 2 columns × 2 rows
+        QVERIFY(!sheets.change(next));
+        QCOMPARE(sheets.tiling().value->written(), 2); // nothing is in the lower row
+        addWindow(session, {.shape = RectangleShape{{{100, 50}, {150, 150}}}});
+        sheets.wait();
+        QCOMPARE(sheets.tiling().value->written(), 1);
+        session.history.undo();
+        sheets.wait();
+        QCOMPARE(sheets.tiling().value->written(), 2);
     }
 
     void theDrawingIsCutAtItsWindowsFirst()

@@ -27,6 +27,10 @@ private slots:
         QCOMPARE(resultOf(windows), "Old town − Market hall + Star ∩ Rectangle");
         windows.list[0].visible = false;
         QCOMPARE(resultOf(windows), "everything − Market hall + Star ∩ Rectangle");
+        windows.list.push_back(windows.list.back());
+        windows.list.push_back(windows.list.back());
+        windows.list.back().visible = false;
+        QCOMPARE(resultOf(windows), "everything − Market hall + Star ∩ 2 × Rectangle");
         QCOMPARE(resultOf({}), "");
         QCOMPARE(resultOf({{{.shape = box, .visible = false}}}), "");
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Areas on small grids, among them all degenerate and self-crossing ones, against fractions: the
 // contract of clipping/region/region.h.
-#include "clipping/region/region.h"
+#include "clipping/region/grid.h"
 
 #include <QTest>
 
@@ -79,6 +79,19 @@ class GridTest : public QObject {
     Q_OBJECT
 
 private slots:
+    // Each edge spans the whole height, and would be listed in each row.
+    void anAreaWithoutWidthListsFewEdges()
+    {
+        std::vector<AreaEdge> edges;
+        for (std::uint32_t i = 0; i < 4000; ++i)
+            edges.push_back({{{1, i % 2}, {1, 1 - i % 2}}, 0, i});
+        const SearchGrid grid(edges, 1, 300, 64);
+        const std::size_t listed = grid.edgesIn(0, grid.cells() - 1).size();
+        QVERIFY(listed >= edges.size());
+        QVERIFY2(listed < 2 * (0x1p20 + 64. * double(edges.size())),
+                 QByteArray::number(qulonglong(listed)));
+    }
+
     void everyTriangle()
     {
         const auto segments = gridSegments(3);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/contents.h"
+#include "app/session/window_steps.h"
 #include "ui/bars/status_bar.h"
 #include "ui/tiles/sheets_section.h"
 #include "ui/tiles/tiles_page.h"
 #include "ui/widgets/elided_label.h"
 #include "ui/widgets/length_field.h"
+#include "ui/widgets/message_strip.h"
 #include "ui/widgets/refusal_frame.h"
 #include "ui/widgets/segments.h"
 
@@ -15,6 +17,7 @@
 #include <QPainter>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QSignalSpy>
 #include <QSpinBox>
 
 #include "tests/app/command_line/program.h"
@@ -270,6 +273,48 @@ private slots:
         QCOMPARE(t.exportText(), "Export 6 sheets…");
     }
 
+    void emptySheetsAreLeftOutUnlessTheyAreWanted()
+    {
+        Stage t;
+        app::addWindow(t.window->session(), {.shape = app::RectangleShape{{{5, 5}, {60, 60}}}});
+        t.openTiles();
+        t.sheets().wait();
+        QCOMPARE(t.exportText(), "Export 1 sheet…");
+        auto& empty = t.part<QCheckBox>("leave-out-empty-sheets");
+        QVERIFY(empty.isChecked());
+        QCOMPARE(empty.toolTip(), "5 empty sheets were left out.");
+        QSignalSpy hints(&t.page(), &TilesPage::hinted);
+        TilesView& view = t.page().view();
+        QTest::mouseClick(&view, Qt::LeftButton, {}, view.middleOf(1).toPoint());
+        QCOMPARE(t.exportText(), "Export 1 sheet…");
+        QVERIFY(hints.last()[0].toString().startsWith("Sheet 1-2 is empty."));
+        t.answers->directory = t.folder.path();
+        t.exportNow();
+        QCOMPARE(t.window->message(),
+                 "Exported 1 sheet: rosette-1-1.svg. 5 empty sheets were left out.");
+        QTest::mouseClick(&empty, Qt::LeftButton, {}, {8, 8});
+        QVERIFY(!empty.isChecked());
+        QCOMPARE(t.exportText(), "Export 6 sheets…");
+    }
+
+    // Nothing moves under the pointer.
+    void aMessageLiesOverTheSheets()
+    {
+        Stage t;
+        t.openTiles();
+        const auto placeOf = [&](QWidget& widget) {
+            return QRect(widget.mapTo(t.window.get(), QPoint()), widget.size());
+        };
+        const QRect button = placeOf(t.part("export-sheets")), sheets = placeOf(t.page().view());
+        t.window->tell({Message::Kind::Done, "Exported 6 sheets"});
+        QCoreApplication::processEvents();
+        QCOMPARE(placeOf(t.part("export-sheets")), button);
+        QCOMPARE(placeOf(t.page().view()), sheets);
+        auto* strip = t.window->findChild<MessageStrip*>();
+        QVERIFY(strip->isVisible());
+        QVERIFY(sheets.contains(placeOf(*strip)));
+    }
+
     void aDraggedEdgeMovesTheCuts()
     {
         Stage t;
@@ -349,7 +394,7 @@ private slots:
         t.answers->directory = t.folder.path();
         t.exportNow();
         QCOMPARE(app::contentsOf(t.sheets().drawing()).bounds.value().max, app::Point(100, 100));
-        QCOMPARE(t.written("rosette-*.svg").size(), 6);
+        QCOMPARE(t.written("rosette-*.svg").size(), 1); // the others are empty
         QVERIFY(t.isUnchanged());
     }
 };

@@ -189,6 +189,22 @@ private slots:
         QVERIFY(sheetOf(t.window->session().document).shapes.empty());
         QVERIFY(app::sheetOf(app::readFile(t.path("two.svg")).value->document).window != middle);
     }
+    void closeLeavesAnEmptyDrawingAndTheStartPanel()
+    {
+        TestWindow t;
+        t.show();
+        t.open(t.twoLines());
+        t.action("close")->trigger();
+        QVERIFY(t.window->isVisible());
+        QVERIFY(sheetOf(t.window->session().document).shapes.empty());
+        QCOMPARE(t.window->files().name(), "Untitled");
+        QVERIFY(t.window->showsPanel("start"));
+        t.open(t.twoLines());
+        setWindow(t, middle);
+        t.answers->answer = Questions::Answer::Cancel;
+        t.action("close")->trigger();
+        QCOMPARE(sheetOf(t.window->session().document).window, middle); // the person keeps it
+    }
     void itAsksBeforeOverwritingAnotherProgramsChange()
     {
         TestWindow t;
