@@ -10,6 +10,7 @@
 #include "app/commands/resize_objects.h"
 #include "app/commands/set_containers.h"
 #include "app/commands/set_guides.h"
+#include "app/commands/set_sheets.h"
 #include "app/commands/set_style.h"
 #include "app/commands/set_windows.h"
 #include "app/commands/transform_objects.h"
@@ -34,6 +35,7 @@ std::span<const CommandKind> commandKinds()
         SetStyle::row,
         SetWindows::row,
         SetGuides::row,
+        SetSheets::row,
         SetContainers::row,
         RemoveLayer::row,
         CropToWindow::row,

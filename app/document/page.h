@@ -3,7 +3,10 @@
 
 #include "app/base/length.h"
 #include "app/document/guide.h"
+#include "app/document/page_sheets.h"
 #include "app/document/subpath.h"
+
+#include <optional>
 
 namespace app {
 
@@ -14,6 +17,7 @@ struct Page {
     Point size{297, 210};
     Length width{297, Unit::Mm}, height{210, Unit::Mm};
     Guides guides{};
+    std::optional<PageSheets> sheets{}; ///< how it is divided, if a person has chosen it
     friend bool operator==(const Page&, const Page&) = default;
 
     /// The size of a user unit in millimetres; 25.4 / 96 (1 px) if the file does not give it.

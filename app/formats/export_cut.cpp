@@ -38,6 +38,7 @@ std::optional<QString> cutAndWrite(const Document& document, CutOptions options,
     result.edit.windows = ClipWindows(); // the exported drawing must not be cut again
     Page page = result.edit.page.value_or(exported.page());
     page.guides = {}; // they are not part of what is drawn
+    page.sheets.reset();
     result.edit.page = std::move(page);
     exported.apply(result.edit);
     return writeFile(exported, path, writing);

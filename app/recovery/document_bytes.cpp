@@ -19,9 +19,46 @@ Length readLength(ByteReader& in)
     return {value, in.choice(Unit::Percent)};
 }
 
+void writeSheets(ByteWriter& out, const PageSheets& sheets)
+{
+    const auto& [paper, landscape, byNumber, plan] = sheets;
+    const auto& [size, columns, rows, margin, overlap, marks, scale, shift, leftOut, empty] = plan;
+    const auto& [registration, labels, cropLines] = marks;
+    out.put(paper);
+    for (const bool flag : {landscape, byNumber, registration, labels, cropLines})
+        out.put(std::uint8_t(flag));
+    out.put(size);
+    out.put(std::int32_t(columns));
+    out.put(std::int32_t(rows));
+    for (const double number : {margin, overlap, scale})
+        out.put(number);
+    out.put(shift);
+    out.putList(leftOut);
+    out.put(std::uint8_t(empty));
+}
+
+PageSheets readSheets(ByteReader& in)
+{
+    PageSheets sheets;
+    TilePlan& plan = sheets.plan;
+    sheets.paper = in.text();
+    for (bool* const flag : {&sheets.landscape, &sheets.byNumber, &plan.marks.registration,
+                             &plan.marks.labels, &plan.marks.cropLines})
+        *flag = in.flag();
+    plan.sheet = in.get<Point>();
+    plan.columns = in.get<std::int32_t>();
+    plan.rows = in.get<std::int32_t>();
+    for (double* const number : {&plan.margin, &plan.overlap, &plan.scale})
+        *number = in.get<double>();
+    plan.shift = in.get<Point>();
+    plan.leftOut = in.list<int>();
+    plan.empty = in.choice(EmptySheets::Written);
+    return sheets;
+}
+
 void writePage(ByteWriter& out, const Page& page)
 {
-    const auto& [min, size, width, height, guides] = page;
+    const auto& [min, size, width, height, guides, sheets] = page;
     out.put(min);
     out.put(size);
     writeLength(out, width);
@@ -31,6 +68,9 @@ void writePage(ByteWriter& out, const Page& page)
         out.put(std::uint8_t(axis));
         out.put(at);
     }
+    out.put(std::uint8_t(sheets.has_value()));
+    if (sheets)
+        writeSheets(out, *sheets);
 }
 
 Page readPage(ByteReader& in)
@@ -44,6 +84,8 @@ Page readPage(ByteReader& in)
         const int axis = in.flag() ? 1 : 0;
         page.guides.list.push_back({axis, in.get<double>()});
     }
+    if (in.flag())
+        page.sheets = readSheets(in);
     return page;
 }
 

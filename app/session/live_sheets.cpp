@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/live_sheets.h"
 
+#include "app/commands/set_sheets.h"
 #include "app/cut/cut_choices.h"
 #include "app/tiles/empty_sheets.h"
 
@@ -32,6 +33,7 @@ void LiveSheets::open()
     if (open_)
         return;
     open_ = true;
+    take();
     cutDrawing();
     divide();
     emit openChanged();
@@ -41,16 +43,37 @@ void LiveSheets::close()
 {
     if (!open_)
         return;
+    keep();
     open_ = false;
     cutter_.cancel();
     emit openChanged();
     cut_.reset();
 }
 
+void LiveSheets::keep()
+{
+    const PageSheets now = settings_;
+    if (!open_ || now == kept_)
+        return;
+    kept_ = now;
+    session_.history.push(new SetSheets(session_.document, now, tr("Divide among sheets")));
+}
+
+// The division of the document, if it has one that is not known yet.
+void LiveSheets::take()
+{
+    const std::optional<PageSheets>& saved = session_.now().page().sheets;
+    if (saved && saved != kept_)
+        static_cast<PageSheets&>(settings_) = *saved;
+    kept_ = saved ? *saved : settings_;
+}
+
 void LiveSheets::follow()
 {
     if (!open_)
         return;
+    if (const auto& saved = session_.now().page().sheets; saved && saved != kept_)
+        take();
     cutDrawing();
     divide();
     emit changed();
@@ -61,6 +84,9 @@ void LiveSheets::forget()
     settings_.name.clear();
     settings_.plan.shift = Point(0);
     settings_.plan.leftOut.clear();
+    kept_.reset();
+    if (open_)
+        take();
     follow();
 }
 

@@ -9,8 +9,9 @@ namespace app {
 
 /// The sheets among which a session's drawing is divided, while they are shown and exported. The
 /// drawing is cut at its own clip windows first, as for any export: a large one in the background.
-/// The document is never changed. The settings last as long as this object; those that belong to
-/// one drawing (name, cuts moved, sheets left out) begin anew with each.
+/// How the drawing is divided is saved with it: `keep` makes a step of it. A drawing without
+/// a division begins with the last one that was chosen, but for its name, shift and sheets left
+/// out.
 class LiveSheets : public QObject {
     Q_OBJECT
 
@@ -19,7 +20,10 @@ public:
 
     bool isOpen() const { return open_; }
     void open();
-    void close();
+    void close(); ///< keeps the division, too
+    /// Makes a step of the division, if a person has chosen another one. To be called before the
+    /// document is saved.
+    void keep();
 
     const SheetSettings& settings() const { return settings_; }
     /// Takes other settings. Returns a sentence that says why no sheets can be made by them; then
@@ -49,6 +53,7 @@ signals:
 private:
     void follow();
     void forget();
+    void take();
     void divide();
     Result<Tiling> divided(const SheetSettings& settings);
     void cutDrawing();
@@ -65,6 +70,7 @@ private:
     QString title_;
     std::unique_ptr<CutDrawing> cut_; ///< null: the drawing has no clip windows
     Background<Document> cutter_;
+    std::optional<PageSheets> kept_; ///< the division that the document has, or began with
     bool open_ = false;
 };
 

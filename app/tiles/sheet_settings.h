@@ -7,14 +7,9 @@
 
 namespace app {
 
-/// What a person chooses for the sheets of a drawing.
-struct SheetSettings {
-    QString paper = QStringLiteral("A4"); ///< one that paperSize() knows
-    bool landscape = false;
-    bool byNumber = false; ///< of columns and rows, not by the size of the paper
-    /// The rest of the plan; its `sheet` does not count.
-    TilePlan plan{.columns = 2, .rows = 2, .margin = 10, .overlap = 10, .marks = allMarks};
-
+/// What a person chooses for the sheets of a drawing: how it is divided, which is saved with it,
+/// and how the sheets are written.
+struct SheetSettings : PageSheets {
     std::string format = "svg";
     bool oneFile = false; ///< for all sheets; only in the format PDF
     OverviewSheet overview = OverviewSheet::No;

@@ -38,6 +38,7 @@ void MainWindow::connectSession()
 void MainWindow::connectFiles()
 {
     connect(files_.get(), &Files::documentWanted, canvas_, &Canvas::endGesture);
+    connect(files_.get(), &Files::documentWanted, &sheets_, &app::LiveSheets::keep);
     connect(files_.get(), &Files::told, this, &MainWindow::tell);
     connect(files_.get(), &Files::nameChanged, this, &MainWindow::showTitle);
 }

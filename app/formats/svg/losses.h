@@ -81,6 +81,10 @@ inline constexpr LossKind unreadableGuide{
     QT_TRANSLATE_NOOP("svg", "guide without a finite x or y"),
     QT_TRANSLATE_NOOP("svg", "guides without a finite x or y")};
 
+inline constexpr LossKind unreadableSheets{
+    QT_TRANSLATE_NOOP("svg", "division among sheets with a missing or invalid number"),
+    QT_TRANSLATE_NOOP("svg", "divisions among sheets with a missing or invalid number")};
+
 inline constexpr LossKind invertedWindow{
     QT_TRANSLATE_NOOP("svg", "inverted clip window"),
     QT_TRANSLATE_NOOP("svg", "inverted clip windows"), false,

@@ -6,6 +6,7 @@
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/page.h"
 #include "app/formats/svg/refused.h"
+#include "app/formats/svg/sheets_text.h"
 #include "app/formats/svg/tree_drawer.h"
 #include "app/formats/svg/window_text.h"
 
@@ -46,6 +47,7 @@ Imported import(const Tree& tree)
     Document document = draw(tree, root, report);
     Page page = closed(root, document.objects());
     page.guides = readGuides(tree, report);
+    page.sheets = readSheets(tree, report);
     document.apply({.windows = readWindows(tree, report), .page = std::move(page)});
     imported.drawn = drawnOf(root, document);
     imported.document = std::move(document);

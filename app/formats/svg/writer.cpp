@@ -8,6 +8,7 @@
 #include "app/formats/svg/guide_text.h"
 #include "app/formats/svg/outline_text.h"
 #include "app/formats/svg/recipe_text.h"
+#include "app/formats/svg/sheets_text.h"
 #include "app/formats/svg/style_text.h"
 #include "app/formats/svg/window_text.h"
 
@@ -89,7 +90,9 @@ private:
         appendLine(about.title);
         appendLine(about.description);
         appendLine(about.metadata);
-        if (const std::string own = textOf(document_.windows()) + textOf(page.guides); !own.empty())
+        if (const std::string own =
+                textOf(document_.windows()) + textOf(page.guides) + textOf(page.sheets);
+            !own.empty())
             text_.append("<metadata>").append(own).append("</metadata>\n");
     }
 

@@ -11,6 +11,7 @@
 #include "app/commands/resize_objects.h"
 #include "app/commands/set_containers.h"
 #include "app/commands/set_guides.h"
+#include "app/commands/set_sheets.h"
 #include "app/commands/set_style.h"
 #include "app/commands/set_windows.h"
 #include "app/commands/transform_objects.h"
@@ -240,6 +241,10 @@ inline const std::vector<RandomCommands::Maker> RandomCommands::makers{
     {"set-guides",
      [](RandomCommands& r) -> app::UndoCommand* {
          return new app::SetGuides(r.document_, r.random_.guides(), "Guides");
+     }},
+    {"set-sheets",
+     [](RandomCommands& r) -> app::UndoCommand* {
+         return new app::SetSheets(r.document_, r.random_.sheets(), "Sheets");
      }},
     {"set-windows", [](RandomCommands& r) { return r.setWindows(); }},
     {"set-containers", [](RandomCommands& r) { return r.setContainers(); }},

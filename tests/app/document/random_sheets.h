@@ -70,6 +70,26 @@ public:
         return guides;
     }
 
+    app::PageSheets sheets()
+    {
+        app::PageSheets sheets{text().trimmed(), below(2) == 0, below(2) == 0, {}};
+        app::TilePlan& plan = sheets.plan;
+        plan.marks = {below(2) == 0, below(2) == 0, below(2) == 0};
+        plan.margin = std::abs(number());
+        plan.overlap = std::abs(number());
+        plan.scale = 0.5 + std::abs(number());
+        plan.empty = below(2) ? app::EmptySheets::Written : app::EmptySheets::LeftOut;
+        for (auto n = below(3); n > 0; --n)
+            plan.leftOut.push_back(1 + int(below(app::mostTiles)));
+        if (sheets.byNumber) {
+            plan.columns = 1 + int(below(20));
+            plan.rows = 1 + int(below(20));
+        } else {
+            plan.shift = point();
+        }
+        return sheets;
+    }
+
     // As proportionate as the sheet of paper that it is, or open in a direction.
     app::Page page()
     {
@@ -79,6 +99,8 @@ public:
         if (!open(page.width) && !open(page.height))
             page.height = {page.width.value * (page.size.y / page.size.x), page.width.unit};
         page.guides = guides();
+        if (below(2))
+            page.sheets = sheets();
         return page;
     }
 

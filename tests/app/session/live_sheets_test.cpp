@@ -78,6 +78,55 @@ private slots:
         QVERIFY(sheets.settings().landscape);
     }
 
+    void theDivisionIsSavedWithTheDrawing()
+    {
+        Session session;
+        LiveSheets sheets(session);
+        session.load(wide());
+        sheets.open();
+        sheets.close();
+        QVERIFY(session.history.isClean()); // nothing was chosen
+        sheets.open();
+        SheetSettings next = sheets.settings();
+        next.plan.overlap = 25;
+        next.plan.leftOut = {2};
+        QVERIFY(!sheets.change(next));
+        sheets.keep(); // before the document is saved
+        const Document saved = session.now();
+        sheets.close();
+        QCOMPARE(session.history.count(), 1);
+        QVERIFY(saved.page().sheets == static_cast<const PageSheets&>(next));
+
+        LiveSheets others(session);
+        session.load(wide());
+        others.open();
+        QCOMPARE(others.settings().plan.overlap, 10.0);
+        session.load({saved, {}});
+        QCOMPARE(others.settings().plan.overlap, 25.0);
+        QCOMPARE(others.tiling().value->written(), 2);
+        others.close();
+        QVERIFY(session.history.isClean());
+    }
+
+    void undoGivesTheDivisionBack()
+    {
+        Session session;
+        LiveSheets sheets(session);
+        session.load(wide());
+        for (const double overlap : {20.0, 30.0}) {
+            sheets.open();
+            SheetSettings next = sheets.settings();
+            next.plan.overlap = overlap;
+            QVERIFY(!sheets.change(next));
+            sheets.close();
+        }
+        session.history.undo();
+        sheets.open();
+        QCOMPARE(sheets.settings().plan.overlap, 20.0);
+        session.history.redo();
+        QCOMPARE(sheets.settings().plan.overlap, 30.0);
+    }
+
     // What belongs to one drawing does not pass on to another one.
     void anotherDrawingBeginsAnew()
     {
