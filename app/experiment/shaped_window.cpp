@@ -22,7 +22,7 @@ bool isUnable(const ShapedWindow& window, const Variant& variant)
     return !refusalAt(window.step(), variant).isEmpty();
 }
 
-QString numberText(double number)
+QString exactText(double number)
 {
     std::string text;
     appendNumber(text, number);
@@ -34,10 +34,10 @@ QString textOf(const ClipWindow& window, const ClipRegion::Step& step)
 {
     if (const auto* rectangle = std::get_if<RectangleShape>(&window.shape))
         return QStringLiteral("%1@%2").arg(rectangleText(rectangle->box),
-                                           numberText(-glm::degrees(rectangle->angle)));
+                                           exactText(-glm::degrees(rectangle->angle)));
     QStringList corners;
     for (const Point& corner : step.polygon.corners)
-        corners << QStringLiteral("%1,%2").arg(numberText(corner.x), numberText(corner.y));
+        corners << QStringLiteral("%1,%2").arg(exactText(corner.x), exactText(corner.y));
     return QStringLiteral("polygon:") + corners.join(u' ');
 }
 
