@@ -4,6 +4,10 @@
 # tests/rooms_test.cpp checks the list and the includes.
 set(folders_of_rooms ${PROJECT_BINARY_DIR}/rooms) # rooms/app_view has app/view and nothing else
 
+# Where files are compiled together, one sees the names of another, and g++ takes a type that only one of them has for one
+# that many have. What that would warn of is looked for where each file is compiled by itself, in the debug preset.
+set(compiled_together $<$<CXX_COMPILER_ID:GNU>:-Wno-shadow$<SEMICOLON>-Wshadow=local$<SEMICOLON>-Wno-subobject-linkage>)
+
 # link_headers(ROOM FOLDER): `#include "FOLDER/…"` is found in the include folder of ROOM.
 function(link_headers room folder)
   get_filename_component(above ${folders_of_rooms}/${room}/${folder} DIRECTORY)
@@ -28,6 +32,7 @@ function(room name)
   qt_add_library(${room} STATIC ${sources})
   if(CLEARCUT_PRECOMPILE AND room_TOGETHER)
     set_target_properties(${room} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+    target_compile_options(${room} PRIVATE ${compiled_together})
     list(TRANSFORM room_ALONE PREPEND ${name}/)
     set_source_files_properties(${room_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   endif()

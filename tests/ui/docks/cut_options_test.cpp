@@ -81,10 +81,10 @@ private slots:
             canvas.settle();
             const QImage seen = canvas.paneSurface(0)->grab().toImage();
             const app::Point at = canvas.view().toScreen({5, 50});
-            int darkest = 255;
+            int least = 255;
             for (int y = -3; y <= 3; ++y)
-                darkest = std::min(darkest, qGray(seen.pixel(qRound(at.x), qRound(at.y) + y)));
-            return darkest;
+                least = std::min(least, qGray(seen.pixel(qRound(at.x), qRound(at.y) + y)));
+            return least;
         };
         QVERIFY(darkest(0) < 150);
         QVERIFY(darkest(49) < 150);

@@ -94,9 +94,9 @@ private slots:
             if (button->accessibleName().endsWith("Around a point"))
                 QTest::mouseClick(button, Qt::LeftButton);
         const auto field = [&](const QString& name) -> QDoubleSpinBox* {
-            for (auto* field : dialog->findChildren<ui::LengthField*>())
-                if (field->accessibleName() == name)
-                    return field;
+            for (auto* one : dialog->findChildren<ui::LengthField*>())
+                if (one->accessibleName() == name)
+                    return one;
             return nullptr;
         };
         QCOMPARE(field("Centre X")->value(), 60.0);
