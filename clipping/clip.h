@@ -18,9 +18,9 @@
 namespace CLEARCUT_API clipping {
 
 /// The key of the catalogue's row that clips a Shape at a window or a box, or At something else:
-/// "exact" makes no wrong decision and rounds each new coordinate once. At windows and boxes,
-/// lines, rays and boxes are clipped by the row that is best there. Lines and rays at polygons, for
-/// which no row has a form, are clipped as `exact` clips segments.
+/// "exact" makes no wrong decision and rounds each new coordinate once. Lines, rays, and segments
+/// in three dimensions are clipped at windows and boxes by the row that is best there. Lines and
+/// rays at polygons, for which no row has a form, are clipped as `exact` clips segments.
 template <class Shape, class At = Window>
 inline constexpr std::string_view algorithmFor = "exact";
 template <class T, class U>

@@ -33,8 +33,8 @@ public:
             ax_ = &first->a.x, ay_ = &first->a.y, bx_ = &first->b.x, by_ = &first->b.y;
     }
 
-    /// The four numbers of the first segment, and the bytes from each segment to the next; these
-    /// may be negative.
+    /// The four numbers of the first segment, and the bytes from each segment to the next: a
+    /// multiple of alignof(T), which may be 0 or negative.
     // NOLINTNEXTLINE(readability-function-size): four numbers make a segment
     constexpr SegmentsView(const T* ax, const T* ay, const T* bx, const T* by, std::size_t count,
                            std::ptrdiff_t stride) noexcept

@@ -12,6 +12,7 @@ build=$root/build/release
 # What tests a file: the quickest first.
 testsOf() { # KEY
     case $1 in
+    batch/*) echo batch.kernels polygon.exact ;;
     box/*) echo box.box ;;
     region/convex) echo region.convex region.region ;;
     region/box-part) echo region.box_part ;;

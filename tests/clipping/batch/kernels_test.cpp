@@ -112,6 +112,29 @@ Scene<T> nearOverflow()
     return scene;
 }
 
+/// Through the corners of a window, where products of two coordinates are hardly above the smallest
+/// number and lose most of their digits.
+template <class T>
+Scene<T> nearUnderflow()
+{
+    using Limits = std::numeric_limits<T>;
+    const T unit = std::ldexp(T(1), (Limits::min_exponent - Limits::digits) / 2);
+    Scene<T> scene{"near underflow", {{-3 * unit, -2 * unit}, {4 * unit, 5 * unit}}, {}};
+    RandomNumbers random(9);
+    const auto number = [&] {
+        return std::ldexp(static_cast<T>(random.uniform(-2, 2)), random.integer(-1, 3)) * unit;
+    };
+    const auto& [low, high] = scene.window;
+    for (int i = 0; i < 20'000; ++i) {
+        const T x = random.integer(0, 1) ? low.x : high.x,
+                y = random.integer(0, 1) ? low.y : high.y;
+        const T dx = number(), dy = number();
+        const T far = std::ldexp(T(1), random.integer(-4, 4));
+        scene.segments.push_back({{x + dx, y + dy}, {x - far * dx, y - far * dy}});
+    }
+    return scene;
+}
+
 template <class T>
 std::vector<Scene<T>> allScenes()
 {
@@ -119,6 +142,7 @@ std::vector<Scene<T>> allScenes()
     for (const std::size_t i : {0, 1})
         scenes.push_back(spoilt(scenes[i]));
     scenes.push_back(nearOverflow<T>());
+    scenes.push_back(nearUnderflow<T>());
     auto inside = paperScene<T>(5003);
     inside.name = "all inside";
     inside.window = {{-960, -720}, {960, 720}};

@@ -330,6 +330,33 @@ private slots:
         compareSets(related, polygonOfTheTest_, "corners", false);
     }
 
+    // Small polygons far from the origin, whose coordinates have hardly more digits than their
+    // size: segments through their corners, and past them by a last bit.
+    void vectorsGiveTheSameBitsFarFromTheOrigin()
+    {
+        RandomNumbers random(24);
+        for (int i = 0; i < 200; ++i) {
+            const double x = random.uniform(-9, 9), y = random.uniform(-9, 9);
+            const double width = std::ldexp(std::abs(x), -random.integer(10, 30));
+            const double height = std::ldexp(std::abs(y), -random.integer(10, 30));
+            const ConvexPolygon kite{
+                {{x - width, y}, {x, y - height}, {x + width, y}, {x, y + height}}};
+            const auto nearly = [&](double number) {
+                const int bits = random.integer(-1, 1);
+                return bits == 0 ? number : std::nextafter(number, bits * INFINITY);
+            };
+            std::vector<Segment> segments;
+            for (int k = 0; k < 96; ++k) {
+                const auto& c = kite.corners[std::size_t(random.integer(0, 3))];
+                const glm::dvec2 d{random.uniform(-9, 9), random.uniform(-9, 9)};
+                const double far = std::ldexp(1.0, random.integer(-6, 5));
+                segments.push_back(
+                    {{nearly(c.x + d.x), c.y + d.y}, {c.x - far * d.x, nearly(c.y - far * d.y)}});
+            }
+            compareSets(segments, kite, "far from the origin", false);
+        }
+    }
+
     // A new end at a corner is that corner, and has the number of the edge that begins there.
     void cornersKeepTheirNumber_data() { everyExactForm(); }
     void cornersKeepTheirNumber()
