@@ -12,9 +12,11 @@ namespace {
 template <class T>
 std::optional<T> exchange(T& value, std::optional<T> by) noexcept
 {
-    if (by)
-        std::swap(value, *by);
-    return by;
+    if (!by)
+        return std::nullopt;
+    std::optional<T> old(std::move(value));
+    value = std::move(*by);
+    return old;
 }
 
 } // namespace

@@ -55,10 +55,11 @@ void Files::writeSheets(const app::Sheets& sheets, const QString& path, const Tu
             if (result.end != app::WriteResult::End::Written)
                 emit told({Message::Kind::Warning, result.error});
             else {
-                const QString all = pages == 1 ? tr("Exported 1 sheet: %1").arg(names)
-                                               : tr("Exported %1 sheets: %2").arg(pages).arg(names);
+                const QString sentence = pages == 1
+                                             ? tr("Exported 1 sheet: %1").arg(names)
+                                             : tr("Exported %1 sheets: %2").arg(pages).arg(names);
                 emit told({Message::Kind::Done,
-                           empty.isEmpty() ? all : all + QStringLiteral(". ") + empty});
+                           empty.isEmpty() ? sentence : sentence + QStringLiteral(". ") + empty});
             }
         },
         InBackground::Cancel::Stops);
