@@ -71,6 +71,35 @@ class Rows(Folder):
             np.testing.assert_array_equal(lines.compute(), a)
         self.assertGreater(len(clearcut.dask.read_csv(paths, 333).chunks[0]), 50)
 
+    def test_a_head_may_be_longer_than_a_range(self):
+        """Comments, a header and rows of any length, in ranges that are shorter."""
+        chance = random.Random(5)
+        for _ in range(60):
+            end, names, text = chance.choice(["\n", "\r\n"]), ["x1", "y1", "x2", "y2"], chance.choice(["", "\ufeff"])
+            chance.shuffle(names)
+            names.insert(chance.randrange(5), "n\u00e9" * chance.randrange(1, 60))
+            text += "".join(chance.choice(["", "# " + "a licence " * chance.randrange(20)]) + end for _ in range(chance.randrange(5)))
+            text += ",".join(names) + end
+            rows = [dict(zip(names, np.round(row, 1).tolist())) for row in plain(chance.randrange(1, 30))[:, [0, 1, 2, 3, 0]]]
+            for row in rows:
+                text += ",".join(str(row[name]) if len(name) == 2 else "\u20ac" * chance.randrange(40) for name in names)
+                text += end * chance.randrange(1, 3)
+            expected = [[row[name] for name in ("x1", "y1", "x2", "y2")] for row in rows]
+            for size in [10, 150, chance.randrange(10, 150)]:
+                np.testing.assert_array_equal(self.read(text, size).compute(), expected, f"{size}: {text!r}")
+
+    def test_lines_are_counted_from_the_first_of_the_file(self):
+        for head in ["", "\ufeff", "\ufeff# a comment\r\n\r\n", "# a long comment\n" * 9 + "x1,y1,x2,y2\n"]:
+            text = head + "1,2,3,4\n" * 9 + "five,6,7,8\n"
+            for size in (10, 40, 1000):
+                with self.assertRaisesRegex(ValueError, f"lines.csv, line {text.count(chr(10))}: four numbers"):
+                    self.read(text, size).compute()
+
+    def test_lengths_of_ranges_that_are_refused(self):
+        for size in (0, -5, "0 B", "0.4 B", "-1 MiB", "wide", 1.5, True, None):
+            with self.assertRaises(ValueError):
+                self.read("1,2,3,4\n", size)
+
     def test_source_is_the_row_of_all_files(self):
         a = plain(2000)
         self.file("b-1.csv", table(a[:700], "x1,y1,x2,y2\n"))
@@ -98,6 +127,7 @@ class Rows(Folder):
                             ("1,2,3,4\n1_0,2,3,4\n", "line 2: four numbers"),
                             ("1,2,3,4\n  \n", "line 2: four numbers are needed, but this is '  '"),
                             (b"1,2,3,4\n\x00\xff\x89PNG\n", "line 2: four numbers"),
+                            ("1,2,3,4\nf\u00fcnf,6,7,8\n", "line 2: four numbers are needed, but this is 'f\u00fcnf,6,7,8'"),
                             ('1,2,3,4,"two\nlines"\n', "line 1: a quoted field must not contain a line break")]:
             with self.assertRaises(ValueError) as caught:
                 self.read(text).compute()
@@ -133,6 +163,23 @@ class Rows(Folder):
         with self.assertRaisesRegex(ValueError, "must not contain"):  # a1.csv would be read
             clearcut.dask.read_csv(self.file("a[1].csv", "5,6,7,8\n"))
         self.assertRaises(OSError, clearcut.dask.read_csv, str(self.folder / "none.csv"))
+        with self.assertRaisesRegex(ValueError, "must not contain"):  # Dask would read b::c.csv as two addresses
+            clearcut.dask.read_csv(self.file("b::c.csv", "5,6,7,8\n"))
+
+    def test_all_tables_without_a_head_are_named(self):
+        paths = [self.file(f"{i}.csv", text) for i, text in enumerate(["a,b\n", "1,2,3,4\n", "caf\u00e9\n"])]
+        with self.assertRaises(ValueError) as caught:
+            clearcut.dask.read_csv(paths)
+        first, second = str(caught.exception).split("\n")
+        self.assertTrue(first.startswith(f"{paths[0]}: the first row must be"), first)
+        self.assertTrue(second.startswith(f"{paths[2]}: the first row must be"), second)
+        self.assertTrue(second.endswith("'caf\u00e9'"), second)
+
+    def test_each_pattern_must_match(self):
+        path = self.file("lines.csv", "1,2,3,4\n")
+        for patterns in [[path, str(self.folder / "none-*.csv")], [str(self.folder / "none-*.csv"), path]]:
+            with self.assertRaisesRegex(FileNotFoundError, "none-"):
+                clearcut.dask.read_csv(patterns)
 
     def test_garbage_is_a_part_with_an_error(self):
         """The rows of all other ranges keep their indices."""
