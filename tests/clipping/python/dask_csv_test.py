@@ -1,12 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tables that are read by byte ranges, against the rows that were written."""
-import contextlib
-import importlib.util
-import io
 import pathlib
 import random
-import subprocess
-import sys
 import tempfile
 import unittest
 import warnings
@@ -19,7 +14,6 @@ warnings.simplefilter("default")  # Dask's own warnings are no errors
 try:
     import dask
     import clearcut.dask
-    from clearcut.dask import __main__ as program
 except ImportError:
     dask = None
 
@@ -74,7 +68,7 @@ class Rows(Folder):
     def test_a_head_may_be_longer_than_a_range(self):
         """Comments, a header and rows of any length, in ranges that are shorter."""
         chance = random.Random(5)
-        for _ in range(60):
+        for _ in range(30):
             end, names, text = chance.choice(["\n", "\r\n"]), ["x1", "y1", "x2", "y2"], chance.choice(["", "\ufeff"])
             chance.shuffle(names)
             names.insert(chance.randrange(5), "n\u00e9" * chance.randrange(1, 60))
@@ -223,54 +217,6 @@ class Arrays(Folder):
             clearcut.dask.read_npy([str(self.folder / "double.npy"), str(self.folder / "single.npy")])
         for rows in (0, 1.5, True):
             self.assertRaisesRegex(ValueError, "rows", clearcut.dask.read_npy, str(self.folder / "double.npy"), rows)
-
-
-@unittest.skipIf(dask is None, "python3-dask is not installed")
-class Program(Folder):
-    def run_on(self, *words):
-        """Its exit code, and what it says on standard output and standard error."""
-        said, errors = io.StringIO(), io.StringIO()
-        with contextlib.redirect_stdout(said), contextlib.redirect_stderr(errors):
-            try:
-                code = program.main(list(map(str, words)))
-            except SystemExit as end:
-                code = end.code
-        return code, said.getvalue(), errors.getvalue()
-
-    def test_on_workers(self):
-        np.save(self.folder / "lines.npy", plain(1000))
-        workers = ["-j", "1"] if importlib.util.find_spec("distributed") else []
-        found = subprocess.run([sys.executable, "-m", "clearcut.dask", self.folder / "lines.npy", "-w", "-100,-75,100,75",
-                                "-o", self.folder / "out", *workers], capture_output=True, text=True)
-        self.assertEqual(found.returncode, 0, found.stderr)
-        self.assertEqual(found.stdout, f"650 pieces of 1000 segments in {self.folder}/out, from 1 part\n")
-
-    def test_parts_and_tiles(self):
-        a = plain(1000)
-        path = self.file("lines.csv", table(a, "x1,y1,x2,y2\n"))
-        pieces = len(clearcut.clip(a, WINDOW).source)
-        out = self.folder / "out"
-        code, said, error = self.run_on(path, "-w", "-100,-75,100,75", "-o", out, "-b", "20 kB")
-        self.assertEqual((code, error), (0, ""))
-        self.assertRegex(said, rf"^{pieces} pieces of 1000 segments in {out}, from [2-5] parts\n$")
-        np.save(self.folder / "lines.npy", a)
-        code, said, error = self.run_on(self.folder / "lines.npy", "--window", "-100,-75,100,75", "-o", out, "-t", "3x2")
-        self.assertEqual((code, error), (0, ""))
-        self.assertIn("of 1000 segments", said)
-        self.assertEqual(len(list(out.glob("tile-*-cut.npy"))), 6)
-
-    def test_garbage_has_exit_code_1(self):
-        path = self.file("lines.csv", "1,2,3,4\nfive,6,7,8\n")
-        code, _, said = self.run_on(path, "-w", "0,0,9,9", "-o", self.folder / "out")
-        self.assertEqual((code, said), (1, f"chunk 0: {path}, line 2: four numbers are needed, but this is 'five,6,7,8'\n"))
-        self.assertEqual(self.run_on(self.folder / "none.csv", "-w", "0,0,9,9", "-o", self.folder / "out")[0], 1)
-
-    def test_wrong_arguments_have_exit_code_2(self):
-        path = self.file("lines.csv", "1,2,3,4\n")
-        for words in [("-w", "0,0,9"), ("-w", "9,0,0,9"), ("-w", "0,0,9,9", "-t", "0x2"), ("-w",)]:
-            code, said, error = self.run_on(path, "-o", self.folder / "out", *words)
-            self.assertEqual((code, said), (2, ""))
-            self.assertIn("error: ", error)
 
 
 if __name__ == "__main__":
