@@ -44,7 +44,8 @@ def read_csv(paths: str | Sequence[str], block_size: int | str = "64 MiB") -> da
     counting = objects("count", [(count, block.key, i == 0) for blocks in files for i, block in enumerate(blocks)],
                        more=reading)
     counts = iter(counting.compute())
-    planned, faults = [], []
+    planned: list[tuple[tuple[Any, ...], int]] = []
+    faults: list[str] = []
     for blocks, name in zip(files, names):
         try:
             planned += _planned([block.key for block in blocks], [next(counts) for _ in blocks], name)
@@ -66,7 +67,8 @@ def _length(block_size: Any) -> int:
 
 def _planned(keys: Sequence[str], counts: Iterable[Count], path: str) -> list[tuple[tuple[Any, ...], int]]:
     """The tasks that read a file, with the number of rows of each. While there was no row, the head goes on."""
-    line, columns, planned = 1, None, []
+    line, columns = 1, None
+    planned: list[tuple[tuple[Any, ...], int]] = []
     for key, block in zip(keys, counts):
         head = block.head if columns is None else Head(None, 0, 0, 0)
         if head.fields is not None:
