@@ -48,7 +48,7 @@ def matching(paths: Any) -> list[str]:
         found += files
         lost += [] if files else [path]
     if lost or not found:
-        raise FileNotFoundError(f"no file matches {', '.join(map(repr, lost)) or paths!r}")
+        raise FileNotFoundError(f"no file matches {', '.join(map(repr, lost)) or repr(paths)}")
     return [path if "://" in path else os.path.abspath(path) for path in found]
 
 

@@ -92,7 +92,7 @@ def rows_of_numbers(block: bytes, path: str, line: int, columns: Sequence[int], 
     except ValueError as error:
         raise ValueError(_fault(body, path, line, columns) or f"{path}, from line {line} on: {error}") from None
     if len(found) != rows:
-        raise ValueError(f"{path}, from line {line} on: {len(found)} rows are there, but {rows} were counted")
+        raise ValueError(f"{path}, from line {line} on: rows that were counted: {rows}; rows that are there: {len(found)}")
     return found
 
 
