@@ -38,14 +38,14 @@ def count(block: bytes, first: bool) -> np.ndarray:
     """The Count of a range, alone. first: the range is the first one of its file."""
     begin = len(BOM_UTF8) if first and block.startswith(BOM_UTF8) else 0
     fields, size = _head(block, begin)
-    rows, lines = _rows_and_lines(block[begin:size])
-    rows_below, lines_below = _rows_and_lines(block[size:])
+    text = np.frombuffer(block, np.uint8)  # parts of it are no copies
+    rows, lines = _rows_and_lines(text[begin:size])
+    rows_below, lines_below = _rows_and_lines(text[size:])
     return alone(Count(rows + rows_below, lines + lines_below, Head(fields, size, lines, rows)))
 
 
-def _rows_and_lines(part: bytes) -> tuple[int, int]:
+def _rows_and_lines(text: np.ndarray) -> tuple[int, int]:
     """How many lines are not blank, and how many there are."""
-    text = np.frombuffer(part, np.uint8)
     ends = np.flatnonzero(text == ord("\n"))
     if len(text) and text[-1] != ord("\n"):
         ends = np.append(ends, len(text))
