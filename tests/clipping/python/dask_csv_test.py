@@ -192,32 +192,5 @@ class Rows(Folder):
         np.testing.assert_array_equal(np.concatenate(found), source[~np.isin(source, lost)])
 
 
-@unittest.skipIf(dask is None, "python3-dask is not installed")
-class Arrays(Folder):
-    def test_files_of_numpy(self):
-        a = plain(2500)
-        np.save(self.folder / "a-1.npy", a[:1100])
-        np.save(self.folder / "a-2.npy", np.asfortranarray(a[1100:]))
-        lines = clearcut.dask.read_npy(str(self.folder / "a-*.npy"), 400)
-        self.assertEqual(max(lines.chunks[0]), 400)
-        np.testing.assert_array_equal(lines.compute(), a)
-
-    def test_what_is_refused(self):
-        for name, array in [("shape", np.zeros((2, 3))), ("type", np.zeros((2, 4), int)),
-                            ("objects", np.array([[None] * 4], object))]:
-            np.save(self.folder / f"{name}.npy", array)
-            with self.assertRaisesRegex(ValueError, f"{name}.npy: "):
-                clearcut.dask.read_npy(str(self.folder / f"{name}.npy"))
-        for name, text in [("empty", b""), ("text", b"1,2,3,4\n")]:
-            with self.assertRaisesRegex(ValueError, f"{name}.npy: "):
-                clearcut.dask.read_npy(self.file(f"{name}.npy", text))
-        np.save(self.folder / "double.npy", plain(3))
-        np.save(self.folder / "single.npy", plain(3).astype(np.float32))
-        with self.assertRaisesRegex(TypeError, "float32 and float64"):
-            clearcut.dask.read_npy([str(self.folder / "double.npy"), str(self.folder / "single.npy")])
-        for rows in (0, 1.5, True):
-            self.assertRaisesRegex(ValueError, "rows", clearcut.dask.read_npy, str(self.folder / "double.npy"), rows)
-
-
 if __name__ == "__main__":
     unittest.main()
