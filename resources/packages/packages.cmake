@@ -12,6 +12,18 @@ if(TARGET clearcut)
   list(APPEND CPACK_COMPONENTS_ALL Unspecified)
 endif()
 
+# The changelog of all three; that of the program is installed with its other pages.
+find_program(GZIP gzip)
+if(GZIP)
+  set(changelog ${CMAKE_CURRENT_BINARY_DIR}/packages/changelog.gz)
+  file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/packages)
+  execute_process(COMMAND ${GZIP} -9nc ${CMAKE_CURRENT_LIST_DIR}/../desktop/changelog OUTPUT_FILE ${changelog}
+    COMMAND_ERROR_IS_FATAL ANY)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/../desktop/changelog)
+  install(FILES ${changelog} DESTINATION share/doc/libclearcut-dev COMPONENT library)
+  install(FILES ${changelog} DESTINATION share/doc/python3-clearcut COMPONENT python EXCLUDE_FROM_ALL)
+endif()
+
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "") # each package has its own
 set(CPACK_PACKAGE_VENDOR "The Clearcut authors")
 set(CPACK_PACKAGE_CONTACT "The Clearcut authors <clearcut@localhost>")

@@ -81,7 +81,10 @@ def _number(value: Any) -> float:
 def corners(value: Any) -> list[tuple[float, float]]:
     """Three or more points (x, y) of a convex polygon, in either direction."""
     try:
-        points = [(_number(x), _number(y)) for x, y in value]
+        if type(value) is np.ndarray and value.dtype in _FLOATS and value.ndim == 2:
+            points = [(x, y) for x, y in value.tolist()]
+        else:
+            points = [(_number(x), _number(y)) for x, y in value]
     except (TypeError, ValueError):
         raise TypeError(f"polygon must be points (x, y), shape (m, 2), but this is {_got(value)}") from None
     if len(points) < 3:
@@ -93,6 +96,8 @@ def polyline(value: Any) -> np.ndarray:
     """An array of shape (k, 2) of float64; a complex array is seen as one."""
     _refuse_mask(value, "a line")
     if isinstance(value, np.ndarray) and value.dtype == np.complex128 and value.ndim == 1:
+        if value.flags.c_contiguous:
+            return value.view(np.float64).reshape(-1, 2)
         return np.lib.stride_tricks.as_strided(value.real, (len(value), 2), (*value.strides, 8), writeable=False)
     if not isinstance(value, np.ndarray) or value.dtype != np.float64 or not value.dtype.isnative:
         raise TypeError(f"a line must be a float64 array of shape (k, 2) or a complex one of shape (k,), but this is "

@@ -1,12 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tables that are read by byte ranges, against the rows that were written."""
-import contextlib
-import importlib.util
-import io
 import pathlib
 import random
-import subprocess
-import sys
 import tempfile
 import unittest
 import warnings
@@ -19,7 +14,6 @@ warnings.simplefilter("default")  # Dask's own warnings are no errors
 try:
     import dask
     import clearcut.dask
-    from clearcut.dask import __main__ as program
 except ImportError:
     dask = None
 
@@ -71,6 +65,35 @@ class Rows(Folder):
             np.testing.assert_array_equal(lines.compute(), a)
         self.assertGreater(len(clearcut.dask.read_csv(paths, 333).chunks[0]), 50)
 
+    def test_a_head_may_be_longer_than_a_range(self):
+        """Comments, a header and rows of any length, in ranges that are shorter."""
+        chance = random.Random(5)
+        for _ in range(30):
+            end, names, text = chance.choice(["\n", "\r\n"]), ["x1", "y1", "x2", "y2"], chance.choice(["", "\ufeff"])
+            chance.shuffle(names)
+            names.insert(chance.randrange(5), "n\u00e9" * chance.randrange(1, 60))
+            text += "".join(chance.choice(["", "# " + "a licence " * chance.randrange(20)]) + end for _ in range(chance.randrange(5)))
+            text += ",".join(names) + end
+            rows = [dict(zip(names, np.round(row, 1).tolist())) for row in plain(chance.randrange(1, 30))[:, [0, 1, 2, 3, 0]]]
+            for row in rows:
+                text += ",".join(str(row[name]) if len(name) == 2 else "\u20ac" * chance.randrange(40) for name in names)
+                text += end * chance.randrange(1, 3)
+            expected = [[row[name] for name in ("x1", "y1", "x2", "y2")] for row in rows]
+            for size in [10, 150, chance.randrange(10, 150)]:
+                np.testing.assert_array_equal(self.read(text, size).compute(), expected, f"{size}: {text!r}")
+
+    def test_lines_are_counted_from_the_first_of_the_file(self):
+        for head in ["", "\ufeff", "\ufeff# a comment\r\n\r\n", "# a long comment\n" * 9 + "x1,y1,x2,y2\n"]:
+            text = head + "1,2,3,4\n" * 9 + "five,6,7,8\n"
+            for size in (10, 40, 1000):
+                with self.assertRaisesRegex(ValueError, f"lines.csv, line {text.count(chr(10))}: four numbers"):
+                    self.read(text, size).compute()
+
+    def test_lengths_of_ranges_that_are_refused(self):
+        for size in (0, -5, "0 B", "0.4 B", "-1 MiB", "wide", 1.5, True, None):
+            with self.assertRaises(ValueError):
+                self.read("1,2,3,4\n", size)
+
     def test_source_is_the_row_of_all_files(self):
         a = plain(2000)
         self.file("b-1.csv", table(a[:700], "x1,y1,x2,y2\n"))
@@ -98,6 +121,7 @@ class Rows(Folder):
                             ("1,2,3,4\n1_0,2,3,4\n", "line 2: four numbers"),
                             ("1,2,3,4\n  \n", "line 2: four numbers are needed, but this is '  '"),
                             (b"1,2,3,4\n\x00\xff\x89PNG\n", "line 2: four numbers"),
+                            ("1,2,3,4\nf\u00fcnf,6,7,8\n", "line 2: four numbers are needed, but this is 'f\u00fcnf,6,7,8'"),
                             ('1,2,3,4,"two\nlines"\n', "line 1: a quoted field must not contain a line break")]:
             with self.assertRaises(ValueError) as caught:
                 self.read(text).compute()
@@ -133,6 +157,23 @@ class Rows(Folder):
         with self.assertRaisesRegex(ValueError, "must not contain"):  # a1.csv would be read
             clearcut.dask.read_csv(self.file("a[1].csv", "5,6,7,8\n"))
         self.assertRaises(OSError, clearcut.dask.read_csv, str(self.folder / "none.csv"))
+        with self.assertRaisesRegex(ValueError, "must not contain"):  # Dask would read b::c.csv as two addresses
+            clearcut.dask.read_csv(self.file("b::c.csv", "5,6,7,8\n"))
+
+    def test_all_tables_without_a_head_are_named(self):
+        paths = [self.file(f"{i}.csv", text) for i, text in enumerate(["a,b\n", "1,2,3,4\n", "caf\u00e9\n"])]
+        with self.assertRaises(ValueError) as caught:
+            clearcut.dask.read_csv(paths)
+        first, second = str(caught.exception).split("\n")
+        self.assertTrue(first.startswith(f"{paths[0]}: the first row must be"), first)
+        self.assertTrue(second.startswith(f"{paths[2]}: the first row must be"), second)
+        self.assertTrue(second.endswith("'caf\u00e9'"), second)
+
+    def test_each_pattern_must_match(self):
+        path = self.file("lines.csv", "1,2,3,4\n")
+        for patterns in [[path, str(self.folder / "none-*.csv")], [str(self.folder / "none-*.csv"), path]]:
+            with self.assertRaisesRegex(FileNotFoundError, "^no file matches '[^']*/none-[*].csv'$"):
+                clearcut.dask.read_csv(patterns)
 
     def test_garbage_is_a_part_with_an_error(self):
         """The rows of all other ranges keep their indices."""
@@ -149,81 +190,6 @@ class Rows(Folder):
         found = [np.load(path) for path in sorted((self.folder / "out").glob("part-*-source.npy"))]
         source = clearcut.clip(a, WINDOW).source
         np.testing.assert_array_equal(np.concatenate(found), source[~np.isin(source, lost)])
-
-
-@unittest.skipIf(dask is None, "python3-dask is not installed")
-class Arrays(Folder):
-    def test_files_of_numpy(self):
-        a = plain(2500)
-        np.save(self.folder / "a-1.npy", a[:1100])
-        np.save(self.folder / "a-2.npy", np.asfortranarray(a[1100:]))
-        lines = clearcut.dask.read_npy(str(self.folder / "a-*.npy"), 400)
-        self.assertEqual(max(lines.chunks[0]), 400)
-        np.testing.assert_array_equal(lines.compute(), a)
-
-    def test_what_is_refused(self):
-        for name, array in [("shape", np.zeros((2, 3))), ("type", np.zeros((2, 4), int)),
-                            ("objects", np.array([[None] * 4], object))]:
-            np.save(self.folder / f"{name}.npy", array)
-            with self.assertRaisesRegex(ValueError, f"{name}.npy: "):
-                clearcut.dask.read_npy(str(self.folder / f"{name}.npy"))
-        for name, text in [("empty", b""), ("text", b"1,2,3,4\n")]:
-            with self.assertRaisesRegex(ValueError, f"{name}.npy: "):
-                clearcut.dask.read_npy(self.file(f"{name}.npy", text))
-        np.save(self.folder / "double.npy", plain(3))
-        np.save(self.folder / "single.npy", plain(3).astype(np.float32))
-        with self.assertRaisesRegex(TypeError, "float32 and float64"):
-            clearcut.dask.read_npy([str(self.folder / "double.npy"), str(self.folder / "single.npy")])
-        for rows in (0, 1.5, True):
-            self.assertRaisesRegex(ValueError, "rows", clearcut.dask.read_npy, str(self.folder / "double.npy"), rows)
-
-
-@unittest.skipIf(dask is None, "python3-dask is not installed")
-class Program(Folder):
-    def run_on(self, *words):
-        """Its exit code, and what it says on standard output and standard error."""
-        said, errors = io.StringIO(), io.StringIO()
-        with contextlib.redirect_stdout(said), contextlib.redirect_stderr(errors):
-            try:
-                code = program.main(list(map(str, words)))
-            except SystemExit as end:
-                code = end.code
-        return code, said.getvalue(), errors.getvalue()
-
-    def test_on_workers(self):
-        np.save(self.folder / "lines.npy", plain(1000))
-        workers = ["-j", "1"] if importlib.util.find_spec("distributed") else []
-        found = subprocess.run([sys.executable, "-m", "clearcut.dask", self.folder / "lines.npy", "-w", "-100,-75,100,75",
-                                "-o", self.folder / "out", *workers], capture_output=True, text=True)
-        self.assertEqual(found.returncode, 0, found.stderr)
-        self.assertEqual(found.stdout, f"650 pieces of 1000 segments in {self.folder}/out, from 1 part\n")
-
-    def test_parts_and_tiles(self):
-        a = plain(1000)
-        path = self.file("lines.csv", table(a, "x1,y1,x2,y2\n"))
-        pieces = len(clearcut.clip(a, WINDOW).source)
-        out = self.folder / "out"
-        code, said, error = self.run_on(path, "-w", "-100,-75,100,75", "-o", out, "-b", "20 kB")
-        self.assertEqual((code, error), (0, ""))
-        self.assertRegex(said, rf"^{pieces} pieces of 1000 segments in {out}, from [2-5] parts\n$")
-        np.save(self.folder / "lines.npy", a)
-        code, said, error = self.run_on(self.folder / "lines.npy", "--window", "-100,-75,100,75", "-o", out, "-t", "3x2")
-        self.assertEqual((code, error), (0, ""))
-        self.assertIn("of 1000 segments", said)
-        self.assertEqual(len(list(out.glob("tile-*-cut.npy"))), 6)
-
-    def test_garbage_has_exit_code_1(self):
-        path = self.file("lines.csv", "1,2,3,4\nfive,6,7,8\n")
-        code, _, said = self.run_on(path, "-w", "0,0,9,9", "-o", self.folder / "out")
-        self.assertEqual((code, said), (1, f"chunk 0: {path}, line 2: four numbers are needed, but this is 'five,6,7,8'\n"))
-        self.assertEqual(self.run_on(self.folder / "none.csv", "-w", "0,0,9,9", "-o", self.folder / "out")[0], 1)
-
-    def test_wrong_arguments_have_exit_code_2(self):
-        path = self.file("lines.csv", "1,2,3,4\n")
-        for words in [("-w", "0,0,9"), ("-w", "9,0,0,9"), ("-w", "0,0,9,9", "-t", "0x2"), ("-w",)]:
-            code, said, error = self.run_on(path, "-o", self.folder / "out", *words)
-            self.assertEqual((code, said), (2, ""))
-            self.assertIn("error: ", error)
 
 
 if __name__ == "__main__":

@@ -77,7 +77,22 @@ class Tiles(unittest.TestCase):
         windows = np.array([[-1e308, -1, 1e308, 1], [0, 0, 0, 0], [-50, -50, 60, 60], [-50, 0, 60, 70], [500, 0, 600, 1]])
         manifest = clearcut.dask.clip_to_tiles(da.from_array(a, chunks=(200, 4)), str(self.folder / "out"), windows)
         self.assert_files_are(a, windows, manifest)
-        self.assertFalse((self.folder / "out/parts").exists())
+        self.assertEqual({path.name[:5] for path in (self.folder / "out").iterdir()}, {"manif", "tile-"})
+
+    def test_grids_of_all_finite_windows(self):
+        """The tiles fill the window: their outer edges are its edges, and none is inside out."""
+        largest = np.finfo(float).max
+        for low, high in [(-1.7e308, 1.7e308), (-largest, largest), (0, 5e-324), (-5e-324, 1e308), (1, 1), (1, 1 + 2e-16),
+                          (-largest, -largest), (0.1, 0.7)]:
+            for count in (1, 2, 3, 7, 1000):
+                across = clearcut.dask.grid((low, 0, high, 1), count, 1)
+                np.testing.assert_array_equal(clearcut.dask.grid((0, low, 1, high), 1, count)[:, [1, 0, 3, 2]], across)
+                edges = np.append(across[:, 0], across[-1, 2])
+                self.assertTrue(np.isfinite(edges).all(), (low, high, count))
+                self.assertTrue((np.diff(edges / 2) >= 0).all(), (low, high, count))
+                self.assertEqual((edges[0], edges[-1]), (low, high))
+                np.testing.assert_array_equal(across[1:, 0], across[:-1, 2])
+        np.testing.assert_array_equal(clearcut.dask.grid((-1.5e308, 0, 1.5e308, 1), 3, 1)[:, 0], [-1.5e308, -5e307, 5e307])
 
     def test_nothing(self):
         self.assertEqual(clearcut.dask.clip_at_windows(da.zeros((5, 4)), np.zeros((0, 4))), [])

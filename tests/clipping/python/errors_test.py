@@ -2,10 +2,12 @@
 """What is refused: always a TypeError or a ValueError that says what it got."""
 import random
 import unittest
+import unittest.mock
 
 import numpy as np
 
 import clearcut
+from clearcut import _arguments
 
 WINDOW = (0, 0, 1, 1)
 A = np.zeros((3, 4))
@@ -48,6 +50,11 @@ class Refused(unittest.TestCase):
             self.refuses(TypeError, "window must be 4 numbers", A, window)
         self.refuses(ValueError, "finite", A, (0, 0, np.nan, 1))
         self.refuses(ValueError, "xmin <= xmax", A, (1, 0, 0, 1))
+
+    def test_corners_of_an_array_are_not_checked_one_by_one(self):
+        with unittest.mock.patch("clearcut._arguments._number", side_effect=AssertionError):
+            for dtype in (float, np.float32):
+                self.assertEqual(_arguments.corners(np.array([[0, 0], [9, 0], [0, 9.5]], dtype)), [(0, 0), (9, 0), (0, 9.5)])
 
     def test_polygons(self):
         self.refuses(ValueError, "convex", A, polygon=[(0, 0), (9, 0), (1, 1), (0, 9)])

@@ -14,6 +14,7 @@ import warnings
 
 import numpy as np
 
+import clearcut
 from clearcut import _layers
 
 warnings.simplefilter("default")  # vpype's own warnings are no errors
@@ -94,6 +95,24 @@ class Layers(unittest.TestCase):
 
     def test_what_only_touches_or_is_nothing(self):
         self.assertEqual(self.crop([-5 + 5j, 5 + 15j], [-5 - 5j, -1j], [], [3]), [])
+        self.assertEqual(self.crop([-1 + 5j, 5j, 5j], [-1 + 5j, 5j, 5j, -1 + 5j], [5j, 5j, -1]), [])
+        self.assertEqual(self.crop([1 + 1j, 1 + 1j], [5j, 5j], [11, 11]), [[1 + 1j, 1 + 1j], [5j, 5j]])  # dots
+
+    def test_one_call_for_many_paths(self):
+        """Open and closed paths stay in their order, and each path's parts, too."""
+        chance = np.random.default_rng(4)
+        lines = [chance.uniform(-5, 15, (n, 2)).view(complex).reshape(-1) for n in chance.integers(2, 9, 300)]
+        lines = [np.append(line, line[0]) if chance.random() < 0.5 else line for line in lines]
+        calls = []
+
+        def clip_lines(*given, **options):
+            calls.append(options["closed"])
+            return clearcut.clip_lines(*given, **options)
+
+        with unittest.mock.patch.object(_layers, "clip_lines", clip_lines):
+            found = self.crop(*lines)
+        self.assertEqual(sorted(calls), [False, True])
+        self.assertEqual(found, [part for line in lines for part in self.crop(line)])
 
     def test_any_layout(self):
         line = np.array([5 + 15j, 5 + 5j, -5 + 5j])

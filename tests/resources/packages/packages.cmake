@@ -37,10 +37,22 @@ function(open package summary depends)
   if(NOT EXISTS ${WORK}/${package}/usr/share/doc/${package}/copyright)
     message(FATAL_ERROR "${found} does not say who may copy it")
   endif()
+  run(gzip -dc ${WORK}/${package}/usr/share/doc/${package}/changelog.gz)
+  if(NOT output MATCHES "^clearcut \\([0-9.]+\\) .*\n -- The Clearcut authors <")
+    message(FATAL_ERROR "The changelog of ${found} is ${output}")
+  endif()
+  if(EXISTS ${WORK}/${package}/usr/share/licenses)
+    message(FATAL_ERROR "${found} has licenses where Debian has none")
+  endif()
 endfunction()
 
 open(libclearcut-dev "C[+][+]20 library that clips lines exactly" "^libglm-dev\n")
 build_programs_of_page(${WORK}/libclearcut-dev/usr)
+foreach(page IN ITEMS README.md cpp.md) # README.md names cpp.md
+  if(NOT EXISTS ${WORK}/libclearcut-dev/usr/share/doc/libclearcut-dev/${page})
+    message(FATAL_ERROR "The package libclearcut-dev lacks ${page}")
+  endif()
+endforeach()
 find_program(PKG_CONFIG pkg-config REQUIRED)
 file(GLOB folder ${WORK}/libclearcut-dev/usr/lib/pkgconfig ${WORK}/libclearcut-dev/usr/lib/*/pkgconfig)
 set(ENV{PKG_CONFIG_PATH} ${folder})
@@ -52,6 +64,10 @@ expect_promised(${WORK}/by_pkg_config)
 if(PYTHON)
   open(python3-clearcut "Clips line segments exactly, over NumPy arrays"
     "python3 \\(>= 3[.][0-9]+\\), python3 \\(<< 3[.][0-9]+\\), python3-numpy, .*libc6 ")
+  file(READ ${WORK}/python3-clearcut/usr/share/doc/python3-clearcut/copyright copyright)
+  if(NOT copyright MATCHES "Wenzel Jakob.*Redistributions in binary form must reproduce the above copyright notice")
+    message(FATAL_ERROR "The package python3-clearcut lacks the notice of pybind11")
+  endif()
   set(ENV{PYTHONPATH} ${WORK}/python3-clearcut/usr/lib/python3/dist-packages)
   set(ENV{PYTHONDONTWRITEBYTECODE} 1)
   file(WRITE ${WORK}/clip.py "
@@ -59,6 +75,9 @@ import importlib.metadata, sys
 import numpy as np, clearcut
 assert clearcut.__file__.startswith(sys.argv[1]), clearcut.__file__
 assert importlib.metadata.version('clearcut') == clearcut.__version__
+extras = {requirement for requirement in importlib.metadata.requires('clearcut') if 'extra' in requirement}
+assert extras == {\"dask[array] ; extra == 'cluster'\", \"distributed ; extra == 'cluster'\",
+                  \"shapely ; extra == 'shapely'\", \"vpype ; extra == 'vpype'\"}, extras
 [plug_in] = [e for e in importlib.metadata.distribution('clearcut').entry_points if e.group == 'vpype.plugins']
 assert plug_in.name == 'clearcut', plug_in
 found = clearcut.clip(np.random.default_rng(1).uniform(-200, 200, (1_000_000, 4)), (-100, -75, 100, 75))

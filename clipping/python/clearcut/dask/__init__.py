@@ -24,7 +24,8 @@ except ImportError:
 from ._arrays import Pieces, clip
 from ._csv import read_csv
 from ._files import clip_to_files
+from ._grid import grid
 from ._npy import read_npy
-from ._tiles import clip_at_windows, clip_to_tiles, grid
+from ._tiles import clip_at_windows, clip_to_tiles
 
 __all__ = ["Pieces", "clip", "clip_at_windows", "clip_to_files", "clip_to_tiles", "grid", "read_csv", "read_npy"]

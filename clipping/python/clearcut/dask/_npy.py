@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 from __future__ import annotations
 
+import functools
 import glob
 import os
 from typing import Any, Sequence
@@ -25,7 +26,8 @@ def read_npy(paths: str | Sequence[str], rows: int = 1_000_000) -> da.Array:
     chunks = []
     for path in matching(paths):
         array = _opened(path)
-        chunks += [(path, first, min(first + int(rows), len(array)), array.dtype)
+        read = functools.partial(_rows, path=path, length=len(array), dtype=array.dtype)
+        chunks += [(read, first, min(first + int(rows), len(array)), array.dtype)
                    for first in range(0, len(array), int(rows))]
     dtypes = {dtype for *_, dtype in chunks}
     if len(dtypes) > 1:
@@ -33,18 +35,20 @@ def read_npy(paths: str | Sequence[str], rows: int = 1_000_000) -> da.Array:
                         " and ".join(sorted(map(str, dtypes))))
     if not chunks:
         return da.zeros((0, 4))
-    return array_of("read-npy", [(_rows, path, first, last) for path, first, last, _ in chunks],
+    return array_of("read-npy", [(read, first, last) for read, first, last, _ in chunks],
                     [last - first for _, first, last, _ in chunks], dtypes.pop(), 4)
 
 
 def matching(paths: Any) -> list[str]:
-    """The files that are meant, with paths for workers in other folders; FileNotFoundError if there is none."""
+    """The files that are meant, with paths for workers in other folders; FileNotFoundError for patterns without a file."""
     found: list[str] = []
-    for pattern in [paths] if isinstance(paths, (str, os.PathLike)) else paths:
-        path = os.fspath(pattern)
-        found += sorted(glob.glob(path)) if glob.has_magic(path) and not os.path.exists(path) else [path]
-    if not found:
-        raise FileNotFoundError(f"no file matches {paths!r}")
+    lost: list[str] = []
+    for path in map(os.fspath, [paths] if isinstance(paths, (str, os.PathLike)) else paths):
+        files = sorted(glob.glob(path)) if glob.has_magic(path) and not os.path.exists(path) else [path]
+        found += files
+        lost += [] if files else [path]
+    if lost or not found:
+        raise FileNotFoundError(f"no file matches {', '.join(map(repr, lost)) or repr(paths)}")
     return [path if "://" in path else os.path.abspath(path) for path in found]
 
 
@@ -55,5 +59,9 @@ def _opened(path: str) -> np.ndarray:
         raise ValueError(f"{path}: {error}") from None
 
 
-def _rows(path: str, first: int, last: int) -> np.ndarray:
-    return np.array(_opened(path)[first:last])
+def _rows(first: int, last: int, path: str, length: int, dtype: np.dtype) -> np.ndarray:
+    array = _opened(path)
+    if len(array) != length or array.dtype != dtype:
+        raise ValueError(f"{path} was an array of shape ({length}, 4) and dtype {dtype} when it was planned, but now it has "
+                         f"the shape {array.shape} and dtype {array.dtype}")
+    return np.array(array[first:last])

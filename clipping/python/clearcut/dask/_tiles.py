@@ -12,31 +12,11 @@ import numpy as np
 
 from .. import _arguments as arguments
 from .. import _clip
+from . import _results as results
 from ._arrays import Pieces, chunks_of, pieces_of, rows_of
-from ._graph import alone, objects
-from ._files import save, says, write_manifest, write_parts
-
-
-def grid(window: Sequence[float], columns: int, rows: int) -> np.ndarray:
-    """The windows of a grid of tiles, shape (rows * columns, 4): row by row from ymin on, in each from xmin on.
-    Neighbours share the numbers of their common edge.
-
-    window: (xmin, ymin, xmax, ymax), which the tiles fill.
-    columns, rows: how many tiles lie side by side, and one above the other.
-
-    >>> import clearcut.dask
-    >>> clearcut.dask.grid((0, 0, 4, 3), 2, 1)
-    array([[0., 0., 2., 3.],
-           [2., 0., 4., 3.]])
-    """
-    xmin, ymin, xmax, ymax = arguments.window(window)
-    for name, count in (("columns", columns), ("rows", rows)):
-        if isinstance(count, bool) or not isinstance(count, (int, np.integer)) or count < 1:
-            raise ValueError(f"{name} must be a whole number from 1 on, but this is {count!r}")
-    x, y = np.linspace(xmin, xmax, columns + 1), np.linspace(ymin, ymax, rows + 1)
-    left, bottom = np.meshgrid(x[:-1], y[:-1])
-    right, top = np.meshgrid(x[1:], y[1:])
-    return np.stack([left, bottom, right, top], axis=-1).reshape(-1, 4)
+from ._files import part_numbers, write_parts, written
+from ._graph import objects
+from ._outcomes import Task
 
 
 def clip_at_windows(lines: da.Array, windows: np.ndarray) -> list[Pieces]:
@@ -68,34 +48,36 @@ def clip_at_windows(lines: da.Array, windows: np.ndarray) -> list[Pieces]:
 
 def clip_to_tiles(lines: da.Array, folder: str, windows: np.ndarray) -> dict[str, Any]:
     """Clips as `clip_at_windows` does, and writes the pieces of each window to files of NumPy in `folder`:
-    tile-00000-segments.npy, -source.npy and -cut.npy. Meanwhile the pieces are in the folder "parts" in it, so that a
-    worker needs the memory of one chunk, or of one tile.
+    tile-00000-segments.npy, -source.npy and -cut.npy. Meanwhile the pieces are in a hidden folder of its own in it, so
+    that a worker needs the memory of one chunk, or of one tile.
 
     lines: shape (n, 4), float64 or float32, in chunks of rows.
-    folder: made if it is missing. On a cluster all workers must see it.
+    folder: made if it is missing. An earlier result in it is removed first. On a cluster all workers must see it.
     windows: shape (t, 4), as of `grid`, in the unit of the lines.
 
-    Returns what it also writes to manifest.json: "parts" as `clip_to_files` does, and "tiles", a dict for each window
-    with its number, "window", the number of its pieces, and "error": null, or why its files could not be written. The
-    pieces of chunks with an error are missing in the tiles.
+    Returns what it also writes, last of all, to manifest.json: "parts" as `clip_to_files` does, and "tiles", a dict for
+    each window with its number, "window", the number of its pieces, and "error": null, or why its files could not be
+    written, and then it has none. The pieces of chunks with an error are missing in the tiles. Raises what
+    `clip_to_files` raises.
     """
     edges = _windows(windows)
     rows = rows_of(lines, (0, 0, 1, 1))
-    folder = os.path.abspath(folder)  # for workers in other folders
-    between = os.path.join(folder, "parts")
-    os.makedirs(between, exist_ok=True)
-    shared = f"windows-{uuid.uuid4().hex}"
-    parts = write_parts(rows, _write_part, between, [shared], {shared: edges})
-    good = [os.path.join(between, f'part-{part["part"]:05}') for part in parts if part["error"] is None]
-    write = functools.partial(_write_tile, parts=good, dtype=np.dtype(lines.dtype))
-    tasks = [(write, os.path.join(folder, f"tile-{tile:05}"), tile) for tile in range(len(edges))]
-    written = objects("tile", tasks).compute() if tasks else []
-    tiles = [{"tile": tile, "window": window, **result}
-             for tile, (window, result) in enumerate(zip(edges.tolist(), written))]
-    if all(tile["error"] is None for tile in tiles):
-        shutil.rmtree(between)
-    manifest = {"parts": parts, "tiles": tiles}
-    write_manifest(folder, manifest)
+    between = results.between()
+    folder = results.begin(folder, lines, {"parts": part_numbers(rows), "between": between,
+                                           "tiles": [{"tile": tile} for tile in range(len(edges))]})
+    between = os.path.join(folder, between)
+    os.mkdir(between)
+    try:
+        shared = f"windows-{uuid.uuid4().hex}"
+        parts = write_parts(rows, _write_part, between, [shared], {shared: edges})
+        good = [os.path.join(between, f'part-{part["part"]:05}') for part in parts if part["error"] is None]
+        write = functools.partial(_write_tile, parts=good, dtype=np.dtype(lines.dtype))
+        tasks = [Task((write, os.path.join(folder, f"tile-{tile:05}"), tile), {"tile": tile, "window": window}, f"tile {tile}")
+                 for tile, window in enumerate(edges.tolist())]
+        manifest = {"parts": parts, "tiles": written("tile", tasks, folder)}
+    finally:
+        shutil.rmtree(between, ignore_errors=True)
+    results.finish(folder, manifest)
     return manifest
 
 
@@ -145,17 +127,14 @@ def _write_part(chunk: np.ndarray, name: str, first: int, windows: np.ndarray) -
     found = _by_tile(chunk, first, windows)
     counts = [len(found[tile].source) if tile in found else 0 for tile in range(len(windows))]
     arrays = _clip.Clipped(*map(np.concatenate, zip(_none(chunk.dtype), *(found[tile] for tile in sorted(found)))))
-    save(name, **arrays._asdict(), ends=np.cumsum([0, *counts]))
+    results.save(name, **arrays._asdict(), ends=np.cumsum([0, *counts]))
     return sum(counts)
 
 
-def _write_tile(name: str, tile: int, parts: list[str], dtype: np.dtype) -> np.ndarray:
-    try:
-        pieces = _clip.Clipped(*map(np.concatenate, zip(_none(dtype), *(_of_tile(part, tile) for part in parts))))
-        save(name, **pieces._asdict())
-    except Exception as error:  # also a full disk or too little memory
-        return alone({"pieces": 0, "error": f"tile {tile}: {says(error)}"})
-    return alone({"pieces": len(pieces.source), "error": None})
+def _write_tile(name: str, tile: int, parts: list[str], dtype: np.dtype) -> int:
+    pieces = _clip.Clipped(*map(np.concatenate, zip(_none(dtype), *(_of_tile(part, tile) for part in parts))))
+    results.save(name, **pieces._asdict())
+    return len(pieces.source)
 
 
 def _of_tile(part: str, tile: int) -> list[np.ndarray]:
