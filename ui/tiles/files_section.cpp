@@ -48,7 +48,6 @@ FilesSection::FilesSection(app::LiveSheets& sheets, QWidget* parent)
     addWide(empty_);
     export_->setObjectName(QStringLiteral("export-sheets"));
     export_->setIconSize({16, 16});
-    addWide(export_);
     connect(overview_, &QCheckBox::clicked, this, [this](bool checked) {
         app::SheetSettings next = sheets_.settings();
         next.overview = checked ? app::OverviewSheet::Yes : app::OverviewSheet::No;

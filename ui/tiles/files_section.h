@@ -16,12 +16,14 @@ class ElidedLabel;
 class RefusalFrame;
 class Segments;
 
-/// The files that the sheets are written to, and the button that writes them.
+/// The files that the sheets are written to.
 class FilesSection : public Section {
     Q_OBJECT
 
 public:
     explicit FilesSection(app::LiveSheets& sheets, QWidget* parent = nullptr);
+    /// The button that writes the files. It belongs below all sections, where it is always seen.
+    QPushButton* exportButton() const { return export_; }
 
 signals:
     void exportWanted();

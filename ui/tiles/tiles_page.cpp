@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tiles/tiles_page.h"
 
+#include "ui/look/look.h"
 #include "ui/tiles/files_section.h"
 #include "ui/tiles/marks_section.h"
 #include "ui/tiles/sheets_section.h"
@@ -8,6 +9,7 @@
 #include "ui/widgets/rule.h"
 
 #include <QKeyEvent>
+#include <QPushButton>
 #include <QScrollArea>
 
 namespace ui {
@@ -26,6 +28,24 @@ public:
         grid().setRowStretch(grid().rowCount() - 1, 1);
     }
 };
+
+// However low the window is, the button is seen.
+QWidget* withButtonBelow(QWidget* sections, QWidget* button)
+{
+    auto* page = new QWidget;
+    page->setBackgroundRole(QPalette::AlternateBase);
+    page->setAutoFillBackground(true);
+    auto* below = new QVBoxLayout;
+    below->setContentsMargins(space::dockMargin, space::labelToField, space::dockMargin,
+                              space::labelToField);
+    below->addWidget(button);
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(sections, 1);
+    column->addLayout(below);
+    return page;
+}
 
 } // namespace
 
@@ -79,7 +99,8 @@ QWidget* TilesPage::makeColumn()
     scrolled->setFrameShape(QFrame::NoFrame);
     scrolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scrolled->setFocusPolicy(Qt::NoFocus);
-    scrolled->setFixedWidth(std::max(columnWidth, inner->minimumSizeHint().width()));
+    auto* page = withButtonBelow(scrolled, files->exportButton());
+    page->setFixedWidth(std::max(columnWidth, inner->minimumSizeHint().width()));
     const auto focusView = [this] {
         if (sheetsSection_->refusal().isEmpty())
             view_->setFocus();
@@ -89,7 +110,7 @@ QWidget* TilesPage::makeColumn()
     connect(marks, &MarksSection::refused, sheetsSection_, &SheetsSection::say);
     connect(marks, &MarksSection::taken, sheetsSection_, &SheetsSection::withdraw);
     connect(files, &FilesSection::exportWanted, this, &TilesPage::exportWanted);
-    return scrolled;
+    return page;
 }
 
 void TilesPage::tellHint()

@@ -297,6 +297,16 @@ private slots:
         QCOMPARE(t.exportText(), "Export 6 sheets…");
     }
 
+    void theButtonThatExportsIsSeenHoweverLowTheWindowIs()
+    {
+        Stage t;
+        t.openTiles();
+        t.window->resize(1280, 640);
+        QCoreApplication::processEvents();
+        QWidget& button = t.part("export-sheets");
+        QCOMPARE(button.visibleRegion().boundingRect(), button.rect());
+    }
+
     // Nothing moves under the pointer.
     void aMessageLiesOverTheSheets()
     {
