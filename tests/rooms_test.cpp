@@ -26,7 +26,8 @@ struct Rooms {
 Rooms roomsIn(const QString& cmake)
 {
     static const QRegularExpression row(
-        QStringLiteral("^room\\((\\w+)(?: ON ([a-z_ ]+?))?(?: TOGETHER)?(?: USES [^)]*| DATA [^)]*)?\\)"),
+        QStringLiteral(
+            "^room\\((\\w+)(?: ON ([a-z_ ]+?))?(?:\\s+(?:TOGETHER|ALONE|USES|DATA)\\b[^)]*)?\\)"),
         QRegularExpression::MultilineOption);
     Rooms rooms;
     for (auto match = row.globalMatch(cmake); match.hasNext();) {
@@ -216,8 +217,9 @@ private slots:
 
     void anIncludeThatPointsUpIsNamed()
     {
-        const Rooms rooms = roomsIn(QStringLiteral("room(base)\nroom(document ON base)\n"
-                                                   "room(view ON document USES X::y)\n"));
+        const Rooms rooms =
+            roomsIn(QStringLiteral("room(base)\nroom(document ON base)\n"
+                                   "room(view ON document TOGETHER\n  ALONE a.cpp USES X::y)\n"));
         const auto from = [&](const char* room, const char* text) {
             return upward(rooms, QLatin1StringView(room) + QStringLiteral("/x.h"),
                           QString::fromUtf8(text));
