@@ -509,7 +509,7 @@ private slots:
         QVERIFY(leave(home, "draw", SIGKILL));
         Editor editor(home, "recover and undo", {});
         QVERIFY2(editor.waitsUntilReady(), qPrintable(editor.said));
-        QVERIFY2(editor.said.contains("undo Draw line, 48.77 mm\n1 shapes, plan.svg, saved\n"
+        QVERIFY2(editor.said.contains("undo Draw line, 48.77\u00a0mm\n1 shapes, plan.svg, saved\n"
                                       "2 shapes, plan.svg, not saved"),
                  qPrintable(editor.said));
         QCOMPARE(contents(home.drawing()), saved);
