@@ -4,13 +4,37 @@
 # headers are precompiled, six tests a file. Each is in a namespace of its own, so their names cannot clash.
 include(${CMAKE_CURRENT_LIST_DIR}/test_names.cmake)
 
-# Alone in its program is what a namespace does not bear: a function that replaces one of the standard library's, a specialisation
-# of somebody else's template, a `main` that is written out, a header that is not for all machines.
+# The headers of tests that replace functions of the C library, or that include one of these: `a.h|b.h`, as a pattern.
+function(find_replacing_headers root result)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${root}/*.h)
+  set(pattern "\nextern \"C\" ")
+  set(found)
+  set(before none)
+  while(NOT found STREQUAL before)
+    set(before "${found}")
+    foreach(header IN LISTS headers)
+      file(READ ${header} text)
+      file(RELATIVE_PATH path ${root} ${header})
+      if(text MATCHES "${pattern}")
+        list(APPEND found ${path})
+      endif()
+    endforeach()
+    list(REMOVE_DUPLICATES found)
+    list(JOIN found "|" joined)
+    string(REPLACE "." "[.]" joined "${joined}")
+    set(pattern "\nextern \"C\" |\"tests/(${joined})\"")
+  endwhile()
+  set(${result} "${joined}" PARENT_SCOPE)
+endfunction()
+find_replacing_headers(${CMAKE_CURRENT_LIST_DIR} replacing_headers)
+
+# Alone in its program is what a namespace does not bear: a function that replaces one of the standard library's, a
+# specialisation of somebody else's template, a `main` that is written out, a header that is not for all machines.
 function(is_alone source path result)
   file(READ ${source} text)
   set(alone FALSE)
-  if(NOT path MATCHES "^(app|ui)/[^/]+/" OR path MATCHES "_gl_test.cpp$"
-      OR text MATCHES "\n(int main|namespace [a-z]|extern \"C\"|Q_DECLARE_METATYPE|void\\* operator new)|\n#if[^\n]*\n#include|(failing_disk|slow_disk|busy_desk)[.]h")
+  if(NOT path MATCHES "^(app|ui)/[^/]+/" OR path MATCHES "_gl_test.cpp$" OR text MATCHES "\"tests/(${replacing_headers})\""
+      OR text MATCHES "\n(int main|namespace [a-z]|extern \"C\"|Q_DECLARE_METATYPE|void\\* operator new)|\n#if[^\n]*\n#include")
     set(alone TRUE)
   endif()
   set(${result} ${alone} PARENT_SCOPE)

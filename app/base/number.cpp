@@ -35,6 +35,13 @@ void appendNumber(std::string& text, double number)
     appendTrimmed(text, {buffer.data(), std::size_t(end - buffer.data())});
 }
 
+QString shortestText(double number)
+{
+    std::string text;
+    appendNumber(text, number);
+    return QString::fromStdString(text);
+}
+
 void appendNumber(std::string& text, double number, int precision, double low, double high)
 {
     assert(std::isfinite(number));

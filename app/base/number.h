@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QString>
+
 #include <optional>
 #include <string>
 #include <string_view>
@@ -8,8 +10,10 @@
 namespace app {
 
 /// Appends the shortest decimal text that reads back bit for bit, without an exponent; -0 is "0".
-/// All numbers in files are written by these two functions. `number` must be finite.
+/// All numbers in files are written by these functions. `number` must be finite.
 void appendNumber(std::string& text, double number);
+/// That text alone.
+QString shortestText(double number);
 
 /// Appends with at most `precision` decimals (no trailing zeros): rounds to nearest, then moves by
 /// whole units of the last decimal until low <= written value <= high, if any such decimal exists.

@@ -6,7 +6,7 @@
 
 namespace app {
 
-/// What `clearcut compare` prints: the rows of the lines that differ, or only their numbers.
+/// The output of `clearcut compare`: a row for each line that differs, or only their number.
 class DifferenceOutput {
 public:
     /// All arguments must outlive this object.

@@ -40,7 +40,7 @@ public:
     /// `at` must outlive this object.
     DifferenceRows(const ComparedAt& at, Form form);
 
-    /// What the table calls a line, both from 1.
+    /// The numbers of a line and of its shape that a row prints. Both count from 1.
     struct Numbers {
         std::size_t line, shape;
     };

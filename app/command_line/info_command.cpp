@@ -17,13 +17,6 @@
 namespace app {
 namespace {
 
-QString text(double value)
-{
-    std::string number;
-    appendNumber(number, value);
-    return QString::fromStdString(number);
-}
-
 // Replaces a number that differs from a short one only by rounding errors: 3.3 for
 // 3.3000000000000003. 0.3333333333333333 stays.
 double withoutNoise(double value)
@@ -53,7 +46,7 @@ QString rounded(double value)
 
 QString text(const Length& length)
 {
-    return text(length.value) + QLatin1StringView(infoOf(length.unit).suffix);
+    return shortestText(length.value) + QLatin1StringView(infoOf(length.unit).suffix);
 }
 
 using Rows = std::vector<std::pair<QString, QString>>;
@@ -109,7 +102,8 @@ QString pathText(const PathShape& shape)
     if (const auto* ellipse = std::get_if<EllipseRecipe>(&shape.recipe)) {
         const auto& [centre, radii] = *ellipse;
         return Commands::tr("ellipse about (%1, %2) with the radii %3 and %4")
-            .arg(text(centre.x), text(centre.y), text(radii.x), text(radii.y));
+            .arg(shortestText(centre.x), shortestText(centre.y), shortestText(radii.x),
+                 shortestText(radii.y));
     }
     const auto parts = shape.path.subpaths();
     std::size_t segments = 0;
@@ -123,10 +117,10 @@ QString shapeText(const WindowShape& shape)
     if (const auto* own = std::get_if<PathShape>(&shape))
         return pathText(*own);
     const auto& [box, angle] = std::get<RectangleShape>(shape);
-    return angle == 0
-               ? rectangleText(box)
-               : Commands::tr("%1 turned by %2°")
-                     .arg(rectangleText(box), text(withoutNoise(angle * 180 / std::numbers::pi)));
+    return angle == 0 ? rectangleText(box)
+                      : Commands::tr("%1 turned by %2°")
+                            .arg(rectangleText(box),
+                                 shortestText(withoutNoise(angle * 180 / std::numbers::pi)));
 }
 
 QString operationText(WindowOperation operation)
@@ -186,7 +180,7 @@ Rows rowsOf(const Imported& imported)
          Commands::tr("%1, on paper %2 × %3")
              .arg(calculated(page.rectangle()), text(page.width), text(page.height))},
         {Commands::tr("unit"),
-         text(withoutNoise(page.millimetresPerUnit())) + QStringLiteral("mm")},
+         shortestText(withoutNoise(page.millimetresPerUnit())) + QStringLiteral("mm")},
     };
     for (const Rows& more : {paper, containerRows(document.containers(), lines)})
         rows.insert(rows.end(), more.begin(), more.end());

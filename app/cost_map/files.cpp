@@ -24,14 +24,7 @@ namespace {
 constexpr double margin = 16, width = 720, scale = 2;
 constexpr double gap = 8; // logical pixels
 
-QString number(double value)
-{
-    std::string text;
-    appendNumber(text, value);
-    return QString::fromStdString(text);
-}
-
-QString text(const Point& point) { return number(point.x) + u',' + number(point.y); }
+QString text(const Point& point) { return shortestText(point.x) + u',' + shortestText(point.y); }
 
 QString winnersOf(const CostPlan& plan, std::uint32_t cheapest)
 {
@@ -75,8 +68,8 @@ Table costTable(const CostMap& map)
                 .title = titleOf(plan),
                 .key = QStringLiteral("costmap"),
                 .facts = {{"fixed_end", plan.end == FixedEnd::End1 ? "1" : "2"},
-                          {"fixed_x", number(plan.fixed.x)},
-                          {"fixed_y", number(plan.fixed.y)},
+                          {"fixed_x", shortestText(plan.fixed.x)},
+                          {"fixed_y", shortestText(plan.fixed.y)},
                           {"window", text(plan.window.min) + u',' + text(plan.window.max)}}};
     if (plan.shown)
         table.facts.emplace_back("algorithm", keyOf(*plan.shown));
@@ -86,9 +79,9 @@ Table costTable(const CostMap& map)
         for (int column = 0; column < plan.columns; ++column) {
             const Point end = plan.middleOf(column, row);
             const std::size_t cell = map.at(column, row);
-            QStringList fields{number(end.x), number(end.y),
+            QStringList fields{shortestText(end.x), shortestText(end.y),
                                time ? QString::number(map.values[cell], 'f', 2)
-                                    : number(map.values[cell])};
+                                    : shortestText(map.values[cell])};
             if (!plan.shown)
                 fields << winnersOf(plan, map.cheapest[cell]);
             table.rows.push_back(fields);

@@ -9,7 +9,7 @@ namespace app {
 
 constexpr int mostTiles = 1000; ///< sheets of one drawing
 
-/// What is drawn in the margins of each sheet.
+/// The marks in the margins of each sheet.
 struct SheetMarks {
     bool registration = false; ///< at the same points of the drawing on neighbouring sheets
     bool labels = false;       ///< title, place of the sheet, size of all sheets together

@@ -22,22 +22,15 @@ bool isUnable(const ShapedWindow& window, const Variant& variant)
     return !refusalAt(window.step(), variant).isEmpty();
 }
 
-QString exactText(double number)
-{
-    std::string text;
-    appendNumber(text, number);
-    return QString::fromStdString(text);
-}
-
 // y grows down, and angles are given counterclockwise as seen.
 QString textOf(const ClipWindow& window, const ClipRegion::Step& step)
 {
     if (const auto* rectangle = std::get_if<RectangleShape>(&window.shape))
         return QStringLiteral("%1@%2").arg(rectangleText(rectangle->box),
-                                           exactText(-glm::degrees(rectangle->angle)));
+                                           shortestText(-glm::degrees(rectangle->angle)));
     QStringList corners;
     for (const Point& corner : step.polygon.corners)
-        corners << QStringLiteral("%1,%2").arg(exactText(corner.x), exactText(corner.y));
+        corners << QStringLiteral("%1,%2").arg(shortestText(corner.x), shortestText(corner.y));
     return QStringLiteral("polygon:") + corners.join(u' ');
 }
 

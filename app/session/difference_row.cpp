@@ -48,9 +48,7 @@ QString inFull(double number)
 {
     if (!std::isfinite(number))
         return Rows::tr("not a number");
-    std::string text;
-    appendNumber(text, number);
-    return QString::fromStdString(text);
+    return shortestText(number);
 }
 
 template <class Number>

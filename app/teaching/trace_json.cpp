@@ -23,9 +23,7 @@ QString number(double value)
         return QStringLiteral("\"nan\"");
     if (std::isinf(value))
         return value > 0 ? QStringLiteral("\"inf\"") : QStringLiteral("\"-inf\"");
-    std::string text;
-    appendNumber(text, value);
-    return QString::fromStdString(text);
+    return shortestText(value);
 }
 
 QString quoted(const QString& text)

@@ -7,8 +7,8 @@
 
 namespace app {
 
-/// What a person chooses for the sheets of a drawing: how it is divided, which is saved with it,
-/// and how the sheets are written.
+/// A person's settings for sheets: how the drawing is divided, and how the files are written. Only
+/// the former are saved with the drawing.
 struct SheetSettings : PageSheets {
     std::string format = "svg";
     bool oneFile = false; ///< for all sheets; only in the format PDF

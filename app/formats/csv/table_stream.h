@@ -14,7 +14,7 @@ struct TableStreamOptions {
     std::function<void()> stopSource{}; ///< ends the source's wait for bytes, on any thread
 };
 
-/// What one thread does with the lines of one block after the other.
+/// The work of one thread, which gets one block of lines after the other.
 class BlockWork {
 public:
     BlockWork() = default;

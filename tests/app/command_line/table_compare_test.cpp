@@ -8,6 +8,7 @@
 
 #include "tests/app/command_line/program.h"
 #include "tests/app/command_line/running.h"
+#include "tests/app/command_line/silent_input.h"
 #include "tests/sanitizer.h"
 
 namespace {
@@ -201,14 +202,9 @@ private slots:
 
     void aBadRowEndsTheWorkWhileTheInputIsSilent()
     {
-        QProcess process;
-        process.start(QStringLiteral(CLEARCUT_BINARY), compare + kwc);
-        process.write(lost);
-        QVERIFY(process.waitForReadyRead(20'000));
-        process.write("bad\n");
-        QVERIFY(process.waitForFinished(20'000));
-        QCOMPARE(process.exitCode(), 1);
-        QCOMPARE(process.readAllStandardError(),
+        const auto run = endedByBadRow(compare + kwc, lost);
+        QCOMPARE(run.code, 1);
+        QCOMPARE(run.err,
                  "clearcut compare: Cannot read standard input: line 2 has “bad” where a number "
                  "is needed.\n");
     }

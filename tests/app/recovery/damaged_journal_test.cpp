@@ -13,16 +13,11 @@
 
 #include "tests/app/commands/random_commands.h"
 #include "tests/app/recovery/recorded_drawing.h"
+#include "tests/content_of.h"
 
 using namespace app;
 
 namespace {
-
-QByteArray contents(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
 
 void write(const QString& path, const QByteArray& bytes)
 {
@@ -37,7 +32,7 @@ struct Copy {
     explicit Copy(const QString& folder)
     {
         for (const QFileInfo& file : QDir(folder).entryInfoList(QDir::Files))
-            files[file.fileName()] = contents(file.filePath());
+            files[file.fileName()] = contentOf(file.filePath());
         files["lock"] = "999999999\n" + QCoreApplication::applicationName().toUtf8() + "\n"
                         + QSysInfo::machineHostName().toUtf8() + "\n"; // no such process
         QDir().mkdir(journal());

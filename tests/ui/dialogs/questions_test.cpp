@@ -9,6 +9,7 @@
 #include "tests/app/document/sheet.h"
 #include "tests/app/document/sheet_edits.h"
 #include "tests/app/formats/failing_disk.h"
+#include "tests/content_of.h"
 #include "tests/ui/test_window.h"
 
 using namespace ui;
@@ -71,10 +72,7 @@ private slots:
             {{{1, 2}, {{{3, 4}}}, false}}, {.stroke = app::Colour{}}, {}, 0, false};
         session.history.push(addShapes(session.document, {line}, "Draw line"));
         QVERIFY(test.window->isWindowModified());
-        const auto read = [&] {
-            QFile now(file);
-            return now.open(QIODevice::ReadOnly) ? now.readAll() : QByteArray();
-        };
+        const auto read = [&] { return contentOf(file); };
         const QByteArray old = read();
         const QString other = test.path("other.svg");
         QVERIFY(!app::writeFile(test.window->session().now(), other));

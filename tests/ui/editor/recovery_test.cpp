@@ -31,6 +31,7 @@
 #include <unistd.h>
 
 #include "tests/app/document/sheet_edits.h"
+#include "tests/content_of.h"
 
 // The editor, in a process of its own, receives real events, is ended by a signal, and is started
 // again. That process is this test program (--editor SCENARIO [FILE]): it runs the editor as
@@ -341,14 +342,14 @@ private slots:
         QFETCH(int, signal);
         QFETCH(int, shapes);
         const Home home;
-        const QByteArray saved = contents(home.drawing());
+        const QByteArray saved = contentOf(home.drawing());
         Editor editor(home, scenario, {home.drawing()}, withoutCore);
         QVERIFY(editor.waitsUntilReady());
         QElapsedTimer clock;
         clock.start();
         QCOMPARE(editor.endedBy(signal), signal);
         qInfo("ended after %lld ms", clock.elapsed());
-        QCOMPARE(contents(home.drawing()), saved);
+        QCOMPARE(contentOf(home.drawing()), saved);
         QCOMPARE(QDir(home.path.path()).entryList({"plan.svg*"}, QDir::Files),
                  QStringList{"plan.svg"}); // no partial file
         const auto left = app::claimLeftovers(home.leftovers());
@@ -415,7 +416,7 @@ private slots:
     void aDamagedJournalIsRecoveredAndItsFilesAreKept()
     {
         const Home home;
-        const QByteArray saved = contents(home.drawing());
+        const QByteArray saved = contentOf(home.drawing());
         QVERIFY(leave(home, "polyline", SIGKILL));
         const QDir left(home.leftovers());
         const QString journal = left.filePath(left.entryList({"*.journal"}, QDir::Dirs).front());
@@ -433,7 +434,7 @@ private slots:
             QCOMPARE(left.entryList({"*.unreadable"}, QDir::Dirs).size(), 1);
             QCOMPARE(editor.endedBy(SIGKILL), SIGKILL);
         }
-        QCOMPARE(contents(home.drawing()), saved);
+        QCOMPARE(contentOf(home.drawing()), saved);
         const auto again = app::claimLeftovers(home.leftovers());
         QCOMPARE(again.size(), std::size_t(1));
         QVERIFY(again[0].origin.path.isEmpty()); // Save asks where
@@ -505,14 +506,14 @@ private slots:
     void undoLeadsBackToTheSavedFile()
     {
         const Home home;
-        const QByteArray saved = contents(home.drawing());
+        const QByteArray saved = contentOf(home.drawing());
         QVERIFY(leave(home, "draw", SIGKILL));
         Editor editor(home, "recover and undo", {});
         QVERIFY2(editor.waitsUntilReady(), qPrintable(editor.said));
         QVERIFY2(editor.said.contains("undo Draw line, 48.77\u00a0mm\n1 shapes, plan.svg, saved\n"
                                       "2 shapes, plan.svg, not saved"),
                  qPrintable(editor.said));
-        QCOMPARE(contents(home.drawing()), saved);
+        QCOMPARE(contentOf(home.drawing()), saved);
     }
     void anUntitledDrawingIsRecoveredToo()
     {
@@ -658,11 +659,6 @@ private:
     {
         const rlimit none{0, 0};
         ::setrlimit(RLIMIT_CORE, &none);
-    }
-    static QByteArray contents(const QString& path)
-    {
-        QFile file(path);
-        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     }
     static bool leave(const Home& home, const QString& scenario, int signal = SIGTERM)
     {

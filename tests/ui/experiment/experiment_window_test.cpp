@@ -20,6 +20,7 @@
 #include <QThreadPool>
 
 #include "tests/app/document/sheet_edits.h"
+#include "tests/content_of.h"
 #include "tests/ui/test_window.h"
 
 using namespace ui;
@@ -393,10 +394,7 @@ private slots:
         const Stage stage;
         stage.runFew("near-miss");
         const QString there = stage.test.path("out-classes.csv");
-        const auto content = [&] {
-            QFile file(there);
-            return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-        };
+        const auto content = [&] { return contentOf(there); };
         QFile own(there);
         QVERIFY(own.open(QIODevice::WriteOnly));
         own.write("mine");

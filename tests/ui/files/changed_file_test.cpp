@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "tests/app/document/sheet_edits.h"
+#include "tests/content_of.h"
 #include "tests/ui/test_window.h"
 
 using namespace ui;
@@ -43,11 +44,7 @@ struct ChangedFile {
     std::size_t lines() const { return test.window->session().scene.lines().size(); }
     static constexpr int patience = 20'000; // milliseconds
     QString path() const { return test.path("two.svg"); }
-    QByteArray contents() const
-    {
-        QFile file(path());
-        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-    }
+    QByteArray contents() const { return contentOf(path()); }
     const QByteArray theirs = "<svg xmlns='http://www.w3.org/2000/svg' width='10mm' height='10mm' "
                               "viewBox='0 0 10 10'><path d='M0 0L5 5' stroke='#000'/></svg>";
     TestWindow test;

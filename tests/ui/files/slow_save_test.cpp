@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/content_of.h"
 #include "tests/ui/files/busy_desk.h"
 
 using namespace ui;
@@ -78,10 +79,7 @@ private slots:
             many += "<path stroke='#000' d='M" + QByteArray::number(i) + " 0L5 5'/>";
         TestWindow folder;
         const Desk desk(folder.file("two.svg", many + "</svg>"));
-        const auto content = [&] {
-            QFile file(desk.session().path());
-            return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-        };
+        const auto content = [&] { return contentOf(desk.session().path()); };
         const QByteArray before = content();
         disk::Slow slow;
         std::optional<bool> saved;
