@@ -2,6 +2,7 @@
 #include "app/tiles/empty_sheets.h"
 
 #include "app/base/usual_algorithm.h"
+#include "app/view/crossings.h"
 
 #include <QCoreApplication>
 
@@ -19,29 +20,6 @@ using clipping::Window;
 /// The columns or rows [first, end) that may contain a part of [low, high].
 struct Span {
     int first, end;
-};
-
-/// Whether the point is inside the area that the lines of one object enclose.
-class Winding {
-public:
-    explicit Winding(const Point& at) : at_(at) {}
-    void add(const Segment& line)
-    {
-        const auto& [a, b] = line;
-        if ((a.y <= at_.y) == (b.y <= at_.y))
-            return;
-        const double x = a.x + (at_.y - a.y) / (b.y - a.y) * (b.x - a.x);
-        if (x > at_.x)
-            turns_ += b.y > a.y ? 1 : -1;
-    }
-    bool isInside(FillRule rule) const
-    {
-        return rule == FillRule::EvenOdd ? turns_ % 2 != 0 : turns_ != 0;
-    }
-
-private:
-    Point at_;
-    int turns_ = 0;
 };
 
 class Search {
@@ -81,10 +59,10 @@ public:
             high = glm::max(high, glm::max(line.a, line.b));
         }
         forEachTile(low, high, [&](Tile& tile) {
-            Winding winding((tile.window.min + tile.window.max) * 0.5);
+            Crossings crossings((tile.window.min + tile.window.max) * 0.5);
             for (const Segment& line : lines)
-                winding.add(line);
-            if (winding.isInside(rule))
+                crossings.count(line);
+            if (crossings.inside(rule))
                 fill(tile);
         });
     }

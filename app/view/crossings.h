@@ -28,12 +28,7 @@ public:
             count({last_, start_});
         open_ = false;
     }
-    bool inside(FillRule rule) const
-    {
-        return rule == FillRule::EvenOdd ? crossings_ % 2 == 1 : winding_ != 0;
-    }
-
-private:
+    /// Counts a line of an outline that is closed already; their order does not matter.
     void count(const clipping::Segment& s)
     {
         if ((s.a.y <= p_.y) == (s.b.y <= p_.y))
@@ -44,7 +39,12 @@ private:
         ++crossings_;
         winding_ += s.b.y > s.a.y ? 1 : -1;
     }
+    bool inside(FillRule rule) const
+    {
+        return rule == FillRule::EvenOdd ? crossings_ % 2 == 1 : winding_ != 0;
+    }
 
+private:
     Point p_, start_{}, last_{};
     bool open_ = false;
     int winding_ = 0, crossings_ = 0;
