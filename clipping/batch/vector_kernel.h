@@ -3,6 +3,7 @@
 
 #include "clipping/batch/clip_lanes.h"
 #include "clipping/batch/polygon_lanes.h"
+#include "clipping/batch/streaming.h"
 #include "clipping/batch/survivors.h"
 
 // `exact` in vectors, written once for every instruction set (lanes.h says what the including file
@@ -149,10 +150,13 @@ CLIPPING_INLINE BatchResult clipSurvivors(const Shape& shape, std::uint32_t* ind
 /// Copies a block that is wholly inside.
 template <class T>
 CLIPPING_INLINE void copyBlock(const BasicSegment<T>* segments, std::size_t first, std::size_t last,
-                               BasicClipped<BasicSegment<T>>* out)
+                               BasicClipped<BasicSegment<T>>* out, bool streamed)
 {
-    for (std::size_t i = first; i < last; ++i)
-        *out++ = {segments[i], static_cast<std::uint32_t>(i), 0};
+    for (std::size_t i = first; i < last; ++i, ++out)
+        if (streamed)
+            stream(out, segments[i], i);
+        else
+            *out = {segments[i], static_cast<std::uint32_t>(i), 0};
 }
 
 template <class V, class First, class Shape>
@@ -160,6 +164,7 @@ CLIPPING_INLINE BatchResult clipInVectors(const Shape& shape)
 {
     const auto& batch = shape.batch;
     std::uint32_t indices[blockSize + V::width + First::width];
+    const bool streamed = isStreamed(batch.out, batch.end - batch.begin);
     BatchResult result{};
     bool wasUntouched = false; // the block before
     for (std::size_t first = batch.begin; first < batch.end; first += blockSize) {
@@ -174,7 +179,7 @@ CLIPPING_INLINE BatchResult clipInVectors(const Shape& shape)
         }
         wasUntouched = isUntouched;
         if (isUntouched) {
-            copyBlock(batch.segments, first, last, out);
+            copyBlock(batch.segments, first, last, out, streamed);
             result.pieces += count;
             continue;
         }
@@ -187,6 +192,8 @@ CLIPPING_INLINE BatchResult clipInVectors(const Shape& shape)
         result.pieces += block.pieces;
         result.unsettled += block.unsettled;
     }
+    if (streamed)
+        finishStreaming();
     return result;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "clipping/algorithm.h"
 #include "clipping/batch/kernels.h"
+#include "clipping/batch/streaming.h"
 
 #include <QTest>
 
@@ -203,6 +204,47 @@ void comparePartsOfTheWhole()
                 }
 }
 
+/// As many segments as make an output that is streamed, most of them wholly inside.
+template <class T>
+Scene<T> toBeStreamed()
+{
+    auto scene = paperScene<T>(streamedSize / sizeof(Piece<T>) + 1001);
+    scene.window = {{-960, -720}, {960, 720}};
+    for (std::size_t at = 0; at < scene.segments.size(); at += 5000) { // some cut, some outside
+        scene.segments[at].a.x += T(at / 5000 % 3 * 1500);
+        scene.segments[at].b.x += T(at / 5000 % 3 * 1000);
+    }
+    return scene;
+}
+
+/// Compares a whole scene with its parts, which are too small to be streamed. Its output begins
+/// `skipped` numbers of four bytes after one that malloc gives.
+template <class T>
+void compareStreamed(std::size_t skipped)
+{
+    const auto scene = toBeStreamed<T>();
+    const std::size_t count = scene.segments.size(), size = sizeof(Piece<T>);
+    for (const InstructionSet& set : instructionSets()) {
+        if (!set.available)
+            continue;
+        std::vector<Piece<T>> parts;
+        for (std::size_t begin = 0; begin < count; begin += 10'000) {
+            const auto some = clipped(set, scene, begin, std::min(begin + 10'000, count));
+            parts.insert(parts.end(), some.begin(), some.end());
+        }
+        QVERIFY(parts.size() > count / 2 && parts.size() < count);
+        constexpr std::uint32_t untouched = 0xa5a5a5a5;
+        std::vector<std::uint32_t> room(skipped + count * size / 4 + 1, untouched);
+        auto* const out = reinterpret_cast<Piece<T>*>(room.data() + skipped);
+        QCOMPARE(isStreamed(out, count), skipped == 0);
+        const auto found =
+            clipOf<T>(set)({scene.segments.data(), 0, count, scene.window, out}).pieces;
+        QCOMPARE(found, parts.size());
+        QVERIFY(std::memcmp(out, parts.data(), found * size) == 0);
+        QCOMPARE(room.back(), untouched);
+    }
+}
+
 } // namespace
 
 class KernelsTest : public QObject {
@@ -223,6 +265,13 @@ private slots:
     void aSingleNonFiniteNumberIsFoundInFloat() { spoilOneNumber<float>(); }
     void anyPartIsClippedWithoutWritingBeyondIt() { comparePartsOfTheWhole<double>(); }
     void anyPartIsClippedWithoutWritingBeyondItInFloat() { comparePartsOfTheWhole<float>(); }
+
+    void aLargeOutputIsTheSameAsThatOfItsParts() { compareStreamed<double>(0); }
+    void aLargeOutputOfFloatsIsTheSameAsThatOfItsParts()
+    {
+        compareStreamed<float>(0);
+        compareStreamed<float>(1);
+    }
 
     void thePapersSceneIsDecidedInVectors()
     {
