@@ -66,11 +66,11 @@ fileOf() { # KEY
     [[ $path == *.h ]] && echo "clipping/$path" || echo "clipping/$path.cpp"
 }
 
-# The sources that include a header, by way of others, too.
+# The sources of the library that include a header, by way of others, too.
 includersOf() { # FILE
     local file
-    grep -rl --include="*.cpp" "\"$1\"" "$root/clipping" || true
-    for file in $(grep -rl --include="*.h" "\"$1\"" "$root/clipping"); do
+    grep -rl --exclude-dir=python --include="*.cpp" "\"$1\"" "$root/clipping" || true
+    for file in $(grep -rl --exclude-dir=python --include="*.h" "\"$1\"" "$root/clipping"); do
         includersOf "clipping/${file#"$root/clipping/"}"
     done
 }
