@@ -69,6 +69,17 @@ void uniteIfNeeded(std::vector<ClipWindow>& shapes, const GivenValue& value, con
         shapes = {{.shape = united(shapes, page)}};
 }
 
+std::vector<ClipWindow> shapesOf(const GivenValue& value, const ParsedArguments& arguments,
+                                 const Imported& imported)
+{
+    if (value.option != QLatin1StringView("page"))
+        return windowsOf(value, imported);
+    // Not within the braces: of an aggregate that an exception leaves half made, g++ 12 destroys
+    // members that it has not made.
+    const clipping::Window page = pageOf(arguments, imported);
+    return {{.shape = RectangleShape{page}}};
+}
+
 ClipWindows givenWindows(const ParsedArguments& arguments, const Imported& imported)
 {
     refuseContradictions(arguments);
@@ -76,10 +87,7 @@ ClipWindows givenWindows(const ParsedArguments& arguments, const Imported& impor
     for (const GivenValue& value : given(arguments)) {
         const auto* giver = std::ranges::find(
             givers, value.option, [](const auto& each) { return QLatin1StringView(each.option); });
-        auto shapes =
-            value.option == QLatin1StringView("page")
-                ? std::vector<ClipWindow>{{.shape = RectangleShape{pageOf(arguments, imported)}}}
-                : windowsOf(value, imported);
+        auto shapes = shapesOf(value, arguments, imported);
         uniteIfNeeded(shapes, value, imported.document.page());
         for (ClipWindow& window : shapes) {
             window.operation = giver->operation;
