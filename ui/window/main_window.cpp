@@ -64,6 +64,10 @@ MainWindow::~MainWindow()
           static_cast<QObject*>(&session_.history)})
         disconnect(source, nullptr, this, nullptr);
     hide();
+    // A window that is hidden finishes the field in hand, for which it must be whole still.
+    for (QWidget* child : findChildren<QWidget*>())
+        if (child->isWindow())
+            child->hide();
     qDeleteAll(findChildren<QWidget*>(Qt::FindDirectChildrenOnly));
 }
 

@@ -40,12 +40,43 @@ void setWindow(TestWindow& t, const clipping::Window& window)
     session.history.push(windowStep(session.document, window));
 }
 
+/// Which windows were hidden by the destructor of a class that they are derived from.
+struct HiddenLate : QObject {
+    HiddenLate() { qApp->installEventFilter(this); }
+    bool eventFilter(QObject* watched, QEvent* event) override
+    {
+        if (!watched->isWidgetType())
+            return false;
+        const QByteArray name = watched->metaObject()->className();
+        if (event->type() == QEvent::Show && static_cast<QWidget*>(watched)->isWindow())
+            shown[watched] = name;
+        else if (event->type() == QEvent::Hide && shown.value(watched, name) != name)
+            late << shown[watched];
+        return false;
+    }
+
+    QMap<QObject*, QByteArray> shown;
+    QByteArrayList late;
+};
+
 } // namespace
 
 class MainWindowTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void windowsAreHiddenBeforeTheyAreDestroyed()
+    {
+        HiddenLate windows;
+        {
+            TestWindow t;
+            t.show();
+            for (const char* dialog : {"grid-own", "shortcuts"})
+                t.run(dialog);
+        }
+        QVERIFY(windows.shown.values().contains("ui::GridDialog"));
+        QCOMPARE(windows.late, QByteArrayList());
+    }
     void mnemonicsAreUniqueInEachMenu()
     {
         const auto mnemonics = [](const QList<QAction*>& actions) {
