@@ -69,6 +69,15 @@ inline std::unique_ptr<MainWindow> windowWithMenus()
     return window;
 }
 
+/// Waits until a panel has its final size, on which those beside it have a say.
+inline void waitForFinalSize(const QWidget& panel)
+{
+    for (QSize size; size != panel.size();) {
+        size = panel.size();
+        QTest::qWait(150);
+    }
+}
+
 class TestWindow {
 public:
     TestWindow()

@@ -21,7 +21,7 @@ class NodeFieldsTest : public QObject {
         {
             t.window->raisePanel("selection");
             doubleClick(path.start);
-            QTest::qWait(150); // until the panels have their final heights
+            waitForFinalSize(panel());
             settle();
         }
         static void settle() { QTest::qWait(20); } // the panel follows after the events

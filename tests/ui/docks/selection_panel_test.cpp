@@ -29,7 +29,7 @@ class SelectionPanelTest : public QObject {
             show();
             window->raisePanel("selection");
             session().select({0});
-            QTest::qWait(150); // until the panels have their final heights
+            waitForFinalSize(panel());
             settle();
         }
         static void settle() { QTest::qWait(20); } // the panel follows after the events
@@ -96,6 +96,7 @@ private slots:
         const QSize size = t.panel().size();
         t.session().select({});
         Panel::settle();
+        waitForFinalSize(t.panel());
         QCOMPARE(t.panel().size(), size);
         QVERIFY(!t.field("Width")->isEnabled());
         QVERIFY(t.field("Width")->text().isEmpty());
