@@ -181,7 +181,8 @@ private slots:
         const QString out = process.readAllStandardOutput();
         QVERIFY2(process.exitCode() == 3, qPrintable(out + process.readAllStandardError()));
         const QString printed = out.section("It printed: ", 1).section('\n', 0, 0);
-        QVERIFY2(printed.toInt() > 0 && printed.toInt() < 300, qPrintable(out.left(2000)));
+        if (!isSanitized) // forking takes so long then that the judge's clock ends it
+            QVERIFY2(printed.toInt() > 0 && printed.toInt() < 300, qPrintable(out.left(2000)));
         QVERIFY2(running("fork_bomb").isEmpty(), qPrintable(running("fork_bomb").join(' ')));
     }
 

@@ -625,8 +625,11 @@ private:
         Editor(const Home& home, const QString& scenario, const QStringList& arguments,
                const std::function<void()>& before = {}, const QString& state = {})
         {
-            process.setProcessEnvironment(
-                home.environment(state.isEmpty() ? home.path.path() : state));
+            auto environment = home.environment(state.isEmpty() ? home.path.path() : state);
+            // A crash is to end it as without a sanitizer.
+            for (const char* const sanitizer : {"ASAN_OPTIONS", "TSAN_OPTIONS"})
+                environment.insert(sanitizer, environment.value(sanitizer) + ":handle_segv=0");
+            process.setProcessEnvironment(environment);
             process.setChildProcessModifier(before);
             process.start(QCoreApplication::applicationFilePath(),
                           QStringList{"--editor", scenario} + arguments);
