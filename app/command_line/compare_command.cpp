@@ -54,6 +54,18 @@ void compareRows(const std::vector<std::uint32_t>& rowOfObject, const SceneLines
     });
 }
 
+// The lines of a drawing, each with its number and that of its object.
+void compareRuns(const SceneLines& lines, DifferenceRows& rows, DifferenceOutput& output)
+{
+    for (const SceneLines::Run& run : lines.runs()) {
+        rows.compare(run.segments, [&](std::size_t i) {
+            const std::size_t line = run.firstLine + i;
+            return DifferenceRows::Numbers{line + 1, lines.objectOf(line) + 1};
+        });
+        output.give(rows);
+    }
+}
+
 // Compares all lines even if the reader of the rows has ended, for the report.
 void compareDrawing(const Imported& imported, const ComparedAt& at, DifferenceOutput& output)
 {
@@ -63,16 +75,10 @@ void compareDrawing(const Imported& imported, const ComparedAt& at, DifferenceOu
     DifferenceRows rows(at, output.form());
     output.write([&] {
         output.begin();
-        if (!imported.rows.empty()) {
+        if (imported.rows.empty()) {
+            compareRuns(lines, rows, output);
+        } else {
             compareRows(imported.rows, lines, rows);
-            output.give(rows);
-            return;
-        }
-        for (const SceneLines::Run& run : lines.runs()) {
-            rows.compare(run.segments, [&](std::size_t i) {
-                const std::size_t line = run.firstLine + i;
-                return DifferenceRows::Numbers{line + 1, lines.objectOf(line) + 1};
-            });
             output.give(rows);
         }
     });

@@ -84,7 +84,7 @@ Rows containerRows(const Containers& containers, std::span<const std::size_t> li
     for (const ContainerId id : containers.inOrder()) {
         const Container& container = containers[id];
         const ObjectRange range = containers.rangeOf(id);
-        const QString indent(2 * (containers.depthOf(id) - 1), u' ');
+        const QString indent(qsizetype{2} * (containers.depthOf(id) - 1), u' ');
         rows.emplace_back(container.kind == Container::Kind::Layer ? Commands::tr("layer")
                                                                    : Commands::tr("group"),
                           indent

@@ -59,15 +59,13 @@ csv::TableStreamed compareTable(const ParsedArguments& arguments, const QString&
                                 const ComparedAt& at, DifferenceOutput& output)
 {
     InputBytes in(input);
+    const auto stream = [&](csv::ByteSource source, const csv::TableStreamOptions& options) {
+        return csv::streamTable(
+            std::move(source), options, [&] { return output.begin(); },
+            [&] { return std::make_unique<CompareWork>(at, output); });
+    };
     csv::TableStreamed made;
-    output.write([&] {
-        made = streamed(in, arguments,
-                        [&](csv::ByteSource source, const csv::TableStreamOptions& options) {
-                            return csv::streamTable(
-                                std::move(source), options, [&] { return output.begin(); },
-                                [&] { return std::make_unique<CompareWork>(at, output); });
-                        });
-    });
+    output.write([&] { made = streamed(in, arguments, stream); });
     return made;
 }
 
