@@ -14,6 +14,7 @@
 #include "tests/app/commands/random_commands.h"
 #include "tests/app/recovery/recorded_drawing.h"
 #include "tests/content_of.h"
+#include "tests/sanitizer.h"
 
 using namespace app;
 
@@ -72,8 +73,8 @@ struct Copy {
 class DamagedJournalTest : public QObject {
     Q_OBJECT
 
-    static constexpr std::size_t limit = 1'000'000'000; // bytes of steps in a base
-    static constexpr double few = 0.0002;               // seconds; some steps a generation
+    static constexpr std::size_t limit = 1'000'000'000;         // bytes of steps in a base
+    static constexpr double few = isSanitized ? 0.002 : 0.0002; // seconds; some steps a generation
     QTemporaryDir home_;
 
     /// The state after each step and the size of the log with it, of the newest generation.
