@@ -22,7 +22,6 @@ class NodeFieldsTest : public QObject {
             t.window->raisePanel("selection");
             doubleClick(path.start);
             waitForFinalSize(panel());
-            settle();
         }
         static void settle() { QTest::qWait(20); } // the panel follows after the events
         SelectionPanel& panel() const { return *t.window->findChild<SelectionPanel*>(); }

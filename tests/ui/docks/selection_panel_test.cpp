@@ -30,7 +30,6 @@ class SelectionPanelTest : public QObject {
             window->raisePanel("selection");
             session().select({0});
             waitForFinalSize(panel());
-            settle();
         }
         static void settle() { QTest::qWait(20); } // the panel follows after the events
         app::Session& session() const { return window->session(); }
@@ -95,7 +94,6 @@ private slots:
         Panel t;
         const QSize size = t.panel().size();
         t.session().select({});
-        Panel::settle();
         waitForFinalSize(t.panel());
         QCOMPARE(t.panel().size(), size);
         QVERIFY(!t.field("Width")->isEnabled());
