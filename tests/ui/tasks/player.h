@@ -9,6 +9,7 @@
 #include <QAbstractSpinBox>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPointer>
 #include <QRegularExpression>
 
 #include <glm/geometric.hpp>
@@ -34,7 +35,7 @@ struct Drawn {
 using Table = std::vector<Drawn>;
 
 class Player {
-    static constexpr int longestWait = 5000; // milliseconds; only a key that opens nothing takes it
+    static constexpr int longestWait = 5000; // milliseconds
 
 public:
     Player()
@@ -61,11 +62,13 @@ public:
     void type(const char* text)
     {
         for (const char* c = text; *c; ++c) {
-            const auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+            const QPointer menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
             QTest::keyClick(receiver(), *c);
-            if (menu) // a submenu opens some time after its key
-                (void)QTest::qWaitFor([menu] { return QApplication::activePopupWidget() != menu; },
-                                      longestWait);
+            const auto opensSubmenu = [&menu] { // some time after its key
+                const QAction* found = menu ? menu->activeAction() : nullptr;
+                return found && found->menu() && QApplication::activePopupWidget() == menu;
+            };
+            (void)QTest::qWaitFor([&] { return !opensSubmenu(); }, longestWait);
         }
     }
     void move(const app::Point& p, Qt::MouseButtons buttons = {}, Qt::KeyboardModifiers with = {})
