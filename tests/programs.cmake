@@ -56,7 +56,7 @@ function(add_test_program program path)
   link_tests(${program} ${path})
   precompile_headers_of_tests(${program} ${path})
   if(build STREQUAL optimised AND path MATCHES "^(app|ui)/") # they call the program; what they compute is little
-    target_compile_options(${program} PRIVATE -O1)
+    target_compile_options(${program} PRIVATE -Og)
   endif()
 endfunction()
 
