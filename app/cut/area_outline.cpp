@@ -21,18 +21,6 @@ struct Side {
     bool missesStart = false, missesEnd = false;
 };
 
-Bezier curveOf(const Subpath& path, std::size_t segment)
-{
-    const PathSegment& s = path.segments[segment];
-    return {segment == 0 ? path.start : path.segments[segment - 1].to, s.control1, s.control2,
-            s.to};
-}
-
-bool isCurve(const Subpath& path, std::size_t segment)
-{
-    return segment < path.segments.size() && path.segments[segment].curved;
-}
-
 bool goesOn(const Side& side, const Side& next)
 {
     return side.curved && next.curved && side.subpath == next.subpath

@@ -12,6 +12,18 @@ bool isLeftOf(const clipping::Segment& line, const Point& p)
 
 } // namespace
 
+bool isCurve(const Subpath& path, std::size_t segment)
+{
+    return segment < path.segments.size() && path.segments[segment].curved;
+}
+
+Bezier curveOf(const Subpath& path, std::size_t segment)
+{
+    const PathSegment& s = path.segments[segment];
+    return {segment == 0 ? path.start : path.segments[segment - 1].to, s.control1, s.control2,
+            s.to};
+}
+
 std::optional<CurvePoint> crossing(const Bezier& curve, const Chord& chord,
                                    const clipping::Segment& edge)
 {

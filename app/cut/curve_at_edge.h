@@ -3,10 +3,14 @@
 
 #include "app/document/bezier.h"
 #include "app/document/flatten.h"
+#include "app/document/subpath.h"
 
 #include <optional>
 
 namespace app {
+
+bool isCurve(const Subpath& path, std::size_t segment); ///< false behind its last segment
+Bezier curveOf(const Subpath& path, std::size_t segment);
 
 /// A place on a curve.
 struct CurvePoint {

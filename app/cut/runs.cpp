@@ -15,22 +15,6 @@ using clipping::Edge;
 
 using End = CurvePoint; // where a run begins or ends
 
-Point startOf(const Subpath& path, std::size_t segment)
-{
-    return segment == 0 ? path.start : path.segments[segment - 1].to;
-}
-
-Bezier curveOf(const Subpath& path, std::size_t segment)
-{
-    const PathSegment& s = path.segments[segment];
-    return {startOf(path, segment), s.control1, s.control2, s.to};
-}
-
-bool isCurve(const Subpath& path, std::size_t segment)
-{
-    return segment < path.segments.size() && path.segments[segment].curved;
-}
-
 // std::hypot: squares could overflow.
 double distance(const Point& a, const Point& b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
