@@ -9,6 +9,7 @@
 
 #include "tests/clipping/contract.h"
 #include "tests/clipping/line_or_ray_contract.h"
+#include "tests/verify.h"
 
 using namespace clearcut;
 
@@ -19,7 +20,7 @@ std::vector<Input> selected(std::span<const Family> from)
 {
     std::vector<Input> all;
     for (const Family& family : from) {
-        const auto inputs = family.inputs();
+        const auto& inputs = family.inputs();
         const std::size_t step = std::max<std::size_t>(1, inputs.size() / 2'000);
         for (std::size_t i = 0; i < inputs.size(); i += step)
             all.push_back(inputs[i]);
@@ -46,7 +47,7 @@ private slots:
         for (const Input& input : selected(families())) {
             const auto wrong =
                 fault<2>(clip(input.segment, input.window), input, truthOf<2>(input), 0.5);
-            QVERIFY2(wrong.empty(), (wrong + " for " + exactly(input)).c_str());
+            VERIFY_OR_SAY(wrong.empty(), (wrong + " for " + exactly(input)).c_str());
         }
     }
 
@@ -56,7 +57,7 @@ private slots:
             const auto found = clip(inFloat(input.segment), inFloat(input.window));
             const auto wrong =
                 fault<2>(inDouble(found), input, truthOf<2>(input), 0.5, oracle::Number::Single);
-            QVERIFY2(wrong.empty(), (wrong + " for " + exactly(input)).c_str());
+            VERIFY_OR_SAY(wrong.empty(), (wrong + " for " + exactly(input)).c_str());
         }
     }
 
@@ -67,7 +68,7 @@ private slots:
             const auto& [s, window] = input;
             const auto line = lineOrRayFault(clip(Line{s.a, s.b}, window), input, false, k);
             const auto ray = lineOrRayFault(clip(Ray{s.a, s.b}, window), input, true, k);
-            QVERIFY2((line + ray).empty(), (line + ray + " for " + exactly(input)).c_str());
+            VERIFY_OR_SAY((line + ray).empty(), (line + ray + " for " + exactly(input)).c_str());
         }
     }
 

@@ -9,6 +9,7 @@
 #include "tests/clipping/random.h"
 #include "tests/clipping/rows.h"
 #include "tests/not_empty.h"
+#include "tests/verify.h"
 
 using namespace clipping;
 
@@ -87,8 +88,7 @@ private slots:
             const Input& input = all.inputs[i];
             const auto result = algorithm->corrected.clip(input.segment, input.window);
             const auto wrong = fault(result, input, all.truths[i], algorithm->ulps);
-            if (!wrong.empty()) // the text takes longer than the test
-                QFAIL((wrong + " for " + exactly(input)).c_str());
+            VERIFY_OR_SAY(wrong.empty(), (wrong + " for " + exactly(input)).c_str());
         }
     }
 
@@ -111,7 +111,7 @@ private slots:
             const auto result = clippedInFloat(*algorithm, input);
             const auto wrong =
                 fault(result, input, all.truths[i], algorithm->ulps, oracle::Number::Single);
-            QVERIFY2(wrong.empty(), (wrong + " for " + exactly(input)).c_str());
+            VERIFY_OR_SAY(wrong.empty(), (wrong + " for " + exactly(input)).c_str());
         }
     }
 
@@ -158,7 +158,7 @@ private slots:
             if (i % 8 < 4)
                 std::swap(s.a, s.b);
             const auto result = algorithm->corrected.clip(s, w);
-            QVERIFY2(result && result->a == result->b, exactly(Input{s, w}).c_str());
+            VERIFY_OR_SAY(result && result->a == result->b, exactly(Input{s, w}).c_str());
         }
     }
 
@@ -169,7 +169,7 @@ private slots:
         for (int index = 0; index < 8; ++index)
             for (const double by : {none, infinite, -infinite}) {
                 const Input input = spoilt(index, by);
-                QVERIFY2(seesNothing(algorithm->corrected, input), exactly(input).c_str());
+                VERIFY_OR_SAY(seesNothing(algorithm->corrected, input), exactly(input).c_str());
             }
     }
 
@@ -201,10 +201,10 @@ private slots:
                 run(spoilt(index, by)), trace(spoilt(index, by));
         for (const Family& family : families())
             if (family.name != std::string_view("scene")) {
-                const auto inputs = family.inputs();
-                std::ranges::for_each(inputs, run);
-                const std::span all(inputs); // traces are slow
-                std::ranges::for_each(all.first(std::min<std::size_t>(all.size(), 5'000)), trace);
+                const std::span all(family.inputs());
+                std::ranges::for_each(all, run);
+                std::ranges::for_each(all.first(std::min<std::size_t>(all.size(), 5'000)),
+                                      trace); // traces are slow
             }
     }
 };

@@ -173,9 +173,10 @@ template <class T>
 std::span<const Family> familiesIn()
 {
     static constexpr std::array all{
-        Family{"grid", grid},         Family{"corners", corners<T>}, Family{"edges", edges<T>},
-        Family{"long", longLines<T>}, Family{"mixed", mixed<T>},     Family{"scaled", scaled<T>},
-        Family{"offset", offset<T>},  Family{"scene", sceneIn<T>},
+        Family{"grid", madeOnce<grid>},        Family{"corners", madeOnce<corners<T>>},
+        Family{"edges", madeOnce<edges<T>>},   Family{"long", madeOnce<longLines<T>>},
+        Family{"mixed", madeOnce<mixed<T>>},   Family{"scaled", madeOnce<scaled<T>>},
+        Family{"offset", madeOnce<offset<T>>}, Family{"scene", madeOnce<sceneIn<T>>},
     };
     return all;
 }

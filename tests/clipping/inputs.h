@@ -16,8 +16,14 @@ struct BasicInput {
 template <glm::length_t N>
 struct BasicFamily {
     const char* name;
-    std::vector<BasicInput<N>> (*inputs)();
+    const std::vector<BasicInput<N>>& (*inputs)(); ///< made by the first call
 };
+template <auto make>
+const auto& madeOnce()
+{
+    static const auto all = make();
+    return all;
+}
 using Input = BasicInput<2>;
 using Family = BasicFamily<2>;
 

@@ -45,7 +45,7 @@ template <class S>
 void compareFamilies()
 {
     for (const Family& family : families()) {
-        const auto inputs = family.inputs();
+        const auto& inputs = family.inputs();
         const std::size_t step = std::max<std::size_t>(1, inputs.size() / 15'000);
         for (std::size_t i = 0; i < inputs.size(); i += step)
             for (const auto& row : rows<S>()) {
@@ -70,7 +70,7 @@ template <class S>
 void compareUses()
 {
     for (const Family& family : families()) {
-        const auto inputs = family.inputs();
+        const auto& inputs = family.inputs();
         for (std::size_t i = 0; i < inputs.size() && i < 2'000; ++i)
             for (const auto& [algorithm, uses] : rows<S>()) {
                 const auto& [points, w] = inputs[i];

@@ -7,6 +7,7 @@
 
 #include "tests/clipping/contract.h"
 #include "tests/clipping/rows.h"
+#include "tests/verify.h"
 
 using namespace clipping;
 
@@ -188,15 +189,16 @@ private slots:
             const auto truth = truthOf(input);
             auto result = algorithm->published->clip(s, w);
             if (kwc && truth)
-                QVERIFY2(underOnePixel(*truth, s, w) != result.has_value(), exactly(input).c_str());
+                VERIFY_OR_SAY(underOnePixel(*truth, s, w) != result.has_value(),
+                              exactly(input).c_str());
             if (truth && !result && (kwc || ((skala || sb) && onlyTouches(*truth, w)))) {
                 ++lost;
                 continue;
             }
-            QVERIFY2(truth.has_value() == result.has_value(), exactly(input).c_str());
+            VERIFY_OR_SAY(truth.has_value() == result.has_value(), exactly(input).c_str());
             if (skala && result && glm::dot(result->b - result->a, s.b - s.a) < 0)
                 std::swap(result->a, result->b); // it does not keep the order
-            QVERIFY2(ulpsOff(result, input, truth) < 8, exactly(input).c_str());
+            VERIFY_OR_SAY(ulpsOff(result, input, truth) < 8, exactly(input).c_str());
         }
         QCOMPARE(lost > 0, skala || kwc || sb);
     }

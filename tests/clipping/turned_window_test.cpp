@@ -12,6 +12,7 @@
 #include "tests/clipping/same_bits.h"
 #include "tests/clipping/scenes.h"
 #include "tests/clipping/turned_contract.h"
+#include "tests/verify.h"
 
 using namespace clipping;
 
@@ -71,7 +72,7 @@ private slots:
             const auto w = someWindow(random, i % 5 == 3 ? size / 4 : size);
             const Segment s = someSegment(random, w, i % 5 == 3 ? size / 4 : size);
             const auto wrong = turnedFault(*algorithm, s, w);
-            QVERIFY2(wrong.empty(), (wrong + " for " + described(s, w)).c_str());
+            VERIFY_OR_SAY(wrong.empty(), (wrong + " for " + described(s, w)).c_str());
         }
     }
 
@@ -120,9 +121,10 @@ private slots:
             if (std::hypot(once->b.x - once->a.x, once->b.y - once->a.y) < 4 * most)
                 continue; // as good as a contact
             const auto again = clipTurned(algorithm->corrected, *once, w);
-            QVERIFY2(again.has_value(), described(s, w).c_str());
+            VERIFY_OR_SAY(again.has_value(), described(s, w).c_str());
             for (const glm::dvec2& d : {again->a - once->a, again->b - once->b})
-                QVERIFY2(std::max(std::abs(d.x), std::abs(d.y)) <= most, described(s, w).c_str());
+                VERIFY_OR_SAY(std::max(std::abs(d.x), std::abs(d.y)) <= most,
+                              described(s, w).c_str());
             ++seen;
         }
         QVERIFY(seen > 300);

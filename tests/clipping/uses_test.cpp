@@ -9,6 +9,7 @@
 #include "tests/clipping/contract.h"
 #include "tests/clipping/rows.h"
 #include "tests/not_empty.h"
+#include "tests/verify.h"
 
 using namespace clipping;
 
@@ -23,7 +24,7 @@ std::vector<Batch> batches(std::size_t mostOfEachFamily)
 {
     std::vector<Batch> all;
     for (const Family& family : families()) {
-        const auto inputs = family.inputs();
+        const auto& inputs = family.inputs();
         for (const auto& [segment, window] :
              std::span(inputs).first(std::min(inputs.size(), mostOfEachFamily))) {
             if (all.empty() || !(all.back().window == window))
@@ -238,11 +239,11 @@ private slots:
         const Symmetry& symmetry = symmetries[std::size_t(index)];
         for (const Family& family : families()) {
             const bool whole = family.name == std::string_view("grid");
-            const auto inputs = notEmpty(family.inputs());
+            const auto& inputs = family.inputs();
+            QVERIFY(!inputs.empty());
             for (std::size_t i = 0; i < inputs.size() && i < 20'000; ++i) {
                 const auto wrong = disagreement(*algorithm, symmetry, inputs[i], !whole);
-                if (!wrong.empty())
-                    QFAIL((wrong + " for " + exactly(inputs[i])).c_str());
+                VERIFY_OR_SAY(wrong.empty(), (wrong + " for " + exactly(inputs[i])).c_str());
             }
         }
     }
@@ -256,12 +257,12 @@ private slots:
         for (Segment s : segments) {
             s.b.x = s.a.x = s.a.x / 12;
             const auto vertical = algorithm->corrected.clip(s, window);
-            QVERIFY2(!vertical || (vertical->a.x == s.a.x && vertical->b.x == s.a.x),
-                     exactly({s, window}).c_str());
+            VERIFY_OR_SAY(!vertical || (vertical->a.x == s.a.x && vertical->b.x == s.a.x),
+                          exactly({s, window}).c_str());
             const Window turned{{window.min.y, window.min.x}, {window.max.y, window.max.x}};
             const auto level = algorithm->corrected.clip(exchange(s), turned);
-            QVERIFY2(!level || (level->a.y == s.a.x && level->b.y == s.a.x),
-                     exactly({s, window}).c_str());
+            VERIFY_OR_SAY(!level || (level->a.y == s.a.x && level->b.y == s.a.x),
+                          exactly({s, window}).c_str());
         }
     }
 

@@ -10,6 +10,7 @@
 #include "tests/clipping/rational.h"
 #include "tests/clipping/same_bits.h"
 #include "tests/clipping/scenes.h"
+#include "tests/verify.h"
 
 using namespace clipping;
 
@@ -111,8 +112,8 @@ void compareWithReversed(const Functions<BasicSegment<T>, BasicWindow<T>>& exact
             auto backwards = exact.clip({s.b, s.a}, window);
             if (backwards)
                 std::swap(backwards->a, backwards->b);
-            QVERIFY2(sameBits(exact.clip(s, window), backwards),
-                     (name + ": " + described(s)).c_str());
+            VERIFY_OR_SAY(sameBits(exact.clip(s, window), backwards),
+                          (name + ": " + described(s)).c_str());
         }
 }
 

@@ -5,6 +5,7 @@
 #include "tests/clipping/contract.h"
 #include "tests/clipping/random.h"
 #include "tests/clipping/rows.h"
+#include "tests/verify.h"
 
 using namespace clipping;
 
@@ -50,9 +51,9 @@ private slots:
                 {{corner.x, corner.y - 5}, {corner.x + 5, corner.y}}};
             const auto trace = midpointSubdivision().published->trace(input.segment, input.window);
             if (trace.outcome == Outcome::Visible)
-                QVERIFY2(contains(input.window, trace.visible.a)
-                             && contains(input.window, trace.visible.b),
-                         exactly(input).c_str());
+                VERIFY_OR_SAY(contains(input.window, trace.visible.a)
+                                  && contains(input.window, trace.visible.b),
+                              exactly(input).c_str());
             neighbours += trace.outcome == Outcome::Invisible && trace.steps.back().line == line20;
         }
         QVERIFY(neighbours > 100);
@@ -74,7 +75,7 @@ private slots:
             if (!result || result->a != result->b)
                 continue;
             ++contacts;
-            QVERIFY2(result->a == corner, exactly(input).c_str());
+            VERIFY_OR_SAY(result->a == corner, exactly(input).c_str());
         }
         QVERIFY(contacts > 1'000);
     }
@@ -89,7 +90,8 @@ private slots:
             const Segment s{{w.min.x - random.between(1e-3, 9), random.between(-3, 3)},
                             {w.min.x, random.unit()}};
             const auto result = midpointSubdivision().corrected.clip(s, w);
-            QVERIFY2(result && sameBits(*result, Segment{s.b, s.b}), exactly(Input{s, w}).c_str());
+            VERIFY_OR_SAY(result && sameBits(*result, Segment{s.b, s.b}),
+                          exactly(Input{s, w}).c_str());
         }
     }
 };

@@ -10,6 +10,7 @@
 #include "tests/clipping/random.h"
 #include "tests/clipping/region/contract.h"
 #include "tests/clipping/region/shapes.h"
+#include "tests/verify.h"
 
 using namespace clipping;
 
@@ -42,7 +43,7 @@ private slots:
     void windowsAreClippedAsByExact()
     {
         for (const Family& family : families()) {
-            const auto inputs = family.inputs();
+            const auto& inputs = family.inputs();
             for (std::size_t i = 0; i < inputs.size(); i += inputs.size() / 50'000 + 1)
                 if (row().corrected.clip(inputs[i].segment, inputs[i].window)
                     != exactAlgorithm().corrected.clip(inputs[i].segment, inputs[i].window))
@@ -77,8 +78,8 @@ private slots:
             for (int j = 0; j < 12; ++j) {
                 const Segment s = someSegment(points);
                 const auto found = regionRow().clip(s, prepared);
-                QVERIFY2(std::ranges::equal(found, clip(s, prepared), isSame),
-                         exactly(s, region).c_str());
+                VERIFY_OR_SAY(std::ranges::equal(found, clip(s, prepared), isSame),
+                              exactly(s, region).c_str());
             }
         }
     }

@@ -7,6 +7,7 @@
 #include "tests/clipping/area/shapes.h"
 #include "tests/clipping/area/truth.h"
 #include "tests/clipping/region/contract.h"
+#include "tests/verify.h"
 
 using namespace clipping;
 using namespace area_contract;
@@ -109,8 +110,8 @@ private slots:
             const int x = random.whole(-700, 700), y = random.whole(-700, 700);
             const auto plain = clipArea(area, PreparedRegion(window));
             const auto other = clipArea(scaled(area, x, y), PreparedRegion(scaled(window, x, y)));
-            QVERIFY2(areAlike(plain, other, x, y),
-                     (exactly({}, {{{area}}, Keep::Inside}) + exactly({}, window)).c_str());
+            VERIFY_OR_SAY(areAlike(plain, other, x, y),
+                          (exactly({}, {{{area}}, Keep::Inside}) + exactly({}, window)).c_str());
         }
     }
 

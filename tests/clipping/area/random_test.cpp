@@ -7,6 +7,7 @@
 #include "tests/clipping/area/shapes.h"
 #include "tests/clipping/area/truth.h"
 #include "tests/clipping/region/contract.h"
+#include "tests/verify.h"
 
 using namespace clipping;
 using namespace area_contract;
@@ -84,8 +85,9 @@ private slots:
                 fault = originFault(result, prepared, at, 16);
             if (fault.empty() && visitsTwice(result))
                 fault = "a ring visits a corner twice";
-            QVERIFY2(fault.empty(),
-                     (fault + " for" + exactly({}, area) + "; " + exactly({}, window)).c_str());
+            VERIFY_OR_SAY(
+                fault.empty(),
+                (fault + " for" + exactly({}, area) + "; " + exactly({}, window)).c_str());
         }
         QVERIFY(parts[0] > 1'000 && parts[1] > 1'000 && parts[2] > 5'000 && parts[3] == 0);
     }
@@ -105,7 +107,7 @@ private slots:
             QVERIFY(result.part == AreaPart::Cut);
             // All corners are off by at most half an ulp of 16, and there are fewer than 4,000.
             const Rational off = exactArea(result) - areaIn(truth);
-            QVERIFY2(abs(off) < rational(0x1p-36), exactly({}, filled).c_str());
+            VERIFY_OR_SAY(abs(off) < rational(0x1p-36), exactly({}, filled).c_str());
         }
     }
 
@@ -123,7 +125,7 @@ private slots:
                 const ClippedArea result = clipArea(area, PreparedRegion(window));
                 sum += result.part == AreaPart::Whole ? areaIn(all) : exactArea(result);
             }
-            QVERIFY2(abs(sum - areaIn(all)) < rational(0x1p-41), exactly({}, window).c_str());
+            VERIFY_OR_SAY(abs(sum - areaIn(all)) < rational(0x1p-41), exactly({}, window).c_str());
         }
     }
 

@@ -12,6 +12,7 @@
 #include "tests/clipping/contract.h"
 #include "tests/clipping/rows.h"
 #include "tests/not_empty.h"
+#include "tests/verify.h"
 
 using namespace clipping;
 
@@ -115,8 +116,7 @@ private slots:
             const BoxInput& input = all.inputs[i];
             const auto result = algorithm->box->clip(input.segment, input.window);
             const auto wrong = fault(result, input, all.truths[i], boxUlps);
-            if (!wrong.empty())
-                QFAIL((wrong + " for " + exactly(input)).c_str());
+            VERIFY_OR_SAY(wrong.empty(), (wrong + " for " + exactly(input)).c_str());
             most = std::max(most, ulpsOff(result, input, all.truths[i]));
             visible += result.has_value();
         }
@@ -163,11 +163,11 @@ private slots:
                 spoilt[0].segment.a[k] = spoilt[1].segment.b[k] = by;
                 spoilt[2].window.min[k] = spoilt[3].window.max[k] = by;
                 for (const BoxInput& input : spoilt)
-                    QVERIFY2(seesNothing(*algorithm->box, input), exactly(input).c_str());
+                    VERIFY_OR_SAY(seesNothing(*algorithm->box, input), exactly(input).c_str());
             }
             BoxInput insideOut = through;
             std::swap(insideOut.window.min[k], insideOut.window.max[k]);
-            QVERIFY2(seesNothing(*algorithm->box, insideOut), exactly(insideOut).c_str());
+            VERIFY_OR_SAY(seesNothing(*algorithm->box, insideOut), exactly(insideOut).c_str());
         }
     }
 
@@ -177,7 +177,7 @@ private slots:
         QFETCH(const Algorithm*, algorithm);
         const auto& uses = *algorithm->box;
         for (const BoxFamily& family : boxFamilies()) {
-            const auto inputs = family.inputs();
+            const auto& inputs = family.inputs();
             for (std::size_t i = 0; i < inputs.size(); i += 17) {
                 const auto& [s, w] = inputs[i];
                 const auto text = exactly(inputs[i]);

@@ -171,9 +171,10 @@ std::vector<BoxInput> boxGrid()
 std::span<const BoxFamily> boxFamilies()
 {
     static constexpr std::array all{
-        BoxFamily{"grid", boxGrid},  BoxFamily{"plain", plain},    BoxFamily{"edges", edges},
-        BoxFamily{"sides", sides},   BoxFamily{"long", longLines}, BoxFamily{"mixed", mixed},
-        BoxFamily{"scaled", scaled}, BoxFamily{"offset", offset},
+        BoxFamily{"grid", madeOnce<boxGrid>},   BoxFamily{"plain", madeOnce<plain>},
+        BoxFamily{"edges", madeOnce<edges>},    BoxFamily{"sides", madeOnce<sides>},
+        BoxFamily{"long", madeOnce<longLines>}, BoxFamily{"mixed", madeOnce<mixed>},
+        BoxFamily{"scaled", madeOnce<scaled>},  BoxFamily{"offset", madeOnce<offset>},
     };
     return all;
 }

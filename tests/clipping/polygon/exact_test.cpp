@@ -14,6 +14,7 @@
 
 #include "tests/clipping/polygon/contract.h"
 #include "tests/clipping/polygon/shapes.h"
+#include "tests/verify.h"
 
 using namespace clipping;
 
@@ -232,7 +233,7 @@ private slots:
                 };
                 const Segment s{at(next), at(next / 36)};
                 const auto wrong = wrongEnds(*uses, s, polygon);
-                QVERIFY2(wrong.empty(), (wrong + " for " + exactly(s, polygon)).c_str());
+                VERIFY_OR_SAY(wrong.empty(), (wrong + " for " + exactly(s, polygon)).c_str());
             }
     }
 
@@ -260,7 +261,7 @@ private slots:
                  {Segment{anywhere(size), anywhere(size)}, Segment{anywhere(size), corner()},
                   Segment{corner(), corner()}, Segment{anywhere(size) * 0x1p20, anywhere(size)}}) {
                 const auto wrong = wrongEnds(*uses, s, polygon);
-                QVERIFY2(wrong.empty(), (wrong + " for " + exactly(s, polygon)).c_str());
+                VERIFY_OR_SAY(wrong.empty(), (wrong + " for " + exactly(s, polygon)).c_str());
                 seen += truth(s, polygon).has_value();
             }
         }
@@ -288,7 +289,7 @@ private slots:
             const auto polygon = hullOf(points);
             const Segment s{point(), point()};
             const auto wrong = hasArea(polygon) ? wrongEnds(*uses, s, polygon) : "";
-            QVERIFY2(wrong.empty(), (wrong + " for " + exactly(s, polygon)).c_str());
+            VERIFY_OR_SAY(wrong.empty(), (wrong + " for " + exactly(s, polygon)).c_str());
         }
     }
 
@@ -302,7 +303,7 @@ private slots:
                 const ConvexPolygon polygon{{w.min, {w.max.x, w.min.y}, w.max, {w.min.x, w.max.y}}};
                 const auto expected = exactAlgorithm().corrected.clip(s, w);
                 const auto found = uses->clip(s, polygon);
-                QVERIFY2(found == expected, (name + ": " + exactly(s, polygon)).c_str());
+                VERIFY_OR_SAY(found == expected, (name + ": " + exactly(s, polygon)).c_str());
             }
     }
 

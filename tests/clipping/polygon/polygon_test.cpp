@@ -10,6 +10,7 @@
 #include "tests/clipping/contract.h"
 #include "tests/clipping/polygon/contract.h"
 #include "tests/clipping/polygon/shapes.h"
+#include "tests/verify.h"
 
 using namespace clipping;
 
@@ -98,8 +99,7 @@ void checkGrid(const PolygonUses& uses, const ConvexPolygon& polygon,
         truth.ask(segments[i]);
         const auto part = legal ? truth.inside(0) : std::nullopt;
         const auto wrong = gridFault(seen ? &*next : nullptr, segments[i], part);
-        if (!wrong.empty())
-            QFAIL((wrong + " for " + exactly(segments[i], polygon)).c_str());
+        VERIFY_OR_SAY(wrong.empty(), (wrong + " for " + exactly(segments[i], polygon)).c_str());
         next += seen;
     }
 }
@@ -162,7 +162,7 @@ void checkRandom(const PolygonUses& uses, bool decidesExactly, const RandomInput
         for (int j = 0; j < segments; ++j) {
             const Segment s = someSegment(random, polygon, size);
             const auto wrong = fault(clipOne(uses, s, polygon), s, polygon, decidesExactly);
-            QVERIFY2(wrong.empty(), (wrong + " for " + exactly(s, polygon)).c_str());
+            VERIFY_OR_SAY(wrong.empty(), (wrong + " for " + exactly(s, polygon)).c_str());
         }
     }
 }
@@ -266,7 +266,7 @@ private slots:
             const auto polygon = hullOf(points);
             const Segment s{point(), random.integer(0, 2) ? point() : points[0]};
             const auto wrong = fault(clipOne(*uses, s, polygon), s, polygon, decidesExactly);
-            QVERIFY2(wrong.empty(), (wrong + " for " + exactly(s, polygon)).c_str());
+            VERIFY_OR_SAY(wrong.empty(), (wrong + " for " + exactly(s, polygon)).c_str());
         }
     }
 
@@ -292,7 +292,7 @@ private slots:
             const auto polygon = hullOf(points);
             const Segment s{way * -2.75, random.integer(0, 1) ? way * 2.75 : glm::dvec2(0, 0)};
             const auto wrong = fault(clipOne(*uses, s, polygon), s, polygon, decidesExactly);
-            QVERIFY2(wrong.empty(), (wrong + " for " + exactly(s, polygon)).c_str());
+            VERIFY_OR_SAY(wrong.empty(), (wrong + " for " + exactly(s, polygon)).c_str());
         }
     }
 
@@ -316,7 +316,7 @@ private slots:
                     std::swap(point->x, point->y);
             const auto polygon = hullOf(points);
             const auto wrong = fault(clipOne(*uses, s, polygon), s, polygon, decidesExactly);
-            QVERIFY2(wrong.empty(), (wrong + " for " + exactly(s, polygon)).c_str());
+            VERIFY_OR_SAY(wrong.empty(), (wrong + " for " + exactly(s, polygon)).c_str());
         }
     }
 
@@ -365,7 +365,7 @@ private slots:
                 const auto end = c[j] + double(random.integer(1, 11)) * step, other = point(500);
                 const Segment s = i % 2 == 0 ? Segment{end, other} : Segment{other, end};
                 const auto wrong = fault(clipOne(*uses, s, polygon), s, polygon, decidesExactly);
-                QVERIFY2(wrong.empty(), (wrong + " for " + exactly(s, polygon)).c_str());
+                VERIFY_OR_SAY(wrong.empty(), (wrong + " for " + exactly(s, polygon)).c_str());
             }
         }
     }
@@ -377,7 +377,7 @@ private slots:
         QFETCH(const PolygonUses*, uses);
         QFETCH(bool, decidesExactly);
         for (const Family& family : families()) {
-            const auto inputs = family.inputs();
+            const auto& inputs = family.inputs();
             for (std::size_t i = 0; i < inputs.size(); i += 5) {
                 const auto& [s, w] = inputs[i];
                 const ConvexPolygon polygon{{w.min, {w.max.x, w.min.y}, w.max, {w.min.x, w.max.y}}};
@@ -387,7 +387,7 @@ private slots:
                                    : result.has_value() != truth.has_value()
                                        ? "seen, or not, wrongly"
                                        : fault(clipOne(*uses, s, polygon), s, polygon, true);
-                QVERIFY2(wrong.empty(), (wrong + " for " + exactly(inputs[i])).c_str());
+                VERIFY_OR_SAY(wrong.empty(), (wrong + " for " + exactly(inputs[i])).c_str());
             }
         }
     }
@@ -452,9 +452,9 @@ private slots:
             two.resize(skala->polygonBySearch->clipAll(segments, polygon, two));
             QCOMPARE(one.size(), two.size());
             for (std::size_t j = 0; j < one.size(); ++j)
-                QVERIFY2(one[j].source == two[j].source && one[j].cut == two[j].cut
-                             && sameBits(one[j].segment, two[j].segment),
-                         exactly(segments[one[j].source], polygon).c_str());
+                VERIFY_OR_SAY(one[j].source == two[j].source && one[j].cut == two[j].cut
+                                  && sameBits(one[j].segment, two[j].segment),
+                              exactly(segments[one[j].source], polygon).c_str());
         }
     }
 

@@ -8,6 +8,7 @@
 
 #include "tests/clipping/region/contract.h"
 #include "tests/clipping/region/shapes.h"
+#include "tests/verify.h"
 
 using namespace clipping;
 
@@ -47,7 +48,7 @@ private slots:
                                      box.min / 2.0 + box.max / 2.0};
             for (const auto& a : corners)
                 for (const auto& b : corners)
-                    QVERIFY2(isTrue(part, {a, b}, prepared), exactly({a, b}, region).c_str());
+                    VERIFY_OR_SAY(isTrue(part, {a, b}, prepared), exactly({a, b}, region).c_str());
         }
         for (const int count : parts)
             QVERIFY2(count > 100, QByteArray::number(count));

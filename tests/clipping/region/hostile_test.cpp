@@ -9,6 +9,7 @@
 
 #include "tests/clipping/region/contract.h"
 #include "tests/clipping/region/shapes.h"
+#include "tests/verify.h"
 
 using namespace clipping;
 
@@ -90,8 +91,8 @@ private slots:
                 auto expected = clip(s, prepared);
                 for (RegionPiece& piece : expected)
                     piece.segment = {scaled(piece.segment.a), scaled(piece.segment.b)};
-                QVERIFY2(same(clip({scaled(s.a), scaled(s.b)}, otherPrepared), expected),
-                         exactly(s, region).c_str());
+                VERIFY_OR_SAY(same(clip({scaled(s.a), scaled(s.b)}, otherPrepared), expected),
+                              exactly(s, region).c_str());
             }
         }
     }

@@ -13,6 +13,7 @@
 #include "tests/clipping/random.h"
 #include "tests/clipping/region/contract.h"
 #include "tests/clipping/scenes.h"
+#include "tests/verify.h"
 
 using namespace clipping;
 using enum AreaOperation;
@@ -67,14 +68,16 @@ void compareWithExact(const Window& window, std::span<const Segment> segments)
         const std::size_t count =
             exactAlgorithm().corrected.clipAll(std::span(&s, 1), window, buffer);
         const auto pieces = std::span(buffer).first(count);
-        QVERIFY2(kept(s, inside) == segmentsOf(pieces), exactly(s, regionOf({{window}})).c_str());
+        VERIFY_OR_SAY(kept(s, inside) == segmentsOf(pieces),
+                      exactly(s, regionOf({{window}})).c_str());
         auto found = kept(s, outside);
         const Segment part = count ? pieces[0].segment : Segment{};
         // Where the part inside rounds to a point, `outsideAll` takes it for a contact.
         if (found.size() == 2 && part.a == part.b && found[0].b == part.a)
             found = {s};
         const auto all = std::span(removed).first(outsideAll(std::span(&s, 1), pieces, removed));
-        QVERIFY2(found == segmentsOf(all), exactly(s, regionOf({{window}}, Keep::Outside)).c_str());
+        VERIFY_OR_SAY(found == segmentsOf(all),
+                      exactly(s, regionOf({{window}}, Keep::Outside)).c_str());
     }
 }
 
@@ -168,7 +171,7 @@ private slots:
     void oneWindowIsClippedAsByExact()
     {
         for (const Family& family : families()) {
-            const auto inputs = family.inputs();
+            const auto& inputs = family.inputs();
             for (std::size_t i = 0; i < inputs.size(); i += inputs.size() / 5'000 + 1)
                 compareWithExact(inputs[i].window, std::span(&inputs[i].segment, 1));
         }

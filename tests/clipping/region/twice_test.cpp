@@ -24,6 +24,7 @@
 #include "tests/clipping/random.h"
 #include "tests/clipping/region/contract.h"
 #include "tests/clipping/scenes.h"
+#include "tests/verify.h"
 
 using namespace clipping;
 
@@ -141,11 +142,11 @@ private slots:
                         || !isSteep(s, piece.edgeOfB, prepared))
                         continue;
                     const auto again = row->clip(piece.segment, prepared);
-                    QVERIFY2(again.size() == 1, exactly(s, region).c_str());
+                    VERIFY_OR_SAY(again.size() == 1, exactly(s, region).c_str());
                     const double most = mostMoved * ulpOf(s, area);
-                    QVERIFY2(moved(again[0].segment.a, piece.segment.a) <= most
-                                 && moved(again[0].segment.b, piece.segment.b) <= most,
-                             exactly(s, region).c_str());
+                    VERIFY_OR_SAY(moved(again[0].segment.a, piece.segment.a) <= most
+                                      && moved(again[0].segment.b, piece.segment.b) <= most,
+                                  exactly(s, region).c_str());
                     cut += piece.edgeOfA != 0 || piece.edgeOfB != 0;
                 }
         }
@@ -166,7 +167,7 @@ private slots:
                 for (const RegionPiece& piece : row->clip(s, *region))
                     sum += length(piece.segment), ++pieces;
             const double most = mostOffInLength * double(pieces) * ulpOf(s, area);
-            QVERIFY2(std::abs(sum - length(s)) <= most, exactly(s, {{{area}}}).c_str());
+            VERIFY_OR_SAY(std::abs(sum - length(s)) <= most, exactly(s, {{{area}}}).c_str());
         }
     }
 };
