@@ -20,9 +20,9 @@ endfunction()
 # `ground`. USES are its own affair; DATA, below resources/, is in the program as :/FILE. The headers in `precompiled`
 # are compiled once, with the first room.
 #
-# TOGETHER: where headers are precompiled, the files of the room are compiled 16 at a time, in a quarter of the time. For
-# that no two of them may have the same name in their unnamed namespaces, as the files of a catalogue do. Files that do
-# are named by ALONE.
+# TOGETHER: where headers are precompiled, the files of the room are compiled 16 at a time, which takes less time. For that
+# no two of them may have the same name in their unnamed namespaces, as the files of a catalogue do. Files that do are
+# named by ALONE; a new file can bring two others together that never were.
 function(room name)
   cmake_parse_arguments(room "TOGETHER" "" "ALONE;ON;USES;DATA" ${ARGN})
   get_filename_component(layer ${CMAKE_CURRENT_SOURCE_DIR} NAME)
