@@ -72,8 +72,9 @@ struct Copy {
 class DamagedJournalTest : public QObject {
     Q_OBJECT
 
-    static constexpr std::size_t limit = 1'000'000'000; // bytes of steps in a base
-    static constexpr double few = 0.0003; // seconds, estimated: some steps a generation
+    // Bytes of steps in a base. With it stands for how many estimated seconds a generation has
+    // steps: few, so that there are few bytes to damage.
+    static constexpr std::size_t limit = 1'000'000'000;
     QTemporaryDir home_;
 
     /// The state after each step and the size of the log with it, of the newest generation.
@@ -167,7 +168,7 @@ private slots:
     void everyTruncationLosesOnlyTheTail()
     {
         QFETCH_GLOBAL(int, generations);
-        RecordedDrawing drawing(Document(), home_.filePath("a"), {limit, few});
+        RecordedDrawing drawing(Document(), home_.filePath("a"), {limit, 0.0002});
         Noted noted(drawing, [&, n = 0]() mutable { return smallStep(drawing.document, n++); });
         for (int i = 1; i < generations; ++i)
             noted.actUntilNextGeneration();
@@ -185,7 +186,8 @@ private slots:
     void flippedBitsLoseOnlyWhatFollows()
     {
         QFETCH_GLOBAL(int, generations);
-        RecordedDrawing drawing(RandomDocuments(2).document(3), home_.filePath("b"), {limit, few});
+        RecordedDrawing drawing(RandomDocuments(2).document(3), home_.filePath("b"),
+                                {limit, 0.0003});
         RandomCommands commands(drawing.document, 3);
         Noted noted(drawing, [&] { return commands.next(); });
         for (int i = 1; i < generations; ++i)
