@@ -14,9 +14,11 @@ file(RENAME ${WORK}/made ${WORK}/moved)
 # Every installed header can be included first, needs none that is not installed, and compiles with
 # -ffast-math.
 file(GLOB_RECURSE headers ${WORK}/moved/include/*.h)
-foreach(header IN LISTS headers)
-  run(${CXX} -std=c++20 -ffast-math -Wall -Wextra -Werror -fsyntax-only -I${WORK}/moved/include -x c++ -include ${header} /dev/null)
-endforeach()
+if(PROGRAMS STREQUAL "all") # every build installs the same headers
+  foreach(header IN LISTS headers)
+    run(${CXX} -std=c++20 -ffast-math -Wall -Wextra -Werror -fsyntax-only -I${WORK}/moved/include -x c++ -include ${header} /dev/null)
+  endforeach()
+endif()
 # X11 has a macro of this name.
 run(${CXX} -std=c++20 -DNone=0L -Wall -Wextra -Werror -fsyntax-only -I${WORK}/moved/include -x c++ -include clearcut/clip.h
   -include clipping/algorithm.h -include clipping/turned_window.h -include clipping/chunks.h /dev/null)
