@@ -4,6 +4,8 @@
 
 #include <QTest>
 
+#include <glm/common.hpp>
+
 #include <array>
 
 #include "tests/clipping/region/contract.h"
