@@ -5,7 +5,13 @@
 # Without root and sudo it prints the line to run, and ends with 1.
 set -euo pipefail
 
-installed() { [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null || true)" = installed ]; }
+# One package can be another's new name: Debian's qt6-svg-dev provides libqt6svg6-dev.
+provided=$(dpkg-query -W -f='${db:Status-Status}: ${Provides}\n' 2>/dev/null | sed -n 's/^installed: //p' |
+    tr ',' '\n' | sed 's/^ *//; s/ .*//' || true)
+installed() {
+    [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null || true)" = installed ] ||
+        grep -qxF -- "$1" <<<"$provided"
+}
 known() { [ -n "$(apt-cache show --no-all-versions "$1" 2>/dev/null | head -n 1)" ]; }
 
 missing=() sometimes=()
