@@ -6,6 +6,7 @@
 
 #include "tests/clipping/line_or_ray_contract.h"
 #include "tests/clipping/rows.h"
+#include "tests/verify.h"
 
 using namespace clipping;
 
@@ -75,23 +76,24 @@ void compareUses()
             for (const auto& [algorithm, uses] : rows<S>()) {
                 const auto& [points, w] = inputs[i];
                 const S lineOrRay{points.a, points.b};
-                const auto text = exactly(inputs[i]);
+                const auto text = [&] { return exactly(inputs[i]); };
                 const auto piece = uses->clip(lineOrRay, w);
                 std::array<Clipped, 1> out;
-                QVERIFY2((uses->clipAll({&lineOrRay, 1}, w, out) == 1) == piece.has_value(),
-                         text.c_str());
+                VERIFY_OR_SAY((uses->clipAll({&lineOrRay, 1}, w, out) == 1) == piece.has_value(),
+                              text().c_str());
                 const Trace trace = uses->trace(lineOrRay, w);
-                QVERIFY2((trace.outcome == Outcome::Visible) == piece.has_value(), text.c_str());
-                QVERIFY2(trace.steps.empty() == (points.a == points.b), text.c_str());
+                VERIFY_OR_SAY((trace.outcome == Outcome::Visible) == piece.has_value(),
+                              text().c_str());
+                VERIFY_OR_SAY(trace.steps.empty() == (points.a == points.b), text().c_str());
                 const auto cost = uses->count({&lineOrRay, 1}, w);
-                QVERIFY2((cost.comparisons == 0) == (points.a == points.b), text.c_str());
+                VERIFY_OR_SAY((cost.comparisons == 0) == (points.a == points.b), text().c_str());
                 if (!piece)
                     continue;
-                QVERIFY2(sameBits(*piece, out[0].segment) && sameBits(*piece, trace.visible),
-                         text.c_str());
+                VERIFY_OR_SAY(sameBits(*piece, out[0].segment) && sameBits(*piece, trace.visible),
+                              text().c_str());
                 const bool keepsA = Row<S>::isRay && piece->a == points.a;
-                QVERIFY2((cutEdgeOfA(out[0].cut) == Edge::NoEdge) == keepsA, text.c_str());
-                QVERIFY2(cutEdgeOfB(out[0].cut) != Edge::NoEdge, text.c_str());
+                VERIFY_OR_SAY((cutEdgeOfA(out[0].cut) == Edge::NoEdge) == keepsA, text().c_str());
+                VERIFY_OR_SAY(cutEdgeOfB(out[0].cut) != Edge::NoEdge, text().c_str());
             }
     }
 }

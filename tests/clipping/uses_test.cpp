@@ -239,8 +239,7 @@ private slots:
         const Symmetry& symmetry = symmetries[std::size_t(index)];
         for (const Family& family : families()) {
             const bool whole = family.name == std::string_view("grid");
-            const auto& inputs = family.inputs();
-            QVERIFY(!inputs.empty());
+            const auto& inputs = notEmpty(family.inputs());
             for (std::size_t i = 0; i < inputs.size() && i < 20'000; ++i) {
                 const auto wrong = disagreement(*algorithm, symmetry, inputs[i], !whole);
                 VERIFY_OR_SAY(wrong.empty(), (wrong + " for " + exactly(inputs[i])).c_str());

@@ -72,9 +72,11 @@ struct Copy {
 class DamagedJournalTest : public QObject {
     Q_OBJECT
 
-    // Bytes of steps in a base. With it stands for how many estimated seconds a generation has
-    // steps: few, so that there are few bytes to damage.
-    static constexpr std::size_t limit = 1'000'000'000;
+    /// All steps are in a base, and a generation has few, so that there are few bytes to damage.
+    static Journal::Limits shortLogs(double replay)
+    {
+        return {.history = 1'000'000'000, .replay = replay};
+    }
     QTemporaryDir home_;
 
     /// The state after each step and the size of the log with it, of the newest generation.
@@ -168,7 +170,7 @@ private slots:
     void everyTruncationLosesOnlyTheTail()
     {
         QFETCH_GLOBAL(int, generations);
-        RecordedDrawing drawing(Document(), home_.filePath("a"), {limit, 0.0002});
+        RecordedDrawing drawing(Document(), home_.filePath("a"), shortLogs(0.0002));
         Noted noted(drawing, [&, n = 0]() mutable { return smallStep(drawing.document, n++); });
         for (int i = 1; i < generations; ++i)
             noted.actUntilNextGeneration();
@@ -187,7 +189,7 @@ private slots:
     {
         QFETCH_GLOBAL(int, generations);
         RecordedDrawing drawing(RandomDocuments(2).document(3), home_.filePath("b"),
-                                {limit, 0.0003});
+                                shortLogs(0.0003));
         RandomCommands commands(drawing.document, 3);
         Noted noted(drawing, [&] { return commands.next(); });
         for (int i = 1; i < generations; ++i)

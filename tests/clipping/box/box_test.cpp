@@ -180,27 +180,29 @@ private slots:
             const auto& inputs = family.inputs();
             for (std::size_t i = 0; i < inputs.size(); i += 17) {
                 const auto& [s, w] = inputs[i];
-                const auto text = exactly(inputs[i]);
+                const auto text = [&] { return exactly(inputs[i]); };
                 const auto piece = uses.clip(s, w);
                 std::array<BasicClipped<Segment3>, 2> out;
                 const std::array twice{s, s};
-                QVERIFY2(uses.clipAll(twice, w, out) == (piece ? 2 : 0), text.c_str());
+                VERIFY_OR_SAY(uses.clipAll(twice, w, out) == (piece ? 2 : 0), text().c_str());
                 const auto trace = uses.trace(s, w);
-                QVERIFY2((trace.outcome == Outcome::Visible) == piece.has_value(), text.c_str());
+                VERIFY_OR_SAY((trace.outcome == Outcome::Visible) == piece.has_value(),
+                              text().c_str());
                 OperationCounts last;
                 for (const auto& step : trace.steps) {
-                    QVERIFY2(notLess(step.cost, last), text.c_str());
+                    VERIFY_OR_SAY(notLess(step.cost, last), text().c_str());
                     last = step.cost;
                 }
-                QVERIFY2(!trace.steps.empty() && notLess(uses.count({&s, 1}, w), last),
-                         text.c_str());
+                VERIFY_OR_SAY(!trace.steps.empty() && notLess(uses.count({&s, 1}, w), last),
+                              text().c_str());
                 if (!piece)
                     continue;
-                QVERIFY2(sameBits(*piece, trace.visible), text.c_str());
-                QVERIFY2(sameBits(*piece, out[1].segment) && out[1].source == 1, text.c_str());
-                QVERIFY2(namesTheSide(cutEdgeOfA(out[0].cut), piece->a, s.a, w)
-                             && namesTheSide(cutEdgeOfB(out[0].cut), piece->b, s.b, w),
-                         text.c_str());
+                VERIFY_OR_SAY(sameBits(*piece, trace.visible), text().c_str());
+                VERIFY_OR_SAY(sameBits(*piece, out[1].segment) && out[1].source == 1,
+                              text().c_str());
+                VERIFY_OR_SAY(namesTheSide(cutEdgeOfA(out[0].cut), piece->a, s.a, w)
+                                  && namesTheSide(cutEdgeOfB(out[0].cut), piece->b, s.b, w),
+                              text().c_str());
             }
         }
     }

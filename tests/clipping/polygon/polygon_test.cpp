@@ -421,19 +421,19 @@ private slots:
             const double size = i % 5 == 0 ? 0x1p900 : 1;
             const auto polygon = somePolygon(random, random.integer(1, 20), size);
             const Segment s = someSegment(random, polygon, size);
-            const auto text = exactly(s, polygon);
+            const auto text = [&] { return exactly(s, polygon); };
             const auto piece = uses->clip(s, polygon);
             const auto one = clipOne(*uses, s, polygon);
             const Trace trace = uses->trace(s, polygon);
-            QVERIFY2(piece.has_value() == one.has_value(), text.c_str());
-            QVERIFY2(piece.has_value() == (trace.outcome == Outcome::Visible), text.c_str());
+            VERIFY_OR_SAY(piece.has_value() == one.has_value(), text().c_str());
+            VERIFY_OR_SAY(piece.has_value() == (trace.outcome == Outcome::Visible), text().c_str());
             if (piece)
-                QVERIFY2(sameBits(*piece, one->segment) && sameBits(*piece, trace.visible),
-                         text.c_str());
-            QVERIFY2(!trace.steps.empty(), text.c_str());
+                VERIFY_OR_SAY(sameBits(*piece, one->segment) && sameBits(*piece, trace.visible),
+                              text().c_str());
+            VERIFY_OR_SAY(!trace.steps.empty(), text().c_str());
             const auto cost = uses->count({&s, 1}, polygon);
-            QVERIFY2(cost.comparisons >= trace.steps.back().cost.comparisons, text.c_str());
-            QVERIFY2(cost.comparisons > 0, text.c_str());
+            VERIFY_OR_SAY(cost.comparisons >= trace.steps.back().cost.comparisons, text().c_str());
+            VERIFY_OR_SAY(cost.comparisons > 0, text().c_str());
         }
     }
 
