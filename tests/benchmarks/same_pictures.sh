@@ -15,7 +15,7 @@ drawings=("$root"/resources/samples/*.svg "$root"/tests/app/formats/data/*.svg
   "$root"/tests/app/formats/data/earlier/*.svg "$root"/tests/ui/canvas/styles.svg)
 
 program() { # FOLDER NAME
-  [ -x "$1/$2" ] && echo "$1/$2" || echo "$1/tests/$2"
+  [ -x "$1/$2" ] && echo "$1/$2" || echo "$1/tests/benchmarks/$2"
 }
 
 # Writes everything that a build makes of a drawing, with what it says and its exit codes.
