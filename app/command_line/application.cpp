@@ -40,7 +40,8 @@ std::unique_ptr<QCoreApplication> applicationFor(const QStringList& arguments, i
     if (!paints(arguments))
         return std::make_unique<QCoreApplication>(argc, argv);
     // A command reports errors itself; Qt's own warnings concern displays that it does not need.
-    QLoggingCategory::setFilterRules(QStringLiteral("qt.qpa.*=false\ndefault.warning=false"));
+    QLoggingCategory::setFilterRules(
+        QStringLiteral("qt.qpa.*=false\ndefault.warning=false\ndefault.critical=false"));
     qputenv("QT_QPA_PLATFORM", platforms());
     return std::make_unique<QGuiApplication>(argc, argv);
 }

@@ -7,6 +7,9 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <mutex>
+#include <utility>
+#include <vector>
 
 namespace ui {
 namespace {
@@ -32,17 +35,36 @@ QString whereAsked()
 
 QtMessageHandler handlerBefore = nullptr; // the previous message handler; set before Qt starts
 
-// Qt prints many messages about platforms while it tries them; only the last one is fatal.
+struct Message {
+    QtMsgType type;
+    QByteArray category;
+    QString text;
+};
+std::mutex heldMutex; // a platform's plug-in has threads of its own
+std::vector<Message> held;
+
+[[noreturn]] void giveUp()
+{
+    const QString sentence =
+        tr("The editor cannot show a window on %1. %2").arg(whereAsked(), instead());
+    std::fprintf(stderr, "clearcut: %s\n", qPrintable(sentence));
+    std::_Exit(int(app::Exit::Failed)); // returning from a fatal message aborts
+}
+
+// Qt prints many messages about platforms while it tries them, also in the default category; only
+// the last one is fatal. So the others are held until it is known that there is a window, and
+// those about platforms are dropped. Messages for developers are printed at once.
 void whileStarting(QtMsgType type, const QMessageLogContext& context, const QString& text)
 {
-    if (type == QtFatalMsg) {
-        const QString sentence =
-            tr("The editor cannot show a window on %1. %2").arg(whereAsked(), instead());
-        std::fprintf(stderr, "clearcut: %s\n", qPrintable(sentence));
-        std::_Exit(int(app::Exit::Failed)); // returning from a fatal message aborts
-    }
-    if (!QByteArrayView(context.category).startsWith("qt.qpa"))
-        handlerBefore(type, context, text);
+    if (type == QtFatalMsg)
+        giveUp();
+    if (type == QtDebugMsg)
+        return handlerBefore(type, context, text);
+    const bool ofPlatform = QByteArrayView(context.category).startsWith("qt.qpa")
+                            || QGuiApplication::platformName().isEmpty();
+    const std::scoped_lock one(heldMutex);
+    if (!ofPlatform)
+        held.push_back({type, context.category, text});
 }
 
 } // namespace
@@ -63,7 +85,12 @@ std::unique_ptr<QApplication> startApplication(int& argc, char** argv)
 {
     handlerBefore = qInstallMessageHandler(whileStarting);
     auto application = std::make_unique<QApplication>(argc, argv);
+    if (QGuiApplication::screens().isEmpty()) // a frame buffer that cannot be opened
+        giveUp();
     qInstallMessageHandler(handlerBefore);
+    const std::scoped_lock one(heldMutex);
+    for (const Message& message : std::exchange(held, {}))
+        handlerBefore(message.type, {nullptr, 0, nullptr, message.category}, message.text);
     return application;
 }
 

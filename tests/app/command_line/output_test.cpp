@@ -245,6 +245,9 @@ private slots:
                                      << QByteArray("the platform “nonsense” (QT_QPA_PLATFORM)");
         QTest::newRow("Wayland") << "WAYLAND_DISPLAY=none XDG_RUNTIME_DIR=/tmp"
                                  << QByteArray("the display “none” (WAYLAND_DISPLAY)");
+        QTest::newRow("frame buffer")
+            << "QT_QPA_PLATFORM=linuxfb:fb=/nonexistent"
+            << QByteArray("the platform “linuxfb:fb=/nonexistent” (QT_QPA_PLATFORM)");
         QTest::newRow("empty") << "DISPLAY= WAYLAND_DISPLAY="
                                << QByteArray("There is no display for the editor.");
     }
