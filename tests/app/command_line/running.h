@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fcntl.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include "tests/app/command_line/program.h"
@@ -30,6 +31,20 @@ struct Pipe {
         end = -1;
     }
 };
+
+/// What comes from a pipe: `size` bytes, or fewer if it ends or nothing comes for 20 s.
+inline QByteArray readFrom(int pipe, qsizetype size)
+{
+    QByteArray got(size, ' ');
+    qsizetype count = 0;
+    for (pollfd ready{pipe, POLLIN, 0}; count<size&& ::poll(&ready, 1, 20'000)> 0;) {
+        const ssize_t more = ::read(pipe, got.data() + count, std::size_t(size - count));
+        if (more <= 0)
+            break;
+        count += more;
+    }
+    return got.first(count);
+}
 
 /// The most memory that a running program has used, in kilobytes.
 inline QByteArray peakKilobytes(const QProcess& process)

@@ -158,13 +158,7 @@ private slots:
         QVERIFY(process.waitForBytesWritten(20'000));
         output.close(output.in);
         const QByteArray first = header + "1,1,2,2,Drawing,#000000,1,0\n";
-        QByteArray got(first.size(), ' ');
-        for (qsizetype at = 0; at < got.size();) {
-            const ssize_t count = ::read(output.out, got.data() + at, std::size_t(got.size() - at));
-            QVERIFY(count > 0);
-            at += count;
-        }
-        QCOMPARE(got, first);
+        QCOMPARE(readFrom(output.out, first.size()), first);
         output.close(output.out);
         process.write("1,1,2,2\n");
         QVERIFY(process.waitForFinished(20'000));
