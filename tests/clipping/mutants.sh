@@ -21,7 +21,7 @@ testsOf() { # KEY
     polygon/line-or-ray) echo polygon.line_or_ray ;;
     turned-window) echo turned_window ;;
     polygon/* | exact/turn*) echo polygon.polygon fingerprints ;;
-    polyline) echo polyline ;;
+    polyline-clipper.h | polyline_runs) echo polyline ;;
     exact) echo algorithms.exact contract uses ;;
     algorithms/sobkow-pospisil-yang.h) echo published contract uses ;;
     algorithms/skala.h) echo contract uses lines_and_rays ;;
@@ -62,7 +62,7 @@ done
 fileOf() { # KEY
     local path=${1//-/_}
     [[ $path != lines_and_rays/* ]] || path=algorithms/$path
-    [[ $path == */* || $path == *.h || $path == polyline || $path == turned_window ]] || path=algorithms/$path
+    [[ $path == */* || $path == *.h || $path == polyline_runs || $path == turned_window ]] || path=algorithms/$path
     [[ $path == *.h ]] && echo "clipping/$path" || echo "clipping/$path.cpp"
 }
 
