@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "clipping/algorithm.h"
+#include "clipping/python/arguments.h"
 #include "clipping/python/module.h"
 
 #include <pybind11/stl.h>
@@ -53,21 +54,20 @@ py::dict dictOf(const Step& step, std::string_view code)
                     "edge"_a = edgeNames[static_cast<std::size_t>(step.edge)], "values"_a = values);
 }
 
-py::list traceOf(const std::array<double, 4>& s, const std::array<double, 4>& w,
-                 const std::string& key, bool published)
+py::list traceOf(py::handle segment, py::handle window, py::handle algorithm, py::handle form)
 {
-    const Algorithm* row = findAlgorithm(key);
-    if (!row)
-        throw py::value_error("there is no algorithm '" + key
-                              + "'; clearcut.algorithms() lists them all");
-    const Form form = published ? Form::Published : Form::Corrected;
-    const auto* uses = functionsOf(*row, form);
+    const bool published = choiceOf(form, "form", {"corrected", "published"}) == 1;
+    const Segment given = segmentOf(segment);
+    const Window edges = windowOf(window);
+    const Algorithm& row = algorithmOf(algorithm);
+    const Form chosen = published ? Form::Published : Form::Corrected;
+    const auto* uses = functionsOf(row, chosen);
     if (!uses)
-        throw py::value_error("'" + key + "' has no published form");
-    const Trace trace = uses->trace({{s[0], s[1]}, {s[2], s[3]}}, {{w[0], w[1]}, {w[2], w[3]}});
+        throw py::value_error("'" + text(row.key) + "' has no published form");
+    const Trace trace = uses->trace(given, edges);
     py::list steps;
     for (const Step& step : trace.steps)
-        steps.append(dictOf(step, codeOf(*row, form)));
+        steps.append(dictOf(step, codeOf(row, chosen)));
     return steps;
 }
 
@@ -76,7 +76,7 @@ py::list traceOf(const std::array<double, 4>& s, const std::array<double, 4>& w,
 void defineCatalogue(py::module_& module)
 {
     module.def("algorithms", algorithmList);
-    module.def("trace", traceOf, Guarded(), "segment"_a, "window"_a, "key"_a, "published"_a);
+    module.def("trace", traceOf, Guarded(), "segment"_a, "window"_a, "algorithm"_a, "form"_a);
 }
 
 } // namespace clipping::python

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "clipping/chunks.h"
 
+#include "clipping/python/arguments.h"
 #include "clipping/python/module.h"
 #include "clipping/python/pieces.h"
 #include "clipping/python/rows.h"
 
-#include <pybind11/stl.h>
+#include <variant>
 
 namespace py = pybind11;
 using namespace py::literals;
@@ -13,12 +14,13 @@ using namespace py::literals;
 namespace clipping::python {
 namespace {
 
-/// Boxes around runs of an array's segments. The package keeps the array alive.
+/// Boxes around runs of an array's segments.
 template <class T>
 class ArrayChunks {
 public:
     using S = BasicSegment<T>;
 
+    /// `array` is what `segmentsOf` returned, contiguous and of this type.
     explicit ArrayChunks(const py::array& array)
         : array_(array), count_(Rows<T>(array).size()), chunks_(segments())
     {
@@ -26,14 +28,14 @@ public:
 
     void update(std::size_t first, std::size_t last) { chunks_.update(segments(), first, last); }
 
-    py::tuple clip(const WindowNumbers& w) const
+    py::tuple clip(const Window& edges) const
     {
-        const BasicWindow<T> window{{T(w[0]), T(w[1])}, {T(w[2]), T(w[3])}};
+        const BasicWindow<T> window{glm::vec<2, T>(edges.min), glm::vec<2, T>(edges.max)};
         const auto in = segments();
         PieceBuffer<BasicClipped<S>> pieces(in.size());
         std::size_t count = 0;
         {
-            const py::gil_scoped_release released;
+            const Released released(in.size());
             count = chunks_.clipAll(in, window, pieces.room());
         }
         return pieces.take(count);
@@ -42,10 +44,8 @@ public:
 private:
     std::span<const S> segments() const
     {
-        const Rows<T> rows(array_);
-        if (!rows.template isPacked<S>())
-            throw py::value_error("the array must be contiguous, because it is not copied");
-        if (rows.size() != count_) // numpy.ndarray.resize with refcheck=False
+        const Rows<T> rows(segmentsOf(array_)); // checks the shape again
+        if (rows.size() != count_)              // numpy.ndarray.resize with refcheck=False
             throw py::value_error("the array has " + std::to_string(rows.size()) + " rows, but had "
                                   + std::to_string(count_)
                                   + " when its Chunks were made; make them again");
@@ -57,21 +57,52 @@ private:
     BasicChunks<T> chunks_;
 };
 
-template <class T>
-void define(py::module_& module, const char* name)
+/// An array that can stay where it is. Throws ValueError if it cannot.
+py::array flat(const py::array& array)
 {
-    py::class_<ArrayChunks<T>>(module, name)
-        .def(py::init<py::array>(), Guarded(), "segments"_a)
-        .def("update", &ArrayChunks<T>::update, Guarded(), "first"_a, "last"_a)
-        .def("clip", &ArrayChunks<T>::clip, Guarded(), "window"_a);
+    constexpr int needed = int(py::array::c_style) | int(py::detail::npy_api::NPY_ARRAY_ALIGNED_);
+    if ((array.flags() & needed) != needed)
+        throw py::value_error("segments must be contiguous and aligned, because they are not "
+                              "copied, but these of shape "
+                              + textOf(array.attr("shape")) + " have the strides "
+                              + textOf(array.attr("strides"))
+                              + "; use numpy.array(..., copy=True)");
+    return array;
 }
+
+class AnyChunks {
+public:
+    explicit AnyChunks(py::handle segments) : chunks_(of(flat(segmentsOf(segments)))) {}
+
+    void update(std::size_t first, std::size_t last)
+    {
+        std::visit([&](auto& chunks) { chunks.update(first, last); }, chunks_);
+    }
+    py::tuple clip(py::handle window) const
+    {
+        return std::visit([&](auto& chunks) { return chunks.clip(windowOf(window)); }, chunks_);
+    }
+
+private:
+    using Chunks = std::variant<ArrayChunks<double>, ArrayChunks<float>>;
+
+    static Chunks of(const py::array& array)
+    {
+        if (isFloat32(array))
+            return Chunks(std::in_place_type<ArrayChunks<float>>, array);
+        return Chunks(std::in_place_type<ArrayChunks<double>>, array);
+    }
+    Chunks chunks_;
+};
 
 } // namespace
 
 void defineChunks(py::module_& module)
 {
-    define<double>(module, "Chunks");
-    define<float>(module, "FloatChunks");
+    py::class_<AnyChunks>(module, "Chunks")
+        .def(py::init<py::handle>(), Guarded(), "segments"_a)
+        .def("update", &AnyChunks::update, Guarded(), "first"_a, "last"_a)
+        .def("clip", &AnyChunks::clip, Guarded(), "window"_a);
 }
 
 } // namespace clipping::python

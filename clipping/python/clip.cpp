@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "clipping/algorithm.h"
 #include "clipping/outside.h"
+#include "clipping/python/arguments.h"
 #include "clipping/python/exact_on_threads.h"
 #include "clipping/python/module.h"
 #include "clipping/python/pieces.h"
 #include "clipping/python/rows.h"
-
-#include <pybind11/stl.h>
 
 namespace py = pybind11;
 using namespace py::literals;
@@ -16,12 +15,6 @@ namespace {
 
 template <class T>
 using PieceOf = BasicClipped<BasicSegment<T>>;
-
-template <class T>
-BasicWindow<T> windowOf(const WindowNumbers& w)
-{
-    return {{T(w[0]), T(w[1])}, {T(w[2]), T(w[3])}};
-}
 
 /// Clips all rows into `out` with `clipAll(span of S, span of pieces)`; returns their number.
 template <class S, class T, class ClipAll>
@@ -44,19 +37,10 @@ py::tuple clipArray(const py::array& array, const ClipAll& clipAll)
     PieceBuffer<PieceOf<T>> pieces(rows.size());
     std::size_t count = 0;
     {
-        const py::gil_scoped_release released;
+        const Released released(rows.size());
         count = clipRows<S, T>(rows, clipAll, pieces.room());
     }
     return pieces.take(count);
-}
-
-const Algorithm& rowOf(const std::string& key)
-{
-    const Algorithm* row = findAlgorithm(key);
-    if (!row)
-        throw py::value_error("there is no algorithm '" + key
-                              + "'; clearcut.algorithms() lists them all");
-    return *row;
 }
 
 template <class Form>
@@ -68,11 +52,9 @@ const Form& formOf(const Form* uses, const Algorithm& row, const char* form)
     return *uses;
 }
 
-py::tuple clipAtWindow(const py::array& array, const WindowNumbers& numbers, const std::string& key,
+py::tuple clipAtWindow(const py::array& array, const Window& window, const Algorithm& row,
                        bool published, int threads)
 {
-    const Algorithm& row = rowOf(key);
-    const Window window = windowOf<double>(numbers);
     const auto& uses = formOf(functionsOf(row, published ? Form::Published : Form::Corrected), row,
                               "published form");
     const bool isExact = &row == &exactAlgorithm();
@@ -82,60 +64,83 @@ py::tuple clipAtWindow(const py::array& array, const WindowNumbers& numbers, con
     });
 }
 
-py::tuple clipFloats(const py::array& array, const WindowNumbers& numbers, const std::string& key,
+py::tuple clipFloats(const py::array& array, const Window& window, const Algorithm& row,
                      int threads)
 {
-    const Algorithm& row = rowOf(key);
-    const auto window = windowOf<float>(numbers);
+    const BasicWindow<float> rounded{glm::vec2(window.min), glm::vec2(window.max)};
     const bool isExact = &row == &exactAlgorithm();
     return clipArray<BasicSegment<float>, float>(array, [&](auto in, auto out) {
-        return isExact ? exactOnThreads<float>(threads, in, window, out)
-                       : row.floats->clipAll(in, window, out);
+        return isExact ? exactOnThreads<float>(threads, in, rounded, out)
+                       : row.floats->clipAll(in, rounded, out);
     });
 }
 
 template <class Shape>
-py::tuple clipAs(const py::array& array, const WindowNumbers& numbers,
+py::tuple clipAs(const py::array& array, const Window& window,
                  const Functions<Shape, Window, Segment>& form)
 {
-    const Window window = windowOf<double>(numbers);
     return clipArray<Shape, double>(
         array, [&](auto in, auto out) { return form.clipAll(in, window, out); });
 }
 
-py::tuple clipLines(const py::array& array, const WindowNumbers& numbers, const std::string& key)
+py::tuple clipAtPolygon(const py::array& array, const std::vector<glm::dvec2>& corners,
+                        const Algorithm& row)
 {
-    const Algorithm& row = rowOf(key);
-    return clipAs(array, numbers, formOf(row.line, row, "form for infinite lines"));
-}
-
-py::tuple clipRays(const py::array& array, const WindowNumbers& numbers, const std::string& key)
-{
-    const Algorithm& row = rowOf(key);
-    return clipAs(array, numbers, formOf(row.ray, row, "form for rays"));
-}
-
-py::tuple clipAtPolygon(const py::array& array, const std::vector<std::array<double, 2>>& corners,
-                        const std::string& key)
-{
-    const Algorithm& row = rowOf(key);
     formOf(row.polygon, row, "form for convex polygons");
     const ConvexWindow polygon = polygonOf(corners);
     return clipArray<Segment, double>(
         array, [&](auto in, auto out) { return clipAllAt(polygon, row, in, out); });
 }
 
-py::tuple outsideOf(const py::array& array, const WindowNumbers& numbers)
+void refuseCombinations(const py::array& array, bool atPolygon, py::handle kind, bool areSegments,
+                        bool published)
 {
-    const Rows<double> rows(array);
-    const Window window = windowOf<double>(numbers);
+    if (atPolygon && !areSegments)
+        throw py::value_error("a polygon clips segments only, but kind is "
+                              + py::repr(kind).cast<std::string>());
+    if (published && (atPolygon || !areSegments))
+        throw py::value_error("published forms clip segments at a window only");
+    if (isFloat32(array) && (atPolygon || published || !areSegments))
+        throw py::type_error("float32 works with segments, windows and corrected forms only; use "
+                             ".astype(float)");
+}
+
+/// The visible pieces, their sources and cuts (clearcut.clip).
+py::tuple clip(py::handle segments, py::handle window, py::handle polygon, py::handle kind,
+               py::handle algorithm, py::handle form, py::handle threads)
+{
+    const py::array array = segmentsOf(segments);
+    const Algorithm& row = algorithmOf(algorithm);
+    const std::size_t shape = choiceOf(kind, "kind", {"segment", "line", "ray"});
+    const bool published = choiceOf(form, "form", {"corrected", "published"}) == 1;
+    const int count = threadsOf(threads);
+    if (window.is_none() == polygon.is_none())
+        throw py::type_error("give either a window or a polygon");
+    refuseCombinations(array, !polygon.is_none(), kind, shape == 0, published);
+    if (!polygon.is_none())
+        return clipAtPolygon(array, cornersOf(polygon), row);
+    const Window edges = windowOf(window);
+    if (shape == 1)
+        return clipAs(array, edges, formOf(row.line, row, "form for infinite lines"));
+    if (shape == 2)
+        return clipAs(array, edges, formOf(row.ray, row, "form for rays"));
+    if (isFloat32(array))
+        return clipFloats(array, edges, row, count);
+    return clipAtWindow(array, edges, row, published, count);
+}
+
+/// The pieces inside and those outside (clearcut.split).
+py::tuple split(py::handle segments, py::handle window)
+{
+    const Rows<double> rows(doublesOf(segments, "segments to split"));
+    const Window edges = windowOf(window);
     PieceBuffer<Clipped> inside(rows.size()), outside(2 * rows.size());
     std::size_t in = 0, out = 0;
     {
-        const py::gil_scoped_release released;
+        const Released released(rows.size());
         rows.forEachBlock<Segment>([&](std::span<const Segment> block, std::size_t first) {
             const auto here = inside.room().subspan(in);
-            const auto pieces = here.first(exactAlgorithm().corrected.clipAll(block, window, here));
+            const auto pieces = here.first(exactAlgorithm().corrected.clipAll(block, edges, here));
             const auto room = outside.room().subspan(out);
             const auto removed = room.first(outsideAll(block, pieces, room));
             for (const auto part : {pieces, removed})
@@ -152,14 +157,9 @@ py::tuple outsideOf(const py::array& array, const WindowNumbers& numbers)
 
 void defineClip(py::module_& module)
 {
-    module.def("clip_at_window", clipAtWindow, Guarded(), "segments"_a, "window"_a, "key"_a,
-               "published"_a, "threads"_a);
-    module.def("clip_floats", clipFloats, Guarded(), "segments"_a, "window"_a, "key"_a,
-               "threads"_a);
-    module.def("clip_lines_at_window", clipLines, Guarded(), "segments"_a, "window"_a, "key"_a);
-    module.def("clip_rays_at_window", clipRays, Guarded(), "segments"_a, "window"_a, "key"_a);
-    module.def("clip_at_polygon", clipAtPolygon, Guarded(), "segments"_a, "corners"_a, "key"_a);
-    module.def("split", outsideOf, Guarded(), "segments"_a, "window"_a);
+    module.def("clip", clip, Guarded(), "segments"_a, "window"_a, "polygon"_a, "kind"_a,
+               "algorithm"_a, "form"_a, "threads"_a);
+    module.def("split", split, Guarded(), "segments"_a, "window"_a);
 }
 
 } // namespace clipping::python

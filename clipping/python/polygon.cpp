@@ -15,7 +15,7 @@ std::uint32_t givenNumber(std::uint32_t number, const PreparedPolygon& polygon)
 
 } // namespace
 
-ConvexWindow polygonOf(const std::vector<std::array<double, 2>>& corners)
+ConvexWindow polygonOf(std::span<const glm::dvec2> corners)
 {
     const ConvexWindow window = ConvexPolygon::from(corners);
     if (!window)

@@ -12,22 +12,16 @@
 
 namespace clipping::python {
 
-/// The rows of a NumPy array of shape (n, 4), read where they are, whatever their strides are. Does
-/// not keep the array alive.
+/// The rows of an array that `segmentsOf` (arguments.h) returned, read where they are, whatever
+/// their strides are. Does not keep the array alive.
 template <class T>
 class Rows {
 public:
-    /// Throws ValueError unless the shape is (n, 4) with n < 2^32.
     explicit Rows(const pybind11::array& array)
+        : data_(static_cast<const char*>(array.data())),
+          count_(static_cast<std::size_t>(array.shape(0))), row_(array.strides(0)),
+          column_(array.strides(1))
     {
-        if (array.ndim() != 2 || array.shape(1) != 4)
-            throw pybind11::value_error("segments must have the shape (n, 4)");
-        if (static_cast<std::uint64_t>(array.shape(0)) > 0xffffffff)
-            throw pybind11::value_error("at most 4294967295 segments can be clipped at once");
-        data_ = static_cast<const char*>(array.data());
-        count_ = static_cast<std::size_t>(array.shape(0));
-        row_ = array.strides(0);
-        column_ = array.strides(1);
     }
 
     std::size_t size() const { return count_; }
@@ -72,9 +66,9 @@ private:
         std::memcpy(static_cast<void*>(&to), numbers.data(), sizeof to);
     }
 
-    const char* data_ = nullptr;
-    std::size_t count_ = 0;
-    std::ptrdiff_t row_ = 0, column_ = 0;
+    const char* data_;
+    std::size_t count_;
+    std::ptrdiff_t row_, column_;
 };
 
 } // namespace clipping::python

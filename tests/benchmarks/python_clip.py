@@ -57,6 +57,44 @@ def shapely_times(a):
     return best(lambda: [clip_by_rect(line, *WINDOW) for line in lines], 3) / len(a)
 
 
+def a_call(work, calls=2000):
+    """Processor time of a call, in microseconds."""
+    return 1e6 * best(lambda: [work() for _ in range(calls)], 15, time.process_time) / calls
+
+
+def few(a):
+    """Small calls, where reading the arguments and making arrays takes longer than clipping."""
+    plain = a_call(lambda: np.add(a[:10], a[:10]))
+    for n in (1, 10, 100):
+        call = a_call(lambda: clearcut.clip(a[:n], WINDOW))
+        print(f"{n} segments: {call:.2f} us a call, {call / plain:.1f} times numpy.add of 10 segments ({plain:.2f})")
+
+
+def many_polylines(a):
+    """100,000 polylines of 10 points: the points of the lines, and short steps from one of these to the next."""
+    anywhere = a[:500_000].reshape(-1, 10, 2)
+    steps = np.concatenate([anywhere[:, :1], anywhere[:, 1:] / 50], axis=1).cumsum(axis=1)
+    offsets = np.arange(0, anywhere.size // 2 + 1, 10)
+    for name, lines in (("long segments", anywhere), ("short segments", steps)):
+        points, pairs = lines.reshape(-1, 2), np.concatenate([lines[:, :-1], lines[:, 1:]], axis=2).reshape(-1, 4)
+        whole = 1e3 * best(lambda: clearcut.clip_polylines(points, offsets, WINDOW), 15, time.process_time)
+        single = 1e3 * best(lambda: clearcut.clip(pairs, WINDOW, threads=1), 15, time.process_time)
+        print(f"{len(lines)} polylines of 10 points, {name}: {whole:.2f} ms; / clip of their segments: {whole / single:.2f}")
+
+
+def geometries():
+    from shapely.geometry import LineString
+    from shapely.ops import clip_by_rect
+
+    for n in (2, 10, 100):
+        line = LineString(np.random.default_rng(3).uniform(-40, 40, (n, 2)).cumsum(0))
+        found, theirs = clearcut.clip_geometry(line, WINDOW), clip_by_rect(line, *WINDOW)
+        assert abs(found.length - theirs.length) < 1e-9, "other lengths"
+        ours, shapely = (a_call(work, 500) for work in (lambda: clearcut.clip_geometry(line, WINDOW),
+                                                        lambda: clip_by_rect(line, *WINDOW)))
+        print(f"a LineString of {n} points: {ours:.1f} us; / shapely.ops.clip_by_rect: {ours / shapely:.2f}")
+
+
 def main():
     n = int(float(sys.argv[1] if len(sys.argv) > 1 else 10) * 1e6)
     a = np.random.default_rng(1).uniform(-1, 1, (n, 4)) * np.tile([200, 150], 2)
@@ -72,7 +110,11 @@ def main():
           f"NumPy {numpy:.3f}, a.sum() {read:.3f}")
     print(f"NumPy / clearcut: {numpy / all_threads:.1f} (one thread {numpy / one:.1f})")
     print(f"processor time: clearcut {processor:.3f}, NumPy {numpy_processor:.3f}")
+    few(a)
+    if n >= 500_000:
+        many_polylines(a)
     try:
+        geometries()
         per_line = shapely_times(a[:100_000])
     except ImportError:
         return

@@ -15,8 +15,9 @@ Coordinates are in any unit; a window is (xmin, ymin, xmax, ymax) in the same un
 from ._chunks import Chunks
 from ._clip import Clipped, clip, split
 from ._geometry import clip_geometry
-from ._lines import clip_lines
+from ._lines import ClippedLines, clip_lines, clip_polylines
 from ._tracing import algorithms, trace
 
-__all__ = ["Chunks", "Clipped", "algorithms", "clip", "clip_geometry", "clip_lines", "split", "trace"]
+__all__ = ["Chunks", "Clipped", "ClippedLines", "algorithms", "clip", "clip_geometry", "clip_lines", "clip_polylines",
+           "split", "trace"]
 __version__ = "0.1.0"

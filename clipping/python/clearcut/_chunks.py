@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: MIT
 from __future__ import annotations
 
-from typing import Any, Sequence
+from typing import Sequence
 
 import numpy as np
 
-from . import _arguments as arguments
 from . import _clearcut
 from ._clip import Clipped
 
@@ -26,20 +25,15 @@ class Chunks:
     """
 
     def __init__(self, segments: np.ndarray) -> None:
-        array = arguments.segments(segments)
-        if not (array.flags.c_contiguous and array.flags.aligned):
-            raise ValueError(f"segments must be contiguous and aligned, because they are not copied, but these of shape "
-                             f"{array.shape} have the strides {array.strides}; use numpy.array(..., copy=True)")
-        make: Any = _clearcut.Chunks if array.dtype == np.float64 else _clearcut.FloatChunks
-        self._count = len(array)
-        self._chunks = make(array)
+        self._chunks = _clearcut.Chunks(segments)
+        self._count = len(segments)
 
     def clip(self, window: Sequence[float]) -> Clipped:
         """The pieces inside the window, in the order of the segments.
 
         window: (xmin, ymin, xmax, ymax), in the unit of the segments. For float32 it is rounded to float32.
         """
-        return Clipped(*self._chunks.clip(arguments.window(window)))
+        return tuple.__new__(Clipped, self._chunks.clip(window))
 
     def update(self, first: int, last: int) -> None:
         """Call this after rows have been written to, and not while another thread clips.

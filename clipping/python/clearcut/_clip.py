@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: MIT
 from __future__ import annotations
 
-from typing import Any, NamedTuple, Sequence
+from typing import NamedTuple, Sequence
 
 import numpy as np
 
-from . import _arguments as arguments
 from . import _clearcut
 
 
@@ -49,32 +48,7 @@ def clip(segments: np.ndarray, window: Sequence[float] | None = None, *,
     >>> clearcut.clip(a, (0, 0, 10, 10), kind="line", algorithm="liang-barsky").source
     array([0, 1], dtype=uint32)
     """
-    array = arguments.segments(segments)
-    key = arguments.text(algorithm, "algorithm")
-    arguments.choice(kind, "kind", ("segment", "line", "ray"))
-    published = arguments.choice(form, "form", ("corrected", "published")) == "published"
-    count = arguments.threads(threads)
-    if (window is None) == (polygon is None):
-        raise TypeError("give either a window or a polygon")
-    _refuse_combinations(array, polygon is not None, kind, published)
-    if polygon is not None:
-        return Clipped(*_clearcut.clip_at_polygon(array, arguments.corners(polygon), key))
-    edges = arguments.window(window)
-    if kind != "segment":
-        clip_rows: Any = _clearcut.clip_lines_at_window if kind == "line" else _clearcut.clip_rays_at_window
-        return Clipped(*clip_rows(array, edges, key))
-    if array.dtype == np.float32:
-        return Clipped(*_clearcut.clip_floats(array, edges, key, count))
-    return Clipped(*_clearcut.clip_at_window(array, edges, key, published, count))
-
-
-def _refuse_combinations(array: np.ndarray, polygon: bool, kind: str, published: bool) -> None:
-    if polygon and kind != "segment":
-        raise ValueError(f"a polygon clips segments only, but kind is {kind!r}")
-    if published and (polygon or kind != "segment"):
-        raise ValueError("published forms clip segments at a window only")
-    if array.dtype == np.float32 and (polygon or published or kind != "segment"):
-        raise TypeError("float32 works with segments, windows and corrected forms only; use .astype(float)")
+    return tuple.__new__(Clipped, _clearcut.clip(segments, window, polygon, kind, algorithm, form, threads))
 
 
 def split(segments: np.ndarray, window: Sequence[float]) -> tuple[Clipped, Clipped]:
@@ -91,5 +65,5 @@ def split(segments: np.ndarray, window: Sequence[float]) -> tuple[Clipped, Clipp
     array([[-5.,  5.,  0.,  5.],
            [10.,  5., 15.,  5.]])
     """
-    inside, outside = _clearcut.split(arguments.doubles(segments, "segments to split"), arguments.window(window))
-    return Clipped(*inside), Clipped(*outside)
+    inside, outside = _clearcut.split(segments, window)
+    return tuple.__new__(Clipped, inside), tuple.__new__(Clipped, outside)

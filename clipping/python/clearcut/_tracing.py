@@ -3,7 +3,6 @@ from __future__ import annotations
 
 from typing import Any, Sequence
 
-from . import _arguments as arguments
 from . import _clearcut
 
 
@@ -38,6 +37,4 @@ def trace(segment: Sequence[float], window: Sequence[float], algorithm: str = "e
     >>> steps[-1]["segment"]
     (0.0, 5.0, 10.0, 5.0)
     """
-    published = arguments.choice(form, "form", ("corrected", "published")) == "published"
-    return _clearcut.trace(arguments.segment(segment), arguments.window(window),
-                           arguments.text(algorithm, "algorithm"), published)
+    return _clearcut.trace(segment, window, algorithm, form)

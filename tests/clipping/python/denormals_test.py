@@ -85,6 +85,8 @@ class Denormals(unittest.TestCase):
         lines, window = denormals(np.float64)
         for closed in (False, True):
             self.same(lambda: clearcut.clip_lines([lines[:, :2].copy()], window, closed=closed))
+            offsets = np.arange(0, len(lines), 10)
+            self.same(lambda: clearcut.clip_polylines(lines[:, :2], offsets, window, closed=closed))
 
     def test_every_thread(self):
         few, window = denormals(np.float64)

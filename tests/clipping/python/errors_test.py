@@ -2,15 +2,14 @@
 """What is refused: always a TypeError or a ValueError that says what it got."""
 import random
 import unittest
-import unittest.mock
 
 import numpy as np
 
 import clearcut
-from clearcut import _arguments
 
 WINDOW = (0, 0, 1, 1)
 A = np.zeros((3, 4))
+SOME = np.random.default_rng(6).uniform(-10, 10, (20, 4))
 
 
 class Refused(unittest.TestCase):
@@ -51,10 +50,25 @@ class Refused(unittest.TestCase):
         self.refuses(ValueError, "finite", A, (0, 0, np.nan, 1))
         self.refuses(ValueError, "xmin <= xmax", A, (1, 0, 0, 1))
 
-    def test_corners_of_an_array_are_not_checked_one_by_one(self):
-        with unittest.mock.patch("clearcut._arguments._number", side_effect=AssertionError):
-            for dtype in (float, np.float32):
-                self.assertEqual(_arguments.corners(np.array([[0, 0], [9, 0], [0, 9.5]], dtype)), [(0, 0), (9, 0), (0, 9.5)])
+    def test_numbers_that_no_float_can_hold(self):
+        self.refuses(TypeError, "window must be 4 numbers", A, (0, 0, 1, 10**400))
+        self.refuses(TypeError, "points", A, polygon=[(0, 0), (9, 0), (0, 10**400)])
+
+    def test_corners_of_any_kind(self):
+        corners = np.array([[0, 0], [9, 0], [0, 9.5]])
+        expected = clearcut.clip(SOME, polygon=corners)
+        self.assertGreater(len(expected.source), 1)
+        for given in (corners.tolist(), tuple(map(tuple, corners)), corners.astype("f4"), corners.astype(">f8"),
+                      corners.astype("O"), corners[:, ::-1][:, ::-1], (pair for pair in corners), map(iter, corners)):
+            for found, right in zip(clearcut.clip(SOME, polygon=given), expected):
+                np.testing.assert_array_equal(found, right)
+
+    def test_windows_of_any_kind(self):
+        expected = clearcut.clip(SOME, (0, 0, 9, 9.5))
+        for given in ([0, 0, 9, 9.5], (False, 0.0, 9, np.float32(9.5)), np.array([0, 0, 9, 9.5]), iter((0, 0, 9, 9.5)),
+                      np.array([0, 0, 9, 9.5], "f2"), [np.array(0), np.int8(0), np.longdouble(9), 9.5]):
+            for found, right in zip(clearcut.clip(SOME, given), expected):
+                np.testing.assert_array_equal(found, right)
 
     def test_polygons(self):
         self.refuses(ValueError, "convex", A, polygon=[(0, 0), (9, 0), (1, 1), (0, 9)])
@@ -64,14 +78,18 @@ class Refused(unittest.TestCase):
         self.refuses(ValueError, "no form for convex polygons", A, polygon=[(0, 0), (9, 0), (0, 9)], algorithm="nln")
 
     def test_choices(self):
-        self.refuses(ValueError, "no algorithm 'x'", A, WINDOW, algorithm="x")
+        for algorithm in ("x", "", "\udc80", "exact\0"):
+            self.refuses(ValueError, f"no algorithm {algorithm!r}", A, WINDOW, algorithm=algorithm)
         self.refuses(TypeError, "algorithm must be a text", A, WINDOW, algorithm=3)
         self.refuses(ValueError, "kind must be one of", A, WINDOW, kind="spline")
         self.refuses(ValueError, "form must be one of", A, WINDOW, form="wrong")
         self.refuses(ValueError, "no published form", A, WINDOW, form="published")
         self.refuses(ValueError, "no form for infinite lines", A, WINDOW, kind="line")
         self.refuses(ValueError, "no form for rays", A, WINDOW, kind="ray", algorithm="cs")
-        self.refuses(TypeError, "threads", A, WINDOW, threads=1.5)
+        for threads in (1.5, True, "2", [], np.array([1, 2])):
+            self.refuses(TypeError, "threads must be a whole number or None", A, WINDOW, threads=threads)
+        for threads in (-1, 1025, 10**30, np.uint64(2**64 - 1)):
+            self.refuses(ValueError, f"from 1 to 1024, but this is {threads}", A, WINDOW, threads=threads)
         self.refuses(ValueError, "from 1 to 1024", A, WINDOW, threads=0)
         self.refuses(TypeError, "float32", A.astype("f4"), WINDOW, kind="line")
         self.refuses(TypeError, "float64", A.astype("f4"), WINDOW, call=clearcut.split)
@@ -98,6 +116,26 @@ class Refused(unittest.TestCase):
         for lines in [[[(0, 0), (1, 1)]], 7, [np.zeros((2, 2), "f4")], "text"]:
             self.refuses(TypeError, "but this is", lines, WINDOW, call=clearcut.clip_lines)
         self.refuses(TypeError, "a int", 7, WINDOW, call=clearcut.clip_geometry)
+
+    def test_polylines(self):
+        points, offsets = np.zeros((5, 2)), np.array([0, 2, 5])
+
+        def refuses(error, text, *arguments):
+            self.refuses(error, text, *arguments, WINDOW, call=clearcut.clip_polylines)
+
+        refuses(TypeError, "coordinates must be a float64 array", points.tolist(), offsets)
+        refuses(TypeError, "dtype float32", points.astype("f4"), offsets)
+        refuses(ValueError, "coordinates must have the shape (k, 2)", np.zeros((5, 3)), offsets)
+        refuses(TypeError, "coordinates must not have a mask", np.ma.masked_invalid(points), offsets)
+        for wrong in ([0, 2, 5], offsets.astype(float), offsets.astype(">i8"), offsets.astype("u8"), offsets.astype("i2"), None):
+            refuses(TypeError, "offsets must be an int32 or int64 array", points, wrong)
+        for wrong in (offsets[:0], offsets[None], np.array(0)):
+            refuses(ValueError, "offsets must have the shape (m + 1,)", points, wrong)
+        for wrong, text in (([0, 3, 2], "offset 2 is 2"), ([-1, 2, 5], "offset 0 is -1"), ([0, 2, 6], "offset 2 is 6"),
+                            ([2**40, 2**40], f"offset 0 is {2**40}")):
+            refuses(ValueError, text, points, np.array(wrong))
+        refuses(TypeError, "offsets must not have a mask", points, np.ma.masked_equal(offsets, 2))
+        self.refuses(ValueError, "xmin <= xmax", points, offsets, (1, 1, 0, 0), call=clearcut.clip_polylines)
 
     def test_traces(self):
         self.refuses(ValueError, "these are 3", (1, 2, 3), WINDOW, call=clearcut.trace)

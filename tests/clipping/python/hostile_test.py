@@ -145,6 +145,29 @@ class InNumPy(Property):
             results += self.check(clip, array, is_right)
         self.assertGreater(results, 200)
 
+    def test_polylines(self):
+        """Coordinates and offsets, each of any kind."""
+        chance, results = random.Random(22), 0
+        for _ in range(900):
+            dtype = chance.choice(["f8", "f8", "f8", "c16", chance.choice([*BAD, "f4"])])
+            shape = shape_of_any_kind(chance, 2)
+            points = laid_out(chance, numbers(chance, shape[:1] if dtype == "c16" else shape, dtype))
+            size = len(points) if points.ndim else 0
+            plain_offsets = sorted(chance.randrange(size + 1) for _ in range(chance.choice([1, 2, 9, 100])))
+            offsets = laid_out(chance, np.array(plain_offsets, chance.choice(["i8", "i8", "i4", chance.choice(["u4", ">i4", "f8", "O"])])))
+            closed = chance.random() < 0.5
+            rows = points.ndim == 1 if dtype == "c16" else dtype == "f8" and points.ndim == 2 and points.shape[1] == 2
+            counts = offsets.dtype in ("i8", "i4") and offsets.ndim == 1 and bool(np.all(np.diff(offsets) >= 0))
+
+            def clip(points):
+                return clearcut.clip_polylines(points, offsets, WINDOW, closed=closed)
+
+            if counts:
+                results += self.check(clip, points, rows)
+            elif rows:
+                self.assertRaisesRegex((TypeError, ValueError), "offsets must", clip, points)
+        self.assertGreater(results, 300)
+
     def test_more_rows_than_can_be_numbered(self):
         rows = np.broadcast_to(np.zeros(4), (1 << 32, 4))
         for call in (lambda: clearcut.clip(rows, WINDOW), lambda: clearcut.split(rows, WINDOW)):

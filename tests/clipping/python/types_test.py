@@ -48,7 +48,7 @@ class Types(unittest.TestCase):
     def test_the_stub_is_the_extension(self):
         tree = ast.parse((PACKAGE / "clearcut/_clearcut.pyi").read_text())
         stub = in_the_stub(tree.body)
-        self.assertGreater(len(stub), 12)
+        self.assertGreater(len(stub), 9)
         self.assertEqual(stub, in_the_extension(_clearcut))
 
     def test_everything_public_is_explained(self):

@@ -9,7 +9,7 @@ from typing import Any, Callable, Mapping, Sequence
 import dask.array as da
 import numpy as np
 
-from .. import _arguments as arguments
+from .. import _clearcut
 from . import _results as results
 from ._arrays import chunks_of, clip_chunk, rows_of
 from ._outcomes import Task, outcomes
@@ -61,7 +61,7 @@ def write_parts(rows: da.Array, write: Callable[..., int], folder: str, given: S
 
 
 def _checked(write: Callable[..., int], chunk: Any, *given: Any) -> int:
-    return write(arguments.segments(chunk), *given)
+    return write(_clearcut.checked_segments(chunk), *given)
 
 
 def written(kind: str, tasks: Sequence[Task], folder: str, after: Sequence[da.Array] = (),

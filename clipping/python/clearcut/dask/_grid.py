@@ -6,7 +6,7 @@ from typing import Sequence
 
 import numpy as np
 
-from .. import _arguments as arguments
+from .. import _clearcut
 
 
 def grid(window: Sequence[float], columns: int, rows: int) -> np.ndarray:
@@ -21,7 +21,7 @@ def grid(window: Sequence[float], columns: int, rows: int) -> np.ndarray:
     array([[0., 0., 2., 3.],
            [2., 0., 4., 3.]])
     """
-    xmin, ymin, xmax, ymax = arguments.window(window)
+    xmin, ymin, xmax, ymax = _clearcut.checked_window(window)
     for name, count in (("columns", columns), ("rows", rows)):
         if isinstance(count, bool) or not isinstance(count, (int, np.integer)) or count < 1:
             raise ValueError(f"{name} must be a whole number from 1 on, but this is {count!r}")

@@ -9,7 +9,7 @@ from typing import Any, Sequence
 import dask.array as da
 import numpy as np
 
-from .. import _arguments as arguments
+from .. import _clearcut
 from ._graph import array_of
 
 
@@ -54,7 +54,7 @@ def matching(paths: Any) -> list[str]:
 
 def _opened(path: str) -> np.ndarray:
     try:
-        return arguments.segments(np.load(path, mmap_mode="r"))
+        return _clearcut.checked_segments(np.load(path, mmap_mode="r"))
     except (TypeError, ValueError, EOFError) as error:
         raise ValueError(f"{path}: {error}") from None
 

@@ -8,7 +8,7 @@ from typing import Callable
 
 from dask.utils import parse_bytes
 
-from .. import _arguments as arguments
+from .. import _clearcut
 
 _ENDS = ("All files are looked at first: if one cannot be read, has no rows of four numbers or has a wrong header, nothing "
          "is clipped. Exit code: 0; 1 for such a file, or if a part could not be clipped: it is named, and all others are "
@@ -44,7 +44,7 @@ def _numbers(text: str) -> tuple[float, ...]:
     except ValueError:
         raise _refused(text, "four numbers XMIN,YMIN,XMAX,YMAX") from None
     try:
-        return arguments.window(numbers)
+        return _clearcut.checked_window(numbers)
     except ValueError as error:
         raise argparse.ArgumentTypeError(str(error)) from None
 

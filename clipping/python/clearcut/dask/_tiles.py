@@ -10,7 +10,7 @@ from typing import Any, Sequence
 import dask.array as da
 import numpy as np
 
-from .. import _arguments as arguments
+from .. import _clearcut
 from .. import _clip
 from . import _results as results
 from ._arrays import Pieces, chunks_of, pieces_of, rows_of
@@ -89,14 +89,14 @@ def _windows(value: Any) -> np.ndarray:
     if windows.ndim != 2 or windows.shape[1] != 4:
         raise ValueError(f"windows must have the shape (t, 4), but this is an array of shape {windows.shape}")
     for window in windows:
-        arguments.window(window)
+        _clearcut.checked_window(window)
     return windows
 
 
 def _by_tile(chunk: np.ndarray, first: int, windows: np.ndarray) -> dict[int, _clip.Clipped]:
     """The pieces of a chunk in each window that has any. A strip between two x is selected once for all its windows; what
     is selected is clipped whole, so the pieces are those of `clearcut.clip`, bit for bit."""
-    segments = arguments.segments(chunk)
+    segments = _clearcut.checked_segments(chunk)
     edges = windows.astype(segments.dtype)  # as clip rounds them
     strips: dict[tuple[float, float], list[int]] = {}
     for tile, (xmin, _, xmax, _) in enumerate(edges):
