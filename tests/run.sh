@@ -11,6 +11,7 @@ shift || true
 # pkgconf: a program is built by it on the installed library; dpkg-dev: our Debian packages;
 # libtbb-dev: the library with threads; python3-*, pybind11-dev: the Python module and its tests;
 # parallel: the example with GNU parallel;
+# fonts-dejavu-core: the font of windows in tests (fonts.conf);
 # librsvg2-bin, poppler-utils, texlive-latex-recommended: independent readers of the files we write.
 case $preset in
 tidy) more=(clang-tidy) ;;
@@ -18,7 +19,7 @@ fuzz) more=(clang "?libclang-rt-14-dev") ;; # the latter: libFuzzer on Debian 12
 *) more=() ;;
 esac
 bash "$root/app/install_packages.sh" "${more[@]}" g++ cmake ninja-build qt6-base-dev "?libqt6opengl6-dev" libqt6svg6-dev libgif-dev hershey-fonts-data libglm-dev \
-    libboost-dev libtbb-dev pkgconf dpkg-dev python3-dev pybind11-dev python3-numpy python3-setuptools python3-wheel python3-venv python3-pip python3-shapely python3-dask python3-distributed parallel xvfb xauth librsvg2-bin poppler-utils texlive-latex-recommended
+    libboost-dev libtbb-dev pkgconf dpkg-dev python3-dev pybind11-dev python3-numpy python3-setuptools python3-wheel python3-venv python3-pip python3-shapely python3-dask python3-distributed parallel xvfb xauth fonts-dejavu-core librsvg2-bin poppler-utils texlive-latex-recommended
 cd "$root"
 export QT_LOGGING_RULES='*.debug=false'
 cmake --preset "$preset"
