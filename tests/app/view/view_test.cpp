@@ -108,6 +108,21 @@ private slots:
         QVERIFY(history.forth(b) == c);
         QVERIFY(!history.forth(c));
     }
+    void theOldestViewsAreForgotten()
+    {
+        app::ViewHistory history;
+        app::View view = someView();
+        for (int i = 0; i < 300; ++i) {
+            view.zoom = 1 + i;
+            history.leave(view, 5000 * i);
+        }
+        int count = 0;
+        while (const auto before = history.back(view)) {
+            QCOMPARE(before->zoom, 300.0 - count++);
+            view = *before;
+        }
+        QCOMPARE(count, 200);
+    }
     void aDragIsOneStay()
     {
         app::ViewHistory history;

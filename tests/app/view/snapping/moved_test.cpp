@@ -87,6 +87,17 @@ private slots:
         elsewhere.seen = clipping::Window{{0, 0}, {90, 90}}; // without the line
         QVERIFY(stage.snapper.moved(own, {122, 50}, elsewhere).lines.empty());
     }
+    void middlesAreAlignedWithThePageIfItIsAskedFor()
+    {
+        const SnapStage stage({});
+        const auto own = app::ownPointsOf({{0, 0}, {20, 10}});
+        app::SnapQuery asked = query("alignment");
+        QCOMPARE(stage.snapper.moved(own, {137, 50}, asked).by, Point(137, 50));
+        asked.to = asked.to.with("page");
+        const auto moved = stage.snapper.moved(own, {137, 50}, asked); // the middle is at 148.5
+        QCOMPARE(moved.by, Point(138.5, 50));
+        QCOMPARE(moved.lines.size(), std::size_t(1));
+    }
     void theGridDecidesTheAxisThatIsNotAligned()
     {
         const SnapStage stage({lineFrom({101, 300}, {301, 320})});
