@@ -5,6 +5,7 @@
 #include "app/lettering/stroke_fonts.h"
 
 #include <QAbstractItemView>
+#include <QKeyEvent>
 #include <QStandardItemModel>
 
 namespace ui {
@@ -35,6 +36,20 @@ void FontList::fill()
     addHeading(tr("Outlines, of installed fonts"));
     for (const QString& font : app::outlineFonts())
         addItem(font, font);
+}
+
+// A letter chooses a font, also where it is the key of a tool on the canvas.
+bool FontList::event(QEvent* event)
+{
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto& key = static_cast<const QKeyEvent&>(*event);
+        const bool isCommand = key.modifiers() & (Qt::ControlModifier | Qt::AltModifier);
+        if (!isCommand && !key.text().isEmpty() && key.text().front().isPrint()) {
+            event->accept();
+            return true;
+        }
+    }
+    return ToolList::event(event);
 }
 
 void FontList::addHeading(const QString& text)

@@ -17,6 +17,9 @@ public:
     void show(const QString& font);
     QString font() const; ///< empty: none is chosen
 
+protected:
+    bool event(QEvent* event) override;
+
 private:
     void fill();
     void addHeading(const QString& text);
