@@ -2,6 +2,7 @@
 #include "app/commands/edit_command.h"
 
 #include <algorithm>
+#include <new>
 #include <utility>
 
 namespace app {
@@ -20,9 +21,13 @@ bool samePlaces(const Edit& first, const Edit& second)
 
 void EditCommand::exchange()
 {
-    Edit back = document_.apply(next_);
-    editBytes_ = back.bytesNotIn(next_);
-    next_ = std::move(back);
+    Edit done = document_.apply(next_);
+    std::swap(done, next_); // from here on nothing may fail: the document has changed
+    try {
+        editBytes_ = next_.bytesNotIn(done);
+    } catch (const std::bad_alloc&) {
+        editBytes_ = 0; // unknown; without memory, no step should be forgotten for it
+    }
 }
 
 void EditCommand::measure()

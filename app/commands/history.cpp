@@ -5,16 +5,22 @@
 
 #include <algorithm>
 #include <cassert>
+#include <exception>
 #include <utility>
 
 namespace app {
 
+// What needs memory comes before redo(): a step that is done is counted, too.
 void History::push(UndoCommand* command)
 {
     std::unique_ptr<UndoCommand> done(command);
-    done->redo();
     const auto now = clock_();
-    const bool joins = lastPush_ && now - *lastPush_ < mergingTime && joinsLast(*done);
+    const bool mayJoin = lastPush_ && now - *lastPush_ < mergingTime && mayJoinLast(*done);
+    if (steps_.size() == steps_.capacity())
+        steps_.reserve(2 * steps_.size() + 1);
+    done->redo();
+    const bool joins = mayJoin && steps_.back().command->mergeWith(*done);
+    lastPush_ = now;
     emit pushed(*done, joins);
     if (joins) {
         measure(steps_.back());
@@ -22,15 +28,13 @@ void History::push(UndoCommand* command)
     } else {
         append({std::move(done)});
     }
-    lastPush_ = now;
 }
 
 // Requires lastPush_ to be set: then the last command pushed is the last of all steps, and done.
-bool History::joinsLast(const UndoCommand& command) const
+bool History::mayJoinLast(const UndoCommand& command) const
 {
-    UndoCommand& last = *steps_.back().command;
-    const QString key = last.mergeKey();
-    return !key.isEmpty() && key == command.mergeKey() && last.mergeWith(command);
+    const QString key = steps_.back().command->mergeKey();
+    return !key.isEmpty() && key == command.mergeKey();
 }
 
 void History::append(Step step)
@@ -61,10 +65,9 @@ void History::measure(Step& step)
 int History::forgetOldest()
 {
     int gone = 0;
-    for (; bytes_ > limit_ && index_ > 1; --index_, ++gone) {
-        bytes_ -= steps_.front().bytes;
-        steps_.pop_front();
-    }
+    for (; bytes_ > limit_ && index_ > 1; --index_, ++gone)
+        bytes_ -= steps_[std::size_t(gone)].bytes;
+    steps_.erase(steps_.begin(), steps_.begin() + gone);
     for (auto* clean : {&clean_, &cleanNext_})
         if (*clean)
             *clean = **clean >= gone ? std::optional(**clean - gone) : std::nullopt;
@@ -72,13 +75,25 @@ int History::forgetOldest()
     return gone;
 }
 
+// Emits each signal, even if a listener of another one throws.
 void History::notify(bool wasClean, int gone)
 {
-    emit indexChanged(index_);
+    std::exception_ptr failure;
+    const auto say = [&failure](const auto& emitSignal) {
+        try {
+            emitSignal();
+        } catch (...) {
+            failure = std::current_exception();
+        }
+    };
+    emit indexSet(index_);
+    say([&] { emit indexChanged(index_); });
     if (wasClean != isClean())
-        emit cleanChanged(!wasClean);
+        say([&] { emit cleanChanged(!wasClean); });
     if (gone > 0)
-        emit forgot(gone);
+        say([&] { emit forgot(gone); });
+    if (failure)
+        std::rethrow_exception(failure);
 }
 
 void History::undo() { setIndex(index_ - 1); }
@@ -92,24 +107,31 @@ void History::setIndex(int index)
         return;
     const bool wasClean = isClean();
     lastPush_.reset();
-    while (index_ > index)
-        undoOne();
-    while (index_ < index)
-        redoOne();
+    try {
+        while (index_ > index)
+            undoOne();
+        while (index_ < index)
+            redoOne();
+    } catch (...) { // the steps up to there are done
+        notify(wasClean);
+        throw;
+    }
     notify(wasClean);
 }
 
 void History::undoOne()
 {
-    Step& step = steps_[std::size_t(--index_)];
+    Step& step = steps_[std::size_t(index_ - 1)];
     step.command->undo();
+    --index_;
     measure(step);
 }
 
 void History::redoOne()
 {
-    Step& step = steps_[std::size_t(index_++)];
+    Step& step = steps_[std::size_t(index_)];
     step.command->redo();
+    ++index_;
     measure(step);
 }
 

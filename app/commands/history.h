@@ -6,7 +6,6 @@
 #include <QObject>
 
 #include <chrono>
-#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -30,7 +29,8 @@ public:
 
     /// Executes the command and takes ownership. Discards all undone steps. The command joins the
     /// last step if the two can be merged, unless something happened in between: undo, redo or
-    /// save.
+    /// save. If memory runs out while it is executed, nothing has changed; later, it is done. The
+    /// same holds for each step of undo, redo and setIndex.
     void push(UndoCommand* command);
     void undo();
     void redo();
@@ -82,6 +82,8 @@ signals:
     void pushed(const app::UndoCommand& command, bool joined);
     void restored();          ///< after restore()
     void cleanIndexChanged(); ///< by a save or resetClean(); not by steps, which lead away from it
+    /// Before indexChanged, for listeners that must miss nothing. They must not throw.
+    void indexSet(int index);
     void indexChanged(int index); ///< after every change of the steps
     void cleanChanged(bool clean);
     void forgot(int steps); ///< the `steps` oldest can no longer be undone
@@ -92,7 +94,7 @@ private:
         std::size_t bytes = 0;
     };
 
-    bool joinsLast(const UndoCommand& command) const;
+    bool mayJoinLast(const UndoCommand& command) const;
     void append(Step step);
     void measure(Step& step);
     void undoOne();
@@ -100,7 +102,7 @@ private:
     int forgetOldest();
     void notify(bool wasClean, int gone = 0);
 
-    std::deque<Step> steps_;
+    std::vector<Step> steps_;
     int index_ = 0;
     std::optional<int> clean_ = 0; ///< the index at which the document is clean
     std::optional<int> cleanNext_; ///< that index after endClean()

@@ -5,11 +5,11 @@ namespace app {
 
 void StyleChanges::operator()(ObjectRow& object, StyleTable& styles)
 {
-    const auto [at, isNew] = known_.try_emplace(object.style, 0);
+    const auto [at, isNew] = known_.try_emplace(object.style.index(), object.style);
     if (isNew) {
-        Style style = styles[object.style];
+        Style style = *object.style;
         change_(style);
-        at->second = styles.indexOf(style);
+        at->second = styles.entryOf(style);
     }
     object.style = at->second;
 }

@@ -15,7 +15,7 @@ public:
 
 private:
     std::function<void(Style&)> change_;
-    std::unordered_map<StyleIndex, StyleIndex> known_; ///< the new style of each old style
+    std::unordered_map<StyleIndex, StyleEntry> known_; ///< the new style of each old style
 };
 
 /// Changes how objects are painted.

@@ -15,7 +15,7 @@ void DocumentBuilder::add(const ObjectRow& row)
     containers_.addObjects();
 }
 
-void DocumentBuilder::addLine(const clipping::Segment& line, StyleIndex style)
+void DocumentBuilder::addLine(const clipping::Segment& line, const StyleEntry& style)
 {
     objects_.appendLine(line, style);
     containers_.addObjects();

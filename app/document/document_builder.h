@@ -18,12 +18,12 @@ public:
     void close() { containers_.close(); }
     int depth() const { return containers_.depth(); } ///< the number of open containers
 
-    /// The index of a style for `addLine` and `add(ObjectRow)`.
-    StyleIndex style(const Style& style) { return objects_.styles().indexOf(style); }
+    /// The entry of a style for `addLine`.
+    StyleEntry style(const Style& style) { return objects_.styles().entryOf(style); }
     // The following functions require an open container.
     void add(const Object& object);
     void add(const ObjectRow& row);
-    void addLine(const clipping::Segment& line, StyleIndex style); ///< avoids a temporary Object
+    void addLine(const clipping::Segment& line, const StyleEntry& style); ///< without an Object
     void add(const Objects& objects); ///< adds all; shares whole blocks, costs O(all blocks)
     const Objects& objects() const { return objects_; } ///< the objects added so far
     std::size_t size() const { return objects_.size(); }

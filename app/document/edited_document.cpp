@@ -22,27 +22,67 @@ void EditedDocument::publish(Document& next)
 
 void EditedDocument::load(Document document)
 {
+    const DocumentChange change{
+        .everything = true, .objects = true, .containers = true, .windows = true, .page = true};
+    Document empty;
     {
         Document next = std::move(document);
         publish(next);
     } // the old document is freed before listeners need memory
-    emit changed({true, true, true, true, true});
+    owed_ = {};
+    ++revision_;
+    try {
+        emit changed(change);
+    } catch (...) {
+        takeBack(std::move(empty), change);
+        throw;
+    }
 }
 
 Edit EditedDocument::apply(const Edit& edit)
 {
+    if (owed_.objects)
+        sayOwed();
     const std::vector<Splice> splices = edit.splices; // a listener may overwrite `edit`
-    DocumentChange change{false, !splices.empty(), edit.containers.has_value(),
-                          edit.windows.has_value(), edit.page.has_value()};
-    change.splices = splices;
+    DocumentChange change{.objects = !splices.empty(),
+                          .containers = edit.containers.has_value(),
+                          .windows = edit.windows.has_value(),
+                          .page = edit.page.has_value(),
+                          .splices = splices};
+    Document before = document_;
     Edit back;
     {
         Document next = document_;
         back = next.apply(edit);
         publish(next);
     }
-    emit changed(change);
+    ++revision_;
+    try {
+        emit changed(change);
+    } catch (...) {
+        --revision_;
+        takeBack(
+            std::move(before),
+            {.again = true, .objects = true, .containers = true, .windows = true, .page = true});
+        throw;
+    }
     return back;
+}
+
+void EditedDocument::takeBack(Document to, const DocumentChange& change) noexcept
+{
+    publish(to);
+    owed_ = change;
+    try {
+        sayOwed();
+    } catch (...) { // said before the next change
+    }
+}
+
+void EditedDocument::sayOwed()
+{
+    emit changed(owed_);
+    owed_ = {};
 }
 
 } // namespace app

@@ -5,15 +5,20 @@
 
 #include <QObject>
 
+#include <cstdint>
 #include <mutex>
+#include <span>
 
 namespace app {
 
 /// What changed in a document, so that listeners can update incrementally.
 struct DocumentChange {
     bool everything = false; ///< a different document was loaded; all members below are true too
+    /// The document is again as it was before a change that failed. Some listeners may have seen
+    /// that change, others not. `objects` to `page` are true too.
+    bool again = false;
     bool objects = false, containers = false, windows = false, page = false;
-    /// Where objects were replaced; empty if `everything`. Valid during the signal.
+    /// Where objects were replaced; empty if `everything` or `again`. Valid during the signal.
     std::span<const Splice> splices{};
     /// Whether the picture may differ apart from the clip windows.
     bool drawing() const { return objects || containers || page; }
@@ -33,11 +38,15 @@ public:
     /// nothing.
     Document snapshot() const;
 
-    /// Replaces the whole document (New, Open).
+    /// Replaces the whole document (New, Open). If memory runs out in a listener, the document is
+    /// empty: the old one is gone by then.
     void load(Document document);
     /// Changes the document, emits `changed` once, and returns the edit that undoes the change. If
-    /// memory runs out, nothing has changed.
+    /// memory runs out, in a listener too, nothing has changed: the document is what it was, and
+    /// `changed` says so (`again`).
     Edit apply(const Edit& edit);
+    /// Counts the changes that were done, so that one can tell whether anything has changed since.
+    std::uint64_t revision() const { return revision_; }
 
 signals:
     /// The document has changed; `now()` is the new document.
@@ -45,8 +54,12 @@ signals:
 
 private:
     void publish(Document& next); // swaps it with document_
+    void takeBack(Document to, const DocumentChange& change) noexcept;
+    void sayOwed();
 
     Document document_;
+    std::uint64_t revision_ = 0;
+    DocumentChange owed_{}; ///< what some listeners do not know yet, because memory ran out
     mutable std::mutex publishing_;
 };
 

@@ -28,11 +28,11 @@ struct Object {
     friend bool operator==(const Object&, const Object&) = default;
 };
 
-/// An object in the form that a block stores: its style as an index, its particulars shared.
-/// Copying it copies neither.
+/// An object in nearly the form that a block stores: its style as an entry of a table, its
+/// particulars shared. Copying it copies neither. Valid as long as that table.
 struct ObjectRow {
     Path path;
-    StyleIndex style = 0;
+    StyleEntry style;
     bool hidden = false;
     Shared<Particulars> particulars = noParticulars();
 };

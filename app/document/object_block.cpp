@@ -129,7 +129,7 @@ void ObjectBlock::append(const clipping::Segment& line, StyleIndex style)
     points += 2;
 }
 
-void ObjectBlock::append(const ObjectRow& row)
+void ObjectBlock::append(const ObjectRow& row, StyleIndex style)
 {
     const std::size_t before = size();
     const auto line = row.path.singleLine();
@@ -139,7 +139,7 @@ void ObjectBlock::append(const ObjectRow& row)
         toPaths(*this);
         paths.push_back(row.path);
     }
-    addStyle(styles, before, row.style);
+    addStyle(styles, before, style);
     add<std::uint8_t>(hidden, before, row.hidden, 0, !row.hidden);
     add(particulars, before, row.particulars, noParticulars(), isNone(row.particulars));
     points += weight(row.path);

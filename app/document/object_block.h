@@ -35,7 +35,7 @@ struct ObjectBlock {
     HeapPart particularsPart(std::size_t i) const;
 
     void append(const clipping::Segment& line, StyleIndex style);
-    void append(const ObjectRow& row);
+    void append(const ObjectRow& row, StyleIndex style); ///< which `row.style` has here
     /// Appends some objects of another block.
     void append(const ObjectBlock& from, std::size_t first, std::size_t count);
     void narrow(); ///< makes the columns as narrow as possible; `append` only widens them

@@ -21,9 +21,10 @@ public:
     }
     StyleIndex styleIndex() const { return block_->style(at_); }
     const Style& style() const { return (*styles_)[styleIndex()]; }
+    StyleEntry styleEntry() const { return styles_->entry(styleIndex()); }
     bool hidden() const { return block_->isHidden(at_); }
     const Particulars& particulars() const { return *block_->particularsOf(at_); }
-    ObjectRow row() const { return {path(), styleIndex(), hidden(), block_->particularsOf(at_)}; }
+    ObjectRow row() const { return {path(), styleEntry(), hidden(), block_->particularsOf(at_)}; }
     Object copy() const { return {path(), style(), particulars(), hidden()}; }
 
 private:

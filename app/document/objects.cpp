@@ -135,20 +135,20 @@ void Objects::separateStyles()
 
 void Objects::append(const Object& object)
 {
-    append({object.path, styles().indexOf(object.style), object.hidden,
+    append({object.path, styles().entryOf(object.style), object.hidden,
             object.particulars == Particulars{} ? noParticulars() : Shared(object.particulars)});
 }
 
 void Objects::append(const ObjectRow& row)
 {
-    assert(row.style < styles().size());
-    lastFor(weight(row.path)).append(row);
+    const StyleIndex style = styles().indexOf(row.style);
+    lastFor(weight(row.path)).append(row, style);
 }
 
-void Objects::appendLine(const clipping::Segment& line, StyleIndex style)
+void Objects::appendLine(const clipping::Segment& line, const StyleEntry& style)
 {
-    assert(style < styles().size());
-    lastFor(2).append(line, style);
+    const StyleIndex index = styles().indexOf(style);
+    lastFor(2).append(line, index);
 }
 
 void Objects::append(const Objects& more) { splice(size(), 0, more); }

@@ -21,10 +21,11 @@ public:
     bool empty() const { return blocks_.empty(); }
     ObjectView operator[](std::size_t i) const;
 
+    // A style of another table is added to `styles()`.
     void append(const Object& object);
-    void append(const ObjectRow& row); ///< the row's style must be in `styles()`
-    void appendLine(const clipping::Segment& line, StyleIndex style); ///< avoids a temporary Object
-    void append(const Objects& more);                                 ///< shares whole blocks
+    void append(const ObjectRow& row);
+    void appendLine(const clipping::Segment& line, const StyleEntry& style); ///< without an Object
+    void append(const Objects& more); ///< shares whole blocks
     StyleTable& styles();
     const StyleTable& styles() const;
     /// Replaces the shared style table by a copy with the same indices: styles added to it are not

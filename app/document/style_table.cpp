@@ -93,6 +93,12 @@ StyleIndex StyleTable::indexOf(const Style& style)
     return index;
 }
 
+StyleEntry StyleTable::entry(StyleIndex index) const
+{
+    assert(index < size());
+    return {*this, index};
+}
+
 const Style& StyleTable::operator[](StyleIndex index) const
 {
     assert(index < size());

@@ -13,6 +13,24 @@ namespace app {
 
 using StyleIndex = std::uint32_t; ///< the index of a style in its document's table
 
+class StyleTable;
+
+/// A style in its table; valid as long as the table. Only tables make entries, so that the index of
+/// one table is never taken for that of another.
+class StyleEntry {
+public:
+    const Style& operator*() const;
+    const StyleTable& table() const { return *table_; }
+    StyleIndex index() const { return index_; }
+
+private:
+    friend class StyleTable;
+    StyleEntry(const StyleTable& table, StyleIndex index) : table_(&table), index_(index) {}
+
+    const StyleTable* table_;
+    StyleIndex index_;
+};
+
 /// The styles of a document, each stored once; styles that differ in any bit are different. The
 /// table only grows, and its elements never move, so any threads may read it while others add to
 /// it. A thread may use an index that it got from the table, or that was handed to it after the
@@ -25,7 +43,13 @@ public:
     ~StyleTable();
 
     StyleIndex indexOf(const Style& style); ///< adds the style if it is new
+    StyleIndex indexOf(const StyleEntry& entry)
+    {
+        return &entry.table() == this ? entry.index() : indexOf(*entry);
+    }
     const Style& operator[](StyleIndex index) const;
+    StyleEntry entry(StyleIndex index) const;
+    StyleEntry entryOf(const Style& style) { return entry(indexOf(style)); }
     std::size_t size() const { return size_.load(std::memory_order_acquire); }
 
 private:
@@ -35,5 +59,7 @@ private:
     std::mutex adding_;
     std::unordered_multimap<std::size_t, StyleIndex> found_; // indices by hash of the style
 };
+
+inline const Style& StyleEntry::operator*() const { return (*table_)[index_]; }
 
 } // namespace app

@@ -72,13 +72,13 @@ std::optional<Edit> readStyles(ByteReader& in, const Document& document,
         in.require(style < styles.size());
     if (!in.ok())
         return std::nullopt;
-    std::vector<StyleIndex> indices;
+    std::vector<StyleEntry> entries;
     std::size_t next = 0;
     return changed(document, addedBy(splices), [&](ObjectRow& object, StyleTable& table) {
-        if (indices.empty())
+        if (entries.empty())
             for (const Style& style : styles)
-                indices.push_back(table.indexOf(style));
-        object.style = indices[each[each.size() == 1 ? 0 : next++]];
+                entries.push_back(table.entryOf(style));
+        object.style = entries[each[each.size() == 1 ? 0 : next++]];
     });
 }
 

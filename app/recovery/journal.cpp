@@ -9,6 +9,8 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <new>
+#include <semaphore>
 
 namespace app {
 namespace {
@@ -33,12 +35,55 @@ const EditCommand& editOf(const UndoCommand& command)
 
 } // namespace
 
-/// What the first job of a document hands back.
+/// What the first job of a document hands over.
 struct Journal::Opening {
     std::binary_semaphore inPlace{0};
     std::shared_ptr<QLockFile> claim{};
-    std::shared_ptr<LogFile> log{};
-    QString error{};
+    std::shared_ptr<LogFile> log{}; ///< null: it failed
+    QString error{};                ///< then; empty: there was too little memory
+
+    /// Makes the first files, and removes those of the previous document.
+    void make(const QString& folder, JournalBase base, const QString& old)
+    {
+        std::string bytes;
+        try {
+            if (!old.isEmpty())
+                removeJournal(old);
+            bytes = baseBytes(base);
+            base = {};
+            claim = createJournalFolder(folder);
+            if (!claim)
+                error = tr("The folder %1 cannot be written.").arg(folder);
+            else if (auto wrong = writeWhole(baseFile(folder, 1), bytes))
+                error = std::move(*wrong);
+            else
+                log = LogFile::create(logFile(folder, 1), logHeader(0), error);
+        } catch (const std::bad_alloc&) {
+            log.reset();
+        }
+        const bool made = log != nullptr;
+        inPlace.release();
+        if (made)
+            putCopy(folder, 1, bytes);
+    }
+};
+
+/// What the job of a new base hands over.
+struct Journal::Renewal {
+    std::binary_semaphore ended{0};
+    std::optional<QString> error{}; ///< as in Opening
+
+    void write(const QString& folder, int generation, JournalBase base, bool continues)
+    {
+        try {
+            const std::string bytes = baseBytes(base);
+            base = {};
+            error = putBase(folder, generation, bytes, continues);
+        } catch (const std::bad_alloc&) {
+            error.emplace();
+        }
+        ended.release();
+    }
 };
 
 Journal::Journal(const EditedDocument& document, const History& history, QString above)
@@ -50,16 +95,22 @@ Journal::Journal(const EditedDocument& document, const History& history, QString
                  const Limits& limits)
     : document_(document), history_(history), above_(std::move(above)), limits_(limits),
       sync_([this](const std::shared_ptr<LogFile>& log, const QString& reason) {
-          QMetaObject::invokeMethod(
-              this, [this, log, reason] { noteUnsynced(log, reason); }, Qt::QueuedConnection);
+          {
+              const std::lock_guard guard(handing_);
+              unsynced_ = {log, reason};
+          }
+          wake();
       })
 {
+    retry_.setSingleShot(true);
+    retry_.setTimerType(Qt::PreciseTimer); // never before nextAttempt_
+    connect(&retry_, &QTimer::timeout, this, [this] { whileMemoryLasts([this] { renew(); }); });
     connect(&document, &EditedDocument::changed, this, &Journal::noteLoad);
     connect(&history, &History::pushed, this, &Journal::notePush);
-    connect(&history, &History::indexChanged, this, &Journal::noteIndex);
+    connect(&history, &History::indexSet, this, &Journal::noteIndex);
     connect(&history, &History::cleanIndexChanged, this, &Journal::noteClean);
-    connect(&history, &History::restored, this, &Journal::begin);
-    begin();
+    connect(&history, &History::restored, this, &Journal::beginAnew);
+    beginAnew();
 }
 
 Journal::~Journal() = default;
@@ -76,46 +127,84 @@ JournalBase Journal::base()
     return {nextRecord_, firstKept_, origin_, document_.now(), std::move(steps)};
 }
 
-// A new document: the other thread makes its files, and removes those of the previous document.
+/// A step is not lost because there is no memory to record it.
+template <class Act>
+void Journal::whileMemoryLasts(const Act& act)
+{
+    try {
+        act();
+    } catch (const std::bad_alloc&) {
+        try {
+            fail({});
+        } catch (const std::bad_alloc&) { // what can be said later is said then
+        }
+    }
+}
+
+// For the other threads. The event carries nothing: what is handed over is guarded by a semaphore
+// or mutex of ours, as ThreadSanitizer does not see into the queue of events.
+void Journal::wake()
+{
+    try {
+        QMetaObject::invokeMethod(this, "look", Qt::QueuedConnection);
+    } catch (const std::bad_alloc&) {
+        unheard_ = true;
+    }
+}
+
+void Journal::look()
+{
+    whileMemoryLasts([this] {
+        Unsynced unsynced;
+        {
+            const std::lock_guard guard(handing_);
+            std::swap(unsynced, unsynced_);
+        }
+        if (unsynced.log)
+            noteUnsynced(unsynced);
+        if (opening_ && opening_->inPlace.try_acquire()) {
+            opening_->inPlace.release();
+            opened();
+        }
+        if (renewal_ && renewal_->ended.try_acquire())
+            noteBase(*std::exchange(renewal_, nullptr));
+    });
+}
+
+// For another document, of which nothing can be lost yet.
+void Journal::beginAnew()
+{
+    inHand_.reset();
+    setComplete(true);
+    whileMemoryLasts([this] { begin(); });
+}
+
+// The other thread makes the files, and removes those of the previous document.
 void Journal::begin()
 {
-    const QString old = std::exchange(folder_, newJournalFolder(above_));
-    generation_ = 1;
     nextRecord_ = 0;
+    const QString folder = newJournalFolder(above_);
+    const auto opening = std::make_shared<Opening>();
+    std::vector<std::string> later;
+    if (inHand_)
+        later.push_back(inHandRecord(inHand_));
+    jobs_.post([this, opening, folder, base = base(), old = folder_,
+                oldClaim = std::exchange(claim_, {}),
+                oldOpening = std::exchange(opening_, {})]() mutable {
+        oldClaim.reset();
+        oldOpening.reset();
+        opening->make(folder, std::move(base), old);
+        wake();
+    });
+    opening_ = opening; // from here on nothing can fail
+    folder_ = folder;
+    renewal_.reset();
+    log_.reset();
+    later_.swap(later);
+    generation_ = 1;
     replayTime_ = 0;
     index_ = history_.index();
     pushing_ = beyondBase_ = false;
-    inHand_.reset();
-    later_.clear();
-    log_.reset();
-    complete_ = true;
-    writingBase_ = true;
-    auto opening = std::make_shared<Opening>();
-    jobs_.post([this, base = base(), folder = folder_, old, oldClaim = std::exchange(claim_, {}),
-                oldOpening = std::exchange(opening_, opening), opening]() mutable {
-        oldClaim.reset();
-        oldOpening.reset();
-        if (!old.isEmpty())
-            QDir(old).removeRecursively();
-        const std::string bytes = baseBytes(base);
-        base = {};
-        opening->claim = createJournalFolder(folder);
-        if (!opening->claim)
-            opening->error = tr("The folder %1 cannot be written.").arg(folder);
-        else if (const auto wrong = writeWhole(baseFile(folder, 1), bytes))
-            opening->error = *wrong;
-        else
-            opening->log = LogFile::create(logFile(folder, 1), logHeader(0), opening->error);
-        const bool inPlace = opening->log != nullptr;
-        opening->inPlace.release();
-        if (inPlace)
-            putCopy(folder, 1, bytes);
-        const auto deliver = [this, folder] {
-            if (folder == folder_)
-                opened();
-        };
-        QMetaObject::invokeMethod(this, deliver, Qt::QueuedConnection);
-    });
 }
 
 /// Whether records can be appended. Waits until the first base is in place: without it, records
@@ -126,9 +215,10 @@ bool Journal::opened()
         opening->inPlace.acquire();
         claim_ = opening->claim;
         log_ = opening->log;
-        writingBase_ = false;
         if (!log_)
             fail(opening->error);
+        else
+            setComplete(true);
         for (std::string& frame : std::exchange(later_, {}))
             append({std::move(frame)}, timeOfRecord);
     }
@@ -138,7 +228,7 @@ bool Journal::opened()
 /// Records go to a new log from now on; the other thread writes the base before it.
 bool Journal::startGeneration()
 {
-    if (writingBase_ || !claim_)
+    if (renewal_ || !claim_)
         return false;
     QString error;
     auto next = LogFile::create(logFile(folder_, generation_ + 1), logHeader(nextRecord_), error);
@@ -146,22 +236,17 @@ bool Journal::startGeneration()
         return false;
     if (log_)
         sync_.appended(log_);
+    const auto renewal = std::make_shared<Renewal>();
+    jobs_.post([this, renewal, base = base(), folder = folder_, generation = generation_ + 1,
+                continues = complete_.load()]() mutable {
+        renewal->write(folder, generation, std::move(base), continues);
+        wake();
+    });
+    renewal_ = renewal;
     ++generation_;
     log_ = std::move(next);
     replayTime_ = 0;
     beyondBase_ = false;
-    writingBase_ = true;
-    jobs_.post([this, base = base(), folder = folder_, generation = generation_,
-                continues = complete_.load()]() mutable {
-        const std::string bytes = baseBytes(base);
-        base = {};
-        const auto wrong = putBase(folder, generation, bytes, continues);
-        const auto deliver = [this, folder, error = wrong.value_or(QString())] {
-            if (folder == folder_)
-                noteBase(error);
-        };
-        QMetaObject::invokeMethod(this, deliver, Qt::QueuedConnection);
-    });
     if (inHand_)
         append({inHandRecord(inHand_)}, timeOfRecord);
     return true;
@@ -169,15 +254,12 @@ bool Journal::startGeneration()
 
 // If a base cannot be written, the older base and all logs still lead to the present state, unless
 // a record was lost before.
-void Journal::noteBase(const QString& error)
+void Journal::noteBase(const Renewal& renewal)
 {
-    writingBase_ = false;
-    if (!error.isEmpty() && !complete_) {
-        fail(error);
-    } else if (error.isEmpty() && log_) {
-        complete_ = true;
-        said_ = false;
-    }
+    if (renewal.error && !complete_)
+        fail(*renewal.error);
+    else if (!renewal.error && log_)
+        setComplete(true);
     renew();
 }
 
@@ -189,7 +271,7 @@ void Journal::renew()
         return;
     const bool retry = !log_ && nextAttempt_.hasExpired();
     if (retry)
-        nextAttempt_.setRemainingTime(limits_.retry);
+        tryLater();
     if (retry && !claim_)
         return begin();
     if ((retry || (log_ && (beyondBase_ || replayTime_ > limits_.replay))) && !startGeneration())
@@ -199,12 +281,10 @@ void Journal::renew()
 void Journal::append(Frame frame, double replayTime)
 {
     if (!opened())
-        return say();
+        return setComplete(false);
     sealFrame(frame, nextRecord_);
-    if (const auto wrong = log_->append(frame.parts())) {
-        fail(*wrong);
-        return say();
-    }
+    if (const auto wrong = log_->append(frame.parts()))
+        return fail(*wrong);
     ++nextRecord_;
     sync_.appended(log_);
     replayTime_ += replayTime + timeOfByte * double(frame.size());
@@ -224,25 +304,39 @@ void Journal::fail(const QString& reason)
 {
     log_.reset();
     ++nextRecord_;
-    complete_ = false;
     failure_ = reason;
+    complete_ = false; // whatever throws below
+    tryLater();
+    setComplete(false);
+}
+
+void Journal::tryLater()
+{
     nextAttempt_.setRemainingTime(limits_.retry);
+    retry_.start(limits_.retry);
+}
+
+void Journal::setComplete(bool complete)
+{
+    const bool was = complete_.exchange(complete);
+    if (!was || !complete)
+        emit completeChanged();
+}
+
+QString Journal::whyIncomplete() const
+{
+    if (complete_)
+        return {};
+    const QString reason = failure_.isEmpty() ? tr("There is not enough memory.") : failure_;
+    return tr("Unsaved changes are not protected against a crash: %1 Save the drawing.")
+        .arg(reason.endsWith(u'.') ? reason : reason + u'.');
 }
 
 // Data that was not synced would be lost with the power. A new base writes everything again.
-void Journal::noteUnsynced(const std::shared_ptr<LogFile>& log, const QString& reason)
+void Journal::noteUnsynced(const Unsynced& unsynced)
 {
-    if (QFileInfo(log->path()).path() != folder_)
-        return; // of a former document
-    fail(reason);
-    say();
-}
-
-void Journal::say()
-{
-    if (!std::exchange(said_, true))
-        emit failed(tr("Unsaved changes are not protected against a crash: %1 Save the drawing.")
-                        .arg(failure_.endsWith(u'.') ? failure_ : failure_ + u'.'));
+    if (QFileInfo(unsynced.log->path()).path() == folder_) // not of a former document
+        fail(unsynced.reason);
 }
 
 void Journal::notePush(const UndoCommand& command, bool joined)
@@ -250,7 +344,8 @@ void Journal::notePush(const UndoCommand& command, bool joined)
     const EditCommand& edit = editOf(command);
     pushing_ = true;
     inHand_.reset();
-    append(stepRecord(edit, document_.now(), joined), timeOf(edit.next()));
+    whileMemoryLasts(
+        [&] { append(stepRecord(edit, document_.now(), joined), timeOf(edit.next())); });
 }
 
 double Journal::timeBetween(int from, int to) const
@@ -265,24 +360,30 @@ double Journal::timeBetween(int from, int to) const
 void Journal::noteIndex(int index)
 {
     const int before = std::exchange(index_, index);
-    if (!std::exchange(pushing_, false) && (history_.count() > 0 || history_.forgotten() > 0)) {
-        beyondBase_ = beyondBase_ || number(index) < firstKept_;
-        if (index != before)
-            append({indexRecord(number(index))}, timeBetween(before, index));
-    }
-    renew();
+    const bool pushed = std::exchange(pushing_, false);
+    whileMemoryLasts([&] {
+        if (!pushed && (history_.count() > 0 || history_.forgotten() > 0)) {
+            beyondBase_ = beyondBase_ || number(index) < firstKept_;
+            if (index != before)
+                append({indexRecord(number(index))}, timeBetween(before, index));
+        }
+        if (unheard_.exchange(false))
+            look();
+        renew();
+    });
 }
 
 void Journal::noteClean()
 {
     const auto clean = history_.cleanIndex();
-    appendLater(cleanRecord(clean ? std::optional(number(*clean)) : std::nullopt));
+    whileMemoryLasts(
+        [&] { appendLater(cleanRecord(clean ? std::optional(number(*clean)) : std::nullopt)); });
 }
 
 void Journal::noteLoad(const DocumentChange& change)
 {
     if (change.everything)
-        begin();
+        beginAnew();
 }
 
 void Journal::setOrigin(const JournalOrigin& origin)
@@ -290,7 +391,7 @@ void Journal::setOrigin(const JournalOrigin& origin)
     if (origin == origin_)
         return;
     origin_ = origin;
-    appendLater(originRecord(origin));
+    whileMemoryLasts([&] { appendLater(originRecord(origin)); });
 }
 
 void Journal::setInHand(std::optional<ObjectInHand> object)
@@ -298,14 +399,15 @@ void Journal::setInHand(std::optional<ObjectInHand> object)
     if (object == inHand_)
         return;
     inHand_ = std::move(object);
-    append({inHandRecord(inHand_)}, timeOfRecord);
+    whileMemoryLasts([&] { append({inHandRecord(inHand_)}, timeOfRecord); });
 }
 
 void Journal::wait()
 {
-    while (writingBase_)
-        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
-    jobs_.finish();
+    do {
+        jobs_.finish();
+        look();
+    } while (opening_ || renewal_);
 }
 
 void Journal::discard()
@@ -316,7 +418,7 @@ void Journal::discard()
     opened();
     log_.reset();
     claim_.reset();
-    QDir(folder_).removeRecursively();
+    removeJournal(folder_);
 }
 
 } // namespace app

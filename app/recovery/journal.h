@@ -8,9 +8,10 @@
 #include <QDeadlineTimer>
 #include <QLockFile>
 #include <QObject>
+#include <QTimer>
 
 #include <atomic>
-#include <semaphore>
+#include <mutex>
 #include <vector>
 
 namespace app {
@@ -26,8 +27,8 @@ class LogFile;
 /// 32 MB; older steps cannot be undone after a recovery. Two ways lead to the present state
 /// (journal_folder.h), so that a damaged file costs at most the steps after the damage.
 ///
-/// If the disk is full or fails, `failed` is emitted once, drawing goes on, and the journal tries
-/// to start again with a new base.
+/// If the disk is full or fails, or memory runs out, drawing goes on, `whyIncomplete` says what is
+/// wrong, and the journal tries again and again to start with a new base.
 class Journal : public QObject {
     Q_OBJECT
 
@@ -55,25 +56,41 @@ public:
     bool ready() { return opened(); }
     /// Whether every step so far is in the files; any thread may ask.
     bool complete() const { return complete_; }
+    /// Why they are not, and what to do, as sentences; empty: they are.
+    QString whyIncomplete() const;
     /// Blocks until no file is being written, for tests.
     void wait();
 
 signals:
-    void failed(const QString& sentence); ///< steps can no longer be recorded
+    void completeChanged(); ///< or whyIncomplete()
+
+private slots:
+    void look(); ///< at what the other threads have handed over
 
 private:
     struct Opening;
+    struct Renewal;
+    /// A log that may not be on the disk.
+    struct Unsynced {
+        std::shared_ptr<LogFile> log{};
+        QString reason{};
+    };
 
+    template <class Act>
+    void whileMemoryLasts(const Act& act);
+    void wake();
+    void beginAnew();
     void begin();
     bool startGeneration();
-    void noteBase(const QString& error);
+    void noteBase(const Renewal& renewal);
     void renew();
     bool opened();
     void append(Frame frame, double replayTime);
     void appendLater(std::string frame);
     void fail(const QString& reason);
-    void noteUnsynced(const std::shared_ptr<LogFile>& log, const QString& reason);
-    void say();
+    void tryLater();
+    void setComplete(bool complete);
+    void noteUnsynced(const Unsynced& unsynced);
     void notePush(const UndoCommand& command, bool joined);
     void noteIndex(int index);
     void noteClean();
@@ -89,22 +106,25 @@ private:
     QString folder_;
     std::shared_ptr<QLockFile> claim_;
     std::shared_ptr<Opening> opening_; ///< the first generation, until it is known to be in place
+    std::shared_ptr<Renewal> renewal_; ///< the next one, until its base is known to be in place
     std::shared_ptr<LogFile> log_;     ///< null: not open yet, or failed
     int generation_ = 0;
-    bool writingBase_ = false;
     std::uint64_t nextRecord_ = 0;
     double replayTime_ = 0;          ///< of the records since the last base, estimated in seconds
     StepNumber firstKept_ = 0;       ///< the first step of the last base
     int index_ = 0;                  ///< of the history, as far as recorded
     bool pushing_ = false;           ///< between History::pushed and indexChanged
     bool beyondBase_ = false;        ///< undone more than the last base can undo
-    QString failure_;                ///< why records are not appended
-    bool said_ = false;              ///< failed() was emitted, and no base has succeeded since
+    QString failure_;                ///< why records are not appended; empty: too little memory
     QDeadlineTimer nextAttempt_;     ///< after a failure
+    QTimer retry_;                   ///< the same, where nothing else happens
     std::vector<std::string> later_; ///< records that wait until the log is open
     JournalOrigin origin_;
     std::optional<ObjectInHand> inHand_;
     std::atomic<bool> complete_ = true;
+    std::atomic<bool> unheard_ = false; ///< there was no memory to wake this thread: look later
+    std::mutex handing_;
+    Unsynced unsynced_; ///< under handing_
     LogSync sync_;
     JobThread jobs_; ///< last: it ends before its data
 };

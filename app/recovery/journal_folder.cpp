@@ -9,6 +9,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <atomic>
@@ -25,11 +26,17 @@ QString fileOf(const QString& folder, const QString& prefix, int generation)
     return QDir(folder).filePath(prefix + QString::number(generation));
 }
 
+QStringList filesOf(const QString& folder, const QStringList& patterns = {})
+{
+    return QDir(folder).entryList(patterns, QDir::Files | QDir::Hidden | QDir::NoSymLinks);
+}
+
 std::vector<int> generations(const QString& folder, const QString& prefix)
 {
     std::vector<int> all;
-    for (const QString& name : QDir(folder).entryList({prefix + u'*'}, QDir::Files))
-        if (const int number = name.mid(prefix.size()).toInt(); number > 0)
+    for (const QString& name : filesOf(folder, {prefix + u'*'}))
+        if (const int number = name.mid(prefix.size()).toInt();
+            number > 0 && name == prefix + QString::number(number))
             all.push_back(number);
     std::ranges::sort(all);
     return all;
@@ -54,6 +61,22 @@ int previousBase(const QString& folder, int generation)
 
 QString lockOf(const QString& folder) { return QDir(folder).filePath(QStringLiteral("lock")); }
 
+// The names that a journal gives, also to temporary files (QSaveFile, QLockFile).
+QStringList ownFilesOf(const QString& folder)
+{
+    static const QRegularExpression own(
+        QStringLiteral("^((base|copy|log)-[1-9][0-9]*(\\.[A-Za-z]{6})?|lock(\\.rmlock)?)$"));
+    return filesOf(folder).filter(own);
+}
+
+bool isForeign(const QString& folder)
+{
+    const auto everything = QDir::AllEntries | QDir::Hidden | QDir::System | QDir::NoDotAndDotDot;
+    return generations(folder, basePrefix).empty() && generations(folder, copyPrefix).empty()
+           && generations(folder, logPrefix).empty()
+           && QDir(folder).entryList(everything).size() > ownFilesOf(folder).size();
+}
+
 } // namespace
 
 QString newJournalFolder(const QString& above)
@@ -68,7 +91,8 @@ QString newJournalFolder(const QString& above)
 
 bool isJournal(const QString& path)
 {
-    return path.endsWith(QStringLiteral(".journal")) && QFileInfo(path).isDir();
+    const QFileInfo info(path);
+    return path.endsWith(QStringLiteral(".journal")) && info.isDir() && !info.isSymLink();
 }
 
 QString baseFile(const QString& folder, int generation)
@@ -123,22 +147,35 @@ bool putCopy(const QString& folder, int generation, std::string_view bytes)
     return !writeWhole(copyFile(folder, generation), bytes);
 }
 
+void makePrivateFolder(const QString& path)
+{
+    QDir().mkpath(QFileInfo(path).path());
+    if (!QDir().mkdir(path, mine) && !QFileInfo(path).isSymLink())
+        QFile::setPermissions(path, mine); // it may have been copied or unpacked
+}
+
 std::shared_ptr<QLockFile> createJournalFolder(const QString& folder)
 {
-    const QDir above = QFileInfo(folder).dir();
-    QDir().mkpath(QFileInfo(above.path()).path());
-    QDir().mkdir(above.path(), mine);
-    QFile::setPermissions(above.path(), mine); // it may have been copied or unpacked
+    makePrivateFolder(QFileInfo(folder).path());
     return QDir().mkdir(folder, mine) ? newLock(lockOf(folder)) : nullptr;
 }
 
 // Its owner wrote no base before it held the lock.
 std::shared_ptr<QLockFile> lockJournal(const QString& folder)
 {
-    if (!isJournal(folder))
+    if (!isJournal(folder) || isForeign(folder))
         return nullptr;
     const QString lock = lockOf(folder);
     return baseFiles(folder).empty() ? newLock(lock) : oldLock(lock);
+}
+
+void removeJournal(const QString& folder)
+{
+    if (!isJournal(folder))
+        return;
+    for (const QString& name : ownFilesOf(folder))
+        QFile::remove(QDir(folder).filePath(name));
+    QDir().rmdir(folder);
 }
 
 } // namespace app

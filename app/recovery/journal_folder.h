@@ -20,7 +20,7 @@
 namespace app {
 
 QString newJournalFolder(const QString& above); ///< a name that no other journal uses
-bool isJournal(const QString& path);
+bool isJournal(const QString& path);            ///< a folder with such a name, not a link to one
 QString baseFile(const QString& folder, int generation);
 QString copyFile(const QString& folder, int generation); ///< of the base
 QString logFile(const QString& folder, int generation);
@@ -41,9 +41,15 @@ std::optional<QString> putBase(const QString& folder, int generation, std::strin
 /// Writes the copy of a base, if there is room.
 bool putCopy(const QString& folder, int generation, std::string_view bytes);
 
+/// Creates a folder that only the user can read; an existing one is closed to all others. A link
+/// is left as it is: what it leads to may be meant for others.
+void makePrivateFolder(const QString& path);
 /// Creates the folder, which only the user can read, and its lock. Null if that fails.
 std::shared_ptr<QLockFile> createJournalFolder(const QString& folder);
-/// Locks an existing journal; null while the process that writes it is running.
+/// Locks an existing journal; null while the process that writes it is running, and for a folder
+/// that has neither a base nor a log, but other contents: it is no journal.
 std::shared_ptr<QLockFile> lockJournal(const QString& folder);
+/// Removes the files of a journal, and its folder if nothing else is in it. Follows no link.
+void removeJournal(const QString& folder);
 
 } // namespace app

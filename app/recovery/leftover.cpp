@@ -94,7 +94,7 @@ std::vector<Leftover> claimJournals(const QString& folder)
 {
     std::vector<Leftover> all;
     for (const QFileInfo& info :
-         QDir(folder).entryInfoList({QStringLiteral("*.journal")}, QDir::Dirs))
+         QDir(folder).entryInfoList({QStringLiteral("*.journal")}, QDir::Dirs | QDir::NoSymLinks))
         if (auto lock = lockJournal(info.filePath())) {
             Leftover leftover{info.filePath(), {}, lastWritten(info.filePath()), std::move(lock)};
             const auto found = known(leftover.file);
@@ -128,14 +128,7 @@ QString leftoverFolder()
 std::optional<QString> writeLeftover(const Document& document, const Origin& origin,
                                      const QString& file)
 {
-    const QDir folder = QFileInfo(file).dir();
-    constexpr auto mine = QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner;
-    if (!folder.exists()) {
-        QDir().mkpath(QFileInfo(folder.path()).path());
-        QDir().mkdir(folder.path(), mine);
-    } else {
-        QFile::setPermissions(folder.path(), mine); // it may have been copied or unpacked
-    }
+    makePrivateFolder(QFileInfo(file).path());
     const auto error = replaceFile(file, [&](QIODevice& out) -> std::optional<QString> {
         if (auto wrong = svg::write(document, out, {}))
             return wrong;
@@ -161,8 +154,8 @@ QString newLeftoverFile(const QString& folder)
 std::vector<Leftover> claimLeftovers(const QString& folder)
 {
     std::vector<Leftover> all = claimJournals(folder);
-    for (const QFileInfo& info :
-         QDir(folder).entryInfoList({QStringLiteral("*.svg")}, QDir::Files | QDir::Readable))
+    for (const QFileInfo& info : QDir(folder).entryInfoList(
+             {QStringLiteral("*.svg")}, QDir::Files | QDir::Readable | QDir::NoSymLinks))
         if (auto leftover = described(info.filePath()); leftover && claim(*leftover))
             all.push_back(std::move(*leftover));
     std::ranges::sort(all, std::greater(), &Leftover::ended);
@@ -174,7 +167,7 @@ void discard(Leftover& leftover)
     if (isJournal(leftover.file)) {
         if (leftover.claim)
             leftover.claim->unlock(); // the lock is in the folder
-        QDir(leftover.file).removeRecursively();
+        removeJournal(leftover.file);
     } else {
         QFile::remove(leftover.file);
         leftover.claim.reset();

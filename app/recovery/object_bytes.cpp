@@ -247,7 +247,7 @@ struct ObjectReader::Columns {
                       return style < knownStyles;
                   });
     }
-    ObjectRow row(std::size_t i, std::span<const StyleIndex> known) const
+    ObjectRow row(std::size_t i, std::span<const StyleEntry> known) const
     {
         return {paths.empty() ? Path(lines[i]) : paths[i],
                 known[styles[styles.size() == 1 ? 0 : i]], !hidden.empty() && hidden[i] != 0,
@@ -272,10 +272,10 @@ ObjectReader::Columns ObjectReader::columns(ByteReader& in)
 
 void ObjectReader::read(ByteReader& in, Objects& to)
 {
-    std::vector<StyleIndex> styles;
+    std::vector<StyleEntry> styles;
     for (std::size_t left = in.count(1); left > 0 && in.ok(); --left)
         if (const Style style = readStyle(in); in.ok())
-            styles.push_back(to.styles().indexOf(style));
+            styles.push_back(to.styles().entryOf(style));
     for (std::size_t left = in.count(1); left > 0 && in.ok(); --left) {
         const Columns block = columns(in);
         in.require(block.fit(styles.size()));

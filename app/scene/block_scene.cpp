@@ -7,8 +7,11 @@ namespace app {
 
 void BlockScene::update(const Objects& objects, const ObjectRanges& hidden, double tolerance)
 {
-    if (cache_.update(objects, hidden, tolerance))
-        lines_ = SceneLines(cache_.blocks());
+    SceneBlockCache next = cache_;
+    if (!next.update(objects, hidden, tolerance))
+        return;
+    lines_ = SceneLines(next.blocks());
+    cache_ = std::move(next);
 }
 
 SceneFrame BlockScene::clip(const ClipRegion& region, const Variant& variant)

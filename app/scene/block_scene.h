@@ -12,7 +12,7 @@ class BlockScene {
 public:
     /// Call after each edit: replaces the lines of the objects that changed. Objects in `hidden`
     /// have no lines, even if they are visible themselves. `tolerance` is the flattening tolerance
-    /// in user units. Invalidates all frames.
+    /// in user units. Invalidates all frames. If memory runs out, nothing has changed.
     void update(const Objects& objects, const ObjectRanges& hidden, double tolerance);
 
     const SceneLines& lines() const { return lines_; }

@@ -17,14 +17,16 @@ bool EnteredGroup::contains(ContainerId group) const
     return std::ranges::find(chain_, group) != chain_.end();
 }
 
-void EnteredGroup::enter(ContainerId group)
+std::vector<ContainerId> EnteredGroup::chainOf(ContainerId group) const
 {
     const Containers& tree = session_.now().containers();
     std::vector<ContainerId> chain;
     for (; group != 0 && tree[group].kind == Container::Kind::Group; group = tree.parentOf(group))
         chain.insert(chain.begin(), group);
-    set(std::move(chain));
+    return chain;
 }
+
+void EnteredGroup::enter(ContainerId group) { set(chainOf(group)); }
 
 void EnteredGroup::leave()
 {
@@ -38,11 +40,10 @@ void EnteredGroup::follow(const DocumentChange& change)
     if (!change.containers || chain_.empty())
         return;
     const Containers& tree = session_.now().containers();
-    while (!change.everything && !chain_.empty() && !tree.contains(chain_.back()))
-        chain_.pop_back();
-    const ContainerId left = change.everything || chain_.empty() ? 0 : chain_.back();
-    chain_.clear();
-    enter(left);
+    std::size_t left = change.everything ? 0 : chain_.size();
+    while (left > 0 && !tree.contains(chain_[left - 1]))
+        --left;
+    chain_ = chainOf(left > 0 ? chain_[left - 1] : 0);
     emit changed();
 }
 

@@ -30,6 +30,7 @@ signals:
     void changed();
 
 private:
+    std::vector<ContainerId> chainOf(ContainerId group) const;
     void follow(const DocumentChange& change);
     void set(std::vector<ContainerId> chain);
 

@@ -5,6 +5,7 @@
 #include "app/session/session.h"
 
 #include <algorithm>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,10 @@ void SelectionMemory::follow(const DocumentChange& change)
 {
     if (change.everything)
         return;
+    if (change.again) {
+        changing_ = false;
+        return;
+    }
     if (!std::exchange(changing_, true))
         before_ = selected_;
     replaces_ =
@@ -39,12 +44,17 @@ void SelectionMemory::follow(const DocumentChange& change)
 // The history does not count the step yet.
 void SelectionMemory::pushed(bool joined)
 {
-    if (!joined) {
-        steps_.resize(std::size_t(session_.history.index()));
-        steps_.push_back({replaces_ ? std::move(before_) : ObjectRanges(), {}, replaces_});
-        index_ = int(steps_.size());
-    }
     changing_ = false;
+    if (joined)
+        return;
+    const auto index = std::size_t(session_.history.index());
+    index_ = int(index) + 1;
+    try {
+        steps_.resize(index);
+        steps_.push_back({replaces_ ? std::move(before_) : ObjectRanges(), {}, replaces_});
+    } catch (const std::bad_alloc&) { // the step is done; what was selected is not worth it
+        steps_.clear();
+    }
 }
 
 void SelectionMemory::go(int index)
@@ -52,6 +62,15 @@ void SelectionMemory::go(int index)
     const int from = std::exchange(index_, index);
     if (!std::exchange(changing_, false) || from == index)
         return;
+    try {
+        restore(from, index);
+    } catch (const std::bad_alloc&) { // as in pushed()
+        steps_.clear();
+    }
+}
+
+void SelectionMemory::restore(int from, int index)
+{
     steps_.resize(std::size_t(session_.history.count()));
     std::vector<Step*> passed; // those that remember: the others leave the selection alone
     for (int i = std::min(from, index); i < std::max(from, index); ++i)

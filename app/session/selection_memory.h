@@ -30,6 +30,7 @@ private:
     void follow(const DocumentChange& change);
     void pushed(bool joined);
     void go(int index);
+    void restore(int from, int index);
 
     Session& session_;
     std::deque<Step> steps_; ///< of the history

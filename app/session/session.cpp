@@ -118,11 +118,13 @@ void Session::setPreview(const Preview& preview)
 
 void Session::load(Imported imported, const QString& path)
 {
-    losses_ = std::move(imported.report);
-    path_ = path;
+    losses_.clear(); // what an empty document has, if the new one does not fit into memory
+    path_.clear();
     saving_ = false;
     history.clear();
     document.load(std::move(imported.document));
+    losses_ = std::move(imported.report);
+    path_ = path;
     changeDisplay([this](Display& display) { display.unit = now().page().usualUnit(); });
     emit fileChanged();
     emit loaded();
@@ -154,25 +156,46 @@ void Session::endSaving(const QString& path)
 // All other signals are emitted after the scene has followed the change.
 void Session::follow(const DocumentChange& change)
 {
-    const Containers& containers = now().containers();
-    if (change.everything || !containers.contains(pen.layer))
-        pen.layer = layerForNew(containers);
-    if (change.everything)
+    std::optional<Chosen> before = std::exchange(chosenBefore_, std::nullopt);
+    if (!change.again) {
+        before = chosenAfter(change);
+        selectionFollowed_ = selectionFollowed_ || before->selection != selection_;
+        exchange(*before);
+        chosenBefore_ = std::move(before);
+    } else if (before) {
+        selectionFollowed_ = true;
+        exchange(*before);
+    }
+    if (change.everything) {
         preview_ = {};
-    if (change.everything || change.page)
-        guide.reset(); // it may have another number, or be gone
-    if (change.everything)
         chosenWindow_ = 0;
-    if (change.windows || change.page)
-        updateWindows();
-    ObjectRanges selected =
-        change.everything ? ObjectRanges() : followed(selection_, change.splices);
-    if (change.containers) // also by undo: hidden or locked objects cannot be edited
-        selected = without(selected, united(containers.hiddenRanges(), containers.lockedRanges()));
-    selectionFollowed_ = selectionFollowed_ || selected != selection_;
-    selection_ = std::move(selected);
+    }
     if (change.drawing())
         selectionBounds_.reset();
+    if (change.windows || change.page)
+        updateWindows();
+}
+
+Session::Chosen Session::chosenAfter(const DocumentChange& change) const
+{
+    const Containers& containers = now().containers();
+    Chosen next{change.everything ? ObjectRanges() : followed(selection_, change.splices),
+                pen.layer, guide};
+    if (change.everything || !containers.contains(pen.layer))
+        next.layer = layerForNew(containers);
+    if (change.everything || change.page)
+        next.guide.reset(); // it may have another number, or be gone
+    if (change.containers) // also by undo: hidden or locked objects cannot be edited
+        next.selection =
+            without(next.selection, united(containers.hiddenRanges(), containers.lockedRanges()));
+    return next;
+}
+
+void Session::exchange(Chosen& other) noexcept
+{
+    std::swap(other.selection, selection_);
+    std::swap(other.layer, pen.layer);
+    std::swap(other.guide, guide);
 }
 
 void Session::say(const DocumentChange& change)

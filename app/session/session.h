@@ -57,6 +57,7 @@ struct WindowPen {
 struct ArrangeOptions {
     StrokeScaling strokes = StrokeScaling::Keep; ///< when objects are scaled
     std::string_view alignTo = "to-selection";   ///< key of what objects are aligned to
+    double joinWithin = joiningMillimetres;      ///< ends of paths, in millimetres on paper
 };
 
 /// One open drawing with the whole state of an editor window, without a screen.
@@ -135,7 +136,8 @@ public:
     std::optional<std::size_t> inspected() const { return inspected_; }
     void inspect(std::optional<std::size_t> segment);
 
-    /// Opens a drawing: clears history, selection, file name and losses first.
+    /// Opens a drawing: clears history, selection, file name and losses first. If memory runs out,
+    /// the drawing is an empty one without a file.
     void load(Imported imported, const QString& path = {});
     QString path() const { return path_; } ///< empty: never saved
     const std::vector<Loss>& losses() const { return losses_; }
@@ -160,12 +162,21 @@ signals:
 private:
     void updateWindows();
     void updateChoice();
+    /// What refers to parts of the document, and so follows its changes.
+    struct Chosen {
+        ObjectRanges selection;
+        ContainerId layer;
+        std::optional<std::size_t> guide;
+    };
+    Chosen chosenAfter(const DocumentChange& change) const;
+    void exchange(Chosen& other) noexcept;
     void follow(const DocumentChange& change);
     void say(const DocumentChange& change);
 
     Display display_;
     ObjectRanges selection_;
     bool selectionFollowed_ = false; ///< the selection has changed, and this was not signalled yet
+    std::optional<Chosen> chosenBefore_; ///< the last change, in case that it is taken back
     mutable std::optional<std::optional<clipping::Window>> selectionBounds_; ///< as far as known
     std::optional<std::size_t> inspected_;
     Preview preview_;

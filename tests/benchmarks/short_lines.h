@@ -13,7 +13,7 @@ inline app::Document shortLines(int count)
     std::uniform_real_distribution<double> x(0, 1280), y(0, 800), length(3, 17), angle(0, 2 * M_PI);
     app::DocumentBuilder builder;
     builder.open({.name = "Lines"});
-    const app::StyleIndex style = builder.style({.stroke = app::Colour{}});
+    const app::StyleEntry style = builder.style({.stroke = app::Colour{}});
     for (int i = 0; i < count; ++i) {
         const app::Point a(x(random), y(random));
         const double l = length(random), t = angle(random);

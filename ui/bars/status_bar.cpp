@@ -9,6 +9,7 @@
 #include "ui/tools/tool.h"
 #include "ui/widgets/elided_label.h"
 #include "ui/widgets/status_cell.h"
+#include "ui/widgets/warning_button.h"
 #include "ui/widgets/zoom_button.h"
 
 #include <QMenu>
@@ -24,9 +25,10 @@ constexpr int widthForRenderer = 1200;
 
 StatusBar::StatusBar(app::Session& session, Canvas& canvas, QWidget* parent)
     : QStatusBar(parent), session_(session), canvas_(canvas), hint_(new ElidedLabel),
-      position_(new StatusCell(tr("Pointer"))), visible_(new StatusCell(tr("Visible lines"))),
-      algorithm_(new StatusCell(tr("Algorithm"))), times_(new StatusCell(tr("Times"))),
-      renderer_(new StatusCell(tr("Renderer"))), zoom_(new ZoomButton)
+      warning_(new WarningButton), position_(new StatusCell(tr("Pointer"))),
+      visible_(new StatusCell(tr("Visible lines"))), algorithm_(new StatusCell(tr("Algorithm"))),
+      times_(new StatusCell(tr("Times"))), renderer_(new StatusCell(tr("Renderer"))),
+      zoom_(new ZoomButton)
 {
     setSizeGripEnabled(false);
     setFixedHeight(space::statusHeight);
@@ -35,6 +37,10 @@ StatusBar::StatusBar(app::Session& session, Canvas& canvas, QWidget* parent)
     hint_->setObjectName(QStringLiteral("hint"));
     hint_->setContentsMargins(8, 0, 0, 0);
     addWidget(hint_, 1);
+    addPermanentWidget(warning_);
+    warning_->hide();
+    connect(warning_, &QToolButton::clicked, this,
+            [this] { emit warningWanted(warning_->sentence()); });
     for (QWidget* cell : {position_, visible_, algorithm_, times_, renderer_})
         addPermanentWidget(cell);
     addZoomMenu();
@@ -66,6 +72,11 @@ void StatusBar::showHint(const QString& hint)
     const ToolInfo* tool = session_.microscope.isOpen() ? nullptr : findTool(canvas_.tool());
     hint_->setWhole(!hint.isEmpty() || !tool ? hint : tool->hint);
     hint_->setToolTip(hint_->whole());
+}
+
+void StatusBar::warn(const QString& sentence)
+{
+    warning_->warn(tr("Work not protected"), sentence);
 }
 
 void StatusBar::setSummary(const QString& summary)
@@ -187,8 +198,8 @@ void StatusBar::showZoom()
 void StatusBar::keepRoom()
 {
     const QFont type = captionFont(font()); // it is larger while presenting
-    for (QWidget* cell : std::initializer_list<QWidget*>{hint_, position_, visible_, algorithm_,
-                                                         times_, renderer_, zoom_})
+    for (QWidget* cell : std::initializer_list<QWidget*>{hint_, warning_, position_, visible_,
+                                                         algorithm_, times_, renderer_, zoom_})
         if (cell && cell->font() != type)
             cell->setFont(type);
     const auto& page = session_.now().page();

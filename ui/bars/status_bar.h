@@ -12,11 +12,12 @@ namespace ui {
 
 class ElidedLabel;
 class StatusCell;
+class WarningButton;
 class ZoomButton;
 
-/// The tool's hint at the left. At the right, cells as wide as their widest text, so that nothing
-/// ever jumps: position, visible and total lines, algorithm, times (medians of 60 frames, shown at
-/// most ten times a second), zoom.
+/// The tool's hint at the left. At the right, a warning as long as work is not protected, and cells
+/// as wide as their widest text, so that nothing ever jumps: position, visible and total lines,
+/// algorithm, times (medians of 60 frames, shown at most ten times a second), zoom.
 class StatusBar : public QStatusBar {
     Q_OBJECT
 
@@ -29,10 +30,15 @@ public:
 
     void showHint(const QString& hint); ///< empty: show the tool's hint
     void note(const FrameTimes& times); ///< of a frame that is shown
+    /// Why unsaved work would be lost in a crash; empty: it would not. Shown until then.
+    void warn(const QString& sentence);
     /// What is shown in place of the drawing, such as "6 sheets, A4"; empty: the drawing is.
     void setSummary(const QString& summary);
     /// Shows the pointer's position in the microscope, formatted like the microscope's numbers.
     void showPoint(std::optional<app::Point> point);
+
+signals:
+    void warningWanted(const QString& sentence); ///< the warning was pressed: say it again
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -52,6 +58,7 @@ private:
     app::Session& session_;
     Canvas& canvas_;
     ElidedLabel* hint_;
+    WarningButton* warning_;
     StatusCell *position_, *visible_, *algorithm_, *times_, *renderer_;
     ZoomButton* zoom_;
     app::FrameStatistics clip_, draw_;

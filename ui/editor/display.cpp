@@ -2,14 +2,20 @@
 #include "ui/editor/display.h"
 
 #include "app/command_line/command.h"
+#include "ui/editor/editor_application.h"
 
-#include <QApplication>
-
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <mutex>
 #include <utility>
 #include <vector>
+
+#if defined(Q_OS_UNIX)
+#include <sys/stat.h>
+#include <unistd.h>
+#endif
 
 namespace ui {
 namespace {
@@ -81,10 +87,10 @@ QString whyNoDisplay()
 #endif
 }
 
-std::unique_ptr<QApplication> startApplication(int& argc, char** argv)
+std::unique_ptr<EditorApplication> startApplication(int& argc, char** argv)
 {
     handlerBefore = qInstallMessageHandler(whileStarting);
-    auto application = std::make_unique<QApplication>(argc, argv);
+    auto application = std::make_unique<EditorApplication>(argc, argv);
     if (QGuiApplication::screens().isEmpty()) // a frame buffer that cannot be opened
         giveUp();
     qInstallMessageHandler(handlerBefore);
@@ -92,6 +98,20 @@ std::unique_ptr<QApplication> startApplication(int& argc, char** argv)
     for (const Message& message : std::exchange(held, {}))
         handlerBefore(message.type, {nullptr, 0, nullptr, message.category}, message.text);
     return application;
+}
+
+// A desktop gives its programs no input, and writes their messages to a file or a socket.
+bool isErrorRead()
+{
+#if defined(Q_OS_UNIX)
+    constexpr std::array streams{STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO};
+    return std::ranges::any_of(streams, [](int stream) {
+        struct stat found {};
+        return ::isatty(stream) != 0 || (::fstat(stream, &found) == 0 && S_ISFIFO(found.st_mode));
+    });
+#else
+    return true;
+#endif
 }
 
 } // namespace ui

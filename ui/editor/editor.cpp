@@ -6,6 +6,7 @@
 #include "app/settings/settings_format.h"
 #include "app/teaching/line_text.h"
 #include "ui/editor/display.h"
+#include "ui/editor/editor_application.h"
 #include "ui/editor/recovery.h"
 #include "ui/files/files.h"
 #include "ui/look/saved_theme.h"
@@ -18,6 +19,7 @@
 #include <QElapsedTimer>
 #include <QFileInfo>
 #include <QImageWriter>
+#include <QScopeGuard>
 #include <QSettings>
 #include <QSurfaceFormat>
 #include <QTemporaryDir>
@@ -46,6 +48,7 @@ struct Options {
     std::optional<app::Variant> algorithm; ///< the variant that clips
     std::size_t step = 1;
     bool verbose = false;
+    QString refusal; ///< why the arguments were refused, for the window; empty: they were not
 };
 
 QString tr(const char* text) { return QCoreApplication::translate("Editor", text); }
@@ -181,7 +184,7 @@ void openMicroscope(MainWindow& window, const Options& options)
 }
 
 /// Opens what the options request; saves the screenshot when everything is painted.
-int show(QApplication& application, const Options& options, const QElapsedTimer& clock)
+int show(EditorApplication& application, const Options& options, const QElapsedTimer& clock)
 {
     // With a style sheet, each widget that gets a parent has everything below it restyled. That
     // would take a quarter of the start, so the complete window gets the sheet at once.
@@ -190,6 +193,8 @@ int show(QApplication& application, const Options& options, const QElapsedTimer&
     MainWindow window(options.backend);
     addMenus(window);
     application.setStyleSheet(styleSheet);
+    application.setWindow(&window);
+    const auto withoutWindow = qScopeGuard([&] { application.setWindow(nullptr); });
     if (!options.screenshot.isEmpty())
         window.resize(options.size.value_or(usualPicture)); // independent of the screen
     else if (options.size) {
@@ -214,6 +219,8 @@ int show(QApplication& application, const Options& options, const QElapsedTimer&
     const auto begin = [&] {
         if (!options.file.isEmpty() && !first)
             open();
+        if (!options.refusal.isEmpty())
+            window.tell({Message::Kind::Warning, options.refusal});
         if (recovery)
             recovery->offer();
     };
@@ -256,7 +263,11 @@ int runEditor(int argc, char** argv, const QStringList& arguments)
     Options options;
     if (const auto refusal = parse(options, arguments)) {
         complain(refusal->sentence);
-        return int(refusal->exit);
+        const bool forPicture = !arguments.filter(QStringLiteral("--screenshot")).isEmpty();
+        if (isErrorRead() || forPicture || !whyNoDisplay().isEmpty())
+            return int(refusal->exit);
+        options.file.clear(); // whoever started the program from a desktop sees only its window
+        options.refusal = refusal->sentence;
     }
     if (!options.screenshot.isEmpty() && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
         qputenv("QT_QPA_PLATFORM", "offscreen");

@@ -19,10 +19,10 @@ using Verb = Questions::LeftoverAnswer::Verb;
 
 } // namespace
 
-Recovery::Recovery(MainWindow& window, QString folder)
+Recovery::Recovery(MainWindow& window, QString folder, const app::Journal::Limits& limits)
     : window_(window), folder_(std::move(folder)), file_(app::newLeftoverFile(folder_)),
       work_(window.session().document),
-      journal_(window.session().document, window.session().history, folder_)
+      journal_(window.session().document, window.session().history, folder_, limits)
 {
     const app::Session& session = window.session();
     connect(&session, &app::Session::fileChanged, this, &Recovery::forgetRecovered);
@@ -30,7 +30,7 @@ Recovery::Recovery(MainWindow& window, QString folder)
     connect(&session.history, &app::History::cleanChanged, this, &Recovery::tell);
     connect(&window.files(), &Files::nameChanged, this, &Recovery::tell);
     connect(&window.canvas(), &Canvas::stepsChanged, this, &Recovery::tell);
-    connect(&journal_, &app::Journal::failed, &window.session(), &app::Session::refused);
+    connect(&journal_, &app::Journal::completeChanged, this, &Recovery::warn);
     tell();
     watch_.emplace([this](int signal) { keep(signal); });
 }
@@ -50,6 +50,13 @@ void Recovery::tell()
     journal_.setInHand(inHand);
     work_.tell(
         {file_, files.origin(), files.sample(), !window_.session().history.isClean(), inHand});
+    warn();
+}
+
+void Recovery::warn()
+{
+    const QString why = journal_.whyIncomplete();
+    window_.warn(!why.isEmpty() && work_.unsaved() ? why : QString());
 }
 
 /// Discards the leftover when its drawing is saved or replaced by another.

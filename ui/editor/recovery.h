@@ -15,15 +15,16 @@ namespace ui {
 
 class MainWindow;
 
-/// Keeps a journal of the drawing, and offers work that earlier runs left. If the journal could not
-/// be written (full disk), a signal that ends the program has the drawing written as SVG. Must be
-/// destroyed before its window. Its destructor deletes the journal and the recovered leftover: the
-/// drawing is by then saved or given up.
+/// Keeps a journal of the drawing, warns as long as unsaved changes cannot be recorded, and offers
+/// work that earlier runs left. If the journal could not be written (full disk), a signal that ends
+/// the program has the drawing written as SVG. Must be destroyed before its window. Its destructor
+/// deletes the journal and the recovered leftover: the drawing is by then saved or given up.
 class Recovery : public QObject {
     Q_OBJECT
 
 public:
-    explicit Recovery(MainWindow& window, QString folder = app::leftoverFolder());
+    explicit Recovery(MainWindow& window, QString folder = app::leftoverFolder(),
+                      const app::Journal::Limits& limits = {});
     ~Recovery() override;
 
     /// Asks about the leftovers until one is recovered or the person postpones; the others wait for
@@ -34,6 +35,7 @@ private:
     void ask(std::vector<app::Leftover> found);
     void recover(const app::Leftover& chosen, const std::function<void()>& otherwise);
     void tell();
+    void warn();
     void forgetRecovered();
     void discardRecovered();
     void keep(int signal) const;

@@ -65,6 +65,8 @@ public:
     /// Shows the first sample, its clip window ready to drag, and the start panel in front.
     void showStart();
     void tell(const Message& message) { strip_->tell(message); }
+    /// Warns in the status bar until it is called with an empty text, and at first in the strip.
+    void warn(const QString& sentence);
     QString message() const { return strip_->sentence(); }
 
     QList<QAction*> toolActions() const;
@@ -132,6 +134,7 @@ private:
     Theme theme_;
     Canvas* canvas_;
     MessageStrip* strip_;
+    QString warning_; ///< that the status bar shows
     Centre* centre_ = nullptr;
     ToolBar* toolBar_ = nullptr;
     OptionBar* optionBar_ = nullptr;

@@ -9,6 +9,8 @@
 
 #include <QSettings>
 
+#include <utility>
+
 // Connects the signals of session, files, canvas and microscope to the window.
 
 namespace ui {
@@ -23,6 +25,9 @@ void MainWindow::connectSession()
     connect(&session_.entered, &app::EnteredGroup::changed, this, &MainWindow::refreshActions);
     connect(&session_.history, &app::History::cleanChanged, this, &MainWindow::showTitle);
     connect(&session_.history, &app::History::indexChanged, strip_, &MessageStrip::closeDone);
+    connect(status_, &StatusBar::warningWanted, this, [this](const QString& sentence) {
+        tell({Message::Kind::Warning, sentence});
+    });
     connect(&session_, &app::Session::refused, this, [this](const QString& sentence) {
         tell({Message::Kind::Warning, sentence});
         // The next step shows that it is settled, or no longer wanted.
@@ -33,6 +38,14 @@ void MainWindow::connectSession()
         connect(&session_.history, &app::History::indexChanged, strip_, withdraw,
                 Qt::SingleShotConnection);
     });
+}
+
+void MainWindow::warn(const QString& sentence)
+{
+    const QString before = std::exchange(warning_, sentence);
+    status_->warn(sentence);
+    if (sentence != before && (before.isEmpty() || message() == before))
+        tell({Message::Kind::Warning, sentence});
 }
 
 void MainWindow::connectFiles()

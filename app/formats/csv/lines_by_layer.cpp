@@ -27,7 +27,7 @@ std::size_t LinesByLayer::layerOf(std::string_view name)
     return layers_.size() - 1;
 }
 
-void LinesByLayer::add(const clipping::Segment& line, StyleIndex style)
+void LinesByLayer::add(const clipping::Segment& line, const StyleEntry& style)
 {
     Layer& layer = layers_[layer_];
     layer.objects.appendLine(line, style);

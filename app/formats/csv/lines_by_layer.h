@@ -15,11 +15,11 @@ class LinesByLayer {
 public:
     LinesByLayer() { none_.styles(); }
 
-    StyleIndex style(const Style& style) { return none_.styles().indexOf(style); }
+    StyleEntry style(const Style& style) { return none_.styles().entryOf(style); }
     /// Sets the layer of the following lines. Layers beyond `Containers::mostLayers` join the last
     /// one.
     void turnTo(std::string_view layer);
-    void add(const clipping::Segment& line, StyleIndex style);
+    void add(const clipping::Segment& line, const StyleEntry& style);
 
     std::size_t size() const { return size_; } ///< lines added so far
     int beyond() const { return beyond_; }     ///< lines of layers beyond the limit

@@ -48,13 +48,13 @@ private:
                 record.line,
                 Words::tr("exceeds the limit of %1 lines. Split the file.").arg(mostRows)};
         const Row row = rows_.row(fieldsOf(record), record.line);
-        const StyleIndex style = styleOf(row, record.line);
+        const StyleEntry style = styleOf(row, record.line);
         lines_.turnTo(row.layer);
         lines_.add(row.line, style);
     }
 
     // Most rows have the style of the previous row.
-    StyleIndex styleOf(const Row& row, std::size_t line)
+    StyleEntry styleOf(const Row& row, std::size_t line)
     {
         if (!style_ || row.colour != colour_ || row.width != width_) {
             style_ = lines_.style(csv::styleOf(row, line));
@@ -82,7 +82,7 @@ private:
     std::vector<std::string_view> fields_; ///< of the current record
     LinesByLayer lines_;
     std::string colour_, width_; ///< of the last row
-    std::optional<StyleIndex> style_;
+    std::optional<StyleEntry> style_;
     Imported imported_;
 };
 

@@ -209,7 +209,7 @@ private slots:
     {
         DocumentBuilder builder;
         builder.open({});
-        const StyleIndex style = builder.style({});
+        const StyleEntry style = builder.style({});
         for (int i = 0; i < 100'000; ++i)
             builder.addLine({{double(i), 0}, {0, double(i)}}, style);
         builder.close();

@@ -28,7 +28,7 @@ double heap() // in MB
 Document loose()
 {
     DocumentBuilder builder;
-    const StyleIndex style = builder.style({.stroke = Colour{}});
+    const StyleEntry style = builder.style({.stroke = Colour{}});
     for (std::size_t i = 0; i < segments; ++i) {
         if (i % (segments / 10) == 0)
             builder.open({.name = QString::number(i)});
@@ -43,7 +43,7 @@ Document polylines()
 {
     DocumentBuilder builder;
     builder.open({});
-    const StyleIndex style = builder.style({.stroke = Colour{}});
+    const StyleEntry style = builder.style({.stroke = Colour{}});
     for (std::size_t i = 0; i < segments / 100; ++i) {
         Subpath path{{0, double(i)}, {}, false};
         for (int n = 1; n <= 100; ++n)
@@ -89,7 +89,7 @@ private:
     {
         const int act = (made_ + made_ / everyScattered_) % 5; // all of them scattered, too
         const Placement right{{1, 1}, {10, -0.0}};
-        const StyleIndex red = edit.objects.styles().indexOf({.stroke = Colour{255, 0, 0}});
+        const StyleEntry red = edit.objects.styles().entryOf({.stroke = Colour{255, 0, 0}});
         edit.splices.push_back({first, count, act == 3 ? 0 : act == 4 ? 2 * count : count});
         document.objects().forEach(first, count, [&](std::size_t, const ObjectView& object) {
             ObjectRow row = object.row();

@@ -47,8 +47,9 @@ struct Listener : QObject {
     }
     QString kinds() const
     {
-        return QString(last.everything ? "e" : "") + (last.objects ? "o" : "")
-               + (last.containers ? "c" : "") + (last.windows ? "w" : "") + (last.page ? "p" : "");
+        return QString(last.everything ? "e" : "") + (last.again ? "a" : "")
+               + (last.objects ? "o" : "") + (last.containers ? "c" : "")
+               + (last.windows ? "w" : "") + (last.page ? "p" : "");
     }
 
     int count = 0;
@@ -150,6 +151,53 @@ private slots:
             }
             QVERIFY(document.now() == expected);
         }
+    }
+    // What listeners need memory for belongs to the edit.
+    void anEditThatAListenerHasNoMemoryForIsTakenBack()
+    {
+        RandomDocuments random(12);
+        EditedDocument document(random.document(50));
+        const Listener first(document);
+        int failures = 1;
+        connect(&document, &EditedDocument::changed, this, [&] {
+            if (failures > 0 && failures-- > 0)
+                throw std::bad_alloc();
+        });
+        const Listener last(document);
+        const Document before = document.now();
+        const std::uint64_t revision = document.revision();
+        const Edit edit{.splices = {{3, 2, 0}}};
+        QVERIFY_EXCEPTION_THROWN(document.apply(edit), std::bad_alloc);
+        QVERIFY(sameAddress(document.now(), before));
+        QCOMPARE(document.revision(), revision);
+        for (const Listener* each : {&first, &last}) {
+            QCOMPARE(each->kinds(), "aocwp");
+            QVERIFY(each->splices.empty() && sameAddress(each->now, before));
+        }
+        QCOMPARE(last.count, 1);
+
+        failures = 2; // also while it is said that the edit was taken back
+        QVERIFY_EXCEPTION_THROWN(document.apply(edit), std::bad_alloc);
+        QVERIFY(sameAddress(document.now(), before));
+        QCOMPARE(last.count, 1);
+        document.apply({.page = Page{{1, 1}}});
+        QCOMPARE(last.count, 3); // said before
+        QCOMPARE(last.kinds(), "p");
+        QCOMPARE(document.revision(), revision + 1);
+    }
+    void aDocumentThatAListenerHasNoMemoryForIsNotLoaded()
+    {
+        EditedDocument document(RandomDocuments(13).document(50));
+        int failures = 1;
+        connect(&document, &EditedDocument::changed, this, [&] {
+            if (failures-- > 0)
+                throw std::bad_alloc();
+        });
+        const Listener listener(document);
+        QVERIFY_EXCEPTION_THROWN(document.load(RandomDocuments(14).document(50)), std::bad_alloc);
+        QVERIFY(document.now() == Document());
+        QCOMPARE(listener.kinds(), "eocwp");
+        QVERIFY(sameAddress(listener.now, document.now()));
     }
 };
 

@@ -125,7 +125,7 @@ struct Snapshot {
 Objects loneLines(int count)
 {
     Objects objects;
-    const StyleIndex style = objects.styles().indexOf(Style{});
+    const StyleEntry style = objects.styles().entryOf(Style{});
     for (int i = 0; i < count; ++i)
         objects.appendLine({Point(i, 0), Point(i, 1)}, style);
     return objects;
@@ -328,6 +328,28 @@ private slots:
         QCOMPARE(&others.styles(), &objects.styles());
         QVERIFY(others[0].path() == objects[0].path().placed({{1, 1}, {2, 0}}));
         QVERIFY(others[0].path() != objects[0].path());
+    }
+    // Whatever table the styles come from, and whether there is one yet.
+    void rowsOfOtherTablesBringTheirStyles()
+    {
+        Objects from;
+        for (int i = 0; i < 200; ++i)
+            from.append({polyline(3, i), Style{.width = 0.1 * (i % 7)}});
+        Objects other; // the same indices stand for other styles
+        other.append({polyline(2, 1), Style{.width = 99}});
+        for (const Objects& to : {Objects(), Objects().slice(0, 0), other, from.slice(0, 0)}) {
+            Objects rows = to, lines = to;
+            from.forEach(0, from.size(), [&](std::size_t, const ObjectView& object) {
+                rows.append(object.row());
+                lines.appendLine({{0, 0}, {1, 1}}, object.styleEntry());
+            });
+            const std::size_t before = to.size();
+            QCOMPARE(rows.size(), before + from.size());
+            QVERIFY(rows.slice(before, from.size()) == from);
+            for (std::size_t i = 0; i < from.size(); ++i)
+                QVERIFY(lines[before + i].style() == from[i].style());
+            QVERIFY(to == rows.slice(0, before));
+        }
     }
     void bytesOfItsOwn()
     {

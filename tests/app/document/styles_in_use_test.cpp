@@ -50,15 +50,15 @@ private slots:
     void manyBlocksAreCounted()
     {
         app::Objects objects;
-        const auto first = objects.styles().indexOf({.stroke = blue});
-        const auto second = objects.styles().indexOf({.stroke = red});
+        const auto first = objects.styles().entryOf({.stroke = blue});
+        const auto second = objects.styles().entryOf({.stroke = red});
         constexpr std::size_t many = 50'000;
         for (std::size_t i = 0; i < many; ++i)
             objects.appendLine({{0, 0}, {1, 1}}, i < many / 3 ? first : second);
         QVERIFY(objects.blocks().size() > 3);
         QCOMPARE(app::coloursInUse(objects, 9), (std::vector{red, blue}));
         const app::ObjectRanges end(app::ObjectRange{many / 2, many});
-        QCOMPARE(app::stylesOf(objects, end), (std::vector{second}));
+        QCOMPARE(app::stylesOf(objects, end), (std::vector{second.index()}));
     }
 };
 

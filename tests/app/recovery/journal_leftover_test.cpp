@@ -6,6 +6,7 @@
 #include "app/formats/format.h"
 #include "app/recovery/recover.h"
 
+#include <QDirIterator>
 #include <QTest>
 
 #include "tests/app/commands/random_commands.h"
@@ -214,6 +215,74 @@ private slots:
             QCOMPARE(claimLeftovers(home_.path()).size(), std::size_t(1));
             damage(log.fileName(), at);
         }
+    }
+    // A state folder may hold anything, and links lead anywhere.
+    void thatIsSomeoneElsesIsLeftAlone()
+    {
+        const QTemporaryDir elsewhere;
+        const auto write = [](const QString& path) {
+            QDir().mkpath(QFileInfo(path).path());
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::WriteOnly) && file.write("mine") == 4);
+        };
+        const auto everything = [](const QString& folder) {
+            QStringList all;
+            const auto filter =
+                QDir::AllEntries | QDir::Hidden | QDir::System | QDir::NoDotAndDotDot;
+            for (QDirIterator each(folder, filter, QDirIterator::Subdirectories); each.hasNext();)
+                all << each.next();
+            all.sort();
+            return all;
+        };
+        const QString victim = elsewhere.filePath("victim.journal");
+        for (const char* name :
+             {"thesis.txt", "folder/deep.txt", "lock", "base-0", "base-x", "log"})
+            write(victim + '/' + name);
+        write(elsewhere.filePath("base"));
+        const auto in = [this](const char* path) { return QDir(home_.path()).filePath(path); };
+        QVERIFY(QFile::link(victim, in("evil.journal")));
+        QVERIFY(QFile::link(in("nowhere"), in("lost.journal")));
+        write(in("notes.journal/notes.txt"));
+        write(in("hidden.journal/.config"));
+        write(in("nested.journal/base-1/thesis.txt"));
+        write(in("linked.journal/notes.txt"));
+        for (const char* link : {"linked.journal/base-1", "linked.journal/log-1"})
+            QVERIFY(QFile::link(elsewhere.filePath("base"), in(link)));
+        write(in("file.journal"));
+        const QStringList before = everything(home_.path()), there = everything(elsewhere.path());
+        QVERIFY(claimLeftovers(home_.path()).empty());
+        QCOMPARE(everything(home_.path()), before);
+        QCOMPARE(everything(elsewhere.path()), there);
+        for (const char* name : {"evil.journal", "lost.journal", "file.journal"})
+            QVERIFY(QFile::remove(in(name)));
+    }
+    void isRemovedWithoutWhatIsNotItsOwn()
+    {
+        const QString folder = left();
+        const QTemporaryDir elsewhere;
+        QFile notes(folder + "/notes.txt");
+        QVERIFY(notes.open(QIODevice::WriteOnly));
+        QVERIFY(QDir(folder).mkpath("copy-7/kept"));
+        QVERIFY(QFile::link(elsewhere.path(), folder + "/log-9"));
+        QFile unfinished(folder + "/base-2.aBcDeF"); // of a process that was killed
+        QVERIFY(unfinished.open(QIODevice::WriteOnly));
+        auto found = claimLeftovers(home_.path());
+        QCOMPARE(found.size(), std::size_t(1));
+        discard(found[0]);
+        QCOMPARE(QDir(folder).entryList(QDir::AllEntries | QDir::NoDotAndDotDot),
+                 (QStringList{"copy-7", "log-9", "notes.txt"}));
+        QVERIFY(QDir(folder).exists("copy-7/kept") && QDir(elsewhere.path()).exists());
+        QVERIFY(claimLeftovers(home_.path()).empty());
+    }
+    // The beginning of a journal, without a base or a log.
+    void thatHasOnlyBegunIsRemoved()
+    {
+        for (const char* name : {"empty.journal", "begun.journal"})
+            QVERIFY(QDir(home_.path()).mkdir(name));
+        QFile unfinished(home_.filePath("begun.journal/base-1.aBcDeF"));
+        QVERIFY(unfinished.open(QIODevice::WriteOnly));
+        QVERIFY(claimLeftovers(home_.path()).empty());
+        QCOMPARE(files(), 0);
     }
     void standsBesideSvgFilesByTime()
     {

@@ -20,7 +20,7 @@ Document lines(int count)
 {
     DocumentBuilder builder;
     builder.open({.name = "Lines"});
-    const StyleIndex style = builder.style({.stroke = Colour{}});
+    const StyleEntry style = builder.style({.stroke = Colour{}});
     for (int i = 0; i < count; ++i)
         builder.addLine({{0.1 * i, 0.3}, {0.7, 0.01 * i}}, style);
     builder.close();

@@ -225,7 +225,7 @@ private slots:
                 regionOf(random.windows(round % 3 == 0 ? 1 : 4, Mixed(round % 4)), tolerance);
             DocumentBuilder builder;
             builder.open({.name = "Lines"});
-            const StyleIndex style = builder.style({.stroke = Colour{}});
+            const StyleEntry style = builder.style({.stroke = Colour{}});
             std::vector<Segment> lines;
             while (lines.size() < 150)
                 builder.addLine(lines.emplace_back(random.line()), style);

@@ -121,7 +121,7 @@ private:
 app::Objects oneLine(double x)
 {
     app::Objects objects;
-    objects.appendLine({{x, 0}, {x, 1}}, objects.styles().indexOf({}));
+    objects.appendLine({{x, 0}, {x, 1}}, objects.styles().entryOf({}));
     return objects;
 }
 
@@ -277,7 +277,7 @@ private slots:
         document.splice(0, 0, shapes);
         app::ObjectBlock block; // of all, although such a path would get one of its own
         for (std::size_t i = 0; i < document.size(); ++i)
-            block.append(document.objects[i].row());
+            block.append(document.objects[i].row(), document.objects[i].styleIndex());
         const PlainScene scene(document.drawing);
         const SceneLines lines(app::sceneBlocksOf(block, {}, 1));
         if (const char* what = difference(lines, scene, document.size()))

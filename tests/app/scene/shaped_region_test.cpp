@@ -141,7 +141,7 @@ private slots:
     {
         DocumentBuilder builder;
         builder.open({.name = "Lines"});
-        const StyleIndex style = builder.style({.stroke = Colour{}});
+        const StyleEntry style = builder.style({.stroke = Colour{}});
         const auto lines = randomLines(3000);
         for (const Segment& line : lines)
             builder.addLine(line, style);

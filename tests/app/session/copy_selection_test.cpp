@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/new_drawing.h"
+#include "app/session/clipboard.h"
+#include "app/session/copy_selection.h"
+
+#include <QBuffer>
+#include <QTest>
+
+#include "tests/app/document/random_documents.h"
+
+using namespace app;
+
+// Documents that never had an object have no styles either.
+class CopySelectionTest : public QObject {
+    Q_OBJECT
+
+    static Document fileWithoutShapes()
+    {
+        QBuffer file;
+        file.setData("<svg xmlns='http://www.w3.org/2000/svg' width='9mm' height='9mm'/>");
+        file.open(QIODevice::ReadOnly);
+        return formats().front().read(file).value->document;
+    }
+    static Document windowsAlone()
+    {
+        Document document;
+        document.apply({.windows = ClipWindows{{{.name = "A"}, {.name = "B"}}, Keep::Inside}});
+        return document;
+    }
+    /// Lines in so many styles, in turn.
+    static Document lines(int count, int styles)
+    {
+        DocumentBuilder builder;
+        builder.open({.name = "Lines"});
+        for (int i = 0; i < count; ++i)
+            builder.add(Object{Path(clipping::Segment{{double(i), 0}, {double(i), 5}}),
+                               {.stroke = Colour{}, .width = 0.1 * (1 + i % styles)}});
+        builder.close();
+        return builder.take({});
+    }
+
+private slots:
+    void copiesArriveInADrawingWithoutObjects_data()
+    {
+        QTest::addColumn<Document>("into");
+        QTest::newRow("a new drawing") << newDrawing();
+        QTest::newRow("the usual document") << Document();
+        QTest::newRow("a file without shapes") << fileWithoutShapes();
+        QTest::newRow("clip windows alone") << windowsAlone();
+    }
+    void copiesArriveInADrawingWithoutObjects()
+    {
+        QFETCH(Document, into);
+        for (const int count : {1, 10, 64, 65, 70, 300})
+            for (const int styles : {1, 7}) {
+                Session session;
+                session.load({into, {}});
+                const Document from = lines(count, styles);
+                const auto data = copied(from, ObjectRanges(ObjectRange{0, std::size_t(count)}));
+                const Document drawing = pasted(*data, from.page());
+                paste(session, drawing, PastePlace::InPlace);
+                QVERIFY(session.now().objects() == drawing.objects());
+                QVERIFY(session.now().objects() == from.objects());
+                QCOMPARE(session.selection().size(), std::size_t(count));
+                paste(session, drawing, PastePlace::Offset);
+                duplicateInPlace(session);
+                QCOMPARE(session.now().objects().size(), std::size_t(3 * count));
+                for (std::size_t i = 0; i < session.now().objects().size(); ++i)
+                    QVERIFY(session.now().objects()[i].style()
+                            == from.objects()[i % std::size_t(count)].style());
+                session.history.setIndex(0);
+                QVERIFY(session.now() == into);
+                session.history.redo();
+                QVERIFY(session.now().objects() == from.objects());
+            }
+    }
+    void anotherProgramsDrawingArrives()
+    {
+        QMimeData data;
+        data.setText("<svg xmlns='http://www.w3.org/2000/svg' width='50mm' height='50mm' "
+                     "viewBox='0 0 50 50'><g stroke='red'><path d='M1 1h5'/><g><path d='M1 2h5' "
+                     "stroke='blue'/><path d='M1 3h5'/></g></g></svg>");
+        Session session;
+        session.load({Document(), {}});
+        paste(session, pasted(data, session.now().page()), PastePlace::InPlace);
+        const Objects& objects = session.now().objects();
+        QCOMPARE(objects.size(), std::size_t(3));
+        QVERIFY((objects[0].style().stroke == Colour{255, 0, 0}));
+        QVERIFY((objects[1].style().stroke == Colour{0, 0, 255}));
+        QVERIFY((objects[2].style().stroke == Colour{255, 0, 0}));
+    }
+};
+
+QTEST_GUILESS_MAIN(CopySelectionTest)
+#include "copy_selection_test.moc"
