@@ -184,8 +184,7 @@ private slots:
         row({"clip"}, "An argument is missing: clip INPUT -o OUTPUT");
         row({"clip", "A"}, "Name the output: -o FILE");
         row(clip + QStringList{"B"}, "The argument “B” is one too many");
-        row(clip + QStringList{"--nonsense"},
-            "There is no option “--nonsense”. The nearest is “--");
+        row(clip + QStringList{"--nonsense"}, "There is no option “--nonsense”.\n");
         row(clip + QStringList{"-w"}, "Missing value after “-w”");
         row(clip + QStringList{"-w", "1,2,3"}, "--window 1,2,3: give four lengths");
         row(clip + QStringList{"-w", "1,2,3,nan"}, "give four lengths");
@@ -232,7 +231,7 @@ private slots:
         row({"bench", "--lines", "0"}, "--lines 0: give a whole number from 1 to");
         row({"bench", "--lines", "1.5"}, "--lines 1.5: give a whole number from 1 to");
         row({"bench", "--lines", "1e99"}, "--lines 1e99: give a whole number from 1 to");
-        row({"bench", "--qick"}, "There is no option “--qick”. The nearest is “--quick”.");
+        row({"bench", "--qick"}, "There is no option “--qick”. Did you mean “--quick”?");
         row({"bench", "--scene", "foo"}, " or file:PATH.");
         row({"bench", "--scene", "file:"}, " or file:PATH.");
         row({"bench", "--runs", "ten"}, "--runs ten: give a whole number from 1 to");
@@ -423,14 +422,15 @@ private slots:
             QTest::newRow(line) << QString(line).split(u' ') << "clearcut: " + sentence + '\n'
                                 << code;
         };
-        const QByteArray nearest = "There is no file or command “clap”. The nearest command is "
-                                   "“clip”; clearcut --help lists them all.";
+        const QByteArray nearest = "There is no file or command “clap”. Did you mean “clip”? "
+                                   "clearcut --help lists all commands.";
         row("clap a.svg -o b.svg", nearest, 2);
         row("--theme dark clap", nearest, 2);
         row("Converted",
-            "There is no file or command “Converted”. The nearest command is “convert”; clearcut "
-            "--help lists them all.",
+            "There is no file or command “Converted”. Did you mean “convert”? clearcut --help "
+            "lists all commands.",
             2);
+        row("xyzzy", "There is no file or command “xyzzy”. clearcut --help lists all commands.", 2);
         row("--theme dark clip a.svg", "The command “clip” must come first. Try clearcut --help.",
             2);
         row("no.svg", "Cannot open no.svg: there is no such file.", 1);
