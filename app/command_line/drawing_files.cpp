@@ -45,10 +45,25 @@ const Format& formatOf(const ParsedArguments& arguments, const QString& option, 
     const Format* format = asked ? asked : ofName;
     if (format && format->*can)
         return *format;
-    const QString stream = option == QStringLiteral("to") ? Commands::tr("-o - (standard output)")
-                                                          : Commands::tr("- (standard input)");
-    throw WrongUsage{Commands::tr("%1: give its type with --%2 and one of %3.")
-                         .arg(path == standardStream ? stream : path, option, typesWith(can))};
+    const bool writes = option == QStringLiteral("to");
+    const QString stream =
+        writes ? Commands::tr("-o - (standard output)") : Commands::tr("- (standard input)");
+    const QString type = asked
+                             ? QString::fromLatin1(asked->key.data(), qsizetype(asked->key.size()))
+                             : QFileInfo(path).suffix();
+    const QString types = typesWith(can);
+    if (path == standardStream && !asked)
+        throw WrongUsage{
+            Commands::tr("%1: give its type with --%2 and one of %3.").arg(stream, option, types)};
+    if (type.isEmpty())
+        throw WrongUsage{Commands::tr("%1: its name does not show its type. Give it with --%2 and "
+                                      "one of %3.")
+                             .arg(path, option, types)};
+    throw WrongUsage{(writes ? Commands::tr("%1: Clearcut does not write files of the type %2. It "
+                                            "writes %3; --to says which if the name does not.")
+                             : Commands::tr("%1: Clearcut does not read files of the type %2. It "
+                                            "reads %3; --from says which if the name does not."))
+                         .arg(path == standardStream ? stream : path, type, types)};
 }
 
 } // namespace

@@ -171,6 +171,28 @@ private slots:
         QVERIFY(!app::isCommandLine({"--", "--help"}));
     }
 
+    void typesThatAreNotReadAreNamed()
+    {
+        for (const char* name : {"plan.dxf", "plan"})
+            writeText(path(name), "0\nSECTION\n");
+        const auto error = [&](const QString& name) {
+            const auto run = clearcut({"convert", path(name), "-o", path("x.svg")});
+            return run.code == 2 ? run.err : "exit code " + QByteArray::number(run.code);
+        };
+        const QByteArray readable = formatKeys(true);
+        const QByteArray dxf = error("plan.dxf"), none = error("plan");
+        QVERIFY2(dxf.contains("plan.dxf: Clearcut does not read files of the type dxf. It reads "
+                              + readable + "; --from says which if the name does not."),
+                 dxf);
+        QVERIFY2(none.contains("plan: its name does not show its type. Give it with --from and one "
+                               "of "
+                               + readable + "."),
+                 none);
+        QCOMPARE(app::readFile(path("plan.dxf")).error,
+                 "Cannot open " + path("plan.dxf")
+                     + ": Clearcut does not read this type of file. It reads " + readable + ".");
+    }
+
     // NOLINTNEXTLINE(readability-function-size): a table, a row for each wrong usage
     void wrongUsageExitsWith2_data()
     {
@@ -215,9 +237,10 @@ private slots:
             "--precision -1: give a whole number from 0 to 30");
         row(clip + QStringList{"--dpi", "0"}, "--dpi 0: give a number greater than 0");
         row(clip + QStringList{"--from", "unknown"}, "--from unknown: give " + all + ".");
-        row(clip + QStringList{"--from", "png"}, "with --from and one of " + readable + ".");
+        row(clip + QStringList{"--from", "png"},
+            "Clearcut does not read files of the type png. It reads " + readable + ";");
         row({"clip", "A", "-o", "x.unknown"},
-            "x.unknown: give its type with --to and one of " + all + ".");
+            "x.unknown: Clearcut does not write files of the type unknown. It writes " + all + ";");
         row({"clip", "-", "-o", "x.svg"},
             "clip: - (standard input): give its type with --from and one of " + readable + ".");
         for (const char* command : {"clip", "convert"})
