@@ -75,7 +75,7 @@ void sayNothingIsLeft(const Imported& imported, const Document& before, const Do
 void report(const Imported& imported, const Document& before, const CutCounts& counts)
 {
     const std::size_t hidden = hiddenObjects(before).size(); // the cut applied to all of them
-    sayLosses(imported);
+    sayLosses(imported.report);
     QString text = shapesText(counts);
     if (counts.opened > 0)
         text += Commands::tr("; closed paths opened: %1").arg(counts.opened);

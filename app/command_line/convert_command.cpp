@@ -18,7 +18,7 @@ void convert(const ParsedArguments& arguments)
     writeDrawing(imported.document, output);
     if (arguments.has(QStringLiteral("quiet")))
         return;
-    sayLosses(imported);
+    sayLosses(imported.report);
     if (output.format->hides == StoresHidden::No)
         sayHiddenLeftOut(hiddenObjects(imported.document).size(), *output.format);
 }

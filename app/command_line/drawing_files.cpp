@@ -5,6 +5,7 @@
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
 #include "app/document/flatten.h"
+#include "app/formats/loss_text.h"
 #include "app/formats/read_open_file.h"
 
 #include <QFile>
@@ -222,15 +223,21 @@ void writeWith(const Filling& write, const QString& path)
         throw Failure{Commands::tr("Cannot write %1: %2").arg(path, *error)};
 }
 
-QStringList losses(const Imported& imported)
+QStringList losses(const std::vector<Loss>& report)
 {
     QStringList lines;
-    for (const Loss& loss : imported.report)
-        lines << QStringLiteral("%1 × %2").arg(loss.count).arg(loss.what)
-                     + (loss.remark ? QString()
-                        : loss.instead.isEmpty()
-                            ? Commands::tr(" (not kept)")
-                            : Commands::tr(" (not kept; %1)").arg(loss.instead));
+    for (const Loss& loss : report) {
+        QStringList more;
+        if (!loss.remark)
+            more << Commands::tr("not kept");
+        for (const QString& text : {loss.remark ? QString() : loss.instead, whereText(loss)})
+            if (!text.isEmpty())
+                more << text;
+        const QString text = QStringLiteral("%1 × %2").arg(loss.count).arg(loss.what);
+        lines << (more.isEmpty()
+                      ? text
+                      : Commands::tr("%1 (%2)").arg(text, more.join(Commands::tr("; "))));
+    }
     return lines;
 }
 
@@ -241,10 +248,10 @@ void refuseLossInPlace(const ParsedArguments& arguments, const Imported& importe
         && sameFile(output.path, input))
         throw Failure{Commands::tr("Cannot overwrite %1: it has content that would be lost (%2). "
                                    "Give another name with -o.")
-                          .arg(input, losses(imported).join(QStringLiteral(", ")))};
+                          .arg(input, losses(imported.report).join(QStringLiteral(", ")))};
 }
 
-void sayLosses(const Imported& imported)
+void sayLosses(const std::vector<Loss>& report)
 {
     const QStringList lost = losses(imported);
     for (const QString& line : lost)

@@ -57,9 +57,9 @@ void refuseLossInPlace(const ParsedArguments& arguments, const Imported& importe
                        const QString& input, const Output& output);
 
 /// Reports the `losses` on standard error.
-void sayLosses(const Imported& imported);
+void sayLosses(const std::vector<Loss>& report);
 
 /// What an import could not keep, a line for each kind, with its number: "3 × text".
-QStringList losses(const Imported& imported);
+QStringList losses(const std::vector<Loss>& report);
 
 } // namespace app

@@ -184,7 +184,7 @@ Rows rowsOf(const Imported& imported)
     };
     for (const Rows& more : {paper, containerRows(document.containers(), lines)})
         rows.insert(rows.end(), more.begin(), more.end());
-    const QStringList lost = losses(imported);
+    const QStringList lost = losses(imported.report);
     for (const QString& line : lost)
         rows.emplace_back(Commands::tr("import"), line);
     return rows;

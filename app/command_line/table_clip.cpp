@@ -16,9 +16,8 @@ namespace {
 
 void report(const ParsedArguments& arguments, const csv::TableCut& made, const CutOptions& options)
 {
-    Imported table = tableWithoutLines();
-    table.report = made.stream.report;
-    sayLosses(table);
+    const Imported table = tableWithoutLines();
+    sayLosses(made.stream.report);
     const csv::TableCounts& counts = made.counts;
     sayBadRows(made.stream);
     say(shapesText(counts.lines) + u'.');
