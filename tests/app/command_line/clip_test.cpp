@@ -693,6 +693,59 @@ private slots:
         QCOMPARE(clearcut({"clip", path("text.svg"), "-o", path("x.svg"), "-q"}).err, "");
     }
 
+    // An area without a stroke has no path that could be opened.
+    void onlyOpenedStrokesAreReported()
+    {
+        const auto reported = [](const QByteArray& stroke) {
+            return clearcut(
+                       {"clip", "-", "--from", "svg", "--to", "svg", "-o", "-", "-w", "0,0,50,50"},
+                       "<svg xmlns='http://www.w3.org/2000/svg' width='99' height='99'>"
+                       "<polygon points='10,10 90,10 90,90 70,40 50,90 30,40' fill='#f00' "
+                       "stroke='"
+                           + stroke + "'/></svg>")
+                .err;
+        };
+        QVERIFY(reported("#000").startsWith(
+            "Shapes: 0 kept whole, 1 cut, 0 removed; closed paths opened: 1.\n"));
+        QVERIFY(reported("none").startsWith("Shapes: 0 kept whole, 1 cut, 0 removed.\n"));
+    }
+
+    // Where lines only touch the window, the counts are the same for every type of file.
+    void contactsAreReportedAlike_data()
+    {
+        QTest::addColumn<QStringList>("more");
+        QTest::addColumn<QByteArray>("what");
+        QTest::newRow("svg") << QStringList{"--to", "svg"} << QByteArray("left out");
+        QTest::newRow("pdf") << QStringList{"--to", "pdf"} << QByteArray("left out");
+        QTest::newRow("csv") << QStringList{"--to", "csv"} << QByteArray("kept as points");
+        QTest::newRow("csv as a drawing")
+            << QStringList{"--to", "csv", "--occlude"} << QByteArray("kept as points");
+    }
+    void contactsAreReportedAlike()
+    {
+        QFETCH(QStringList, more);
+        QFETCH(QByteArray, what);
+        const QByteArray touching = "0,0,10,10\n5,20,15,0\n", cut = "0,15,30,15\n";
+        const auto errorOf = [&](const QByteArray& table) {
+            const auto run = clearcut(
+                QStringList{"clip", "-", "--from", "csv", "-o", "-", "-w", "10,10,20,20"} + more,
+                table);
+            return run.code == 0 ? run.err.replace("Shapes with covered lines: 0 cut, 0 removed; "
+                                                   "fills removed: 0.\n",
+                                                   "")
+                                 : "failed";
+        };
+        const QByteArray report = "; only touching the window, and " + what + ": 2.\n";
+        QVERIFY2(errorOf(touching + cut + "50,50,60,60\n")
+                     .startsWith("Shapes: 0 kept whole, 1 cut, 1 removed" + report),
+                 errorOf(touching + cut + "50,50,60,60\n"));
+        const QByteArray all = errorOf(touching);
+        QVERIFY2(all.startsWith("Shapes: 0 kept whole, 0 cut, 0 removed" + report), all);
+        QCOMPARE(all.contains("Nothing is left: no line of the drawing is in the window, but some "
+                              "touch it."),
+                 what == "left out");
+    }
+
     void theOutputHasNoWindowAndCuttingAgainChangesNothing()
     {
         const QString rosette = SOURCE_DIR "/resources/samples/rosette.svg";
