@@ -657,6 +657,22 @@ private slots:
         QVERIFY(run.out.contains("“Locked”: shapes 5, lines 85, locked\n"));
     }
 
+    void infoSaysWhatAPageWithoutASizeMeans()
+    {
+        const auto page = [](const QByteArray& attributes) {
+            const auto out =
+                clearcut({"info", "-", "--from", "svg"},
+                         "<svg xmlns='http://www.w3.org/2000/svg' " + attributes + "/>")
+                    .out;
+            const auto begin = out.indexOf("  page ");
+            return out.mid(begin, out.indexOf('\n', begin) - begin);
+        };
+        QCOMPARE(page("viewBox='0 0 30 20'"),
+                 "  page    0,0,30,20, without a size on paper: a unit counts as a pixel");
+        QCOMPARE(page("viewBox='0 0 30 20' width='60mm'"),
+                 "  page    0,0,30,20, on paper 60mm × 40mm");
+    }
+
     void infoListsWindowsAndContainers()
     {
         const auto run = clearcut(
