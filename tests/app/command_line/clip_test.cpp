@@ -461,7 +461,7 @@ private slots:
         const auto run = clearcut({"convert", "-", "--from", "svg", "--to", "csv", "-o", "-"},
                                   "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'>"
                                   "<path d='M0 0H9' stroke='red' marker-end='url(#a)'/></svg>");
-        QCOMPARE(run.err, "1 × arrowhead or other marker (not kept; its line is kept)\n");
+        QCOMPARE(run.err, "1 × arrowhead or other marker (not kept; its line is kept; line 1)\n");
         QCOMPARE(run.out.count('\n'), 2);
     }
 
