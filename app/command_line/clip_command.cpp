@@ -12,6 +12,7 @@
 #include "app/document/contents.h"
 #include "app/document/flattened.h"
 #include "app/document/hidden_objects.h"
+#include "app/formats/rounded.h"
 
 #include <algorithm>
 #include <chrono>
@@ -177,6 +178,7 @@ void clip(const ParsedArguments& arguments)
         if (covered)
             say(occlusionText(*covered));
         report(imported, before, result.counts, options.keepContacts);
+        sayPoints(rounded(after, output.options).points);
         sayDropped(arguments, output, dropped);
         if (const QString more = furtherCountsText(result.counts); !more.isEmpty())
             say(more);

@@ -98,7 +98,8 @@ std::vector<Option> writingOptions()
          "N",
          Commands::tr(
              "Decimals of written coordinates, 0 to %1 (as many as are needed to read the same "
-             "number back). Coordinates that rounding puts outside the window are moved into it.")
+             "number back). Coordinates that rounding puts outside the window are moved into it; "
+             "lines that it makes points are left out.")
              .arg(mostDecimals)},
         {{"dpi"}, "N", Commands::tr("Pixels per inch of a picture (96).")},
     };
@@ -203,6 +204,12 @@ Output outputOf(const ParsedArguments& arguments, const QString& input)
     return output;
 }
 
+void sayPoints(std::size_t count)
+{
+    if (count > 0)
+        say(Commands::tr("Lines that --precision would make points are left out: %1.").arg(count));
+}
+
 void writeDrawing(const Document& document, const Output& output)
 {
     if (output.path != standardStream) {
@@ -253,7 +260,7 @@ void refuseLossInPlace(const ParsedArguments& arguments, const Imported& importe
 
 void sayLosses(const std::vector<Loss>& report)
 {
-    const QStringList lost = losses(imported);
+    const QStringList lost = losses(report);
     for (const QString& line : lost)
         say(line);
 }

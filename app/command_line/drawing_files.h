@@ -45,6 +45,9 @@ struct Output {
 /// target is `input` without --in-place.
 Output outputOf(const ParsedArguments& arguments, const QString& input);
 
+/// Reports how many lines --precision would make points, if any; they are left out.
+void sayPoints(std::size_t count);
+
 /// Replaces an existing file only by a complete new one; throws Failure.
 void writeDrawing(const Document& document, const Output& output);
 

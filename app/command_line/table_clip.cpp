@@ -21,6 +21,7 @@ void report(const ParsedArguments& arguments, const csv::TableCut& made, const C
     const csv::TableCounts& counts = made.counts;
     sayBadRows(made.stream);
     say(shapesText(counts.lines, true) + u'.');
+    sayPoints(counts.points);
     if (const QString more = furtherCountsText(counts.lines); !more.isEmpty())
         say(more);
     say(windowText(arguments, table, options.region));

@@ -29,6 +29,7 @@ void TableCounts::add(const TableCounts& more)
     lines.dropped += more.lines.dropped;
     lines.segmentsBefore += more.lines.segmentsBefore;
     lines.segmentsAfter += more.lines.segmentsAfter;
+    points += more.points;
     if (more.bounds)
         bounds = bounds ? around(*bounds, *more.bounds) : *more.bounds;
 }
@@ -76,6 +77,10 @@ std::size_t BlockCut::writePieces(const TableRows& rows, std::size_t line,
 
 void BlockCut::write(const clipping::Segment& piece, const TableRows& rows, std::size_t line)
 {
+    if (becomesPoint(piece, options_.write)) {
+        ++counts_.points;
+        return;
+    }
     appendPoint(text_, piece.a, ',', options_.write);
     text_ += ',';
     appendPoint(text_, piece.b, ',', options_.write);

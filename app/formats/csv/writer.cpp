@@ -56,10 +56,12 @@ private:
         if (!options_.sources.empty())
             (rest += ',') += std::to_string(options_.sources[index]);
         rest += '\n';
-        for (const auto& [a, b] : lines_) {
-            appendPoint(text_, a, ',', options_);
+        for (const auto& line : lines_) {
+            if (becomesPoint(line, options_))
+                continue;
+            appendPoint(text_, line.a, ',', options_);
             text_ += ',';
-            appendPoint(text_, b, ',', options_);
+            appendPoint(text_, line.b, ',', options_);
             text_ += rest;
             if (text_.size() > bufferSize)
                 flush();

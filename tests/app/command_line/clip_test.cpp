@@ -746,6 +746,42 @@ private slots:
                  what == "left out");
     }
 
+    // Rounding makes neither repeated points nor lines without length; a point stays one.
+    void fewDecimalsMakeNoPoints()
+    {
+        const QByteArray drawing =
+            "<svg xmlns='http://www.w3.org/2000/svg' width='10' height='10' fill='none' "
+            "stroke='red'><path d='M0 0L.2 .2L.4 .4L5 5L5.1 5.1'/><path d='M1 1L1.2 1.2'/>"
+            "<path d='M7 7h0' stroke-linecap='round'/><path d='M2 2C2.1 2 2 2.1 2.2 2.2'/></svg>";
+        const auto converted = [&](const char* type, const QByteArray& input, const char* from) {
+            return clearcut(
+                {"convert", "-", "--from", from, "--to", type, "-o", "-", "--precision", "0"},
+                input);
+        };
+        const auto svg = converted("svg", drawing, "svg");
+        QVERIFY2(svg.out.contains("<line x1=\"0\" y1=\"0\" x2=\"5\" y2=\"5\""), svg.out);
+        QVERIFY(svg.out.contains("<line x1=\"7\" y1=\"7\" x2=\"7\" y2=\"7\""));
+        QCOMPARE(svg.out.count("<line") + svg.out.count("<path") + svg.out.count("<poly"), 2);
+        const QByteArray told = "Lines that --precision would make points are left out: 2.\n";
+        QCOMPARE(svg.err, told);
+        const auto csv = converted("csv", drawing, "svg");
+        QCOMPARE(csv.out.split('\n').mid(1),
+                 (QByteArrayList{"0,0,5,5,Drawing,#ff0000,1", "7,7,7,7,Drawing,#ff0000,1", ""}));
+        QCOMPARE(csv.err, told);
+        QCOMPARE(converted("pdf", drawing, "svg").err, told);
+        // From table to table the rows are the same, whether they are read as a drawing or not.
+        const QByteArray table = "0,0,.2,.2\n.4,.4,5,5\n7,7,7,7\n";
+        const QStringList clip{"clip", "-", "--from", "csv",     "--to",        "csv",
+                               "-o",   "-", "-w",     "0,0,9,9", "--precision", "0"};
+        const auto rows = clearcut(clip, table),
+                   whole = clearcut(clip + QStringList{"--occlude"}, table);
+        QCOMPARE(rows.out.split('\n').mid(1), (QByteArrayList{"0,0,5,5,Drawing,#000000,1,1",
+                                                              "7,7,7,7,Drawing,#000000,1,2", ""}));
+        QCOMPARE(whole.out, rows.out);
+        QVERIFY(rows.err.contains("Lines that --precision would make points are left out: 1.\n"));
+        QVERIFY(whole.err.contains("Lines that --precision would make points are left out: 1.\n"));
+    }
+
     void theOutputHasNoWindowAndCuttingAgainChangesNothing()
     {
         const QString rosette = SOURCE_DIR "/resources/samples/rosette.svg";

@@ -66,6 +66,7 @@ private slots:
         QTest::newRow("decimals") << window + QStringList{"--precision", "2"};
         QTest::newRow("no short pieces") << window + QStringList{"--min-length", "30"};
         QTest::newRow("millimetres") << QStringList{"-w", "-10mm,-10mm,20mm,20mm"};
+        QTest::newRow("no decimals") << window + QStringList{"--precision", "0"};
     }
     void rowByRowAsAllAtOnce()
     {
