@@ -183,6 +183,51 @@ private slots:
         QCOMPARE(result.error, sentence);
     }
 
+    void dashesAreLines()
+    {
+        app::Sheet sheet;
+        app::Style style{.stroke = app::Colour{}};
+        style.dashes = {10, 10};
+        sheet.shapes = {{{line({10, 20}, {90, 20})}, style, {}, 0, false}};
+        const QByteArray end = ",Drawing,#000000,1";
+        const auto rows = [&] { return written(app::documentOf(sheet)).split('\n').mid(1); };
+        QCOMPARE(rows(), (QByteArrayList{"10,20,20,20" + end, "30,20,40,20" + end,
+                                         "50,20,60,20" + end, "70,20,80,20" + end, ""}));
+        sheet.shapes[0].style.dashOffset = 15;
+        QCOMPARE(rows().at(0), "15,20,25,20" + end);
+        // A dash goes round a corner as two lines; an odd pattern alternates; points are points.
+        sheet.shapes[0] = {{{{0, 0}, {{{6, 0}}, {{6, 9}}}, false}}, style, {}, 0, false};
+        QCOMPARE(rows(), (QByteArrayList{"0,0,6,0" + end, "6,0,6,4" + end, ""}));
+        sheet.shapes[0].style.dashes = {4};
+        QCOMPARE(rows(), (QByteArrayList{"0,0,4,0" + end, "6,2,6,6" + end, ""}));
+        sheet.shapes[0].style.dashes = {0, 5};
+        QCOMPARE(rows().at(1), "5,0,5,0" + end);
+        sheet.shapes[0].style.dashes = {1e-300}; // too fine: solid
+        QCOMPARE(rows().size(), 3);
+    }
+
+    void dashesStayInsideTheWindow()
+    {
+        std::mt19937 random(3);
+        const auto number = [&] { return double(random()) / 7e8; };
+        for (int round = 0; round < 300; ++round) {
+            app::Sheet sheet;
+            app::Style style{.stroke = app::Colour{}};
+            style.dashes = {number() + 0.01, number()};
+            const app::Point a{number(), number()}, b{number(), number()};
+            sheet.shapes = {{{line(a, b)}, style, {}, 0, false}};
+            for (const auto& piece :
+                 app::sheetOf(read(written(app::documentOf(sheet))).value->document).shapes)
+                for (const app::Point& p :
+                     {piece.paths[0].start, piece.paths[0].segments.empty()
+                                                ? piece.paths[0].start
+                                                : piece.paths[0].segments[0].to})
+                    for (int axis : {0, 1})
+                        QVERIFY(p[axis] >= std::min(a[axis], b[axis])
+                                && p[axis] <= std::max(a[axis], b[axis]));
+        }
+    }
+
     void anEmptyFileIsAnEmptyDrawing()
     {
         const auto result = read("");
