@@ -14,7 +14,6 @@ constexpr int end = -1;
 constexpr QByteArrayView byteOrderMark("\xef\xbb\xbf");
 
 bool endsLine(int c) { return c == end || c == '\n' || c == '\r'; }
-bool endsField(int c) { return endsLine(c) || c == ','; }
 
 } // namespace
 
@@ -65,6 +64,21 @@ void Text::endRecord()
         get();
 }
 
+bool Text::endsField(int c) const { return endsLine(c) || separates(char(c), separator_); }
+
+// Whether a field follows. Blanks at the end of a record separate nothing.
+bool Text::takeSeparator()
+{
+    if (endsLine(peek()) || !endsField(peek()))
+        return false;
+    get();
+    if (separator_ != anyBlanks)
+        return true;
+    while (!endsLine(peek()) && endsField(peek()))
+        get();
+    return !endsLine(peek());
+}
+
 bool Text::next(Record& record)
 {
     while (endsLine(peek()) || (comments_ && peek() == '#')) {
@@ -74,13 +88,15 @@ bool Text::next(Record& record)
     }
     record.line = line_;
     std::size_t count = 0, size = 0;
+    if (separator_ == anyBlanks)
+        takeSeparator(); // before the first field
     do {
         if (++size > longestRecord)
             throw Refused{line_, QCoreApplication::translate("csv", "is too long for CSV.")};
         if (count == record.fields.size())
             record.fields.emplace_back();
         readField(record.fields[count++], size);
-    } while (peek() == ',' && get() == ',');
+    } while (takeSeparator());
     record.fields.resize(count);
     endRecord();
     return true;
@@ -95,7 +111,7 @@ void Text::readField(std::string& field, std::size_t& size)
         while (!endsField(peek())) {
             const char* const begin = buffer_.constData() + at_;
             const char* const stop = std::find_if(begin, buffer_.constEnd(),
-                                                  [](unsigned char c) { return endsField(c); });
+                                                  [&](unsigned char c) { return endsField(c); });
             size += std::size_t(stop - begin);
             if (size > longestRecord)
                 throw Refused{line_, QCoreApplication::translate("csv", "is too long for CSV.")};

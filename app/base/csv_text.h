@@ -25,11 +25,18 @@ struct Record {
     std::vector<std::string> fields;
 };
 
+constexpr char anyBlanks = ' '; ///< as a separator: any number of spaces and tabs
+/// Whether a character stands between fields.
+constexpr bool separates(char c, char separator)
+{
+    return c == separator || (separator == anyBlanks && c == '\t');
+}
+
 /// Reads comma-separated text record by record: quoted fields, LF or CR LF, a byte order mark.
 /// Blank lines and lines that begin with # are skipped. The memory used is bounded by one record.
 class Text {
 public:
-    explicit Text(QIODevice& in) : in_(in) {}
+    explicit Text(QIODevice& in, char separator = ',') : in_(in), separator_(separator) {}
 
     /// Reads the next record; false at the end. Reuses the memory of `record`.
     bool next(Record& record);
@@ -47,9 +54,12 @@ private:
     void skipLine();
     void readField(std::string& field, std::size_t& size);
     void readQuoted(std::string& field, std::size_t& size);
+    bool endsField(int c) const;
+    bool takeSeparator();
     void endRecord();
 
     QIODevice& in_;
+    char separator_;
     QByteArray buffer_;
     qsizetype at_ = 0;
     std::size_t line_ = 1;

@@ -12,6 +12,7 @@
 #include "app/document/contents.h"
 #include "app/document/flattened.h"
 #include "app/document/hidden_objects.h"
+#include "app/formats/rounded.h"
 
 #include <algorithm>
 #include <chrono>
@@ -54,7 +55,7 @@ CutOptions cutOptionsOf(const ParsedArguments& arguments, const Imported& import
 
 // A cut that leaves nothing, or nothing visible, is rarely intended: reports the reason.
 void sayNothingIsLeft(const Imported& imported, const Document& before, const Document& after,
-                      Keep keep)
+                      Keep keep, const CutCounts& counts)
 {
     const bool allGone = after.objects().empty();
     const auto bounds = contentsOf(allGone ? before : withoutHidden(before)).bounds;
@@ -63,7 +64,7 @@ void sayNothingIsLeft(const Imported& imported, const Document& before, const Do
                            : Commands::tr("Nothing visible is left: every shape is hidden."));
     const QString place = placeText(*bounds, imported);
     if (allGone)
-        return say(nothingLeftText(keep, place));
+        return say(nothingLeftText(keep, place, counts));
     say((keep == Keep::Inside
              ? Commands::tr("Nothing visible is left: every visible shape is outside the window. "
                             "These shapes are in %1.")
@@ -72,11 +73,12 @@ void sayNothingIsLeft(const Imported& imported, const Document& before, const Do
             .arg(place));
 }
 
-void report(const Imported& imported, const Document& before, const CutCounts& counts)
+void report(const Imported& imported, const Document& before, const CutCounts& counts,
+            bool keepsContacts)
 {
     const std::size_t hidden = hiddenObjects(before).size(); // the cut applied to all of them
-    sayLosses(imported);
-    QString text = shapesText(counts);
+    sayLosses(imported.report);
+    QString text = shapesText(counts, keepsContacts);
     if (counts.opened > 0)
         text += Commands::tr("; closed paths opened: %1").arg(counts.opened);
     say(text + u'.');
@@ -175,13 +177,14 @@ void clip(const ParsedArguments& arguments)
     if (!arguments.has(QStringLiteral("quiet"))) {
         if (covered)
             say(occlusionText(*covered));
-        report(imported, before, result.counts);
+        report(imported, before, result.counts, options.keepContacts);
+        sayPoints(rounded(after, output.options).points);
         sayDropped(arguments, output, dropped);
         if (const QString more = furtherCountsText(result.counts); !more.isEmpty())
             say(more);
         say(windowText(arguments, imported, options.region));
         if (hiddenObjects(after).size() == after.objects().size())
-            sayNothingIsLeft(imported, before, after, options.region.keep);
+            sayNothingIsLeft(imported, before, after, options.region.keep, result.counts);
     }
     if (arguments.has(QStringLiteral("stats")))
         say(Commands::tr("Lines: %1 before, %2 after; %3.")

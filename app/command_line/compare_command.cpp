@@ -99,6 +99,7 @@ void compare(const ParsedArguments& arguments)
     else
         compareDrawing(imported, at, output);
     if (streamed.complete && !arguments.has(QStringLiteral("quiet"))) {
+        sayLosses(table ? streamed.report : imported.report);
         sayBadRows(streamed);
         say(windowText(arguments, imported, at.window));
         say(output.summary());

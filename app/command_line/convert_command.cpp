@@ -3,6 +3,7 @@
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
 #include "app/document/hidden_objects.h"
+#include "app/formats/rounded.h"
 
 namespace app {
 namespace {
@@ -18,7 +19,8 @@ void convert(const ParsedArguments& arguments)
     writeDrawing(imported.document, output);
     if (arguments.has(QStringLiteral("quiet")))
         return;
-    sayLosses(imported);
+    sayLosses(imported.report);
+    sayPoints(rounded(imported.document, output.options).points);
     if (output.format->hides == StoresHidden::No)
         sayHiddenLeftOut(hiddenObjects(imported.document).size(), *output.format);
 }

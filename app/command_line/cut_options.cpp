@@ -64,16 +64,26 @@ QString occlusionText(const CutCounts& counts)
         .arg(counts.fillsRemoved);
 }
 
-QString shapesText(const CutCounts& counts)
+QString shapesText(const CutCounts& counts, bool keepsContacts)
 {
-    return Commands::tr("Shapes: %1 kept whole, %2 cut, %3 removed")
-        .arg(counts.whole)
-        .arg(counts.cut)
-        .arg(counts.gone);
+    const QString text = Commands::tr("Shapes: %1 kept whole, %2 cut, %3 removed")
+                             .arg(counts.whole)
+                             .arg(counts.cut)
+                             .arg(counts.gone);
+    if (counts.touching == 0)
+        return text;
+    return text
+           + (keepsContacts ? Commands::tr("; only touching the window, and kept as points: %1")
+                            : Commands::tr("; only touching the window, and left out: %1"))
+                 .arg(counts.touching);
 }
 
-QString nothingLeftText(Keep keep, const QString& place)
+QString nothingLeftText(Keep keep, const QString& place, const CutCounts& counts)
 {
+    if (counts.touching > 0)
+        return Commands::tr("Nothing is left: no line of the drawing is in the window, but some "
+                            "touch it. The drawing is in %1.")
+            .arg(place);
     return (keep == Keep::Inside
                 ? Commands::tr("Nothing is left: all of the drawing is outside the window. The "
                                "drawing is in %1.")

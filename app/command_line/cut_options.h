@@ -18,10 +18,11 @@ std::optional<CutCounts> occludeIfWanted(const ParsedArguments& arguments,
 
 /// The report's sentence on covered lines: how many were removed.
 QString occlusionText(const CutCounts& counts);
-/// The report's first sentence, without its full stop: how many shapes were kept, cut and removed.
-QString shapesText(const CutCounts& counts);
+/// The report's first sentence, without its full stop: how many shapes were kept, cut and removed,
+/// and how many only touch the windows, which leaves points, or nothing.
+QString shapesText(const CutCounts& counts, bool keepsContacts);
 /// Says that nothing is left of a drawing, and where the drawing is (`placeText`).
-QString nothingLeftText(Keep keep, const QString& place);
+QString nothingLeftText(Keep keep, const QString& place, const CutCounts& counts);
 /// The sentences on dropped pieces and on locked layers that were cut; empty without them.
 QString furtherCountsText(const CutCounts& counts);
 

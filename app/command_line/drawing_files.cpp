@@ -5,6 +5,7 @@
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
 #include "app/document/flatten.h"
+#include "app/formats/loss_text.h"
 #include "app/formats/read_open_file.h"
 
 #include <QFile>
@@ -45,10 +46,25 @@ const Format& formatOf(const ParsedArguments& arguments, const QString& option, 
     const Format* format = asked ? asked : ofName;
     if (format && format->*can)
         return *format;
-    const QString stream = option == QStringLiteral("to") ? Commands::tr("-o - (standard output)")
-                                                          : Commands::tr("- (standard input)");
-    throw WrongUsage{Commands::tr("%1: give its type with --%2 and one of %3.")
-                         .arg(path == standardStream ? stream : path, option, typesWith(can))};
+    const bool writes = option == QStringLiteral("to");
+    const QString stream =
+        writes ? Commands::tr("-o - (standard output)") : Commands::tr("- (standard input)");
+    const QString type = asked
+                             ? QString::fromLatin1(asked->key.data(), qsizetype(asked->key.size()))
+                             : QFileInfo(path).suffix();
+    const QString types = typesWith(can);
+    if (path == standardStream && !asked)
+        throw WrongUsage{
+            Commands::tr("%1: give its type with --%2 and one of %3.").arg(stream, option, types)};
+    if (type.isEmpty())
+        throw WrongUsage{Commands::tr("%1: its name does not show its type. Give it with --%2 and "
+                                      "one of %3.")
+                             .arg(path, option, types)};
+    throw WrongUsage{(writes ? Commands::tr("%1: Clearcut does not write files of the type %2. It "
+                                            "writes %3; --to says which if the name does not.")
+                             : Commands::tr("%1: Clearcut does not read files of the type %2. It "
+                                            "reads %3; --from says which if the name does not."))
+                         .arg(path == standardStream ? stream : path, type, types)};
 }
 
 } // namespace
@@ -82,7 +98,8 @@ std::vector<Option> writingOptions()
          "N",
          Commands::tr(
              "Decimals of written coordinates, 0 to %1 (as many as are needed to read the same "
-             "number back). Coordinates that rounding puts outside the window are moved into it.")
+             "number back). Coordinates that rounding puts outside the window are moved into it; "
+             "lines that it makes points are left out.")
              .arg(mostDecimals)},
         {{"dpi"}, "N", Commands::tr("Pixels per inch of a picture (96).")},
     };
@@ -187,6 +204,12 @@ Output outputOf(const ParsedArguments& arguments, const QString& input)
     return output;
 }
 
+void sayPoints(std::size_t count)
+{
+    if (count > 0)
+        say(Commands::tr("Lines that --precision would make points are left out: %1.").arg(count));
+}
+
 void writeDrawing(const Document& document, const Output& output)
 {
     if (output.path != standardStream) {
@@ -207,15 +230,21 @@ void writeWith(const Filling& write, const QString& path)
         throw Failure{Commands::tr("Cannot write %1: %2").arg(path, *error)};
 }
 
-QStringList losses(const Imported& imported)
+QStringList losses(const std::vector<Loss>& report)
 {
     QStringList lines;
-    for (const Loss& loss : imported.report)
-        lines << QStringLiteral("%1 × %2").arg(loss.count).arg(loss.what)
-                     + (loss.remark ? QString()
-                        : loss.instead.isEmpty()
-                            ? Commands::tr(" (not kept)")
-                            : Commands::tr(" (not kept; %1)").arg(loss.instead));
+    for (const Loss& loss : report) {
+        QStringList more;
+        if (!loss.remark)
+            more << Commands::tr("not kept");
+        for (const QString& text : {loss.remark ? QString() : loss.instead, whereText(loss)})
+            if (!text.isEmpty())
+                more << text;
+        const QString text = QStringLiteral("%1 × %2").arg(loss.count).arg(loss.what);
+        lines << (more.isEmpty()
+                      ? text
+                      : Commands::tr("%1 (%2)").arg(text, more.join(Commands::tr("; "))));
+    }
     return lines;
 }
 
@@ -226,12 +255,12 @@ void refuseLossInPlace(const ParsedArguments& arguments, const Imported& importe
         && sameFile(output.path, input))
         throw Failure{Commands::tr("Cannot overwrite %1: it has content that would be lost (%2). "
                                    "Give another name with -o.")
-                          .arg(input, losses(imported).join(QStringLiteral(", ")))};
+                          .arg(input, losses(imported.report).join(QStringLiteral(", ")))};
 }
 
-void sayLosses(const Imported& imported)
+void sayLosses(const std::vector<Loss>& report)
 {
-    const QStringList lost = losses(imported);
+    const QStringList lost = losses(report);
     for (const QString& line : lost)
         say(line);
 }

@@ -45,6 +45,9 @@ struct Output {
 /// target is `input` without --in-place.
 Output outputOf(const ParsedArguments& arguments, const QString& input);
 
+/// Reports how many lines --precision would make points, if any; they are left out.
+void sayPoints(std::size_t count);
+
 /// Replaces an existing file only by a complete new one; throws Failure.
 void writeDrawing(const Document& document, const Output& output);
 
@@ -57,9 +60,9 @@ void refuseLossInPlace(const ParsedArguments& arguments, const Imported& importe
                        const QString& input, const Output& output);
 
 /// Reports the `losses` on standard error.
-void sayLosses(const Imported& imported);
+void sayLosses(const std::vector<Loss>& report);
 
 /// What an import could not keep, a line for each kind, with its number: "3 × text".
-QStringList losses(const Imported& imported);
+QStringList losses(const std::vector<Loss>& report);
 
 } // namespace app

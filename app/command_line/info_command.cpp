@@ -7,6 +7,7 @@
 #include "app/document/contents.h"
 #include "app/document/flatten.h"
 #include "app/document/hidden_objects.h"
+#include "app/formats/paper.h"
 #include "app/formats/rectangle_text.h"
 
 #include <algorithm>
@@ -47,6 +48,22 @@ QString rounded(double value)
 QString text(const Length& length)
 {
     return shortestText(length.value) + QLatin1StringView(infoOf(length.unit).suffix);
+}
+
+// "on paper 297mm × 210mm". A page may have its size in units alone.
+QString paperText(const Page& page)
+{
+    const auto isOpen = [](const Length& length) {
+        return !(infoOf(length.unit).millimetres > 0 && length.value > 0);
+    };
+    if (isOpen(page.width) && isOpen(page.height))
+        return Commands::tr("without a size on paper: a unit counts as a pixel");
+    const Point paper = paperOf(page).millimetres;
+    const auto side = [&](const Length& length, double millimetres) {
+        return isOpen(length) ? rounded(millimetres) + QStringLiteral("mm") : text(length);
+    };
+    return Commands::tr("on paper %1 × %2")
+        .arg(side(page.width, paper.x), side(page.height, paper.y));
 }
 
 using Rows = std::vector<std::pair<QString, QString>>;
@@ -177,14 +194,13 @@ Rows rowsOf(const Imported& imported)
         rows.push_back(std::move(row));
     const Rows paper{
         {Commands::tr("page"),
-         Commands::tr("%1, on paper %2 × %3")
-             .arg(calculated(page.rectangle()), text(page.width), text(page.height))},
+         Commands::tr("%1, %2").arg(calculated(page.rectangle()), paperText(page))},
         {Commands::tr("unit"),
          shortestText(withoutNoise(page.millimetresPerUnit())) + QStringLiteral("mm")},
     };
     for (const Rows& more : {paper, containerRows(document.containers(), lines)})
         rows.insert(rows.end(), more.begin(), more.end());
-    const QStringList lost = losses(imported);
+    const QStringList lost = losses(imported.report);
     for (const QString& line : lost)
         rows.emplace_back(Commands::tr("import"), line);
     return rows;

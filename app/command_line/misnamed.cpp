@@ -10,7 +10,7 @@
 namespace app {
 namespace {
 
-QString nearestCommand(const QString& word)
+std::optional<QString> nearestCommand(const QString& word)
 {
     QStringList all;
     for (const Command& command : commands())
@@ -34,15 +34,18 @@ std::optional<Refusal> misnamed(const QString& argument)
     if (looksLikeFile(argument))
         return Refusal{Commands::tr("Cannot open %1: there is no such file.").arg(argument),
                        Exit::Failed};
-    const QString nearest = nearestCommand(argument.toLower());
+    const auto nearest = nearestCommand(argument.toLower());
     if (nearest == argument)
         return Refusal{
             Commands::tr("The command “%1” must come first. Try clearcut --help.").arg(argument),
             Exit::Usage};
-    return Refusal{Commands::tr("There is no file or command “%1”. The nearest command is “%2”; "
-                                "clearcut --help lists them all.")
-                       .arg(argument, nearest),
-                   Exit::Usage};
+    const QString nothing = Commands::tr("There is no file or command “%1”.").arg(argument);
+    const QString list = Commands::tr("clearcut --help lists all commands.");
+    return Refusal{
+        nothing + u' '
+            + (nearest ? Commands::tr("Did you mean “%1”?").arg(*nearest) + u' ' : QString())
+            + list,
+        Exit::Usage};
 }
 
 } // namespace app

@@ -26,10 +26,14 @@ std::size_t distance(const QString& word, const QString& other)
 
 } // namespace
 
-QString nearestTo(const QString& word, const QStringList& words)
+std::optional<QString> nearestTo(const QString& word, const QStringList& words)
 {
-    return *std::ranges::min_element(words, {},
-                                     [&](const QString& other) { return distance(word, other); });
+    const auto far = [&](const QString& other) { return distance(word, other); };
+    const auto nearest = std::ranges::min_element(words, {}, far);
+    if (nearest == words.end())
+        return std::nullopt;
+    const auto longer = std::size_t(std::max(word.size(), nearest->size()));
+    return far(*nearest) * 5 <= longer * 2 ? std::optional(*nearest) : std::nullopt;
 }
 
 } // namespace app

@@ -39,8 +39,10 @@ QString refusalOf(const QCommandLineParser& parser, const Command& command)
     QStringList names;
     for (const Option& option : optionsOf(command))
         names << option.names.last();
-    return Commands::tr("There is no option “%1”. The nearest is “%2”.")
-        .arg(dashed(unknown.front()), dashed(nearestTo(unknown.front().toLower(), names)));
+    const QString nothing = Commands::tr("There is no option “%1”.").arg(dashed(unknown.front()));
+    const auto nearest = nearestTo(unknown.front().toLower(), names);
+    return nearest ? nothing + u' ' + Commands::tr("Did you mean “%1”?").arg(dashed(*nearest))
+                   : nothing;
 }
 
 std::optional<quint64> wholeNumber(const QString& text)

@@ -16,19 +16,20 @@ namespace {
 
 void report(const ParsedArguments& arguments, const csv::TableCut& made, const CutOptions& options)
 {
-    Imported table = tableWithoutLines();
-    table.report = made.stream.report;
-    sayLosses(table);
+    const Imported table = tableWithoutLines();
+    sayLosses(made.stream.report);
     const csv::TableCounts& counts = made.counts;
     sayBadRows(made.stream);
-    say(shapesText(counts.lines) + u'.');
+    say(shapesText(counts.lines, true) + u'.');
+    sayPoints(counts.points);
     if (const QString more = furtherCountsText(counts.lines); !more.isEmpty())
         say(more);
     say(windowText(arguments, table, options.region));
-    if (counts.lines.whole + counts.lines.cut > 0)
+    if (counts.lines.whole + counts.lines.cut + counts.lines.touching > 0)
         return;
-    say(counts.bounds ? nothingLeftText(options.region.keep, placeText(*counts.bounds, table))
-                      : Commands::tr("The drawing is empty: there is nothing to cut."));
+    say(counts.bounds
+            ? nothingLeftText(options.region.keep, placeText(*counts.bounds, table), counts.lines)
+            : Commands::tr("The drawing is empty: there is nothing to cut."));
 }
 
 csv::TableCut clipRows(InputBytes& in, const ParsedArguments& arguments, const Output& output,

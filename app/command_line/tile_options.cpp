@@ -38,6 +38,23 @@ bool takeNumbers(const QString& text, TilePlan& plan)
     return found.hasMatch();
 }
 
+// "45mmx48mm", or "45x48mm": a width and a height.
+bool takeSize(const QString& text, TilePlan& plan)
+{
+    const qsizetype by = text.lastIndexOf(QRegularExpression(QStringLiteral("[x×](?=[0-9.])")));
+    if (by < 0)
+        return false;
+    const auto height = parseLength(text.sliced(by + 1).toStdString());
+    auto width = parseLength(text.first(by).toStdString());
+    if (width && height && width->unit == Unit::User)
+        width->unit = height->unit;
+    const auto millimetres = [](const std::optional<Length>& length) {
+        return length ? length->value * infoOf(length->unit).millimetres : 0;
+    };
+    plan.sheet = {millimetres(width), millimetres(height)};
+    return plan.sheet.x > 0 && plan.sheet.y > 0;
+}
+
 // "a4" or "a4-landscape": a size of paper.
 bool takePaper(const QString& text, TilePlan& plan)
 {
@@ -92,11 +109,12 @@ std::vector<Option> tileOptions()
 {
     return {
         {{optionName},
-         "COLUMNSxROWS|PAPER",
+         "COLUMNSxROWS|SIZE|PAPER",
          Commands::tr(
              "Divide the page among sheets. COLUMNSxROWS: so many of equal size, columns first: "
-             "3x2 makes 3 columns side by side in 2 rows, 6 sheets. PAPER: as many sheets of this "
-             "paper as are needed (a4, a3, letter …; a4-landscape). The name of the output holds "
+             "3x2 makes 3 columns side by side in 2 rows, 6 sheets. SIZE: as many sheets of this "
+             "width and height as are needed, with their units (45mmx48mm). PAPER: the same with "
+             "a size of paper (a4, a3, letter …; a4-landscape). The name of the output holds "
              "{row} and {column}, or {n}, which counts row by row; a PDF file without them gets a "
              "page for each sheet.")},
         {{"overlap"},
@@ -104,7 +122,7 @@ std::vector<Option> tileOptions()
          Commands::tr("The strip that neighbouring sheets have in common (0).")},
         {{"sheet-margin"},
          "LENGTH",
-         Commands::tr("The margin of each sheet (10mm; 0 for COLUMNSxROWS without --marks).")},
+         Commands::tr("The margin of each sheet (10mm for PAPER, or with --marks; otherwise 0).")},
         {{"marks"},
          {},
          Commands::tr("Draw registration marks, corner lines and a label in the margins.")},
@@ -135,11 +153,12 @@ std::optional<TilePlan> tilePlanOf(const ParsedArguments& arguments, const Page&
     plan.scale = scaleOf(arguments);
     if (arguments.has(QStringLiteral("empty-sheets")))
         plan.empty = EmptySheets::Written;
-    const bool byNumber = takeNumbers(*text, plan);
-    if (!byNumber && !takePaper(*text, plan))
+    const bool isPaper = takePaper(*text, plan);
+    if (!isPaper && !takeNumbers(*text, plan) && !takeSize(*text, plan))
         refuse({optionName, *text},
-               Commands::tr("columns and rows such as 3x2, or a paper such as a4 or a4-landscape"));
-    const double usual = byNumber && !plan.marks.any() ? 0 : plan.margin;
+               Commands::tr("columns and rows such as 3x2, a size such as 45mmx48mm, or a paper "
+                            "such as a4 or a4-landscape"));
+    const double usual = isPaper || plan.marks.any() ? plan.margin : 0;
     plan.margin = millimetres(arguments, QStringLiteral("sheet-margin"), usual, page);
     plan.overlap = millimetres(arguments, QStringLiteral("overlap"), 0, page);
     return plan;

@@ -110,14 +110,29 @@ void refuseNothing(const GivenValue& value, const Windows& windows)
                              .arg(value.option, value.text)};
 }
 
+// "“a”, “b”": the first ones.
+QString firstNames(const QStringList& names)
+{
+    constexpr qsizetype most = 10;
+    QStringList quoted;
+    for (const QString& name : names.first(std::min(most, names.size())))
+        quoted << u'“' + name + u'”';
+    if (names.size() > most)
+        quoted << Commands::tr("%1 more").arg(names.size() - most);
+    return quoted.join(Commands::tr(", "));
+}
+
 [[noreturn]] void refuseName(const GivenValue& value, const QString& name, const QStringList& names,
                              const QString& nothing)
 {
+    const auto nearest = nearestTo(name, names);
     throw WrongUsage{Commands::tr("--%1 %2: ").arg(value.option, value.text)
                      + (names.isEmpty() ? nothing
-                                        : Commands::tr("there is no “%1” in the drawing. The "
-                                                       "nearest is “%2”.")
-                                              .arg(name, nearestTo(name, names)))};
+                        : nearest
+                            ? Commands::tr("there is no “%1” in the drawing. Did you mean “%2”?")
+                                  .arg(name, *nearest)
+                            : Commands::tr("there is no “%1” in the drawing, which has %2.")
+                                  .arg(name, firstNames(names)))};
 }
 
 Windows shapesOf(const GivenValue& value, const Document& drawing, const ObjectRange& range)

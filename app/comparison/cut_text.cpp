@@ -34,6 +34,8 @@ QString cutText(const CutCounts& counts)
     addFirst(counts.whole, "%1 object kept whole", "%1 objects kept whole", "%1 kept whole");
     addFirst(counts.cut, "%1 object cut", "%1 objects cut", "%1 cut");
     addFirst(counts.gone, "%1 object left out", "%1 objects left out", "%1 left out");
+    addFirst(counts.touching, "%1 object that only touches the window left out",
+             "%1 objects that only touch the window left out", "%1 that only touch it left out");
     QString text = parts.isEmpty() ? tr("there was nothing to cut.") : parts.join(tr(", ")) + u'.';
     addCount(text, counts.opened, "Closed shapes cut open: %1.");
     addCount(text, counts.dropped, "Short pieces dropped: %1.");

@@ -54,6 +54,7 @@ class ChordClipping {
 public:
     explicit ChordClipping(const CutOptions& options) : clipping_(options) {}
 
+    std::span<const std::uint32_t> contacts() const { return clipping_.contacts(); }
     std::span<const Clipped> keptOf(std::span<const Chord> chords)
     {
         lines_.resize(chords.size());
@@ -65,6 +66,12 @@ private:
     LineClipping clipping_;
     std::vector<clipping::Segment> lines_;
 };
+
+bool isOnlyPoints(const Object& object)
+{
+    return std::ranges::all_of(object.path.subpaths(),
+                               [](const Subpath& path) { return path.segments.empty(); });
+}
 
 CutOptions withTolerance(CutOptions options, const Page& page)
 {
@@ -110,17 +117,21 @@ private:
         std::span<const Clipped> kept = clipping_.keptOf(batch_.chords());
         edit_.counts().segmentsBefore += batch_.chords().size();
         edit_.counts().segmentsAfter += kept.size();
+        std::span<const std::uint32_t> contacts = clipping_.contacts();
         for (const Batch::Member& member : batch_.members()) {
             const auto end = std::ranges::find_if(
                 kept, [&](const Clipped& piece) { return piece.source >= member.end; });
             const auto count = std::size_t(end - kept.begin());
-            cutMember(member, kept.first(count));
+            const auto touching = std::ranges::lower_bound(contacts, member.end);
+            const bool touches = touching != contacts.begin();
+            contacts = contacts.subspan(std::size_t(touching - contacts.begin()));
+            cutMember(member, kept.first(count), touches);
             kept = kept.subspan(count);
         }
         batch_.clear();
     }
 
-    void cutMember(const Batch::Member& member, std::span<const Clipped> kept)
+    void cutMember(const Batch::Member& member, std::span<const Clipped> kept, bool touches)
     {
         const auto chords = batch_.chordsOf(member);
         const ObjectView view = objects_[member.object];
@@ -128,7 +139,7 @@ private:
         if (!filled && std::ranges::equal(chords, kept, {}, &Chord::segment, &Clipped::segment))
             return edit_.keep(member.object);
         if (!filled && kept.empty())
-            return edit_.remove(member.object);
+            return remove(member.object, touches);
         const Object object = view.copy();
         std::optional<AreaLeft> area;
         if (filled)
@@ -138,8 +149,18 @@ private:
             return edit_.keep(member.object);
         edit_.counts().dropped += result.dropped;
         if (result.left.empty())
-            return edit_.remove(member.object);
+            return remove(member.object, touches);
+        const bool isPoints = touches && std::ranges::all_of(result.left, isOnlyPoints);
         edit_.cut(member.object, std::move(result));
+        edit_.counts().touching += isPoints;
+        edit_.counts().cut -= isPoints;
+    }
+
+    void remove(std::size_t object, bool touches)
+    {
+        edit_.remove(object);
+        edit_.counts().touching += touches;
+        edit_.counts().gone -= touches;
     }
 
     const Objects& objects_;

@@ -22,7 +22,10 @@ struct CutCounts {
     std::size_t whole = 0;  ///< objects that came back unchanged
     std::size_t cut = 0;    ///< objects of which a part remains
     std::size_t gone = 0;   ///< objects of which nothing remains
-    std::size_t opened = 0; ///< closed subpaths that became open
+    /// Objects that only touch the windows, in single points. They count as neither cut nor gone,
+    /// whether the points are kept or not.
+    std::size_t touching = 0;
+    std::size_t opened = 0; ///< closed subpaths with a stroke that became open
     std::size_t hidden = 0; ///< hidden objects that were cut like visible ones, and stay hidden
     std::size_t leftHidden = 0, leftLocked = 0; ///< not cut, as the options say
     std::size_t cutLocked = 0;    ///< objects on locked layers that a cut changed or removed

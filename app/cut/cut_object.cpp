@@ -133,7 +133,9 @@ CutObject cutObject(const Object& object, const CutOptions& options, std::span<c
     if (lines.whole() && (!area || area->whole))
         return {.whole = true};
     const bool stroked = object.style.stroke.has_value();
-    CutObject result{.opened = lines.opened(), .dropped = lines.dropped()};
+    const bool hasLines = stroked || !area; // otherwise only the area counts
+    CutObject result{.opened = hasLines ? lines.opened() : 0,
+                     .dropped = hasLines ? lines.dropped() : 0};
     if (!area) {
         result.left = lines.take();
         return result;

@@ -16,6 +16,13 @@ static bool notFinite(const Clipped& piece)
     return !std::isfinite(a.x + a.y + b.x + b.y); // coordinates are far below overflow
 }
 
+// Whether only a point of a longer line is kept.
+static bool isContact(const Clipped& piece, std::span<const Segment> lines)
+{
+    const auto& [a, b] = piece.segment;
+    return a == b && lines[piece.source].a != lines[piece.source].b;
+}
+
 LineClipping::LineClipping(const CutOptions& options) : options_(options)
 {
     folding_.start(options.region, options.clipAll);
@@ -30,12 +37,18 @@ std::span<const Clipped> LineClipping::keptOf(std::span<const Segment> lines)
         clipAt(*window, lines);
     else
         folding_.fold(lines, 0, kept_);
-    if (!options_.keepContacts)
-        std::erase_if(kept_, [&](const Clipped& piece) {
-            const auto& [a, b] = piece.segment;
-            return a == b && lines[piece.source].a != lines[piece.source].b;
-        });
+    findContacts(lines);
+    if (!options_.keepContacts && !contacts_.empty())
+        std::erase_if(kept_, [&](const Clipped& piece) { return isContact(piece, lines); });
     return kept_;
+}
+
+void LineClipping::findContacts(std::span<const Segment> lines)
+{
+    contacts_.clear();
+    for (const Clipped& piece : kept_)
+        if (isContact(piece, lines))
+            contacts_.push_back(piece.source);
 }
 
 void LineClipping::keepAll(std::span<const Segment> lines)

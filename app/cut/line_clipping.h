@@ -16,13 +16,19 @@ public:
     /// call.
     std::span<const clipping::Clipped> keptOf(std::span<const clipping::Segment> lines);
 
+    /// The lines of the last call of which single points are kept, or would be without them left
+    /// out; in order.
+    std::span<const std::uint32_t> contacts() const { return contacts_; }
+
 private:
+    void findContacts(std::span<const clipping::Segment> lines);
     void keepAll(std::span<const clipping::Segment> lines);
     void clipAt(const clipping::Window& window, std::span<const clipping::Segment> lines);
 
     const CutOptions& options_;
     RegionClipping folding_;
     std::vector<clipping::Clipped> kept_, outside_;
+    std::vector<std::uint32_t> contacts_;
 };
 
 } // namespace app

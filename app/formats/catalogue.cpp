@@ -34,6 +34,17 @@ std::span<const Format> formats()
     return all;
 }
 
+// "svg, csv": the formats that can be read, or written.
+template <class Function>
+static QString typesWith(Function Format::*can)
+{
+    QStringList keys;
+    for (const Format& format : formats())
+        if (format.*can)
+            keys << QLatin1StringView(format.key);
+    return keys.join(QStringLiteral(", "));
+}
+
 const Format* findFormat(QStringView key)
 {
     const auto found = std::ranges::find_if(formats(), [&](const Format& format) {
@@ -59,8 +70,9 @@ Result<Imported> readFile(const QString& path, const Format* format)
         return failure(*fault);
     format = format ? format : formatToRead(path);
     if (!format || !format->read)
-        return failure(
-            QCoreApplication::translate("formats", "Clearcut does not read this type of file."));
+        return failure(QCoreApplication::translate(
+                           "formats", "Clearcut does not read this type of file. It reads %1.")
+                           .arg(typesWith(&Format::read)));
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return failure(file.errorString() + u'.');
@@ -81,8 +93,9 @@ std::optional<QString> writeFile(const Document& document, const QString& path,
     };
     format = format ? format : formatOfFile(path);
     if (!format || !format->write)
-        return failure(
-            QCoreApplication::translate("formats", "Clearcut does not write this type of file."));
+        return failure(QCoreApplication::translate(
+                           "formats", "Clearcut does not write this type of file. It writes %1.")
+                           .arg(typesWith(&Format::write)));
     const auto error = replaceFile(path, [&](QIODevice& out) {
         auto wrong = format->write(document, out, options);
         if (!wrong && options.stop.stop_requested())

@@ -20,7 +20,33 @@ void append(std::string& text, double value, int axis, int precision,
         appendNumber(text, value, precision, bounds.min[axis], bounds.max[axis]);
 }
 
+double rounded(double value, int axis, int precision, const clipping::Window& bounds)
+{
+    std::string text;
+    append(text, value, axis, precision, bounds);
+    return parseNumber(text).value_or(value);
+}
+
 } // namespace
+
+bool becomesPoint(const clipping::Segment& line, const WriteOptions& options)
+{
+    return options.precision >= 0 && line.a != line.b
+           && roundedPoint(line.a, options) == roundedPoint(line.b, options);
+}
+
+Point roundedPoint(const Point& point, const WriteOptions& options)
+{
+    const clipping::Window bounds = options.bounds.value_or(everything);
+    return {rounded(point.x, 0, options.precision, bounds),
+            rounded(point.y, 1, options.precision, bounds)};
+}
+
+Point roundedControl(const Point& point, const WriteOptions& options)
+{
+    return {rounded(point.x, 0, options.precision, everything),
+            rounded(point.y, 1, options.precision, everything)};
+}
 
 void appendCoordinate(std::string& text, double value, int axis, const WriteOptions& options)
 {

@@ -19,4 +19,11 @@ void appendCoordinate(std::string& text, double value, int axis, const WriteOpti
 void appendControl(std::string& text, const Point& point, char between,
                    const WriteOptions& options);
 
+/// Whether the ends of a line with a length are written alike, because of limited decimals.
+bool becomesPoint(const clipping::Segment& line, const WriteOptions& options);
+
+/// The point that is written.
+Point roundedPoint(const Point& point, const WriteOptions& options);
+Point roundedControl(const Point& point, const WriteOptions& options); ///< of a curve
+
 } // namespace app

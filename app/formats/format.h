@@ -20,6 +20,7 @@ struct Loss {
     int count = 1;
     bool remark = false;
     QString instead{}; ///< what is kept instead ("their lines are"); may be empty
+    qint64 line = 0;   ///< of the file, where it occurred first; 0: none in particular
 };
 
 /// A drawing read from a file, and a report of what the document could not keep.

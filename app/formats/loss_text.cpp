@@ -18,6 +18,12 @@ QString counted(const Loss& loss)
     return Losses::tr("%1 %2").arg(countText(std::size_t(loss.count)), loss.what);
 }
 
+QString withPlace(const Loss& loss)
+{
+    const QString place = whereText(loss);
+    return place.isEmpty() ? counted(loss) : Losses::tr("%1 (%2)").arg(counted(loss), place);
+}
+
 } // namespace
 
 QString lossSentence(const std::vector<Loss>& report)
@@ -39,13 +45,21 @@ QStringList lossLines(const std::vector<Loss>& report)
     QStringList lines;
     for (const Loss& loss : report)
         if (!loss.remark)
-            lines << Losses::tr("Lost: %1").arg(counted(loss))
+            lines << Losses::tr("Lost: %1").arg(withPlace(loss))
                          + (loss.instead.isEmpty() ? QString()
                                                    : Losses::tr("; %1").arg(loss.instead));
     for (const Loss& loss : report)
         if (loss.remark)
-            lines << Losses::tr("Changed: %1").arg(counted(loss));
+            lines << Losses::tr("Changed: %1").arg(withPlace(loss));
     return lines;
+}
+
+QString whereText(const Loss& loss)
+{
+    if (loss.line <= 0)
+        return {};
+    return (loss.count == 1 ? Losses::tr("line %1") : Losses::tr("first in line %1"))
+        .arg(loss.line);
 }
 
 } // namespace app

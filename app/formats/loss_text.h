@@ -11,4 +11,7 @@ QString lossSentence(const std::vector<Loss>& report);
 /// One line for each entry of the report: first the losses, then the remarks.
 QStringList lossLines(const std::vector<Loss>& report);
 
+/// "line 12", or "first in line 12" if it occurred several times; empty if it has no line.
+QString whereText(const Loss& loss);
+
 } // namespace app

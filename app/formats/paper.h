@@ -3,6 +3,8 @@
 
 #include "app/document/page.h"
 
+#include <QString>
+
 namespace app {
 
 /// The position of a page on paper: centred, as large as fits (SVG's xMidYMid meet).
@@ -12,5 +14,9 @@ struct Paper {
     Point corner;              ///< the document point at the top left corner of the paper
 };
 Paper paperOf(const Page& page);
+
+/// Why nothing can be calculated on a page, as a sentence: it has no size, or its unit is beyond
+/// the range of numbers.
+std::optional<QString> faultOf(const Page& page);
 
 } // namespace app

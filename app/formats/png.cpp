@@ -25,7 +25,9 @@ namespace {
 constexpr double mostPixelsOfSide = 32'767, mostPixels = 150e6;
 constexpr double millimetresPerInch = 25.4;
 
-QString tr(const char* text) { return QCoreApplication::translate("formats", text); }
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(formats)
+};
 
 QColor colourOf(const Colour& c) { return {c.red, c.green, c.blue, c.alpha}; }
 
@@ -77,29 +79,36 @@ void paint(QPainter& painter, const Object& object, double pixelsPerUnit)
             painter.drawPoint(QPointF(path.start.x, path.start.y));
 }
 
-std::optional<QString> tooLarge(const Point& pixels, double dpi)
+std::optional<QString> tooLarge(const Point& pixels, const Point& inches)
 {
     const double side = std::max(pixels.x, pixels.y), area = pixels.x * pixels.y;
     if (side <= mostPixelsOfSide && area <= mostPixels)
         return std::nullopt;
-    const double fits = dpi * std::min(mostPixelsOfSide / side, std::sqrt(mostPixels / area));
-    const auto number = [](double x) { return QString::number(x, 'f', 0); };
-    return tr("the picture would have %1 × %2 pixels, but at most %3 pixels a side and %4 in all "
-              "are possible. Choose %5 dpi or less.")
+    const double fits = std::min(mostPixelsOfSide / std::max(inches.x, inches.y),
+                                 std::sqrt(mostPixels / inches.x / inches.y));
+    constexpr double mostShown = 1e9;
+    const auto number = [](double x) {
+        return x <= mostShown ? QString::number(x, 'f', 0) : Words::tr("more than 1,000,000,000");
+    };
+    return Words::tr(
+               "the picture would have %1 × %2 pixels, but at most %3 pixels a side and %4 in all "
+               "are possible. Choose %5 dpi or less.")
         .arg(number(pixels.x), number(pixels.y), number(mostPixelsOfSide), number(mostPixels),
              fits >= 1 ? number(std::floor(fits)) : QString::number(fits, 'g', 2));
 }
 
 std::optional<QString> write(const Document& document, QIODevice& out, const WriteOptions& options)
 {
+    if (auto fault = faultOf(document.page()))
+        return fault;
     const Paper paper = paperOf(document.page());
-    const Point pixels =
-        glm::max(Point{1, 1}, glm::round(paper.millimetres / millimetresPerInch * options.dpi));
-    if (auto sentence = tooLarge(pixels, options.dpi))
+    const Point inches = paper.millimetres / millimetresPerInch;
+    const Point pixels = glm::max(Point{1, 1}, glm::round(inches * options.dpi));
+    if (auto sentence = tooLarge(pixels, inches))
         return sentence;
     QImage image(int(pixels.x), int(pixels.y), QImage::Format_RGB32);
     if (image.isNull())
-        return tr("there is not enough memory for the picture. Choose fewer dpi.");
+        return Words::tr("there is not enough memory for the picture. Choose fewer dpi.");
     image.fill(Qt::white); // white paper
     const int dotsPerMetre = int(std::lround(options.dpi / millimetresPerInch * 1000));
     image.setDotsPerMeterX(dotsPerMetre);
@@ -116,7 +125,7 @@ std::optional<QString> write(const Document& document, QIODevice& out, const Wri
     QByteArray bytes;
     QBuffer buffer(&bytes);
     if (!QImageWriter(&buffer, "png").write(image))
-        return tr("there is not enough memory for the picture. Choose fewer dpi.");
+        return Words::tr("there is not enough memory for the picture. Choose fewer dpi.");
     const std::string_view view(bytes.data(), std::size_t(bytes.size()));
     return writeAll(out, view) ? std::nullopt : std::optional(out.errorString() + u'.');
 }

@@ -3,6 +3,7 @@
 
 #include "app/document/tree_draft.h"
 #include "app/formats/format.h"
+#include "app/formats/svg/writer.h"
 
 #include <QBuffer>
 
@@ -11,7 +12,9 @@
 namespace app {
 namespace {
 
+const QString ownType = QStringLiteral("application/x-clearcut+svg");
 const QString svgType = QStringLiteral("image/svg+xml");
+const QString textType = QStringLiteral("text/plain");
 
 // An object from a page with other units, scaled to this page.
 Object scaled(Object object, double factor)
@@ -45,9 +48,12 @@ std::unordered_set<ContainerId> copiedGroups(const Document& document, const Obj
 Document only(Document document, const ObjectRanges& objects, ContainerId entered)
 {
     const auto groups = copiedGroups(document, objects, entered);
+    Page page = document.page();
+    page.guides = {};
+    page.sheets.reset();
     const ObjectRanges others =
         without(ObjectRanges(ObjectRange{0, document.objects().size()}), objects);
-    Edit edit;
+    Edit edit{.windows = ClipWindows(), .page = std::move(page)};
     for (const ObjectRange& range : others.ranges())
         edit.splices.push_back({std::uint32_t(range.first), std::uint32_t(range.size()), 0});
     edit.containers = document.containers().spliced(edit.splices);
@@ -58,24 +64,52 @@ Document only(Document document, const ObjectRanges& objects, ContainerId entere
     return document;
 }
 
+// A drawing, which is written only when a program asks for it: writing takes longer than a frame.
+class CopiedDrawing final : public QMimeData {
+public:
+    explicit CopiedDrawing(Document drawing) : drawing_(std::move(drawing)) {}
+
+    QStringList formats() const override { return {ownType, svgType, textType}; }
+    bool hasFormat(const QString& type) const override { return formats().contains(type); }
+
+protected:
+    QVariant retrieveData(const QString& type, QMetaType) const override
+    {
+        if (type == ownType)
+            return written(own_, svg::write);
+        const QByteArray& pixels = written(pixels_, svg::writeInPixels);
+        return type == textType  ? QVariant(QString::fromUtf8(pixels))
+               : type == svgType ? QVariant(pixels)
+                                 : QVariant();
+    }
+
+private:
+    using Write = std::optional<QString> (*)(const Document&, QIODevice&, const WriteOptions&);
+    const QByteArray& written(QByteArray& bytes, Write write) const
+    {
+        QBuffer buffer(&bytes);
+        if (bytes.isEmpty() && buffer.open(QIODevice::WriteOnly) && write(drawing_, buffer, {}))
+            bytes.clear();
+        return bytes;
+    }
+
+    const Document drawing_;
+    mutable QByteArray own_, pixels_;
+};
+
 } // namespace
 
 std::unique_ptr<QMimeData> copied(const Document& document, const ObjectRanges& objects,
                                   ContainerId entered)
 {
-    QBuffer svg;
-    svg.open(QIODevice::WriteOnly);
-    auto data = std::make_unique<QMimeData>();
-    if (formats().front().write(only(document, objects, entered), svg, {}))
-        return data;
-    data->setData(svgType, svg.data());
-    data->setText(QString::fromUtf8(svg.data()));
-    return data;
+    return std::make_unique<CopiedDrawing>(only(document, objects, entered));
 }
 
 Document pasted(const QMimeData& data, const Page& page)
 {
-    QByteArray bytes = data.hasFormat(svgType) ? data.data(svgType) : data.text().toUtf8();
+    QByteArray bytes = data.hasFormat(ownType)   ? data.data(ownType)
+                       : data.hasFormat(svgType) ? data.data(svgType)
+                                                 : data.text().toUtf8();
     if (!bytes.contains("<svg"))
         return {};
     QBuffer svg(&bytes);

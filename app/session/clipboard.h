@@ -9,8 +9,9 @@
 
 namespace app {
 
-/// Objects in formats for this and other programs: SVG as image and as text. Groups are copied if
-/// they are chosen as a whole (TreeDraft).
+/// Objects for this program, which reads them back bit for bit, and for others: SVG as image and as
+/// text, in pixels, because Inkscape ignores the unit of what it pastes. Groups are copied if they
+/// are chosen as a whole (TreeDraft).
 std::unique_ptr<QMimeData> copied(const Document& document, const ObjectRanges& objects,
                                   ContainerId entered = 0);
 

@@ -5,6 +5,7 @@
 
 #include <glm/common.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace app::csv {
@@ -15,6 +16,8 @@ clipping::Window around(const clipping::Window& a, const clipping::Window& b)
     return {glm::min(a.min, b.min), glm::max(a.max, b.max)};
 }
 
+bool isPoint(const clipping::Clipped& piece) { return piece.segment.a == piece.segment.b; }
+
 } // namespace
 
 void TableCounts::add(const TableCounts& more)
@@ -22,9 +25,11 @@ void TableCounts::add(const TableCounts& more)
     lines.whole += more.lines.whole;
     lines.cut += more.lines.cut;
     lines.gone += more.lines.gone;
+    lines.touching += more.lines.touching;
     lines.dropped += more.lines.dropped;
     lines.segmentsBefore += more.lines.segmentsBefore;
     lines.segmentsAfter += more.lines.segmentsAfter;
+    points += more.points;
     if (more.bounds)
         bounds = bounds ? around(*bounds, *more.bounds) : *more.bounds;
 }
@@ -41,10 +46,12 @@ void BlockCut::cut(const TableRows& rows)
         while (count < kept.size() && kept[count].source == line)
             ++count;
         const bool whole = count == 1 && kept.front().segment == lines[line];
+        const bool touches = !whole && count > 0 && std::ranges::all_of(kept.first(count), isPoint);
         const std::size_t written = writePieces(rows, line, kept.first(count));
         counts_.lines.whole += whole;
-        counts_.lines.cut += written > 0 && !whole;
-        counts_.lines.gone += written == 0;
+        counts_.lines.touching += touches;
+        counts_.lines.cut += written > 0 && !whole && !touches;
+        counts_.lines.gone += written == 0 && !touches;
         kept = kept.subspan(count);
         counts_.lines.segmentsAfter += count;
     }
@@ -70,6 +77,10 @@ std::size_t BlockCut::writePieces(const TableRows& rows, std::size_t line,
 
 void BlockCut::write(const clipping::Segment& piece, const TableRows& rows, std::size_t line)
 {
+    if (becomesPoint(piece, options_.write)) {
+        ++counts_.points;
+        return;
+    }
     appendPoint(text_, piece.a, ',', options_.write);
     text_ += ',';
     appendPoint(text_, piece.b, ',', options_.write);

@@ -11,6 +11,7 @@ namespace app::csv {
 /// Counts of the lines of a table, or of a part of it, before and after the cut.
 struct TableCounts {
     CutCounts lines;
+    std::size_t points = 0; ///< pieces left out because the precision makes them points
     std::optional<clipping::Window> bounds{}; ///< around all lines before the cut
 
     void add(const TableCounts& more);

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <span>
+#include <string>
 #include <string_view>
 
 namespace app::csv {
@@ -11,5 +14,21 @@ enum Column : std::size_t { X1, Y1, X2, Y2, LayerName, StrokeColour, Width, Sour
 constexpr std::array<std::string_view, 8> columnNames{"x1",    "y1",     "x2",    "y2",
                                                       "layer", "colour", "width", "source"};
 constexpr std::size_t coordinateColumns = 4; ///< the first columns, which are required
+
+using Fields = std::span<const std::string_view>;
+
+/// Whether a header names four columns that are coordinates of lines, by usual names.
+bool namesCoordinates(Fields header);
+
+/// What the fields of a header name.
+class Header {
+public:
+    explicit Header(Fields fields);
+    /// Empty: no column that is read.
+    std::optional<Column> columnOf(std::string_view field) const;
+
+private:
+    const std::array<std::string_view, coordinateColumns>* coordinates_;
+};
 
 } // namespace app::csv

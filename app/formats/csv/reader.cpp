@@ -3,52 +3,62 @@
 
 #include "app/base/csv_text.h"
 #include "app/formats/csv/lines_by_layer.h"
+#include "app/formats/csv/record_blocks.h"
+#include "app/formats/csv/record_fields.h"
 #include "app/formats/csv/row_reader.h"
 
 #include <QCoreApplication>
+
+#include <algorithm>
 
 namespace app::csv {
 namespace {
 
 class Reader {
 public:
-    explicit Reader(QIODevice& in) : text_(in) {}
+    explicit Reader(QIODevice& in)
+        : blocks_([&in](char* bytes, std::size_t size) {
+              return std::size_t(std::max<qint64>(in.read(bytes, qint64(size)), 0));
+          })
+    {
+    }
 
     Imported read()
     {
-        Record record;
-        if (text_.next(record) && !readHeader(record))
-            addRow(record);
-        while (text_.next(record))
-            addRow(record);
+        RecordBlock block;
+        if (blocks_.first(block) && !readHeader(block))
+            addRows(block);
+        while (blocks_.next(block))
+            addRows(block);
         finish();
         return std::move(imported_);
     }
 
 private:
-    Fields fieldsOf(const Record& record)
+    bool readHeader(const RecordBlock& block)
     {
-        fields_.assign(record.fields.begin(), record.fields.end());
-        return fields_;
+        const RecordBlock::Place& place = block.places.front();
+        const bool isHeader = rows_.readHeader(block.text(place), block.line + place.line);
+        blocks_.setSeparator(rows_.separator());
+        fields_ = RecordFields(rows_.separator());
+        if (isHeader && rows_.beginsWithColour())
+            blocks_.endComments();
+        return isHeader;
     }
 
-    bool readHeader(const Record& record)
+    void addRows(const RecordBlock& block)
     {
-        if (!rows_.readHeader(fieldsOf(record), record.line))
-            return false;
-        if (rows_.beginsWithColour())
-            text_.endComments();
-        return true;
+        for (const RecordBlock::Place& place : block.places)
+            addRow(block.text(place), block.line + place.line);
     }
 
-    void addRow(const Record& record)
+    void addRow(std::string_view record, std::size_t line)
     {
         if (lines_.size() == mostRows)
             throw Refused{
-                record.line,
-                Words::tr("exceeds the limit of %1 lines. Split the file.").arg(mostRows)};
-        const Row row = rows_.row(fieldsOf(record), record.line);
-        const StyleEntry style = styleOf(row, record.line);
+                line, Words::tr("exceeds the limit of %1 lines. Split the file.").arg(mostRows)};
+        const Row row = rows_.row(fields_.of(record, line), line);
+        const StyleEntry style = styleOf(row, line);
         lines_.turnTo(row.layer);
         lines_.add(row.line, style);
     }
@@ -57,7 +67,7 @@ private:
     StyleEntry styleOf(const Row& row, std::size_t line)
     {
         if (!style_ || row.colour != colour_ || row.width != width_) {
-            style_ = lines_.style(csv::styleOf(row, line));
+            style_ = lines_.style(csv::styleOf(row, rows_, line));
             colour_ = row.colour;
             width_ = row.width;
         }
@@ -77,9 +87,9 @@ private:
         imported_.rows = lines_.order();
     }
 
-    Text text_;
+    RecordBlocks blocks_;
+    RecordFields fields_;
     RowReader rows_;
-    std::vector<std::string_view> fields_; ///< of the current record
     LinesByLayer lines_;
     std::string colour_, width_; ///< of the last row
     std::optional<StyleEntry> style_;

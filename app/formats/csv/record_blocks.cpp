@@ -21,7 +21,19 @@ RecordBlocks::RecordBlocks(ByteSource source)
 {
 }
 
-bool RecordBlocks::first(RecordBlock& block) { return next(block, 1); }
+bool RecordBlocks::first(RecordBlock& block)
+{
+    scan_.setSeparators(",;\t"); // text in quotation marks after any of them may hold line breaks
+    const bool found = next(block, 1);
+    setSeparator(',');
+    return found;
+}
+
+void RecordBlocks::setSeparator(char separator)
+{
+    scan_.setSeparators(separator == anyBlanks ? std::string(" \t") : std::string(1, separator));
+}
+
 bool RecordBlocks::next(RecordBlock& block) { return next(block, ~std::size_t(0)); }
 
 bool RecordBlocks::next(RecordBlock& block, std::size_t most)

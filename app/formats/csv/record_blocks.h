@@ -41,8 +41,11 @@ public:
     /// The next block; false at the end. Reuses the memory of `block`. Throws Refused if a record
     /// is too long to be one.
     bool next(RecordBlock& block);
-    /// The same for the first record alone, which may be a header.
+    /// The same for the first record alone, which may be a header, and whose separator is not
+    /// known.
     bool first(RecordBlock& block);
+    /// The separator of the further records; initially a comma.
+    void setSeparator(char separator);
 
     /// Takes later lines that begin with # as records.
     void endComments() { comments_ = false; }

@@ -10,12 +10,12 @@
 namespace app::csv {
 namespace {
 
-std::vector<std::string> unquoted(std::string_view record, std::size_t line)
+std::vector<std::string> unquoted(std::string_view record, std::size_t line, char separator)
 {
     QByteArray bytes = QByteArray::fromRawData(record.data(), qsizetype(record.size()));
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::ReadOnly);
-    Text text(buffer);
+    Text text(buffer, separator);
     text.endComments();
     text.beginWithinFile();
     Record read;
@@ -34,17 +34,37 @@ std::span<const std::string_view> RecordFields::of(std::string_view record, std:
 {
     fields_.clear();
     if (record.find('"') != std::string_view::npos || record.size() > longestRecord) {
-        unquoted_ = unquoted(record, line);
+        unquoted_ = unquoted(record, line, separator_);
         fields_.assign(unquoted_.begin(), unquoted_.end());
-        return fields_;
+    } else if (separator_ == anyBlanks) {
+        splitAtBlanks(record);
+    } else {
+        split(record);
     }
+    return fields_;
+}
+
+void RecordFields::split(std::string_view record)
+{
     for (std::size_t begin = 0;;) {
-        const std::size_t end = std::min(record.find(',', begin), record.size());
+        const std::size_t end = std::min(record.find(separator_, begin), record.size());
         fields_.push_back(record.substr(begin, end - begin));
         if (end == record.size())
-            return fields_;
+            return;
         begin = end + 1;
     }
+}
+
+void RecordFields::splitAtBlanks(std::string_view record)
+{
+    constexpr std::string_view blanks = " \t";
+    for (std::size_t begin = record.find_first_not_of(blanks); begin < record.size();) {
+        const std::size_t end = std::min(record.find_first_of(blanks, begin), record.size());
+        fields_.push_back(record.substr(begin, end - begin));
+        begin = record.find_first_not_of(blanks, end);
+    }
+    if (fields_.empty())
+        fields_.emplace_back();
 }
 
 } // namespace app::csv

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace app::csv {
@@ -12,6 +13,13 @@ namespace app::csv {
 class RecordScan {
 public:
     static constexpr std::size_t unknown = ~std::size_t(0); ///< more text is needed
+
+    /// The characters between fields.
+    void setSeparators(std::string_view separators)
+    {
+        separators_ = separators;
+        ends_ = separators_ + "\r\n";
+    }
 
     /// Continues with a longer text. It begins with the record whose end was unknown, if any.
     void continueIn(std::string_view text, bool ended)
@@ -47,7 +55,7 @@ public:
             return end;
         }
         if (plain_ && begin < text_.size())
-            state_ = text_.back() == ',' ? State::Begin : State::Text;
+            state_ = isSeparator(text_.back()) ? State::Begin : State::Text;
         scanned_ = text_.size() - from;
         return unknown;
     }
@@ -73,6 +81,8 @@ private:
         Text
     };
 
+    bool isSeparator(char c) const { return separators_.find(c) != std::string::npos; }
+
     std::size_t found(std::size_t end) const
     {
         return end != std::string_view::npos ? end : ended_ ? text_.size() : unknown;
@@ -87,8 +97,8 @@ private:
                 state_ = text_[i] == '"' ? State::Quoted : State::Text;
                 i += state_ == State::Quoted;
             } else {
-                i = std::min(text_.find_first_of(",\r\n", i), text_.size());
-                if (i == text_.size() || text_[i] != ',')
+                i = std::min(text_.find_first_of(ends_, i), text_.size());
+                if (i == text_.size() || !isSeparator(text_[i]))
                     break;
                 state_ = State::Begin;
                 ++i;
@@ -107,6 +117,7 @@ private:
         return mark + 1;
     }
 
+    std::string separators_ = ",", ends_ = ",\r\n";
     std::string_view text_;
     bool ended_ = false, plain_ = true;
     std::size_t lines_ = 0;

@@ -2,26 +2,13 @@
 #include "app/formats/csv/row_reader.h"
 
 #include "app/base/csv_text.h"
-#include "app/base/number.h"
+#include "app/formats/csv/record_fields.h"
+#include "app/formats/svg/colour.h"
 
-#include <QCoreApplication>
-
-#include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <numeric>
 
 namespace app::csv {
 namespace {
-
-constexpr double largest = 1e300; // keeps sums and differences finite
-
-std::string_view trimmed(std::string_view text)
-{
-    constexpr std::string_view blank = " \t";
-    const auto first = std::min(text.find_first_not_of(blank), text.size());
-    return text.substr(first, text.find_last_not_of(blank) + 1 - first);
-}
 
 QString shown(std::string_view field)
 {
@@ -30,75 +17,90 @@ QString shown(std::string_view field)
     return u'“' + (text.size() > most ? text.left(most) + u'…' : text) + u'”';
 }
 
-std::optional<double> coordinate(std::string_view field)
-{
-    const auto number = parseNumber(trimmed(field));
-    return number && std::abs(*number) <= largest ? number : std::nullopt;
-}
-
-/// Whether a field is a well-formed number, but beyond the range of calculations.
-bool tooLarge(std::string_view field)
-{
-    long double value = 0; // its range exceeds that of double
-    const char* const last = field.data() + field.size();
-    const auto [end, error] = std::from_chars(field.data(), last, value);
-    return error == std::errc{} && end == last && std::isfinite(value) && std::abs(value) > largest;
-}
-
-// Parses #rrggbb or #rrggbbaa.
-std::optional<Colour> colour(std::string_view text)
-{
-    if ((text.size() != 7 && text.size() != 9) || text[0] != '#')
-        return std::nullopt;
-    std::uint32_t value = 0;
-    const char* const last = text.data() + text.size();
-    const auto [end, error] = std::from_chars(text.data() + 1, last, value, 16);
-    if (end != last || error != std::errc{})
-        return std::nullopt;
-    if (text.size() == 7)
-        value = value << 8 | 255;
-    return Colour{std::uint8_t(value >> 24), std::uint8_t(value >> 16), std::uint8_t(value >> 8),
-                  std::uint8_t(value)};
-}
-
 QString columnsText(std::size_t count)
 {
     return count == 1 ? Words::tr("1 column") : Words::tr("%1 columns").arg(count);
 }
 
+// "“from”, “to”", the first ones.
+QString namesText(Fields fields)
+{
+    constexpr qsizetype most = 6;
+    QStringList names;
+    for (const auto field : fields) {
+        names << (names.size() < most ? shown(trimmed(field)) : QStringLiteral("…"));
+        if (names.size() > most)
+            break;
+    }
+    return names.join(QStringLiteral(", "));
+}
+
+QString separatorText(char separator)
+{
+    return separator == ';'    ? Words::tr("semicolons")
+           : separator == '\t' ? Words::tr("tabs")
+                               : Words::tr("blanks");
+}
+
+// UTF-16 has a zero byte in almost every character of a table.
+void refuseUtf16(std::string_view record, std::size_t line)
+{
+    if (record.find('\0') != record.npos)
+        throw Refused{line, Words::tr("is not UTF-8. Save the table as CSV in UTF-8.")};
+}
+
+[[noreturn]] void refuseTooLarge(std::string_view number, std::size_t line)
+{
+    throw Refused{
+        line, Words::tr("has %1, which is too large; numbers go up to 1e300.").arg(shown(number))};
+}
+
+bool isNumber(std::string_view field, const Dialect& dialect)
+{
+    return coordinateOf(field, dialect) || isTooLarge(field);
+}
+
 } // namespace
 
-bool RowReader::readHeader(Fields fields, std::size_t line)
+bool RowReader::readHeader(std::string_view record, std::size_t line)
 {
-    if (coordinate(fields.front()) || tooLarge(trimmed(fields.front()))) {
+    refuseUtf16(record, line);
+    dialect_ = dialectOf(record, line);
+    RecordFields divided(dialect_.separator);
+    const Fields fields = divided.of(record, line);
+    if (dialect_.separator != ',')
+        report_.push_back({Words::tr("table has %1 between its columns; a comma is a decimal comma")
+                               .arg(separatorText(dialect_.separator)),
+                           1, true});
+    if (isNumber(fields.front(), dialect_)) {
         std::iota(positions_.begin(), positions_.end(), 0);
         return false;
     }
     positions_.fill(none);
-    for (std::size_t i = 0; i < fields.size(); ++i)
-        readName(fields[i], i, line);
+    readNames(fields, line);
     for (std::size_t i = 0; i < coordinateColumns; ++i)
         if (positions_[i] == none)
-            throw Refused{line, Words::tr("is neither four numbers nor a header with x1, y1, "
-                                          "x2 and y2.")};
+            throw Refused{line, Words::tr("is neither four numbers nor a header with x1, y1, x2 "
+                                          "and y2; it has %1: %2.")
+                                    .arg(columnsText(fields.size()), namesText(fields))};
     mostFields_ = fields.size();
     return true;
 }
 
-void RowReader::readName(std::string_view field, std::size_t index, std::size_t line)
+void RowReader::readNames(Fields fields, std::size_t line)
 {
-    std::string name(trimmed(field));
-    std::ranges::transform(name, name.begin(),
-                           [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-    const auto found = std::ranges::find(columnNames, name);
-    if (found == columnNames.end()) {
-        report_.push_back({Words::tr("column %1").arg(shown(name))});
-        return;
+    const Header header(fields);
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        const auto column = header.columnOf(fields[i]);
+        if (!column) {
+            report_.push_back({Words::tr("column %1").arg(shown(trimmed(fields[i])))});
+            continue;
+        }
+        if (positions_[*column] != none)
+            throw Refused{line,
+                          Words::tr("names the column %1 twice.").arg(shown(trimmed(fields[i])))};
+        positions_[*column] = i;
     }
-    auto& position = positions_[std::size_t(found - columnNames.begin())];
-    if (position != none)
-        throw Refused{line, Words::tr("names the column %1 twice.").arg(shown(name))};
-    position = index;
 }
 
 Row RowReader::row(Fields fields, std::size_t line) const
@@ -109,6 +111,8 @@ Row RowReader::row(Fields fields, std::size_t line) const
                                 .arg(mostFields_)};
     const Point a{number(fields, X1, line), number(fields, Y1, line)};
     const Point b{number(fields, X2, line), number(fields, Y2, line)};
+    if (dialect_.hasDecimalCommas())
+        refuseMixture(fields, line);
     const std::size_t layer = positions_[LayerName];
     return {{a, a == b ? a : b},
             layer < fields.size() ? fields[layer] : std::string_view(),
@@ -122,6 +126,20 @@ std::string_view RowReader::field(Fields fields, Column column) const
     return at < fields.size() ? trimmed(fields[at]) : std::string_view();
 }
 
+// Where points and commas occur side by side, one of them separates thousands.
+void RowReader::refuseMixture(Fields fields, std::size_t line) const
+{
+    std::string_view withComma, withPoint;
+    for (const Column column : {X1, Y1, X2, Y2}) {
+        const auto text = field(fields, column);
+        withComma = text.find(',') != text.npos ? text : withComma;
+        withPoint = text.find('.') != text.npos ? text : withPoint;
+    }
+    if (!withComma.empty() && !withPoint.empty())
+        throw Refused{line, Words::tr("has both decimal commas and points: %1 and %2.")
+                                .arg(shown(withComma), shown(withPoint))};
+}
+
 double RowReader::number(Fields fields, Column column, std::size_t line) const
 {
     if (positions_[column] >= fields.size())
@@ -129,26 +147,26 @@ double RowReader::number(Fields fields, Column column, std::size_t line) const
             line,
             Words::tr("has %1; x1, y1, x2 and y2 are needed.").arg(columnsText(fields.size()))};
     const auto text = field(fields, column);
-    if (const auto value = coordinate(text))
+    if (const auto value = coordinateOf(text, dialect_))
         return *value;
-    if (tooLarge(text))
-        throw Refused{
-            line,
-            Words::tr("has %1, which is too large; numbers go up to 1e300.").arg(shown(text))};
+    if (isTooLarge(text))
+        refuseTooLarge(text, line);
     throw Refused{line, Words::tr("has %1 where a number is needed.").arg(shown(text))};
 }
 
-Style styleOf(const Row& row, std::size_t line)
+Style styleOf(const Row& row, const RowReader& rows, std::size_t line)
 {
     Style style{.stroke = Colour{}};
     if (!row.colour.empty()) {
-        style.stroke = colour(row.colour);
+        style.stroke = svg::parseColour(row.colour);
         if (!style.stroke)
             throw Refused{line, Words::tr("has the colour %1; write it as #rrggbb or #rrggbbaa.")
                                     .arg(shown(row.colour))};
     }
     if (!row.width.empty()) {
-        const auto number = coordinate(row.width);
+        if (isTooLarge(row.width))
+            refuseTooLarge(row.width, line);
+        const auto number = coordinateOf(row.width, rows.dialect());
         if (!number || *number < 0)
             throw Refused{line, Words::tr("has the width %1; write a number that is not negative.")
                                     .arg(shown(row.width))};

@@ -3,6 +3,7 @@
 
 #include "app/document/style.h"
 #include "app/formats/csv/columns.h"
+#include "app/formats/csv/dialect.h"
 #include "app/formats/format.h"
 
 #include <QCoreApplication>
@@ -17,8 +18,6 @@ struct Words {
     Q_DECLARE_TR_FUNCTIONS(csv)
 };
 
-using Fields = std::span<const std::string_view>;
-
 /// The line in a row of a table, and how it is drawn. The texts lie in the row's fields.
 struct Row {
     clipping::Segment line;
@@ -31,27 +30,32 @@ struct Row {
 class RowReader {
 public:
     /// Reads the first record. False if it is no header but a row: its first field is a number.
-    bool readHeader(Fields fields, std::size_t line);
+    bool readHeader(std::string_view record, std::size_t line);
+
+    char separator() const { return dialect_.separator; } ///< of the fields, or anyBlanks
 
     Row row(Fields fields, std::size_t line) const;
 
+    const Dialect& dialect() const { return dialect_; }
     /// Whether rows may begin with a colour, so that a # does not begin a comment.
     bool beginsWithColour() const { return positions_[StrokeColour] == 0; }
-    /// The columns that are not read.
+    /// The columns that are not read, and a remark on separators other than commas.
     const std::vector<Loss>& report() const { return report_; }
 
 private:
-    void readName(std::string_view field, std::size_t index, std::size_t line);
+    void readNames(Fields fields, std::size_t line);
     std::string_view field(Fields fields, Column column) const;
     double number(Fields fields, Column column, std::size_t line) const;
+    void refuseMixture(Fields fields, std::size_t line) const;
 
     static constexpr std::size_t none = ~std::size_t(0);
     std::array<std::size_t, columnNames.size()> positions_{}; ///< of each column in a record
     std::size_t mostFields_ = columnNames.size();
+    Dialect dialect_;
     std::vector<Loss> report_;
 };
 
 /// The style of a row's line; throws Refused.
-Style styleOf(const Row& row, std::size_t line);
+Style styleOf(const Row& row, const RowReader& rows, std::size_t line);
 
 } // namespace app::csv

@@ -39,7 +39,7 @@ void TableRows::readRow(std::string_view record, std::size_t line, std::size_t r
 std::size_t TableRows::lookOf(const Row& row, std::size_t line)
 {
     if (looks_.empty() || row.layer != layer_ || row.colour != colour_ || row.width != width_) {
-        const Style style = styleOf(row, line);
+        const Style style = styleOf(row, rows_, line);
         const QString layer =
             row.layer.empty() ? usualLayer()
                               : QString::fromUtf8(row.layer.data(), qsizetype(row.layer.size()));

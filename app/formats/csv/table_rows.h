@@ -20,7 +20,10 @@ enum class BadRows : std::uint8_t { End, Skip };
 class TableRows {
 public:
     /// With BadRows::End, a bad row ends the reading. `rows` must outlive this object.
-    TableRows(const RowReader& rows, BadRows bad) : rows_(rows), bad_(bad) {}
+    TableRows(const RowReader& rows, BadRows bad)
+        : rows_(rows), bad_(bad), fields_(rows.separator())
+    {
+    }
 
     /// Replaces the lines by those of this block. Throws Refused at a bad row that is not skipped;
     /// the lines then are those of the rows before it.

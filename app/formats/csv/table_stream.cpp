@@ -49,8 +49,9 @@ private:
             return;
         const RecordBlock::Place& place = first_.places.front();
         const std::size_t line = first_.line + place.line;
-        RecordFields fields;
-        if (!rows_.readHeader(fields.of(first_.text(place), line), line))
+        const bool isHeader = rows_.readHeader(first_.text(place), line);
+        blocks_.setSeparator(rows_.separator());
+        if (!isHeader)
             return;
         hasFirst_ = false;
         blocks_.countFromHere();

@@ -6,9 +6,14 @@
 #include "app/document/line_colour.h"
 #include "app/formats/coordinates.h"
 #include "app/formats/csv/look_columns.h"
+#include "app/view/dashes.h"
+
+#include <glm/common.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <ranges>
 
 namespace app::csv {
 namespace {
@@ -50,20 +55,58 @@ private:
         if (object.hidden() || !strokeColour)
             return; // such an object is invisible
         lines_.clear();
-        appendSegments(object.path(), tolerance_, lines_);
+        appendLines(object);
         std::string rest =
             columnsOf({document_.containers().layerOf(index), object.styleIndex(), *strokeColour});
         if (!options_.sources.empty())
             (rest += ',') += std::to_string(options_.sources[index]);
         rest += '\n';
-        for (const auto& [a, b] : lines_) {
-            appendPoint(text_, a, ',', options_);
+        for (const auto& line : lines_) {
+            if (becomesPoint(line, options_))
+                continue;
+            appendPoint(text_, line.a, ',', options_);
             text_ += ',';
-            appendPoint(text_, b, ',', options_);
+            appendPoint(text_, line.b, ',', options_);
             text_ += rest;
             if (text_.size() > bufferSize)
                 flush();
         }
+    }
+
+    // Each dash is a line, as dashes cannot be told from other lines in a table.
+    void appendLines(const ObjectView& object)
+    {
+        const Style& style = object.style();
+        if (style.dashes.empty() || !style.stroke) {
+            appendSegments(object.path(), tolerance_, lines_);
+            return;
+        }
+        for (const Subpath& path : object.path().subpaths())
+            appendDashes(path, style, lines_);
+    }
+
+    void appendDashes(const Subpath& path, const Style& style,
+                      std::vector<clipping::Segment>& lines) const
+    {
+        constexpr double mostDashes = 1e6; // of a path; it becomes solid beyond
+        std::vector<Chord> chords;
+        flatten(path, tolerance_, chords);
+        std::vector<QPointF> points{{path.start.x, path.start.y}};
+        Point min = path.start, max = path.start;
+        double length = 0;
+        for (const auto& [a, b] : chords | std::views::transform(&Chord::segment)) {
+            points.emplace_back(b.x, b.y);
+            length += std::hypot(b.x - a.x, b.y - a.y);
+            min = glm::min(min, b);
+            max = glm::max(max, b);
+        }
+        const auto inside = [&](const QPointF& p) { // where rounding of a part put it outside
+            return glm::clamp(Point{p.x(), p.y()}, min, max);
+        };
+        const double shortest = length * double(style.dashes.size()) / mostDashes;
+        for (const auto& dash : dashes(points, style.dashes, style.dashOffset, shortest))
+            for (std::size_t i = 1; i < dash.size(); ++i)
+                lines.push_back({inside(dash[i - 1]), inside(dash[i])});
     }
 
     // Everything in a row except the coordinates.

@@ -5,7 +5,10 @@
 #include "app/base/write_all.h"
 #include "app/formats/paper.h"
 #include "app/formats/pdf/content.h"
+#include "app/formats/rounded.h"
 #include "app/formats/seen_part.h"
+
+#include <QCoreApplication>
 
 #include <algorithm>
 
@@ -83,6 +86,21 @@ std::string pageObject(const Point& size, double userUnit, std::size_t contents,
     return page + ">>";
 }
 
+// Acrobat shows pages up to 15,000,000 inches; on less than a micrometre nothing can be seen.
+constexpr double mostMillimetres = 15e6 * 25.4, leastMillimetres = 1e-3;
+
+std::optional<QString> faultOfPage(const Page& page)
+{
+    if (auto fault = faultOf(page))
+        return fault;
+    const Point size = paperOf(page).millimetres;
+    if (std::max(size.x, size.y) <= mostMillimetres && std::min(size.x, size.y) >= leastMillimetres)
+        return std::nullopt;
+    return QCoreApplication::translate(
+        "formats", "the page is too large or too small for PDF: its sides can have 0.001 mm to "
+                   "381 km. Change the width and height of the page.");
+}
+
 // Adds a page as the object `number`, and its content as the next one.
 void addPage(Objects& objects, std::size_t number, const Document& document,
              const WriteOptions& options)
@@ -112,8 +130,12 @@ std::optional<QString> writePages(std::size_t count, const PageMaker& page, QIOD
     Objects objects(out);
     objects.add("<</Type/Catalog/Pages 2 0 R>>");
     objects.add("<</Type/Pages/Kids[" + kids + "]/Count " + std::to_string(count) + ">>");
-    for (std::size_t i = 0; i < count && !objects.failed(); ++i)
-        addPage(objects, first + objectsOfPage * i, page(i), options);
+    for (std::size_t i = 0; i < count && !objects.failed(); ++i) {
+        const Document document = rounded(page(i), options).document;
+        if (auto fault = faultOfPage(document.page()))
+            return fault;
+        addPage(objects, first + objectsOfPage * i, document, options);
+    }
     objects.add("<</Producer(Clearcut " CLEARCUT_VERSION ")>>");
     objects.finish("/Root 1 0 R/Info " + reference(first + objectsOfPage * count));
     return objects.failed() ? std::optional(out.errorString() + u'.') : std::nullopt;

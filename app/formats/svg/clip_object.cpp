@@ -44,7 +44,7 @@ std::vector<Run> strokeRuns(const Subpath& path, std::span<const Chord> chords,
 }
 
 // Whether the polygon has no area, apart from rounding.
-bool isFlat(const std::vector<Point>& polygon)
+bool isFlatPolygon(const std::vector<Point>& polygon)
 {
     double area = 0, extent = 0;
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
@@ -65,12 +65,40 @@ std::optional<Subpath> filledPart(std::span<const Chord> chords, const ConvexReg
     polygon = region.clip(std::move(polygon));
     while (polygon.size() > 1 && polygon.back() == polygon.front())
         polygon.pop_back();
-    if (isFlat(polygon))
+    if (isFlatPolygon(polygon))
         return std::nullopt;
     Subpath path{polygon.front(), {}, true};
     for (std::size_t i = 1; i < polygon.size(); ++i)
         path.segments.push_back({polygon[i]});
     return path;
+}
+
+// How far the corners of a stroke that ends here, at right angles, are from the side of the area on
+// which the end lies; 0 if it lies on none.
+double gapAt(const Point& end, const Point& before, double width, const ConvexRegion& region)
+{
+    const auto side = region.sideAt(end);
+    if (!side)
+        return 0;
+    const Point along = side->b - side->a, ahead = end - before;
+    const double across = std::abs(along.x * ahead.y - along.y * ahead.x);
+    const double beside = std::abs(along.x * ahead.x + along.y * ahead.y);
+    return across > 0 ? width / 2 * (beside / across) : 0;
+}
+
+bool differs(const std::vector<Run>& runs, double width, const ConvexRegion& region, double visible)
+{
+    if (width / 2 <= visible)
+        return false;
+    return std::ranges::any_of(runs, [&](const Run& run) {
+        const auto& [start, segments, closed] = run.path;
+        if (closed || segments.empty())
+            return false;
+        const PathSegment &first = segments.front(), &last = segments.back();
+        const Point before = segments.size() > 1 ? segments[segments.size() - 2].to : start;
+        return gapAt(start, first.curved ? first.control1 : first.to, width, region) > visible
+               || gapAt(last.to, last.curved ? last.control2 : before, width, region) > visible;
+    });
 }
 
 void addStroke(const Drawn& drawn, std::vector<Run> runs, std::vector<Drawn>& objects)
@@ -124,6 +152,9 @@ std::optional<ClippedObject> clipObject(const Drawn& drawn, const ConvexRegion& 
     }
     if (!area.paths.empty() && drawn.style.fill)
         result.objects.push_back(std::move(area));
+    constexpr double visibleInTolerances = 10; // half a millimetre
+    result.strokeDiffers =
+        differs(runs, drawn.style.width, region, visibleInTolerances * tolerance);
     addStroke(drawn, std::move(runs), result.objects);
     if (!result.objects.empty()) {
         result.objects.front().particulars = drawn.particulars;

@@ -15,6 +15,9 @@ struct ClippedObject {
     std::vector<Drawn> objects;
     bool cut = false;     ///< whether it is neither entirely inside nor entirely outside
     std::size_t work = 0; ///< chords times sides, for the limit mostClipWork
+    /// Whether its stroke, which is cut at its centre line, visibly differs from one that is cut
+    /// along the area's sides.
+    bool strokeDiffers = false;
 };
 
 /// `tolerance` is the flattening tolerance in user units. An empty optional for paths with so many

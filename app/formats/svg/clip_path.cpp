@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Clip paths, and viewports that hide everything outside them: the content of both is really cut.
+#include "app/document/flatten.h"
 #include "app/formats/svg/clip_object.h"
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/refused.h"
@@ -12,74 +13,92 @@ void TreeDrawer::addClipPath(Node node, Place& place)
 {
     const auto reference = place.properties.clipPath;
     const Node clip = tree_.findReference(reference);
-    const bool local = reference.starts_with("url(");
-    if (local && (clip == noNode || tree_.name(clip) != "clipPath"))
-        return; // SVG: without the clip path there is no clipping
-    const auto region = local ? clipRegion(clip, place) : std::nullopt;
-    if (region) {
-        place.clips.push_back(std::make_shared<const ConvexRegion>(*region));
-        report_.add(losses::cutClipPath);
-    } else {
-        report_.add(losses::clipPath);
-    }
+    const auto line = report_.line();
+    if (!equalsIgnoringCase(reference.substr(0, 4), "url("))
+        report_.add(losses::value, "clip-path: " + std::string(reference));
+    else if (isElsewhere(reference))
+        report_.add(losses::otherFile);
+    else if (clip != noNode && tree_.name(clip) == "clipPath")
+        if (const auto region = clipRegion(clip, place)) {
+            place.clips.push_back(std::make_shared<const ConvexRegion>(*region));
+            report_.add(losses::cutClipPath);
+        }
+    report_.turnTo(line);
     node_ = node;
+}
+
+// Tells why a clip path is not applied.
+std::nullopt_t TreeDrawer::refuseClip(const LossKind& why)
+{
+    report_.add(why);
+    return std::nullopt;
 }
 
 std::optional<ConvexRegion> TreeDrawer::clipRegion(Node clip, const Place& place)
 {
+    if (tree_.attribute(clip, "clipPathUnits") == "objectBoundingBox")
+        return refuseClip(losses::clipPathUnits);
     Place base = place;
-    base.properties = styles_.of(clip, {}, place.lengths);
-    const auto own = parseTransform(base.properties.transform);
-    if (tree_.attribute(clip, "clipPathUnits") == "objectBoundingBox" || !own
-        || !base.properties.clipPath.empty())
+    base.properties = {};
+    base = styled(clip, base);
+    if (!base.properties.clipPath.empty())
+        return refuseClip(losses::nestedClipPath);
+    const auto paths = clipOutlines(clip, base);
+    if (!paths)
         return std::nullopt;
-    base.matrix = place.matrix * *own;
-    std::vector<Subpath> paths;
-    for (const Node child : Children(tree_, clip)) {
-        const auto drawn = clipOutline(child, base);
-        if (!drawn)
-            return std::nullopt;
-        paths.insert(paths.end(), drawn->begin(), drawn->end());
-        if (paths.size() > 1)
-            return std::nullopt; // several areas: their union may not be convex
-    }
-    return ConvexRegion::of(paths.empty() ? Subpath{} : paths.front(), tolerance_);
+    if (paths->size() > 1) // their union may not be convex
+        return refuseClip(losses::clipPathOfSeveral);
+    const Subpath path = paths->empty() ? Subpath{} : paths->front();
+    if (auto region = ConvexRegion::of(path, tolerance_))
+        return region;
+    return refuseClip(chordCount(path, tolerance_) > mostClipSides ? losses::longClipPath
+                                                                   : losses::clipPath);
 }
 
-// The outline of a child of a clip path; empty for children without an outline (text).
+// The outlines of a clip path's children.
+std::optional<std::vector<Subpath>> TreeDrawer::clipOutlines(Node clip, const Place& base)
+{
+    std::vector<Subpath> all;
+    for (const Node child : Children(tree_, clip)) {
+        if (!isDrawn(tree_.name(child)))
+            continue;
+        auto paths = clipOutline(child, base);
+        if (!paths)
+            return std::nullopt;
+        std::ranges::move(*paths, std::back_inserter(all));
+    }
+    return all;
+}
+
 std::optional<std::vector<Subpath>> TreeDrawer::clipOutline(Node node, const Place& base)
 {
-    Properties properties = styles_.of(node, base.properties, base.lengths);
-    auto matrix = parseTransform(properties.transform);
-    if (!matrix || !properties.clipPath.empty())
-        return std::nullopt;
+    Place place = styled(node, base);
     if (tree_.name(node) == "use") {
-        const Point shift{base.lengths.x(tree_.attribute(node, "x")).value_or(0),
-                          base.lengths.y(tree_.attribute(node, "y")).value_or(0)};
-        node = tree_.findReference(hrefOf(tree_, node));
-        if (node == noNode)
+        const Point shift = shiftOf(node, place);
+        const Node target = tree_.findReference(hrefOf(tree_, node));
+        if (target == noNode)
             return std::vector<Subpath>();
-        properties = styles_.of(node, properties, base.lengths);
-        const auto inner = parseTransform(properties.transform);
-        if (!inner || tree_.name(node) == "use" || !properties.clipPath.empty())
-            return std::nullopt;
-        matrix = *matrix * translation(shift) * *inner;
+        place.matrix = place.matrix * translation(shift);
+        if (place.properties.clipPath.empty() && place.properties.displayed)
+            place = styled(node = target, place);
     }
-    const OutlineKind* kind = findOutlineKind(tree_.name(node));
-    if (!kind)
-        return tree_.name(node) == "text" || tree_.name(node) == "use" || tree_.name(node) == "g"
-                   ? std::nullopt
-                   : std::optional(std::vector<Subpath>());
-    if (!properties.displayed || !properties.visible)
+    if (!place.properties.clipPath.empty())
+        return refuseClip(losses::nestedClipPath);
+    if (!place.properties.displayed || !place.properties.visible)
         return std::vector<Subpath>();
-    return placed(kind->outline(tree_, node, base.lengths), base.matrix * *matrix);
+    const OutlineKind* kind = findOutlineKind(tree_.name(node));
+    if (!kind) { // text, or a <use> of a <use>
+        report_.add(losses::clipPathContent, tree_.name(node));
+        return std::nullopt;
+    }
+    return placed(outlineOf(*kind, node, place), place.matrix);
 }
 
 void TreeDrawer::addViewportClip(const Box& viewport, Place& place)
 {
     const Point max = viewport.min + viewport.size;
     Subpath path{viewport.min, {{{max.x, viewport.min.y}}, {max}, {{viewport.min.x, max.y}}}, true};
-    transform(path, place.matrix);
+    svg::transform(path, place.matrix);
     if (const auto region = ConvexRegion::of(path, tolerance_))
         place.clips.push_back(std::make_shared<const ConvexRegion>(*region));
 }
@@ -89,12 +108,13 @@ std::vector<Drawn> TreeDrawer::clipped(Drawn drawn, const ConvexRegion& region)
 {
     auto left = clipObject(drawn, region, tolerance_);
     if (!left) {
-        report_.add(losses::clipPath);
+        report_.add(losses::longClipped);
         std::vector<Drawn> all;
         all.push_back(std::move(drawn));
         return all;
     }
     clipWork_ += left->work;
+    report_.add(losses::wideStroke, left->strokeDiffers);
     if (clipWork_ > mostClipWork)
         throw Refused{
             Text::tr("exceeds the limit of work for clip paths; remove some clip paths.")};

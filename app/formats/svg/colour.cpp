@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/colour.h"
 
+#include "app/formats/svg/length.h"
+#include "app/formats/svg/refused.h"
 #include "app/formats/svg/scanner.h"
 
 #include <QColor>
@@ -58,8 +60,10 @@ std::optional<Parts> parseParts(Scanner& in)
             return std::nullopt;
         parts.value[count] = *number;
         parts.percent[count] = in.take('%');
-        in.word(); // consumes "deg"
-        ++count;
+        const auto degrees = degreesOf(in.word());
+        if (!degrees)
+            return std::nullopt;
+        parts.value[count++] *= *degrees;
     }
     in.skipBlanks();
     return count >= 3 && in.atEnd() ? std::optional(parts) : std::nullopt;
@@ -85,21 +89,46 @@ Colour fromHsl(const Parts& p)
     return {part(0), part(8), part(4)};
 }
 
-std::optional<Colour> fromFunction(std::string_view text)
+// CSS Color 4, section 8.2.
+Colour fromHwb(const Parts& p)
 {
+    const double white = std::clamp(p.value[1] / 100, 0.0, 1.0);
+    const double black = std::clamp(p.value[2] / 100, 0.0, 1.0);
+    if (white + black >= 1)
+        return Colour{byte(white / (white + black)), byte(white / (white + black)),
+                      byte(white / (white + black))};
+    const Colour hue = fromHsl({{p.value[0], 100, 50, 1}, {}});
+    const auto part = [&](std::uint8_t of) {
+        return byte(of / 255.0 * (1 - white - black) + white);
+    };
+    return {part(hue.red), part(hue.green), part(hue.blue)};
+}
+
+struct ColourFunction {
+    std::string_view name;
+    Colour (*colour)(const Parts&);
+};
+constexpr std::array colourFunctions{
+    ColourFunction{"rgb", fromRgb}, ColourFunction{"rgba", fromRgb}, ColourFunction{"hsl", fromHsl},
+    ColourFunction{"hsla", fromHsl}, ColourFunction{"hwb", fromHwb}};
+
+std::optional<Colour> fromFunction(std::string_view text)
+try {
     Scanner in(text);
     const auto name = in.word();
-    const bool rgb = equalsIgnoringCase(name.substr(0, 3), "rgb");
-    const bool hsl = equalsIgnoringCase(name.substr(0, 3), "hsl");
-    const auto rest = name.substr(std::min<std::size_t>(name.size(), 3));
-    if (!(rgb || hsl) || !(rest.empty() || equalsIgnoringCase(rest, "a")) || !in.take('('))
+    const auto function = std::ranges::find_if(colourFunctions, [&](const ColourFunction& each) {
+        return equalsIgnoringCase(each.name, name);
+    });
+    if (function == colourFunctions.end() || !in.take('('))
         return std::nullopt;
     const auto parts = parseParts(in);
     if (!parts)
         return std::nullopt;
-    Colour colour = rgb ? fromRgb(*parts) : fromHsl(*parts);
+    Colour colour = function->colour(*parts);
     colour.alpha = byte(parts->value[3] / (parts->percent[3] ? 100 : 1));
     return colour;
+} catch (const Refused&) { // a number is not finite
+    return std::nullopt;
 }
 
 std::optional<Colour> fromName(std::string_view name)
@@ -130,7 +159,7 @@ std::optional<Colour> parseColour(std::string_view text)
 }
 
 std::optional<double> parseOpacity(std::string_view text)
-{
+try {
     Scanner in(trimmed(text));
     auto number = in.number();
     if (!number)
@@ -138,6 +167,8 @@ std::optional<double> parseOpacity(std::string_view text)
     if (in.take('%'))
         *number /= 100;
     return in.atEnd() ? std::optional(std::clamp(*number, 0.0, 1.0)) : std::nullopt;
+} catch (const Refused&) {
+    return std::nullopt;
 }
 
 Colour faded(Colour colour, double opacity)

@@ -97,6 +97,19 @@ double ConvexRegion::height(std::size_t side, const Point& p) const
     return cross(next(side) - corners_[side], p - corners_[side]);
 }
 
+std::optional<clipping::Segment> ConvexRegion::sideAt(const Point& p) const
+{
+    constexpr double rounding = 1e-9;
+    for (std::size_t side = 0; side < corners_.size(); ++side) {
+        const Point along = next(side) - corners_[side];
+        const double length = std::hypot(along.x, along.y);
+        const double slack = rounding * (length + std::hypot(p.x, p.y));
+        if (std::abs(height(side, p)) <= slack * length)
+            return clipping::Segment{corners_[side], next(side)};
+    }
+    return std::nullopt;
+}
+
 Edge ConvexRegion::edge(std::size_t side) const
 {
     const Point along = next(side) - corners_[side];

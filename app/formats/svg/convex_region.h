@@ -26,6 +26,9 @@ public:
     /// connected along the sides, which encloses the same area.
     std::vector<Point> clip(std::vector<Point> polygon) const;
 
+    /// The side on which a point lies, apart from rounding.
+    std::optional<clipping::Segment> sideAt(const Point& p) const;
+
     std::size_t sides() const { return corners_.size(); }
     clipping::Window bounds() const;
 

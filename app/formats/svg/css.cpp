@@ -3,9 +3,11 @@
 
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/refused.h"
+#include "app/formats/svg/report.h"
 #include "app/formats/svg/scanner.h"
 
 #include <algorithm>
+#include <array>
 
 namespace app::svg {
 namespace {
@@ -61,6 +63,14 @@ std::size_t endOfLiteral(std::string_view text, std::size_t i)
     return std::min(text.find(')', open), text.size() - 1) + 1;
 }
 
+// Whether a comment between these texts separates nothing that would belong together without it.
+bool isApart(std::string_view before, std::string_view after)
+{
+    constexpr std::string_view ends = " \t\r\n\f{};,>";
+    return before.empty() || after.empty() || ends.find(before.back()) != ends.npos
+           || ends.find(after.front()) != ends.npos;
+}
+
 } // namespace
 
 std::string withoutComments(std::string_view text, int depth)
@@ -70,10 +80,11 @@ std::string withoutComments(std::string_view text, int depth)
                                                              // survive a move
     for (std::size_t i = 0; i < text.size();) {
         if (text.substr(i, 2) == "/*") {
-            const auto end = text.find("*/", i + 2);
-            i = end == text.npos ? text.size() : end + 2;
-            if (depth > 0)
-                result += ' ';
+            const auto end = std::min(text.find("*/", i + 2), text.size());
+            const auto lines = std::ranges::count(text.substr(i, end - i), '\n');
+            i = std::min(end + 2, text.size());
+            if (depth > 0 || isApart(result, text.substr(i)))
+                result.append(" ").append(std::size_t(lines), '\n');
             continue;
         }
         depth += text[i] == '{';
@@ -107,49 +118,149 @@ std::vector<Declaration> parseDeclarations(std::string_view text)
     return declarations;
 }
 
-StyleSheet::StyleSheet(std::string_view text) : text_(withoutComments(text, 0))
+namespace {
+
+// Rules that change no shape. Those for animations are told where an element uses them.
+constexpr std::array<std::string_view, 9> rulesWithoutEffect{"@charset",
+                                                             "@counter-style",
+                                                             "@font-face",
+                                                             "@font-feature-values",
+                                                             "@font-palette-values",
+                                                             "@keyframes",
+                                                             "@namespace",
+                                                             "@-webkit-keyframes",
+                                                             "@page"};
+
+std::string_view firstWord(std::string_view text)
 {
-    std::string_view rest = text_;
-    for (rest = trimmed(rest); !rest.empty(); rest = trimmed(rest)) {
-        const auto open = rest.find_first_of("{;");
-        if (open == rest.npos) {
-            break;
-        }
-        if (rest[open] == ';') { // an at-rule without a block: "@import ...;"
-            ignored_ += rest.starts_with('@') && !rest.starts_with("@charset");
-            rest.remove_prefix(open + 1);
-            continue;
-        }
-        const auto end = endOfBlock(rest, open);
-        const auto before = rest.substr(0, open);
-        auto body = rest.substr(open + 1, end - open - 1);
-        if (body.ends_with('}'))
-            body.remove_suffix(1);
-        if (before.starts_with('@'))
-            ++ignored_;
-        else
-            addRules(before, body);
-        rest.remove_prefix(end);
+    return text.substr(0, text.find_first_of(" \t\r\n\f("));
+}
+
+} // namespace
+
+// Whether a list of media includes screens; empty if it has more than names.
+std::optional<bool> appliesToScreens(std::string_view media)
+{
+    bool applies = trimmed(media).empty(), isClear = true;
+    for (bool more = true; more && !trimmed(media).empty();) {
+        const auto comma = media.find(',');
+        auto one = trimmed(media.substr(0, comma));
+        if (equalsIgnoringCase(one.substr(0, 5), "only "))
+            one = trimmed(one.substr(5));
+        const bool screen = equalsIgnoringCase(one, "all") || equalsIgnoringCase(one, "screen");
+        applies = applies || screen;
+        isClear = isClear && (screen || equalsIgnoringCase(one, "print"));
+        more = comma != media.npos;
+        media.remove_prefix(more ? comma + 1 : 0);
     }
+    return applies || isClear ? std::optional(applies) : std::nullopt;
+}
+
+// Reads the rules of one style element after the other.
+class StyleSheet::Reader {
+public:
+    Reader(StyleSheet& sheet, Report& report) : sheet_(sheet), report_(report) {}
+
+    void read(const StyleText& text)
+    {
+        const auto applies = appliesToScreens(text.media);
+        line_ = text.line;
+        counted_ = 0;
+        if (!applies) {
+            report_.turnTo(line_);
+            report_.add(losses::styleRule, "media=" + text.media);
+        }
+        if (!applies.value_or(false))
+            return;
+        sheet_.texts_.push_back(withoutComments(text.text, 0));
+        readRules(sheet_.texts_.back(), 0);
+    }
+
+private:
+    void readRules(std::string_view rest, int depth)
+    {
+        for (rest = trimmed(rest); !rest.empty(); rest = trimmed(rest)) {
+            if (rest.starts_with("<!--") || rest.starts_with("-->")) { // from old HTML
+                rest.remove_prefix(rest.front() == '<' ? 4 : 3);
+                continue;
+            }
+            const auto open = rest.find_first_of("{;");
+            if (open == rest.npos)
+                break;
+            const auto before = trimmed(rest.substr(0, open));
+            if (rest[open] == ';') { // an at-rule without a block: "@import ...;"
+                readAtRule(before, {}, depth);
+                rest.remove_prefix(open + 1);
+                continue;
+            }
+            const auto end = endOfBlock(rest, open);
+            auto body = rest.substr(open + 1, end - open - 1);
+            if (body.ends_with('}'))
+                body.remove_suffix(1);
+            if (before.starts_with('@'))
+                readAtRule(before, body, depth);
+            else
+                addRules(before, body);
+            rest.remove_prefix(end);
+        }
+    }
+
+    void readAtRule(std::string_view before, std::string_view body, int depth)
+    {
+        constexpr int deepest = 10; // nested rules
+        const auto name = firstWord(before);
+        const auto isName = [&](auto each) { return equalsIgnoringCase(each, name); };
+        if (!before.starts_with('@') || std::ranges::any_of(rulesWithoutEffect, isName))
+            return;
+        const auto applies =
+            isName("@media") ? appliesToScreens(before.substr(name.size())) : std::nullopt;
+        if (!applies || depth == deepest)
+            tell(before);
+        else if (*applies)
+            readRules(body, depth + 1);
+    }
+
+    void addRules(std::string_view selectors, std::string_view body)
+    {
+        sheet_.bodies_.push_back(parseDeclarations(body));
+        while (!selectors.empty()) {
+            const auto comma = std::min(selectors.find(','), selectors.size());
+            const auto one = trimmed(selectors.substr(0, comma));
+            auto selector = parseSelector(one);
+            selectors.remove_prefix(std::min(comma + 1, selectors.size()));
+            if (!selector) {
+                tell(one);
+                continue;
+            }
+            const int specificity = specificityOf(*selector);
+            sheet_.rules_.push_back({std::move(*selector), sheet_.bodies_.size() - 1, specificity});
+        }
+    }
+
+    void tell(std::string_view rule)
+    {
+        const auto& text = sheet_.texts_.back();
+        const auto at = std::size_t(rule.data() - text.data());
+        line_ += std::count(text.begin() + counted_, text.begin() + std::ptrdiff_t(at), '\n');
+        counted_ = std::ptrdiff_t(at);
+        report_.turnTo(line_);
+        report_.add(losses::styleRule, rule);
+    }
+
+    StyleSheet& sheet_;
+    Report& report_;
+    qint64 line_ = 0;            ///< of the place up to which lines were counted
+    std::ptrdiff_t counted_ = 0; ///< this place in the text
+};
+
+StyleSheet::StyleSheet(const std::vector<StyleText>& texts, Report& report)
+{
+    Reader reader(*this, report);
+    for (const StyleText& text : texts)
+        reader.read(text);
     std::ranges::stable_sort(rules_, {}, &Rule::specificity);
     for (std::uint32_t i = 0; i < rules_.size(); ++i)
         index(i);
-}
-
-void StyleSheet::addRules(std::string_view selectors, std::string_view body)
-{
-    bodies_.push_back(parseDeclarations(body));
-    while (!selectors.empty()) {
-        const auto comma = std::min(selectors.find(','), selectors.size());
-        auto selector = parseSelector(selectors.substr(0, comma));
-        selectors.remove_prefix(std::min(comma + 1, selectors.size()));
-        if (!selector) {
-            ++ignored_;
-            continue;
-        }
-        const int specificity = specificityOf(*selector);
-        rules_.push_back({std::move(*selector), bodies_.size() - 1, specificity});
-    }
 }
 
 void StyleSheet::index(std::uint32_t rule)

@@ -3,6 +3,7 @@
 
 #include "app/formats/svg/selector.h"
 
+#include <deque>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -10,9 +11,11 @@
 
 namespace app::svg {
 
+class Report;
+
 /// The style text without its /* comments */. Strings and unquoted addresses, url(…), contain no
-/// comments. A comment inside a block is replaced by a blank, as it separates words; `depth` is the
-/// nesting depth of the blocks around the text.
+/// comments. A comment inside a block is replaced by a blank and its line breaks, as it separates
+/// words; `depth` is the nesting depth of the blocks around the text.
 std::string withoutComments(std::string_view text, int depth);
 
 /// A declaration such as "stroke-width: 2px !important".
@@ -31,14 +34,13 @@ struct Rule {
 };
 
 /// The rules of the <style> elements with supported selectors: tags, classes, ids, attributes, `*`,
-/// lists of these, descendants and children. Other rules (pseudo-classes, siblings, at-rules) are
-/// only counted.
+/// `:root`, lists of these, descendants and children, also in @media rules for screens. All others
+/// (pseudo-classes, siblings, further at-rules) are reported, unless they cannot change shapes.
 class StyleSheet {
 public:
-    explicit StyleSheet(std::string_view text);
+    StyleSheet(const std::vector<StyleText>& texts, Report& report);
     StyleSheet(const StyleSheet&) = delete;
 
-    int ignored() const { return ignored_; }
     bool empty() const { return rules_.empty(); }
 
     /// The declarations that apply to an element, from the weakest rule to the strongest. Throws
@@ -48,16 +50,15 @@ public:
 private:
     using Index = std::unordered_map<std::string_view, std::vector<std::uint32_t>>;
 
-    void addRules(std::string_view selectors, std::string_view body);
+    class Reader;
     void index(std::uint32_t rule);
     void countTried(std::size_t count); ///< throws Refused beyond mostDeclarations
     bool matches(const Tree& tree, Node node, const Selector& selector, std::size_t last);
 
-    std::string text_; ///< without comments; all views point into it
+    std::deque<std::string> texts_; ///< without comments; all views point into them
     std::vector<std::vector<Declaration>> bodies_;
     std::vector<Rule> rules_;
     Index byId_, byClass_, byTag_; ///< by the rightmost part of the selector
-    int ignored_ = 0;
     std::size_t tried_ = 0;
 };
 

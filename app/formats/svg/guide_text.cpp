@@ -24,6 +24,7 @@ std::optional<Guide> guideOf(const Tree& tree, Node node)
 
 void read(const Tree& tree, Node node, Guides& guides, Report& report)
 {
+    report.turnTo(tree.line(node));
     const auto guide = guideOf(tree, node);
     if (!guide)
         report.add(losses::unreadableGuide);

@@ -5,6 +5,7 @@
 #include "app/formats/svg/scanner.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -28,6 +29,26 @@ std::optional<double> Lengths::parse(std::string_view text, double of) const
     if (unit == units().end())
         return std::nullopt;
     return toUserUnits({*number, unit->unit}, pixel, of);
+}
+
+bool lacksUnit(std::string_view text)
+{
+    Scanner in(trimmed(text));
+    const auto number = in.number();
+    return number && *number != 0 && in.atEnd();
+}
+
+std::optional<double> degreesOf(std::string_view unit)
+{
+    struct AngleUnit {
+        std::string_view name;
+        double degrees;
+    };
+    constexpr std::array all{AngleUnit{"", 1}, AngleUnit{"deg", 1}, AngleUnit{"grad", 0.9},
+                             AngleUnit{"rad", 180 / std::numbers::pi}, AngleUnit{"turn", 360}};
+    const auto found = std::ranges::find_if(
+        all, [&](const AngleUnit& each) { return equalsIgnoringCase(each.name, unit); });
+    return found == all.end() ? std::nullopt : std::optional(found->degrees);
 }
 
 double Lengths::diagonal() const

@@ -23,4 +23,10 @@ struct Lengths {
     double diagonal() const; ///< what 100 % means for radii and stroke widths
 };
 
+/// Whether a number other than 0 has no unit, which CSS accepts only in attributes.
+bool lacksUnit(std::string_view text);
+
+/// The degrees of a unit of angles; empty if there is no such unit. No unit means degrees.
+std::optional<double> degreesOf(std::string_view unit);
+
 } // namespace app::svg

@@ -14,6 +14,7 @@ struct LossKind {
     bool remark = false;              ///< kept in another form
     const char* oneInstead = nullptr; ///< kept instead, or required; null: nothing
     const char* manyInstead = nullptr;
+    bool each = false; ///< an entry of the report for each text, not for all together
 };
 
 namespace losses {
@@ -44,6 +45,29 @@ inline constexpr LossKind marker{QT_TRANSLATE_NOOP("svg", "arrowhead or other ma
                                  QT_TRANSLATE_NOOP("svg", "their lines are kept")};
 inline constexpr LossKind clipPath{QT_TRANSLATE_NOOP("svg", "clip path that is not convex"),
                                    QT_TRANSLATE_NOOP("svg", "clip paths that are not convex")};
+inline constexpr LossKind clipPathOfSeveral{
+    QT_TRANSLATE_NOOP("svg", "clip path of several areas"),
+    QT_TRANSLATE_NOOP("svg", "clip paths of several areas")};
+inline constexpr LossKind clipPathUnits{
+    QT_TRANSLATE_NOOP("svg", "clip path in units of the bounding box"),
+    QT_TRANSLATE_NOOP("svg", "clip paths in units of the bounding box")};
+inline constexpr LossKind nestedClipPath{
+    QT_TRANSLATE_NOOP("svg", "clip path that has a clip path itself"),
+    QT_TRANSLATE_NOOP("svg", "clip paths that have clip paths themselves")};
+inline constexpr LossKind clipPathContent{QT_TRANSLATE_NOOP("svg", "clip path with an element %1"),
+                                          QT_TRANSLATE_NOOP("svg", "clip paths with elements %1")};
+inline constexpr LossKind longClipPath{
+    QT_TRANSLATE_NOOP("svg", "clip path with more than 1,000 sides"),
+    QT_TRANSLATE_NOOP("svg", "clip paths with more than 1,000 sides")};
+inline constexpr LossKind longClipped{
+    QT_TRANSLATE_NOOP("svg", "clip path of a shape with more than 50,000 curves"),
+    QT_TRANSLATE_NOOP("svg", "clip paths of shapes with more than 50,000 curves")};
+inline constexpr LossKind wideStroke{
+    QT_TRANSLATE_NOOP("svg", "wide stroke was cut at its centre line, and does not end where its "
+                             "clip path does"),
+    QT_TRANSLATE_NOOP("svg", "wide strokes were cut at their centre lines, and do not end where "
+                             "their clip paths do"),
+    true};
 inline constexpr LossKind unevenStroke{QT_TRANSLATE_NOOP("svg", "unevenly stretched stroke"),
                                        QT_TRANSLATE_NOOP("svg", "unevenly stretched strokes"),
                                        false, QT_TRANSLATE_NOOP("svg", "it is made even"),
@@ -54,11 +78,68 @@ inline constexpr LossKind damaged{QT_TRANSLATE_NOOP("svg", "part of a damaged sh
                                   QT_TRANSLATE_NOOP("svg", "parts of damaged shapes"), false,
                                   QT_TRANSLATE_NOOP("svg", "the rest is kept"),
                                   QT_TRANSLATE_NOOP("svg", "the rest is kept")};
-inline constexpr LossKind transform{QT_TRANSLATE_NOOP("svg", "transform that is not understood"),
-                                    QT_TRANSLATE_NOOP("svg", "transforms that are not understood")};
-inline constexpr LossKind styleRule{
-    QT_TRANSLATE_NOOP("svg", "style rule that is not understood"),
-    QT_TRANSLATE_NOOP("svg", "style rules that are not understood")};
+// %1 stands for the text found in the file.
+inline constexpr LossKind property{QT_TRANSLATE_NOOP("svg", "use of the style property %1"),
+                                   QT_TRANSLATE_NOOP("svg", "uses of the style property %1"),
+                                   false,
+                                   nullptr,
+                                   nullptr,
+                                   true};
+inline constexpr LossKind attribute{QT_TRANSLATE_NOOP("svg", "use of the attribute %1"),
+                                    QT_TRANSLATE_NOOP("svg", "uses of the attribute %1"),
+                                    false,
+                                    nullptr,
+                                    nullptr,
+                                    true};
+inline constexpr LossKind value{QT_TRANSLATE_NOOP("svg", "value %1 that is not understood"),
+                                QT_TRANSLATE_NOOP("svg", "values %1 that are not understood"),
+                                false,
+                                nullptr,
+                                nullptr,
+                                true};
+inline constexpr LossKind styleRule{QT_TRANSLATE_NOOP("svg", "style rule %1"),
+                                    QT_TRANSLATE_NOOP("svg", "style rules %1"),
+                                    false,
+                                    nullptr,
+                                    nullptr,
+                                    true};
+inline constexpr LossKind unknownBox{
+    QT_TRANSLATE_NOOP("svg", "transform in the box of something with texts or images"),
+    QT_TRANSLATE_NOOP("svg", "transforms in the box of something with texts or images")};
+inline constexpr LossKind paintServer{QT_TRANSLATE_NOOP("svg", "paint of the kind %1"),
+                                      QT_TRANSLATE_NOOP("svg", "paints of the kind %1")};
+inline constexpr LossKind strokeBelow{
+    QT_TRANSLATE_NOOP("svg", "stroke below the fill of its shape"),
+    QT_TRANSLATE_NOOP("svg", "strokes below the fills of their shapes"), false,
+    QT_TRANSLATE_NOOP("svg", "it is above the fill"),
+    QT_TRANSLATE_NOOP("svg", "they are above the fills")};
+inline constexpr LossKind selfUse{
+    QT_TRANSLATE_NOOP("svg", "<use> that contains itself"),
+    QT_TRANSLATE_NOOP("svg", "<use> elements that contain themselves")};
+inline constexpr LossKind language{
+    QT_TRANSLATE_NOOP("svg", "element for another language than English"),
+    QT_TRANSLATE_NOOP("svg", "elements for other languages than English")};
+inline constexpr LossKind extension{
+    QT_TRANSLATE_NOOP("svg", "element that only programs with an extension draw was left out"),
+    QT_TRANSLATE_NOOP("svg", "elements that only programs with an extension draw were left out"),
+    true};
+inline constexpr LossKind sizeless{
+    QT_TRANSLATE_NOOP("svg", "element of size 0 or less, which SVG does not draw, was left out"),
+    QT_TRANSLATE_NOOP("svg", "elements of size 0 or less, which SVG does not draw, were left out"),
+    true};
+inline constexpr LossKind emptyViewBox{
+    QT_TRANSLATE_NOOP("svg", "viewBox that is no rectangle was ignored"),
+    QT_TRANSLATE_NOOP("svg", "viewBoxes that are no rectangles were ignored"), true};
+inline constexpr LossKind undeclaredPrefix{
+    QT_TRANSLATE_NOOP("svg", "prefix %1 without a declaration was read as usual"),
+    QT_TRANSLATE_NOOP("svg", "prefixes %1 without a declaration were read as usual"), true};
+inline constexpr LossKind htmlEntity{
+    QT_TRANSLATE_NOOP("svg", "name of a character without a declaration was read as in HTML: %1"),
+    QT_TRANSLATE_NOOP("svg", "names of characters without a declaration were read as in HTML: %1"),
+    true};
+inline constexpr LossKind blankBeginning{
+    QT_TRANSLATE_NOOP("svg", "beginning with blanks before <?xml was skipped"),
+    QT_TRANSLATE_NOOP("svg", "beginnings with blanks before <?xml were skipped"), true};
 inline constexpr LossKind otherFile{QT_TRANSLATE_NOOP("svg", "reference to another file"),
                                     QT_TRANSLATE_NOOP("svg", "references to other files")};
 inline constexpr LossKind elementNote{

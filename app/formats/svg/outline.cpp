@@ -11,22 +11,32 @@
 namespace app::svg {
 namespace {
 
-// The lengths of one element. An attribute that is not a valid length marks the outline as damaged.
-class Attributes {
+// The lengths of one element. One that is not valid marks the outline as damaged.
+class ShapeLengths {
 public:
-    Attributes(const Tree& tree, Node node, const Lengths& lengths)
-        : tree_(tree), node_(node), lengths_(lengths)
+    ShapeLengths(const Tree& tree, Node node, const Properties& properties, const Lengths& lengths)
+        : tree_(tree), node_(node), properties_(properties), lengths_(lengths)
     {
     }
     std::optional<double> x(std::string_view name) { return get(name, lengths_.viewport.x); }
     std::optional<double> y(std::string_view name) { return get(name, lengths_.viewport.y); }
     std::optional<double> other(std::string_view name) { return get(name, lengths_.diagonal()); }
+    /// The radius of corners or of an ellipse. A negative one counts as missing.
+    std::optional<double> radius(std::string_view name, double of)
+    {
+        const auto given = get(name, of);
+        damaged_ = damaged_ || (given && *given < 0);
+        return given && *given < 0 ? std::nullopt : given;
+    }
+    double width() const { return lengths_.viewport.x; }
+    double height() const { return lengths_.viewport.y; }
     Outline outline(std::vector<Subpath> paths) const { return {std::move(paths), damaged_}; }
+    Outline nothing() const { return {{}, damaged_, !damaged_}; }
 
 private:
     std::optional<double> get(std::string_view name, double of)
     {
-        const auto text = trimmed(tree_.attribute(node_, name));
+        const auto text = trimmed(lengthText(tree_, node_, properties_, name));
         if (text.empty() || text == "auto")
             return std::nullopt;
         const auto length = lengths_.parse(text, of);
@@ -35,6 +45,7 @@ private:
     }
     const Tree& tree_;
     Node node_;
+    const Properties& properties_;
     const Lengths& lengths_;
     bool damaged_ = false;
 };
@@ -52,64 +63,64 @@ Subpath ellipse(const Point& centre, const Point& radii)
     return path;
 }
 
-Outline rectangle(const Tree& tree, Node node, const Lengths& lengths)
+Outline rectangle(const Tree& tree, Node node, const Properties& p, const Lengths& lengths)
 {
-    Attributes a(tree, node, lengths);
+    ShapeLengths a(tree, node, p, lengths);
     const Point min{a.x("x").value_or(0), a.y("y").value_or(0)};
     const Point size{a.x("width").value_or(0), a.y("height").value_or(0)};
-    const auto rx = a.x("rx"), ry = a.y("ry");
+    const auto rx = a.radius("rx", a.width()), ry = a.radius("ry", a.height());
     const Point radii{std::clamp(rx ? *rx : ry.value_or(0), 0.0, std::max(size.x / 2, 0.0)),
                       std::clamp(ry ? *ry : rx.value_or(0), 0.0, std::max(size.y / 2, 0.0))};
     if (!(size.x > 0 && size.y > 0))
-        return a.outline({});
+        return a.nothing();
     const Point max = min + size;
     if (radii.x > 0 && radii.y > 0)
         return a.outline({roundedRectangle(min, max, radii)});
     return a.outline({{min, {{{max.x, min.y}}, {max}, {{min.x, max.y}}}, true}});
 }
 
-Outline round(Attributes& a, const Point& radii)
+Outline round(ShapeLengths& a, const Point& radii)
 {
     const Point centre{a.x("cx").value_or(0), a.y("cy").value_or(0)};
     if (!(radii.x > 0 && radii.y > 0))
-        return a.outline({});
+        return a.nothing();
     return a.outline({ellipse(centre, radii)});
 }
 
-Outline circleElement(const Tree& tree, Node node, const Lengths& lengths)
+Outline circleElement(const Tree& tree, Node node, const Properties& p, const Lengths& lengths)
 {
-    Attributes a(tree, node, lengths);
+    ShapeLengths a(tree, node, p, lengths);
     return round(a, Point(a.other("r").value_or(0)));
 }
 
-Outline ellipseElement(const Tree& tree, Node node, const Lengths& lengths)
+Outline ellipseElement(const Tree& tree, Node node, const Properties& p, const Lengths& lengths)
 {
-    Attributes a(tree, node, lengths);
-    const auto rx = a.x("rx"), ry = a.y("ry");
+    ShapeLengths a(tree, node, p, lengths);
+    const auto rx = a.radius("rx", a.width()), ry = a.radius("ry", a.height());
     return round(a, {rx ? *rx : ry.value_or(0), ry ? *ry : rx.value_or(0)});
 }
 
-Outline line(const Tree& tree, Node node, const Lengths& lengths)
+Outline line(const Tree& tree, Node node, const Properties& p, const Lengths& lengths)
 {
-    Attributes a(tree, node, lengths);
+    ShapeLengths a(tree, node, p, lengths);
     const Point from{a.x("x1").value_or(0), a.y("y1").value_or(0)};
     const Point to{a.x("x2").value_or(0), a.y("y2").value_or(0)};
     return a.outline({lineBetween(from, to)});
 }
 
-Outline polyline(const Tree& tree, Node node, const Lengths&)
+Outline polyline(const Tree& tree, Node node, const Properties&, const Lengths&)
 {
     return parsePoints(tree.attribute(node, "points"), Ending::Open);
 }
 
-Outline polygon(const Tree& tree, Node node, const Lengths&)
+Outline polygon(const Tree& tree, Node node, const Properties&, const Lengths&)
 {
     return parsePoints(tree.attribute(node, "points"), Ending::Closed);
 }
 
-Outline path(const Tree& tree, Node node, const Lengths&)
+Outline path(const Tree& tree, Node node, const Properties& p, const Lengths&)
 {
-    return parsePathData(tree.attribute(node, "d"));
+    return parsePathData(lengthText(tree, node, p, "d"));
 }
 
 } // namespace

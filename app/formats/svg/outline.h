@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/formats/svg/length.h"
 #include "app/formats/svg/path_data.h"
-#include "app/formats/svg/tree.h"
+#include "app/formats/svg/style.h"
 
 namespace app::svg {
 
 /// One row of the table of SVG's basic shapes: <rect>, <circle> ... <path>.
 struct OutlineKind {
     std::string_view element;
-    Outline (*outline)(const Tree&, Node, const Lengths&); ///< in the element's own coordinates
+    /// In the element's own coordinates.
+    Outline (*outline)(const Tree&, Node, const Properties&, const Lengths&);
     bool takesMarkers;
 };
 const OutlineKind* findOutlineKind(std::string_view element); ///< null: not a basic shape

@@ -62,14 +62,27 @@ void layOut(RootPage& root, const Box& box, const Point& pixels, std::string_vie
 
 } // namespace
 
-RootPage readPage(const Tree& tree)
+std::optional<Box> readViewBox(const Tree& tree, Node node, Report& report)
+{
+    const auto text = tree.attribute(node, "viewBox");
+    auto box = parseViewBox(text);
+    report.turnTo(tree.line(node));
+    report.add(losses::emptyViewBox, !box && !trimmed(text).empty());
+    return box;
+}
+
+RootPage readPage(const Tree& tree, Styles& styles, Report& report)
 {
     constexpr Point usual{300, 150};
     RootPage root;
-    root.page.width = readSize(tree.attribute(0, "width"));
-    root.page.height = readSize(tree.attribute(0, "height"));
+    const Properties style = [&] { // it is told when the root is drawn
+        const Report::Silence silence(report);
+        return styles.of(0, {}, {});
+    }();
+    root.page.width = readSize(lengthText(tree, 0, style, "width"));
+    root.page.height = readSize(lengthText(tree, 0, style, "height"));
     const Point pixels{toUserUnits(root.page.width, pixel), toUserUnits(root.page.height, pixel)};
-    const auto box = parseViewBox(tree.attribute(0, "viewBox"));
+    const auto box = readViewBox(tree, 0, report);
     root.openX = !box && pixels.x <= 0;
     root.openY = !box && pixels.y <= 0;
     root.page.min = box ? box->min : Point{};

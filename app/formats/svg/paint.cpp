@@ -41,11 +41,11 @@ std::optional<Colour> Paints::colour(const Paint& paint, double opacity, const P
     else if (paint.kind == Paint::Kind::Current)
         colour = p.colour;
     else if (paint.kind == Paint::Kind::Reference)
-        colour = referenced(paint);
+        colour = referenced(paint, p);
     return colour ? std::optional(faded(*colour, opacity)) : std::nullopt;
 }
 
-std::optional<Colour> Paints::referenced(const Paint& paint)
+std::optional<Colour> Paints::referenced(const Paint& paint, const Properties& p)
 {
     const Node node = tree_.findReference(paint.reference);
     if (node != noNode && isGradient(tree_, node)) {
@@ -56,7 +56,13 @@ std::optional<Colour> Paints::referenced(const Paint& paint)
     }
     if (node != noNode && tree_.name(node) == "pattern")
         report_.add(losses::pattern);
-    return paint.hasFallback ? std::optional(paint.colour) : std::nullopt;
+    else if (node != noNode)
+        report_.add(losses::paintServer, tree_.name(node));
+    else if (isElsewhere(paint.reference))
+        report_.add(losses::otherFile);
+    return paint.fallback == Paint::Kind::Solid     ? std::optional(paint.colour)
+           : paint.fallback == Paint::Kind::Current ? std::optional(p.colour)
+                                                    : std::nullopt;
 }
 
 const Paints::Gradient& Paints::gradient(Node node)

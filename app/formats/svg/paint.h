@@ -23,7 +23,7 @@ public:
 
 private:
     std::optional<Colour> colour(const Paint& paint, double opacity, const Properties& properties);
-    std::optional<Colour> referenced(const Paint& paint);
+    std::optional<Colour> referenced(const Paint& paint, const Properties& properties);
 
     struct Gradient {
         std::optional<Colour> first;

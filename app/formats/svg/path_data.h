@@ -10,7 +10,8 @@ namespace app::svg {
 /// The outline described by an attribute "d" or "points".
 struct Outline {
     std::vector<Subpath> paths;
-    bool damaged = false; ///< the text has an error; `paths` is what precedes the error
+    bool damaged = false;  ///< the text has an error; `paths` is what precedes the error
+    bool sizeless = false; ///< a rectangle, circle or ellipse of size 0 or less, which has no path
 };
 
 /// Parses the complete grammar of path data. Arcs and quadratic curves become cubic curves. A

@@ -2,6 +2,7 @@
 #include "app/formats/svg/reader.h"
 
 #include "app/document/page_around.h"
+#include "app/formats/paper.h"
 #include "app/formats/svg/guide_text.h"
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/page.h"
@@ -27,11 +28,11 @@ std::optional<clipping::Window> drawnOf(const RootPage& root, const Document& do
     return clipping::Window{glm::min(page.min, drawn.min), glm::max(page.max, drawn.max)};
 }
 
-Document draw(const Tree& tree, const RootPage& root, Report& report)
+Document draw(const Tree& tree, const RootPage& root, Styles& styles, Report& report)
 {
-    TreeDrawer drawer(tree, report, usualTolerance(root.page));
+    TreeDrawer drawer(tree, styles, report, root.page);
     try {
-        return drawer.drawAll(root.page, root.matrix, root.viewport);
+        return drawer.drawAll(root.matrix, root.viewport);
     } catch (Refused& refused) {
         if (refused.line == Refused::here)
             refused.line = drawer.line();
@@ -39,13 +40,21 @@ Document draw(const Tree& tree, const RootPage& root, Report& report)
     }
 }
 
-Imported import(const Tree& tree)
+void refuseUnusable(const Page& page)
+{
+    if (const auto fault = faultOf(page))
+        throw Refused{*fault, Refused::wholeFile};
+}
+
+Imported import(const Tree& tree, Report& report)
 {
     Imported imported;
-    Report report;
-    const RootPage root = readPage(tree);
-    Document document = draw(tree, root, report);
+    Styles styles(tree, report);
+    const RootPage root = readPage(tree, styles, report);
+    refuseUnusable(root.page);
+    Document document = draw(tree, root, styles, report);
     Page page = closed(root, document.objects());
+    refuseUnusable(page);
     page.guides = readGuides(tree, report);
     page.sheets = readSheets(tree, report);
     document.apply({.windows = readWindows(tree, report), .page = std::move(page)});
@@ -73,14 +82,14 @@ QByteArray wholePipe(QIODevice& in)
     return data;
 }
 
-Tree readTree(QIODevice& in)
+Tree readTree(QIODevice& in, Report& report)
 {
     if (!in.isSequential())
-        return Tree::read(in);
+        return Tree::read(in, report);
     QByteArray data = wholePipe(in);
     QBuffer buffer(&data);
     buffer.open(QIODevice::ReadOnly);
-    return Tree::read(buffer);
+    return Tree::read(buffer, report);
 }
 
 } // namespace
@@ -92,7 +101,9 @@ Result<Imported> read(QIODevice& in)
             Text::tr("it is compressed (.svgz). Unpack it first, for example with gunzip < "
                      "drawing.svgz > drawing.svg, and open the .svg file."));
     try {
-        return Result<Imported>::of(import(readTree(in)));
+        Report report;
+        const Tree tree = readTree(in, report);
+        return Result<Imported>::of(import(tree, report));
     } catch (const Refused& refused) {
         return Result<Imported>::failure(
             refused.line > 0 ? Text::tr("line %1 %2").arg(refused.line).arg(refused.why)

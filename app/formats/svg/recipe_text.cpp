@@ -6,6 +6,7 @@
 #include "app/document/path_points.h"
 #include "app/document/recipe_outline.h"
 #include "app/formats/svg/attribute_text.h"
+#include "app/formats/svg/refused.h"
 #include "app/formats/svg/scanner.h"
 #include "app/lettering/lettering.h"
 #include "app/lettering/stroke_fonts.h"
@@ -168,7 +169,7 @@ std::string textOf(const Recipe& recipe, const Path& path)
 }
 
 Recipe readRecipe(std::string_view text, std::span<const Subpath> subpaths)
-{
+try {
     if (text.starts_with(words)) {
         const auto read = readText(text.substr(words.size()), false);
         return read && findStrokeFont(read->recipe.font) && makes(read->recipe, subpaths)
@@ -184,6 +185,8 @@ Recipe readRecipe(std::string_view text, std::span<const Subpath> subpaths)
     }
     Recipe shape = readShape(text);
     return makes(shape, subpaths) ? shape : Recipe{};
+} catch (const Refused&) { // a number is not finite
+    return {};
 }
 
 } // namespace app::svg

@@ -53,6 +53,22 @@ bool equalsIgnoringCase(std::string_view a, std::string_view b)
     return std::ranges::equal(a, b, {}, lower, lower);
 }
 
+bool isNameCharacter(char c)
+{
+    return isLetter(c) || isDigit(c) || c == '-' || c == '_'
+           || (static_cast<unsigned char>(c) & 0x80);
+}
+
+std::vector<std::string_view> wordsOf(std::string_view text)
+{
+    std::vector<std::string_view> words;
+    for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
+        words.push_back(text.substr(0, text.find_first_of(blanks)));
+        text.remove_prefix(words.back().size());
+    }
+    return words;
+}
+
 void Scanner::skipBlanks()
 {
     rest_.remove_prefix(std::min(rest_.find_first_not_of(blanks), rest_.size()));

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace app::svg {
 
@@ -11,6 +12,10 @@ constexpr std::string_view blanks = " \t\r\n\f";
 std::string_view trimmed(std::string_view text);
 /// Ignores the case of ASCII letters only, as CSS and SVG do for keywords.
 bool equalsIgnoringCase(std::string_view a, std::string_view b);
+bool isNameCharacter(char c); ///< of CSS: a letter, digit, - or _, and all beyond ASCII
+
+/// The parts of a text between blanks.
+std::vector<std::string_view> wordsOf(std::string_view text);
 
 /// Parses the small languages inside attributes (path data, transforms, points) from left to right.
 class Scanner {

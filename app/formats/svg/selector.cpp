@@ -8,12 +8,6 @@
 namespace app::svg {
 namespace {
 
-bool isNameCharacter(char c)
-{
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-'
-           || c == '_' || (static_cast<unsigned char>(c) & 0x80);
-}
-
 std::string_view takeName(std::string_view& text)
 {
     const auto end = std::size_t(std::ranges::find_if_not(text, isNameCharacter) - text.begin());
@@ -50,9 +44,14 @@ std::optional<Compound> takeCompound(std::string_view& text)
         part.tag = takeName(text);
     while (!text.empty()) {
         const char kind = text.front();
-        if (kind != '.' && kind != '#' && kind != '[')
+        if (kind != '.' && kind != '#' && kind != '[' && kind != ':')
             break;
         text.remove_prefix(1);
+        if (kind == ':') {
+            if (part.root = takeName(text) == "root"; !part.root)
+                return std::nullopt;
+            continue;
+        }
         if (kind == '[') {
             const auto attribute = takeAttribute(text);
             if (!attribute)
@@ -114,7 +113,7 @@ int specificityOf(const Selector& selector)
     std::size_t ids = 0, classes = 0, tags = 0;
     for (const Compound& part : selector) {
         ids += !part.id.empty();
-        classes += part.classes.size() + part.attributes.size();
+        classes += part.classes.size() + part.attributes.size() + part.root;
         tags += !part.tag.empty();
     }
     const auto limited = [](std::size_t n) { return int(std::min<std::size_t>(n, 255)); };
@@ -124,7 +123,7 @@ int specificityOf(const Selector& selector)
 bool matches(const Tree& tree, Node node, const Compound& part)
 {
     const auto classes = part.classes.empty() ? std::string_view() : tree.attribute(node, "class");
-    return (part.tag.empty() || tree.name(node) == part.tag)
+    return (!part.root || node == 0) && (part.tag.empty() || tree.name(node) == part.tag)
            && (part.id.empty() || tree.attribute(node, "id") == part.id)
            && std::ranges::all_of(part.classes, [&](auto name) { return hasWord(classes, name); })
            && std::ranges::all_of(part.attributes, [&](const Compound::Attribute& attribute) {

@@ -9,10 +9,11 @@
 
 namespace app::svg {
 
-/// One part of a selector, without combinators: "path.thin#a[d]".
+/// One part of a selector, without combinators: "path.thin#a[d]", ":root".
 struct Compound {
     std::string_view tag, id; ///< "": matches any
     std::vector<std::string_view> classes;
+    bool root = false; ///< ":root": the root alone
     struct Attribute {
         std::string_view name, value;
         bool anyValue = false;

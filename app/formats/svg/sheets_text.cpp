@@ -161,6 +161,7 @@ std::optional<PageSheets> readSheets(const Tree& tree, Report& report)
         for (const Node node : Children(tree, metadata))
             if (tree.name(node) == "clearcut:sheets") {
                 sheets = sheetsOf(tree, node);
+                report.turnTo(tree.line(node));
                 if (!sheets)
                     report.add(losses::unreadableSheets);
             }

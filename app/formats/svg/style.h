@@ -4,6 +4,9 @@
 #include "app/document/style.h"
 #include "app/formats/svg/css.h"
 #include "app/formats/svg/length.h"
+#include "app/formats/svg/variables.h"
+
+#include <unordered_set>
 
 namespace app::svg {
 
@@ -11,13 +14,29 @@ namespace app::svg {
 struct Paint {
     enum class Kind : std::uint8_t { None, Solid, Current, Reference };
     Kind kind = Kind::None;
-    Colour colour{}; ///< Solid: the colour; Reference: the fallback if the reference is not found
-    bool hasFallback = false;
+    Colour colour{};
+    Kind fallback = Kind::None;   ///< of a reference that is not found; Solid: `colour`
     std::string_view reference{}; ///< "url(#gradient)"
 };
 
-/// The properties of an element that Clearcut evaluates. The strings are views into the tree or the
-/// style sheet.
+/// How an element is transformed, as written. An empty text says nothing.
+struct TransformTexts {
+    struct Written {
+        std::string_view text{};
+        bool isCss = false; ///< in CSS, lengths and angles need units
+    };
+    Written functions{};                    ///< "rotate(30)": the attribute or property transform
+    Written translate{}, rotate{}, scale{}; ///< properties of CSS, applied before the functions
+    Written origin{}, box{};
+};
+
+/// A length of a shape that a style sets, instead of the attribute of this name.
+struct ShapeValue {
+    std::string_view name, value;
+};
+
+/// The properties of an element that Clearcut evaluates. The strings are views into the tree, the
+/// style sheet or texts of `Styles`.
 struct Properties {
     // inherited from the parent
     Paint fill{Paint::Kind::Solid}, stroke{};
@@ -29,17 +48,21 @@ struct Properties {
     Join join = Join::Miter;
     FillRule fillRule = FillRule::NonZero, clipRule = FillRule::NonZero;
     bool visible = true;
+    bool strokeBelow = false; ///< paint-order: whether the stroke is painted before the fill
     double fontSize = 16;
     std::string_view markerStart{}, markerMid{}, markerEnd{};
+    std::shared_ptr<const Variables> variables{};
 
     // the element's own
     double opacity = 1;
     bool displayed = true;
     bool overflowShown = false; ///< whether content outside the element's viewport is visible
     bool fixedWidth = false;    ///< vector-effect: non-scaling-stroke
-    std::string_view transform{}, clipPath{}, mask{}, filter{}, blending{};
+    TransformTexts transform{};
+    std::string_view clipPath{}, mask{}, filter{}, blending{};
     Paint stopColour{Paint::Kind::Solid};
     double stopOpacity = 1;
+    std::vector<ShapeValue> shape{};
 
     bool longDashes = false; ///< whether a pattern longer than mostDashes was dropped
 
@@ -47,28 +70,54 @@ struct Properties {
     Properties inherited() const;
 };
 
+/// What an element's style says of a length ("width"), or else its attribute.
+std::string_view lengthText(const Tree& tree, Node node, const Properties& properties,
+                            std::string_view name);
+
+struct Property;
+class Report;
+
 /// Computes the properties of elements. In order of increasing priority: presentation attributes,
-/// rules of the style sheet, style="", declarations marked !important.
+/// rules of the style sheet, style="", declarations marked !important. Reports every property and
+/// value that changes the picture and is not evaluated.
 class Styles {
 public:
-    explicit Styles(const Tree& tree);
+    Styles(const Tree& tree, Report& report);
 
     Properties of(Node node, const Properties& parent, const Lengths& lengths);
-    int ignoredRules() const { return sheet_.ignored(); }
 
 private:
-    using Setter = void (*)(Properties&, std::string_view value, const Lengths&);
-    struct Property;
-    static const Property* find(std::string_view name);
-    static void set(const Property& property, Properties& properties, std::string_view value,
-                    const Properties& parent, const Lengths& lengths);
+    struct Cascade;
+    /// What an attribute of some name is.
+    struct Attribute {
+        const Property* property; ///< null: none
+        bool isLost;              ///< it changes the picture, but is not evaluated
+        bool isStyle;
+    };
 
+    std::string_view styleAttribute(Node node);
+    void applyVariables(Cascade& cascade);
+    void applyAttributes(Cascade& cascade);
+    void apply(Cascade& cascade, const Declaration& declaration);
+    void set(Cascade& cascade, const Property& property, std::string_view value, bool isCss);
+
+    /// What a name of CSS means.
+    struct Meaning {
+        const Property* property = nullptr; ///< null: it is not evaluated
+        std::string lost{};                 ///< its plain name, if it may change the picture
+    };
+    const Meaning& meaningOf(std::string_view name);
     std::string_view uncommented(const Tree::Attribute& attribute);
+    std::string_view withVariables(std::string_view value, const Cascade& cascade);
 
     const Tree& tree_;
+    Report& report_;
     StyleSheet sheet_;
     std::unordered_map<std::uint32_t, std::string> uncommented_; ///< by the offset of their values
-    std::vector<const Property*> byName_;                        ///< by attribute name of tree_
+    std::unordered_set<std::string> texts_; ///< values whose variables were replaced
+    std::size_t variableWork_ = 0;          ///< for these
+    std::vector<Attribute> attributes_;     ///< by name in tree_
+    std::unordered_map<std::string_view, Meaning> meanings_;
 };
 
 } // namespace app::svg

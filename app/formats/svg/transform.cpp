@@ -15,12 +15,6 @@ namespace {
 
 using Arguments = std::span<const double>;
 
-struct Function {
-    std::string_view name;
-    Matrix (*matrix)(Arguments v); ///< v holds six numbers; missing ones are 0
-    std::uint8_t fewest, most;     ///< how many numbers; only these two counts are legal
-};
-
 // Sine that is exact at quarter turns, so that rotate(90) keeps round coordinates.
 double sine(double degrees)
 {
@@ -40,55 +34,131 @@ Matrix rotation(Arguments v)
     return translation({v[1], v[2]}) * Matrix{c, s, -s, c, 0, 0} * translation({-v[1], -v[2]});
 }
 
+Matrix scaling(double x, double y) { return {x, 0, 0, y, 0, 0}; }
+
+std::optional<double> asNumber(std::string_view text, const TransformUnits&)
+{
+    Scanner in(text);
+    const auto number = in.number();
+    return in.atEnd() ? number : std::nullopt;
+}
+
+std::optional<double> asFactor(std::string_view text, const TransformUnits&)
+{
+    Scanner in(text);
+    auto number = in.number();
+    if (number && in.take('%'))
+        *number /= 100;
+    return in.atEnd() ? number : std::nullopt;
+}
+
+std::optional<double> asAngle(std::string_view text, const TransformUnits& units)
+{
+    Scanner in(text);
+    const auto number = in.number();
+    const auto degrees = degreesOf(in.rest());
+    if (!number || !degrees || (units.isCss && lacksUnit(text)))
+        return std::nullopt;
+    return *number * *degrees;
+}
+
+template <int axis>
+std::optional<double> asLength(std::string_view text, const TransformUnits& units)
+{
+    return transformLength(text, units, axis);
+}
+
+struct Function {
+    using Argument = std::optional<double> (*)(std::string_view, const TransformUnits&);
+
+    std::string_view name;
+    Matrix (*matrix)(Arguments v); ///< v holds six numbers; missing ones are 0
+    std::size_t fewest, most;      ///< how many numbers; only these two counts are legal
+    std::array<Argument, 6> arguments;
+};
+
 constexpr std::array functions{
-    Function{"matrix", [](Arguments v) { return Matrix{v[0], v[1], v[2], v[3], v[4], v[5]}; }, 6,
-             6},
+    Function{"matrix",
+             [](Arguments v) { return Matrix{v[0], v[1], v[2], v[3], v[4], v[5]}; },
+             6,
+             6,
+             {asNumber, asNumber, asNumber, asNumber, asNumber, asNumber}},
     Function{"translate",
              [](Arguments v) {
                  return translation({v[0], v[1]});
              },
-             1, 2},
-    Function{"scale", [](Arguments v) { return Matrix{v[0], 0, 0, v[1], 0, 0}; }, 1, 2},
-    Function{"rotate", rotation, 1, 3},
-    Function{"skewX", [](Arguments v) { return Matrix{1, 0, tangent(v[0]), 1, 0, 0}; }, 1, 1},
-    Function{"skewY", [](Arguments v) { return Matrix{1, tangent(v[0]), 0, 1, 0, 0}; }, 1, 1},
+             1,
+             2,
+             {asLength<0>, asLength<1>}},
+    Function{"scale", [](Arguments v) { return scaling(v[0], v[1]); }, 1, 2, {asFactor, asFactor}},
+    Function{"rotate", rotation, 1, 3, {asAngle, asLength<0>, asLength<1>}},
+    Function{
+        "skewX", [](Arguments v) { return Matrix{1, 0, tangent(v[0]), 1, 0, 0}; }, 1, 1, {asAngle}},
+    Function{
+        "skewY", [](Arguments v) { return Matrix{1, tangent(v[0]), 0, 1, 0, 0}; }, 1, 1, {asAngle}},
+    Function{"skew",
+             [](Arguments v) { return Matrix{1, tangent(v[1]), tangent(v[0]), 1, 0, 0}; },
+             1,
+             2,
+             {asAngle, asAngle}},
     Function{"translateX",
              [](Arguments v) {
                  return translation({v[0], 0});
              },
-             1, 1},
+             1,
+             1,
+             {asLength<0>}},
     Function{"translateY",
              [](Arguments v) {
                  return translation({0, v[0]});
              },
-             1, 1},
-    Function{"scaleX", [](Arguments v) { return Matrix{v[0], 0, 0, 1, 0, 0}; }, 1, 1},
-    Function{"scaleY", [](Arguments v) { return Matrix{1, 0, 0, v[0], 0, 0}; }, 1, 1},
+             1,
+             1,
+             {asLength<1>}},
+    Function{"scaleX", [](Arguments v) { return scaling(v[0], 1); }, 1, 1, {asFactor}},
+    Function{"scaleY", [](Arguments v) { return scaling(1, v[0]); }, 1, 1, {asFactor}},
+    Function{"rotateZ", rotation, 1, 1, {asAngle}},
 };
 
-std::optional<Matrix> parseFunction(Scanner& in)
+// The number with its unit that begins here.
+std::string_view takeArgument(Scanner& in)
 {
-    const auto name = in.word();
-    const auto found = std::ranges::find(functions, name, &Function::name);
+    const auto text = in.rest();
+    in.number();
+    in.word();
+    in.take('%');
+    return text.substr(0, text.size() - in.rest().size());
+}
+
+const Function* findFunction(std::string_view name, const TransformUnits& units)
+{
+    const auto found = std::ranges::find_if(functions, [&](const Function& each) {
+        return units.isCss ? equalsIgnoringCase(each.name, name) : each.name == name;
+    });
+    return found == functions.end() ? nullptr : &*found;
+}
+
+std::optional<Matrix> parseFunction(Scanner& in, const TransformUnits& units)
+{
+    const Function* const function = findFunction(in.word(), units);
     in.skipBlanks();
-    if (found == functions.end() || !in.take('('))
+    if (!function || !in.take('('))
         return std::nullopt;
     std::array<double, 6> v{};
     std::size_t count = 0;
     for (in.skipBlanks(); !in.take(')'); in.skipSeparator()) {
-        const auto number = in.number();
-        if (!number || count == found->most)
+        if (count == function->most)
             return std::nullopt;
-        v[count++] = *number;
-        const auto unit = in.word(); // CSS allows units here
-        if (!unit.empty() && unit != "px" && unit != "deg")
+        const auto argument = function->arguments[count](takeArgument(in), units);
+        if (!argument)
             return std::nullopt;
+        v[count++] = *argument;
     }
-    if (count < found->fewest || (found->name == "rotate" && count == 2))
+    if (count != function->fewest && count != function->most)
         return std::nullopt;
-    if (found->name == "scale" && count == 1)
+    if (function->name == "scale" && count == 1)
         v[1] = v[0];
-    return found->matrix(v);
+    return function->matrix(v);
 }
 
 // Converts "xMidYMin" to the shares of free space before the drawing: 0, 1/2 or 1 on each axis.
@@ -120,14 +190,20 @@ Matrix operator*(const Matrix& outer, const Matrix& inner)
 
 Matrix translation(const Point& by) { return {1, 0, 0, 1, by.x, by.y}; }
 
-std::optional<Matrix> parseTransform(std::string_view text)
+std::optional<double> transformLength(std::string_view text, const TransformUnits& units, int axis)
+{
+    const auto length = units.lengths.parse(text, units.box[axis]);
+    return length && (!units.isCss || !lacksUnit(text)) ? length : std::nullopt;
+}
+
+std::optional<Matrix> parseTransform(std::string_view text, const TransformUnits& units)
 {
     Matrix result;
-    if (trimmed(text) == "none")
+    if (equalsIgnoringCase(trimmed(text), "none"))
         return result;
     Scanner in(text);
     for (in.skipBlanks(); !in.atEnd(); in.skipSeparator()) {
-        const auto next = parseFunction(in);
+        const auto next = parseFunction(in, units);
         if (!next)
             return std::nullopt;
         result = result * *next;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/subpath.h"
+#include "app/formats/svg/length.h"
 
 #include <optional>
 #include <string_view>
@@ -26,8 +26,18 @@ struct Matrix {
 
 Matrix translation(const Point& by);
 
+/// What the numbers of a transform mean.
+struct TransformUnits {
+    const Lengths& lengths;
+    Point box{};        ///< the size that percentages refer to
+    bool isCss = false; ///< in CSS, lengths and angles other than 0 need units
+};
+
+/// A length along x (axis 0) or y (axis 1); empty if the text is none.
+std::optional<double> transformLength(std::string_view text, const TransformUnits& units, int axis);
+
 /// Parses the list of an attribute or style "transform"; empty if any part of it is not understood.
-std::optional<Matrix> parseTransform(std::string_view text);
+std::optional<Matrix> parseTransform(std::string_view text, const TransformUnits& units);
 
 /// Maps all points of a path.
 void transform(Subpath& path, const Matrix& matrix);

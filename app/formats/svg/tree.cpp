@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/tree.h"
 
+#include "app/formats/svg/html_entities.h"
+#include "app/formats/svg/lenient_xml.h"
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/refused.h"
 #include "app/formats/svg/scanner.h"
@@ -23,6 +25,7 @@ constexpr std::array namespaces{
     Namespace{QLatin1StringView("http://www.inkscape.org/namespaces/inkscape"), "inkscape:"},
     Namespace{QLatin1StringView("http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd"), "sodipodi:"},
     Namespace{QLatin1StringView("urn:clearcut:1"), "clearcut:"},
+    Namespace{QLatin1StringView("http://www.w3.org/1999/xhtml"), "html:"},
 };
 
 void append(std::string& text, QStringView added)
@@ -46,9 +49,8 @@ QString quotable(QStringView text)
 }
 
 // The error for a file that is not well-formed XML to its end.
-Refused whyNot(const QXmlStreamReader& xml, std::size_t elements)
+Refused whyNot(const QXmlStreamReader& xml, qint64 line, std::size_t elements)
 {
-    const qint64 line = xml.lineNumber();
     if (xml.error() == QXmlStreamReader::PrematureEndOfDocumentError)
         return elements == 0 ? Refused{Text::tr("it is empty."), Refused::wholeFile}
                              : Refused{Text::tr("is incomplete: the file ends too early."), line};
@@ -60,14 +62,26 @@ Refused whyNot(const QXmlStreamReader& xml, std::size_t elements)
     return {Text::tr("is not correct XML (%1).").arg(reason), line};
 }
 
+// Thrown where the text is not XML.
+struct Malformed {
+    Refused why;
+};
+
 } // namespace
 
 class TreeBuilder {
 public:
-    explicit TreeBuilder(QIODevice& in) : xml_(&in)
+    /// `report` begins with what was passed over so far.
+    TreeBuilder(QIODevice& in, const Beginning& beginning, const UsedPrefixes& undeclared,
+                const Report& report)
+        : xml_(&in), linesBefore_(beginning.lines), report_(report),
+          entities_(xml_, linesBefore_, report_)
     {
         tree_.text_.reserve(1000); // on the heap, so that views of it survive a move
         tree_.names_ = {otherName};
+        xml_.setEntityResolver(&entities_);
+        for (const auto& [prefix, used] : undeclared)
+            xml_.addExtraNamespaceDeclaration({prefix, used.uri});
     }
 
     Tree build()
@@ -75,7 +89,7 @@ public:
         while (!xml_.atEnd() && !xml_.hasError()) // after a read error there is no end
             take(xml_.readNext());
         if (xml_.hasError())
-            throw whyNot(xml_, tree_.elements_.size());
+            throw Malformed{whyNot(xml_, line(), tree_.elements_.size())};
         tree_.elements_.push_back({0, noNode, 0, std::uint32_t(tree_.attributes_.size()), 0});
         tree_.attributes_.emplace_back(); // gives the end of the last ones an address
         tree_.elements_.shrink_to_fit();
@@ -85,9 +99,14 @@ public:
         return std::move(tree_);
     }
 
+    const Report& report() const { return report_; }
+
 private:
+    qint64 line() const { return linesBefore_ + xml_.lineNumber(); }
+
     void take(QXmlStreamReader::TokenType token)
     {
+        report_.turnTo(line());
         if (const auto note = about_.take(xml_))
             addNote(*note);
         if (token == QXmlStreamReader::StartElement)
@@ -95,7 +114,10 @@ private:
         else if (token == QXmlStreamReader::EndElement)
             close();
         else if (token == QXmlStreamReader::Characters && inStyle_)
-            append(tree_.styleSheet_, xml_.text());
+            append(tree_.styleSheets_.back().text, xml_.text());
+        else if (token == QXmlStreamReader::ProcessingInstruction
+                 && xml_.processingInstructionTarget() == QLatin1StringView("xml-stylesheet"))
+            report_.add(losses::otherFile);
     }
 
     void open()
@@ -108,17 +130,32 @@ private:
         if (open_.size() == deepestNesting)
             throw Refused{Text::tr("nests elements deeper than %1; ungroup some of them.")
                               .arg(deepestNesting),
-                          xml_.lineNumber()};
+                          line()};
         if (tree_.elements_.size() == mostElements)
             throw Refused{Text::tr("it has more than %1 elements.").arg(mostElements),
                           Refused::wholeFile};
         const Node parent = open_.empty() ? noNode : open_.back();
         open_.push_back(Node(tree_.elements_.size()));
-        tree_.elements_.push_back({name, parent, 0, std::uint32_t(tree_.attributes_.size()),
-                                   std::uint32_t(xml_.lineNumber())});
+        tree_.elements_.push_back(
+            {name, parent, 0, std::uint32_t(tree_.attributes_.size()), std::uint32_t(line())});
         for (const QXmlStreamAttribute& attribute : xml_.attributes())
             addAttribute(attribute);
-        inStyle_ = tree_.names_[name] == "style";
+        openStyle(tree_.names_[name]);
+    }
+
+    void openStyle(std::string_view name)
+    {
+        report_.add(losses::otherFile, name == "html:link");
+        inStyle_ = false;
+        if (name != "style" && name != "html:style")
+            return;
+        const QXmlStreamAttributes attributes = xml_.attributes();
+        const auto type = attributes.value(QLatin1StringView("type"));
+        const auto media = attributes.value(QLatin1StringView("media")).toString();
+        inStyle_ =
+            type.isEmpty() || type.compare(QLatin1StringView("text/css"), Qt::CaseInsensitive) == 0;
+        if (inStyle_)
+            tree_.styleSheets_.push_back({{}, media.toStdString(), line()});
     }
 
     void addAttribute(const QXmlStreamAttribute& attribute)
@@ -145,8 +182,6 @@ private:
     {
         tree_.elements_[open_.back()].end = Node(tree_.elements_.size());
         open_.pop_back();
-        if (inStyle_)
-            tree_.styleSheet_ += '\n';
         inStyle_ = false;
     }
 
@@ -178,6 +213,9 @@ private:
     static inline const std::string otherName = "other";
 
     QXmlStreamReader xml_;
+    qint64 linesBefore_;
+    Report report_;
+    HtmlEntities entities_;
     Tree tree_;
     std::vector<Node> open_;
     std::unordered_map<std::string, std::uint32_t> indices_{{otherName, 0}};
@@ -186,9 +224,42 @@ private:
     AboutReader about_;
 };
 
-Tree Tree::read(QIODevice& in)
+// Builds the tree, with declarations for the prefixes that the file uses without any.
+static Tree built(QIODevice& in, Report& report)
 {
-    Tree tree = TreeBuilder(in).build();
+    const Beginning beginning = skipBlankBeginning(in);
+    if (beginning.lines > 0 || beginning.bytes > 0)
+        report.add(losses::blankBeginning);
+    const auto build = [&](const UsedPrefixes& undeclared) {
+        TreeBuilder builder(in, beginning, undeclared, report);
+        Tree tree = builder.build();
+        report = builder.report();
+        return tree;
+    };
+    const qint64 begin = in.pos();
+    try {
+        return build({});
+    } catch (const Malformed& malformed) {
+        in.seek(begin);
+        const UsedPrefixes undeclared = undeclaredPrefixes(in);
+        if (undeclared.empty())
+            throw Refused(malformed.why);
+        in.seek(begin);
+        for (const auto& [prefix, used] : undeclared) {
+            report.turnTo(beginning.lines + used.line);
+            report.add(losses::undeclaredPrefix, prefix.toStdString());
+        }
+        try {
+            return build(undeclared);
+        } catch (const Malformed& further) {
+            throw Refused(further.why);
+        }
+    }
+}
+
+Tree Tree::read(QIODevice& in, Report& report)
+{
+    Tree tree = built(in, report);
     for (Node node = 0; node + 1 < tree.elements_.size(); ++node)
         if (const auto id = tree.attribute(node, "id"); !id.empty())
             tree.ids_.try_emplace(id, node);
@@ -233,16 +304,29 @@ std::string_view hrefOf(const Tree& tree, Node node)
     return href.empty() ? tree.attribute(node, "xlink:href") : href;
 }
 
-Node Tree::findReference(std::string_view reference) const
+// The address in "url(#id)", "#id" or "url('#id')".
+static std::string_view addressOf(std::string_view reference)
 {
     reference = trimmed(reference);
-    if (reference.starts_with("url(") && reference.ends_with(')'))
+    if (equalsIgnoringCase(reference.substr(0, 4), "url(") && reference.ends_with(')'))
         reference = trimmed(reference.substr(4, reference.size() - 5));
     const auto isQuote = [](char c) { return c == '"' || c == '\''; };
     if (reference.size() >= 2 && isQuote(reference.front())
         && reference.back() == reference.front())
         reference = trimmed(reference.substr(1, reference.size() - 2));
-    return reference.starts_with('#') ? find(reference.substr(1)) : noNode;
+    return reference;
+}
+
+bool isElsewhere(std::string_view reference)
+{
+    const auto address = addressOf(reference);
+    return !address.empty() && !address.starts_with('#');
+}
+
+Node Tree::findReference(std::string_view reference) const
+{
+    const auto address = addressOf(reference);
+    return address.starts_with('#') ? find(address.substr(1)) : noNode;
 }
 
 } // namespace app::svg

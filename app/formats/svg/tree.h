@@ -23,15 +23,24 @@ struct Notes {
     int count = 0;
 };
 
+/// The text of a <style> element.
+struct StyleText {
+    std::string text{}, media{};
+    qint64 line = 0; ///< of the file, where it begins
+};
+
+class Report;
+
 /// The elements of a file and their attributes, stored compactly: 100,000 lines take about as much
 /// memory as their file. Elements of SVG's namespace have no prefix. Names of Inkscape, Sodipodi,
 /// XLink and Clearcut get their usual prefix ("inkscape:label"); names of other namespaces become
 /// "other".
 class Tree {
 public:
-    /// Throws Refused if the file is not well-formed, not SVG, or beyond the limits. External
-    /// entities are never fetched.
-    static Tree read(QIODevice& in);
+    /// Reads a file, a device with random access. Common errors of well-formedness are passed over
+    /// and reported. Throws Refused for others, if the file is not SVG, or beyond the limits.
+    /// External entities are never fetched.
+    static Tree read(QIODevice& in, Report& report);
 
     Tree(Tree&&) = default;
 
@@ -60,8 +69,8 @@ public:
     const std::string& nameOf(std::uint32_t name) const { return names_[name]; }
     std::size_t nameCount() const { return names_.size(); }
 
-    /// The text of all <style> elements.
-    const std::string& styleSheet() const { return styleSheet_; }
+    /// The <style> elements in CSS.
+    const std::vector<StyleText>& styleSheets() const { return styleSheets_; }
 
     const About& about() const { return about_; }
     /// Whether the file's own title, description and metadata exceeded `mostMetadata`; then they
@@ -90,13 +99,17 @@ private:
     std::vector<Element> elements_; ///< and a final element, which ends the attributes
     std::vector<Attribute> attributes_;
     std::vector<std::string> names_;
-    std::string text_, styleSheet_;
+    std::string text_;
+    std::vector<StyleText> styleSheets_;
     std::unordered_map<std::string_view, Node> ids_;
     std::unordered_map<Node, Notes> notes_;
     About about_;
     bool saysTooMuch_ = false;
     int notesOfElements_ = 0;
 };
+
+/// Whether a reference, as "url(other.svg#id)" or "other.svg#id", names another file.
+bool isElsewhere(std::string_view reference);
 
 /// "href", or the older "xlink:href".
 std::string_view hrefOf(const Tree& tree, Node node);

@@ -2,13 +2,17 @@
 #include "app/formats/svg/tree_drawer.h"
 
 #include "app/document/flatten.h"
+#include "app/formats/svg/element_transform.h"
 #include "app/formats/svg/limits.h"
+#include "app/formats/svg/path_length.h"
 #include "app/formats/svg/recipe_text.h"
 #include "app/formats/svg/refused.h"
 #include "app/formats/svg/scanner.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace app::svg {
 namespace {
@@ -24,12 +28,16 @@ constexpr std::array foreigners{
     Foreign{"flowRoot", &losses::text},
     Foreign{"image", &losses::image},
     Foreign{"foreignObject", &losses::foreignObject},
+    Foreign{"html:video", &losses::foreignObject},
+    Foreign{"html:iframe", &losses::foreignObject},
+    Foreign{"html:canvas", &losses::foreignObject},
     Foreign{"animate", &losses::animation},
     Foreign{"animateTransform", &losses::animation},
     Foreign{"animateMotion", &losses::animation},
     Foreign{"animateColor", &losses::animation},
     Foreign{"set", &losses::animation},
     Foreign{"script", &losses::script},
+    Foreign{"html:script", &losses::script},
 };
 
 const Foreign* findForeign(std::string_view element)
@@ -46,6 +54,21 @@ bool finite(const Subpath& path)
     return small(path.start) && std::ranges::all_of(path.segments, [&](const PathSegment& segment) {
                return small(segment.to) && small(segment.control1) && small(segment.control2);
            });
+}
+
+constexpr std::string_view extensionAttribute = "requiredExtensions",
+                           languageAttribute = "systemLanguage";
+
+// Whether "de, en-GB" names English.
+bool namesEnglish(std::string_view languages)
+{
+    for (languages = trimmed(languages); !languages.empty(); languages = trimmed(languages)) {
+        const auto one = trimmed(languages.substr(0, languages.find(',')));
+        if (equalsIgnoringCase(one, "en") || equalsIgnoringCase(one.substr(0, 3), "en-"))
+            return true;
+        languages.remove_prefix(std::min(languages.find(','), languages.size() - 1) + 1);
+    }
+    return false;
 }
 
 bool hasArea(const std::vector<Subpath>& paths)
@@ -72,28 +95,35 @@ const TreeDrawer::Row* TreeDrawer::find(std::string_view element)
     return found == all.end() ? nullptr : &*found;
 }
 
-TreeDrawer::TreeDrawer(const Tree& tree, Report& report, double tolerance)
-    : tree_(tree), report_(report), styles_(tree), paints_(tree, styles_, report),
-      tolerance_(tolerance), idIsTaken_(tree.size())
+bool TreeDrawer::isDrawn(std::string_view element) { return find(element) || findForeign(element); }
+
+TreeDrawer::TreeDrawer(const Tree& tree, Styles& styles, Report& report, const Page& page)
+    : tree_(tree), report_(report), styles_(styles), paints_(tree, styles, report), page_(page),
+      tolerance_(usualTolerance(page)), idIsTaken_(tree.size())
 {
+    for (std::uint32_t name = 0; name < tree.nameCount(); ++name)
+        hasConditions_ = hasConditions_ || tree.nameOf(name) == extensionAttribute
+                         || tree.nameOf(name) == languageAttribute;
 }
 
-Document TreeDrawer::drawAll(const Page& page, const Matrix& rootMatrix, const Point& viewport)
+Document TreeDrawer::drawAll(const Matrix& rootMatrix, const Point& viewport)
 {
+    report_.turnTo(line());
     idOf(0); // reserves the root's id
     Place place;
     place.matrix = rootMatrix;
     place.lengths.viewport = viewport;
     drawChildren(0, inside(0, place));
-    report_.add(losses::styleRule, styles_.ignoredRules());
+    report_.turnTo(0);
     report_.add(losses::metadata, tree_.saysTooMuch() ? 1 : 0);
     report_.add(losses::elementNote, tree_.notesOfElements() - notesKept_);
-    return containers_.take(page, tree_.about(), report_);
+    return containers_.take(page_, tree_.about(), report_);
 }
 
 void TreeDrawer::draw(Node node, const Place& around)
 {
     node_ = node;
+    report_.turnTo(line());
     if (around.depth > deepestNesting)
         throw Refused{
             Text::tr("nests elements deeper than %1; ungroup some of them.").arg(deepestNesting)};
@@ -101,12 +131,25 @@ void TreeDrawer::draw(Node node, const Place& around)
         throw Refused{
             Text::tr("exceeds the limit of %1 elements repeated by <use>.").arg(mostRepeated)};
     const auto name = tree_.name(node);
-    if (const Row* row = find(name)) {
-        (this->*row->draw)(node, around);
+    if (!isDrawn(name) || !isWanted(node))
         return;
-    }
-    if (const Foreign* foreign = findForeign(name))
-        report_.add(*foreign->loss);
+    if (const Row* row = find(name))
+        (this->*row->draw)(node, around);
+    else
+        report_.add(*findForeign(name)->loss);
+}
+
+// Whether an element's conditions hold: it is for English, and needs no extension.
+bool TreeDrawer::isWanted(Node node)
+{
+    if (!hasConditions_)
+        return true;
+    const bool isExtended = !trimmed(tree_.attribute(node, extensionAttribute)).empty();
+    const bool isForeign = tree_.hasAttribute(node, languageAttribute)
+                           && !namesEnglish(tree_.attribute(node, languageAttribute));
+    report_.add(losses::extension, isExtended);
+    report_.add(losses::language, isForeign && !isExtended);
+    return !isExtended && !isForeign;
 }
 
 void TreeDrawer::drawChildren(Node node, const Place& place)
@@ -117,6 +160,14 @@ void TreeDrawer::drawChildren(Node node, const Place& place)
 
 Place TreeDrawer::inside(Node node, const Place& around)
 {
+    Place place = styled(node, around);
+    if (!place.properties.clipPath.empty())
+        addClipPath(node, place);
+    return place;
+}
+
+Place TreeDrawer::styled(Node node, const Place& around)
+{
     Place place = around;
     place.properties = styles_.of(node, around.properties, around.lengths);
     place.lengths.fontSize = place.properties.fontSize;
@@ -124,13 +175,22 @@ Place TreeDrawer::inside(Node node, const Place& around)
     place.hidden = place.hidden || !place.properties.displayed;
     place.use = noNode;
     ++place.depth;
-    if (const auto matrix = parseTransform(place.properties.transform))
-        place.matrix = place.matrix * *matrix;
-    else
-        report_.add(losses::transform);
-    if (!place.properties.clipPath.empty())
-        addClipPath(node, place);
+    if (!isPlain(place.properties.transform))
+        transform(node, place);
     return place;
+}
+
+void TreeDrawer::transform(Node node, Place& place)
+{
+    const TransformTexts& texts = place.properties.transform;
+    Box box{{}, place.lengths.viewport};
+    if (refersToBounds(texts)) {
+        const auto bounds = boundsOf(node, place);
+        report_.add(losses::unknownBox, !bounds);
+        box = bounds.value_or(box);
+    }
+    if (const auto matrix = matrixOf(texts, place.lengths, box))
+        place.matrix = place.matrix * *matrix;
 }
 
 void TreeDrawer::reportEffects(const Properties& properties, bool group)
@@ -208,19 +268,18 @@ QString TreeDrawer::idOf(Node node)
     return QString::fromUtf8(id);
 }
 
-// Draws the first child that draws something and requires no extension or language.
+// Draws the first child whose conditions hold.
 void TreeDrawer::drawSwitch(Node node, const Place& around)
 {
     const Place place = inside(node, around);
     reportEffects(place.properties, true);
+    bool found = false;
     for (const Node child : Children(tree_, node)) {
-        const bool asksForMore = !tree_.attribute(child, "requiredExtensions").empty()
-                                 || !tree_.attribute(child, "systemLanguage").empty();
-        const auto name = tree_.name(child);
-        if (!asksForMore && (find(name) || findForeign(name))) {
+        if (!isDrawn(tree_.name(child)))
+            continue;
+        report_.turnTo(tree_.line(child));
+        if (isWanted(child) && !std::exchange(found, true))
             draw(child, place);
-            return;
-        }
     }
 }
 
@@ -229,15 +288,24 @@ void TreeDrawer::drawOutline(Node node, const Place& around)
     Place place = inside(node, around);
     Properties& properties = place.properties;
     const OutlineKind* kind = findOutlineKind(tree_.name(node));
+    Outline outline = outlineOf(*kind, node, place);
+    scaleDashes(node, outline, properties);
     Drawn drawn;
-    drawn.paths = placed(kind->outline(tree_, node, place.lengths), place.matrix);
-    if (drawn.paths.empty() || place.matrix.determinant() == 0)
+    drawn.paths = placed(std::move(outline), place.matrix);
+    if (!drawn.paths.empty() && place.matrix.determinant() == 0) {
+        report_.add(losses::sizeless);
+        return;
+    }
+    if (drawn.paths.empty())
         return;
     if (!hasArea(drawn.paths))
         properties.fill = {}; // the writer leaves out such a fill, too
     reportEffects(properties, false);
-    drawn.style =
-        paints_.style(properties, place.opacity, properties.fixedWidth ? 1 : place.matrix.scale());
+    const double pixelsPerUnit = pixel / page_.millimetresPerUnit();
+    drawn.style = paints_.style(properties, place.opacity,
+                                properties.fixedWidth ? pixelsPerUnit : place.matrix.scale());
+    report_.add(losses::strokeBelow,
+                properties.strokeBelow && drawn.style.fill && drawn.style.stroke);
     if (properties.longDashes)
         report_.add(losses::longDashes);
     if (kind->takesMarkers)
@@ -253,12 +321,39 @@ void TreeDrawer::drawOutline(Node node, const Place& around)
     addClipped(std::move(drawn), place);
 }
 
+Outline TreeDrawer::outlineOf(const OutlineKind& kind, Node node, const Place& place)
+{
+    Outline outline = kind.outline(tree_, node, place.properties, place.lengths);
+    report_.add(losses::damaged, outline.damaged);
+    report_.add(losses::sizeless, outline.sizeless);
+    return outline;
+}
+
+// The attribute pathLength says how long the path counts for dashes.
+void TreeDrawer::scaleDashes(Node node, const Outline& outline, Properties& properties)
+{
+    const auto text = tree_.attribute(node, "pathLength");
+    if (text.empty() || properties.dashes.empty())
+        return;
+    const auto length = Lengths().parse(text, 0);
+    if (!length || *length < 0) {
+        report_.add(losses::value, "pathLength: " + std::string(text));
+        return;
+    }
+    const double scale = lengthOf(outline.paths) / *length;
+    if (!(scale <= largestCoordinate)) { // of length 0: the first dash never ends
+        properties.dashes.clear();
+        return;
+    }
+    properties.dashOffset *= scale;
+    for (double& dash : properties.dashes)
+        dash *= scale;
+}
+
 std::vector<Subpath> TreeDrawer::placed(Outline outline, const Matrix& matrix)
 {
-    if (outline.damaged)
-        report_.add(losses::damaged);
     for (Subpath& path : outline.paths) {
-        transform(path, matrix);
+        svg::transform(path, matrix);
         if (!finite(path))
             throw Refused{Text::tr("has a coordinate that is too large to be drawn.")};
     }
@@ -268,7 +363,8 @@ std::vector<Subpath> TreeDrawer::placed(Outline outline, const Matrix& matrix)
 void TreeDrawer::countParts(const Drawn& drawn)
 {
     const Style& style = drawn.style;
-    if (!(style.width <= largestCoordinate && std::abs(style.dashOffset) <= largestCoordinate))
+    const auto fits = [](double length) { return std::abs(length) <= largestCoordinate; };
+    if (!(fits(style.width) && fits(style.dashOffset) && std::ranges::all_of(style.dashes, fits)))
         throw Refused{Text::tr("has a stroke that is too large to be drawn.")};
     parts_ += 1 + style.dashes.size();
     for (const Subpath& path : drawn.paths)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Elements that draw other elements (<use>, <symbol>) or have a viewport of their own (<svg>).
-#include "app/formats/svg/refused.h"
+#include "app/formats/svg/page.h"
 #include "app/formats/svg/scanner.h"
 #include "app/formats/svg/tree_drawer.h"
 
@@ -12,22 +12,31 @@ void TreeDrawer::drawUse(Node node, const Place& around)
     reportEffects(place.properties, true);
     const auto href = hrefOf(tree_, node);
     const Node target = tree_.findReference(href);
-    if (target == noNode) {
-        if (!trimmed(href).starts_with('#'))
-            report_.add(losses::otherFile);
+    if (target == noNode || containsItself(node, target)) {
+        report_.add(losses::otherFile, isElsewhere(href));
+        report_.add(losses::selfUse, target != noNode);
         return;
     }
-    const bool ownAncestor = target <= node && node < tree_.end(target);
-    if (ownAncestor || std::ranges::find(used_, target) != used_.end())
-        throw Refused{Text::tr("has a <use> that contains itself.")};
-    const Point shift{place.lengths.x(tree_.attribute(node, "x")).value_or(0),
-                      place.lengths.y(tree_.attribute(node, "y")).value_or(0)};
-    place.matrix = place.matrix * translation(shift);
+    place.matrix = place.matrix * translation(shiftOf(node, place));
     place.use = around.repeated ? around.use : node;
     place.repeated = true;
     used_.push_back(target);
     drawUsed(node, target, place);
     used_.pop_back();
+}
+
+bool TreeDrawer::containsItself(Node use, Node target) const
+{
+    const bool ownAncestor = target <= use && use < tree_.end(target);
+    return ownAncestor || std::ranges::find(used_, target) != used_.end();
+}
+
+Point TreeDrawer::shiftOf(Node use, const Place& place) const
+{
+    const auto text = [&](std::string_view name) {
+        return lengthText(tree_, use, place.properties, name);
+    };
+    return {place.lengths.x(text("x")).value_or(0), place.lengths.y(text("y")).value_or(0)};
 }
 
 void TreeDrawer::drawUsed(Node use, Node target, const Place& place)
@@ -38,37 +47,41 @@ void TreeDrawer::drawUsed(Node use, Node target, const Place& place)
         return;
     }
     node_ = target;
-    drawViewport(target, use, inside(target, place));
+    report_.turnTo(line());
+    drawViewport(target, inside(target, place),
+                 {lengthText(tree_, use, place.properties, "width"),
+                  lengthText(tree_, use, place.properties, "height")});
 }
 
 void TreeDrawer::drawNestedSvg(Node node, const Place& around)
 {
     const Place place = inside(node, around);
     reportEffects(place.properties, true);
-    drawViewport(node, node, place);
+    drawViewport(node, place, {});
 }
 
-// `sizes` is the element that defines the size of the viewport: a <use> overrides the element it
-// draws.
-void TreeDrawer::drawViewport(Node node, Node sizes, const Place& around)
+// `given` is the size that a <use> says, instead of the element that it draws.
+void TreeDrawer::drawViewport(Node node, const Place& around, const ViewportSize& given)
 {
     const Lengths& lengths = around.lengths;
-    const auto size = [&](std::string_view name, double whole) {
-        auto text = trimmed(tree_.attribute(sizes, name));
-        if (text.empty() || text == "auto")
-            text = trimmed(tree_.attribute(node, name));
+    const auto size = [&](std::string_view name, std::string_view text, double whole) {
+        if (trimmed(text).empty() || trimmed(text) == "auto")
+            text = lengthText(tree_, node, around.properties, name);
         return lengths.parse(text, whole).value_or(whole);
     };
-    Box viewport{{}, {size("width", lengths.viewport.x), size("height", lengths.viewport.y)}};
+    Box viewport{{},
+                 {size("width", given.width, lengths.viewport.x),
+                  size("height", given.height, lengths.viewport.y)}};
     if (tree_.name(node) == "svg")
-        viewport.min = {lengths.x(tree_.attribute(node, "x")).value_or(0),
-                        lengths.y(tree_.attribute(node, "y")).value_or(0)};
-    if (!(viewport.size.x > 0 && viewport.size.y > 0))
+        viewport.min = shiftOf(node, around);
+    if (!(viewport.size.x > 0 && viewport.size.y > 0)) {
+        report_.add(losses::sizeless);
         return;
+    }
     Place place = around;
     if (!place.properties.overflowShown)
         addViewportClip(viewport, place);
-    const auto box = parseViewBox(tree_.attribute(node, "viewBox"));
+    const auto box = readViewBox(tree_, node, report_);
     if (box)
         place.matrix =
             place.matrix

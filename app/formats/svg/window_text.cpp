@@ -219,6 +219,7 @@ bool hasShape(const Tree& tree, Node node)
 
 void read(const Tree& tree, Node node, ClipWindows& windows, Report& report)
 {
+    report.turnTo(tree.line(node));
     if (saysSecond(tree, node, "keep", {"inside", "outside"}, losses::unknownKeep, report))
         windows.keep = Keep::Outside;
     if (!hasShape(tree, node))

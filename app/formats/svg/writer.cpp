@@ -4,8 +4,11 @@
 #include "app/base/number.h"
 #include "app/base/write_all.h"
 #include "app/document/line_colour.h"
+#include "app/formats/paper.h"
+#include "app/formats/rounded.h"
 #include "app/formats/svg/attribute_text.h"
 #include "app/formats/svg/guide_text.h"
+#include "app/formats/svg/length.h"
 #include "app/formats/svg/outline_text.h"
 #include "app/formats/svg/recipe_text.h"
 #include "app/formats/svg/sheets_text.h"
@@ -14,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 namespace app::svg {
 namespace {
@@ -53,17 +57,23 @@ bool sameStyle(const ObjectView& a, const ObjectView& b)
 
 class Writer {
 public:
-    Writer(const Document& document, QIODevice& out, const WriteOptions& options)
-        : document_(document), out_(out), outlines_(options)
+    /// The drawing is written `scale` times as large, by a group around everything.
+    Writer(const Document& document, QIODevice& out, const WriteOptions& options, double scale)
+        : document_(document), out_(out), outlines_(options), scale_(scale)
     {
     }
 
     std::optional<QString> write()
     {
         appendHead();
+        if (scale_ != 1) {
+            text_ += "<g transform=\"scale(";
+            appendNumber(text_, scale_);
+            text_ += ")\">\n";
+        }
         for (const ContainerId layer : tree().childrenOf(0))
             appendContainer(layer);
-        text_ += "</svg>\n";
+        text_ += scale_ != 1 ? "</g>\n</svg>\n" : "</svg>\n";
         flush();
         return failed_ ? std::optional(out_.errorString() + u'.') : std::nullopt;
     }
@@ -82,10 +92,12 @@ private:
                  " xmlns:sodipodi=\"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd\""
                  " xmlns:clearcut=\"urn:clearcut:1\"";
         appendName("id", about.id);
-        appendAttribute(text_, "width", lengthText(page.width));
-        appendAttribute(text_, "height", lengthText(page.height));
-        appendAttribute(text_, "viewBox",
-                        std::array{page.min.x, page.min.y, page.size.x, page.size.y});
+        const Point min = page.min * scale_, size = page.size * scale_;
+        appendAttribute(text_, "width",
+                        lengthText(scale_ == 1 ? page.width : Length{size.x, Unit::Px}));
+        appendAttribute(text_, "height",
+                        lengthText(scale_ == 1 ? page.height : Length{size.y, Unit::Px}));
+        appendAttribute(text_, "viewBox", std::array{min.x, min.y, size.x, size.y});
         text_ += ">\n";
         appendLine(about.title);
         appendLine(about.description);
@@ -222,15 +234,33 @@ private:
     const Document& document_;
     QIODevice& out_;
     OutlineText outlines_;
+    const double scale_;
     std::string text_;
     bool failed_ = false;
 };
+
+std::optional<QString> writeScaled(const Document& document, QIODevice& out,
+                                   const WriteOptions& options, double scale)
+{
+    if (auto fault = faultOf(document.page()))
+        return fault;
+    const Document made = rounded(document, options).document;
+    return Writer(made, out, options, scale).write();
+}
 
 } // namespace
 
 std::optional<QString> write(const Document& document, QIODevice& out, const WriteOptions& options)
 {
-    return Writer(document, out, options).write();
+    return writeScaled(document, out, options, 1);
+}
+
+std::optional<QString> writeInPixels(const Document& document, QIODevice& out,
+                                     const WriteOptions& options)
+{
+    assert(document.windows().list.empty());
+    const double pixelsPerUnit = document.page().millimetresPerUnit() / pixel;
+    return writeScaled(document, out, options, pixelsPerUnit);
 }
 
 } // namespace app::svg

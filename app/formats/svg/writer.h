@@ -11,4 +11,9 @@ namespace app::svg {
 /// <g> with that style. Returns nothing, or a sentence that says what went wrong.
 std::optional<QString> write(const Document& document, QIODevice& out, const WriteOptions& options);
 
+/// The same with a user unit of one pixel around a group that scales the drawing, for programs that
+/// ignore any other unit. Clip windows, guides and sheets must not be there.
+std::optional<QString> writeInPixels(const Document& document, QIODevice& out,
+                                     const WriteOptions& options);
+
 } // namespace app::svg

@@ -461,7 +461,7 @@ private slots:
         const auto run = clearcut({"convert", "-", "--from", "svg", "--to", "csv", "-o", "-"},
                                   "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'>"
                                   "<path d='M0 0H9' stroke='red' marker-end='url(#a)'/></svg>");
-        QCOMPARE(run.err, "1 × arrowhead or other marker (not kept; its line is kept)\n");
+        QCOMPARE(run.err, "1 × arrowhead or other marker (not kept; its line is kept; line 1)\n");
         QCOMPARE(run.out.count('\n'), 2);
     }
 
@@ -691,6 +691,95 @@ private slots:
             run.err.constData());
         QCOMPARE(run.out, "");
         QCOMPARE(clearcut({"clip", path("text.svg"), "-o", path("x.svg"), "-q"}).err, "");
+    }
+
+    // An area without a stroke has no path that could be opened.
+    void onlyOpenedStrokesAreReported()
+    {
+        const auto reported = [](const QByteArray& stroke) {
+            return clearcut(
+                       {"clip", "-", "--from", "svg", "--to", "svg", "-o", "-", "-w", "0,0,50,50"},
+                       "<svg xmlns='http://www.w3.org/2000/svg' width='99' height='99'>"
+                       "<polygon points='10,10 90,10 90,90 70,40 50,90 30,40' fill='#f00' "
+                       "stroke='"
+                           + stroke + "'/></svg>")
+                .err;
+        };
+        QVERIFY(reported("#000").startsWith(
+            "Shapes: 0 kept whole, 1 cut, 0 removed; closed paths opened: 1.\n"));
+        QVERIFY(reported("none").startsWith("Shapes: 0 kept whole, 1 cut, 0 removed.\n"));
+    }
+
+    // Where lines only touch the window, the counts are the same for every type of file.
+    void contactsAreReportedAlike_data()
+    {
+        QTest::addColumn<QStringList>("more");
+        QTest::addColumn<QByteArray>("what");
+        QTest::newRow("svg") << QStringList{"--to", "svg"} << QByteArray("left out");
+        QTest::newRow("pdf") << QStringList{"--to", "pdf"} << QByteArray("left out");
+        QTest::newRow("csv") << QStringList{"--to", "csv"} << QByteArray("kept as points");
+        QTest::newRow("csv as a drawing")
+            << QStringList{"--to", "csv", "--occlude"} << QByteArray("kept as points");
+    }
+    void contactsAreReportedAlike()
+    {
+        QFETCH(QStringList, more);
+        QFETCH(QByteArray, what);
+        const QByteArray touching = "0,0,10,10\n5,20,15,0\n", cut = "0,15,30,15\n";
+        const auto errorOf = [&](const QByteArray& table) {
+            const auto run = clearcut(
+                QStringList{"clip", "-", "--from", "csv", "-o", "-", "-w", "10,10,20,20"} + more,
+                table);
+            return run.code == 0 ? run.err.replace("Shapes with covered lines: 0 cut, 0 removed; "
+                                                   "fills removed: 0.\n",
+                                                   "")
+                                 : "failed";
+        };
+        const QByteArray report = "; only touching the window, and " + what + ": 2.\n";
+        QVERIFY2(errorOf(touching + cut + "50,50,60,60\n")
+                     .startsWith("Shapes: 0 kept whole, 1 cut, 1 removed" + report),
+                 errorOf(touching + cut + "50,50,60,60\n"));
+        const QByteArray all = errorOf(touching);
+        QVERIFY2(all.startsWith("Shapes: 0 kept whole, 0 cut, 0 removed" + report), all);
+        QCOMPARE(all.contains("Nothing is left: no line of the drawing is in the window, but some "
+                              "touch it."),
+                 what == "left out");
+    }
+
+    // Rounding makes neither repeated points nor lines without length; a point stays one.
+    void fewDecimalsMakeNoPoints()
+    {
+        const QByteArray drawing =
+            "<svg xmlns='http://www.w3.org/2000/svg' width='10' height='10' fill='none' "
+            "stroke='red'><path d='M0 0L.2 .2L.4 .4L5 5L5.1 5.1'/><path d='M1 1L1.2 1.2'/>"
+            "<path d='M7 7h0' stroke-linecap='round'/><path d='M2 2C2.1 2 2 2.1 2.2 2.2'/></svg>";
+        const auto converted = [&](const char* type, const QByteArray& input, const char* from) {
+            return clearcut(
+                {"convert", "-", "--from", from, "--to", type, "-o", "-", "--precision", "0"},
+                input);
+        };
+        const auto svg = converted("svg", drawing, "svg");
+        QVERIFY2(svg.out.contains("<line x1=\"0\" y1=\"0\" x2=\"5\" y2=\"5\""), svg.out);
+        QVERIFY(svg.out.contains("<line x1=\"7\" y1=\"7\" x2=\"7\" y2=\"7\""));
+        QCOMPARE(svg.out.count("<line") + svg.out.count("<path") + svg.out.count("<poly"), 2);
+        const QByteArray told = "Lines that --precision would make points are left out: 2.\n";
+        QCOMPARE(svg.err, told);
+        const auto csv = converted("csv", drawing, "svg");
+        QCOMPARE(csv.out.split('\n').mid(1),
+                 (QByteArrayList{"0,0,5,5,Drawing,#ff0000,1", "7,7,7,7,Drawing,#ff0000,1", ""}));
+        QCOMPARE(csv.err, told);
+        QCOMPARE(converted("pdf", drawing, "svg").err, told);
+        // From table to table the rows are the same, whether they are read as a drawing or not.
+        const QByteArray table = "0,0,.2,.2\n.4,.4,5,5\n7,7,7,7\n";
+        const QStringList clip{"clip", "-", "--from", "csv",     "--to",        "csv",
+                               "-o",   "-", "-w",     "0,0,9,9", "--precision", "0"};
+        const auto rows = clearcut(clip, table),
+                   whole = clearcut(clip + QStringList{"--occlude"}, table);
+        QCOMPARE(rows.out.split('\n').mid(1), (QByteArrayList{"0,0,5,5,Drawing,#000000,1,1",
+                                                              "7,7,7,7,Drawing,#000000,1,2", ""}));
+        QCOMPARE(whole.out, rows.out);
+        QVERIFY(rows.err.contains("Lines that --precision would make points are left out: 1.\n"));
+        QVERIFY(whole.err.contains("Lines that --precision would make points are left out: 1.\n"));
     }
 
     void theOutputHasNoWindowAndCuttingAgainChangesNothing()

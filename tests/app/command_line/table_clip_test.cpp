@@ -66,6 +66,7 @@ private slots:
         QTest::newRow("decimals") << window + QStringList{"--precision", "2"};
         QTest::newRow("no short pieces") << window + QStringList{"--min-length", "30"};
         QTest::newRow("millimetres") << QStringList{"-w", "-10mm,-10mm,20mm,20mm"};
+        QTest::newRow("no decimals") << window + QStringList{"--precision", "0"};
     }
     void rowByRowAsAllAtOnce()
     {
@@ -86,6 +87,45 @@ private slots:
                                   "Colour,y2,x2,note,Y1,X1\n#ff0000,8,9,?,2,1\n#00ff00,1,1,,0,0\n");
         QCOMPARE(run.out, header + "1,2,9,8,Drawing,#ff0000,1,0\n0,0,1,1,Drawing,#00ff00,1,1\n");
         QVERIFY2(run.err.startsWith("1 × column “note” (not kept)\n"), run.err);
+    }
+
+    // Tables with other separators, names and decimal commas: the same rows and the same report,
+    // whether they are read row by row or as a drawing.
+    void dialectsAreReadAlike_data()
+    {
+        QTest::addColumn<QByteArray>("table");
+        QTest::addColumn<bool>("told");
+        QTest::newRow("commas") << QByteArray("x0,y0,x1,y1\n1.5,1.5,20,5\n-1,2,3,4\n") << false;
+        QTest::newRow("semicolons") << QByteArray("x1;y1;x2;y2\n1,5;1,5;20;5\n-1;2;3;4\n") << true;
+        QTest::newRow("tabs") << QByteArray("1,5\t1,5\t20\t5\r\n-1\t2\t3\t4") << true;
+        QTest::newRow("blanks") << QByteArray(" 1.5 1.5  20 5 \n-1 2 3\t4\n") << true;
+        QTest::newRow("quotes") << QByteArray("\"1,5\";1,5;20;\"5\"\n-1;2;\"3\";4\n") << true;
+    }
+    void dialectsAreReadAlike()
+    {
+        QFETCH(QByteArray, table);
+        QFETCH(bool, told);
+        const QStringList options = clip + QStringList{"-w", "0,0,10,10"};
+        const auto rows = clearcut(options, table);
+        const auto whole = clearcut(options + QStringList{"--occlude"}, table);
+        QCOMPARE(rows.out, header
+                               + "1.5,1.5,10,3.108108108108108,Drawing,#000000,1,0\n"
+                                 "0,2.5,3,4,Drawing,#000000,1,1\n");
+        QCOMPARE(whole.out, rows.out);
+        QCOMPARE(rows.err.contains("1 × table has "), told);
+        QCOMPARE(whole.err.contains("1 × table has "), told);
+        const auto skipped = clearcut(options + QStringList{"--skip-bad"}, table + "a;b;c;d\n");
+        QCOMPARE(skipped.out, rows.out);
+        QVERIFY(skipped.err.contains("Bad rows skipped: 1."));
+    }
+
+    void aFileThatIsNoTableSaysWhatItHas()
+    {
+        const auto run = clearcut(clip + QStringList{"-w", "0,0,9,9"}, "from;to\n1;2\n");
+        QCOMPARE(run.code, 1);
+        QVERIFY2(run.err.contains("line 1 is neither four numbers nor a header with x1, y1, x2 and "
+                                  "y2; it has 2 columns: “from”, “to”."),
+                 run.err);
     }
 
     void piecesComeBeforeTheInputEnds()

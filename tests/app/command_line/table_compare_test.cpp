@@ -98,6 +98,19 @@ private slots:
                      rows[qsizetype(i) + 1]);
     }
 
+    void tablesWithSemicolonsAndDecimalCommas()
+    {
+        const QByteArray table = "x1;y1;x2;y2\n100,0;0;100,5;300\n";
+        const auto run = clearcut(compare + kwc, table);
+        QCOMPARE(run.code, 3);
+        QCOMPARE(run.out, header + rowOfLost(1));
+        QVERIFY(run.err.startsWith("1 × table has semicolons between its columns; a comma is a "
+                                   "decimal comma\n"));
+        QCOMPARE(
+            clearcut(QStringList{"compare", "-", "--from", "csv", "-f", "csv"} + kwc, table).code,
+            clearcut(QStringList{"compare", "-", "--from", "csv", "-f", "csv"} + kwc, lost).code);
+    }
+
     void rowByRowAsADrawing_data()
     {
         QTest::addColumn<QStringList>("options");

@@ -177,7 +177,7 @@ private slots:
         row("format", {"--line", "0,0,1,1", "-f", "unknown"}, "--format unknown");
         row("ending", {"--line", "0,0,1,1", "-o", "a.unknown"}, "give the format with --format");
         row("no name", {"--line", "0,0,1,1", "-f", "gif"}, "Name a file or a folder");
-        row("option", {"--line", "0,0,1,1", "--setp", "1"}, "The nearest is “--step”");
+        row("option", {"--line", "0,0,1,1", "--setp", "1"}, "Did you mean “--step”?");
     }
     void wrongUsage()
     {

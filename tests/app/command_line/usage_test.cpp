@@ -170,6 +170,28 @@ private slots:
         QVERIFY(!app::isCommandLine({"--", "--help"}));
     }
 
+    void typesThatAreNotReadAreNamed()
+    {
+        for (const char* name : {"plan.dxf", "plan"})
+            writeText(path(name), "0\nSECTION\n");
+        const auto error = [&](const QString& name) {
+            const auto run = clearcut({"convert", path(name), "-o", path("x.svg")});
+            return run.code == 2 ? run.err : "exit code " + QByteArray::number(run.code);
+        };
+        const QByteArray readable = formatKeys(true);
+        const QByteArray dxf = error("plan.dxf"), none = error("plan");
+        QVERIFY2(dxf.contains("plan.dxf: Clearcut does not read files of the type dxf. It reads "
+                              + readable + "; --from says which if the name does not."),
+                 dxf);
+        QVERIFY2(none.contains("plan: its name does not show its type. Give it with --from and one "
+                               "of "
+                               + readable + "."),
+                 none);
+        QCOMPARE(app::readFile(path("plan.dxf")).error,
+                 "Cannot open " + path("plan.dxf")
+                     + ": Clearcut does not read this type of file. It reads " + readable + ".");
+    }
+
     // NOLINTNEXTLINE(readability-function-size): a table, a row for each wrong usage
     void wrongUsageExitsWith2_data()
     {
@@ -183,8 +205,7 @@ private slots:
         row({"clip"}, "An argument is missing: clip INPUT -o OUTPUT");
         row({"clip", "A"}, "Name the output: -o FILE");
         row(clip + QStringList{"B"}, "The argument “B” is one too many");
-        row(clip + QStringList{"--nonsense"},
-            "There is no option “--nonsense”. The nearest is “--");
+        row(clip + QStringList{"--nonsense"}, "There is no option “--nonsense”.\n");
         row(clip + QStringList{"-w"}, "Missing value after “-w”");
         row(clip + QStringList{"-w", "1,2,3"}, "--window 1,2,3: give four lengths");
         row(clip + QStringList{"-w", "1,2,3,nan"}, "give four lengths");
@@ -215,9 +236,10 @@ private slots:
             "--precision -1: give a whole number from 0 to 30");
         row(clip + QStringList{"--dpi", "0"}, "--dpi 0: give a number greater than 0");
         row(clip + QStringList{"--from", "unknown"}, "--from unknown: give " + all + ".");
-        row(clip + QStringList{"--from", "png"}, "with --from and one of " + readable + ".");
+        row(clip + QStringList{"--from", "png"},
+            "Clearcut does not read files of the type png. It reads " + readable + ";");
         row({"clip", "A", "-o", "x.unknown"},
-            "x.unknown: give its type with --to and one of " + all + ".");
+            "x.unknown: Clearcut does not write files of the type unknown. It writes " + all + ";");
         row({"clip", "-", "-o", "x.svg"},
             "clip: - (standard input): give its type with --from and one of " + readable + ".");
         for (const char* command : {"clip", "convert"})
@@ -231,7 +253,7 @@ private slots:
         row({"bench", "--lines", "0"}, "--lines 0: give a whole number from 1 to");
         row({"bench", "--lines", "1.5"}, "--lines 1.5: give a whole number from 1 to");
         row({"bench", "--lines", "1e99"}, "--lines 1e99: give a whole number from 1 to");
-        row({"bench", "--qick"}, "There is no option “--qick”. The nearest is “--quick”.");
+        row({"bench", "--qick"}, "There is no option “--qick”. Did you mean “--quick”?");
         row({"bench", "--scene", "foo"}, " or file:PATH.");
         row({"bench", "--scene", "file:"}, " or file:PATH.");
         row({"bench", "--runs", "ten"}, "--runs ten: give a whole number from 1 to");
@@ -421,14 +443,15 @@ private slots:
             QTest::newRow(line) << QString(line).split(u' ') << "clearcut: " + sentence + '\n'
                                 << code;
         };
-        const QByteArray nearest = "There is no file or command “clap”. The nearest command is "
-                                   "“clip”; clearcut --help lists them all.";
+        const QByteArray nearest = "There is no file or command “clap”. Did you mean “clip”? "
+                                   "clearcut --help lists all commands.";
         row("clap a.svg -o b.svg", nearest, 2);
         row("--theme dark clap", nearest, 2);
         row("Converted",
-            "There is no file or command “Converted”. The nearest command is “convert”; clearcut "
-            "--help lists them all.",
+            "There is no file or command “Converted”. Did you mean “convert”? clearcut --help "
+            "lists all commands.",
             2);
+        row("xyzzy", "There is no file or command “xyzzy”. clearcut --help lists all commands.", 2);
         row("--theme dark clip a.svg", "The command “clip” must come first. Try clearcut --help.",
             2);
         row("no.svg", "Cannot open no.svg: there is no such file.", 1);
@@ -630,6 +653,22 @@ private slots:
                  run.out.constData());
         QVERIFY(run.out.contains("unit    0.5mm\n"));
         QVERIFY(run.out.contains("“Locked”: shapes 5, lines 85, locked\n"));
+    }
+
+    void infoSaysWhatAPageWithoutASizeMeans()
+    {
+        const auto page = [](const QByteArray& attributes) {
+            const auto out =
+                clearcut({"info", "-", "--from", "svg"},
+                         "<svg xmlns='http://www.w3.org/2000/svg' " + attributes + "/>")
+                    .out;
+            const auto begin = out.indexOf("  page ");
+            return out.mid(begin, out.indexOf('\n', begin) - begin);
+        };
+        QCOMPARE(page("viewBox='0 0 30 20'"),
+                 "  page    0,0,30,20, without a size on paper: a unit counts as a pixel");
+        QCOMPARE(page("viewBox='0 0 30 20' width='60mm'"),
+                 "  page    0,0,30,20, on paper 60mm × 40mm");
     }
 
     void infoListsWindowsAndContainers()

@@ -148,9 +148,10 @@ private slots:
         row("polygon:0,0 1,1", "three or more corners");
         row("polygon:0,0 1,1 2", "three or more corners");
         row("polygon:0,0 1,1,2 3", "three or more corners");
-        row("shape:lak", "there is no “lak” in the drawing. The nearest is “lake”.");
+        row("shape:lak", "there is no “lak” in the drawing. Did you mean “lake”?");
+        row("shape:k", "there is no “k” in the drawing, which has “");
         row("shape:line", "nothing there encloses an area");
-        row("layer:lakes", "The nearest is “Lakes”.");
+        row("layer:lakes", "Did you mean “Lakes”?");
         row("square:1,2,3", "give XMIN,YMIN,XMAX,YMAX[@DEGREES], circle:CX,CY,R");
         row("file:/nowhere/mask.svg", "/nowhere/mask.svg");
     }

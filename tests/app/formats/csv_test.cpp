@@ -158,12 +158,31 @@ private slots:
         row("longer than header", "x1,y1,x2,y2\n1,2,3,4,5",
             "line 2 has 5 columns; at most 4 are possible.");
         row("no header", "from,to\n",
-            "line 1 is neither four numbers nor a header with x1, y1, x2 and y2.");
-        row("semicolons", "1;2;3;4\n",
-            "line 1 is neither four numbers nor a header with x1, y1, x2 and y2.");
+            "line 1 is neither four numbers nor a header with x1, y1, x2 and y2; it has 2 columns: "
+            "“from”, “to”.");
+        row("no header with semicolons", "a;b;c;d;e;f;g\n",
+            "line 1 is neither four numbers nor a header with x1, y1, x2 and y2; it has 7 columns: "
+            "“a”, “b”, “c”, “d”, “e”, “f”, ….");
+        row("a sentence", "This is no table.\n",
+            "line 1 is neither four numbers nor a header with x1, y1, x2 and y2; it has 4 columns: "
+            "“This”, “is”, “no”, “table.”.");
+        row("three semicolons", "1;2;3\n", "line 1 has 3 columns; x1, y1, x2 and y2 are needed.");
+        row("three blanks", "1 2 3\n", "line 1 has 3 columns; x1, y1, x2 and y2 are needed.");
+        row("decimal commas between commas", "x1,y1,x2,y2\n1,5,1,5,20,5\n",
+            "line 2 has 6 columns; at most 4 are possible.");
+        row("thousands", "x1;y1;x2;y2\n1.234,5;1;1;1\n",
+            "line 2 has “1.234,5” where a number is needed.");
+        row("commas and points", "1,5;2;3;4\n1,5;2.5;3;4\n",
+            "line 2 has both decimal commas and points: “1,5” and “2.5”.");
+        row("UTF-16",
+            QByteArray("\xff\xfe"
+                       "1\0,\0"
+                       "1\0,\0",
+                       10),
+            "line 1 is not UTF-8. Save the table as CSV in UTF-8.");
         row("twice", "x1,y1,x2,y2,x1\n", "line 1 names the column “x1” twice.");
-        row("colour", "1,2,3,4,a,red\n",
-            "line 1 has the colour “red”; write it as #rrggbb or #rrggbbaa.");
+        row("colour", "1,2,3,4,a,reddish\n",
+            "line 1 has the colour “reddish”; write it as #rrggbb or #rrggbbaa.");
         row("width", "1,2,3,4,a,#000000,-1\n",
             "line 1 has the width “-1”; write a number that is not negative.");
         row("open quote", "1,2,3,4\n1,2,3,4,\"abc\n\n",
@@ -181,6 +200,104 @@ private slots:
         const auto result = read(text);
         QVERIFY(!result);
         QCOMPARE(result.error, sentence);
+    }
+
+    // The same lines, however they are separated, named and written.
+    void dialects_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        const auto row = [](const char* name, const QByteArray& text) {
+            QTest::newRow(name) << text;
+        };
+        const QByteArray end = "\r\n";
+        row("semicolons", "1.5;2;-3;4e1;a b;#ff0000;0.5\n5;6;7;8;a b;#ff0000;0.5\n");
+        row("decimal commas", "x1;y1;x2;y2;layer;colour;width\n1,5;2;-3;4e1;a b;#ff0000;0,5\n"
+                              "5;6;7;8,0;a b;red;,5\n");
+        row("decimal commas at once", "1,5;2,0;-3,0;40,0;a b;#ff0000;0,5\n5;6;7;8;a b;#f00;0,5");
+        row("quotes", "\"x1\";\"y1\";\"x2\";\"y2\";\"layer\";\"color\";\"width\"\n"
+                      "\"1,5\";\"2\";-3;40;\"a b\";#ff0000;0,5\n5;6;7;8;\"a b\";#ff0000;0,5\n");
+        row("tabs", "x1\ty1\tx2\ty2\tlayer\tcolour\twidth" + end
+                        + "1.5\t2\t-3\t40\ta b\t#ff0000\t.5" + end + end
+                        + "5\t6\t7\t8\ta b\t#ff0000\t.5" + end);
+        row("blanks", "  1.5 2\t -3   40 \"a b\" #ff0000 .5  \n5 6 7 8 \"a b\" #ff0000 .5");
+        row("a mark and comments", "\xef\xbb\xbf# a;b\nx1;y1;x2;y2;layer;colour;width\n1,5;2;-3;40;"
+                                   "a b;#ff0000;,5\n# c,d\n5;6;7;8;a b;#ff0000;,5\n");
+        row("from zero", "x0,y0,x1,y1,layer,color,Line Width\n1.5,2,-3,40,a b,#ff0000,.5\n"
+                         "5,6,7,8,a b,#ff0000,.5\n");
+        row("in another order", "Y0;X1;stroke_width;X0;Y1;color;layer\n2;-3;0,5;1,5;40;red;a b\n"
+                                "6;7;0,5;5;8;red;a b\n");
+        for (const char* names : {"start_x,start_y,end_x,end_y", "X start,Y start,X end,Y end",
+                                  "x_start,y_start,x_end,y_end", "from-x,from-y,to-x,to-y",
+                                  "ax,ay,bx,by", "xA,yA,xB,yB", "p1.x,p1.y,p2.x,p2.y"})
+            row(names, QByteArray(names)
+                           + ",layer,colour,width\n1.5,2,-3,40,a b,red,.5\n5,6,7,8,a b,red,.5\n");
+    }
+    void dialects()
+    {
+        QFETCH(QByteArray, text);
+        const auto expected = read("1.5,2,-3,40,a b,#ff0000,0.5\n5,6,7,8,a b,#ff0000,0.5\n");
+        const auto result = read(text);
+        QVERIFY2(result, qPrintable(result.error));
+        QCOMPARE(result.value->document, expected.value->document);
+        QVERIFY(!result.value->lossy());
+    }
+
+    void separatorsAreTold()
+    {
+        const auto told = [](const QByteArray& text) {
+            return read(text).value->report.at(0).what;
+        };
+        const QString rest = " between its columns; a comma is a decimal comma";
+        QCOMPARE(told("1;2;3;4"), "table has semicolons" + rest);
+        QCOMPARE(told("1\t2\t3\t4"), "table has tabs" + rest);
+        QCOMPARE(told("1 2 3 4"), "table has blanks" + rest);
+        QVERIFY(read("1, 2, 3, 4, a layer with blanks").value->report.empty());
+        QVERIFY(read("x1, y1, x2, y2\n1, 2, 3, 4").value->report.empty());
+    }
+
+    void dashesAreLines()
+    {
+        app::Sheet sheet;
+        app::Style style{.stroke = app::Colour{}};
+        style.dashes = {10, 10};
+        sheet.shapes = {{{line({10, 20}, {90, 20})}, style, {}, 0, false}};
+        const QByteArray end = ",Drawing,#000000,1";
+        const auto rows = [&] { return written(app::documentOf(sheet)).split('\n').mid(1); };
+        QCOMPARE(rows(), (QByteArrayList{"10,20,20,20" + end, "30,20,40,20" + end,
+                                         "50,20,60,20" + end, "70,20,80,20" + end, ""}));
+        sheet.shapes[0].style.dashOffset = 15;
+        QCOMPARE(rows().at(0), "15,20,25,20" + end);
+        // A dash goes round a corner as two lines; an odd pattern alternates; points are points.
+        sheet.shapes[0] = {{{{0, 0}, {{{6, 0}}, {{6, 9}}}, false}}, style, {}, 0, false};
+        QCOMPARE(rows(), (QByteArrayList{"0,0,6,0" + end, "6,0,6,4" + end, ""}));
+        sheet.shapes[0].style.dashes = {4};
+        QCOMPARE(rows(), (QByteArrayList{"0,0,4,0" + end, "6,2,6,6" + end, ""}));
+        sheet.shapes[0].style.dashes = {0, 5};
+        QCOMPARE(rows().at(1), "5,0,5,0" + end);
+        sheet.shapes[0].style.dashes = {1e-300}; // too fine: solid
+        QCOMPARE(rows().size(), 3);
+    }
+
+    void dashesStayInsideTheWindow()
+    {
+        std::mt19937 random(3);
+        const auto number = [&] { return double(random()) / 7e8; };
+        for (int round = 0; round < 300; ++round) {
+            app::Sheet sheet;
+            app::Style style{.stroke = app::Colour{}};
+            style.dashes = {number() + 0.01, number()};
+            const app::Point a{number(), number()}, b{number(), number()};
+            sheet.shapes = {{{line(a, b)}, style, {}, 0, false}};
+            for (const auto& piece :
+                 app::sheetOf(read(written(app::documentOf(sheet))).value->document).shapes)
+                for (const app::Point& p :
+                     {piece.paths[0].start, piece.paths[0].segments.empty()
+                                                ? piece.paths[0].start
+                                                : piece.paths[0].segments[0].to})
+                    for (int axis : {0, 1})
+                        QVERIFY(p[axis] >= std::min(a[axis], b[axis])
+                                && p[axis] <= std::max(a[axis], b[axis]));
+        }
     }
 
     void anEmptyFileIsAnEmptyDrawing()

@@ -1,10 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/document_builder.h"
+#include "app/formats/format.h"
 #include "app/session/clipboard.h"
 
+#include <QBuffer>
+#include <QFile>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <glm/geometric.hpp>
+
+namespace {
+
+// Three objects with numbers that have no short decimals.
+app::Document drawing(const app::Page& page)
+{
+    app::DocumentBuilder builder;
+    builder.open({.name = "one"});
+    for (int i = 0; i < 3; ++i) {
+        const std::vector<app::Subpath> subpaths{
+            {{0.1 * i, 1.0 / 3}, {{{5, 5}}, {{7, 1}, {5.5, 2}, {6.5, 8}, true}}, i == 1}};
+        app::Object object{app::Path(subpaths), {.stroke = app::Colour{1, 2, 3}, .width = 0.7}};
+        object.particulars.id = QStringLiteral("o%1").arg(i);
+        builder.add(object);
+    }
+    builder.close();
+    return builder.take(page);
+}
+
+} // namespace
 
 class ClipboardTest : public QObject {
     Q_OBJECT
@@ -12,17 +38,7 @@ class ClipboardTest : public QObject {
 private slots:
     void pasteReturnsTheCopyBitForBit()
     {
-        app::DocumentBuilder builder;
-        builder.open({.name = "one"});
-        for (int i = 0; i < 3; ++i) {
-            const std::vector<app::Subpath> subpaths{
-                {{0.1 * i, 1.0 / 3}, {{{5, 5}}, {{7, 1}, {5.5, 2}, {6.5, 8}, true}}, i == 1}};
-            app::Object object{app::Path(subpaths), {.stroke = app::Colour{1, 2, 3}, .width = 0.7}};
-            object.particulars.id = QStringLiteral("o%1").arg(i);
-            builder.add(object);
-        }
-        builder.close();
-        const app::Document document = builder.take({});
+        const app::Document document = drawing({});
         const auto data = app::copied(document, {0, 2});
         const app::Objects objects = app::pasted(*data, document.page()).objects();
         QCOMPARE(objects.size(), std::size_t(2));
@@ -43,6 +59,112 @@ private slots:
         QVERIFY(glm::distance(objects[0].singleLine()->a, {10, 20}) < 1e-9);
         QVERIFY(std::abs(objects[0].style().width - 5) < 1e-9);
     }
+    // Other programs get pixels, and a group that scales them, because Inkscape ignores the size of
+    // the unit. Through them, too, a copy comes back, apart from rounding.
+    void otherProgramsGetPixels()
+    {
+        const app::Document document =
+            drawing({{10, 20}, {100, 50}, {100, app::Unit::Mm}, {50, app::Unit::Mm}});
+        const auto copy = app::copied(document, {0, 2});
+        QCOMPARE(copy->formats().size(), 3);
+        const QByteArray svg = copy->data(QStringLiteral("image/svg+xml"));
+        QCOMPARE(QString::fromUtf8(svg), copy->text());
+        QVERIFY2(svg.contains("width=\"377.9527559055118px\""), svg);
+        QVERIFY2(svg.contains("viewBox=\"37.79527559055118 75.59055118110236 377.9527559055118 "
+                              "188.9763779527559\""),
+                 svg);
+        QVERIFY2(svg.contains("<g transform=\"scale(3.779527559055118)\">"), svg);
+        QVERIFY(!svg.contains("clearcut:window"));
+        QMimeData other;
+        other.setData(QStringLiteral("image/svg+xml"), svg);
+        const app::Objects objects = app::pasted(other, document.page()).objects();
+        QCOMPARE(objects.size(), std::size_t(2));
+        QVERIFY(glm::distance(objects[0].path().subpaths()[0].start,
+                              document.objects()[0].path().subpaths()[0].start)
+                < 1e-12);
+        QVERIFY(std::abs(objects[0].style().width - 0.7) < 1e-12);
+    }
+
+    // Whatever the size of a unit, bit for bit, also in another drawing with the same unit.
+    void ownCopiesComeBackBitForBit_data()
+    {
+        QTest::addColumn<app::Page>("page");
+        using app::Unit;
+        QTest::newRow("millimetres") << app::Page{};
+        QTest::newRow("pixels") << app::Page{{0, 0}, {300, 200}, {300, Unit::Px}, {200, Unit::Px}};
+        QTest::newRow("inches") << app::Page{{-1, 3}, {7, 7}, {7, Unit::Inch}, {7, Unit::Inch}};
+        QTest::newRow("odd") << app::Page{{0, 0}, {0.3, 0.1}, {7, Unit::Cm}, {1, Unit::Pt}};
+        QTest::newRow("open") << app::Page{
+            {0, 0}, {9, 9}, {100, Unit::Percent}, {100, Unit::Percent}};
+    }
+    void ownCopiesComeBackBitForBit()
+    {
+        QFETCH(app::Page, page);
+        const app::Document document = drawing(page);
+        const auto copy = app::copied(document, {0, 1, 2});
+        const app::Document back = app::pasted(*copy, page);
+        QCOMPARE(back.objects().size(), std::size_t(3));
+        for (std::size_t i = 0; i < 3; ++i) {
+            QVERIFY(back.objects()[i].path() == document.objects()[i].path());
+            QVERIFY(back.objects()[i].style() == document.objects()[i].style());
+        }
+    }
+
+    // Windows, guides and sheets belong to the drawing, not to a copy.
+    void onlyObjectsAreCopied()
+    {
+        app::Document document = drawing({});
+        app::Page page = document.page();
+        page.guides.list = {app::Guide{}};
+        document.apply(
+            {.windows = app::ClipWindows{{{.shape = app::RectangleShape{{{0, 0}, {1, 1}}}}}},
+             .page = page});
+        const auto copy = app::copied(document, {0, 1});
+        for (const QString& format : copy->formats())
+            QVERIFY(!copy->data(format).contains("clearcut:window")
+                    && !copy->data(format).contains("clearcut:guide"));
+    }
+
+    // By Inkscape itself: what is pasted in place there has its size and place on paper.
+    void inkscapePastesTheRightSize()
+    {
+        for (const char* program : {"inkscape", "xvfb-run", "dbus-run-session", "gdbus", "xclip"})
+            if (QStandardPaths::findExecutable(QString::fromLatin1(program)).isEmpty())
+                QSKIP("needs inkscape, xvfb-run, dbus-run-session, gdbus and xclip");
+        app::DocumentBuilder builder;
+        builder.open({.name = "one"});
+        builder.add({app::Path(clipping::Segment{{10, 10}, {172, 10}}), {.stroke = app::Colour{}}});
+        builder.close();
+        const auto copy = app::copied(builder.take({}), {0, 1});
+        const QTemporaryDir folder;
+        const auto write = [&](const QString& name, const QByteArray& text) {
+            QFile file(folder.filePath(name));
+            return file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
+        };
+        QVERIFY(write("copy.svg", copy->data(QStringLiteral("image/svg+xml"))));
+        QVERIFY(write("page.svg", "<svg xmlns='http://www.w3.org/2000/svg' width='210mm' "
+                                  "height='297mm' viewBox='0 0 210 297'/>"));
+        QProcess paste;
+        paste.setWorkingDirectory(folder.path());
+        paste.start(QStringLiteral("xvfb-run"),
+                    {"-a", "dbus-run-session", "bash",
+                     SOURCE_DIR "/tests/app/session/paste_in_inkscape.sh", "copy.svg", "page.svg"});
+        QVERIFY(paste.waitForFinished(120'000));
+        QVERIFY2(paste.exitCode() == 0, paste.readAllStandardError());
+        QFile file(folder.filePath("page.svg"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QByteArray text = file.readAll();
+        QBuffer buffer(&text);
+        buffer.open(QIODevice::ReadOnly);
+        const auto read = app::formats().front().read(buffer);
+        QVERIFY2(read, qPrintable(read.error));
+        const app::Document& page = read.value->document;
+        QCOMPARE(page.objects().size(), std::size_t(1));
+        const auto line = page.objects()[0].singleLine();
+        const double length = glm::distance(line->a, line->b) * page.page().millimetresPerUnit();
+        QVERIFY2(std::abs(length - 162) < 0.01, qPrintable(QString::number(length)));
+    }
+
     void otherClipboardContentsAreIgnored()
     {
         QMimeData data;

@@ -174,6 +174,35 @@ private slots:
         QVERIFY2(info.out.contains("841.89 x 595.276 pts"), info.out.constData());
     }
 
+    // Sheets of a size that no paper has; they have no margin unless it is asked for.
+    void sheetsOfAnySize()
+    {
+        const QTemporaryDir folder;
+        const QString input = folder.filePath("plan.svg");
+        writeText(input,
+                  "<svg xmlns='http://www.w3.org/2000/svg' width='90mm' height='96mm' "
+                  "viewBox='0 0 90 96'><path d='M0 0L90 96M90 0L0 96' stroke='#000'/></svg>");
+        const auto sheets = [&](const QString& tiles, const QStringList& more = {}) {
+            const auto run = clearcut(
+                QStringList{"clip", input, "--tiles", tiles, "-o", folder.filePath("{n}.svg")}
+                + more);
+            return run.code == 0 ? run.err.left(run.err.indexOf(": " + folder.path().toUtf8()))
+                                 : run.err;
+        };
+        const QByteArray four = "Sheets: 2 columns × 2 rows of 45.0 × 48.0 mm";
+        for (const char* size : {"45mmx48mm", "45x48mm", "4.5cmx4.8cm", "45mm×4.8cm"})
+            QCOMPARE(sheets(size), four);
+        QVERIFY(contentOf(folder.filePath("4.svg"))
+                    .contains("width=\"45mm\" height=\"48mm\" viewBox=\"45 48 45 48\""));
+        QCOMPARE(sheets("120pxx1in"), "Sheets: 3 columns × 4 rows of 31.8 × 25.4 mm");
+        QCOMPARE(sheets("65mmx68mm", {"--sheet-margin", "10mm"}),
+                 "Sheets: 2 columns × 2 rows of 65.0 × 68.0 mm");
+        QCOMPARE(sheets("65mmx68mm", {"--marks"}), "Sheets: 2 columns × 2 rows of 65.0 × 68.0 mm");
+        for (const char* wrong :
+             {"45mmx48", "0mmx48mm", "-1mmx48mm", "45%x48%", "x48mm", "4.5x4.8"})
+            QVERIFY(sheets(wrong).contains("a size such as 45mmx48mm"));
+    }
+
     void whatIsWrongIsSaid_data()
     {
         QTest::addColumn<QStringList>("options");

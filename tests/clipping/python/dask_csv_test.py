@@ -107,6 +107,20 @@ class Rows(Folder):
         np.testing.assert_array_equal(self.read(text).compute(), [[1, 2, 3, 4], [5, 6, 7, 8]])
         np.testing.assert_array_equal(self.read("1,2,3,4,walls\n5,6,7,8\n").compute(), [[1, 2, 3, 4], [5, 6, 7, 8]])
 
+    def test_other_separators_names_and_decimal_commas(self):
+        expected = [[1.5, 2, -3, 40], [5, 6, 7, 8.25]]
+        for text in ["1,5;2;-3;4e1\n5;6;7;8,25\n", "x1;y1;x2;y2;a\r\n1,5;2;-3;40;b, c.d\r\n5;6;7;8,25;\r\n",
+                     "1.5\t2\t-3\t40\n5\t6\t7\t8.25\n", "1,5 2 -3  40\n5\t6 7 8,25\n", '"1,5";2;"-3";40\n5;6;7;"8,25"\n',
+                     "x0,y0,x1,y1\n1.5,2,-3,40\n5,6,7,8.25\n", "Start_X;Start Y;End-X;end.y\n1,5;2;-3;40\n5;6;7;8,25\n",
+                     "y1;x0;note;y0;x1\n40;1,5;a;2;-3\n8,25;5;b;6;7\n"]:
+            for size in (10, 1000):
+                np.testing.assert_array_equal(self.read(text, size).compute(), expected, text)
+        for text, error in [("1,5;2.5;3;4\n", "line 1: this has both decimal commas and points: '1,5;2.5;3;4'"),
+                            ("1;2;3;4\n1.234,5;2;3;4\n", "line 2: this has both decimal commas and points"),
+                            ("1;2;3;4\n1;2;3\n", "line 2: four numbers are needed, but this is '1;2;3'")]:
+            with self.assertRaisesRegex(ValueError, error):
+                self.read(text).compute()
+
     def test_nothing(self):
         for text in ["", "\n\n", "x1,y1,x2,y2\n", "# only a comment"]:
             self.assertEqual(self.read(text).compute().shape, (0, 4))

@@ -13,7 +13,7 @@ from dask.utils import parse_bytes
 
 from ._graph import array_of, objects
 from ._npy import matching
-from ._table import Count, Head, columns_of, count, rows_of_numbers
+from ._table import Count, Head, count, layout_of, rows_of_numbers
 
 
 def read_csv(paths: str | Sequence[str], block_size: int | str = "64 MiB") -> da.Array:
@@ -24,9 +24,10 @@ def read_csv(paths: str | Sequence[str], block_size: int | str = "64 MiB") -> da
     paths: a path, a pattern such as "lines-*.csv" (sorted), or a list of paths.
     block_size: the length of a range in bytes, from 1 on, or as text; a worker needs about four times as much memory.
 
-    A file has a header that names the columns x1, y1, x2 and y2, in any order and among others, or none, and then they
-    are its first four columns. Fields are separated by commas and may be in quotation marks, but not contain a line
-    break, because a range can begin at any line.
+    A file has a header that names the columns x1, y1, x2 and y2 (or x0, y0, x1, y1; start_x, start_y, end_x, end_y, and
+    the like), in any order and among others, or none, and then they are its first four columns. Fields are separated by
+    commas, or by semicolons, tabs or blanks, and then a comma in a number is a decimal comma. They may be in quotation
+    marks, but not contain a line break, because a range can begin at any line.
 
     The files are read once now, on the cluster if there is one, to count their rows, and again when the array is
     computed. A first row that is neither a header nor four numbers raises a ValueError now, which names all such files.
@@ -67,14 +68,14 @@ def _length(block_size: Any) -> int:
 
 def _planned(keys: Sequence[str], counts: Iterable[Count], path: str) -> list[tuple[tuple[Any, ...], int]]:
     """The tasks that read a file, with the number of rows of each. While there was no row, the head goes on."""
-    line, columns = 1, None
+    line, layout = 1, None
     planned: list[tuple[tuple[Any, ...], int]] = []
     for key, block in zip(keys, counts):
-        head = block.head if columns is None else Head(None, 0, 0, 0)
-        if head.fields is not None:
-            columns = columns_of(head.fields, path)
+        head = block.head if layout is None else Head(None, 0, 0, 0)
+        if head.text is not None:
+            layout = layout_of(head.text, path)
         rows = block.rows - head.rows
-        read = functools.partial(rows_of_numbers, path=path, line=line + head.lines, columns=columns, size=head.size, rows=rows)
+        read = functools.partial(rows_of_numbers, path=path, line=line + head.lines, layout=layout, size=head.size, rows=rows)
         planned.append(((read, key), rows))
         line += block.lines
     return planned

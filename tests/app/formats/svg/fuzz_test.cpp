@@ -31,9 +31,10 @@ private:
     void once(QByteArray& text)
     {
         static const QByteArrayList tokens{
-            "1e400", "-1e308", "NaN",     "0",         "-",     "1e-320", "%",     "em",      "<",
-            ">",     "/>",     "'",       "\"",        "&amp;", "&x;",    "url(#", "inherit", "Z",
-            "A",     "c",      "matrix(", "999999999", "\xff",  "{",      "}"};
+            "1e400", "-1e308", "NaN",      "0",         "-",     "1e-320", "%",     "em",      "<",
+            ">",     "/>",     "'",        "\"",        "&amp;", "&x;",    "url(#", "inherit", "Z",
+            "A",     "c",      "matrix(",  "999999999", "\xff",  "{",      "}",     "var(--",  "/*",
+            "p:q",   "&nbsp;", "fill-box", "unset",     ";",     ":",      "--w:"};
         const auto at = below(text.size());
         switch (below(6)) {
         case 0:
@@ -69,9 +70,11 @@ private slots:
     void damagedFiles_data()
     {
         QTest::addColumn<QString>("path");
-        const QDir folder(SOURCE_DIR "/tests/app/formats/data");
-        for (const QString& name : notEmpty(folder.entryList({"*.svg"})))
-            QTest::newRow(qPrintable(name)) << folder.filePath(name);
+        for (const char* place : {"/tests/app/formats/data", "/tests/app/formats/data/css"}) {
+            const QDir folder(QString(SOURCE_DIR) + place);
+            for (const QString& name : notEmpty(folder.entryList({"*.svg"})))
+                QTest::newRow(qPrintable(name)) << folder.filePath(name);
+        }
     }
     void damagedFiles()
     {

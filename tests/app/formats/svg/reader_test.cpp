@@ -214,7 +214,213 @@ private slots:
             "8,2 6,4");
         QCOMPARE(pathsOf("<path d='M1 2L3 4' transform='scale(0)'/>"), "");
         QCOMPARE(reportOf("<path d='M1 2L3 4' transform='turn(3)'/>"),
-                 "1 transform that is not understood");
+                 "1 value “transform: turn(3)” that is not understood");
+    }
+
+    // By CSS Transforms: the place of the origin, the box it refers to, units, separate properties.
+    void transformsOfCss_data()
+    {
+        QTest::addColumn<QByteArray>("style");
+        QTest::addColumn<QString>("expected");
+        const auto row = [](const char* style, const char* expected) {
+            QTest::newRow(style) << QByteArray(style) << QString(expected);
+        };
+        row("transform:scale(2)", "40,40 60,40 60,60 40,60 z");
+        row("transform:scale(2);transform-origin:20px 20px", "20,20 40,20 40,40 20,40 z");
+        row("transform:scale(2);transform-origin:20% 20%", "20,20 40,20 40,40 20,40 z");
+        row("transform:scale(2);transform-origin:left top", "40,40 60,40 60,60 40,60 z");
+        row("transform:scale(2);transform-origin:bottom right",
+            "-60,-60 -40,-60 -40,-40 -60,-40 z");
+        row("transform:scale(2);transform-origin:center", "-10,-10 10,-10 10,10 -10,10 z");
+        row("transform:scale(2);transform-box:fill-box", "20,20 40,20 40,40 20,40 z");
+        row("transform:scale(2);transform-box:fill-box;transform-origin:center",
+            "15,15 35,15 35,35 15,35 z");
+        row("transform:rotate(.25turn);transform-box:fill-box;transform-origin:100% 0",
+            "30,10 30,20 20,20 20,10 z");
+        row("transform:translate(50%,-1in);transform-box:fill-box",
+            "25,-76 35,-76 35,-66 25,-66 z");
+        row("transform:translate(50%)", "70,20 80,20 80,30 70,30 z");
+        row("transform:translateX(1px) translatey(2px)", "21,22 31,22 31,32 21,32 z");
+        row("transform:skew(45deg,0)", "40,20 50,20 60,30 50,30 z");
+        row("rotate:90deg", "-20,20 -20,30 -30,30 -30,20 z");
+        row("rotate:z 100grad", "-20,20 -20,30 -30,30 -30,20 z");
+        row("translate:1px", "21,20 31,20 31,30 21,30 z");
+        row("scale:200% 1", "40,20 60,20 60,30 40,30 z");
+        row("translate:1px 2px;rotate:90deg;scale:2;transform:translate(3px)",
+            "-39,48 -39,68 -59,68 -59,48 z");
+        row("rotate:none;translate:none;scale:none;transform:none", "20,20 30,20 30,30 20,30 z");
+    }
+    void transformsOfCss()
+    {
+        QFETCH(QByteArray, style);
+        QFETCH(QString, expected);
+        const QByteArray rect =
+            "<rect x='20' y='20' width='10' height='10' style='" + style + "'/>";
+        QCOMPARE(pathsOf(rect), expected);
+        QCOMPARE(reportOf(rect), "");
+    }
+
+    void transformsThatAreNotUnderstoodAreTold()
+    {
+        for (const QByteArray style :
+             {"transform:rotateX(9deg)", "transform:translate(9)", "transform:rotate(9)",
+              "rotate:x 9deg", "rotate:1 0 0 9deg", "scale:1 2 3", "translate:1px 2px 3px",
+              "transform-box:stroke-box", "transform-origin:left left", "transform-origin:9 9"}) {
+            const QByteArray rect = "<rect width='10' height='10' style='" + style + "'/>";
+            QCOMPARE(pathsOf(rect), "0,0 10,0 10,10 0,10 z");
+            QVERIFY2(reportOf(rect).startsWith("1 value “"), style);
+        }
+        QCOMPARE(pathsOf("<path d='M0 0h1' transform='translate(5)' style='transform:turn(1)'/>"),
+                 "5,0 6,0"); // as without it
+    }
+
+    // The box of a group is that of its shapes, also through <use>, and in their own places.
+    void boxesOfGroups()
+    {
+        const QByteArray flip = " style='transform:scaleX(-1);transform-box:fill-box;"
+                                "transform-origin:center'";
+        const QByteArray inside = "<path d='M10 0H20'/><g transform='translate(30)'><path d='M0 0"
+                                  "H10'/></g>";
+        QCOMPARE(
+            sheetOf(drawing("<g" + flip + ">" + inside + "</g>")).shapes.at(0).paths.at(0).start,
+            (app::Point{40, 0})); // the box is from 10 to 40
+        QCOMPARE(
+            pathsOf("<defs><path id='p' d='M0 0H10'/></defs><use href='#p' x='50'" + flip + "/>"),
+            "60,0 50,0");
+        QCOMPARE(pathsOf("<path d='M0 0C0 40 90 40 90 0'" + flip + "/>"), "90,0 ~0,0");
+        QCOMPARE(
+            pathsOf("<path d='M0 0C30 40 60 40 90 0' style='transform:scaleY(-1);transform-box:"
+                    "fill-box;transform-origin:0 100%'/>"),
+            "0,60 ~90,60"); // the curve reaches down to 30, its control points to 40
+        QCOMPARE(reportOf("<g" + flip + "><text/><path d='M0 0h1'/></g>"),
+                 "1 transform in the box of something with texts or images; 1 text");
+        QCOMPARE(reportOf("<g" + flip + "><path d='M0 0h1' style='zip:1'/></g>"),
+                 "1 use of the style property “zip”");
+    }
+
+    void strokesThatDoNotScaleHaveTheirWidthInPixels()
+    {
+        const auto result = readText(
+            "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='100mm' viewBox='0 0 10 "
+            "10'><path d='M0 0h1' stroke='red' stroke-width='2' stroke-dasharray='3' "
+            "transform='scale(7)' vector-effect='non-scaling-stroke'/></svg>");
+        const app::Style style = result.value->document.objects()[0].style();
+        QVERIFY(std::abs(style.width * 10 - 2 * 25.4 / 96) < 1e-12); // millimetres
+        QVERIFY(std::abs(style.dashes.at(0) * 10 - 3 * 25.4 / 96) < 1e-12);
+    }
+
+    void sizesAndPlacesInCss()
+    {
+        QCOMPARE(pathsOf("<style>circle{r:3px;cx:5px;cy:5px}</style><circle/>"),
+                 "8,5 ~5,8 ~2,5 ~5,2 ~8,5 z");
+        QCOMPARE(pathsOf("<rect x='9' style='x:1px;y:2px;WIDTH:3px;height:4px'/>"),
+                 "1,2 4,2 4,6 1,6 z");
+        QCOMPARE(pathsOf("<rect style='width:10%;height:1in;rx:auto'/>"), "0,0 10,0 10,96 0,96 z");
+        QCOMPARE(pathsOf("<path d='M9 9h9' style='d:path(\"M1 2L3 4\")'/>"), "1,2 3,4");
+        QCOMPARE(pathsOf("<path d='M9 9h9' style='d:none'/>"), "");
+        QCOMPARE(
+            pathsOf("<defs><path id='p' d='M0 0H1'/></defs><use href='#p' style='x:5px;y:6px'/>"),
+            "5,6 6,6");
+        QCOMPARE(pathsOf("<svg style='x:5px;width:10px;height:10px'><path d='M0 0H1'/></svg>"),
+                 "5,0 6,0");
+        QCOMPARE(pathsOf("<circle r='3' cx='5' cy='5' style='r:-1px;cx:7'/>"), // both are invalid
+                 "8,5 ~5,8 ~2,5 ~5,2 ~8,5 z");
+        QCOMPARE(
+            reportOf("<circle r='3' style='r:-1px;cx:7'/>"),
+            "1 value “r: -1px” that is not understood; 1 value “cx: 7” that is not understood");
+        using app::Unit;
+        QCOMPARE(page("style='width:50mm;height:20mm' viewBox='0 0 5 2'"),
+                 (app::Page{{0, 0}, {5, 2}, {50, Unit::Mm}, {20, Unit::Mm}}));
+    }
+
+    void dashesByPathLength()
+    {
+        const auto dashes = [](const QByteArray& shape) {
+            return shapeOf("<g fill='none' stroke='red'>" + shape + "</g>").style.dashes;
+        };
+        QCOMPARE(dashes("<path d='M10 20H90' pathLength='1' stroke-dasharray='.1'/>"),
+                 std::vector<double>{8});
+        QCOMPARE(dashes("<path d='M10 20H90' pathLength='1' stroke-dasharray='.1' "
+                        "transform='scale(3)'/>"),
+                 std::vector<double>{24});
+        QCOMPARE(dashes("<rect width='10' height='10' pathLength='80' stroke-dasharray='2 4'/>"),
+                 (std::vector<double>{1, 2}));
+        const auto round = dashes("<circle r='25' pathLength='8' stroke-dasharray='1'/>");
+        QVERIFY(std::abs(round.at(0) - 2 * 3.14159265358979 * 25 / 8) < 0.01); // Bézier curves
+        const auto curved = dashes("<path d='M0 0C0 0 0 100 0 100' pathLength='10' "
+                                   "stroke-dasharray='1'/>");
+        QVERIFY(std::abs(curved.at(0) - 10) < 1e-7);
+        QVERIFY(dashes("<path d='M0 0h9' pathLength='0' stroke-dasharray='1'/>").empty());
+        QCOMPARE(dashes("<path d='M0 0h9' pathLength='-1' stroke-dasharray='1'/>"),
+                 std::vector<double>{1});
+        QCOMPARE(reportOf("<path d='M0 0h9' pathLength='-1' stroke-dasharray='1'/>"),
+                 "1 value “pathLength: -1” that is not understood");
+    }
+
+    // As SVG 2 says: an element of size 0 or less is not drawn, a negative radius counts as
+    // missing.
+    void sizesOfZeroOrLessAreTold()
+    {
+        const QString sizeless =
+            "1 element of size 0 or less, which SVG does not draw, was left out";
+        for (const QByteArray shape :
+             {"<rect width='0' height='9'/>", "<rect width='-5' height='9'/>", "<circle r='-3'/>",
+              "<circle/>", "<ellipse rx='0' ry='9'/>", "<path d='M0 0h9' transform='scale(0)'/>",
+              "<svg width='0' height='9'><path d='M0 0h9'/></svg>"}) {
+            QCOMPARE(pathsOf(shape), "");
+            QCOMPARE(reportOf(shape), sizeless);
+            QVERIFY(!readText(drawing(shape)).value->lossy()); // no program shows it
+        }
+        QCOMPARE(pathsOf("<rect width='10' height='10' rx='-2'/>"), "0,0 10,0 10,10 0,10 z");
+        QCOMPARE(pathsOf("<rect width='10' height='10' rx='-2' ry='5'/>"),
+                 pathsOf("<rect width='10' height='10' ry='5'/>"));
+        QCOMPARE(pathsOf("<ellipse rx='-3' ry='1'/>"), pathsOf("<circle r='1'/>"));
+        QCOMPARE(reportOf("<ellipse rx='-3' ry='1'/>"), "1 part of a damaged shape");
+        QCOMPARE(reportOf("<svg viewBox='0 0 0 9'><path d='M0 0h9'/></svg>"),
+                 "1 viewBox that is no rectangle was ignored");
+    }
+
+    void conditionsOfElements()
+    {
+        const QByteArray german = "<path d='M1 1h1' systemLanguage='de'/>",
+                         english = "<path d='M2 2h1' systemLanguage='fr, en-GB'/>",
+                         all = "<path d='M3 3h1'/>",
+                         extended = "<path d='M4 4h1' requiredExtensions='urn:x'/>";
+        QCOMPARE(pathsOf(german), "");
+        QCOMPARE(reportOf(german), "1 element for another language than English");
+        QCOMPARE(pathsOf(english), "2,2 3,2");
+        QCOMPARE(pathsOf("<switch>" + german + english + all + "</switch>"), "2,2 3,2");
+        QCOMPARE(pathsOf("<switch>" + german + all + english + "</switch>"), "3,3 4,3");
+        QCOMPARE(reportOf("<switch>" + german + german + all + "</switch>"),
+                 "2 elements for other languages than English");
+        QCOMPARE(pathsOf("<switch>" + extended + all + "</switch>"), "3,3 4,3");
+        const auto result = readText(drawing("<switch>" + extended + all + "</switch>"));
+        QCOMPARE(result.value->report.size(), std::size_t(1));
+        QVERIFY(!result.value->lossy()); // private data of another program
+    }
+
+    void sheetsInOtherFilesAreTold()
+    {
+        const QString lost = "1 reference to another file";
+        const auto withInstruction =
+            readText("<?xml-stylesheet href='a.css'?>" + drawing("<path d='M0 0h1'/>"));
+        QCOMPARE(withInstruction.value->report.at(0).what, "reference to another file");
+        QCOMPARE(reportOf("<link xmlns='http://www.w3.org/1999/xhtml' rel='stylesheet'/>"), lost);
+        QCOMPARE(reportOf("<path d='M0 0h1v1' fill='url(a.svg#g)'/>"), lost);
+        QCOMPARE(reportOf("<path d='M0 0h1v1' clip-path='url(a.svg#g)'/>"), lost);
+        QCOMPARE(reportOf("<style>@import url(a.css);</style>"),
+                 "1 style rule “@import url(a.css)”");
+        QCOMPARE(reportOf("<use/>"), "");
+    }
+
+    void otherPaintsAreTold()
+    {
+        QCOMPARE(reportOf("<hatch id='h'/><path d='M0 0h1v1' fill='url(#h)'/>"),
+                 "1 paint of the kind “hatch”");
+        QCOMPARE(
+            reportOf("<path d='M0 0h1v1' fill='red' stroke='blue' style='paint-order:stroke'/>"),
+            "1 stroke below the fill of its shape");
+        QCOMPARE(reportOf("<path d='M0 0h1v1' fill='red' style='paint-order:stroke'/>"), "");
     }
 
     void basicShapes()
@@ -284,15 +490,60 @@ private slots:
         QCOMPARE(reportOf("<clipPath id='c'>" + box
                           + "</clipPath><g clip-path='url(#c)'/><g clip-path='url(#c)'/>"),
                  "2 clip paths were replaced by real cuts");
-        const QByteArray lost = "1 clip path that is not convex";
-        for (const QByteArray clip :
-             {"<path d='M0 0H9L4 4 9 9H0z'/>", "<path d='M0 0L9 9 9 0 0 9z'/>", "<text>x</text>",
-              "<rect width='1' height='1'/><rect width='1' height='1'/>"}) {
-            const QByteArray elements =
-                "<clipPath id='c'>" + clip + "</clipPath><g clip-path='url(#c)'>" + line + "</g>";
-            QCOMPARE(reportOf(elements), lost);
-            QCOMPARE(pathsOf(elements), "0,20 40,20");
-        }
+    }
+
+    // The report says why a clip path is not applied; the shapes are whole.
+    void clipPathsThatAreNotApplied_data()
+    {
+        QTest::addColumn<QByteArray>("clip");
+        QTest::addColumn<QString>("expected");
+        const auto row = [](const QByteArray& clip, const char* expected) {
+            QTest::addRow("%s", clip.left(60).constData()) << clip << QString(expected);
+        };
+        const QByteArray rect = "<rect width='1' height='1'/>";
+        row("><path d='M0 0H9L4 4 9 9H0z'/>", "1 clip path that is not convex");
+        row("><path d='M0 0L9 9 9 0 0 9z'/>", "1 clip path that is not convex");
+        row("><text>x</text>", "1 clip path with an element “text”");
+        row(">" + rect + rect, "1 clip path of several areas");
+        row(" clipPathUnits='objectBoundingBox'>" + rect,
+            "1 clip path in units of the bounding box");
+        row(" clip-path='url(#c)'>" + rect, "1 clip path that has a clip path itself");
+        row("><circle r='1e9'/>", "1 clip path with more than 1,000 sides");
+    }
+    void clipPathsThatAreNotApplied()
+    {
+        QFETCH(QByteArray, clip);
+        QFETCH(QString, expected);
+        const QByteArray elements = "<clipPath id='c'" + clip
+                                    + "</clipPath><g clip-path='url(#c)'><path d='M0 20L40 20' "
+                                      "fill='none' stroke='red'/></g>";
+        QCOMPARE(reportOf(elements), expected);
+        QCOMPARE(pathsOf(elements), "0,20 40,20");
+    }
+
+    void aClipPathOfCssIsTold()
+    {
+        QCOMPARE(reportOf("<path d='M0 0h1' style='clip-path:circle(9px)'/>"),
+                 "1 value “clip-path: circle(9px)” that is not understood");
+    }
+
+    // Its centre line ends at the clip path's edge, but not its sides.
+    void wideStrokesAtSlantedClipPathsAreTold()
+    {
+        const auto reported = [](const QByteArray& stroke, const QByteArray& corners) {
+            return reportOf("<clipPath id='k'><polygon points='" + corners
+                            + "'/></clipPath><path d='M0 50H100' stroke='#000' stroke-width='"
+                            + stroke + "' clip-path='url(#k)'/>");
+        };
+        const QByteArray slanted = "50,10 90,50 50,90 10,50", upright = "20,20 80,20 80,80 20,80";
+        const QString cut = "1 clip path was replaced by a real cut",
+                      wide =
+                          "; 1 wide stroke was cut at its centre line, and does not end where its "
+                          "clip path does";
+        QCOMPARE(reported("15", "60,0 100,60 40,100 0,40"), cut + wide);
+        QCOMPARE(reported("1", "60,0 100,60 40,100 0,40"), cut);
+        QCOMPARE(reported("15", upright), cut);
+        QCOMPARE(reported("15", slanted), cut + wide);
     }
 
     void cutCurvesStayCurves()

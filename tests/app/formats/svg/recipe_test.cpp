@@ -117,6 +117,8 @@ private slots:
         QTest::newRow("another kind") << QByteArray("rectangle ") << QByteArray("ellipse ");
         QTest::newRow("too few numbers") << QByteArray("rectangle 1 ") << QByteArray("rectangle ");
         QTest::newRow("unknown") << QByteArray("rectangle ") << QByteArray("star ");
+        QTest::newRow("NaN") << QByteArray("rectangle 1 ") << QByteArray("rectangle nan ");
+        QTest::newRow("too large") << QByteArray("rectangle 1 ") << QByteArray("rectangle 1e999 ");
         QTest::newRow("transformed") << QByteArray("clearcut:recipe")
                                      << QByteArray("transform=\"scale(2)\" clearcut:recipe");
     }

@@ -15,7 +15,8 @@ private slots:
     void dataFiles_data()
     {
         QTest::addColumn<QString>("path");
-        for (const char* place : {"/tests/app/formats/data", "/resources/samples"}) {
+        for (const char* place :
+             {"/tests/app/formats/data", "/tests/app/formats/data/css", "/resources/samples"}) {
             const QDir folder(SOURCE_DIR + QString(place));
             for (const QString& name : notEmpty(folder.entryList({"*.svg"})))
                 QTest::newRow(qPrintable(name)) << folder.filePath(name);

@@ -52,10 +52,16 @@ private slots:
         row(" Tomato ", "255 99 71 255");
         row("LightGoldenrodYellow", "250 250 210 255");
         row("rebeccapurple", "102 51 153 255");
+        row("hwb(120 0% 0%)", "0 255 0 255");
+        row("hwb(0.5turn 20% 40% / 50%)", "51 153 153 128");
+        row("hwb(90 60% 90%)", "102 102 102 255");
+        row("hsl(3.14159265358979rad 100% 50%)", "0 255 255 255");
+        row("hsl(0.5turn,100%,50%)", "0 255 255 255");
         row("transparent", "0 0 0 0");
         for (const char* bad :
              {"", "#", "#12", "#12345", "#ggg", "#-12345", "rgb(1,2)", "rgb(1,2,3",
-              "rgb(1,2,3,4,5)", "light blue", "nocolour", "hsl(a,b,c)", "rgb()", "url(#a)"})
+              "rgb(1,2,3,4,5)", "rgb(1e999,2,3)", "rgb(nan,2,3)", "lab(50 20 20)", "light blue",
+              "nocolour", "hsl(a,b,c)", "rgb()", "url(#a)"})
             row(bad, "none");
     }
     void colours()
@@ -166,12 +172,100 @@ private slots:
                  "0 0 255 255");
         QCOMPARE(inGroup(".a:hover{stroke:red} .a+.a{stroke:red}"), "none");
         QCOMPARE(inGroup(".a{stroke:blue"), "0 0 255 255");
+        QCOMPARE(inGroup(":root{stroke:blue}"), "0 0 255 255");
+        QCOMPARE(inGroup("g:root{stroke:blue}"), "none");
+        QCOMPARE(inGroup(":root .a{stroke:blue} .a{stroke:red}"), "0 0 255 255");
+    }
+
+    void rulesForOtherMedia()
+    {
+        const auto with = [](const QByteArray& sheets) {
+            return name(shapeOf(sheets + line + "/>").style.stroke);
+        };
+        QCOMPARE(with("<style>@media screen{line{stroke:blue}}</style>"), "0 0 255 255");
+        QCOMPARE(with("<style>@MEDIA print, all{line{stroke:blue}}</style>"), "0 0 255 255");
+        QCOMPARE(with("<style>@media print{line{stroke:blue}}</style>"), "none");
+        QCOMPARE(with("<style media='print'>line{stroke:blue}</style>"), "none");
+        QCOMPARE(with("<style media='screen'>line{stroke:blue}</style>"), "0 0 255 255");
+        QCOMPARE(with("<style type='text/less'>line{stroke:blue}</style>"), "none");
+        QCOMPARE(reportOf("<style>@media print{line{stroke:blue}}</style>"), "");
+        QCOMPARE(reportOf("<style>@media (min-width:9px){line{stroke:blue}}</style>"),
+                 "1 style rule “@media (min-width:9px)”");
+        QCOMPARE(reportOf("<style media='(min-width:9px)'>line{stroke:blue}</style>"),
+                 "1 style rule “media=(min-width:9px)”");
+        // What is not closed in one element does not swallow the next.
+        QCOMPARE(with("<style>a{</style><style>line{stroke:blue}</style>"), "0 0 255 255");
+    }
+
+    void variables()
+    {
+        const auto stroke = [](const QByteArray& attributes, const QByteArray& around = "",
+                               const QByteArray& sheet = "") {
+            return name(shapeOf("<style>" + sheet + "</style><g " + around + "><path d='M0 0h1v1' "
+                                + attributes + "/></g>")
+                            .style.stroke);
+        };
+        const QString blue = "0 0 255 255";
+        QCOMPARE(stroke("stroke='var(--c1, var(--c2, #00f))'"), blue);
+        QCOMPARE(stroke("style='stroke:var(--c,blue)'"), blue);
+        QCOMPARE(stroke("style='stroke:VAR( --c , blue )'"), blue);
+        QCOMPARE(stroke("style='--c:blue;stroke:var(--c,red)'"), blue);
+        QCOMPARE(stroke("style='stroke:var(--c,red);--c:blue'"), blue);
+        QCOMPARE(stroke("style='stroke:var(--c)'", "style='--c:blue'"), blue);
+        QCOMPARE(stroke("stroke='var(--c)'", "", ":root{--c:var(--d);--d:blue}"), blue);
+        QCOMPARE(stroke("style='--c:red!important;--c:blue;stroke:var(--c)'"), "255 0 0 255");
+        QCOMPARE(stroke("style='--c:initial;stroke:var(--c,blue)'", "style='--c:red'"), blue);
+        QCOMPARE(stroke("style='--C:red;stroke:var(--c,blue)'"), blue); // capitals differ here
+        // Without a value the property is as if it were not set.
+        QCOMPARE(stroke("style='stroke:var(--c)'", "stroke='blue'"), blue);
+        QCOMPARE(stroke("style='--a:var(--b);--b:var(--a);stroke:var(--a,blue)'"), blue);
+        QCOMPARE(reportOf("<path d='M0 0h1v1' style='--c:1;stroke:var(--c,red)'/>"),
+                 "1 value “stroke: var(--c,red)” that is not understood");
+        QCOMPARE(shapeOf("<circle r='var(--r,9)'/>").paths.size(), std::size_t(1));
+        QCOMPARE(shapeOf("<path d='M0 0h9' transform='var(--t,scale(2))'/>")
+                     .paths.at(0)
+                     .segments[0]
+                     .to.x,
+                 18.0);
+    }
+
+    void wordsOfAllProperties()
+    {
+        const auto width = [](const QByteArray& own) {
+            return shapeOf(
+                       "<g stroke='red' stroke-width='3'><path d='M0 0h1' stroke-width='5' style='"
+                       + own + "'/></g>")
+                .style.width;
+        };
+        QCOMPARE(width("stroke-width:inherit"), 3.0);
+        QCOMPARE(width("stroke-width:UNSET"), 3.0);
+        QCOMPARE(width("stroke-width:revert"), 3.0);
+        QCOMPARE(width("stroke-width:initial"), 1.0);
+        QCOMPARE(reportOf("<rect width='9' height='9' style='x:inherit'/>"),
+                 "1 value “x: inherit” that is not understood");
+    }
+
+    void capitals()
+    {
+        QCOMPARE(name(style(" style='STROKE:#00F'").stroke), "0 0 255 255");
+        QCOMPARE(name(style("", "line{Stroke:Blue}").stroke), "0 0 255 255");
+        QCOMPARE(name(shapeOf(triangle + " style='fill:NONE;stroke:CURRENTCOLOR'/>").style.fill),
+                 "none");
+        QCOMPARE(style(" style='stroke-linecap:ROUND'").cap, app::Cap::Round);
+        QVERIFY(shapeOf(triangle + " style='display:NONE'/>").hidden);
     }
 
     void rulesThatAreNotUnderstoodAreReported()
     {
         QCOMPARE(reportOf("<style>.a:hover{} @media x{} .b{}</style>"),
-                 "2 style rules that are not understood");
+                 "1 style rule “.a:hover”; 1 style rule “@media x”");
+        QCOMPARE(reportOf("<style>@font-face{} @keyframes a{} @charset 'x'; @page{}</style>"), "");
+        const auto result = readText(drawing("\n<style>/* a\nb */.a{}\n.b /*\n*/ > .c:hover{}\n"
+                                             "</style><style>.d+.e{}</style>"));
+        const auto& report = result.value->report;
+        QCOMPARE(report.size(), std::size_t(2));
+        QCOMPARE(report[0].line, 4);
+        QCOMPARE(report[1].line, 6);
     }
 
     void inheritance()
@@ -250,6 +344,8 @@ private slots:
         QCOMPARE(fill("url(#p)"), "none");
         QCOMPARE(fill("url(#p) red"), "255 0 0 255");
         QCOMPARE(fill("url(#nothing) #00f"), "0 0 255 255");
+        QCOMPARE(fill("url(#nothing) currentColor"), "0 0 0 255");
+        QCOMPARE(fill("URL(#one)"), "255 0 0 255");
         QCOMPARE(fill("url(#nothing)"), "none");
         QCOMPARE(reportOf(defs + triangle + " fill='url(#r)' stroke='url(#p)'/>"),
                  "1 pattern; 1 gradient");

@@ -181,8 +181,25 @@ private slots:
                  "1 clip window with a missing or invalid number cannot be kept.");
         QCOMPARE(lossLines(lossesOf("<c:window xmin='0' ymin='0' xmax='1' ymax='1' "
                                     "operation='subtract'/>")),
-                 QStringList("Lost: 1 clip window with the unknown operation “subtract”; the "
-                             "operations are add, cut-out and intersect"));
+                 QStringList("Lost: 1 clip window with the unknown operation “subtract” (line 1); "
+                             "the operations are add, cut-out and intersect"));
+    }
+    // Whatever stands there, the file is read, and the line is told.
+    void aBadColourRefusesNoFile()
+    {
+        for (const QByteArray colour :
+             {"reddish", "rgb(1e999,0,0)", "rgb(nan,0,0)", "hsl(inf 1% 1%)", "#12"}) {
+            const auto result = readText(drawing(
+                "<metadata xmlns:c='urn:clearcut:1'>\n<c:window xmin='.1' ymin='-2' xmax='3' "
+                "ymax='40' colour='"
+                + colour + "'/></metadata>"));
+            QVERIFY2(result, qPrintable(result.error));
+            QCOMPARE(result.value->document.windows().list.size(), std::size_t(1));
+            QVERIFY(!result.value->lossy());
+            QCOMPARE(lossLines(result.value->report),
+                     QStringList("Changed: 1 unknown colour “" + colour
+                                 + "” of a clip window was replaced by the usual one (line 2)"));
+        }
     }
     void unknownWordsAreNamed()
     {

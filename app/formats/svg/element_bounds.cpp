@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The bounding box of an element, to which its transform may refer.
+#include "app/document/bezier.h"
+#include "app/formats/svg/limits.h"
+#include "app/formats/svg/refused.h"
+#include "app/formats/svg/tree_drawer.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace app::svg {
+namespace {
+
+void include(ElementBounds& bounds, const Point& p)
+{
+    bounds.min = bounds.isEmpty ? p : glm::min(bounds.min, p);
+    bounds.max = bounds.isEmpty ? p : glm::max(bounds.max, p);
+    bounds.isEmpty = false;
+}
+
+// The points at which the curve turns back along an axis: the roots of its derivative.
+void includeTurns(ElementBounds& bounds, const Bezier& curve, int axis)
+{
+    const double d0 = curve.control1[axis] - curve.from[axis];
+    const double d1 = curve.control2[axis] - curve.control1[axis];
+    const double d2 = curve.to[axis] - curve.control2[axis];
+    const double a = d0 - 2 * d1 + d2, b = d1 - d0;
+    const double root = std::sqrt(std::max(b * b - a * d0, 0.0));
+    const double q = -(b + std::copysign(root, b)); // without cancellation
+    for (const double t : {a != 0 ? q / a : -1, q != 0 ? d0 / q : -1})
+        if (t > 0 && t < 1)
+            include(bounds, curve.at(t));
+}
+
+void include(ElementBounds& bounds, const Subpath& path)
+{
+    Point from = path.start;
+    include(bounds, from);
+    for (const PathSegment& segment : path.segments) {
+        include(bounds, segment.to);
+        for (int axis = 0; segment.curved && axis < 2; ++axis)
+            includeTurns(bounds, {from, segment.control1, segment.control2, segment.to}, axis);
+        from = segment.to;
+    }
+}
+
+} // namespace
+
+std::optional<Box> TreeDrawer::boundsOf(Node node, const Place& place)
+{
+    const Report::Silence silence(report_);
+    Place own = place;
+    own.matrix = {};
+    ElementBounds bounds;
+    addBounds(node, own, bounds);
+    if (!bounds.isKnown)
+        return std::nullopt;
+    return bounds.isEmpty ? Box{} : Box{bounds.min, bounds.max - bounds.min};
+}
+
+// `place` is that of the element's content.
+void TreeDrawer::addBounds(Node node, const Place& place, ElementBounds& bounds)
+{
+    if (++bounded_ > mostBounded)
+        throw Refused{Text::tr("exceeds the limit of %1 elements in the bounding boxes that "
+                               "transform-box refers to.")
+                          .arg(mostBounded)};
+    const auto name = tree_.name(node);
+    if (const OutlineKind* kind = findOutlineKind(name)) {
+        for (const Subpath& path : placed(outlineOf(*kind, node, place), place.matrix))
+            include(bounds, path);
+    } else if (name == "g" || name == "a") {
+        for (const Node child : Children(tree_, node))
+            addBoundsWithin(child, place, bounds);
+    } else if (name == "use") {
+        const Node target = tree_.findReference(hrefOf(tree_, node));
+        if (target == noNode || containsItself(node, target))
+            return;
+        Place shifted = place;
+        shifted.matrix = place.matrix * translation(shiftOf(node, place));
+        used_.push_back(target);
+        addBoundsWithin(target, shifted, bounds);
+        used_.pop_back();
+    } else if (isDrawn(name)) {
+        bounds.isKnown = false;
+    }
+}
+
+void TreeDrawer::addBoundsWithin(Node node, const Place& around, ElementBounds& bounds)
+{
+    if (around.depth > deepestNesting || !isDrawn(tree_.name(node)))
+        return;
+    const Place place = styled(node, around);
+    if (place.properties.displayed)
+        addBounds(node, place, bounds);
+}
+
+} // namespace app::svg
