@@ -31,7 +31,7 @@ struct Display {
     RemovedPart removed = RemovedPart::Ghosted;
     Unit unit = Unit::Mm;    ///< of rulers, labels and fields; an opened drawing sets its own unit
     bool overlay = false;    ///< the algorithm's view of the plane, over the drawing
-    bool asPrinted = false;  ///< dark theme: the true page and stroke colours
+    bool darkPaper = false;  ///< the page is dark, and dark colours are shown lighter on it
     bool presenting = false; ///< for a projector: strokes twice as wide, clearly visible ghosts
     Grid grid{};             ///< under the drawing
     bool guides = true;      ///< are shown

@@ -26,7 +26,7 @@ StatusBar::StatusBar(app::Session& session, Canvas& canvas, QWidget* parent)
     : QStatusBar(parent), session_(session), canvas_(canvas), hint_(new ElidedLabel),
       position_(new StatusCell(tr("Pointer"))), visible_(new StatusCell(tr("Visible lines"))),
       algorithm_(new StatusCell(tr("Algorithm"))), times_(new StatusCell(tr("Times"))),
-      renderer_(new StatusCell(tr("Renderer"))), zoom_(new ZoomButton)
+      renderer_(new StatusCell(tr("Renderer"))), darkPaper_(new QToolButton), zoom_(new ZoomButton)
 {
     setSizeGripEnabled(false);
     setFixedHeight(space::statusHeight);
@@ -36,6 +36,7 @@ StatusBar::StatusBar(app::Session& session, Canvas& canvas, QWidget* parent)
     hint_->setContentsMargins(8, 0, 0, 0);
     addWidget(hint_, 1);
     for (QWidget* cell : {position_, visible_, algorithm_, times_, renderer_})
+    addPaperSwitch();
         addPermanentWidget(cell);
     addZoomMenu();
     pause_.setSingleShot(true);
@@ -167,6 +168,7 @@ void StatusBar::showStep()
         keepRoom();
         showHint({});
         showTimes();
+    followPaper();
         return showPosition({});
     }
     const auto steps = microscope.narration().steps.size();
@@ -188,7 +190,7 @@ void StatusBar::keepRoom()
 {
     const QFont type = captionFont(font()); // it is larger while presenting
     for (QWidget* cell : std::initializer_list<QWidget*>{hint_, position_, visible_, algorithm_,
-                                                         times_, renderer_, zoom_})
+                                                         times_, renderer_, darkPaper_, zoom_})
         if (cell && cell->font() != type)
             cell->setFont(type);
     const auto& page = session_.now().page();
@@ -261,6 +263,37 @@ void StatusBar::addZoomMenu()
     for (const double percent : {25.0, 50.0, 100.0, 200.0, 400.0, 800.0})
         menu->addAction(tr("%1 %").arg(percent), this,
                         [this, percent] { canvas_.setZoom(percent / 100); });
+void StatusBar::changeEvent(QEvent* event)
+{
+    QStatusBar::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        followPaper();
+}
+
+void StatusBar::addPaperSwitch()
+{
+    darkPaper_->setObjectName(QStringLiteral("dark-paper-switch"));
+    darkPaper_->setText(tr("Dark paper"));
+    darkPaper_->setToolTip(tr("Show the page dark, and dark colours lighter on it. Files keep "
+                              "their colours."));
+    darkPaper_->setCheckable(true);
+    darkPaper_->setAutoRaise(true);
+    darkPaper_->setFocusPolicy(Qt::TabFocus);
+    connect(darkPaper_, &QToolButton::clicked, this, [this](bool on) {
+        session_.changeDisplay([on](app::Display& display) { display.darkPaper = on; });
+    });
+    connect(&session_, &app::Session::displayChanged, this, &StatusBar::followPaper);
+    addPermanentWidget(darkPaper_);
+    followPaper();
+}
+
+/// In the light theme dark paper is a command of the menu View only.
+void StatusBar::followPaper()
+{
+    darkPaper_->setVisible(lookOf(palette()).dark && !session_.microscope.isOpen());
+    darkPaper_->setChecked(session_.display().darkPaper);
+}
+
     menu->addSeparator();
     menu->addAction(tr("Fit drawing"), &canvas_, &Canvas::fitDrawing);
     menu->addAction(tr("Fit selection"), &canvas_, &Canvas::fitSelection);

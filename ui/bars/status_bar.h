@@ -7,6 +7,7 @@
 #include <QElapsedTimer>
 #include <QStatusBar>
 #include <QTimer>
+#include <QToolButton>
 
 namespace ui {
 
@@ -16,7 +17,7 @@ class ZoomButton;
 
 /// The tool's hint at the left. At the right, cells as wide as their widest text, so that nothing
 /// ever jumps: position, visible and total lines, algorithm, times (medians of 60 frames, shown at
-/// most ten times a second), zoom.
+/// most ten times a second), zoom; in the dark theme the switch for dark paper.
 class StatusBar : public QStatusBar {
     Q_OBJECT
 
@@ -37,6 +38,7 @@ public:
 protected:
     void resizeEvent(QResizeEvent* event) override;
 
+    void changeEvent(QEvent* event) override;
 private:
     void forgetFrames();
     void showTimes();
@@ -48,12 +50,15 @@ private:
     void showZoom();
     void keepRoom();
     void addZoomMenu();
+    void addPaperSwitch();
+    void followPaper();
 
     app::Session& session_;
     Canvas& canvas_;
     ElidedLabel* hint_;
     StatusCell *position_, *visible_, *algorithm_, *times_, *renderer_;
     ZoomButton* zoom_;
+    QToolButton* darkPaper_;
     app::FrameStatistics clip_, draw_;
     FrameTimes last_;
     QString summary_;

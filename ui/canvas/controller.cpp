@@ -15,8 +15,9 @@ constexpr int growthTold = 100; // milliseconds
 Controller::Controller(app::Session& session, QObject* parent)
     : QObject(parent), session_(session), picking_(session.document, session.scene),
       textBoxes_(session.scene), shown_(session.display()),
-      look_(lookOf(QGuiApplication::palette())), bench_{session_, toolView_, picking_,
-                                                        look_,    snapper_,  snapNow_},
+      look_(lookOf(QGuiApplication::palette())),
+      paperLook_(lookOnPaper(shown_.darkPaper)), bench_{session_,   toolView_, picking_,
+                                                        paperLook_, snapper_,  snapNow_},
       snapper_(session.document, session.scene, picking_)
 {
     setTool(tools().front().key);
@@ -91,6 +92,7 @@ void Controller::followDisplay()
     app::Display now = shown_;
     now.variant = before.variant;
     if (now != before)
+    paperLook_ = lookOnPaper(shown_.darkPaper);
         outdate();
     else
         emit changed();

@@ -54,9 +54,10 @@ public:
     app::Session& session() const { return session_; }
     Navigation& navigation() { return navigation_; }
     const app::View& view() const { return navigation_.view(); }
-    const Look& look() const { return look_; }
+    const Look& look() const { return look_; } ///< of the theme
     void setLook(const Look& look);
     /// The kinds of places that the pointer snaps to, while snapping is on.
+    const Look& paperLook() const { return paperLook_; } ///< of what lies on the drawing
     app::SnapTo snapping() const { return snapTo_; }
     void setSnapping(app::SnapTo to);
     bool snaps() const { return snaps_; } ///< whether snapping is on
@@ -214,7 +215,7 @@ private:
     app::Picking picking_;
     mutable TextBoxes textBoxes_; ///< computed on demand
     app::Display shown_;          ///< except the algorithm, which each pane has of its own
-    Look look_;
+    Look look_, paperLook_;
     app::View toolView_; ///< the view that tools change; compared with the real one after each call
     Workbench bench_;
     const ToolInfo* toolInfo_ = nullptr;

@@ -103,6 +103,7 @@ MicroscopePage::MicroscopePage(app::Session& session, app::DrawnLine& drawn, QWi
     connect(&session.scene, &app::Scene::outdated, overview_, &Overview::forget);
     connect(bar_, &MicroscopeBar::lineDone, view_, [this] { view_->setFocus(); });
     connect(bar_, &MicroscopeBar::closeWanted, this, &MicroscopePage::closeWanted);
+    connect(&session, &app::Session::displayChanged, overview_, &Overview::forget); // its paper
     connect(bar_, &MicroscopeBar::exportWanted, this, &MicroscopePage::exportWanted);
     connect(bar_, &MicroscopeBar::refused, this, &MicroscopePage::refused);
     connect(view_, &MicroscopeView::pointerMoved, this, &MicroscopePage::pointerMoved);

@@ -45,6 +45,7 @@ MainWindow::MainWindow(Backend backend, QWidget* parent)
     rememberPanes();
     rememberSnapping();
     rememberGrid();
+    rememberPaper();
     limitHistory();
     restorePlace(*this, placeKey(), usual, minimumSize());
     panelLayout_->restore();

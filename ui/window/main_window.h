@@ -125,6 +125,7 @@ private:
     void rememberSnapping();
     void rememberGrid();
     void limitHistory();
+    void rememberPaper();
 
     app::Session session_;
     app::DrawnLine drawnLine_{session_};
