@@ -34,8 +34,8 @@ Session::Session(QObject* parent) : QObject(parent)
             inspect(std::nullopt);
     });
     connect(this, &Session::previewChanged, this, [this] {
-        differences.setWindow(window());
-        exactness.setWindow(window());
+        differences.setWindow(comparedAt());
+        exactness.setWindow(comparedAt());
     });
 }
 

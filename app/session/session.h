@@ -99,6 +99,9 @@ public:
     clipping::Window window() const { return compared().window; }
     const ComparedWindow& compared() const { return compared_; }
     /// The number of the clip window that tools and panels act on: the chosen one if it is visible,
+    /// The same for what compares; empty: no clip window is such a rectangle, and at the page the
+    /// results would not be those of the drawing.
+    std::optional<clipping::Window> comparedAt() const { return compared_.place(); }
     /// else the first visible one; empty without a visible window.
     std::optional<std::size_t> windowNumber() const { return windowNumber_; }
     void chooseWindow(std::size_t number);

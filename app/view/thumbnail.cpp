@@ -37,7 +37,8 @@ void cover(View& view, const Page& page, const clipping::Window& window)
 QImage thumbnail(const Document& document, const QSize& points, double pixelRatio,
                  const ThumbnailColours& colours)
 {
-    const auto [window, isPage] = comparedWindow(document.windows(), document.page());
+    const ComparedWindow shown = comparedWindow(document.windows(), document.page());
+    const clipping::Window& window = shown.window;
     View view;
     view.size = {points.width(), points.height()};
     cover(view, document.page(), window);
@@ -61,7 +62,7 @@ QImage thumbnail(const Document& document, const QSize& points, double pixelRati
     painter.scale(pixelRatio, pixelRatio);
     painter.setPen(QPen(colours.accent, outline));
     const Point a = view.toScreen(window.min), b = view.toScreen(window.max);
-    if (!isPage)
+    if (!shown.isPage)
         painter.drawRect(QRectF(QPointF(a.x, a.y), QPointF(b.x, b.y)));
     painter.end();
     image.setDevicePixelRatio(pixelRatio);
