@@ -19,7 +19,8 @@ double Controller::ghostOpacity() const
 
 const app::Differences* Controller::differing(const Pane& pane) const
 {
-    return pane.fromExact ? pane.fromExact->at(window()) : nullptr;
+    const auto window = session_.comparedAt();
+    return pane.fromExact && window ? pane.fromExact->at(*window) : nullptr;
 }
 
 /// Colours lines by their error class; wrong lines are marked like differing ones.
