@@ -6,7 +6,6 @@
 #include "app/scene/window_needs.h"
 #include "app/view/place.h"
 #include "ui/look/look.h"
-#include "ui/tools/tool.h"
 #include "ui/widgets/elided_label.h"
 #include "ui/widgets/status_cell.h"
 #include "ui/widgets/zoom_button.h"
@@ -36,8 +35,8 @@ StatusBar::StatusBar(app::Session& session, Canvas& canvas, QWidget* parent)
     hint_->setContentsMargins(8, 0, 0, 0);
     addWidget(hint_, 1);
     for (QWidget* cell : {position_, visible_, algorithm_, times_, renderer_})
-    addPaperSwitch();
         addPermanentWidget(cell);
+    addPaperSwitch();
     addZoomMenu();
     pause_.setSingleShot(true);
     pause_.setInterval(updateMilliseconds);
@@ -64,9 +63,15 @@ QString StatusBar::position() const { return position_->text(); }
 
 void StatusBar::showHint(const QString& hint)
 {
-    const ToolInfo* tool = session_.microscope.isOpen() ? nullptr : findTool(canvas_.tool());
-    hint_->setWhole(!hint.isEmpty() || !tool ? hint : tool->hint);
-    hint_->setToolTip(hint_->whole());
+    said_ = hint;
+    const bool canvas = !session_.microscope.isOpen() && summary_.isEmpty();
+    const QString own = canvas && hint.isEmpty() ? canvas_.toolHint() : hint;
+    const QString both = canvas && canvas_.digitUse() == app::DigitUse::Algorithm
+                             ? tr("%1 Digits: algorithm.").arg(own)
+                             : own;
+    const bool fits = hint_->fontMetrics().horizontalAdvance(both) <= hint_->contentsRect().width();
+    hint_->setWhole(fits ? both : own);
+    hint_->setToolTip(both);
 }
 
 void StatusBar::setSummary(const QString& summary)
@@ -163,12 +168,12 @@ void StatusBar::showStep()
     const bool open = microscope.isOpen();
     times_->setVisible(!open);
     zoom_->setVisible(!open);
+    followPaper();
     renderer_->setVisible(!open && width() >= widthForRenderer);
     if (!open) {
         keepRoom();
         showHint({});
         showTimes();
-    followPaper();
         return showPosition({});
     }
     const auto steps = microscope.narration().steps.size();
@@ -253,16 +258,11 @@ void StatusBar::explainAlgorithm()
 void StatusBar::resizeEvent(QResizeEvent* event)
 {
     QStatusBar::resizeEvent(event);
+    showHint(said_); // there may be more room
     renderer_->setVisible(width() >= widthForRenderer && !session_.microscope.isOpen()
                           && summary_.isEmpty());
 }
 
-void StatusBar::addZoomMenu()
-{
-    auto* menu = new QMenu(zoom_);
-    for (const double percent : {25.0, 50.0, 100.0, 200.0, 400.0, 800.0})
-        menu->addAction(tr("%1 %").arg(percent), this,
-                        [this, percent] { canvas_.setZoom(percent / 100); });
 void StatusBar::changeEvent(QEvent* event)
 {
     QStatusBar::changeEvent(event);
@@ -294,6 +294,12 @@ void StatusBar::followPaper()
     darkPaper_->setChecked(session_.display().darkPaper);
 }
 
+void StatusBar::addZoomMenu()
+{
+    auto* menu = new QMenu(zoom_);
+    for (const double percent : {25.0, 50.0, 100.0, 200.0, 400.0, 800.0})
+        menu->addAction(tr("%1 %").arg(percent), this,
+                        [this, percent] { canvas_.setZoom(percent / 100); });
     menu->addSeparator();
     menu->addAction(tr("Fit drawing"), &canvas_, &Canvas::fitDrawing);
     menu->addAction(tr("Fit selection"), &canvas_, &Canvas::fitSelection);

@@ -28,7 +28,8 @@ public:
     QString visibility() const;
     QString position() const;
 
-    void showHint(const QString& hint); ///< empty: show the tool's hint
+    /// Empty: the tool's hint. Adds that digits choose the algorithm, if they do and if it fits.
+    void showHint(const QString& hint);
     void note(const FrameTimes& times); ///< of a frame that is shown
     /// What is shown in place of the drawing, such as "6 sheets, A4"; empty: the drawing is.
     void setSummary(const QString& summary);
@@ -37,8 +38,8 @@ public:
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
-
     void changeEvent(QEvent* event) override;
+
 private:
     void forgetFrames();
     void showTimes();
@@ -49,19 +50,20 @@ private:
     void followWindows();
     void showZoom();
     void keepRoom();
-    void addZoomMenu();
     void addPaperSwitch();
     void followPaper();
+    void addZoomMenu();
 
     app::Session& session_;
     Canvas& canvas_;
     ElidedLabel* hint_;
     StatusCell *position_, *visible_, *algorithm_, *times_, *renderer_;
-    ZoomButton* zoom_;
     QToolButton* darkPaper_;
+    ZoomButton* zoom_;
     app::FrameStatistics clip_, draw_;
     FrameTimes last_;
     QString summary_;
+    QString said_; ///< by showHint()
     QTimer pause_;
 };
 

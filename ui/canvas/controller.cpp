@@ -28,7 +28,10 @@ Controller::Controller(app::Session& session, QObject* parent)
     connect(&session, &app::Session::displayChanged, this, &Controller::followDisplay);
     connect(&session, &app::Session::selectionChanged, this, &Controller::outdate);
     connect(&session, &app::Session::inspectedChanged, this, &Controller::changed);
-    connect(&session, &app::Session::previewChanged, this, &Controller::changed);
+    connect(&session, &app::Session::previewChanged, this, [this] {
+        emit hintChanged(); // another window may be chosen
+        emit changed();
+    });
     connect(&session.nodes, &app::NodeEditing::changed, this, [this] {
         followGauge();
         emit hintChanged();
@@ -89,10 +92,10 @@ void Controller::renew()
 void Controller::followDisplay()
 {
     const app::Display before = std::exchange(shown_, session_.display());
+    paperLook_ = lookOnPaper(shown_.darkPaper);
     app::Display now = shown_;
     now.variant = before.variant;
     if (now != before)
-    paperLook_ = lookOnPaper(shown_.darkPaper);
         outdate();
     else
         emit changed();

@@ -108,6 +108,7 @@ private:
     void addCentre();
     void addBars();
     void addModes();
+    void followWorkspace();
     void addPanels();
     void connectPanels();
     void connectLayout();
@@ -124,8 +125,8 @@ private:
     void rememberPanes();
     void rememberSnapping();
     void rememberGrid();
-    void limitHistory();
     void rememberPaper();
+    void limitHistory();
 
     app::Session session_;
     app::DrawnLine drawnLine_{session_};
