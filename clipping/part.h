@@ -22,16 +22,26 @@ inline constexpr std::array<std::string_view, 3> extentNames{"dx", "dy", "dz"};
 /// A line number of a pseudo-code for the plane; 0 for the third axis, for which it has no line.
 constexpr int lineOn(glm::length_t axis, int line) { return axis < 2 ? line : 0; }
 
-/// The segment of a part of `s`; d is b - a. The steps are ten lines of pseudo-code, starting at
-/// `line`:
+/// The line of a pseudo-code that gives an end its coordinates at an edge: `line` at a vertical
+/// one, the next line at a horizontal one, 0 on the third axis.
+constexpr int lineAt(Edge edge, int line)
+{
+    return edge == Edge::NoEdge ? line : lineOn(axisOf(edge), line + int(axisOf(edge)));
+}
+
+/// The segment of a part of `s`; d is b - a. The steps are twelve lines of pseudo-code, starting at
+/// `line`. atEdge(u) is whether u is that of an edge, vertical(u) whether this edge is vertical,
+/// and edge(u) its coordinate:
 ///
 ///     if stop < 1
-///       x2 = held(x1 + stop*dx),  y2 = held(y1 + stop*dy)
+///       if vertical(stop): x2 = edge(stop),  y2 = held(y1 + stop*dy)
+///       else: x2 = held(x1 + stop*dx),  y2 = edge(stop)
 ///     else
 ///       x2 = held(x2),  y2 = held(y2)
 ///     if start > 0
-///       x1 = held(x1 + start*dx),  y1 = held(y1 + start*dy)
-///       if stop < 1 and start == stop
+///       if vertical(start): x1 = edge(start),  y1 = held(y1 + start*dy)
+///       else: x1 = held(x1 + start*dx),  y1 = edge(start)
+///       if atEdge(stop) and start == stop
 ///         x1 = x2,  y1 = y2
 ///     else
 ///       x1 = held(x1),  y1 = held(y1)
@@ -45,21 +55,21 @@ constexpr BasicSegment<T, N> endsOf(const Part<T>& part, const BasicSegment<T, N
     BasicSegment<T, N> visible = s;
     if (reach != Reach::Bounded || step.test(line, part.stop < T(1), part.stopEdge)) {
         visible.b = along(s, d, part.stop, part.stopEdge, w);
-        step.cut(line + 1, 1, visible.b, part.stopEdge);
+        step.cut(lineAt(part.stopEdge, line + 1), 1, visible.b, part.stopEdge);
     } else {
         visible.b = clamped(s.b, w);
-        step.left(line + 3, visible);
+        step.left(line + 4, visible);
     }
-    if (reach == Reach::BothWays || step.test(line + 4, part.start > T(0), part.startEdge)) {
+    if (reach == Reach::BothWays || step.test(line + 5, part.start > T(0), part.startEdge)) {
         visible.a = along(s, d, part.start, part.startEdge, w);
-        step.cut(line + 5, 0, visible.a, part.startEdge);
-        if (step.test(line + 6, part.stopEdge != Edge::NoEdge && part.start == part.stop)) {
+        step.cut(lineAt(part.startEdge, line + 6), 0, visible.a, part.startEdge);
+        if (step.test(line + 8, part.stopEdge != Edge::NoEdge && part.start == part.stop)) {
             visible.a = visible.b; // a single common point
-            step.cut(line + 7, 0, visible.a, part.startEdge);
+            step.cut(line + 9, 0, visible.a, part.startEdge);
         }
     } else {
         visible.a = clamped(s.a, w);
-        step.left(line + 9, visible);
+        step.left(line + 11, visible);
     }
     return visible;
 }

@@ -18,7 +18,7 @@ constexpr int idleMilliseconds = 150; // many lines wait until a series of chang
 LiveFinding::LiveFinding(const EditedDocument& document, const Scene& scene, BatchSizes sizes,
                          QObject* parent)
     : QObject(parent), scene_(scene), sizes_(sizes),
-      window_(comparedWindow(document.now().windows(), document.now().page()).window)
+      window_(comparedWindow(document.now().windows(), document.now().page()).place())
 {
     connect(&document, &EditedDocument::changed, this, &LiveFinding::follow);
     soon_.setSingleShot(true);
@@ -34,13 +34,22 @@ void LiveFinding::askAnew(bool something)
     emit changed();
 }
 
-void LiveFinding::setWindow(const Window& window)
+void LiveFinding::setWindow(const std::optional<Window>& window)
 {
     if (window == window_)
         return;
     window_ = window;
     const bool was = upToDate_;
+    if (!window_) {
+        foundOf_.reset();
+        forget();
+    }
     restart();
+    if (!window_) {
+        if (asking_)
+            emit changed();
+        return;
+    }
     if (asking_ && foundOf_ == now()) { // a drag was cancelled
         stop();
         upToDate_ = true;
@@ -70,8 +79,8 @@ void LiveFinding::follow(const DocumentChange& change)
 void LiveFinding::restart()
 {
     stop();
-    upToDate_ = !asking_;
-    if (!asking_)
+    upToDate_ = !asking_ || !window_;
+    if (upToDate_)
         return;
     if (many())
         return soon_.start(idleMilliseconds);
@@ -91,7 +100,7 @@ void LiveFinding::findAtOnce()
     posted_ = false;
     if (upToDate_ || many())
         return;
-    const auto finding = start(window_);
+    const auto finding = start(*window_);
     finding->look(scene_.lines(), scene_.lines().size());
     keepFound(*finding);
 }
@@ -101,7 +110,7 @@ void LiveFinding::begin()
     soon_.stop();
     share_ = 0;
     background_.start(
-        [finding = start(window_), lines = scene_.lines(),
+        [finding = start(*window_), lines = scene_.lines(),
          slice = sizes_.slice](const Follower& follower) mutable {
             for (std::size_t seen = 0; seen < lines.size() && !follower.stop.stop_requested();) {
                 const std::size_t more = std::min(slice, lines.size() - seen);

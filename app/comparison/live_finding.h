@@ -17,8 +17,9 @@ class LiveFinding : public QObject {
     Q_OBJECT
 
 public:
-    /// The current place of the clip window, also during a drag.
-    void setWindow(const clipping::Window& window);
+    /// The current place of the clip window, also during a drag; empty: there is none, and nothing
+    /// is found.
+    void setWindow(const std::optional<clipping::Window>& window);
 
     /// Whether the result belongs to the present lines and window, or no question is asked.
     bool upToDate() const { return upToDate_; }
@@ -61,7 +62,7 @@ private:
     /// The lines and the window of a result.
     struct FindingInput {
         std::uint64_t lines; ///< their revision
-        clipping::Window window;
+        std::optional<clipping::Window> window;
         friend bool operator==(const FindingInput&, const FindingInput&) = default;
     };
     FindingInput now() const { return {scene_.lines().revision(), window_}; }
@@ -75,7 +76,7 @@ private:
 
     const Scene& scene_;
     const BatchSizes sizes_;
-    clipping::Window window_;
+    std::optional<clipping::Window> window_;
     std::optional<FindingInput> foundOf_{}; ///< what the present result is for
     double share_ = 0;                      ///< examined by background_
     bool asking_ = false;

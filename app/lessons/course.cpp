@@ -3,13 +3,31 @@
 
 #include "app/lessons/scores.h"
 
+#include <QScopedValueRollback>
+
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace app {
 
+namespace {
+
+/// The page, about another line. Its own hint need not be true of that line.
+LessonPage about(LessonPage page, const TracedLine& tracedLine)
+{
+    if (page.tracedLine != tracedLine)
+        page.hint.clear();
+    page.tracedLine = tracedLine;
+    return page;
+}
+
+} // namespace
+
 Course::Course(Microscope& microscope, QObject* parent) : QObject(parent), microscope_(microscope)
 {
+    // Before any view of the microscope is connected, so that no view sees an answer.
+    connect(&microscope, &Microscope::tracedLineChanged, this, &Course::follow);
 }
 
 void Course::begin(std::size_t lesson)
@@ -20,29 +38,52 @@ void Course::begin(std::size_t lesson)
     page_ = 0;
     answers_.assign(pages(), {});
     points_.assign(pages(), 0);
-    show();
+    show(this->lesson()->pages[page_].tracedLine);
+}
+
+void Course::beginOrGoOn(std::size_t lesson)
+{
+    if (lesson_ != lesson || atEnd())
+        return begin(lesson);
+    paused_ = false;
+    emit changed();
+}
+
+void Course::pause()
+{
+    paused_ = true;
+    emit changed();
 }
 
 void Course::end()
 {
-    if (lesson() && microscope_.isOpen() && microscope_.isCovered())
-        microscope_.open(microscope_.tracedLine(), microscope_.step());
+    const bool covers = lesson() && isOpen();
     lesson_.reset();
     question_.reset();
     answers_.clear();
     points_.clear();
+    paused_ = false;
+    if (covers)
+        microscope_.close();
     emit changed();
 }
 
 const Lesson* Course::lesson() const { return lesson_ ? &lessons()[*lesson_] : nullptr; }
 
-QString Course::told() const { return isOpen() ? QString() : lesson()->pages[page_].told; }
+QString Course::told() const
+{
+    if (isOpen())
+        return {};
+    const LessonPage& page = lesson()->pages[page_];
+    const bool own = !question_ || asked_ == page.tracedLine || page.told.isEmpty();
+    return own ? page.told : tr("*Of the line on this page:* %1").arg(page.told);
+}
 
 void Course::next()
 {
     if (lesson() && !atLastPage() && !isOpen()) {
         ++page_;
-        show();
+        showAgain();
     }
 }
 
@@ -50,47 +91,80 @@ void Course::previous()
 {
     if (lesson() && page_ > 0) {
         --page_;
-        show();
+        showAgain();
     }
 }
 
 void Course::showAgain()
 {
-    if (lesson())
-        show();
+    if (!lesson())
+        return;
+    const TracedLine& own = lesson()->pages[page_].tracedLine;
+    show(isOpen() ? own : answer().about.value_or(own));
 }
 
-/// Covers the microscope's steps before it shows anything of the page.
-void Course::show()
+/// Covers the microscope's steps before it shows anything of the line.
+void Course::show(const TracedLine& tracedLine)
 {
-    const LessonPage& page = lesson()->pages[page_];
-    const Narration narration = narrationOf(page.tracedLine);
-    const std::size_t step = wantedStep(page, narration);
-    question_ = questionOf(page, narration, step);
-    if (isOpen())
-        microscope_.openCovered(page.tracedLine, stepsShown(page, step));
-    else
-        microscope_.open(page.tracedLine, step);
+    paused_ = false;
+    ask(tracedLine);
     emit changed();
+}
+
+/// Asks about a line and shows it.
+void Course::ask(const TracedLine& tracedLine)
+{
+    const QScopedValueRollback quiet(showing_, true);
+    const LessonPage page = about(lesson()->pages[page_], tracedLine);
+    const Narration narration = narrationOf(tracedLine);
+    const auto wanted = stepFor(page, narration);
+    asked_ = tracedLine;
+    question_.reset();
+    if (wanted && tracedLine.corners.empty()) // questions are about rectangles
+        question_ = questionOf(page, narration, *wanted);
+    Answer& answer = answers_[page_];
+    if (answer.about != tracedLine)
+        answer.tries.clear();
+    if (isOpen())
+        microscope_.openCovered(tracedLine, question_ ? stepsShown(page, *wanted) : 0);
+    else
+        microscope_.open(tracedLine, wantedStep(page, narration));
+}
+
+/// The reader dragged an end, or the microscope was opened with another line: the open question is
+/// about that line.
+void Course::follow()
+{
+    if (showing_ || !lesson() || !isOpen())
+        return;
+    const auto before = std::exchange(question_, std::nullopt);
+    const std::size_t tries = answer().tries.size(), step = microscope_.step();
+    ask(microscope_.tracedLine());
+    microscope_.goTo(step); // as far as it is not covered
+    if (question_.has_value() != before.has_value() || answer().tries.size() != tries
+        || (question_
+            && (question_->prompt != before->prompt || question_->choices != before->choices)))
+        emit changed();
 }
 
 bool Course::isOpen() const
 {
-    if (!question_)
-        return false;
-    const auto& [tries, shown] = answer();
-    return !shown && tries.size() < 2 && (tries.empty() || tries.back() != question_->right);
+    return lesson() && lesson()->pages[page_].question && !answer().settled();
 }
 
 void Course::choose(int choice)
 {
-    if (!isOpen() || choice < 0 || choice >= question_->choices.size()
+    if (!asks() || choice < 0 || choice >= question_->choices.size()
         || std::ranges::count(answer().tries, choice) > 0)
         return;
     Answer& answer = answers_[page_];
+    answer.about = asked_;
     answer.tries.push_back(choice);
-    if (choice == question_->right)
-        points_[page_] = answer.tries.size() == 1 ? 2 : 1;
+    answer.right = choice == question_->right;
+    if (answer.right)
+        points_[page_] = answer.wrong == 0 ? 2 : 1;
+    else
+        ++answer.wrong;
     settle();
 }
 
@@ -98,20 +172,20 @@ void Course::showAnswer()
 {
     if (!isOpen())
         return;
+    if (!question_)
+        ask(lesson()->pages[page_].tracedLine);
+    answers_[page_].about = asked_;
     answers_[page_].shown = true;
     settle();
 }
 
 /// If the question is no longer open, uncovers the steps.
-void Course::settle() { isOpen() ? emit changed() : show(); }
+void Course::settle() { isOpen() ? emit changed() : show(asked_); }
 
 Score Course::score() const
 {
-    const auto settled = std::ranges::count_if(answers_, [this](const Answer& answer) {
-        return answer.shown || answer.tries.size() >= 2
-               || points_[std::size_t(&answer - answers_.data())] > 0;
-    });
-    return {int(settled), std::accumulate(points_.begin(), points_.end(), 0)};
+    return {int(std::ranges::count_if(answers_, &Answer::settled)),
+            std::accumulate(points_.begin(), points_.end(), 0)};
 }
 
 int Course::rightWorth(int points) const { return int(std::ranges::count(points_, points)); }

@@ -16,13 +16,20 @@ struct Score {
 
 /// The answers that were given on a page.
 struct Answer {
-    std::vector<int> tries{}; ///< the choices in order, all different; at most two
+    /// The line that the reader was asked about; empty before the first try.
+    std::optional<TracedLine> about{};
+    std::vector<int> tries{}; ///< the choices about this line in order, all different
+    int wrong = 0;            ///< the number of wrong tries, also about other lines; at most two
+    bool right = false;       ///< the last try was right
     bool shown = false;       ///< the reader asked for the answer
+
+    bool settled() const { return right || shown || wrong >= 2; }
 };
 
-/// The lesson in progress: its page, its question, and the traced line in the microscope. While the
-/// question is open the microscope shows no step that would reveal the answer (stepsShown), and the
-/// next page is not available.
+/// The lesson in progress: its page, its question, and the traced line in the microscope. The
+/// question is about the line that the microscope shows, also after the reader has dragged an end
+/// of it or shown another line. While the question is open the microscope shows no step that would
+/// reveal the answer (stepsShown), whoever opens it, and the next page is not available.
 class Course : public QObject {
     Q_OBJECT
 
@@ -31,14 +38,22 @@ public:
 
     /// Starts a lesson at its first page and opens the microscope.
     void begin(std::size_t lesson);
-    void end();                   ///< leaves the microscope unchanged
+    /// Leaves the microscope unchanged, but closes it while a question is open, whose answer it
+    /// would reveal.
+    void end();
     const Lesson* lesson() const; ///< null: no lesson is in progress
+    /// The reader looks at the list of lessons; the lesson stays at its page.
+    void pause();
+    bool isPaused() const { return paused_; }
+    /// Starts the lesson, or goes on with it if it is in progress and not at its end.
+    void beginOrGoOn(std::size_t lesson);
     std::size_t lessonIndex() const { return lesson_.value_or(0); }
 
     std::size_t page() const { return page_; }
     std::size_t pages() const { return lesson() ? lesson()->pages.size() : 0; }
     const QString& text() const { return lesson()->pages[page_].text; }
-    /// The page's explanation after its question is settled; empty before.
+    /// The page's explanation after its question is settled; empty before. It is about the page's
+    /// own line, and says so if the reader answered about another.
     QString told() const;
     bool atLastPage() const { return page_ + 1 >= pages(); }
     void next();     ///< the next page; no effect on the last page or while a question is open
@@ -46,15 +61,20 @@ public:
     /// Shows the page's traced line again after the reader looked at something else.
     void showAgain();
 
+    /// The question about the line that is shown, or of a settled page about the line that was
+    /// asked about. Empty if the page asks nothing, or if it cannot ask about the line.
     const std::optional<Question>& question() const { return question_; }
     /// The answers given on this page.
     const Answer& answer() const { return answers_[page_]; }
     /// Whether the page has a question that was neither answered correctly, nor tried twice, nor
     /// shown.
     bool isOpen() const;
-    /// Tries an answer. Ignored if the question is not open, or if this choice was tried already.
+    /// Whether the reader sees an open question, which can be answered.
+    bool asks() const { return !paused_ && question_ && isOpen(); }
+    /// Tries an answer. Ignored unless the question is asked, or if this choice was tried already.
     void choose(int choice);
-    /// Gives up the question and shows the answer.
+    /// Gives up the question and shows the answer; if the question cannot be about the line that is
+    /// shown, for the page's own line.
     void showAnswer();
 
     Score score() const; ///< of this lesson so far
@@ -67,7 +87,9 @@ signals:
     void changed();
 
 private:
-    void show();
+    void follow();
+    void show(const TracedLine& tracedLine);
+    void ask(const TracedLine& tracedLine);
     void settle();
     int rightWorth(int points) const; ///< how many questions earned that many points
 
@@ -75,6 +97,9 @@ private:
     std::optional<std::size_t> lesson_;
     std::size_t page_ = 0;
     std::optional<Question> question_;
+    TracedLine asked_; ///< the question is about it
+    bool paused_ = false;
+    bool showing_ = false;        ///< the microscope changes by this class
     std::vector<Answer> answers_; ///< one for each page
     std::vector<int> points_;     ///< one for each page
 };

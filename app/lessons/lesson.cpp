@@ -179,17 +179,24 @@ const std::vector<Lesson>& lessons()
     return all;
 }
 
-std::size_t wantedStep(const LessonPage& page, const Narration& narration)
+std::optional<std::size_t> stepFor(const LessonPage& page, const Narration& narration)
 {
     const auto wanted = stepOf(page.step);
     const std::size_t count = narration.steps.size();
     if (!wanted || count == 0)
-        return 0;
+        return std::nullopt;
+    if (page.step == u"last")
+        return count - 1;
     std::size_t left = wanted->which;
     for (std::size_t i = 0; i < count; ++i)
         if ((!wanted->mark || narration.steps[i].mark == *wanted->mark) && --left == 0)
             return i;
-    return count - 1;
+    return std::nullopt;
+}
+
+std::size_t wantedStep(const LessonPage& page, const Narration& narration)
+{
+    return stepFor(page, narration).value_or(std::max<std::size_t>(narration.steps.size(), 1) - 1);
 }
 
 } // namespace app

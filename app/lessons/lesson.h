@@ -38,7 +38,9 @@ const std::vector<Lesson>& lessons();
 /// Parses a lesson; or returns what is wrong and where: "line 12: …".
 Result<Lesson> readLesson(const QString& key, const QString& text);
 
-/// The step that a page shows: an index into the narration's steps.
+/// The step that a page asks for: an index into the narration's steps; empty if there is none.
+std::optional<std::size_t> stepFor(const LessonPage& page, const Narration& narration);
+/// The step that a page shows: that one, otherwise the last.
 std::size_t wantedStep(const LessonPage& page, const Narration& narration);
 
 } // namespace app

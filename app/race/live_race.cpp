@@ -18,7 +18,7 @@ constexpr qint64 longEnough = 10'000; // milliseconds; for large drawings, whose
 
 LiveRace::LiveRace(const EditedDocument& document, const Scene& scene, QObject* parent)
     : QObject(parent), scene_(scene),
-      window_(comparedWindow(document.now().windows(), document.now().page()).window)
+      window_(comparedWindow(document.now().windows(), document.now().page()).place())
 {
     for (QTimer* timer : {&next_, &show_}) {
         timer->setSingleShot(true);
@@ -45,7 +45,8 @@ void LiveRace::start()
         return;
     race_.emplace(variants_);
     sinceFindings_.invalidate();
-    begin();
+    if (window_)
+        begin();
 }
 
 void LiveRace::stop()
@@ -56,10 +57,15 @@ void LiveRace::stop()
 }
 
 // Paint requests are queued, and a timer waits for all queued events: the frame comes first.
-void LiveRace::setWindow(const clipping::Window& window)
+void LiveRace::setWindow(const std::optional<clipping::Window>& window)
 {
+    const bool was = window_.has_value();
     window_ = window;
-    if (running() && !race_->running() && !isOnWhatIsShown())
+    if (!window && was && running()) { // the times are of another place
+        stop();
+        start();
+    }
+    if (window && running() && !race_->running() && !isOnWhatIsShown())
         next_.start(0);
 }
 
@@ -80,14 +86,17 @@ bool LiveRace::upToDate() const
 // The scene handles the change first, so its lines are already the new ones.
 void LiveRace::follow(const DocumentChange& change)
 {
-    if (!change.drawing() || !running() || isOnWhatIsShown())
+    if (!change.drawing() || !running() || !window_ || isOnWhatIsShown())
         return;
     race_->drop();
     work_.stop();
     next_.start(tenthOfASecond);
 }
 
-bool LiveRace::isOnWhatIsShown() const { return race_->frame().is(scene_.lines(), window_); }
+bool LiveRace::isOnWhatIsShown() const
+{
+    return window_ && race_->frame().is(scene_.lines(), *window_);
+}
 
 void LiveRace::begin()
 {
@@ -100,7 +109,8 @@ void LiveRace::begin()
         !same && sinceFindings_.isValid() && sinceFindings_.elapsed() < tenthOfASecond;
     if (!quick)
         sinceFindings_.start();
-    race_->begin({scene_.lines(), window_}, quick ? Race::Purpose::Times : Race::Purpose::Findings);
+    race_->begin({scene_.lines(), *window_},
+                 quick ? Race::Purpose::Times : Race::Purpose::Findings);
     settled_ = false;
     work_.start(0);
 }

@@ -20,8 +20,9 @@ class LiveRace : public QObject {
 public:
     LiveRace(const EditedDocument& document, const Scene& scene, QObject* parent = nullptr);
 
-    /// The current place of the clip window, also during a drag.
-    void setWindow(const clipping::Window& window);
+    /// The current place of the clip window, also during a drag; empty: there is none, and the race
+    /// has no rows.
+    void setWindow(const std::optional<clipping::Window>& window);
     /// Sets the competing variants, at least one; forgets all measurements.
     void setVariants(std::vector<Variant> variants);
     std::span<const Variant> variants() const { return variants_; }
@@ -49,7 +50,7 @@ private:
     bool enough() const;
 
     const Scene& scene_;
-    clipping::Window window_;
+    std::optional<clipping::Window> window_;
     std::vector<Variant> variants_;
     std::optional<Race> race_;
     bool settled_ = false;

@@ -14,23 +14,21 @@ std::optional<std::size_t> actedOn(const ClipWindows& windows, std::size_t chose
     return visible == list.end() ? std::nullopt : std::optional(visible - list.begin());
 }
 
-std::optional<clipping::Window> firstWindow(const ClipWindows& windows)
-{
-    for (const ClipWindow& window : windows.list)
-        if (const auto box = axisAlignedBox(window.shape); box && window.visible)
-            return box;
-    return std::nullopt;
-}
-
 ComparedWindow comparedWindow(const ClipWindows& windows, const Page& page,
                               std::optional<std::size_t> first)
 {
-    std::optional<clipping::Window> window;
-    if (first && windows.list[*first].visible)
-        window = axisAlignedBox(windows.list[*first].shape);
-    if (!window)
-        window = firstWindow(windows);
-    return {window.value_or(page.rectangle()), !window};
+    const auto at = [&](std::size_t number) -> std::optional<ComparedWindow> {
+        const ClipWindow& window = windows.list[number];
+        const auto box = window.visible ? axisAlignedBox(window.shape) : std::nullopt;
+        return box ? std::optional(ComparedWindow{.window = *box, .number = number}) : std::nullopt;
+    };
+    if (const auto chosen = first ? at(*first) : std::nullopt)
+        return *chosen;
+    for (std::size_t number = 0; number < windows.list.size(); ++number)
+        if (const auto found = at(number))
+            return *found;
+    const bool cut = std::ranges::any_of(windows.list, &ClipWindow::visible);
+    return {.window = page.rectangle(), .isPage = true, .comparable = !cut};
 }
 
 } // namespace app

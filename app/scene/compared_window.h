@@ -10,15 +10,22 @@ namespace app {
 struct ComparedWindow {
     clipping::Window window;
     bool isPage = false; ///< true: no such clip window exists, `window` is the page
+    std::optional<std::size_t> number{}; ///< of that clip window
+    /// Whether results there are those of the drawing: not at the page of a drawing that is cut at
+    /// other clip windows.
+    bool comparable = true;
+
+    /// Where algorithms are compared; empty: nowhere.
+    std::optional<clipping::Window> place() const
+    {
+        return comparable ? std::optional(window) : std::nullopt;
+    }
     friend bool operator==(const ComparedWindow&, const ComparedWindow&) = default;
 };
 
 /// The number of the clip window that tools and panels act on: the chosen one if it is visible,
 /// else the first visible one, if any.
 std::optional<std::size_t> actedOn(const ClipWindows& windows, std::size_t chosen);
-
-/// The first visible axis-aligned rectangle, if any.
-std::optional<clipping::Window> firstWindow(const ClipWindows& windows);
 
 /// The window with the number `first` if it is a visible axis-aligned rectangle, else the first one
 /// that is, regardless of its operation; otherwise the page.

@@ -51,6 +51,13 @@ QString limitText(const clipping::Algorithm& algorithm, WindowNeeds needs)
     return algorithm.polygon ? Text::tr("convex only") : Text::tr("rectangles only");
 }
 
+QString limitText(const Variant& variant, WindowNeeds needs)
+{
+    if (variant.form == clipping::Form::Published && needs > WindowNeeds::RotatedRectangle)
+        return Text::tr("rectangles only");
+    return limitText(*variant.algorithm, needs);
+}
+
 QString limitedName(const clipping::Algorithm& algorithm, WindowNeeds needs)
 {
     const QString name = latin(algorithm.name), limit = limitText(algorithm, needs);

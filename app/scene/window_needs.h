@@ -23,6 +23,9 @@ bool canClip(const clipping::Algorithm& algorithm, WindowNeeds needs);
 /// Why it cannot, in two words: "rectangles only", "convex only"; empty if it can.
 QString limitText(const clipping::Algorithm& algorithm, WindowNeeds needs);
 
+/// The same of a variant: published forms clip at rectangles only.
+QString limitText(const Variant& variant, WindowNeeds needs);
+
 /// Its name for menus, with the reason: "Liang-Barsky (rectangles only)".
 QString limitedName(const clipping::Algorithm& algorithm, WindowNeeds needs);
 

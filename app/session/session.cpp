@@ -34,8 +34,8 @@ Session::Session(QObject* parent) : QObject(parent)
             inspect(std::nullopt);
     });
     connect(this, &Session::previewChanged, this, [this] {
-        differences.setWindow(window());
-        exactness.setWindow(window());
+        differences.setWindow(comparedAt());
+        exactness.setWindow(comparedAt());
     });
 }
 
@@ -60,6 +60,7 @@ void Session::updateChoice()
 
 void Session::chooseWindow(std::size_t number)
 {
+    chosenLast_ = true;
     if (std::exchange(chosenWindow_, number) == number)
         return;
     updateChoice();
@@ -82,6 +83,7 @@ const clipping::Functions<clipping::Segment, clipping::Window>& Session::uses() 
 
 void Session::select(ObjectRanges objects)
 {
+    chosenLast_ = false;
     if (objects == selection_)
         return;
     selection_ = std::move(objects);

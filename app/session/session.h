@@ -31,7 +31,7 @@ struct Display {
     RemovedPart removed = RemovedPart::Ghosted;
     Unit unit = Unit::Mm;    ///< of rulers, labels and fields; an opened drawing sets its own unit
     bool overlay = false;    ///< the algorithm's view of the plane, over the drawing
-    bool asPrinted = false;  ///< dark theme: the true page and stroke colours
+    bool darkPaper = false;  ///< the page is dark, and dark colours are shown lighter on it
     bool presenting = false; ///< for a projector: strokes twice as wide, clearly visible ghosts
     Grid grid{};             ///< under the drawing
     bool guides = true;      ///< are shown
@@ -89,6 +89,7 @@ public:
     WindowPen windowPen;                ///< setWindowPen() changes it
     std::optional<std::size_t> guide{}; ///< the number of the chosen guide, which may be gone
     ArrangeOptions arrange;
+    bool worksInDraw = false; ///< whether the workspace is Draw
 
     const Document& now() const { return document.now(); }
 
@@ -99,10 +100,19 @@ public:
     /// The rectangle at which algorithms are compared, raced and explained.
     clipping::Window window() const { return compared().window; }
     const ComparedWindow& compared() const { return compared_; }
+    /// The same for what compares; empty: no clip window is such a rectangle, and at the page the
+    /// results would not be those of the drawing.
+    std::optional<clipping::Window> comparedAt() const { return compared_.place(); }
     /// The number of the clip window that tools and panels act on: the chosen one if it is visible,
     /// else the first visible one; empty without a visible window.
     std::optional<std::size_t> windowNumber() const { return windowNumber_; }
     void chooseWindow(std::size_t number);
+    /// Whether keys are for that window, not for selected objects or a guide: it was chosen last,
+    /// or nothing else is chosen.
+    bool windowChosen() const
+    {
+        return windowNumber_ && !guide && (chosenLast_ || selection_.empty());
+    }
     /// The bounding box of that window, and the frame that its handles stand on.
     const std::optional<clipping::Window>& clipWindow() const { return clipWindow_; }
     const std::optional<WindowFrame>& windowFrame() const { return windowFrame_; }
@@ -188,6 +198,7 @@ private:
     std::optional<WindowFrame> windowFrame_;
     std::optional<std::size_t> windowNumber_;
     std::size_t chosenWindow_ = 0; ///< may be hidden, or gone
+    bool chosenLast_ = false;      ///< a window was chosen after the selected objects
     QString path_;
     std::vector<Loss> losses_;
     bool saving_ = false; ///< between beginSaving() and endSaving(), without a load()

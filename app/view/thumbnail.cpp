@@ -17,11 +17,6 @@ namespace {
 
 constexpr double margin = 4, outline = 1.5; // points
 
-Colour plain(const QColor& colour)
-{
-    return {std::uint8_t(colour.red()), std::uint8_t(colour.green()), std::uint8_t(colour.blue())};
-}
-
 /// Lets the page fill the picture around the clip window, but keeps the whole window visible.
 void cover(View& view, const Page& page, const clipping::Window& window)
 {
@@ -42,7 +37,8 @@ void cover(View& view, const Page& page, const clipping::Window& window)
 QImage thumbnail(const Document& document, const QSize& points, double pixelRatio,
                  const ThumbnailColours& colours)
 {
-    const auto [window, isPage] = comparedWindow(document.windows(), document.page());
+    const ComparedWindow shown = comparedWindow(document.windows(), document.page());
+    const clipping::Window& window = shown.window;
     View view;
     view.size = {points.width(), points.height()};
     cover(view, document.page(), window);
@@ -51,7 +47,9 @@ QImage thumbnail(const Document& document, const QSize& points, double pixelRati
     const ClipRegion region = regionOf(document.windows(), document.page());
     const SceneFrame frame =
         clips.clip(lines, region, clipping::exactAlgorithm().corrected.clipAll);
-    PictureOptions options{.view = view, .region = &region, .page = plain(colours.page)};
+    PictureOptions options;
+    options.view = view;
+    options.region = &region;
     options.leastWidth = 0.5;
     const QSize pixels = points * pixelRatio;
     const QImage art =
@@ -64,7 +62,7 @@ QImage thumbnail(const Document& document, const QSize& points, double pixelRati
     painter.scale(pixelRatio, pixelRatio);
     painter.setPen(QPen(colours.accent, outline));
     const Point a = view.toScreen(window.min), b = view.toScreen(window.max);
-    if (!isPage)
+    if (!shown.isPage)
         painter.drawRect(QRectF(QPointF(a.x, a.y), QPointF(b.x, b.y)));
     painter.end();
     image.setDevicePixelRatio(pixelRatio);

@@ -14,8 +14,8 @@ struct ThumbnailColours {
     double ghost; ///< opacity of the part that the windows remove
 };
 
-/// A picture of a document with its clip windows, clipped by the library. `points` is its size in
-/// logical pixels. Needs no screen and may run on any thread.
+/// A picture of a document with its clip windows, clipped by the library, in its own colours.
+/// `points` is its size in logical pixels. Needs no screen and may run on any thread.
 QImage thumbnail(const Document& document, const QSize& points, double pixelRatio,
                  const ThumbnailColours& colours);
 

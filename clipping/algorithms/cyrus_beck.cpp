@@ -94,8 +94,8 @@ accept the line from x1, y1 to x2, y2
         return step.accept(20, BasicSegment<T>{{x1, y1}, {x2, y2}});
     }
 
-    // held(v) is the edge's own coordinate on the axis perpendicular to the edge that cut the end,
-    // else v clamped to the window's range on that axis.
+    // atEdge(tL) is whether tL is that of an edge, vertical(tL) whether this edge is vertical, and
+    // edge(tL) its coordinate. held(v) is v clamped to the window's range on its axis.
     static constexpr std::string_view correctedCode = R"(
 tE = 0,  tL = 1,  dx = x2-x1,  dy = y2-y1
 for each edge, with a corner (xv, yv) and an inner normal (nx, ny)
@@ -112,12 +112,14 @@ for each edge, with a corner (xv, yv) and an inner normal (nx, ny)
       tL = t
 if tE > tL: reject
 if tL < 1
-  x2 = held(x1 + tL*dx),  y2 = held(y1 + tL*dy)
+  if vertical(tL): x2 = edge(tL),  y2 = held(y1 + tL*dy)
+  else: x2 = held(x1 + tL*dx),  y2 = edge(tL)
 else
   x2 = held(x2),  y2 = held(y2)
 if tE > 0
-  x1 = held(x1 + tE*dx),  y1 = held(y1 + tE*dy)
-  if tL < 1 and tE == tL
+  if vertical(tE): x1 = edge(tE),  y1 = held(y1 + tE*dy)
+  else: x1 = held(x1 + tE*dx),  y1 = edge(tE)
+  if atEdge(tL) and tE == tL
     x1 = x2,  y1 = y2
 else
   x1 = held(x1),  y1 = held(y1)
@@ -138,7 +140,7 @@ accept the line from x1, y1 to x2, y2
                 return std::nullopt;
         if (step.test(14, part.start > part.stop))
             return step.reject(14);
-        return step.accept(25, endsOf(part, s, d, w, 15, step));
+        return step.accept(27, endsOf(part, s, d, w, 15, step));
     }
 };
 

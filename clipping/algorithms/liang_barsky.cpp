@@ -107,8 +107,8 @@ if clipt(-dx, x1-xmin)
         return std::nullopt;
     }
 
-    // held(v) is the edge's own coordinate on the axis perpendicular to the edge that cut the end,
-    // else v clamped to the window's range on that axis.
+    // atEdge(u1) is whether u1 is that of an edge, vertical(u1) whether this edge is vertical, and
+    // edge(u1) its coordinate. held(v) is v clamped to the window's range on its axis.
     static constexpr std::string_view correctedCode = R"(
 clipt(p, q):
   if p < 0
@@ -130,12 +130,14 @@ dy = y2-y1
 clipt(-dy, y1-ymin)
 clipt(dy, ymax-y1)
 if u1 < 1
-  x2 = held(x1 + u1*dx),  y2 = held(y1 + u1*dy)
+  if vertical(u1): x2 = edge(u1),  y2 = held(y1 + u1*dy)
+  else: x2 = held(x1 + u1*dx),  y2 = edge(u1)
 else
   x2 = held(x2),  y2 = held(y2)
 if u0 > 0
-  x1 = held(x1 + u0*dx),  y1 = held(y1 + u0*dy)
-  if u1 < 1 and u0 == u1
+  if vertical(u0): x1 = edge(u0),  y1 = held(y1 + u0*dy)
+  else: x1 = held(x1 + u0*dx),  y1 = edge(u0)
+  if atEdge(u1) and u0 == u1
     x1 = x2,  y1 = y2
 else
   x1 = held(x1),  y1 = held(y1)
@@ -157,7 +159,7 @@ accept the line from x1, y1 to x2, y2
                                     upperEdge(k), step))
                 return std::nullopt;
         }
-        return step.accept(30, endsOf(part, s, d, w, 20, step));
+        return step.accept(32, endsOf(part, s, d, w, 20, step));
     }
 };
 

@@ -181,8 +181,8 @@ seek(n, near, f, far):
   halvings = 0
   while near & far == 0000 and halvings < 53
     t = (n + f) * 0.5,  halvings = halvings + 1
-    M = t*dx < toLeft ? LEFT : t*dx > toRight ? RIGHT : 0000
-    M = M | (t*dy < toBottom ? BOTTOM : t*dy > toTop ? TOP : 0000)
+    q = t*dx,  M = q < toLeft ? LEFT : q > toRight ? RIGHT : 0000
+    q = t*dy,  M = M | (q < toBottom ? BOTTOM : q > toTop ? TOP : 0000)
     if M & far != 0000
       f = t,  far = M
     else
@@ -190,7 +190,7 @@ seek(n, near, f, far):
   if near & far != 0000
     reject
 place(t, s):
-  x = t < 1 ? x1 + t*dx : x2,  y = t < 1 ? y1 + t*dy : y2
+  in = t < 1,  x = in ? x1 + t*dx : x2,  y = in ? y1 + t*dy : y2
   x = s & LEFT ? xmin : s & RIGHT ? xmax : min(max(x, xmin), xmax)
   y = s & BOTTOM ? ymin : s & TOP ? ymax : min(max(y, ymin), ymax)
 )";
@@ -253,7 +253,8 @@ place(t, s):
             step.let(28, "halvings", ++halvings);
             unsigned M = 0;
             for (glm::length_t k = 0; k < N; ++k) {
-                M |= sideBeyond(t * ways.d[k], ways.low[k], ways.high[k]) << 2 * k;
+                const T q = step.set("q", t * ways.d[k]);
+                M |= sideBeyond(q, ways.low[k], ways.high[k]) << 2 * k;
                 step.let(lineOf(29, k), "M", M);
             }
             if (step.test(31, (M & far) != 0)) {
@@ -281,7 +282,7 @@ place(t, s):
         constexpr std::array names{"x", "y", "z"};
         step.set("t", t), step.let(line, "s", sides);
         glm::vec<N, T> p = s.b;
-        if (t < T(1))
+        if (step.set("in", t < T(1)))
             for (glm::length_t k = 0; k < N; ++k)
                 p[k] = s.a[k] + t * ways.d[k];
         step.set("x", p.x), step.let(38, "y", p.y);

@@ -18,6 +18,7 @@
 #include "clipping/describe.h"
 #include "clipping/ieee_numbers.h"
 #include "clipping/outcode.h"
+#include "clipping/part.h"
 #include "clipping/polygon/uses.h"
 
 namespace clipping {
@@ -170,8 +171,7 @@ TAB1[1110] = 0,  TAB2[1110] = 3,  MASK[1110] = BOTTOM
         return step.accept(27, BasicSegment<T>{{x1, y1}, {x2, y2}});
     }
 
-    // held(v) is the edge's own coordinate on the axis perpendicular to the edge that cut the end,
-    // else v clamped to the window's range on that axis.
+    // held(v) is v clamped to the window's range on its axis.
     static constexpr std::string_view correctedCode = R"(
 code1 = outcode(x1, y1),  code2 = outcode(x2, y2)
 if code1 | code2 == 0000
@@ -198,10 +198,13 @@ if c == 0000 or c == 1111
   reject
 i = enter[c],  j = leave[c]
 if code2 != 0000
-  x2 = held(x1 + f[j]/dy),  y2 = held(y1 + f[j]/dx)
+  if j == 1 or j == 3: x2 = e[j],  y2 = held(y1 + f[j]/dx)
+  else: x2 = held(x1 + f[j]/dy),  y2 = e[j]
 if code1 != 0000
-  x1 = held(x1 + f[i]/dy),  y1 = held(y1 + f[i]/dx)
+  if i == 1 or i == 3: x1 = e[i],  y1 = held(y1 + f[i]/dx)
+  else: x1 = held(x1 + f[i]/dy),  y1 = e[i]
 accept the line from x1, y1 to x2, y2
+e[0] = ymin,  e[1] = xmax,  e[2] = ymax,  e[3] = xmin
 enter[0001] = 0,  leave[0001] = 3
 enter[0010] = 1,  leave[0010] = 0
 enter[0011] = 1,  leave[0011] = 3
@@ -231,13 +234,17 @@ enter[1110] = 3,  leave[1110] = 0
         BasicSegment<T> visible = s;
         if (step.test(25, code2 != 0)) {
             visible.b = crossedAt(crossing->j, *crossing, s.a, w);
-            step.cut(26, 1, visible.b, edgesFromCorners[crossing->j]);
+            const Edge edge = edgesFromCorners[crossing->j];
+            step.set("e[j]", levelOf(edge, w));
+            step.cut(lineAt(edge, 26), 1, visible.b, edge);
         }
-        if (step.test(27, code1 != 0)) {
+        if (step.test(28, code1 != 0)) {
             visible.a = crossedAt(crossing->i, *crossing, s.a, w);
-            step.cut(28, 0, visible.a, edgesFromCorners[crossing->i]);
+            const Edge edge = edgesFromCorners[crossing->i];
+            step.set("e[i]", levelOf(edge, w));
+            step.cut(lineAt(edge, 29), 0, visible.a, edge);
         }
-        return step.accept(29, visible);
+        return step.accept(31, visible);
     }
 };
 

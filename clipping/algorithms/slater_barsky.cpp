@@ -230,11 +230,11 @@ else if y[a] > ymax
   row = 2
 c = 3*row + col
 if c == 4 and x[b] <= xmax and y[b] >= ymin and y[b] <= ymax: accept
-dx = x[b]-x[a],  dy = y[b]-y[a]
-if dx == 0 or dy == 0
+dx = x[b]-x[a],  dy = y[b]-y[a],  s = sign(dy)
+if dx == 0 or s == 0
   hold both ends inside the window
   accept
-up = dy > 0
+up = s > 0
 yIn = up ? ymin : ymax,  yOut = up ? ymax : ymin
 Y = row == 1 ? yOut : yIn
 e = dy*(X-x[a]) + dx*(y[a]-Y)
@@ -266,6 +266,11 @@ repeat
         return step.test(3, s.a.x > s.b.x) ? fromEnd(1, s, w, step) : fromEnd(0, s, w, step);
     }
 
+    static constexpr int signOf(auto order)
+    {
+        return std::is_lt(order) ? -1 : std::is_gt(order) ? 1 : 0;
+    }
+
     /// Clips a segment whose End a (0: End 1, 1: End 2) is not further right than the other end.
     template <class T, class Step>
     static constexpr std::optional<BasicSegment<T>> fromEnd(int a, const BasicSegment<T>& s,
@@ -280,14 +285,15 @@ repeat
         const int c = step.let(16, "c", 3 * cell->row + cell->col);
         if (step.test(17, c == 4 && to.x <= w.max.x && to.y >= w.min.y && to.y <= w.max.y))
             return step.accept(17, s);
-        const T dx = step.set("dx", to.x - from.x), dy = step.let(18, "dy", to.y - from.y);
-        const auto rise = dy <=> T(0); // compared once, for lines 19 and 22
-        if (step.test(19, dx == T(0) || std::is_eq(rise))) {
+        const T dx = step.set("dx", to.x - from.x), dy = to.y - from.y;
+        const int sign = step.set("s", signOf(dy <=> T(0)));
+        step.let(18, "dy", dy);
+        if (step.test(19, dx == T(0) || sign == 0)) {
             const BasicSegment<T> visible{clamped(s.a, w), clamped(s.b, w)};
             step.left(20, visible);
             return step.accept(21, visible);
         }
-        const Way<T> way{a, b, dx, dy, step.let(22, "up", std::is_gt(rise))};
+        const Way<T> way{a, b, dx, dy, step.let(22, "up", sign > 0)};
         return walk(s, *cell, way, w, step);
     }
 

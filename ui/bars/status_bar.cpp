@@ -6,7 +6,6 @@
 #include "app/scene/window_needs.h"
 #include "app/view/place.h"
 #include "ui/look/look.h"
-#include "ui/tools/tool.h"
 #include "ui/widgets/elided_label.h"
 #include "ui/widgets/status_cell.h"
 #include "ui/widgets/warning_button.h"
@@ -28,7 +27,7 @@ StatusBar::StatusBar(app::Session& session, Canvas& canvas, QWidget* parent)
       warning_(new WarningButton), position_(new StatusCell(tr("Pointer"))),
       visible_(new StatusCell(tr("Visible lines"))), algorithm_(new StatusCell(tr("Algorithm"))),
       times_(new StatusCell(tr("Times"))), renderer_(new StatusCell(tr("Renderer"))),
-      zoom_(new ZoomButton)
+      darkPaper_(new QToolButton), zoom_(new ZoomButton)
 {
     setSizeGripEnabled(false);
     setFixedHeight(space::statusHeight);
@@ -43,6 +42,7 @@ StatusBar::StatusBar(app::Session& session, Canvas& canvas, QWidget* parent)
             [this] { emit warningWanted(warning_->sentence()); });
     for (QWidget* cell : {position_, visible_, algorithm_, times_, renderer_})
         addPermanentWidget(cell);
+    addPaperSwitch();
     addZoomMenu();
     pause_.setSingleShot(true);
     pause_.setInterval(updateMilliseconds);
@@ -69,9 +69,15 @@ QString StatusBar::position() const { return position_->text(); }
 
 void StatusBar::showHint(const QString& hint)
 {
-    const ToolInfo* tool = session_.microscope.isOpen() ? nullptr : findTool(canvas_.tool());
-    hint_->setWhole(!hint.isEmpty() || !tool ? hint : tool->hint);
-    hint_->setToolTip(hint_->whole());
+    said_ = hint;
+    const bool canvas = !session_.microscope.isOpen() && summary_.isEmpty();
+    const QString own = canvas && hint.isEmpty() ? canvas_.toolHint() : hint;
+    const QString both = canvas && canvas_.digitUse() == app::DigitUse::Algorithm
+                             ? tr("%1 Digits: algorithm.").arg(own)
+                             : own;
+    const bool fits = hint_->fontMetrics().horizontalAdvance(both) <= hint_->contentsRect().width();
+    hint_->setWhole(fits ? both : own);
+    hint_->setToolTip(both);
 }
 
 void StatusBar::warn(const QString& sentence)
@@ -173,6 +179,7 @@ void StatusBar::showStep()
     const bool open = microscope.isOpen();
     times_->setVisible(!open);
     zoom_->setVisible(!open);
+    followPaper();
     renderer_->setVisible(!open && width() >= widthForRenderer);
     if (!open) {
         keepRoom();
@@ -198,8 +205,9 @@ void StatusBar::showZoom()
 void StatusBar::keepRoom()
 {
     const QFont type = captionFont(font()); // it is larger while presenting
-    for (QWidget* cell : std::initializer_list<QWidget*>{hint_, warning_, position_, visible_,
-                                                         algorithm_, times_, renderer_, zoom_})
+    for (QWidget* cell :
+         std::initializer_list<QWidget*>{hint_, warning_, position_, visible_, algorithm_, times_,
+                                         renderer_, darkPaper_, zoom_})
         if (cell && cell->font() != type)
             cell->setFont(type);
     const auto& page = session_.now().page();
@@ -262,8 +270,40 @@ void StatusBar::explainAlgorithm()
 void StatusBar::resizeEvent(QResizeEvent* event)
 {
     QStatusBar::resizeEvent(event);
+    showHint(said_); // there may be more room
     renderer_->setVisible(width() >= widthForRenderer && !session_.microscope.isOpen()
                           && summary_.isEmpty());
+}
+
+void StatusBar::changeEvent(QEvent* event)
+{
+    QStatusBar::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        followPaper();
+}
+
+void StatusBar::addPaperSwitch()
+{
+    darkPaper_->setObjectName(QStringLiteral("dark-paper-switch"));
+    darkPaper_->setText(tr("Dark paper"));
+    darkPaper_->setToolTip(tr("Show the page dark, and dark colours lighter on it. Files keep "
+                              "their colours."));
+    darkPaper_->setCheckable(true);
+    darkPaper_->setAutoRaise(true);
+    darkPaper_->setFocusPolicy(Qt::TabFocus);
+    connect(darkPaper_, &QToolButton::clicked, this, [this](bool on) {
+        session_.changeDisplay([on](app::Display& display) { display.darkPaper = on; });
+    });
+    connect(&session_, &app::Session::displayChanged, this, &StatusBar::followPaper);
+    addPermanentWidget(darkPaper_);
+    followPaper();
+}
+
+/// In the light theme dark paper is a command of the menu View only.
+void StatusBar::followPaper()
+{
+    darkPaper_->setVisible(lookOf(palette()).dark && !session_.microscope.isOpen());
+    darkPaper_->setChecked(session_.display().darkPaper);
 }
 
 void StatusBar::addZoomMenu()

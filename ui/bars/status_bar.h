@@ -7,6 +7,7 @@
 #include <QElapsedTimer>
 #include <QStatusBar>
 #include <QTimer>
+#include <QToolButton>
 
 namespace ui {
 
@@ -17,7 +18,8 @@ class ZoomButton;
 
 /// The tool's hint at the left. At the right, a warning as long as work is not protected, and cells
 /// as wide as their widest text, so that nothing ever jumps: position, visible and total lines,
-/// algorithm, times (medians of 60 frames, shown at most ten times a second), zoom.
+/// algorithm, times (medians of 60 frames, shown at most ten times a second), zoom; in the dark
+/// theme the switch for dark paper.
 class StatusBar : public QStatusBar {
     Q_OBJECT
 
@@ -28,7 +30,8 @@ public:
     QString visibility() const;
     QString position() const;
 
-    void showHint(const QString& hint); ///< empty: show the tool's hint
+    /// Empty: the tool's hint. Adds that digits choose the algorithm, if they do and if it fits.
+    void showHint(const QString& hint);
     void note(const FrameTimes& times); ///< of a frame that is shown
     /// Why unsaved work would be lost in a crash; empty: it would not. Shown until then.
     void warn(const QString& sentence);
@@ -42,6 +45,7 @@ signals:
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
 private:
     void forgetFrames();
@@ -53,6 +57,8 @@ private:
     void followWindows();
     void showZoom();
     void keepRoom();
+    void addPaperSwitch();
+    void followPaper();
     void addZoomMenu();
 
     app::Session& session_;
@@ -60,10 +66,12 @@ private:
     ElidedLabel* hint_;
     WarningButton* warning_;
     StatusCell *position_, *visible_, *algorithm_, *times_, *renderer_;
+    QToolButton* darkPaper_;
     ZoomButton* zoom_;
     app::FrameStatistics clip_, draw_;
     FrameTimes last_;
     QString summary_;
+    QString said_; ///< by showHint()
     QTimer pause_;
 };
 

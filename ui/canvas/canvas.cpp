@@ -58,6 +58,8 @@ double Canvas::zoom() const { return parts_->controller.zoom(); }
 void Canvas::setTool(std::string_view key) { parts_->controller.setTool(key); }
 std::string_view Canvas::tool() const { return parts_->controller.toolInfo().key; }
 QString Canvas::toolHint() const { return parts_->controller.hint(); }
+app::DigitUse Canvas::digitUse() const { return parts_->controller.digitUse(); }
+bool Canvas::digitsChoose() const { return parts_->controller.digitsChoose(); }
 bool Canvas::canUndo() const { return parts_->controller.canUndo(); }
 bool Canvas::canRedo() const { return parts_->controller.canRedo(); }
 void Canvas::undo() { parts_->controller.undo(); }

@@ -3,6 +3,7 @@
 
 #include "app/comparison/panes.h"
 #include "app/drawing/transformation.h"
+#include "app/session/digits.h"
 #include "app/session/session.h"
 #include "app/view/snapping/snap_to.h"
 #include "app/view/view.h"
@@ -46,6 +47,8 @@ public:
     void setTool(std::string_view key); ///< one of ui::tools()
     std::string_view tool() const;
     QString toolHint() const; ///< the tool's current hint
+    app::DigitUse digitUse() const; ///< what a digit does now
+    bool digitsChoose() const;      ///< whether digits choose the algorithm, outside gestures
 
     /// Undo or redo one step: a corner of the polyline being drawn, else a step of the history.
     bool canUndo() const;

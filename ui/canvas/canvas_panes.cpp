@@ -173,7 +173,7 @@ void Canvas::paintEvent(QPaintEvent*)
     painter.fillRect(rect(), look.rule);
     const QRect last = parts_->widgets[parts_->shown.size() - 1]->geometry();
     painter.fillRect(QRect(last.topRight() + QPoint(1 + app::paneGap, 0), rect().bottomRight()),
-                     look.canvas);
+                     parts_->controller.paperLook().canvas);
 }
 
 // The events that give a pane the focus also activate it.

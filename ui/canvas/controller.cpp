@@ -15,8 +15,9 @@ constexpr int growthTold = 100; // milliseconds
 Controller::Controller(app::Session& session, QObject* parent)
     : QObject(parent), session_(session), picking_(session.document, session.scene),
       textBoxes_(session.scene), shown_(session.display()),
-      look_(lookOf(QGuiApplication::palette())), bench_{session_, toolView_, picking_,
-                                                        look_,    snapper_,  snapNow_},
+      look_(lookOf(QGuiApplication::palette())),
+      paperLook_(lookOnPaper(shown_.darkPaper)), bench_{session_,   toolView_, picking_,
+                                                        paperLook_, snapper_,  snapNow_},
       snapper_(session.document, session.scene, picking_)
 {
     setTool(tools().front().key);
@@ -27,7 +28,10 @@ Controller::Controller(app::Session& session, QObject* parent)
     connect(&session, &app::Session::displayChanged, this, &Controller::followDisplay);
     connect(&session, &app::Session::selectionChanged, this, &Controller::outdate);
     connect(&session, &app::Session::inspectedChanged, this, &Controller::changed);
-    connect(&session, &app::Session::previewChanged, this, &Controller::changed);
+    connect(&session, &app::Session::previewChanged, this, [this] {
+        emit hintChanged(); // another window may be chosen
+        emit changed();
+    });
     connect(&session.nodes, &app::NodeEditing::changed, this, [this] {
         followGauge();
         emit hintChanged();
@@ -88,6 +92,7 @@ void Controller::renew()
 void Controller::followDisplay()
 {
     const app::Display before = std::exchange(shown_, session_.display());
+    paperLook_ = lookOnPaper(shown_.darkPaper);
     app::Display now = shown_;
     now.variant = before.variant;
     if (now != before)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/comparison/panes.h"
+#include "app/session/digits.h"
 #include "app/view/picture.h"
 #include "app/view/snapping/snapper.h"
 #include "ui/canvas/navigation.h"
@@ -54,8 +55,9 @@ public:
     app::Session& session() const { return session_; }
     Navigation& navigation() { return navigation_; }
     const app::View& view() const { return navigation_.view(); }
-    const Look& look() const { return look_; }
+    const Look& look() const { return look_; } ///< of the theme
     void setLook(const Look& look);
+    const Look& paperLook() const { return paperLook_; } ///< of what lies on the drawing
     /// The kinds of places that the pointer snaps to, while snapping is on.
     app::SnapTo snapping() const { return snapTo_; }
     void setSnapping(app::SnapTo to);
@@ -75,6 +77,10 @@ public:
     const std::optional<app::Readout>& readout() const { return readout_; }
     bool typing() const { return typing_; } ///< a field of the readout is open
     bool showsReadout() const;
+    /// What a digit does now. One that chooses the algorithm is a shortcut of the menu Clip, which
+    /// digitsChoose() allows: the canvas takes the digits of a gesture before.
+    app::DigitUse digitUse() const { return app::digitUse(digitPlace()); }
+    bool digitsChoose() const; ///< outside gestures
     /// The box that shows the numbers, in logical pixels; empty: hidden.
     const QRectF& readoutPlace() const { return readoutPlace_; }
     void setReadoutPlace(const QRectF& place) { readoutPlace_ = place; }
@@ -179,6 +185,9 @@ private:
     bool navigationKey(const QKeyEvent& event);
     bool toolKey(const QKeyEvent& event);
     bool transformKey(const QKeyEvent& event);
+    bool gestureGoes() const { return tool_->busy() || guide_.going() || panningFrom_; }
+    bool takesNumbers() const;
+    app::DigitPlace digitPlace() const;
     bool beginsTyping(const QKeyEvent& event) const;
     /// Whether the canvas has a use for the key before the shortcut of a command.
     bool takesKey(const QKeyEvent& event) const
@@ -214,7 +223,7 @@ private:
     app::Picking picking_;
     mutable TextBoxes textBoxes_; ///< computed on demand
     app::Display shown_;          ///< except the algorithm, which each pane has of its own
-    Look look_;
+    Look look_, paperLook_;
     app::View toolView_; ///< the view that tools change; compared with the real one after each call
     Workbench bench_;
     const ToolInfo* toolInfo_ = nullptr;

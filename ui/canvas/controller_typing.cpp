@@ -22,24 +22,49 @@ QString firstTyped(const QKeyEvent& event, bool points)
 
 } // namespace
 
+/// Of the gesture, of the finished step, or of the first point of the next gesture.
+bool Controller::takesNumbers() const
+{
+    return readout_ && mayDraw() && tool_->gauge(bench_); // the last step may be undone by now
+}
+
+app::DigitPlace Controller::digitPlace() const
+{
+    return {.gesture = gestureGoes(),
+            .numbers = takesNumbers(),
+            .draws = session_.worksInDraw,
+            .windowChosen = tool_->showsHandles() && session_.windowChosen()};
+}
+
+bool Controller::digitsChoose() const
+{
+    app::DigitPlace place = digitPlace();
+    place.gesture = false;
+    return app::digitUse(place) == app::DigitUse::Algorithm;
+}
+
+/// Enter opens the numbers of what was just done, also where digits have another use.
 bool Controller::beginsTyping(const QKeyEvent& event) const
 {
-    if (!readout_ || !mayDraw() || !tool_->gauge(bench_)) // the last step may be undone by now
+    if (!takesNumbers())
         return false;
-    const bool tab = tool_->busy() && event.key() == Qt::Key_Tab && !event.modifiers();
+    const bool enter = event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
+    const bool opens = gestureGoes() ? tool_->busy() && event.key() == Qt::Key_Tab : enter;
+    if (opens && !(event.modifiers() & ~Qt::KeypadModifier))
+        return true;
     const auto points = readout_->gauge().measure->points;
     const bool point = tool_->busy() || points == app::GestureMeasure::Points::Absolute;
-    return tab || !firstTyped(event, point).isEmpty();
+    const QString first = firstTyped(event, point);
+    return !first.isEmpty() && (!first.front().isDigit() || digitUse() == app::DigitUse::Number);
 }
 
 /// A number typed during a gesture that takes none does nothing: it must not choose the algorithm.
 bool Controller::keepsFromShortcuts(const QKeyEvent& event) const
 {
-    const bool gesture = tool_->busy() || guide_.going() || panningFrom_;
-    return gesture && !firstTyped(event, false).isEmpty();
+    return gestureGoes() && !firstTyped(event, false).isEmpty();
 }
 
-/// Digits that follow a drawn object change it, until the next action.
+/// Numbers that follow a finished step change it, until the next action.
 void Controller::beginTyping(const QKeyEvent& event)
 {
     const bool firstPoint = tool_->draws() && (event.text() == "#" || event.text() == "@");

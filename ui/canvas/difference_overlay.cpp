@@ -2,6 +2,8 @@
 #include "ui/canvas/difference_overlay.h"
 
 #include "app/base/numbers.h"
+#include "app/session/compared_text.h"
+#include "app/session/window_in_hand.h"
 
 #include <QCoreApplication>
 
@@ -35,43 +37,70 @@ Words wordsOf(const app::DifferenceCounts& counts)
     return {whole.join(tr(", ")), brief.join(tr(", "))};
 }
 
+/// What the label of a pane says; empty: nothing.
+Words labelOf(const Controller& controller, const Pane& pane)
+{
+    const auto tr = [](const char* text, const char* note = nullptr) {
+        return QCoreApplication::translate("Canvas", text, note);
+    };
+    const app::Session& session = controller.session();
+    if (pane.among == 1)
+        return {};
+    if (const QString limit = app::limitText(pane.choice, app::needsOf(session.region()));
+        !limit.isEmpty())
+        return {tr("Not clipped here: %1").arg(limit), tr("Not clipped here")};
+    const app::Differences* differences = controller.differing(pane);
+    if (!differences || differences->list.empty())
+        return {};
+    Words words = wordsOf(app::counted(differences->list));
+    if (const QString name = app::comparedName(session); !name.isEmpty())
+        words.whole = tr("%1 in %2", "lines that differ, a clip window").arg(words.whole, name);
+    return words;
+}
+
+/// A piece of a differing line, with the tick that it has on dark paper.
+void paintSample(QPainter& painter, const Look& look, double left, double middle)
+{
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(look.differs, sampleWidth, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLine(QPointF(left, middle), QPointF(left + sample, middle));
+    if (look.dark)
+        painter.drawLine(QPointF(left + sample / 2, middle - 4),
+                         QPointF(left + sample / 2, middle + 4));
+}
+
 } // namespace
 
 double differenceLabelHeight(const Controller& controller, const Pane& pane)
 {
-    const app::Differences* differences = controller.differing(pane);
-    return differences && !differences->list.empty() ? height + inset : 0;
+    return labelOf(controller, pane).whole.isEmpty() ? 0 : height + inset;
 }
 
 void paintDifferenceLabel(QPainter& painter, const Controller& controller, const Pane& pane)
 {
-    const app::Differences* differences = controller.differing(pane);
-    if (!differences || differences->list.empty())
+    const Words words = labelOf(controller, pane);
+    if (words.whole.isEmpty())
         return;
-    const Look& look = controller.look();
+    const Look& look = controller.paperLook();
+    const bool differs = controller.differing(pane) != nullptr;
     const app::Point room = controller.view().size;
     const QFontMetricsF metrics(painter.font());
-    const double around = 2 * inset + 2 * margin + sample + gap;
-    const Words words = wordsOf(app::counted(differences->list));
+    const double before = differs ? sample + gap : 0;
+    const double around = 2 * inset + 2 * margin + before;
     QString text = words.whole;
     if (metrics.horizontalAdvance(text) > room.x - around)
         text = metrics.elidedText(words.brief, Qt::ElideRight, room.x - around);
     const QRectF box(inset, room.y - inset - height,
-                     metrics.horizontalAdvance(text) + 2 * margin + sample + gap, height);
+                     metrics.horizontalAdvance(text) + 2 * margin + before, height);
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.fillRect(box, look.base);
-    painter.setPen(look.differs);
+    painter.setPen(differs ? look.differs : look.border);
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(box.adjusted(0, 0, -1, -1));
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(look.differs, sampleWidth, Qt::SolidLine, Qt::FlatCap));
-    const double middle = box.center().y(), left = box.left() + margin;
-    painter.drawLine(QPointF(left, middle), QPointF(left + sample, middle));
-    if (look.dark) // like the lines themselves
-        painter.drawLine(QPointF(left + sample / 2, middle - 4),
-                         QPointF(left + sample / 2, middle + 4));
-    painter.setPen(look.text);
-    painter.drawText(box.adjusted(margin + sample + gap, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
+    if (differs)
+        paintSample(painter, look, box.left() + margin, box.center().y());
+    painter.setPen(differs ? look.text : look.muted);
+    painter.drawText(box.adjusted(margin + before, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
                      text);
 }
 

@@ -8,12 +8,6 @@
 namespace ui {
 namespace {
 
-// On white paper the light look's colours, also in the dark theme.
-const Look& lookOn(const QColor& paper)
-{
-    return lookOf(paper.lightness() < 128 ? Theme::Dark : Theme::Light);
-}
-
 void paintLine(QPainter& painter, const QLineF& line, const QColor& colour)
 {
     const double ratio = painter.device()->devicePixelRatioF(), pixel = 1 / ratio;
@@ -33,7 +27,7 @@ void paintLine(QPainter& painter, const QLineF& line, const QColor& colour)
 void paintLines(QPainter& painter, const Controller& controller, const app::Grid& grid,
                 const clipping::Window& seen)
 {
-    const Look& look = lookOn(controller.pageColour());
+    const Look& look = controller.paperLook();
     const auto lines =
         app::gridLines(grid, controller.session().now().page(), controller.view().zoom, seen);
     for (const bool major : {false, true}) // major lines over the others
@@ -48,7 +42,7 @@ void paintLines(QPainter& painter, const Controller& controller, const app::Grid
 void paintDots(QPainter& painter, const Controller& controller, const app::Grid& grid,
                const clipping::Window& seen)
 {
-    const QColor colour = lookOn(controller.pageColour()).border;
+    const QColor colour = controller.paperLook().border;
     for (const app::Point& dot :
          app::gridDots(grid, controller.session().now().page(), controller.view().zoom, seen)) {
         const QPointF at = controller.bench().onScreen(dot);

@@ -59,9 +59,10 @@ void paintEnteredGroup(QPainter& painter, const Controller& controller)
     veil.setAlphaF(pale);
     painter.fillPath(outside, veil);
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(controller.look().selection, 1, Qt::DashLine));
+    painter.setPen(QPen(controller.paperLook().selection, 1, Qt::DashLine));
     painter.drawRect(frame);
-    paintName(painter, controller.look(), frame, app::groupName(session.now().containers()[group]));
+    paintName(painter, controller.paperLook(), frame,
+              app::groupName(session.now().containers()[group]));
     painter.restore();
 }
 
@@ -73,7 +74,7 @@ void paintHoveredGroup(QPainter& painter, const Controller& controller, std::siz
     if (!bounds || !controller.tool().movesEnds()) // other tools choose single objects
         return;
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(controller.look().selection, 1));
+    painter.setPen(QPen(controller.paperLook().selection, 1));
     painter.drawRect(frameOf(*bounds, controller.view(), room / 2));
 }
 

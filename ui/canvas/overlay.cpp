@@ -49,13 +49,13 @@ void paintHovered(QPainter& painter, const Controller& controller)
     if (!hovered || *hovered >= lines.size())
         return;
     drawLine(painter, controller, lines[*hovered],
-             QPen(controller.look().selection, 1.5, Qt::SolidLine, Qt::RoundCap));
+             QPen(controller.paperLook().selection, 1.5, Qt::SolidLine, Qt::RoundCap));
     paintHoveredGroup(painter, controller, *hovered);
 }
 
 void paintHandle(QPainter& painter, const Controller& controller, const app::Point& end)
 {
-    painter.setPen(QPen(controller.look().selection, 1.5));
+    painter.setPen(QPen(controller.paperLook().selection, 1.5));
     painter.setBrush(controller.pageColour());
     painter.drawEllipse(controller.bench().onScreen(end), 4, 4);
 }
@@ -69,7 +69,7 @@ void paintCut(QPainter& painter, const Controller& controller, const Segment& li
     if (along.length() == 0)
         return;
     const QPointF aside = QPointF(-along.dy(), along.dx()) / along.length() * cutMark;
-    painter.setPen(QPen(controller.look().selection, 2, Qt::SolidLine, Qt::FlatCap));
+    painter.setPen(QPen(controller.paperLook().selection, 2, Qt::SolidLine, Qt::FlatCap));
     painter.drawLine(at - aside, at + aside);
 }
 
@@ -119,7 +119,7 @@ void paintInspected(QPainter& painter, const Controller& controller, const Pane&
     const Segment one[1]{whole};
     const bool visible =
         app::clipAll(pane.choice, std::span(one), controller.window(), std::span(piece)) == 1;
-    const QColor blue = controller.look().selection;
+    const QColor blue = controller.paperLook().selection;
     QPen dashed(blue, 1.75, Qt::CustomDashLine, Qt::FlatCap);
     dashed.setDashPattern({5 / 1.75, 4 / 1.75});
     for (const Segment& removed : removedParts(whole, visible ? piece : nullptr))
@@ -151,7 +151,7 @@ void paintSelectionBounds(QPainter& painter, const Controller& controller)
     const auto& box = session.selectionBounds();
     if (!box)
         return;
-    painter.setPen(QPen(controller.look().selection, 1));
+    painter.setPen(QPen(controller.paperLook().selection, 1));
     painter.setBrush(Qt::NoBrush);
     const app::View& view = controller.view();
     const app::Point min = glm::clamp(view.toScreen(box->min), app::Point(-2), view.size + 2.0);
@@ -172,8 +172,8 @@ void paintPaper(QPainter& painter, const Controller& controller)
     const auto snapped = [&](double v) { return std::round(v * ratio) / ratio; };
     const QRectF sheet(QPointF(snapped(min.x), snapped(min.y)),
                        QPointF(snapped(max.x), snapped(max.y)));
-    painter.fillRect(QRectF(0, 0, view.size.x, view.size.y), controller.look().canvas);
-    painter.fillRect(sheet.adjusted(-pixel, -pixel, pixel, pixel), controller.look().border);
+    painter.fillRect(QRectF(0, 0, view.size.x, view.size.y), controller.paperLook().canvas);
+    painter.fillRect(sheet.adjusted(-pixel, -pixel, pixel, pixel), controller.paperLook().border);
     painter.fillRect(sheet, controller.pageColour());
     paintGrid(painter, controller);
     if (const app::Guides* guides = controller.bench().guides())

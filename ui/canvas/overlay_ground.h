@@ -17,7 +17,7 @@ namespace ui {
 struct OverlayGround {
     QRectF room; ///< area that it may use, in logical pixels
     std::function<QPointF(const app::Point&)> onScreen;
-    const Look& look;
+    const Look& look;              ///< of what lies on it
     QColor page;                   ///< the colour behind the drawing and behind labels
     std::vector<QRectF> taken{};   ///< boxes that labels never cover: handles, other labels
     std::vector<QRectF> avoided{}; ///< boxes that labels cover only if there is no other place

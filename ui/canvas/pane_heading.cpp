@@ -97,8 +97,7 @@ QString PaneHeading::nameText() const
     if (used.algorithm == pane_->choice.algorithm)
         return app::latin(used.algorithm->name);
     return tr("%1: %2 instead", "why an algorithm cannot clip; what clips instead")
-        .arg(app::limitText(*pane_->choice.algorithm, needs_),
-             app::latin(used.algorithm->abbreviation));
+        .arg(app::limitText(pane_->choice, needs_), app::latin(used.algorithm->abbreviation));
 }
 
 void PaneHeading::note(const FrameTimes& times)
@@ -178,7 +177,7 @@ void PaneHeading::paintEvent(QPaintEvent*)
     if (pane_->active)
         painter.fillRect(0, 0, width(), 2, look.selection);
     const int markerTop = (height() - markerSize) / 2 + 1;
-    const bool clips = app::canClip(*choice.algorithm, needs_);
+    const bool clips = app::limitText(choice, needs_).isEmpty();
     painter.setOpacity(clips ? 1 : 0.4);
     app::paintMarker(painter, QRectF(p.marker.left(), markerTop, markerSize, markerSize), choice,
                      groundOf(palette()));

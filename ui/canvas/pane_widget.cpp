@@ -29,12 +29,20 @@ PaneWidget::PaneWidget(Controller& controller, Backend backend, QWidget* parent)
     connect(&session_, &app::Session::previewChanged, this, &PaneWidget::followWindow);
 }
 
-// Corrected forms rarely differ, so they are compared only after a gesture.
+// Corrected forms rarely differ, so they are compared only after a gesture. Where another algorithm
+// clips in the place of this one, no difference is its own.
 void PaneWidget::followWindow()
 {
     heading_->setNeeds(app::needsOf(session_.region()));
-    if (pane_.choice.form == clipping::Form::Published || !session_.preview().windows)
-        fromExact_.setWindow(session_.window());
+    if (!clipsItself())
+        fromExact_.setWindow(std::nullopt);
+    else if (pane_.choice.form == clipping::Form::Published || !session_.preview().windows)
+        fromExact_.setWindow(session_.comparedAt());
+}
+
+bool PaneWidget::clipsItself() const
+{
+    return app::usedAt(session_.region(), pane_.choice) == pane_.choice;
 }
 
 void PaneWidget::show(const Pane& pane, Heading heading)

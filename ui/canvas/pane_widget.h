@@ -33,6 +33,7 @@ protected:
 private:
     void place();
     void followWindow();
+    bool clipsItself() const; ///< not another algorithm in its place
 
     const app::Session& session_;
     app::LiveDifferences fromExact_;

@@ -46,7 +46,7 @@ void paintWhatIsSeen(QPainter& painter, const Controller& controller, const Pane
         painter, app::overlayOf(subjectOf(controller, pane)),
         {.room = room,
          .onScreen = [&](const app::Point& p) { return controller.bench().onScreen(p); },
-         .look = controller.look(),
+         .look = controller.paperLook(),
          .page = controller.pageColour(),
          .taken = windowFurniture(controller, pane, painter.font()),
          .avoided = controller.textBoxes()});

@@ -42,7 +42,7 @@ void paintLabel(QPainter& painter, const Look& look, const app::Snap& snap, cons
 
 void paintPlace(QPainter& painter, const Controller& controller, const app::Snap& snap)
 {
-    const Look& look = controller.look();
+    const Look& look = controller.paperLook();
     const QPointF at = controller.bench().onScreen(snap.point);
     painter.setBrush(controller.pageColour());
     painter.setPen(QPen(look.guide, 1.75));
@@ -82,15 +82,15 @@ void paintGap(QPainter& painter, const Controller& controller, const app::Alignm
     if (!fits || place.intersects(controller.readoutPlace()))
         return;
     painter.setPen(Qt::NoPen);
-    painter.setBrush(controller.look().guideGround);
+    painter.setBrush(controller.paperLook().guideGround);
     painter.drawRoundedRect(place, space::radius, space::radius);
-    painter.setPen(controller.look().guide);
+    painter.setPen(controller.paperLook().guide);
     painter.drawText(place, Qt::AlignCenter, text);
 }
 
 void paintLine(QPainter& painter, const Controller& controller, const app::AlignmentLine& line)
 {
-    QPen pen(controller.look().guide, 1, Qt::CustomDashLine, Qt::FlatCap);
+    QPen pen(controller.paperLook().guide, 1, Qt::CustomDashLine, Qt::FlatCap);
     pen.setDashPattern({4, 3});
     painter.setPen(pen);
     painter.drawLine(onScreen(controller, pointOn(line, line.from)),

@@ -227,7 +227,7 @@ QRectF labelPlace(const Controller& controller, const QRectF& window, const QFon
 
 void paintLabel(QPainter& painter, const Controller& controller, const QRectF& window)
 {
-    const Look& look = controller.look();
+    const Look& look = controller.paperLook();
     painter.setFont(labelFont(painter.font()));
     const QRectF label = labelPlace(controller, window, painter.font());
     painter.setPen(Qt::NoPen);
@@ -251,7 +251,7 @@ void paintWindow(QPainter& painter, const Controller& controller, const Pane& pa
 {
     if (!controller.clipWindow()) {
         if (const QRectF place = controller.offeredHandle(); pane.active && !place.isEmpty())
-            paintOffer(painter, place, controller.pointer(), controller.look(),
+            paintOffer(painter, place, controller.pointer(), controller.paperLook(),
                        controller.pageColour());
         return;
     }

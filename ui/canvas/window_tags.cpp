@@ -42,7 +42,7 @@ QRectF placeOf(const app::ClipWindow& window, const app::View& view, double widt
 QColor colourOf(const app::ClipWindow& window, const Controller& controller)
 {
     return window.colour ? shownColour(*window.colour, controller.bench())
-                         : controller.look().accent;
+                         : controller.paperLook().accent;
 }
 
 std::vector<WindowTag> windowTags(const Controller& controller, const QFont& font)

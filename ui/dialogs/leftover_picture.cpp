@@ -22,7 +22,7 @@ LeftoverPicture::LeftoverPicture(QWidget* parent) : QFrame(parent)
 
 void LeftoverPicture::showPicture(const app::Leftover& leftover)
 {
-    const Look& look = lookOf(palette());
+    const Look& look = lookOnPaper(false);
     const app::ThumbnailColours colours{look.paper, look.accent, look.ghost};
     picture_ = {};
     sentence_ = tr("Reading…");
@@ -41,7 +41,7 @@ void LeftoverPicture::showPicture(const app::Leftover& leftover)
 
 void LeftoverPicture::paintEvent(QPaintEvent*)
 {
-    const Look& look = lookOf(palette());
+    const Look& look = lookOnPaper(false);
     QPainter painter(this);
     painter.fillRect(rect(), look.paper);
     if (!picture_.isNull())

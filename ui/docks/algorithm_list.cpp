@@ -94,19 +94,16 @@ void drawRowGround(QPainter& painter, const QStyleOptionViewItem& option)
     }
 }
 
-int AlgorithmModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : int(clipping::algorithms().size());
-}
+int AlgorithmModel::rows() const { return int(clipping::algorithms().size()); }
 
 QString AlgorithmModel::limitOf(const clipping::Algorithm& row) const
 {
     return session_ ? app::limitText(row, app::needsInHand(*session_)) : QString();
 }
 
-QVariant AlgorithmModel::data(const QModelIndex& index, int role) const
+QVariant AlgorithmModel::cell(int number, int, int role) const
 {
-    const auto& row = clipping::algorithms()[std::size_t(index.row())];
+    const auto& row = clipping::algorithms()[std::size_t(number)];
     const QString limit = limitOf(row);
     switch (role) {
     case Qt::DisplayRole:

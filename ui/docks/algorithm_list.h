@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/session/session.h"
+#include "ui/widgets/checked_model.h"
 
-#include <QAbstractListModel>
 #include <QListView>
 #include <QStyledItemDelegate>
 #include <QToolButton>
@@ -12,17 +12,19 @@ namespace ui {
 
 /// The catalogue of algorithms as a model: one row per algorithm. With a session, a row's tooltip
 /// says whether it can clip at the window in hand.
-class AlgorithmModel : public QAbstractListModel {
+class AlgorithmModel : public CheckedModel {
     Q_OBJECT
 
 public:
-    explicit AlgorithmModel(QObject* parent) : QAbstractListModel(parent) {}
+    explicit AlgorithmModel(QObject* parent) : CheckedModel(parent) {}
     AlgorithmModel(const app::Session& session, QObject* parent)
-        : QAbstractListModel(parent), session_(&session)
+        : CheckedModel(parent), session_(&session)
     {
     }
-    int rowCount(const QModelIndex& parent = {}) const override;
-    QVariant data(const QModelIndex& index, int role) const override;
+
+protected:
+    int rows() const override;
+    QVariant cell(int row, int column, int role) const override;
 
 private:
     QString limitOf(const clipping::Algorithm& row) const;

@@ -90,27 +90,29 @@ AlgorithmPanel::AlgorithmPanel(app::Session& session, QWidget* parent)
 void AlgorithmPanel::compare()
 {
     idle_.stop();
-    disagreements_ =
-        app::disagreements(session_.scene.lines(), session_.window(), session_.variant());
-    verdict_->setText(app::sentence(disagreements_));
-    verdict_->show();
-    tick_->show();
     ask_->hide();
+    const auto window = session_.comparedAt();
+    verdict_->setVisible(window.has_value()); // the caption says why nothing is compared
+    tick_->setVisible(window.has_value());
+    if (!window)
+        return;
+    disagreements_ = app::disagreements(session_.scene.lines(), *window, session_.variant());
+    verdict_->setText(app::sentence(disagreements_));
     paintVerdict();
 }
 
 // Other previews, such as a line being drawn, do not change the window.
 void AlgorithmPanel::followWindow()
 {
-    if (window_ == session_.window())
+    if (window_ == session_.comparedAt())
         return;
-    window_ = session_.window();
+    window_ = session_.comparedAt();
     outdate();
 }
 
 void AlgorithmPanel::outdate()
 {
-    const bool unasked = session_.scene.lines().size() <= mostLinesUnasked;
+    const bool unasked = session_.scene.lines().size() <= mostLinesUnasked || !window_;
     if (unasked && isVisible())
         idle_.start();
     if (!unasked) {

@@ -51,7 +51,7 @@ private:
     QStackedLayout* remark_; ///< whether all agree, or `instead_`
     QPushButton* ask_;
     QTimer idle_;
-    clipping::Window window_{};
+    std::optional<clipping::Window> window_{};
     std::vector<app::Disagreement> disagreements_;
 };
 

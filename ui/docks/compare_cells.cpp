@@ -53,10 +53,15 @@ void CompareCells::paintNumber(QPainter& painter, const QStyleOptionViewItem& op
 {
     const Look& look = lookOf(option.palette);
     const bool differs = index.column() == CompareModel::Differ && row.differences.all() > 0;
-    const bool quiet = index.column() == CompareModel::Spread
+    const bool limited = index.column() == CompareModel::Here
+                         && !app::limitText(row.variant, model_.needs()).isEmpty();
+    const bool quiet = limited || index.column() == CompareModel::Spread
                        || (index.column() == CompareModel::Differ && !differs);
     painter.setFont(differs ? semiBold(option.font) : option.font);
-    painter.setPen(differs ? look.differs : quiet ? look.muted : look.text);
+    painter.setPen(differs                                ? look.differs
+                   : quiet                                ? look.muted
+                   : index.column() == CompareModel::Here ? look.good
+                                                          : look.text);
     drawTabular(painter, option.rect.adjusted(0, 0, -DenseTable::gap, 0),
                 Qt::AlignRight | Qt::AlignVCenter, index.data().toString());
 }

@@ -24,6 +24,9 @@ struct Cell {
     const app::RaceRow& row;
     const app::Summary& summary;
     bool timed;
+    app::WindowNeeds needs;
+
+    bool measured() const { return !row.milliseconds.empty(); }
 };
 
 struct ColumnInfo {
@@ -35,26 +38,35 @@ struct ColumnInfo {
 
 QString nameOf(const Cell& cell) { return app::shortNameOf(cell.row.variant); }
 
+QString onlyIf(bool known, const QString& text) { return known ? text : QStringLiteral("–"); }
+
 QString onlyTimed(const Cell& cell, const QString& text)
 {
-    return cell.timed ? text : QStringLiteral("–");
+    return onlyIf(cell.timed && cell.measured(), text);
+}
+
+QString limitOf(const Cell& cell)
+{
+    const QString limit = app::limitText(cell.row.variant, cell.needs);
+    return limit.isEmpty() ? Compare::tr("clips it") : limit;
 }
 
 /// Without meaningful times all keys are equal, which keeps the catalogue's order.
 QVariant orderOf(const Cell& cell, double time) { return cell.timed ? time : 0.0; }
 
 // In the order of CompareModel::Column.
-constexpr std::array columns{
+constexpr std::array columnInfos{
     ColumnInfo{
         QT_TRANSLATE_NOOP("Compare", "Algorithm"),
         QT_TRANSLATE_NOOP("Compare",
                           "Filled marker: the corrected form. Hollow marker: the published form."),
         nameOf, [](const Cell& c) { return QVariant(nameOf(c)); }},
-    ColumnInfo{QT_TRANSLATE_NOOP("Compare", "last 40 frames"),
-               QT_TRANSLATE_NOOP("Compare", "Clipping times, from 40 % below to 40 % above the "
-                                            "median. The band lies between the quartiles."),
-               [](const Cell&) { return QString(); },
-               [](const Cell& c) { return orderOf(c, c.row.milliseconds.back()); }},
+    ColumnInfo{
+        QT_TRANSLATE_NOOP("Compare", "last 40 frames"),
+        QT_TRANSLATE_NOOP("Compare", "Clipping times, from 40 % below to 40 % above the "
+                                     "median. The band lies between the quartiles."),
+        [](const Cell&) { return QString(); },
+        [](const Cell& c) { return orderOf(c, c.measured() ? c.row.milliseconds.back() : 0); }},
     ColumnInfo{
         QT_TRANSLATE_NOOP("Compare", "median"),
         QT_TRANSLATE_NOOP("Compare", "Clipping time of this frame: the median of several rounds."),
@@ -64,20 +76,27 @@ constexpr std::array columns{
                QT_TRANSLATE_NOOP("Compare", "Half the distance between the quartiles."),
                [](const Cell& c) { return onlyTimed(c, app::shortTimeText(c.summary.spread / 2)); },
                [](const Cell& c) { return orderOf(c, c.summary.spread); }},
-    ColumnInfo{QT_TRANSLATE_NOOP("Compare", "ops/line"),
-               QT_TRANSLATE_NOOP("Compare", "Comparisons, additions, multiplications and divisions "
-                                            "per line, counted on evenly spaced lines."),
-               [](const Cell& c) { return app::numberText(c.row.operations, 1); },
-               [](const Cell& c) { return QVariant(c.row.operations); }},
+    ColumnInfo{
+        QT_TRANSLATE_NOOP("Compare", "ops/line"),
+        QT_TRANSLATE_NOOP("Compare", "Comparisons, additions, multiplications and divisions "
+                                     "per line, counted on evenly spaced lines."),
+        [](const Cell& c) { return onlyIf(c.measured(), app::numberText(c.row.operations, 1)); },
+        [](const Cell& c) { return QVariant(c.row.operations); }},
     ColumnInfo{QT_TRANSLATE_NOOP("Compare", "visible"),
                QT_TRANSLATE_NOOP("Compare", "Lines that are visible, wholly or in part."),
-               [](const Cell& c) { return app::countText(c.row.visible); },
+               [](const Cell& c) { return onlyIf(c.measured(), app::countText(c.row.visible)); },
                [](const Cell& c) { return QVariant(qulonglong(c.row.visible)); }},
-    ColumnInfo{QT_TRANSLATE_NOOP("Compare", "differ"),
-               QT_TRANSLATE_NOOP("Compare", "Lines that are lost, kept wrongly, or misplaced by "
-                                            "more than rounding, compared with exact arithmetic."),
-               [](const Cell& c) { return app::countText(c.row.differences.all()); },
-               [](const Cell& c) { return QVariant(qulonglong(c.row.differences.all())); }}};
+    ColumnInfo{
+        QT_TRANSLATE_NOOP("Compare", "differ"),
+        QT_TRANSLATE_NOOP("Compare", "Lines that are lost, kept wrongly, or misplaced by "
+                                     "more than rounding, compared with exact arithmetic."),
+        [](const Cell& c) { return onlyIf(c.measured(), app::countText(c.row.differences.all())); },
+        [](const Cell& c) { return QVariant(qulonglong(c.row.differences.all())); }},
+    ColumnInfo{QT_TRANSLATE_NOOP("Compare", "all windows"),
+               QT_TRANSLATE_NOOP("Compare",
+                                 "Whether the algorithm can clip at every clip window of "
+                                 "the drawing. Where it cannot, nothing is measured."),
+               limitOf, [](const Cell& c) { return QVariant(limitOf(c)); }}};
 
 QString tipOf(const app::RaceRow& row, int column, std::size_t lines)
 {
@@ -100,7 +119,8 @@ QString tipOf(const app::RaceRow& row, int column, std::size_t lines)
 
 } // namespace
 
-void CompareModel::show(std::span<const app::RaceRow> rows, std::size_t lines)
+void CompareModel::show(std::span<const app::RaceRow> rows, std::size_t lines,
+                        app::WindowNeeds needs)
 {
     const auto same = [](const app::RaceRow& one, const app::RaceRow& other) {
         return one.variant == other.variant;
@@ -109,14 +129,15 @@ void CompareModel::show(std::span<const app::RaceRow> rows, std::size_t lines)
     if (others)
         beginResetModel();
     lines_ = lines;
+    needs_ = needs;
     rows_.assign(rows.begin(), rows.end());
     summaries_.clear();
     for (const app::RaceRow& row : rows_)
         summaries_.push_back(row.summary());
     if (others)
         endResetModel();
-    else if (!rows_.empty())
-        emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+    else
+        tellChanged();
 }
 
 bool CompareModel::timed() const { return lines_ >= app::leastLinesToTime; }
@@ -127,46 +148,38 @@ int CompareModel::rowOf(const app::Variant& variant) const
     return found == rows_.end() ? -1 : int(found - rows_.begin());
 }
 
-int CompareModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : int(rows_.size());
-}
+int CompareModel::rows() const { return int(rows_.size()); }
 
-int CompareModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : int(columns.size());
-}
+int CompareModel::columns() const { return int(columnInfos.size()); }
 
-QVariant CompareModel::data(const QModelIndex& index, int role) const
+QVariant CompareModel::cell(int row, int column, int role) const
 {
-    const ColumnInfo& column = columns[std::size_t(index.column())];
-    const Cell cell{row(index.row()), summaries_[std::size_t(index.row())], timed()};
+    const ColumnInfo& info = columnInfos[std::size_t(column)];
+    const Cell cell{rows_[std::size_t(row)], summaries_[std::size_t(row)], timed(), needs_};
     switch (role) {
     case Qt::DisplayRole:
-        return column.text(cell);
+        return info.text(cell);
     case OrderRole:
-        return column.order(cell);
+        return info.order(cell);
     case Qt::ToolTipRole:
-        return tipOf(cell.row, index.column(), lines_);
+        return tipOf(cell.row, column, lines_);
     case Qt::AccessibleTextRole:
-        return index.column() == Sparkline ? columns[Median].text(cell) : column.text(cell);
+        return column == Sparkline ? columnInfos[Median].text(cell) : info.text(cell);
     default:
         return {};
     }
 }
 
-QVariant CompareModel::headerData(int section, Qt::Orientation orientation, int role) const
+QVariant CompareModel::heading(int column, int role) const
 {
-    if (orientation != Qt::Horizontal)
-        return {};
-    const ColumnInfo& column = columns[std::size_t(section)];
+    const ColumnInfo& info = columnInfos[std::size_t(column)];
     switch (role) {
     case Qt::DisplayRole:
-        return Compare::tr(column.title);
+        return Compare::tr(info.title);
     case Qt::ToolTipRole:
-        return Compare::tr(column.meaning);
+        return Compare::tr(info.meaning);
     case Qt::TextAlignmentRole:
-        return int((section <= Sparkline ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+        return int((column <= Sparkline ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
     default:
         return {};
     }

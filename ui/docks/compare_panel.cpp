@@ -39,7 +39,7 @@ QLabel* caption(const QFont& font)
 } // namespace
 
 ComparePanel::ComparePanel(app::Session& session, QWidget* parent)
-    : QWidget(parent), race_(session.document, session.scene),
+    : QWidget(parent), session_(session), race_(session.document, session.scene),
       forms_(new Segments(tr("Forms"), {tr("Corrected"), tr("Published"), tr("Both")})),
       table_(new CompareTable(session)), state_(caption(font())), groups_(caption(font())),
       field_(caption(font()))
@@ -73,17 +73,44 @@ ComparePanel::ComparePanel(app::Session& session, QWidget* parent)
         chooseForms(index);
     });
     connect(&race_, &app::LiveRace::advanced, this, &ComparePanel::showRace);
-    const auto follow = [this, &session] { race_.setWindow(session.window()); };
-    connect(&session, &app::Session::previewChanged, this, follow);
-    follow();
+    connect(&session, &app::Session::previewChanged, this, &ComparePanel::followWindows);
+    followWindows();
     const int forms = app::rememberedNumber(setting, 0, bothForms, bothForms);
     forms_->choose(forms);
     chooseForms(forms);
 }
 
-void ComparePanel::setWatched(bool watched) { watched ? race_.start() : race_.stop(); }
+void ComparePanel::setWatched(bool watched)
+{
+    watched ? race_.start() : race_.stop();
+    followWindows();
+}
 
-void ComparePanel::chooseForms(int index) { race_.setVariants(variantsOf(index)); }
+void ComparePanel::chooseForms(int index)
+{
+    race_.setVariants(variantsOf(index));
+    followWindows();
+}
+
+void ComparePanel::followWindows()
+{
+    race_.setWindow(session_.comparedAt());
+    if (!session_.comparedAt())
+        showNothingMeasured();
+}
+
+/// Which algorithms can clip here, without numbers: those of another place would be taken for this
+/// one's.
+void ComparePanel::showNothingMeasured()
+{
+    std::vector<app::RaceRow> rows;
+    for (const app::Variant& variant : race_.variants())
+        rows.push_back({.variant = variant});
+    table_->showRows(rows, 0, app::needsOf(session_.region()));
+    groups_->setToolTip({});
+    for (QLabel* label : {groups_, field_, state_})
+        label->clear();
+}
 
 void ComparePanel::showRace()
 {
@@ -91,7 +118,7 @@ void ComparePanel::showRace()
     if (rows.empty())
         return;
     const bool timed = race_.lines() >= app::leastLinesToTime;
-    table_->showRows(rows, race_.lines());
+    table_->showRows(rows, race_.lines(), app::needsOf(session_.region()));
     groups_->setToolTip(timed ? app::groupsText(rows) : QString());
     fitGroups();
     field_->setText(app::fieldText(race_.lines()));

@@ -36,7 +36,10 @@ private:
     void fitGroups();
     void chooseForms(int index);
     void showRace();
+    void followWindows();
+    void showNothingMeasured();
 
+    const app::Session& session_;
     app::LiveRace race_;
     Segments* forms_;
     CompareTable* table_;

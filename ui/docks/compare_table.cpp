@@ -44,12 +44,13 @@ CompareTable::CompareTable(app::Session& session, QWidget* parent)
     connect(&session, &app::Session::displayChanged, this, &CompareTable::follow);
 }
 
-void CompareTable::showRows(std::span<const app::RaceRow> rows, std::size_t lines)
+void CompareTable::showRows(std::span<const app::RaceRow> rows, std::size_t lines,
+                            app::WindowNeeds needs)
 {
     const bool begins = model_.rowCount() != int(rows.size());
     if (begins || lines != model_.lines())
         std::ranges::fill(widths_, 0);
-    model_.show(rows, lines);
+    model_.show(rows, lines, needs);
     if (begins)
         follow();
     if (begins || sinceSorted_.elapsed() >= sortMilliseconds)
@@ -122,11 +123,14 @@ void CompareTable::fitColumns()
 {
     int left = viewport()->width();
     for (int column = CompareModel::Sparkline; column < model_.columnCount(); ++column) {
+        if (column == CompareModel::Here && !model_.limits())
+            continue;
         int& width = widths_[std::size_t(column)];
         width = std::max(width, column == CompareModel::Sparkline ? sparklineWidth + 2 * gap
                                                                   : widthOf(column));
         left -= width;
     }
+    setColumnHidden(CompareModel::Here, !model_.limits());
     for (const int column : dispensable) {
         const bool crowded = left < leastNameWidth;
         setColumnHidden(column, crowded);

@@ -12,14 +12,16 @@ namespace ui {
 
 /// The rows of a race, sorted by any column. Selecting a row selects its algorithm and form in the
 /// session. The order changes at most once a second. If space is short, the table drops the columns
-/// for visible lines, spread and sparkline, in this order.
+/// for visible lines, spread and sparkline, in this order. A last column is shown only where not
+/// every algorithm can clip at all clip windows: it says which can.
 class CompareTable : public DenseTable {
     Q_OBJECT
 
 public:
     explicit CompareTable(app::Session& session, QWidget* parent = nullptr);
 
-    void showRows(std::span<const app::RaceRow> rows, std::size_t lines);
+    void showRows(std::span<const app::RaceRow> rows, std::size_t lines,
+                  app::WindowNeeds needs = app::WindowNeeds::Rectangle);
     int heightFor(int rows) const; ///< includes the header; in logical pixels
 
 protected:

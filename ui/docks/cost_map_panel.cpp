@@ -102,7 +102,7 @@ void CostMapPanel::addMap()
     column->addWidget(words_);
     column->addWidget(view_, 1);
     column->addWidget(notes_);
-    auto* page = new PageCaption(session_);
+    auto* page = new PageCaption(session_, PageCaption::Elsewhere::AtThePage);
     page->setContentsMargins({});
     column->addWidget(page);
     connect(view_, &CostMapView::fixedEndMoved, this, [this](const app::Point& to) {

@@ -22,55 +22,46 @@ int sideOf(int column)
 } // namespace
 
 DifferenceModel::DifferenceModel(const app::Session& session, QObject* parent)
-    : QAbstractTableModel(parent), session_(session)
+    : CheckedModel(parent), session_(session)
 {
-    connect(&session, &app::Session::displayChanged, this, [this] { // the unit may have changed
-        emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
-    });
+    connect(&session, &app::Session::displayChanged, this,
+            [this] { tellChanged(); }); // the unit may have changed
     follow();
 }
 
-int DifferenceModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : int(rows_.size());
-}
+int DifferenceModel::rows() const { return int(rows_.size()); }
 
-int DifferenceModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : int(app::differenceColumns().size());
-}
+int DifferenceModel::columns() const { return int(app::differenceColumns().size()); }
 
-QVariant DifferenceModel::data(const QModelIndex& index, int role) const
+QVariant DifferenceModel::cell(int row, int column, int role) const
 {
     const auto& list = session_.differences.found().list;
-    const std::uint32_t at = rows_[std::size_t(index.row())];
+    const std::uint32_t at = rows_[std::size_t(row)];
     if (at >= list.size())
         return {}; // the list has changed; follow() will be called
     if (role == Qt::DisplayRole)
-        return columnOf(index.column()).text(session_, list[at]);
+        return columnOf(column).text(session_, list[at]);
     if (role == Qt::TextAlignmentRole)
-        return sideOf(index.column());
+        return sideOf(column);
     if (role == Qt::ToolTipRole)
         return app::piecesInFull(session_, list[at]);
     return {};
 }
 
-QVariant DifferenceModel::headerData(int section, Qt::Orientation orientation, int role) const
+QVariant DifferenceModel::heading(int column, int role) const
 {
-    if (orientation != Qt::Horizontal)
-        return {};
     if (role == Qt::TextAlignmentRole)
-        return sideOf(section);
+        return sideOf(column);
     const auto comparison =
         session_.differences.asked().value_or(app::Comparison{app::exactVariant()});
     if (role == Qt::DisplayRole)
-        return columnOf(section).heading(comparison);
+        return columnOf(column).heading(comparison);
     if (role == Qt::ToolTipRole)
-        return columnOf(section).meaning(comparison);
+        return columnOf(column).meaning(comparison);
     return {};
 }
 
-void DifferenceModel::sort(int column, Qt::SortOrder order)
+void DifferenceModel::sortBy(int column, Qt::SortOrder order)
 {
     beginResetModel();
     column_ = column;
@@ -82,6 +73,8 @@ void DifferenceModel::sort(int column, Qt::SortOrder order)
 std::optional<std::size_t> DifferenceModel::lineOf(int row) const
 {
     const auto& list = session_.differences.found().list;
+    if (row < 0 || row >= int(rows_.size()))
+        return std::nullopt;
     const std::uint32_t at = rows_[std::size_t(row)];
     if (at >= list.size() || list[at].source >= session_.scene.lines().size())
         return std::nullopt;
@@ -100,7 +93,7 @@ int DifferenceModel::rowOf(std::size_t line) const
 
 void DifferenceModel::follow()
 {
-    sort(column_, order_);
+    sortBy(column_, order_);
     emit headerDataChanged(Qt::Horizontal, 0, columnCount() - 1);
 }
 

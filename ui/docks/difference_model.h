@@ -2,30 +2,31 @@
 #pragma once
 
 #include "app/session/session.h"
-
-#include <QAbstractTableModel>
+#include "ui/widgets/checked_model.h"
 
 namespace ui {
 
 /// The lines that differ, sorted. Texts are made for visible rows only, so half a million lines
 /// cost no more than a sort. The panel calls follow() when new results should be shown.
-class DifferenceModel final : public QAbstractTableModel {
+class DifferenceModel final : public CheckedModel {
     Q_OBJECT
 
 public:
     explicit DifferenceModel(const app::Session& session, QObject* parent = nullptr);
 
-    int rowCount(const QModelIndex& parent = {}) const override;
-    int columnCount(const QModelIndex& parent = {}) const override;
-    QVariant data(const QModelIndex& index, int role) const override;
-    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-    void sort(int column, Qt::SortOrder order) override;
     void follow(); ///< shows the current results
 
     /// The scene's line in a row; nothing if it no longer exists.
     std::optional<std::size_t> lineOf(int row) const;
     /// The row of a line; -1 if it does not differ.
     int rowOf(std::size_t line) const;
+
+protected:
+    int rows() const override;
+    int columns() const override;
+    QVariant cell(int row, int column, int role) const override;
+    QVariant heading(int column, int role) const override;
+    void sortBy(int column, Qt::SortOrder order) override;
 
 private:
     const app::Session& session_;

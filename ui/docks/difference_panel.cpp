@@ -224,9 +224,11 @@ void DifferencePanel::paintSummary()
     const app::LiveDifferences& live = session_.differences;
     const app::Comparison comparison = wanted();
     const bool differ = !live.found().list.empty();
-    const bool known = live.asked() && live.upToDate();
+    const bool here = session_.compared().comparable;
+    const bool known = here && live.asked() && live.upToDate();
     const bool good = known && !differ && live.found().lines > 0 && comparison.a != comparison.b;
-    summary_->setText(!known
+    summary_->setText(!here ? tr("Not compared here.")
+                      : !known
                           ? tr("Comparing %1…").arg(app::linesText(session_.scene.lines().size()))
                           : app::sentence(comparison.a, comparison.b,
                                           app::counted(live.found().list), live.found().lines)

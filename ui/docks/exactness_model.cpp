@@ -22,47 +22,39 @@ int sideOf(int column)
 } // namespace
 
 ExactnessModel::ExactnessModel(const app::Session& session, QObject* parent)
-    : QAbstractTableModel(parent), session_(session), column_(app::errorColumn)
+    : CheckedModel(parent), session_(session), column_(app::errorColumn)
 {
     follow();
 }
 
-int ExactnessModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : int(rows_.size());
-}
+int ExactnessModel::rows() const { return int(rows_.size()); }
 
-int ExactnessModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : int(app::exactnessColumns().size());
-}
+int ExactnessModel::columns() const { return int(app::exactnessColumns().size()); }
 
-QVariant ExactnessModel::data(const QModelIndex& index, int role) const
+QVariant ExactnessModel::cell(int row, int column, int role) const
 {
-    const app::LineExactness* exactness = exactnessOf(index.row());
+    const app::LineExactness* exactness = exactnessOf(row);
     if (!exactness)
         return {};
     if (role == Qt::DisplayRole)
-        return columnOf(index.column()).text(*exactness);
+        return columnOf(column).text(*exactness);
     if (role == Qt::TextAlignmentRole)
-        return sideOf(index.column());
+        return sideOf(column);
     return {};
 }
 
-QVariant ExactnessModel::headerData(int section, Qt::Orientation orientation, int role) const
+QVariant ExactnessModel::heading(int column, int role) const
 {
-    if (orientation != Qt::Horizontal)
-        return {};
     if (role == Qt::TextAlignmentRole)
-        return sideOf(section);
+        return sideOf(column);
     if (role == Qt::DisplayRole)
-        return columnOf(section).heading;
+        return columnOf(column).heading;
     if (role == Qt::ToolTipRole)
-        return columnOf(section).meaning;
+        return columnOf(column).meaning;
     return {};
 }
 
-void ExactnessModel::sort(int column, Qt::SortOrder order)
+void ExactnessModel::sortBy(int column, Qt::SortOrder order)
 {
     beginResetModel();
     column_ = column;
@@ -90,6 +82,6 @@ int ExactnessModel::rowOf(std::size_t line) const
     return row == rows_.end() ? -1 : int(row - rows_.begin());
 }
 
-void ExactnessModel::follow() { sort(column_, order_); }
+void ExactnessModel::follow() { sortBy(column_, order_); }
 
 } // namespace ui

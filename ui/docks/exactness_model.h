@@ -2,29 +2,30 @@
 #pragma once
 
 #include "app/session/session.h"
-
-#include <QAbstractTableModel>
+#include "ui/widgets/checked_model.h"
 
 namespace ui {
 
 /// The judged lines, sorted, by default worst first. Texts are made for visible rows only. The
 /// panel calls follow() when new results should be shown.
-class ExactnessModel final : public QAbstractTableModel {
+class ExactnessModel final : public CheckedModel {
     Q_OBJECT
 
 public:
     explicit ExactnessModel(const app::Session& session, QObject* parent = nullptr);
 
-    int rowCount(const QModelIndex& parent = {}) const override;
-    int columnCount(const QModelIndex& parent = {}) const override;
-    QVariant data(const QModelIndex& index, int role) const override;
-    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-    void sort(int column, Qt::SortOrder order) override;
     void follow(); ///< shows the current results
 
     /// The result for a row's line; null if the line no longer exists.
     const app::LineExactness* exactnessOf(int row) const;
     int rowOf(std::size_t line) const; ///< -1: it is not in the list
+
+protected:
+    int rows() const override;
+    int columns() const override;
+    QVariant cell(int row, int column, int role) const override;
+    QVariant heading(int column, int role) const override;
+    void sortBy(int column, Qt::SortOrder order) override;
 
 private:
     const app::Session& session_;

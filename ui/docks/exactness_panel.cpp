@@ -190,13 +190,15 @@ void ExactnessPanel::paintSummary()
 {
     const app::LiveExactness& exactness = session_.exactness;
     const Look& look = lookOf(palette());
-    const bool known = exactness.asked() && exactness.upToDate();
+    const bool here = session_.compared().comparable;
+    const bool known = here && exactness.asked() && exactness.upToDate();
     const bool wrong = known && exactness.counts().classes.back() > 0;
-    summary_->setText(known ? app::sentence(exactness.asked()->variant, exactness.counts(),
-                                            exactness.asked()->errorUnit)
-                            : tr("Judging %1… %2")
-                                  .arg(app::linesText(session_.scene.lines().size()),
-                                       app::percentText(exactness.progress())));
+    summary_->setText(!here   ? tr("Not judged here.")
+                      : known ? app::sentence(exactness.asked()->variant, exactness.counts(),
+                                              exactness.asked()->errorUnit)
+                              : tr("Judging %1… %2")
+                                    .arg(app::linesText(session_.scene.lines().size()),
+                                         app::percentText(exactness.progress())));
     const QColor colour = wrong ? look.differs : known ? look.text : look.muted;
     summary_->setStyleSheet(QStringLiteral("color: ") + colour.name());
 }

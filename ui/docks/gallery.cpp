@@ -77,19 +77,12 @@ void Gallery::resizeEvent(QResizeEvent* event)
         paintPictures();
 }
 
-void Gallery::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange && begun_)
-        paintPictures();
-}
-
 void Gallery::paintPictures()
 {
     if (buttons_.empty())
         return;
     begun_ = true;
-    const Look& look = lookOf(palette());
+    const Look& look = lookOnPaper(false);
     const app::ThumbnailColours colours{look.paper, look.accent, look.ghost};
     const QSize points = buttons_.front()->pictureSize();
     auto sitting = std::make_shared<Sitting>();

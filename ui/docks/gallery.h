@@ -12,8 +12,7 @@ namespace ui {
 class SampleButton;
 
 /// The samples in two columns, clipped by the library at their clip windows. The pictures are
-/// rendered in the background after the widget is first shown, and again when colours or sizes
-/// change.
+/// rendered in the background after the widget is first shown, and again when sizes change.
 class Gallery : public QWidget {
     Q_OBJECT
 
@@ -30,14 +29,13 @@ signals:
 protected:
     void showEvent(QShowEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
 private:
     void paintPictures();
 
     std::vector<app::Sample> samples_;
     std::vector<SampleButton*> buttons_;
-    QFutureWatcher<QImage> watcher_; ///< renders the pictures in the current size and colours
+    QFutureWatcher<QImage> watcher_; ///< renders the pictures in the current size
     bool begun_ = false;
 };
 

@@ -4,17 +4,14 @@
 namespace ui {
 
 HistoryModel::HistoryModel(const app::History& history, QObject* parent)
-    : QAbstractListModel(parent), history_(history), rows_(history.count() + 1)
+    : CheckedModel(parent), history_(history), rows_(history.count() + 1)
 {
     connect(&history, &app::History::indexChanged, this, &HistoryModel::follow);
     connect(&history, &app::History::cleanIndexChanged, this, &HistoryModel::follow);
 }
 
-int HistoryModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : rows_; }
-
-QVariant HistoryModel::data(const QModelIndex& index, int role) const
+QVariant HistoryModel::cell(int row, int, int role) const
 {
-    const int row = index.row();
     switch (role) {
     case Qt::DisplayRole:
     case Qt::AccessibleTextRole:
@@ -43,7 +40,7 @@ void HistoryModel::follow()
         endRemoveRows();
     }
     // A new step may have replaced undone ones, and forgetting the oldest shifts all.
-    emit dataChanged(index(0), index(rows_ - 1));
+    tellChanged();
 }
 
 } // namespace ui

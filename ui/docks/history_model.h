@@ -2,14 +2,13 @@
 #pragma once
 
 #include "app/commands/history.h"
-
-#include <QAbstractListModel>
+#include "ui/widgets/checked_model.h"
 
 namespace ui {
 
 /// The steps of the history, the oldest first. Row 0 is the state before them; row n is the state
 /// after n steps.
-class HistoryModel : public QAbstractListModel {
+class HistoryModel : public CheckedModel {
     Q_OBJECT
 
 public:
@@ -17,9 +16,11 @@ public:
 
     explicit HistoryModel(const app::History& history, QObject* parent = nullptr);
 
-    int rowCount(const QModelIndex& parent = {}) const override;
-    QVariant data(const QModelIndex& index, int role) const override;
     QModelIndex now() const { return index(history_.index()); }
+
+protected:
+    int rows() const override { return rows_; }
+    QVariant cell(int row, int column, int role) const override;
 
 private:
     void follow();

@@ -38,19 +38,16 @@ std::vector<app::ContainerId> layersOf(const app::Document& document)
 } // namespace
 
 LayerModel::LayerModel(app::Session& session, QObject* parent)
-    : QAbstractListModel(parent), session_(session), layers_(layersOf(session.now()))
+    : CheckedModel(parent), session_(session), layers_(layersOf(session.now()))
 {
     connect(&session.document, &app::EditedDocument::changed, this, &LayerModel::follow);
 }
 
-int LayerModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : int(layers_.size());
-}
+int LayerModel::rows() const { return int(layers_.size()); }
 
 app::ContainerId LayerModel::layerOf(const QModelIndex& index) const
 {
-    return layers_[std::size_t(index.row())];
+    return isCell(index) ? layers_[std::size_t(index.row())] : 0;
 }
 
 QModelIndex LayerModel::indexOf(app::ContainerId layer) const
@@ -58,9 +55,11 @@ QModelIndex LayerModel::indexOf(app::ContainerId layer) const
     return index(int(std::ranges::find(layers_, layer) - layers_.begin()));
 }
 
-QVariant LayerModel::data(const QModelIndex& index, int role) const
+QVariant LayerModel::cell(int row, int, int role) const
 {
-    const app::ContainerId id = layerOf(index);
+    const app::ContainerId id = layers_[std::size_t(row)];
+    if (!session_.now().containers().contains(id))
+        return {}; // the layers have changed; follow() will be called
     const app::Container& layer = session_.now().containers()[id];
     switch (role) {
     case Qt::DisplayRole:
@@ -91,9 +90,13 @@ QVariant LayerModel::data(const QModelIndex& index, int role) const
     }
 }
 
-bool LayerModel::setData(const QModelIndex& index, const QVariant& value, int role)
+bool LayerModel::change(int row, const QVariant& value, int role)
 {
-    const app::Container before = session_.now().containers()[layerOf(index)];
+    const app::Containers& containers = session_.now().containers();
+    const app::ContainerId id = layers_[std::size_t(row)];
+    if (!containers.contains(id))
+        return false;
+    const app::Container before = containers[id];
     app::Container layer = before;
     QString text;
     if (role == VisibleRole) {
@@ -108,14 +111,8 @@ bool LayerModel::setData(const QModelIndex& index, const QVariant& value, int ro
     }
     if (layer == before)
         return false;
-    session_.history.push(
-        new app::SetContainers(session_.document, session_.now().containers().with(layer), text));
+    session_.history.push(new app::SetContainers(session_.document, containers.with(layer), text));
     return true;
-}
-
-Qt::ItemFlags LayerModel::flags(const QModelIndex& index) const
-{
-    return QAbstractListModel::flags(index) | Qt::ItemIsEditable;
 }
 
 void LayerModel::showOnly(const QModelIndex& index)
@@ -150,9 +147,9 @@ void LayerModel::follow(const app::DocumentChange& change)
         endResetModel();
     } else if (change.containers) {
         // No reset, because it would close an editor that is open on a name.
-        emit dataChanged(index(0), index(rowCount() - 1));
+        tellChanged();
     } else if (change.objects) {
-        emit dataChanged(index(0), index(rowCount() - 1), {CountRole, Qt::DecorationRole});
+        tellChanged({CountRole, Qt::DecorationRole});
     }
 }
 

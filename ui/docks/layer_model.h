@@ -2,14 +2,13 @@
 #pragma once
 
 #include "app/session/session.h"
-
-#include <QAbstractListModel>
+#include "ui/widgets/checked_model.h"
 
 namespace ui {
 
 /// The layers of the drawing, topmost first; a nested layer follows its parent. Every change is an
 /// undoable step.
-class LayerModel : public QAbstractListModel {
+class LayerModel : public CheckedModel {
     Q_OBJECT
 
 public:
@@ -18,18 +17,19 @@ public:
 
     explicit LayerModel(app::Session& session, QObject* parent = nullptr);
 
-    int rowCount(const QModelIndex& parent = {}) const override;
-    QVariant data(const QModelIndex& index, int role) const override;
-    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
-    Qt::ItemFlags flags(const QModelIndex& index) const override;
-
-    app::ContainerId layerOf(const QModelIndex& index) const;
+    app::ContainerId layerOf(const QModelIndex& index) const; ///< 0: of no row
     QModelIndex indexOf(app::ContainerId layer) const;
 
     void showOnly(const QModelIndex& index); ///< hides the others, or shows all again
     bool addLayer(); ///< above all others; false: the drawing has too many layers
     bool mayRemove(app::ContainerId layer) const; ///< false for the last layer
     void removeLayer(app::ContainerId layer);     ///< with the layers nested in it
+
+protected:
+    int rows() const override;
+    QVariant cell(int row, int column, int role) const override;
+    bool change(int row, const QVariant& value, int role) override;
+    Qt::ItemFlags moreFlags() const override { return Qt::ItemIsEditable; }
 
 private:
     void follow(const app::DocumentChange& change);

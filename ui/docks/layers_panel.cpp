@@ -6,7 +6,6 @@
 #include "app/session/layer_colour.h"
 #include "app/session/recent_colours.h"
 #include "app/view/colour_chart.h"
-#include "app/view/visible_colour.h"
 #include "ui/docks/algorithm_list.h"
 #include "ui/widgets/colour_popup.h"
 #include "ui/widgets/icon_button.h"
@@ -42,11 +41,10 @@ public:
                    locked ? QIcon::Normal : QIcon::Disabled);
         const QRect square = swatch(option.rect);
         if (const auto colour = index.data(Qt::DecorationRole).value<QColor>(); colour.isValid()) {
-            painter->fillRect(square, shown(colour, look));
-        } else {
-            painter->setPen(look.border);
-            painter->drawRect(square.adjusted(0, 0, -1, -1));
+            painter->fillRect(square, colour);
         }
+        painter->setPen(look.border); // a colour may be that of the row
+        painter->drawRect(square.adjusted(0, 0, -1, -1));
         drawName(*painter, option, nameBox(option.rect), index.data().toString(), !visible);
         painter->setPen(look.muted);
         painter->setFont(captionFont(option.font));
@@ -107,18 +105,6 @@ private:
     static QRect nameBox(const QRect& row)
     {
         return row.adjusted(space::dockMargin + 46, 0, -110, 0);
-    }
-    /// The colour as the canvas shows it on this page.
-    static QColor shown(const QColor& strokeColour, const Look& look)
-    {
-        const auto plain = [](const QColor& c) {
-            return app::Colour{std::uint8_t(c.red()), std::uint8_t(c.green()),
-                               std::uint8_t(c.blue())};
-        };
-        const app::Colour seen = look.dark
-                                     ? app::visibleColour(plain(strokeColour), plain(look.paper))
-                                     : plain(strokeColour);
-        return QColor(seen.red, seen.green, seen.blue);
     }
 };
 

@@ -29,7 +29,7 @@ static bool looksAlike(const app::ClipWindow& a, const app::ClipWindow& b)
 }
 
 WindowModel::WindowModel(app::Session& session, QObject* parent)
-    : QAbstractListModel(parent), session_(session), shown_(session.windows())
+    : CheckedModel(parent), session_(session), shown_(session.windows())
 {
     connect(&session, &app::Session::previewChanged, this, &WindowModel::follow);
 }
@@ -46,17 +46,14 @@ void WindowModel::follow()
     if (!same)
         endResetModel();
     else if (!alike)
-        emit dataChanged(index(0), index(int(now.list.size()) - 1));
+        tellChanged();
 }
 
-int WindowModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : int(shown_.list.size());
-}
+int WindowModel::rows() const { return int(shown_.list.size()); }
 
-QVariant WindowModel::data(const QModelIndex& index, int role) const
+QVariant WindowModel::cell(int row, int, int role) const
 {
-    const app::ClipWindow& window = shown_.list[std::size_t(index.row())];
+    const app::ClipWindow& window = shown_.list[std::size_t(row)];
     const QString name = app::nameOf(window);
     switch (role) {
     case Qt::DisplayRole:
@@ -84,11 +81,10 @@ QVariant WindowModel::data(const QModelIndex& index, int role) const
     }
 }
 
-bool WindowModel::setData(const QModelIndex& index, const QVariant& value, int role)
+bool WindowModel::change(int row, const QVariant& value, int role)
 {
-    const auto number = std::size_t(index.row());
     const auto change = [&](const QString& text, auto edit) {
-        app::changeWindow(session_, number, text, edit);
+        app::changeWindow(session_, std::size_t(row), text, edit);
         return true;
     };
     if (role == VisibleRole)
@@ -102,11 +98,6 @@ bool WindowModel::setData(const QModelIndex& index, const QVariant& value, int r
         return change(tr("Rename clip window"),
                       [&](app::ClipWindow& window) { window.name = value.toString().trimmed(); });
     return false;
-}
-
-Qt::ItemFlags WindowModel::flags(const QModelIndex&) const
-{
-    return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable;
 }
 
 } // namespace ui

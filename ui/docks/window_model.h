@@ -2,14 +2,13 @@
 #pragma once
 
 #include "app/session/session.h"
-
-#include <QAbstractListModel>
+#include "ui/widgets/checked_model.h"
 
 namespace ui {
 
 /// The clip windows of the drawing in the order in which they apply. Every change is an undoable
 /// step.
-class WindowModel : public QAbstractListModel {
+class WindowModel : public CheckedModel {
     Q_OBJECT
 
 public:
@@ -18,10 +17,11 @@ public:
 
     explicit WindowModel(app::Session& session, QObject* parent = nullptr);
 
-    int rowCount(const QModelIndex& parent = {}) const override;
-    QVariant data(const QModelIndex& index, int role) const override;
-    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
-    Qt::ItemFlags flags(const QModelIndex& index) const override;
+protected:
+    int rows() const override;
+    QVariant cell(int row, int column, int role) const override;
+    bool change(int row, const QVariant& value, int role) override;
+    Qt::ItemFlags moreFlags() const override { return Qt::ItemIsEditable; }
 
 private:
     void follow();

@@ -57,8 +57,10 @@ ExplanationWindow::ExplanationWindow(app::Session& session, QWidget& window)
     row->addLayout(reading, 1);
     connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
             [this](const QModelIndex& index) {
+                if (!index.isValid())
+                    return;
                 const auto& chosen = clipping::algorithms()[std::size_t(index.row())];
-                if (index.isValid() && page_->algorithm() != &chosen)
+                if (page_->algorithm() != &chosen)
                     page_->show(chosen);
             });
     connect(page_, &PageView::pageChanged, this, &ExplanationWindow::showPlace);

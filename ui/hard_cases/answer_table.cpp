@@ -73,15 +73,9 @@ void AnswerModel::show(const app::HardCase& hard)
     endResetModel();
 }
 
-int AnswerModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : int(answers_.size());
-}
+int AnswerModel::rows() const { return int(answers_.size()); }
 
-int AnswerModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : int(Columns);
-}
+int AnswerModel::columns() const { return Columns; }
 
 QString AnswerModel::text(const app::CaseAnswer& answer, int column) const
 {
@@ -101,27 +95,27 @@ QString AnswerModel::text(const app::CaseAnswer& answer, int column) const
     }
 }
 
-QVariant AnswerModel::data(const QModelIndex& index, int role) const
+QVariant AnswerModel::cell(int row, int column, int role) const
 {
-    const app::CaseAnswer& answer = answers_[std::size_t(index.row())];
+    const app::CaseAnswer& answer = answers_[std::size_t(row)];
     if (role == Qt::DisplayRole)
-        return text(answer, index.column());
+        return text(answer, column);
     if (role == Qt::ToolTipRole)
         return tr("%1: %2\n%3")
             .arg(app::titleOf(answer.variant), app::words(answer), app::pieceText(answer.visible));
     if (role == Qt::TextAlignmentRole)
-        return int((index.column() == Error ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+        return int((column == Error ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     return {};
 }
 
-QVariant AnswerModel::headerData(int section, Qt::Orientation, int role) const
+QVariant AnswerModel::heading(int column, int role) const
 {
     const QStringList names{tr("algorithm"), tr("verdict"), tr("error, ulps"), tr("visible piece")};
     if (role == Qt::DisplayRole)
-        return names[section];
+        return names[column];
     if (role == Qt::TextAlignmentRole)
-        return int((section == Error ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-    if (role == Qt::ToolTipRole && section == Error)
+        return int((column == Error ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    if (role == Qt::ToolTipRole && column == Error)
         return tr("Error of the ends in ulps: units in the last place of the largest coordinate");
     return {};
 }

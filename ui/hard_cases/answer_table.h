@@ -2,27 +2,27 @@
 #pragma once
 
 #include "app/hard_cases/case_answer.h"
+#include "ui/widgets/checked_model.h"
 #include "ui/widgets/dense_table.h"
-
-#include <QAbstractTableModel>
 
 namespace ui {
 
 /// The results of all variants, including known misprints, for one hard case.
-class AnswerModel : public QAbstractTableModel {
+class AnswerModel : public CheckedModel {
     Q_OBJECT
 
 public:
     enum Column { Name, Verdict, Error, Piece, Columns };
-    using QAbstractTableModel::QAbstractTableModel;
+    using CheckedModel::CheckedModel;
 
     void show(const app::HardCase& hard);
     const std::vector<app::CaseAnswer>& answers() const { return answers_; }
 
-    int rowCount(const QModelIndex& parent = {}) const override;
-    int columnCount(const QModelIndex& parent = {}) const override;
-    QVariant data(const QModelIndex& index, int role) const override;
-    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+protected:
+    int rows() const override;
+    int columns() const override;
+    QVariant cell(int row, int column, int role) const override;
+    QVariant heading(int column, int role) const override;
 
 private:
     QString text(const app::CaseAnswer& answer, int column) const;

@@ -63,7 +63,7 @@ private:
 
 } // namespace
 
-CaseModel::CaseModel(QObject* parent) : QAbstractListModel(parent), cases_(app::casesFor({})) {}
+CaseModel::CaseModel(QObject* parent) : CheckedModel(parent), cases_(app::casesFor({})) {}
 
 void CaseModel::setFilter(const app::CaseFilter& filter)
 {
@@ -78,14 +78,11 @@ QModelIndex CaseModel::indexOf(const app::HardCase& hard) const
     return found == cases_.end() ? QModelIndex() : index(int(found - cases_.begin()));
 }
 
-int CaseModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : int(cases_.size());
-}
+int CaseModel::rows() const { return int(cases_.size()); }
 
-QVariant CaseModel::data(const QModelIndex& index, int role) const
+QVariant CaseModel::cell(int row, int, int role) const
 {
-    const app::HardCase& hard = hardCase(index.row());
+    const app::HardCase& hard = hardCase(row);
     switch (role) {
     case Qt::DisplayRole:
         return hard.title;

@@ -2,14 +2,14 @@
 #pragma once
 
 #include "app/hard_cases/case_filter.h"
+#include "ui/widgets/checked_model.h"
 
-#include <QAbstractListModel>
 #include <QListView>
 
 namespace ui {
 
 /// The hard cases that match a filter.
-class CaseModel : public QAbstractListModel {
+class CaseModel : public CheckedModel {
     Q_OBJECT
 
 public:
@@ -20,8 +20,9 @@ public:
     /// The index of a case; invalid if it does not match the filter.
     QModelIndex indexOf(const app::HardCase& hard) const;
 
-    int rowCount(const QModelIndex& parent = {}) const override;
-    QVariant data(const QModelIndex& index, int role) const override;
+protected:
+    int rows() const override;
+    QVariant cell(int row, int column, int role) const override;
 
 private:
     std::vector<const app::HardCase*> cases_;

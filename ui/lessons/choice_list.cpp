@@ -46,40 +46,49 @@ ChoiceList::ChoiceList(QWidget* parent)
 void ChoiceList::show(const app::Course& course)
 {
     const auto& question = course.question();
-    setVisible(question.has_value());
+    setVisible(question || course.isOpen());
     for (QPushButton* button : buttons_) {
         button->hide();
         button->deleteLater(); // Deleted later: it may be handling its click
     }
     buttons_.clear();
-    if (!question)
-        return;
-    prompt_->setText(question->prompt);
-    for (const QString& choice : question->choices)
-        addButton(choice);
-    for (const int choice : course.answer().tries)
-        if (choice != question->right)
-            mark(choice, false);
-    if (!course.isOpen())
-        mark(question->right, true);
     giveUp_->setVisible(course.isOpen());
+    prompt_->setText(question ? question->prompt
+                              : tr("The question of this page cannot be asked about this line. "
+                                   "Choose “Show example”, or drag an end elsewhere."));
+    if (question)
+        showChoices(*question, course);
     verdict_->setText(verdict(course));
     verdict_->setVisible(!verdict_->text().isEmpty());
     QAccessibleEvent told(verdict_, QAccessible::NameChanged);
     QAccessible::updateAccessibility(&told);
 }
 
+void ChoiceList::showChoices(const app::Question& question, const app::Course& course)
+{
+    for (const QString& choice : question.choices)
+        addButton(choice);
+    for (const int choice : course.answer().tries)
+        if (choice != question.right)
+            mark(choice, false);
+    if (!course.isOpen())
+        mark(question.right, true);
+}
+
 /// The judgement of the last try, with a hint.
 QString ChoiceList::verdict(const app::Course& course) const
 {
+    const app::Answer& answer = course.answer();
+    if (!course.question())
+        return {};
     const app::Question& question = *course.question();
-    const auto& tries = course.answer().tries;
     if (course.isOpen())
-        return tries.empty() ? QString()
-                             : tr("Not quite. You have one more try. Hint: %1").arg(question.hint);
-    if (course.answer().shown)
+        return answer.wrong == 0
+                   ? QString()
+                   : tr("Not quite. You have one more try. Hint: %1").arg(question.hint);
+    if (answer.shown)
         return question.reason;
-    return (tries.back() == question.right ? tr("Right. ") : tr("Not quite. ")) + question.reason;
+    return (answer.right ? tr("Right. ") : tr("Not quite. ")) + question.reason;
 }
 
 QPushButton* ChoiceList::firstOpen() const
@@ -91,8 +100,12 @@ QPushButton* ChoiceList::firstOpen() const
 
 void ChoiceList::addButton(const QString& text)
 {
-    auto* button = new QPushButton(text);
     const int index = int(buttons_.size());
+    auto* button = new QPushButton(tr("%1  %2", "the digit of an answer, the answer")
+                                       .arg(index + 1)
+                                       .arg(QString(text).replace(u'&', QStringLiteral("&&"))));
+    button->setAccessibleName(text);
+    button->setToolTip(tr("Press %1 to give this answer").arg(index + 1));
     button->setMinimumHeight(space::toolButton);
     button->setAutoDefault(true); // Enter presses it
     connect(button, &QPushButton::clicked, this, [this, index] { emit chosen(index); });

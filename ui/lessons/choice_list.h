@@ -9,8 +9,9 @@
 
 namespace ui {
 
-/// A question with a button for each answer. After a first wrong answer it shows a hint and allows
-/// a second try. Once the question is settled it says which answer is right, and why.
+/// A question with a button for each answer, which shows the digit that gives it. After a first
+/// wrong answer it shows a hint and allows a second try. Once the question is settled it says which
+/// answer is right, and why.
 class ChoiceList : public QWidget {
     Q_OBJECT
 
@@ -29,6 +30,7 @@ signals:
     void answerWanted(); ///< the reader gives up and asks for the answer
 
 private:
+    void showChoices(const app::Question& question, const app::Course& course);
     void addButton(const QString& text);
     void mark(int button, bool right);
     QString verdict(const app::Course& course) const;

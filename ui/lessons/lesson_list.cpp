@@ -23,7 +23,8 @@ constexpr int margin = 10, mark = 16;
 /// if the lesson is passed.
 class LessonButton : public QAbstractButton {
 public:
-    LessonButton(int number, const app::Lesson& lesson) : lesson_(lesson)
+    LessonButton(int number, const app::Lesson& lesson, const app::Course& course)
+        : lesson_(lesson), course_(course)
     {
         setText(QStringLiteral("%1  %2").arg(number).arg(lesson.title));
         setAccessibleName(text());
@@ -42,6 +43,11 @@ public:
                       + LessonList::tr("Best: %1 of %2 points")
                             .arg(*points)
                             .arg(app::mostPoints(lesson_));
+        if (course_.lesson() == &lesson_)
+            words_ += u'\n'
+                      + LessonList::tr("Go on at page %1 of %2")
+                            .arg(course_.page() + 1)
+                            .arg(course_.pages());
         setAccessibleDescription(passed_ ? words_ + u'\n' + LessonList::tr("Passed") : words_);
         updateGeometry();
         update();
@@ -91,13 +97,15 @@ private:
         return area;
     }
     const app::Lesson& lesson_;
+    const app::Course& course_;
     QString words_;
     bool passed_ = false;
 };
 
 } // namespace
 
-LessonList::LessonList(QWidget* parent) : QScrollArea(parent)
+LessonList::LessonList(const app::Course& course, QWidget* parent)
+    : QScrollArea(parent), course_(course)
 {
     setFrameShape(QFrame::NoFrame);
     setWidgetResizable(true);
@@ -129,7 +137,7 @@ LessonList::LessonList(QWidget* parent) : QScrollArea(parent)
     column->addWidget(about);
     for (const app::Lesson& lesson : app::lessons()) {
         const int index = int(buttons_.size());
-        auto* button = new LessonButton(index + 1, lesson);
+        auto* button = new LessonButton(index + 1, lesson, course);
         connect(button, &QAbstractButton::clicked, this, [this, index] { emit chosen(index); });
         column->addWidget(button);
         buttons_ << button;
@@ -137,6 +145,11 @@ LessonList::LessonList(QWidget* parent) : QScrollArea(parent)
     column->addStretch();
     setWidget(body);
     refresh();
+}
+
+void LessonList::focusOnLesson()
+{
+    buttons_[course_.lesson() ? int(course_.lessonIndex()) : 0]->setFocus();
 }
 
 void LessonList::refresh()

@@ -7,6 +7,7 @@
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 
+#include <QApplication>
 #include <QScrollBar>
 #include <QSettings>
 #include <QShortcut>
@@ -48,7 +49,7 @@ QString richText(const QString& markdown)
 } // namespace
 
 LessonPanel::LessonPanel(app::Course& course, QWidget* parent)
-    : QStackedWidget(parent), course_(course), list_(new LessonList), title_(new QLabel),
+    : QStackedWidget(parent), course_(course), list_(new LessonList(course)), title_(new QLabel),
       place_(new QLabel), text_(new QLabel), told_(new QLabel), ending_(new QLabel),
       body_(new QScrollArea), choices_(new ChoiceList),
       back_(button(tr("Back"), tr("Previous page (Page Up)"))),
@@ -61,17 +62,13 @@ LessonPanel::LessonPanel(app::Course& course, QWidget* parent)
     addWidget(list_);
     addWidget(makeReader());
     connect(list_, &LessonList::chosen, this,
-            [this](int lesson) { course_.begin(std::size_t(lesson)); });
+            [this](int lesson) { course_.beginOrGoOn(std::size_t(lesson)); });
     connect(list_, &LessonList::closeWanted, this, &LessonPanel::closeWanted);
     connect(choices_, &ChoiceList::chosen, this, [this](int choice) {
         course_.choose(choice);
-        focusNext(); // the buttons have been recreated
         body_->ensureWidgetVisible(choices_);
     });
-    connect(choices_, &ChoiceList::answerWanted, this, [this] {
-        course_.showAnswer();
-        focusNext();
-    });
+    connect(choices_, &ChoiceList::answerWanted, &course_, &app::Course::showAnswer);
     connect(&course_, &app::Course::changed, this, &LessonPanel::showPage);
     connect(back_, &QPushButton::clicked, this, [this] { turn(-1); });
     connect(next_, &QPushButton::clicked, this, [this] { turn(1); });
@@ -163,13 +160,13 @@ QLayout* LessonPanel::makeFoot()
 
 void LessonPanel::showList()
 {
-    course_.end();
-    list_->buttons().front()->setFocus();
+    course_.atEnd() ? course_.end() : course_.pause();
+    list_->focusOnLesson();
 }
 
 void LessonPanel::turn(int pages)
 {
-    if (!course_.lesson())
+    if (!course_.lesson() || course_.isPaused())
         return;
     if (pages < 0)
         course_.previous();
@@ -184,18 +181,28 @@ void LessonPanel::turn(int pages)
     focusNext();
 }
 
-/// Focuses the button with which Enter continues or answers.
 void LessonPanel::focusNext()
 {
-    if (course_.lesson())
-        (course_.isOpen() ? choices_->firstOpen() : next_)->setFocus();
+    if (course_.lesson() && !course_.isPaused())
+        nextInHand()->setFocus();
+}
+
+QWidget* LessonPanel::nextInHand() const
+{
+    if (!course_.isOpen())
+        return next_;
+    QWidget* choice = choices_->firstOpen();
+    return choice ? choice : again_;
 }
 
 void LessonPanel::showPage()
 {
-    setCurrentIndex(course_.lesson() ? 1 : 0);
+    const bool reads = course_.lesson() && !course_.isPaused();
+    const QWidget* focus = QApplication::focusWidget();
+    const bool answers = focus && choices_->isAncestorOf(focus); // whose buttons are made anew
+    setCurrentIndex(reads ? 1 : 0);
     list_->refresh();
-    if (!course_.lesson()) {
+    if (!reads) {
         setFocusProxy(list_->buttons().front());
         return;
     }
@@ -208,7 +215,8 @@ void LessonPanel::showPage()
         app::keepPoints(settings, *course_.lesson(), score.points);
     }
     place_->setText(place);
-    if (course_.answer().tries.empty()) // a new page, not another try
+    if (course_.answer().wrong == 0
+        && course_.answer().tries.empty()) // a new page, not another try
         body_->verticalScrollBar()->setValue(0);
     text_->setText(richText(course_.text()));
     choices_->show(course_);
@@ -220,7 +228,9 @@ void LessonPanel::showPage()
     next_->setToolTip(course_.isOpen()
                           ? tr("First answer the question, or choose “Show the answer”")
                           : tr("Next page (Page Down)"));
-    setFocusProxy(course_.isOpen() ? choices_->firstOpen() : next_);
+    setFocusProxy(nextInHand());
+    if (answers)
+        focusNext();
     const bool last = course_.lessonIndex() + 1 == app::lessons().size();
     next_->setText(!course_.atLastPage() ? tr("Next") : last ? tr("Finish") : tr("Next lesson"));
 }

@@ -15,8 +15,8 @@ class LessonList;
 
 /// The lessons beside the microscope: their list, or the current page with its question. The
 /// microscope shows the page's example. Page Up and Page Down turn the pages; Up, Down and Enter
-/// answer. The last page says whether the lesson is passed. The best score of each lesson is kept
-/// in the settings.
+/// answer, or the digit of an answer (MicroscopePage). The last page says whether the lesson is
+/// passed. The best score of each lesson is kept in the settings.
 class LessonPanel : public QStackedWidget {
     Q_OBJECT
 
@@ -42,6 +42,7 @@ private:
     void showEnding();
     void turn(int pages);
     void focusNext();
+    QWidget* nextInHand() const; ///< the button with which Enter continues or answers
 
     app::Course& course_;
     LessonList* list_;

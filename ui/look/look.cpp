@@ -11,8 +11,8 @@ const Look light{.dark = false,
                  .window = 0xEFF0F2,
                  .panel = 0xF8F9FA,
                  .base = 0xFFFFFF,
-                 .canvas = 0xDEE1E5,
                  .paper = 0xFFFFFF,
+                 .canvas = 0xDEE1E5,
                  .rule = 0xD0D4DA,
                  .border = 0xAEB5BF,
                  .control = 0x858C96,
@@ -32,14 +32,14 @@ const Look light{.dark = false,
                  .guideGround = 0xDDF1EF,
                  .grid = 0xEDEFF2,
                  .gridMajor = 0xDDE1E6,
-                 .ghost = 0.4}; // a thin black line between two pixels has 1.6:1 on the paper
+                 .ghost = 0.3};
 
 const Look dark{.dark = true,
                 .window = 0x26282C,
                 .panel = 0x2B2D32,
                 .base = 0x1E2024,
-                .canvas = 0x141517,
                 .paper = 0x1E2023,
+                .canvas = 0x141517,
                 .rule = 0x3A3D44,
                 .border = 0x5C626C,
                 .control = 0x858C97,
@@ -74,6 +74,8 @@ const Look& lookOf(Theme theme)
         return lookOf(QApplication::palette());
     return theme == Theme::Dark ? dark : light;
 }
+
+const Look& lookOnPaper(bool dark) { return lookOf(dark ? Theme::Dark : Theme::Light); }
 
 QColor errorColour(const Look& look) { return look.dark ? 0xFF9A9A : 0xA3161B; }
 

@@ -10,9 +10,12 @@ namespace ui {
 
 /// Every colour of the program, light or dark; only look.cpp contains colour values. The accent is
 /// used for the clip window alone, the selection colour for selected, hovered and focused items.
+/// The theme decides about panels, bars and rulers; the paper decides about everything that lies on
+/// the drawing (lookOnPaper).
 struct Look {
     bool dark;
-    QColor window, panel, base, canvas, paper;
+    QColor window, panel, base, paper;
+    QColor canvas; ///< around the page
     /// Dividers; field borders; outlines of check boxes and radio buttons.
     QColor rule, border, control;
     QColor text, muted;
@@ -33,6 +36,10 @@ enum class Theme : std::uint8_t { System, Light, Dark };
 
 /// The look of a theme. System: the one that matches the application's palette.
 const Look& lookOf(Theme theme);
+
+/// The look of what lies on the drawing's paper: handles, windows, marks, labels, grid, ghosts. The
+/// light one on white paper and the dark one on dark paper, in both themes.
+const Look& lookOnPaper(bool dark);
 
 /// Sets style, palette and style sheet of the whole program (theme.cpp).
 void applyTheme(QApplication& application, Theme theme);

@@ -5,8 +5,8 @@
 #include "app/session/window_steps.h"
 #include "app/view/picking.h"
 #include "ui/bars/option_bar.h"
-#include "ui/docks/window_panel.h"
 #include "ui/dialogs/margin_dialog.h"
+#include "ui/docks/window_panel.h"
 #include "ui/editing/keeping.h"
 #include "ui/files/files.h"
 #include "ui/menus/actions.h"
@@ -21,6 +21,7 @@
 #include <QStatusBar>
 
 #include <algorithm>
+#include <utility>
 
 namespace ui {
 
@@ -34,9 +35,6 @@ void choose(MainWindow& window, const clipping::Algorithm& algorithm)
         [&](app::Display& display) { display.variant.algorithm = &algorithm; });
 }
 
-/// In the workspace Draw the algorithm is out of sight, so digits do not change it.
-bool digitsChoose(const MainWindow& window) { return !window.workspace().folds; }
-
 /// Says why a digit does not choose the algorithm.
 void explainDigits(MainWindow& window)
 {
@@ -49,13 +47,19 @@ void explainDigits(MainWindow& window)
             digits << QKeySequence(digit);
     QObject::connect(action, &QAction::triggered, &window, [&window] {
         window.statusBar()->showMessage(
-            tr("In the workspace Draw digits do not choose the algorithm. Choose it in the menu "
-               "Clip, or in another workspace."),
+            tr("In the workspace Draw digits choose the algorithm only while a clip window is "
+               "chosen. Choose it in the menu Clip, or in another workspace."),
             MainWindow::messageMilliseconds);
     });
     QObject::connect(&window, &MainWindow::actionsOutdated, action, [&window, digits, action] {
-        action->setShortcuts(digitsChoose(window) ? QList<QKeySequence>() : digits);
+        action->setShortcuts(window.canvas().digitsChoose() ? QList<QKeySequence>() : digits);
     });
+    const auto follow = [&window, chose = false]() mutable {
+        if (std::exchange(chose, window.canvas().digitsChoose()) != window.canvas().digitsChoose())
+            window.refreshActions();
+    };
+    QObject::connect(&window.canvas(), &Canvas::toolChanged, action, follow);
+    QObject::connect(&window.canvas(), &Canvas::hint, action, follow);
 }
 
 /// Adds the algorithms, with digits as shortcuts while the canvas has the focus.
@@ -70,7 +74,8 @@ void addAlgorithms(MainWindow& window, QMenu& menu)
         action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
         window.canvas().addAction(action);
         QObject::connect(&window, &MainWindow::actionsOutdated, action, [&window, &row, action] {
-            action->setShortcut(QKeySequence(digitsChoose(window) ? digitOf(row) : QString()));
+            const bool digits = window.canvas().digitsChoose();
+            action->setShortcut(QKeySequence(digits ? digitOf(row) : QString()));
             action->setChecked(window.session().display().variant.algorithm == &row);
             action->setText(app::limitedName(row, app::needsInHand(window.session())));
         });

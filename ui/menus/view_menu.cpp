@@ -242,10 +242,10 @@ MenuInfo viewMenu()
                 ownGridRow(),
                 {},
                 {
-                    .key = "as-printed",
-                    .text = tr("Show colours as prin&ted"),
-                    .run = [](MainWindow& w) { toggle(w, &app::Display::asPrinted); },
-                    .checked = [](const MainWindow& w) { return w.session().display().asPrinted; },
+                    .key = "dark-paper",
+                    .text = tr("Dark p&aper"),
+                    .run = [](MainWindow& w) { toggle(w, &app::Display::darkPaper); },
+                    .checked = [](const MainWindow& w) { return w.session().display().darkPaper; },
                 },
                 {},
                 {

@@ -2,6 +2,7 @@
 #include "ui/microscope/microscope_page.h"
 
 #include "app/comparison/at_text.h"
+#include "app/session/digits.h"
 #include "app/teaching/traced_edges.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
@@ -12,6 +13,7 @@
 #include "ui/microscope/operations_view.h"
 #include "ui/microscope/overview.h"
 #include "ui/microscope/variable_table.h"
+#include "ui/widgets/algorithm_digit.h"
 #include "ui/widgets/heading.h"
 
 #include <QApplication>
@@ -101,6 +103,7 @@ MicroscopePage::MicroscopePage(app::Session& session, app::DrawnLine& drawn, QWi
     connect(&drawn, &app::DrawnLine::refreshed, this, &MicroscopePage::showPlace);
     connect(&session, &app::Session::previewChanged, overview_, &Overview::forget);
     connect(&session.scene, &app::Scene::outdated, overview_, &Overview::forget);
+    connect(&session, &app::Session::displayChanged, overview_, &Overview::forget); // its paper
     connect(bar_, &MicroscopeBar::lineDone, view_, [this] { view_->setFocus(); });
     connect(bar_, &MicroscopeBar::closeWanted, this, &MicroscopePage::closeWanted);
     connect(bar_, &MicroscopeBar::exportWanted, this, &MicroscopePage::exportWanted);
@@ -163,6 +166,8 @@ void MicroscopePage::addKeys()
     add(Qt::Key_Home, [&microscope] { microscope.goTo(0); });
     add(Qt::Key_End, [&microscope] { microscope.goTo(last); });
     add(Qt::Key_Escape, [this] { emit closeWanted(); });
+    for (int digit = 0; digit <= 9; ++digit)
+        add(Qt::Key_0 + digit, [this, digit] { useDigit(digit); });
     // Space still presses a button that has the focus.
     QShortcut* play = add(Qt::Key_Space, [this] { steps_->playback().toggle(); });
     play->setAutoRepeat(false);
@@ -170,6 +175,20 @@ void MicroscopePage::addKeys()
         play->setEnabled(!qobject_cast<const QAbstractButton*>(now)
                          && !qobject_cast<const QComboBox*>(now));
     });
+}
+
+/// Fields take their digits before.
+void MicroscopePage::useDigit(int digit)
+{
+    const app::DigitUse use =
+        app::digitUse({.question = session_.course.asks(), .gesture = view_->drags()});
+    if (use == app::DigitUse::Answer)
+        return session_.course.choose(digit - 1);
+    if (use != app::DigitUse::Algorithm)
+        return;
+    for (const clipping::Algorithm& row : clipping::algorithms())
+        if (digitOf(row) == QString::number(digit))
+            drawn_.choose(app::usable({&row, session_.microscope.tracedLine().variant.form}));
 }
 
 void MicroscopePage::showStep()

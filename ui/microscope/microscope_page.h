@@ -52,6 +52,7 @@ protected:
 private:
     QWidget* makeRight();
     void addKeys();
+    void useDigit(int digit);
     void showStep();
     void showPlace();
     void placeOverview();

@@ -27,6 +27,7 @@ public:
     bool fitted() const { return fitted_; }
     void zoomBy(double factor);
     std::optional<LineEnd> chosenEnd() const { return chosen_; }
+    bool drags() const { return drag_.has_value(); } ///< an end is dragged, or the view
 
     QSize sizeHint() const override { return {900, 520}; }
     QSize minimumSizeHint() const override { return {320, 180}; }

@@ -70,7 +70,7 @@ std::vector<QLineF> Overview::linesIn(const app::View& view) const
 
 QPixmap Overview::drawing(const app::View& view) const
 {
-    const Look& look = lookOf(palette());
+    const Look& look = lookOnPaper(session_.display().darkPaper);
     QPixmap picture(size() * devicePixelRatioF());
     picture.setDevicePixelRatio(devicePixelRatioF());
     picture.fill(look.paper);
@@ -105,7 +105,7 @@ app::WindowFrame Overview::frameOf(const app::TracedLine& tracedLine) const
 
 void Overview::paintEvent(QPaintEvent*)
 {
-    const Look& look = lookOf(palette());
+    const Look& look = lookOnPaper(session_.display().darkPaper);
     const app::View seen = view();
     if (drawing_.isNull())
         drawing_ = drawing(seen);
@@ -133,13 +133,6 @@ void Overview::paintEvent(QPaintEvent*)
     painter.setBrush(Qt::NoBrush);
     painter.setPen(look.border);
     painter.drawRect(rect().adjusted(0, 0, -1, -1));
-}
-
-void Overview::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange)
-        forget();
 }
 
 void Overview::resizeEvent(QResizeEvent*) { forget(); }

@@ -18,15 +18,9 @@ int VariableModel::firstChanged() const
     return found == variables_.end() ? -1 : int(found - variables_.begin());
 }
 
-int VariableModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : int(variables_.size());
-}
+int VariableModel::rows() const { return int(variables_.size()); }
 
-int VariableModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : ColumnCount;
-}
+int VariableModel::columns() const { return ColumnCount; }
 
 QString VariableModel::text(const app::Variable& variable, int column) const
 {
@@ -50,39 +44,35 @@ QString VariableModel::text(const app::Variable& variable, int column) const
     }
 }
 
-QVariant VariableModel::data(const QModelIndex& index, int role) const
+QVariant VariableModel::cell(int row, int column, int role) const
 {
-    if (!index.isValid() || std::size_t(index.row()) >= variables_.size())
-        return {};
-    const app::Variable& variable = variables_[std::size_t(index.row())];
+    const app::Variable& variable = variables_[std::size_t(row)];
     switch (role) {
     case Qt::DisplayRole:
     case Qt::ToolTipRole:
-        return text(variable, index.column());
+        return text(variable, column);
     case Qt::TextAlignmentRole:
-        return headerData(index.column(), Qt::Horizontal, role);
+        return heading(column, role);
     case ChangedRole:
         return variable.changed();
     case ShortRole:
-        return index.column() == Value && variable.kind == clipping::ValueKind::Number
+        return column == Value && variable.kind == clipping::ValueKind::Number
                    ? app::shortText(variable.value)
-                   : text(variable, index.column());
+                   : text(variable, column);
     default:
         return {};
     }
 }
 
-QVariant VariableModel::headerData(int section, Qt::Orientation orientation, int role) const
+QVariant VariableModel::heading(int column, int role) const
 {
-    if (orientation != Qt::Horizontal)
-        return {};
     if (role == Qt::TextAlignmentRole)
-        return int((section == Value || section == Before ? Qt::AlignRight : Qt::AlignLeft)
+        return int((column == Value || column == Before ? Qt::AlignRight : Qt::AlignLeft)
                    | Qt::AlignVCenter);
     if (role != Qt::DisplayRole)
         return {};
     const QString names[ColumnCount]{tr("name"), tr("value"), tr("before"), QString()};
-    return names[section];
+    return names[column];
 }
 
 } // namespace ui

@@ -2,13 +2,12 @@
 #pragma once
 
 #include "app/teaching/narration.h"
-
-#include <QAbstractTableModel>
+#include "ui/widgets/checked_model.h"
 
 namespace ui {
 
 /// The variables after a step: name, value, previous value, and whether the step changed it.
-class VariableModel : public QAbstractTableModel {
+class VariableModel : public CheckedModel {
     Q_OBJECT
 
 public:
@@ -16,16 +15,17 @@ public:
     /// ShortRole: a shortened text for narrow columns.
     enum Role { ChangedRole = Qt::UserRole, ShortRole };
 
-    using QAbstractTableModel::QAbstractTableModel;
+    using CheckedModel::CheckedModel;
 
     void show(std::vector<app::Variable> variables);
     /// The row of the first variable that the step changed; -1: none.
     int firstChanged() const;
 
-    int rowCount(const QModelIndex& parent = {}) const override;
-    int columnCount(const QModelIndex& parent = {}) const override;
-    QVariant data(const QModelIndex& index, int role) const override;
-    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+protected:
+    int rows() const override;
+    int columns() const override;
+    QVariant cell(int row, int column, int role) const override;
+    QVariant heading(int column, int role) const override;
 
 private:
     QString text(const app::Variable& variable, int column) const;

@@ -85,7 +85,7 @@ app::Picture SheetArt::picture(const SheetWish& wish)
     options.view = wish.view;
     options.removed = wish.removed;
     options.region = &wish.region;
-    if (look_->dark && !session_.display().asPrinted)
+    if (look_->dark)
         options.page = colourOf(look_->paper);
     options.leastWidth = pixelRatio_ < 1.5 ? 0.75 : 0.5;
     return app::picture(sheets_.drawing().styles(), scene.lines(), frame, options);

@@ -30,9 +30,8 @@ QColor overlapTint(const Look& look)
 } // namespace
 
 SheetPainter::SheetPainter(QPainter& painter, const app::LiveSheets& sheets,
-                           const app::SheetLayout& layout, const app::View& view, const Look& look,
-                           const QColor& page)
-    : painter_(painter), sheets_(sheets), layout_(layout), view_(view), look_(look), page_(page),
+                           const app::SheetLayout& layout, const app::View& view, const Look& look)
+    : painter_(painter), sheets_(sheets), layout_(layout), view_(view), look_(look),
       tiling_(*sheets.tiling().value)
 {
 }
@@ -49,12 +48,12 @@ void SheetPainter::paintPapers(bool tinted)
     if (!apart) {
         const double unit = layout_.millimetresPerUnit;
         const clipping::Window page = sheets_.drawing().page().rectangle();
-        painter_.fillRect(onScreen({page.min * unit, page.max * unit}), page_);
+        painter_.fillRect(onScreen({page.min * unit, page.max * unit}), look_.paper);
     }
     for (std::size_t i = 0; i < layout_.places.size(); ++i) {
         const auto& [part, paper, offset] = layout_.places[i];
         if (apart)
-            painter_.fillRect(onScreen(paper), page_);
+            painter_.fillRect(onScreen(paper), look_.paper);
         if (tinted && !tiling_.tiles[i].leftOut)
             paintOverlaps(tiling_.tiles[i], part);
         if (!apart)

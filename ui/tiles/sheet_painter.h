@@ -14,7 +14,7 @@ namespace ui {
 class SheetPainter {
 public:
     SheetPainter(QPainter& painter, const app::LiveSheets& sheets, const app::SheetLayout& layout,
-                 const app::View& view, const Look& look, const QColor& page);
+                 const app::View& view, const Look& look);
 
     void paintPapers(bool tinted); ///< below the pictures
     void paintPictures(const std::vector<SheetArt::Picture>& pictures);
@@ -32,8 +32,7 @@ private:
     const app::LiveSheets& sheets_;
     const app::SheetLayout& layout_;
     const app::View& view_;
-    const Look& look_;
-    QColor page_;
+    const Look& look_; ///< of what lies on paper
     const app::Tiling& tiling_;
 };
 

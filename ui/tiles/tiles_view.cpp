@@ -167,19 +167,19 @@ std::vector<SheetWish> TilesView::wishes() const
 void TilesView::paintEvent(QPaintEvent*)
 {
     const Look& look = lookOf(palette());
+    const Look& onPaper = lookOnPaper(session_.display().darkPaper);
     QPainter painter(this);
-    painter.fillRect(rect(), use_ == Use::Full ? look.canvas : look.panel);
+    painter.fillRect(rect(), use_ == Use::Full ? onPaper.canvas : look.panel);
     if (!sheets_.isOpen())
         return;
     if (!layout_) {
-        painter.setPen(look.muted);
+        painter.setPen(use_ == Use::Full ? onPaper.muted : look.muted);
         painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap,
                          sheets_.tiling().error);
         return;
     }
-    art_.want(wishes(), revision_, look, devicePixelRatioF());
-    const QColor page = session_.display().asPrinted ? QColor(Qt::white) : look.paper;
-    SheetPainter sheets(painter, sheets_, *layout_, navigation_.view(), look, page);
+    art_.want(wishes(), revision_, onPaper, devicePixelRatioF());
+    SheetPainter sheets(painter, sheets_, *layout_, navigation_.view(), onPaper);
     sheets.paintPapers(tinted_);
     sheets.paintPictures(art_.pictures());
     sheets.paintEdges();

@@ -58,7 +58,7 @@ std::span<const ToolInfo> tools()
                  tr("Click the start, the end and a point on the arc. C, or Alt at the first click: by "
                     "its centre."),
                  QKeySequence("A"), makeArcTool},
-        ToolInfo{"pencil", tr("Pencil"), tr("Drag to draw freehand. Then type a tolerance, Enter: how smooth it is."), QKeySequence("B"),
+        ToolInfo{"pencil", tr("Pencil"), tr("Drag to draw freehand. Then Enter, a tolerance, Enter: how smooth it is."), QKeySequence("B"),
                  makePencilTool},
         ToolInfo{"rectangle", tr("Rectangle"),
                  tr("Drag, or type a width, Tab, a height, Tab, a corner radius, Enter. Shift: square, "

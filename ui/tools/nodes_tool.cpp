@@ -461,7 +461,8 @@ QString NodesTool::hint(const Workbench& bench) const
         const auto number = [&](double value) {
             return app::lengthText(value, gauge.scale.unit, gauge.scale.millimetresPerUnit);
         };
-        return tr("1 of %1 nodes, at x %2, y %3. Drag it, or type x,y. Delete keeps the shape.")
+        return tr("1 of %1 nodes, at x %2, y %3. Drag it, or press Enter and type x,y. Delete "
+                  "keeps the shape.")
             .arg(app::countText(nodes.nodes), number(at.x), number(at.y));
     }
     return tr("%1 of %2 nodes. Dragging or the arrow keys move them; Delete keeps the shape.")

@@ -389,7 +389,7 @@ QString SelectTool::hint(const Workbench& bench) const
         return hint;
     if (!busy() && (end_.canReopen(bench) || resize_.canReopen(bench)))
         return QCoreApplication::translate("Tools",
-                                           "Type another number to change this step; Enter.");
+                                           "Enter, then another number: change this step.");
     if (hoveredEnd_ || end_.going())
         return QCoreApplication::translate(
             "Tools", "Drag the end of the line, or type a length, Tab, an angle, Enter. Shift: 15° "
@@ -397,8 +397,8 @@ QString SelectTool::hint(const Workbench& bench) const
     if (const QString hint = guide_.hint(bench); !hint.isEmpty())
         return hint;
     if (hoveredGuide_)
-        return QCoreApplication::translate("Tools", "Drag the guide, or click it to type its "
-                                                    "position or delete it.");
+        return QCoreApplication::translate("Tools", "Drag the guide, or click it and press "
+                                                    "Enter to type its position.");
     if (hoveredSegment_ && *hoveredSegment_ < session.scene.lines().size() && drag_ == Drag::None) {
         const app::Containers& containers = session.now().containers();
         const std::size_t object = session.scene.lines().objectOf(*hoveredSegment_);

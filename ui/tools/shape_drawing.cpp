@@ -83,8 +83,7 @@ QColor shownColour(const app::Colour& colour, const Workbench& bench)
     const QColor page = bench.look.paper;
     const app::Colour paper{std::uint8_t(page.red()), std::uint8_t(page.green()),
                             std::uint8_t(page.blue())};
-    const bool dark = bench.look.dark && !bench.session.display().asPrinted;
-    const app::Colour shown = dark ? app::visibleColour(colour, paper) : colour;
+    const app::Colour shown = bench.look.dark ? app::visibleColour(colour, paper) : colour;
     return {shown.red, shown.green, shown.blue, shown.alpha};
 }
 

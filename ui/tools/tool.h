@@ -39,7 +39,7 @@ struct Workbench {
     app::Session& session;
     app::View& view;
     const app::Picking& picking;
-    const Look& look;
+    const Look& look; ///< of what lies on the drawing
     const app::Snapper& snapper;
     const app::SnapTo& snapTo; ///< the kinds that are on; Nothing: snapping is off
     /// The key of the tool to go on with, which replaces this one after the call; empty: this one.

@@ -250,9 +250,9 @@ QString TransformGesture::hint(const Workbench& bench) const
                   "steps. Esc: "
                   "cancel.");
     if (last_.canReopen(bench) && done_.copies)
-        return tr("Type another number, or 5x for five copies, 5/ to divide the way; Enter.");
+        return tr("Enter, then another number, or 5x for five copies, 5/ to divide the way.");
     if (last_.canReopen(bench))
-        return tr("Type another number to change this step; Enter.");
+        return tr("Enter, then another number: change this step.");
     return {};
 }
 

@@ -28,11 +28,12 @@ static QString nameOf(app::Preview::Drag drag)
 
 void WindowGesture::start(app::Handle handle, const Pointer& pointer, const Workbench& bench)
 {
-    const app::Session& session = bench.session;
+    app::Session& session = bench.session;
     const auto& frame = session.windowFrame();
     if (!frame)
         return;
     const std::size_t number = *session.windowNumber();
+    session.chooseWindow(number);
     const app::WindowShape& shape = session.windows().list[number].shape;
     state_ = State{handle, pointer, pointer, number, shape, *frame, app::ownPointsOf(shape)};
 }

@@ -2,9 +2,10 @@
 #include "ui/widgets/dense_table.h"
 
 #include "ui/look/look.h"
+#include "ui/widgets/copy_cells.h"
 #include "ui/widgets/tabular.h"
 
-#include <QEvent>
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 
@@ -155,6 +156,40 @@ void DenseTable::paintGround(QPainter& painter, const QStyleOptionViewItem& opti
         painter.fillRect(r.left(), r.top(), r.width(), 1, look.selection);
         painter.fillRect(r.left(), r.bottom(), r.width(), 1, look.selection);
     }
+}
+
+/// Columns are x, rows are y; empty: nothing.
+QRect DenseTable::cellsToCopy() const
+{
+    const QAbstractItemModel* cells = model();
+    const int columns = cells ? cells->columnCount() : 0;
+    if (selectionMode() == NoSelection)
+        return {0, 0, columns, cells ? cells->rowCount() : 0};
+    const QItemSelection selection =
+        selectionModel() ? selectionModel()->selection() : QItemSelection();
+    if (selection.isEmpty())
+        return {};
+    return {QPoint(0, selection.front().top()), QPoint(columns - 1, selection.front().bottom())};
+}
+
+// While the table has the focus, Ctrl+C copies its rows, whatever is selected in the drawing.
+bool DenseTable::event(QEvent* event)
+{
+    if (event->type() == QEvent::ShortcutOverride
+        && static_cast<QKeyEvent*>(event)->matches(QKeySequence::Copy)
+        && !cellsToCopy().isEmpty()) {
+        event->accept();
+        return true;
+    }
+    return QTableView::event(event);
+}
+
+void DenseTable::keyPressEvent(QKeyEvent* event)
+{
+    if (!event->matches(QKeySequence::Copy))
+        return QTableView::keyPressEvent(event);
+    if (const QRect area = cellsToCopy(); !area.isEmpty())
+        copyCells(*model(), area);
 }
 
 bool DenseTable::viewportEvent(QEvent* event)

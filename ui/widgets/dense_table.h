@@ -8,7 +8,8 @@
 namespace ui {
 
 /// A table without a grid, with muted headings, in which whole rows are selected; an arrow marks
-/// the sort column. The model's TextAlignmentRole aligns the texts.
+/// the sort column. The model's TextAlignmentRole aligns the texts. Ctrl+C copies the selected
+/// rows, or the whole table if rows cannot be selected.
 class DenseTable : public QTableView {
     Q_OBJECT
 
@@ -22,9 +23,12 @@ public:
                      const QModelIndex& index) const;
 
 protected:
+    bool event(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
     bool viewportEvent(QEvent* event) override;
 
 private:
+    QRect cellsToCopy() const;
     void hover(int row);
 
     int hovered_ = -1;

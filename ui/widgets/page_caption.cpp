@@ -2,12 +2,13 @@
 #include "ui/widgets/page_caption.h"
 
 #include "app/comparison/at_text.h"
+#include "app/session/compared_text.h"
 #include "ui/look/look.h"
 
 namespace ui {
 
-PageCaption::PageCaption(const app::Session& session, QWidget* parent)
-    : QLabel(parent), session_(session)
+PageCaption::PageCaption(const app::Session& session, Elsewhere elsewhere, QWidget* parent)
+    : QLabel(parent), session_(session), elsewhere_(elsewhere)
 {
     setFont(captionFont(font()));
     setForegroundRole(QPalette::PlaceholderText);
@@ -19,7 +20,8 @@ PageCaption::PageCaption(const app::Session& session, QWidget* parent)
 
 void PageCaption::follow()
 {
-    setText(app::atText(session_.compared()));
+    setText(elsewhere_ == Elsewhere::AtThePage ? app::atText(session_.compared())
+                                               : app::comparedText(session_));
     setHidden(text().isEmpty());
 }
 

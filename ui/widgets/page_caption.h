@@ -7,17 +7,22 @@
 
 namespace ui {
 
-/// Says that a panel refers to the page; visible only while there is no clip window.
+/// Says where a panel compares, or that it does not, and why; visible only if that is not the one
+/// clip window of the drawing. AtThePage: for a panel that refers to the page then.
 class PageCaption : public QLabel {
     Q_OBJECT
 
 public:
-    explicit PageCaption(const app::Session& session, QWidget* parent = nullptr);
+    enum class Elsewhere : std::uint8_t { NotCompared, AtThePage };
+
+    explicit PageCaption(const app::Session& session, Elsewhere elsewhere = Elsewhere::NotCompared,
+                         QWidget* parent = nullptr);
 
 private:
     void follow();
 
     const app::Session& session_;
+    Elsewhere elsewhere_;
 };
 
 } // namespace ui

@@ -43,7 +43,7 @@ void SampleButton::paintEvent(QPaintEvent*)
     const Look& look = lookOf(palette());
     QPainter painter(this);
     const QRect box = pictureBox();
-    painter.fillRect(box, look.paper);
+    painter.fillRect(box, lookOnPaper(false).paper);
     if (!picture_.isNull())
         painter.drawImage(box, picture_);
     const bool strong = marked_ || hasFocus();

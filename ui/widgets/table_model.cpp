@@ -34,80 +34,72 @@ void TableModel::show(app::Table table)
     endResetModel();
 }
 
-int TableModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : int(table_.rows.size());
-}
+int TableModel::rows() const { return int(table_.rows.size()); }
 
-int TableModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : int(table_.names.size());
-}
+int TableModel::columns() const { return int(table_.names.size()); }
 
-const QString& TableModel::field(const QModelIndex& index) const
+const QString& TableModel::field(int row, int column) const
 {
-    return table_.rows[std::size_t(index.row())][index.column()];
+    return table_.rows[std::size_t(row)][column];
 }
 
 /// Key and form of the algorithm in a cell.
-QVariant TableModel::variant(const QModelIndex& index) const
+QVariant TableModel::variant(int row, int column) const
 {
-    const auto* algorithm = app::timedAlgorithm(field(index));
-    if (table_.names[index.column()] != u"algorithm" || !algorithm)
+    const auto* algorithm = app::timedAlgorithm(field(row, column));
+    if (table_.names[column] != u"algorithm" || !algorithm)
         return {};
     const auto form = table_.names.indexOf(QStringLiteral("form"));
     const auto published = app::wordOf(clipping::Form::Published);
     return QStringList{app::latin(algorithm->key),
-                       form >= 0 ? table_.rows[std::size_t(index.row())][form]
+                       form >= 0                        ? table_.rows[std::size_t(row)][form]
                        : table_.key.contains(published) ? published // all rows have the same form
                                                         : QString()};
 }
 
-bool TableModel::isFault(const QModelIndex& index) const
+bool TableModel::isFault(int row, int column) const
 {
     static const QStringList counted{"lost", "shown", "outside", "wrong"};
-    return counted.contains(table_.names[index.column()]) && field(index) != u"0";
+    return counted.contains(table_.names[column]) && field(row, column) != u"0";
 }
 
-QString TableModel::shown(const QModelIndex& index) const
+QString TableModel::shown(int row, int column) const
 {
-    const QString& text = field(index);
-    if (table_.names[index.column()] == u"algorithm")
+    const QString& text = field(row, column);
+    if (table_.names[column] == u"algorithm")
         if (const auto* algorithm = text == u"Prop." ? nullptr : app::timedAlgorithm(text))
             return app::latin(algorithm->abbreviation);
-    return numeric_[std::size_t(index.column())] && !text.isEmpty() ? numberInWords(text) : text;
+    return numeric_[std::size_t(column)] && !text.isEmpty() ? numberInWords(text) : text;
 }
 
-QVariant TableModel::data(const QModelIndex& index, int role) const
+QVariant TableModel::cell(int row, int column, int role) const
 {
-    const bool numeric = numeric_[std::size_t(index.column())];
+    const bool numeric = numeric_[std::size_t(column)];
     switch (role) {
     case Qt::DisplayRole:
-        return shown(index);
+        return shown(row, column);
     case Qt::TextAlignmentRole:
         return int(Qt::AlignVCenter | (numeric ? Qt::AlignRight : Qt::AlignLeft));
     case Qt::ToolTipRole:
         if (const auto* algorithm =
-                variant(index).isValid() ? app::timedAlgorithm(field(index)) : nullptr)
+                variant(row, column).isValid() ? app::timedAlgorithm(field(row, column)) : nullptr)
             return app::latin(algorithm->name);
         return {};
     case SortRole:
-        return numeric && !field(index).isEmpty() ? QVariant(field(index).toDouble())
-                                                  : QVariant(shown(index));
+        return numeric && !field(row, column).isEmpty() ? QVariant(field(row, column).toDouble())
+                                                        : QVariant(shown(row, column));
     case VariantRole:
-        return variant(index);
+        return variant(row, column);
     case FaultRole:
-        return isFault(index);
+        return isFault(row, column);
     default:
         return {};
     }
 }
 
-QVariant TableModel::headerData(int section, Qt::Orientation orientation, int role) const
+QVariant TableModel::heading(int column, int role) const
 {
-    if (orientation != Qt::Horizontal || section >= table_.names.size())
-        return {};
-    const auto heading = app::headingOf(table_.names[section]);
+    const auto heading = app::headingOf(table_.names[column]);
     switch (role) {
     case Qt::DisplayRole:
         return heading.text;
@@ -115,7 +107,7 @@ QVariant TableModel::headerData(int section, Qt::Orientation orientation, int ro
         return heading.meaning;
     case Qt::TextAlignmentRole:
         return int(Qt::AlignBottom
-                   | (numeric_[std::size_t(section)] ? Qt::AlignRight : Qt::AlignLeft));
+                   | (numeric_[std::size_t(column)] ? Qt::AlignRight : Qt::AlignLeft));
     default:
         return {};
     }

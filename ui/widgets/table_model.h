@@ -2,14 +2,13 @@
 #pragma once
 
 #include "app/tables/table.h"
-
-#include <QAbstractTableModel>
+#include "ui/widgets/checked_model.h"
 
 namespace ui {
 
 /// A table of an experiment for display: headings instead of column names, numbers in the locale's
 /// format and right-aligned, algorithms by their abbreviations.
-class TableModel : public QAbstractTableModel {
+class TableModel : public CheckedModel {
     Q_OBJECT
 
 public:
@@ -19,21 +18,22 @@ public:
         FaultRole                ///< true if the cell counts errors and is not 0
     };
 
-    using QAbstractTableModel::QAbstractTableModel;
+    using CheckedModel::CheckedModel;
 
     void show(app::Table table);
     const app::Table& table() const { return table_; }
 
-    int rowCount(const QModelIndex& parent = {}) const override;
-    int columnCount(const QModelIndex& parent = {}) const override;
-    QVariant data(const QModelIndex& index, int role) const override;
-    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+protected:
+    int rows() const override;
+    int columns() const override;
+    QVariant cell(int row, int column, int role) const override;
+    QVariant heading(int column, int role) const override;
 
 private:
-    const QString& field(const QModelIndex& index) const;
-    QVariant variant(const QModelIndex& index) const;
-    bool isFault(const QModelIndex& index) const;
-    QString shown(const QModelIndex& index) const;
+    const QString& field(int row, int column) const;
+    QVariant variant(int row, int column) const;
+    bool isFault(int row, int column) const;
+    QString shown(int row, int column) const;
 
     app::Table table_;
     std::vector<bool> numeric_;

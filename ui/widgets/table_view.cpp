@@ -4,10 +4,9 @@
 #include "app/experiment/one_by_one.h"
 #include "ui/look/look.h"
 #include "ui/widgets/algorithm_marker.h"
+#include "ui/widgets/copy_cells.h"
 #include "ui/widgets/tabular.h"
 
-#include <QClipboard>
-#include <QGuiApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QScrollBar>
@@ -190,17 +189,7 @@ void TableView::copy() const
     const QRect area = all ? QRect(0, 0, columns, rows)
                            : QRect(QPoint(selection.front().left(), selection.front().top()),
                                    QPoint(selection.front().right(), selection.front().bottom()));
-    QStringList lines;
-    for (int row = area.top() - 1; row <= area.bottom(); ++row) {
-        QStringList cells;
-        for (int column = area.left(); column <= area.right(); ++column)
-            cells
-                << (row < area.top()
-                        ? sorted_.headerData(column, Qt::Horizontal).toString().replace(u'\n', u' ')
-                        : sorted_.index(row, column).data().toString());
-        lines << cells.join(u'\t');
-    }
-    QGuiApplication::clipboard()->setText(lines.join(u'\n') + u'\n');
+    copyCells(sorted_, area);
 }
 
 void TableView::keyPressEvent(QKeyEvent* event)

@@ -45,11 +45,11 @@ MainWindow::MainWindow(Backend backend, QWidget* parent)
     rememberPanes();
     rememberSnapping();
     rememberGrid();
+    rememberPaper();
     limitHistory();
     restorePlace(*this, placeKey(), usual, minimumSize());
     panelLayout_->restore();
-    optionBar_->offerTiles(workspace().tiles);
-    refreshActions();
+    followWorkspace();
     showTitle();
     canvas_->setFocus();
 }
@@ -89,11 +89,16 @@ void MainWindow::addBars()
     toolBar_ = new ToolBar(session_, *canvas_);
     addToolBar(Qt::LeftToolBarArea, toolBar_);
     menuBar()->setCornerWidget(new WorkspaceTabs(*panelLayout_));
-    connect(panelLayout_.get(), &PanelLayout::workspaceChanged, this, [this] {
-        centre_->allowNote(!workspace().folds); // it is about cutting
-        optionBar_->offerTiles(workspace().tiles);
-        refreshActions();
-    });
+    connect(panelLayout_.get(), &PanelLayout::workspaceChanged, this, &MainWindow::followWorkspace);
+}
+
+void MainWindow::followWorkspace()
+{
+    session_.worksInDraw = workspace().folds;
+    centre_->allowNote(!workspace().folds); // it is about cutting
+    optionBar_->offerTiles(workspace().tiles);
+    status_->showHint({});
+    refreshActions();
 }
 
 void MainWindow::addModes()

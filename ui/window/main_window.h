@@ -110,6 +110,7 @@ private:
     void addCentre();
     void addBars();
     void addModes();
+    void followWorkspace();
     void addPanels();
     void connectPanels();
     void connectLayout();
@@ -126,6 +127,7 @@ private:
     void rememberPanes();
     void rememberSnapping();
     void rememberGrid();
+    void rememberPaper();
     void limitHistory();
 
     app::Session session_;

@@ -92,6 +92,19 @@ void MainWindow::rememberGrid()
             });
 }
 
+void MainWindow::rememberPaper()
+{
+    session_.changeDisplay(
+        [](app::Display& display) { display.darkPaper = QSettings().value("darkPaper").toBool(); });
+    connect(&session_, &app::Session::displayChanged, this,
+            [this, saved = session_.display().darkPaper]() mutable {
+                if (session_.display().darkPaper == saved)
+                    return;
+                saved = session_.display().darkPaper;
+                QSettings().setValue("darkPaper", saved);
+            });
+}
+
 // The message is shown once per drawing, and after the command's own message, which would replace
 // it.
 void MainWindow::limitHistory()

@@ -86,13 +86,13 @@ QString endsOfPart(const SentenceContext& context, const PartNames& names)
     const int line = context.step.line - names.line;
     switch (context.step.what) {
     case What::Test:
-        return line == 6 ? touches(context, names) : needed(context, names);
+        return line == 8 ? touches(context, names) : needed(context, names);
     case What::Cut:
-        return line == 7
+        return line == 9
                    ? tr("End 1 becomes the same point as End 2, %1.").arg(point(endOf(1, context)))
-                   : moved(context, line == 1 ? 2 : 1);
+                   : moved(context, line <= 2 ? 2 : 1);
     default:
-        return held(context, line == 3 ? 2 : 1);
+        return held(context, line == 4 ? 2 : 1);
     }
 }
 

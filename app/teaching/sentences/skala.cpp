@@ -230,7 +230,7 @@ QString cut(const SentenceContext& context)
 {
     const auto& step = context.step;
     const bool published = words::isPublished(context);
-    const bool two = published ? step.line == 18 || step.line == 22 : step.line == 26;
+    const bool two = published ? step.line == 18 || step.line == 22 : step.line <= 27;
     const int end = two ? 2 : 1;
     const QString at = words::point(words::endOf(end, context));
     const Point way = step.segment.b - step.segment.a;

@@ -26,7 +26,7 @@ struct OnLinesAndRays {
                 return std::nullopt;
         if (step.test(14, part.start > part.stop))
             return step.reject(14);
-        return step.accept(25, endsOf<reach>(part, s, {dx, dy}, w, 15, step));
+        return step.accept(27, endsOf<reach>(part, s, {dx, dy}, w, 15, step));
     }
 };
 

@@ -28,7 +28,7 @@ struct OnLinesAndRays {
         if (!clipt(-dy, s.a.y - w.min.y, part, 18, Edge::Bottom, step)
             || !clipt(dy, w.max.y - s.a.y, part, 19, Edge::Top, step))
             return std::nullopt;
-        return step.accept(30, endsOf<reach>(part, s, {dx, dy}, w, 20, step));
+        return step.accept(32, endsOf<reach>(part, s, {dx, dy}, w, 20, step));
     }
 };
 

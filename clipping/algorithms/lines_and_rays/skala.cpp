@@ -10,6 +10,7 @@
 #include "clipping/describe.h"
 #include "clipping/ieee_numbers.h"
 #include "clipping/outcode.h"
+#include "clipping/part.h"
 
 namespace clipping {
 namespace {
@@ -40,12 +41,13 @@ struct OnLinesAndRays {
         if (!crossing)
             return std::nullopt;
         BasicSegment<T> visible{s.a, crossedAt(crossing->j, *crossing, s.a, w)};
-        step.cut(26, 1, visible.b, edgesFromCorners[crossing->j]);
-        if (reach == Reach::BothWays || step.test(27, isCut)) {
+        const Edge leave = edgesFromCorners[crossing->j], enter = edgesFromCorners[crossing->i];
+        step.cut(lineAt(leave, 26), 1, visible.b, leave);
+        if (reach == Reach::BothWays || step.test(28, isCut)) {
             visible.a = crossedAt(crossing->i, *crossing, s.a, w);
-            step.cut(28, 0, visible.a, edgesFromCorners[crossing->i]);
+            step.cut(lineAt(enter, 29), 0, visible.a, enter);
         }
-        return step.accept(29, visible);
+        return step.accept(31, visible);
     }
 };
 

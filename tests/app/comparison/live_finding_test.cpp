@@ -134,7 +134,7 @@ private slots:
         Stage stage(few + 1);
         stage.ask();
         for (int i = 0; i < 5; ++i) {
-            stage.count.setWindow({{double(i), 0}, {50, 50}});
+            stage.count.setWindow(clipping::Window{{double(i), 0}, {50, 50}});
             QTest::qWait(20);
         }
         QCOMPARE(stage.count.starts, std::size_t(0));

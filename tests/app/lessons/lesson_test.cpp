@@ -8,6 +8,11 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <functional>
+#include <random>
+
+#include "tests/verify.h"
+
 using app::Course;
 using app::Lesson;
 
@@ -197,8 +202,147 @@ private slots:
         QVERIFY(!course.isOpen());
         QCOMPARE(course.score(), (app::Score{2, 1}));
         course.previous();
-        QCOMPARE(course.answer().tries.size(), 2U);
+        QVERIFY(course.answer().wrong == 1 && course.answer().right);
         QVERIFY(!microscope.isCovered());
+    }
+    /// The line that is shown is the one that is asked about, also after an end was dragged.
+    void theAnswerIsAboutTheLineThatIsShown()
+    {
+        app::Microscope microscope;
+        Course course(microscope);
+        course.begin(1); // which outcode does End 2 have?
+        const auto rightNow = [&] { return rightOf(course.question()); };
+        QCOMPARE(rightNow(), "0100");
+        const app::TracedLine own = microscope.tracedLine();
+        app::TracedLine dragged = own;
+        dragged.line.b = {-40, 0};
+        microscope.setTracedLine(dragged);
+        QVERIFY(microscope.isCovered() && course.isOpen());
+        QCOMPARE(rightNow(), "0000");
+        course.choose(course.question()->right);
+        QCOMPARE(course.score(), (app::Score{1, 2}));
+        QCOMPARE(microscope.tracedLine().line, dragged.line); // it is explained, too
+        QVERIFY(!microscope.isCovered());
+        QVERIFY(course.question()->reason.contains("inside the window"));
+        QVERIFY(course.told().endsWith(course.lesson()->pages[0].told)
+                && course.told() != course.lesson()->pages[0].told);
+        microscope.setTracedLine(own); // now the reader only looks
+        QCOMPARE(rightNow(), "0000");
+        course.next();
+        course.previous();
+        QCOMPARE(microscope.tracedLine().line, dragged.line);
+        QCOMPARE(rightNow(), "0000");
+    }
+    void anotherLineGivesNoFurtherTry()
+    {
+        app::Microscope microscope;
+        Course course(microscope);
+        course.begin(1);
+        course.choose(course.question()->right == 0 ? 1 : 0);
+        app::TracedLine dragged = microscope.tracedLine();
+        dragged.line.b = {-40, 0};
+        microscope.setTracedLine(dragged);
+        QVERIFY(course.isOpen());
+        QVERIFY(course.answer().tries.empty()); // none about this line
+        course.choose(course.question()->right == 0 ? 1 : 0);
+        QVERIFY(!course.isOpen());
+        QCOMPARE(course.score(), (app::Score{1, 0}));
+    }
+    /// Lines, algorithms and forms that readers may show beside any page.
+    void noLineRevealsItsAnswer()
+    {
+        app::Microscope microscope;
+        Course course(microscope);
+        std::mt19937 random(3);
+        std::uniform_real_distribution<double> number(-200, 200);
+        int asked = 0, unasked = 0;
+        for (std::size_t i = 0; i < app::lessons().size(); ++i)
+            for (course.begin(i);; course.next()) {
+                const app::LessonPage& page = app::lessons()[i].pages[course.page()];
+                for (int k = 0; page.question && k < 30; ++k) {
+                    app::TracedLine other = page.tracedLine;
+                    other.line = {{number(random), number(random)},
+                                  {number(random), number(random)}};
+                    const auto& row =
+                        clipping::algorithms()[random() % clipping::algorithms().size()];
+                    if (k % 3 == 0)
+                        other.variant = {&row};
+                    k % 2 == 0 ? microscope.setTracedLine(other) : microscope.open(other);
+                    const QByteArray where =
+                        QStringLiteral("%1, line %2").arg(whereIn(course)).arg(k).toUtf8();
+                    const app::Narration whole = app::narrationOf(other);
+                    VERIFY_OR_SAY(microscope.isCovered() && course.isOpen(), where);
+                    VERIFY_OR_SAY(!microscope.narration().visible, where);
+                    microscope.goTo(1000);
+                    VERIFY_OR_SAY(!microscope.narrated() || !decides(*microscope.narrated()),
+                                  where);
+                    ++(course.question() ? asked : unasked);
+                    if (!course.question())
+                        continue;
+                    app::LessonPage about = page;
+                    about.tracedLine = other;
+                    VERIFY_OR_SAY(rightOf(course.question())
+                                      == rightOf(app::questionOf(about, whole,
+                                                                 app::wantedStep(about, whole))),
+                                  where);
+                    for (const app::NarratedStep& narrated : microscope.narration().steps)
+                        VERIFY_OR_SAY(!course.question()->reason.contains(narrated.sentence),
+                                      where);
+                }
+                course.showAnswer();
+                QVERIFY2(!course.isOpen(), qPrintable(whereIn(course)));
+                if (course.atLastPage())
+                    break;
+            }
+        QVERIFY(asked > 300 && unasked > 5);
+    }
+    /// The list of lessons, the end of a lesson, and whatever else opens or closes the microscope.
+    void nothingButAnAnswerUncoversTheAnswer()
+    {
+        app::Microscope microscope;
+        Course course(microscope);
+        const auto reveals = [&](const app::TracedLine& own) {
+            return microscope.isOpen() && !microscope.isCovered() && microscope.tracedLine() == own;
+        };
+        const std::vector<std::function<void(const app::TracedLine&)>> ways{
+            [&](const auto&) { course.pause(); },
+            [&](const auto&) { course.end(); },
+            [&](const auto&) { course.next(); },
+            [&](const auto&) { course.showAgain(); },
+            [&](const app::TracedLine& own) { microscope.open(own, 3); },
+            [&](const app::TracedLine& own) { microscope.setTracedLine(own); },
+            [&](const app::TracedLine& own) { microscope.close(), microscope.open(own); },
+            [&](const auto&) { course.pause(), course.beginOrGoOn(course.lessonIndex()); },
+        };
+        for (std::size_t i = 0; i < app::lessons().size(); ++i)
+            for (std::size_t way = 0; way < ways.size(); ++way) {
+                course.begin(i);
+                while (!course.isOpen())
+                    course.next();
+                const app::TracedLine own = microscope.tracedLine();
+                ways[way](own);
+                QVERIFY2(!reveals(own), qPrintable(QString::number(way)));
+            }
+    }
+    void thePausedLessonGoesOnAtItsPage()
+    {
+        app::Microscope microscope;
+        Course course(microscope);
+        course.begin(1);
+        course.choose(course.question()->right);
+        course.next();
+        course.pause();
+        QVERIFY(!course.asks());
+        course.choose(course.question()->right); // it is not seen
+        QVERIFY(course.isOpen());
+        course.beginOrGoOn(1);
+        QVERIFY(course.asks());
+        QCOMPARE(course.page(), std::size_t(1));
+        QCOMPARE(course.score(), (app::Score{1, 2}));
+        course.pause();
+        course.beginOrGoOn(2); // another one begins
+        QCOMPARE(course.page(), std::size_t(0));
+        QCOMPARE(course.lessonIndex(), std::size_t(2));
     }
     void aLessonIsPassedByThreeQuartersOfItsPoints()
     {

@@ -9,6 +9,7 @@
 
 #include "tests/app/document/one_window.h"
 #include "tests/app/document/sheet.h"
+#include "tests/app/session/concave_window.h"
 
 using namespace clipping;
 
@@ -61,7 +62,7 @@ struct Track {
     explicit Track(int lines)
     {
         QObject::connect(&session, &app::Session::previewChanged, &race,
-                         [this] { race.setWindow(session.window()); });
+                         [this] { race.setWindow(session.comparedAt()); });
         session.load({app::documentOf(sheetOf(lines)), {}});
         race.setVariants({{&rows[0], Form::Corrected}, {&rows[1], Form::Corrected}});
         calls.clear();
@@ -223,6 +224,21 @@ private slots:
         t.session.history.undo();
         QVERIFY(!t.race.upToDate());
         QTRY_VERIFY(t.race.upToDate());
+        QVERIFY(t.roundsOn(moved(0)) >= 1);
+    }
+    /// At a window that not every algorithm can clip nothing is measured, least of all at the page.
+    void withoutARectangleThereAreNoRows()
+    {
+        Track t(2000);
+        t.race.start();
+        QTRY_VERIFY(!t.race.rows().empty());
+        setWindows(t.session, {concaveWindow("Star", {{10, 10}, {90, 90}})});
+        QVERIFY(t.race.rows().empty());
+        calls.clear();
+        QTest::qWait(300);
+        QVERIFY(calls.empty());
+        t.session.load({app::documentOf(sheetOf(3000)), {}});
+        QTRY_VERIFY(!t.race.rows().empty());
         QVERIFY(t.roundsOn(moved(0)) >= 1);
     }
     /// Of a gesture that is dropped nothing is left.

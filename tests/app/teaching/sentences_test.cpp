@@ -456,23 +456,23 @@ private slots:
         const auto touching = sentences("lb", {{-200, 25}, {0, 125}});
         compareLists(touching.last(7),
                      {"20: u1 = 0.5 is less than 1: End 2 lies outside and has to move.",
-                      "21: End 2 moves along the line to the top edge, to (−100, 75). The part "
+                      "22: End 2 moves along the line to the top edge, to (−100, 75). The part "
                       "beyond that edge is removed.",
-                      "24: u0 = 0.5 is greater than 0: End 1 lies outside and has to move.",
-                      "25: End 1 moves along the line to the left edge, to (−100, 75). The part "
+                      "25: u0 = 0.5 is greater than 0: End 1 lies outside and has to move.",
+                      "26: End 1 moves along the line to the left edge, to (−100, 75). The part "
                       "beyond that edge is removed.",
-                      "26: The remaining part begins where it ends (0.5 = 0.5): the line only "
+                      "28: The remaining part begins where it ends (0.5 = 0.5): the line only "
                       "touches the window.",
-                      "27: End 1 becomes the same point as End 2, (−100, 75).",
-                      "30: The line meets the window in a single point, (−100, 75): that point is "
+                      "29: End 1 becomes the same point as End 2, (−100, 75).",
+                      "32: The line meets the window in a single point, (−100, 75): that point is "
                       "visible."});
         const auto inside = sentences("lb", {{0, 0}, {50, 50}});
         compareLists(inside.last(5),
                      {"20: u1 = 1: End 2 is inside and stays.",
-                      "23: End 2 lies in the window, at (50, 50): it stays where it is.",
-                      "24: u0 = 0: End 1 is inside and stays.",
-                      "29: End 1 lies in the window, at (0, 0): it stays where it is.",
-                      "30: Both ends lie inside the window, so all of the line is visible."});
+                      "24: End 2 lies in the window, at (50, 50): it stays where it is.",
+                      "25: u0 = 0: End 1 is inside and stays.",
+                      "31: End 1 lies in the window, at (0, 0): it stays where it is.",
+                      "32: Both ends lie inside the window, so all of the line is visible."});
         const auto missing = sentences("lb:published", {{-200, 50}, {0, 150}});
         compareLists(missing.last(2), {"9: The exit at the top edge comes before the start of the "
                                        "remaining part (0.25 < 0.5).",

@@ -190,12 +190,12 @@ private slots:
              "22: The corners do not all lie on one side, so the line meets the window.",
              "24: By the table, the line enters at the left edge and leaves at the top edge.",
              "25: End 2 is outside, with the outcode 1000, and has to move.",
-             "26: End 2 is outside, so it becomes the point where the line crosses the top edge: "
+             "27: End 2 is outside, so it becomes the point where the line crosses the top edge: "
              "(−9.0625, 75).",
-             "27: End 1 is outside, with the outcode 0001, and has to move.",
-             "28: End 1 is outside, so it becomes the point where the line crosses the left edge: "
+             "28: End 1 is outside, with the outcode 0001, and has to move.",
+             "29: End 1 is outside, so it becomes the point where the line crosses the left edge: "
              "(−100, 11.7391).",
-             "29: The remaining part, from (−100, 11.7391) to (−9.0625, 75), lies inside the "
+             "31: The remaining part, from (−100, 11.7391) to (−9.0625, 75), lies inside the "
              "window: it is visible."});
     }
     /// Through the corner (0, 2) with the window on the left; and along a window without height.

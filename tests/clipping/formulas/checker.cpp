@@ -11,7 +11,7 @@ std::optional<Fault> Checker::check(const clipping::Segment& segment,
                                     const clipping::Window& window, const clipping::Trace& trace,
                                     const clipping::OperationCounts& operations)
 {
-    StepCheck run(code_, evaluated_, segment, window);
+    StepCheck run(code_, evaluated_, comparedLess_, segment, window);
     int number = 0;
     const auto fault = [&](const std::string& found, const std::string& told) {
         const bool isLine = number >= 1 && number <= int(code_.lines.size());

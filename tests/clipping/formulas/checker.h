@@ -21,7 +21,10 @@ std::string text(const Fault& fault); ///< in several lines
 /// Follows a run through its pseudo-code, and evaluates every line that is lit.
 class Checker {
 public:
-    explicit Checker(const Code& code) : code_(code), evaluated_(code.formulas) {}
+    explicit Checker(const Code& code)
+        : code_(code), evaluated_(code.formulas), comparedLess_(code.lines.size())
+    {
+    }
 
     /// The first fault of a run. `operations`: what the run costs in all.
     std::optional<Fault> check(const clipping::Segment& segment, const clipping::Window& window,
@@ -30,10 +33,12 @@ public:
 
     /// The formulas that no run so far has evaluated.
     std::vector<Place> notEvaluated() const;
+    /// Whether a run needed fewer comparisons than a line shows; `line` from 0.
+    bool comparedLess(std::size_t line) const { return comparedLess_[line] != 0; }
 
 private:
     const Code& code_;
-    std::vector<char> evaluated_;
+    std::vector<char> evaluated_, comparedLess_;
 };
 
 } // namespace formulas

@@ -50,9 +50,9 @@ std::vector<Step> goodRun()
          {{"i", 1}, {"xi", -3}, {"moved", 0}, {"p", 16}, {"q", -3}},
          {1, 1, 1, 0, 0}},
         {What::Test, false, "", 7, given, Edge::NoEdge, {}, {1, 1, 1, 1, 0}},
-        {What::Cut, false, "", 5, cut, Edge::Left, {}, {1, 1, 1, 3, 0}},
-        {What::Let, false, "left", 10, held, Edge::NoEdge, {{"nx", -1}}, {1, 1, 1, 9, 0}},
-        {What::Accept, false, "", 12, held, Edge::NoEdge, {}, {1, 1, 1, 9, 0}},
+        {What::Cut, false, "", 5, cut, Edge::Left, {}, {2, 1, 1, 3, 0}},
+        {What::Let, false, "left", 10, held, Edge::NoEdge, {{"nx", -1}}, {2, 1, 1, 9, 0}},
+        {What::Accept, false, "", 12, held, Edge::NoEdge, {}, {2, 1, 1, 9, 0}},
     };
 }
 
@@ -76,7 +76,7 @@ std::vector<Step> turningRun()
 }
 
 std::optional<Fault> faultOf(const std::vector<Step>& steps,
-                             clipping::OperationCounts operations = {1, 1, 1, 9, 0},
+                             clipping::OperationCounts operations = {2, 1, 1, 9, 0},
                              const char* text = code)
 {
     const Code parsed = read(text);
@@ -133,6 +133,11 @@ private slots:
         row("a division", 7, [](auto& s) { s[2].cost.divisions = 2; });
         row("a comparison", 7, [](auto& s) { s[2].cost.comparisons = 2; });
         row("a change of sign", 7, [](auto& s) { s[2].cost.negations = 1; });
+        row("no addition", 1, [](auto& s) { s[0].cost.additions = 0; });
+        row("no multiplication", 4, [](auto& s) { s[1].cost.multiplications = 0; });
+        row("no division", 1, [](auto& s) { s[0].cost.divisions = 0; });
+        row("no comparison", 7, [](auto& s) { s[2].cost.comparisons = 0; });
+        row("no addition in a function", 5, [](auto& s) { s[3].cost.additions = 1; });
         row("operations after the last step", 12, [](auto& s) { s[5].cost.comparisons = 8; });
         row("no step of a value", 7, [](auto& s) { s[1].values.resize(4), s[1].name = "p"; });
     }

@@ -47,6 +47,8 @@ struct Line {
     std::vector<int> ofEach{};        ///< names in a `for each` line
     std::vector<Formula> accepted{};  ///< the four coordinates after "accept the line from"
     clipping::OperationCounts mostOperations{}; ///< that its formulas can cost
+    bool comparesInFunctions = false, computesInFunctions = false; ///< some of them, unseen
+    bool comparesLess = false; ///< a run may need fewer comparisons than it shows (exceptions.h)
 };
 
 /// The pseudo-code of one form.
@@ -63,6 +65,11 @@ Code read(std::string_view code);
 
 /// What a formula can cost at most, whichever way its conditions go.
 clipping::OperationCounts mostOperationsOf(const Expression& e);
+/// Whether a formula calls a function whose cost depends on its arguments.
+bool callsFunction(const Expression& e);
+/// Whether one of them does more than compare: order, yAt, xAt, side.
+bool callsArithmetic(const Expression& e);
+void add(clipping::OperationCounts& to, const clipping::OperationCounts& more);
 
 /// Each formula that computes something, with its line, from 1.
 struct Place {

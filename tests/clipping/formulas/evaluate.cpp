@@ -8,6 +8,8 @@
 #include <bit>
 #include <cmath>
 
+#include "tests/clipping/formulas/code.h"
+
 namespace formulas {
 
 namespace {
@@ -19,14 +21,12 @@ unsigned bits(double value)
     return unsigned(value);
 }
 
-/// The edge's own coordinate across it; elsewhere the one of the window that is nearest.
+/// The nearest coordinate of the window.
 double held(double value, const Scope& scope)
 {
     if (scope.axis < 0)
         throw Unreadable("held(...) is no coordinate here");
     const clipping::Window w = scope.window();
-    if (scope.edge != clipping::Edge::NoEdge && clipping::axisOf(scope.edge) == scope.axis)
-        return clipping::levelOf(scope.edge, w);
     return clipping::clamped(value, w.min[scope.axis], w.max[scope.axis]);
 }
 
@@ -40,24 +40,42 @@ bool isBeyond(const glm::dvec2& p, const Scope& scope)
     return scope.edge == clipping::lowerEdge(axis) ? p[axis] < level : p[axis] > level;
 }
 
-double sign(std::strong_ordering order)
+/// The edge at which the variable got its value; NoEdge for anything else.
+clipping::Edge edgeAt(const Expression& variable, const Scope& scope)
+{
+    return variable.kind == Kind::Name ? scope.edgeOf(slotOf(variable, scope))
+                                       : clipping::Edge::NoEdge;
+}
+
+double sign(std::partial_ordering order)
 {
     return std::is_lt(order) ? -1 : std::is_gt(order) ? 1 : 0;
 }
 
-double valueOfFunction(const Expression& e, const Scope& scope)
+double valueOfFunction(const Expression& e, const Scope& scope, clipping::OperationCounts* cost)
 {
-    const double first = valueOf(e.parts[0], scope);
+    const double first = valueOf(e.parts[0], scope, cost);
     if (e.name == "abs")
         return std::abs(first);
+    if (e.name == "sign")
+        return sign(std::partial_ordering(first <=> 0.0));
     if (e.name == "held")
         return held(first, scope);
+    const clipping::Edge edge = edgeAt(e.parts[0], scope);
+    if (e.name == "atEdge")
+        return edge != clipping::Edge::NoEdge;
+    if ((e.name == "vertical" || e.name == "edge") && edge == clipping::Edge::NoEdge)
+        throw Unreadable(e.name + "(...) is of no edge here");
+    if (e.name == "vertical")
+        return clipping::axisOf(edge) == 0;
+    if (e.name == "edge")
+        return clipping::levelOf(edge, scope.window());
     const double x1 = scope.value(0), y1 = scope.value(1), x2 = scope.value(2), y2 = scope.value(3);
     if (e.name == "yAt")
         return clipping::crossingInIntegers<double>(x1, y1, x2, y2, first);
     if (e.name == "xAt")
         return clipping::crossingInIntegers<double>(y1, x1, y2, x2, first);
-    const double second = valueOf(e.parts[1], scope);
+    const double second = valueOf(e.parts[1], scope, cost);
     if (e.name == "order")
         return sign(clipping::orderInIntegers(x1, y1, x2, y2, first, second));
     if (e.name == "side")
@@ -114,9 +132,11 @@ int slotOf(const Expression& variable, const Scope& scope)
     return variable.variables[std::size_t(index)];
 }
 
-double valueOf(const Expression& e, const Scope& scope)
+double valueOf(const Expression& e, const Scope& scope, clipping::OperationCounts* cost)
 {
-    const auto part = [&](std::size_t i) { return valueOf(e.parts[i], scope); };
+    const auto part = [&](std::size_t i) { return valueOf(e.parts[i], scope, cost); };
+    if (cost && !isCopy(e))
+        add(*cost, operationOf(e, scope));
     switch (e.kind) {
     case Kind::Number:
         return e.number;
@@ -136,7 +156,7 @@ double valueOf(const Expression& e, const Scope& scope)
     case Kind::Choice:
         return part(0) != 0 ? part(1) : part(2);
     case Kind::Function:
-        return valueOfFunction(e, scope);
+        return valueOfFunction(e, scope, cost);
     case Kind::Call:
         throw Unreadable(e.name + "(...) has no value of its own: tell what its lines do");
     default:

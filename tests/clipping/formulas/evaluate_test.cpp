@@ -12,19 +12,32 @@ namespace {
 const clipping::Segment segment{{1, 2}, {30, 40}};
 const clipping::Window window{{5, 6}, {7, 8}};
 
+/// A formula, and what it is evaluated with: u is of the right edge, n is an outcode.
+struct Given {
+    explicit Given(const char* formula)
+    {
+        const std::set<std::string> loops{"i"};
+        Reader reader(formula, names, loops);
+        expression = reader.expression();
+        if (!reader.atEnd())
+            reader.fail("The end");
+        const int i = names.slotOf("i"), indexed = names.slotOf("x[2]"), u = names.slotOf("u"),
+                  n = names.slotOf("n");
+        scope.emplace(names, segment, window);
+        scope->set(i, 2), scope->set(indexed, 9), scope->set(u, 0.5), scope->set(n, 5);
+        scope->setEdge(u, clipping::Edge::Right);
+        scope->setIsNumber(n, false), scope->setIsNumber(i, false);
+    }
+    Names names;
+    Expression expression;
+    std::optional<Scope> scope;
+};
+
 double valueOf(const char* formula, clipping::Edge edge = clipping::Edge::NoEdge, int axis = -1)
 {
-    Names names;
-    const std::set<std::string> loops{"i"};
-    Reader reader(formula, names, loops);
-    const Expression e = reader.expression();
-    if (!reader.atEnd())
-        reader.fail("The end");
-    const int i = names.slotOf("i"), indexed = names.slotOf("x[2]");
-    Scope scope(names, segment, window);
-    scope.set(i, 2), scope.set(indexed, 9);
-    scope.edge = edge, scope.axis = axis;
-    return formulas::valueOf(e, scope);
+    Given given(formula);
+    given.scope->edge = edge, given.scope->axis = axis;
+    return formulas::valueOf(given.expression, *given.scope);
 }
 
 } // namespace
@@ -56,6 +69,8 @@ private slots:
         row("min(2, 1) + max(3, 4)", 5), row("abs(-2) + abs(3)", 5);
         row("yAt(15.5)", 21), row("xAt(21)", 15.5), row("order(15.5, 21)", 0);
         row("order(5, 21)", -1), row("order(20, 21)", 1);
+        row("sign(-3)", -1), row("sign(0)", 0), row("sign(0.1)", 1);
+        row("atEdge(u)", 1), row("atEdge(n)", 0), row("vertical(u)", 1), row("edge(u)", 7);
         row("x[i]", 9), row("x[1 + 1]", 9), row("xi", 30), row("yi - y1", 38), row("xmin*ymax", 40);
     }
     void values()
@@ -69,19 +84,57 @@ private slots:
     void heldClampsToTheWindow()
     {
         using clipping::Edge;
-        QCOMPARE(valueOf("held(1)", Edge::Right, 0), 7.0); // across the edge: the edge itself
+        QCOMPARE(valueOf("held(1)", Edge::Right, 0), 5.0); // the edge of a step does not matter
         QCOMPARE(valueOf("held(1)", Edge::Right, 1), 6.0);
         QCOMPARE(valueOf("held(7.5)", Edge::Right, 1), 7.5);
         QCOMPARE(valueOf("held(9)", Edge::Top, 0), 7.0);
         QVERIFY_THROWS_EXCEPTION(Unreadable, valueOf("held(1)"));
     }
 
+    /// What a reader of the text would count.
+    void operations_data()
+    {
+        QTest::addColumn<QString>("formula");
+        QTest::addColumn<int>("additions");
+        QTest::addColumn<int>("multiplications");
+        QTest::addColumn<int>("comparisons");
+        const auto row = [](const char* formula, int additions, int multiplications,
+                            int comparisons) {
+            QTest::newRow(formula)
+                << QString(formula) << additions << multiplications << comparisons;
+        };
+        row("x1 + y1*x2 - 1", 2, 1, 0);
+        row("x1 > y1 or x1 > y2", 0, 0, 2);            // 1 > 2, 1 > 40
+        row("x1 < y1 or x1 + 1 > y2", 0, 0, 1);        // the first decides
+        row("x1 > y1 and x1*y1 > 0", 0, 0, 1);         // again
+        row("x1 < y1 ? x1*y1 : x1 + y1", 0, 1, 1);     // one alternative
+        row("n == 0000 or n & 0001 != 0000", 0, 0, 0); // no numbers
+        row("16*n + i", 0, 0, 0);
+        row("n == 0 ? x1 + 1 : x1*2*y1", 0, 2, 0);
+        row("edge(u) + 1", 1, 0, 0);
+        row("vertical(u) ? 1 : x1*y1", 0, 0, 0);
+        row("sign(x1 - y1) == 1", 1, 0, 1);
+    }
+    void operations()
+    {
+        QFETCH(QString, formula);
+        QFETCH(int, additions);
+        QFETCH(int, multiplications);
+        QFETCH(int, comparisons);
+        const Given given(qPrintable(formula));
+        clipping::OperationCounts found;
+        formulas::valueOf(given.expression, *given.scope, &found);
+        QCOMPARE(found.additions, std::uint64_t(additions));
+        QCOMPARE(found.multiplications, std::uint64_t(multiplications));
+        QCOMPARE(found.comparisons, std::uint64_t(comparisons));
+    }
+
     void errors_data()
     {
         QTest::addColumn<QString>("formula");
-        for (const char* formula :
-             {"unknown", "1 +", "(1", "1 2", "x[1", "x[20]", "f(1)", "min(1)", "1 ? 2", "", "+ 1",
-              "1 < 2 < 3", "a = 1", "x[1] + 1", "1 # 2", "0.5 | 1", "-1 & 1"})
+        for (const char* formula : {"unknown", "1 +", "(1", "1 2", "x[1", "x[20]", "f(1)", "min(1)",
+                                    "1 ? 2", "", "+ 1", "1 < 2 < 3", "a = 1", "x[1] + 1", "1 # 2",
+                                    "0.5 | 1", "-1 & 1", "edge(x1)", "vertical(n)"})
             QTest::newRow(formula) << QString(formula);
     }
     void errors()

@@ -58,7 +58,7 @@ enum class Kind {
     And,
     Or,
     Choice,   ///< c ? a : b
-    Function, ///< outcode, abs, min, max, held, order, yAt, xAt
+    Function, ///< outcode, abs, sign, min, max, held, atEdge, vertical, edge, order, yAt, xAt
     Call      ///< of what the pseudo-code defines: it has no value
 };
 

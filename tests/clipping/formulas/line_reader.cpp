@@ -139,11 +139,9 @@ void LineReader::assignments()
 Formula LineReader::formula(Expression e)
 {
     findCalls(e);
-    const auto cost = mostOperationsOf(e);
-    auto& most = line_.mostOperations;
-    most.additions += cost.additions, most.multiplications += cost.multiplications;
-    most.divisions += cost.divisions, most.comparisons += cost.comparisons;
-    most.negations += cost.negations;
+    add(line_.mostOperations, mostOperationsOf(e));
+    line_.comparesInFunctions |= callsFunction(e);
+    line_.computesInFunctions |= callsArithmetic(e);
     return {std::move(e), code_.formulas++};
 }
 

@@ -7,7 +7,8 @@
 namespace formulas {
 
 Scope::Scope(const Names& names, const clipping::Segment& s, const clipping::Window& w)
-    : names_(names), values_(names.size()), known_(names.size())
+    : names_(names), values_(names.size()), known_(names.size()), numbers_(names.size(), 1),
+      edges_(names.size(), clipping::Edge::NoEdge)
 {
     const std::array given{s.a.x,   s.a.y,   s.b.x,   s.b.y,
                            w.min.x, w.min.y, w.max.x, w.max.y}; // the order of Names

@@ -10,7 +10,10 @@ void StepCheck::arguments(const clipping::Step& step)
     for (const Arguments& call : line_->calls)
         for (const Line& line : code_.lines)
             if (line.definition && line.definition->of == call.of) {
+                const auto before = shown_;
                 wrong = passed(call, *line.definition, step);
+                if (wrong) // another call is meant
+                    shown_ = before;
                 if (!wrong && line_->turns && step.what == clipping::What::Let)
                     turn(step, call, *line.definition);
                 if (!wrong)

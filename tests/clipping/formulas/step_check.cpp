@@ -24,9 +24,10 @@ std::string text(bool truth) { return truth ? "true" : "false"; }
 } // namespace
 
 StepCheck::StepCheck(const Code& code, std::vector<char>& evaluated,
-                     const clipping::Segment& segment, const clipping::Window& window)
-    : code_(code), evaluated_(evaluated), scope_(code.names, segment, window), left_(segment),
-      ends_(coordinates(segment))
+                     std::vector<char>& comparedLess, const clipping::Segment& segment,
+                     const clipping::Window& window)
+    : code_(code), evaluated_(evaluated), comparedLess_(comparedLess),
+      scope_(code.names, segment, window), left_(segment), ends_(coordinates(segment))
 {
     setEnds();
 }
@@ -38,6 +39,7 @@ void StepCheck::step(const clipping::Step& step)
                     "line " + std::to_string(step.line)};
     line_ = &code_.lines[std::size_t(step.line) - 1];
     next_ = ends_, assignsEnds_ = false;
+    shown_ = {};
     windowBefore_ = scope_.window();
     const bool isDone = line_->turns && movesEnds(step);
     if (isDone)
@@ -49,6 +51,8 @@ void StepCheck::step(const clipping::Step& step)
         condition(step.holds);
     if (step.what == What::Let && !movesEnds(step))
         nameOfLet(step);
+    if (step.what == What::Cut)
+        conditionOfCut();
     assignments(step);
     if (!isDone)
         arguments(step);
@@ -77,6 +81,16 @@ void StepCheck::condition(bool holds)
         throw Wrong{text(found), text(holds)};
 }
 
+/// A line that cuts under a condition has been chosen by it, without a step of its own or with one.
+void StepCheck::conditionOfCut()
+{
+    if (!line_->condition)
+        return;
+    evaluated_[line_->condition->number] = 1;
+    if (formulas::valueOf(line_->condition->expression, scope_) == 0)
+        throw Wrong{"the condition of the line does not hold", "a cut"};
+}
+
 void StepCheck::assignments(const clipping::Step& step)
 {
     for (const Assignment& assignment : line_->assignments) {
@@ -93,9 +107,21 @@ void StepCheck::assignments(const clipping::Step& step)
             throw Wrong{code_.names.at(slot) + " = " + formulas::text(found),
                         formulas::text(*value)};
         scope_.set(slot, found);
+        scope_.setEdge(slot, scope_.edge);
         if (isEnd)
             next_[std::size_t(end)] = found, assignsEnds_ = true;
     }
+}
+
+/// Whether an end lies on the edge that a cut names; a line that holds ends puts them there
+/// exactly.
+bool StepCheck::isOnItsEdge() const
+{
+    if (scope_.edge == clipping::Edge::NoEdge)
+        return true;
+    const auto axis = std::size_t(clipping::axisOf(scope_.edge));
+    const double level = clipping::levelOf(scope_.edge, scope_.window());
+    return next_[axis] == level || next_[axis + 2] == level;
 }
 
 void StepCheck::ends(const clipping::Step& step)
@@ -111,6 +137,8 @@ void StepCheck::ends(const clipping::Step& step)
     if (step.what == What::Accept)
         for (std::size_t k = 0; k < line_->accepted.size(); ++k)
             next_[k] = valueOf(line_->accepted[k]);
+    if (step.what == What::Cut && line_->comparesInFunctions && !isOnItsEdge())
+        throw Wrong{"the new end is not on the edge", "an edge"};
     const Ends now = plane_.of(step.segment);
     for (std::size_t k = 0; k < 4; ++k)
         if (!same(next_[k], now[k]))

@@ -14,8 +14,10 @@ struct Wrong {
 /// One run on its way through the code. Its functions throw Wrong or Unreadable.
 class StepCheck {
 public:
-    StepCheck(const Code& code, std::vector<char>& evaluated, const clipping::Segment& segment,
-              const clipping::Window& window);
+    /// Marks each formula that it evaluates, and each line that needs fewer comparisons than it
+    /// shows.
+    StepCheck(const Code& code, std::vector<char>& evaluated, std::vector<char>& comparedLess,
+              const clipping::Segment& segment, const clipping::Window& window);
 
     void step(const clipping::Step& step);                       ///< the next one
     void end(const clipping::OperationCounts& operations) const; ///< after the last
@@ -30,6 +32,7 @@ private:
     bool givesValueTo(int slot) const;
 
     void condition(bool holds);
+    void conditionOfCut();
     void assignments(const clipping::Step& step);
     void arguments(const clipping::Step& step);
     std::optional<Wrong> passed(const Arguments& call, const Parameters& parameters,
@@ -40,6 +43,7 @@ private:
     void nameOfLet(const clipping::Step& step) const;
     void words(clipping::What what) const;
     void ends(const clipping::Step& step);
+    bool isOnItsEdge() const;
     void cost(const clipping::Step& step);
 
     double valueOf(const Formula& formula);
@@ -48,7 +52,7 @@ private:
     void setEnds();
 
     const Code& code_;
-    std::vector<char>& evaluated_;
+    std::vector<char>&evaluated_, &comparedLess_;
     Scope scope_;
     const Line* line_ = nullptr;
     /// A call that is not done yet.
@@ -65,6 +69,7 @@ private:
     Ends next_{};                      ///< and as the lit line has them
     bool assignsEnds_ = false;         ///< whether it gives one of them a value
     clipping::OperationCounts cost_{}; ///< so far
+    clipping::OperationCounts shown_{}; ///< by the formulas that the step evaluates
 };
 
 } // namespace formulas

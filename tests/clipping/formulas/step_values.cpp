@@ -73,6 +73,7 @@ void StepCheck::takeFromOtherLines(const clipping::Step& step)
         const int slot = slotOfTold(name);
         if (slot == -1)
             throw Wrong{"no line gives " + name + " a value", text(value.value)};
+        scope_.setIsNumber(slot, value.kind == clipping::ValueKind::Number);
         if (givesValueTo(slot))
             continue;
         const bool isKnown = scope_.isKnown(slot) && same(scope_.value(slot), value.value);
@@ -117,7 +118,7 @@ void StepCheck::nameOfLet(const clipping::Step& step) const
 double StepCheck::valueOf(const Formula& formula)
 {
     evaluated_[formula.number] = 1;
-    return formulas::valueOf(formula.expression, scope_);
+    return formulas::valueOf(formula.expression, scope_, &shown_);
 }
 
 int StepCheck::axisOf(int slot) const

@@ -48,15 +48,20 @@ inline constexpr clipping::OperationCounts costOfOrder{7, 3, 0, 7, 3},
     costOfCrossing{56, 19, 2, 4, 5};
 /// What exact/turn.h does in floating point.
 inline constexpr clipping::OperationCounts costOfSide{7, 3, 0, 5, 3};
-/// order(x, y) is -1, 0 or 1: the line from x1, y1 to x2, y2 passes x before, together with or
-/// after y. yAt(x) and xAt(y) are its other coordinate there, rounded once. side(x, y) is 1 for a
-/// point to its left, 0 for one on it, -1 for one to its right. beyond(x, y) is whether a point is
-/// beyond the edge of the step.
+/// sign(v) is -1, 0 or 1, by one comparison. order(x, y) is -1, 0 or 1: the line from x1, y1 to x2,
+/// y2 passes x before, together with or after y. atEdge(u) is whether u was computed at an edge,
+/// vertical(u) whether this edge is vertical, and edge(u) its coordinate. yAt(x) and xAt(y) are its
+/// other coordinate there, rounded once. side(x, y) is 1 for a point to its left, 0 for one on it,
+/// -1 for one to its right. beyond(x, y) is whether a point is beyond the edge of the step.
 inline constexpr std::array functions{Function{"outcode", 2, {.comparisons = 4}},
                                       Function{"abs", 1, {.comparisons = 1, .negations = 1}},
+                                      Function{"sign", 1, {.comparisons = 1}},
                                       Function{"min", 2, {.comparisons = 1}},
                                       Function{"max", 2, {.comparisons = 1}},
                                       Function{"held", 1, {.comparisons = 2}},
+                                      Function{"atEdge", 1, {}},
+                                      Function{"vertical", 1, {}},
+                                      Function{"edge", 1, {}},
                                       Function{"order", 2, costOfOrder},
                                       Function{"yAt", 1, costOfCrossing},
                                       Function{"xAt", 1, costOfCrossing},

@@ -4,6 +4,7 @@
 #include <QSignalSpy>
 
 #include "tests/app/document/sheet_edits.h"
+#include "tests/app/session/concave_window.h"
 #include "tests/ui/canvas/pane_stage.h"
 
 class PanesTest : public QObject {
@@ -263,6 +264,25 @@ private slots:
         stage.show(1);
         QCOMPARE(stage.chosen(), row("kwc", published));
         QCOMPARE(magenta(0), 0);
+    }
+    /// Another algorithm clips in its place: what it would lose of the page is no loss here.
+    void aPaneThatCannotClipHasNoDifferences()
+    {
+        PaneStage stage(4);
+        const auto difference = [&](std::size_t i) { // of a pane's picture from that of `exact`
+            const QImage exact = stage.shot(0), image = stage.shot(i);
+            const int height = image.height() - 60; // above the label in the corner
+            int pixels = 0;
+            for (int y = 0; y < height; ++y)
+                for (int x = 0; x < image.width(); ++x)
+                    pixels += image.pixel(x, y) != exact.pixel(x, y);
+            return pixels;
+        };
+        stage.canvas->setTool("hand"); // no handles, which only the active pane has
+        QVERIFY(difference(2) > 500);
+        setWindows(stage.session, {concaveWindow("Star", {{20, 5}, {180, 60}})});
+        QCOMPARE(difference(2), 0);
+        QVERIFY(stage.heading(2).toolTip().contains("rectangles only"));
     }
     void headingsShowTheirTimes()
     {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/numbers.h"
 #include "app/base/short_names.h"
 #include "ui/docks/compare_panel.h"
 #include "ui/docks/compare_table.h"
@@ -9,6 +10,7 @@
 #include <QHeaderView>
 
 #include "tests/app/document/sheet_edits.h"
+#include "tests/app/session/concave_window.h"
 #include "tests/ui/test_window.h"
 
 using namespace ui;
@@ -207,6 +209,49 @@ private slots:
         if (shown.elapsed() < 500) // or this program got no processor time
             QCOMPARE(top(), before);
         QTRY_VERIFY((table.showRows(rowsWith(3, 2), 5000), top() != before));
+    }
+    /// The table has no numbers of another place, and agrees with the status bar.
+    void atAStarItSaysWhoCanClip()
+    {
+        CompareWindow t(2000);
+        t.openPanel();
+        CompareTable& table = t.table();
+        const auto rowOf = [&](const QString& name) {
+            for (int row = 0; row < t.rows(); ++row)
+                if (t.text(row, CompareModel::Name) == name)
+                    return row;
+            return -1;
+        };
+        QVERIFY(table.isColumnHidden(CompareModel::Here));
+        setWindows(t.window->session(), {concaveWindow("Star", {{25, 25}, {75, 75}})});
+        QVERIFY(!table.isColumnHidden(CompareModel::Here));
+        for (const auto& [name, words] :
+             {std::pair("KWC", "rectangles only"), std::pair("CB", "convex only"),
+              std::pair("EX", "clips it")}) {
+            QVERIFY2(rowOf(name) >= 0, name);
+            QCOMPARE(t.text(rowOf(name), CompareModel::Here), QString(words));
+        }
+        const auto noNumbers = [&] {
+            for (int row = 0; row < t.rows(); ++row)
+                for (const int column :
+                     {CompareModel::Median, CompareModel::Spread, CompareModel::Operations,
+                      CompareModel::Visible, CompareModel::Differ})
+                    if (t.text(row, column) != QStringLiteral("–"))
+                        return false;
+            return true;
+        };
+        QVERIFY(noNumbers());
+        QTest::qWait(300); // no round of before comes late
+        QVERIFY(noNumbers());
+        setWindows(t.window->session(), {{.shape = app::RectangleShape{{{25, 25}, {75, 75}}}}});
+        QTRY_VERIFY(!noNumbers());
+        QVERIFY(table.isColumnHidden(CompareModel::Here));
+        QTRY_VERIFY(t.panel().race().upToDate());
+        const std::size_t visible =
+            t.window->session()
+                .scene.clip(t.window->session().region(), app::exactVariant())
+                .visible;
+        QTRY_COMPARE(t.text(rowOf("EX"), CompareModel::Visible), app::countText(visible));
     }
     void columnsAreHiddenWithoutRoom()
     {

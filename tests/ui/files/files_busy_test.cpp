@@ -91,7 +91,7 @@ private slots:
         clickCancel();
         QTRY_VERIFY(!desk.files().busy());
         QCOMPARE(desk.files().name(), "two.svg");
-        QCOMPARE(app::firstWindow(desk.session().now().windows()), middle);
+        QCOMPARE(desk.session().comparedAt(), middle);
         desk.answers->answer = Questions::Answer::Cancel;
         QVERIFY(desk.saved()); // although a thread still reads
     }

@@ -43,6 +43,7 @@ public:
         window_.show();
         auto& canvas = window_.window->canvas();
         canvas.settle();
+        key(QStringLiteral("Ctrl+Alt+1")); // the workspace Draw, where digits are numbers
         window_.answers->save = window_.path("exported.svg");
     }
 

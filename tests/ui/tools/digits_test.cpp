@@ -1,16 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/tool.h"
 
+#include <QLabel>
+#include <QLineEdit>
+#include <QStatusBar>
+
 #include "tests/ui/tools/hand.h"
 
-// A digit never chooses the algorithm during a gesture, whatever the tool.
+// Outside gestures and fields digits choose the algorithm whenever a clip window is chosen or the
+// workspace is not Draw; a digit never does so during a gesture, whatever the tool.
 class DigitsTest : public QObject {
     Q_OBJECT
 
     struct Person : Hand {
         Person() : Hand({shape({wave()}), shape({{{30, 90}, {{{90, 90}}}, false}})})
         {
-            key(Qt::Key_2, Qt::ControlModifier | Qt::AltModifier); // the workspace Cut
+            work(Qt::Key_2);
+        }
+        /// Key 1 is for the workspace Draw, 2 for Cut.
+        void work(int key) { Hand::key(key, Qt::ControlModifier | Qt::AltModifier); }
+        bool typing() const
+        {
+            const auto* field = qobject_cast<const QLineEdit*>(QApplication::focusWidget());
+            return field && canvas.isAncestorOf(field);
+        }
+        double lengthOfLast() const
+        {
+            const auto lines = session.scene.lines();
+            const clipping::Segment last = lines[lines.size() - 1];
+            return glm::distance(last.a, last.b);
+        }
+        QString hint() const
+        {
+            return t.window->statusBar()->findChild<QLabel*>("hint")->toolTip();
         }
         bool digitsChoose()
         {
@@ -107,6 +129,106 @@ private slots:
         QTest::mouseRelease(&person.surface(), Qt::MiddleButton, {}, person.at({100, 10}));
         QVERIFY(person.digitsChoose());
     }
+    void afterAWindowIsDraggedDigitsChoose_data() { bothWorkspaces(); }
+    void afterAWindowIsDraggedDigitsChoose()
+    {
+        QFETCH(int, workspace);
+        Person person;
+        person.work(workspace);
+        for (const bool selected : {false, true}) {
+            person.click(selected ? app::Point(80, 50) : app::Point(100, 5));
+            QCOMPARE(person.session.selection().empty(), !selected);
+            const auto before = *person.session.clipWindow();
+            person.drag({167, 85}, {160, 75});
+            QVERIFY(*person.session.clipWindow() != before);
+            QVERIFY(person.digitsChoose());
+            QVERIFY(!person.typing());
+        }
+    }
+    void afterAWindowIsDrawnDigitsChoose_data() { bothWorkspaces(); }
+    void afterAWindowIsDrawnDigitsChoose()
+    {
+        QFETCH(int, workspace);
+        Person person;
+        person.work(workspace);
+        person.canvas.setTool("window");
+        person.drag({100, 5}, {150, 30});
+        QCOMPARE(person.session.windows().list.size(), std::size_t(2));
+        QVERIFY(person.digitsChoose());
+        QVERIFY(person.hint().endsWith("Digits: algorithm."));
+    }
+    void inDrawDigitsAreTheNumbersOfWhatWasJustDrawn()
+    {
+        Person person;
+        person.work(Qt::Key_1);
+        person.canvas.setTool("line");
+        person.drag({100, 10}, {120, 10});
+        const app::Variant before = person.session.variant();
+        person.key(Qt::Key_3);
+        QVERIFY(person.typing());
+        QVERIFY(!person.hint().contains("Digits"));
+        person.key(Qt::Key_5);
+        person.key(Qt::Key_Return);
+        QCOMPARE(person.lengthOfLast(), 35.0);
+        QCOMPARE(person.session.variant(), before);
+    }
+    void inDrawDigitsAreTheNumbersOfAMovedObject()
+    {
+        Person person;
+        person.work(Qt::Key_1);
+        person.click({60, 90});
+        person.drag({60, 90}, {70, 80});
+        QVERIFY(!person.digitsChoose());
+        QVERIFY(person.typing());
+    }
+    void outsideDrawEnterOpensTheNumbers()
+    {
+        Person person;
+        person.canvas.setTool("line");
+        person.drag({100, 10}, {120, 10});
+        QVERIFY(person.digitsChoose());
+        QVERIFY(!person.typing());
+        const double length = person.lengthOfLast();
+        person.key(Qt::Key_Return);
+        QVERIFY(person.typing());
+        QVERIFY(!person.digitsChoose()); // they are in the field
+        person.key(Qt::Key_Escape);
+        QCOMPARE(person.lengthOfLast(), length);
+        person.drag({100, 30}, {120, 30});
+        person.key(Qt::Key_Return);
+        person.key(Qt::Key_3);
+        person.key(Qt::Key_0);
+        person.key(Qt::Key_Return);
+        QCOMPARE(person.lengthOfLast(), 30.0);
+    }
+    void inDrawWithoutAWindowDigitsDoNothing()
+    {
+        Person person;
+        person.work(Qt::Key_1);
+        app::Edit edit;
+        edit.windows = app::ClipWindows{};
+        person.session.document.apply(edit);
+        QVERIFY(!person.digitsChoose());
+        QVERIFY(person.t.window->statusBar()->currentMessage().contains("clip window is chosen"));
+    }
+    void theHintSaysWhetherDigitsChoose()
+    {
+        Person person;
+        const auto says = [&] { return person.hint().endsWith("Digits: algorithm."); };
+        QVERIFY(says());
+        person.work(Qt::Key_1);
+        QVERIFY(says()); // the window is chosen, as nothing else is
+        person.click({80, 50});
+        QVERIFY(!says());
+        person.work(Qt::Key_2);
+        QVERIFY(says());
+        person.work(Qt::Key_1);
+        person.canvas.setTool("line");
+        QVERIFY(!says());
+        person.canvas.setTool("select");
+        person.key(Qt::Key_Escape);
+        QVERIFY(says());
+    }
     void undoneStepLeavesDigitsToTheAlgorithm()
     {
         Person person;
@@ -114,6 +236,14 @@ private slots:
         person.drag({60, 90}, {70, 80});
         person.key(Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(person.digitsChoose());
+    }
+
+private:
+    static void bothWorkspaces()
+    {
+        QTest::addColumn<int>("workspace");
+        QTest::newRow("Draw") << int(Qt::Key_1);
+        QTest::newRow("Cut") << int(Qt::Key_2);
     }
 };
 

@@ -11,6 +11,7 @@
 
 #include "tests/app/document/first_window.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/app/session/concave_window.h"
 
 using namespace ui;
 
@@ -43,6 +44,17 @@ private slots:
         QCOMPARE(caption.text(), "At the page: no clip window along the axes.");
         setVisible(session, true);
         QVERIFY(caption.isHidden());
+    }
+
+    void theCaptionSaysThatNothingIsCompared()
+    {
+        app::Session session;
+        ::load(session.document, sheetAt({{10, 10}, {50, 50}}));
+        PageCaption caption(session);
+        PageCaption map(session, PageCaption::Elsewhere::AtThePage);
+        setWindows(session, {concaveWindow("Star", {{10, 10}, {50, 50}})});
+        QVERIFY(caption.text().startsWith("Nothing is compared"));
+        QCOMPARE(map.text(), "At the page: no clip window along the axes.");
     }
 
     void everyComparingPanelHasACaption_data()
