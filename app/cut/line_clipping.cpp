@@ -16,9 +16,10 @@ static bool notFinite(const Clipped& piece)
     return !std::isfinite(a.x + a.y + b.x + b.y); // coordinates are far below overflow
 }
 
-LineClipping::LineClipping(const CutOptions& options) : options_(options)
+LineClipping::LineClipping(const CutOptions& options, const std::stop_token& stop)
+    : options_(options)
 {
-    folding_.start(options.region, options.clipAll);
+    folding_.start(options.region, options.clipAll, stop);
 }
 
 std::span<const Clipped> LineClipping::keptOf(std::span<const Segment> lines)
