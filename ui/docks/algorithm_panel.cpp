@@ -76,22 +76,36 @@ AlgorithmPanel::AlgorithmPanel(app::Session& session, QWidget* parent)
     };
     connect(corrected_, &QRadioButton::clicked, this, [=] { choose(clipping::Form::Corrected); });
     connect(published_, &QRadioButton::clicked, this, [=] { choose(clipping::Form::Published); });
-    connect(ask_, &QPushButton::clicked, this, &AlgorithmPanel::compare);
+    connect(ask_, &QPushButton::clicked, this, [this] { compare(); });
     connect(&session, &app::Session::displayChanged, this, &AlgorithmPanel::follow);
     connect(&session, &app::Session::previewChanged, this, &AlgorithmPanel::followWindow);
     connect(&session, &app::Session::previewChanged, this, &AlgorithmPanel::followNeeds);
     connect(&session.scene, &app::Scene::outdated, this, &AlgorithmPanel::outdate);
     idle_.setSingleShot(true);
     idle_.setInterval(idleMilliseconds);
-    connect(&idle_, &QTimer::timeout, this, &AlgorithmPanel::compare);
+    connect(&idle_, &QTimer::timeout, this, [this] { compare(); });
     follow();
 }
 
-void AlgorithmPanel::compare()
+void AlgorithmPanel::compare(std::function<void()> done)
 {
     idle_.stop();
-    disagreements_ =
-        app::disagreements(session_.scene.lines(), session_.window(), session_.variant());
+    ask_->setEnabled(false);
+    comparing_.start(
+        [lines = session_.scene.lines(), window = session_.window(),
+         variant = session_.variant()](const app::Follower& follower) {
+            return app::disagreements(lines, window, variant, follower.stop);
+        },
+        [this, done = std::move(done)](std::vector<app::Disagreement> found) {
+            disagreements_ = std::move(found);
+            showVerdict();
+            if (done)
+                done();
+        });
+}
+
+void AlgorithmPanel::showVerdict()
+{
     verdict_->setText(app::sentence(disagreements_));
     verdict_->show();
     tick_->show();
@@ -110,6 +124,8 @@ void AlgorithmPanel::followWindow()
 
 void AlgorithmPanel::outdate()
 {
+    comparing_.cancel();
+    ask_->setEnabled(true);
     const bool unasked = session_.scene.lines().size() <= mostLinesUnasked;
     if (unasked && isVisible())
         idle_.start();
@@ -168,7 +184,8 @@ void AlgorithmPanel::paintVerdict()
 void AlgorithmPanel::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
-    outdate();
+    if (!comparing_.active())
+        outdate();
 }
 
 void AlgorithmPanel::changeEvent(QEvent* event)
