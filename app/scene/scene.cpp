@@ -3,7 +3,22 @@
 
 #include "app/document/flatten.h"
 
+#include <utility>
+
 namespace app {
+
+static bool update(SceneBlockCache& blocks, const Document& document)
+{
+    return blocks.update(document.objects(), document.containers().hiddenRanges(),
+                         usualTolerance(document.page()));
+}
+
+SceneBlockCache blocksFor(const Document& document)
+{
+    SceneBlockCache blocks;
+    update(blocks, document);
+    return blocks;
+}
 
 Scene::Scene(const EditedDocument& document, QObject* parent) : QObject(parent), document_(document)
 {
@@ -15,10 +30,18 @@ Scene::Scene(const EditedDocument& document, QObject* parent) : QObject(parent),
     update();
 }
 
+void Scene::expect(SceneBlockCache blocks)
+{
+    blocks_ = std::move(blocks);
+    expects_ = true;
+}
+
 void Scene::update()
 {
-    const Document& now = document_.now();
-    blocks_.update(now.objects(), now.containers().hiddenRanges(), usualTolerance(now.page()));
+    const bool changed = app::update(blocks_, document_.now());
+    if (changed || std::exchange(expects_, false))
+        lines_ = SceneLines(blocks_.blocks());
+    expects_ = false;
 }
 
 } // namespace app

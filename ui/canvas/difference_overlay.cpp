@@ -39,13 +39,13 @@ Words wordsOf(const app::DifferenceCounts& counts)
 
 double differenceLabelHeight(const Controller& controller, const Pane& pane)
 {
-    const app::Differences* differences = controller.differing(pane);
+    const auto differences = controller.differing(pane);
     return differences && !differences->list.empty() ? height + inset : 0;
 }
 
 void paintDifferenceLabel(QPainter& painter, const Controller& controller, const Pane& pane)
 {
-    const app::Differences* differences = controller.differing(pane);
+    const auto differences = controller.differing(pane);
     if (!differences || differences->list.empty())
         return;
     const Look& look = controller.look();
