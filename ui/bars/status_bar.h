@@ -15,8 +15,8 @@ class StatusCell;
 class ZoomButton;
 
 /// The tool's hint at the left. At the right, cells as wide as their widest text, so that nothing
-/// ever jumps: position, visible and total lines, algorithm, times (medians of 60 frames, shown at
-/// most ten times a second), zoom.
+/// ever jumps: position, visible and total lines, algorithm, times (shown at most ten times a
+/// second), zoom.
 class StatusBar : public QStatusBar {
     Q_OBJECT
 
@@ -28,7 +28,7 @@ public:
     QString position() const;
 
     void showHint(const QString& hint); ///< empty: show the tool's hint
-    void note(const FrameTimes& times); ///< of a frame that is shown
+    void note(const app::FrameTimes& times); ///< of a frame that is shown
     /// What is shown in place of the drawing, such as "6 sheets, A4"; empty: the drawing is.
     void setSummary(const QString& summary);
     /// Shows the pointer's position in the microscope, formatted like the microscope's numbers.
@@ -40,6 +40,7 @@ protected:
 private:
     void forgetFrames();
     void showTimes();
+    void explainTimes();
     void showPosition(std::optional<app::Point> position);
     void showStep();
     void showAlgorithm(const app::Variant& variant);
@@ -54,8 +55,8 @@ private:
     ElidedLabel* hint_;
     StatusCell *position_, *visible_, *algorithm_, *times_, *renderer_;
     ZoomButton* zoom_;
-    app::FrameStatistics clip_, draw_;
-    FrameTimes last_;
+    app::FrameStatistics clip_;
+    app::FrameTimes last_;
     QString summary_;
     QTimer pause_;
 };
