@@ -116,12 +116,14 @@ void Session::setPreview(const Preview& preview)
     emit previewChanged();
 }
 
-void Session::load(Imported imported, const QString& path)
+void Session::load(Imported imported, const QString& path, std::optional<SceneBlockCache> blocks)
 {
     losses_ = std::move(imported.report);
     path_ = path;
     saving_ = false;
     history.clear();
+    if (blocks)
+        scene.expect(std::move(*blocks));
     document.load(std::move(imported.document));
     changeDisplay([this](Display& display) { display.unit = now().page().usualUnit(); });
     emit fileChanged();
