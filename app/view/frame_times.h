@@ -3,10 +3,18 @@
 
 #include "app/base/variant.h"
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 
 namespace app {
+
+/// The number of another subject: no other one in the program has it.
+inline std::uint64_t newSubject()
+{
+    static std::atomic<std::uint64_t> last = 0;
+    return ++last;
+}
 
 /// The times and numbers of a frame.
 struct FrameTimes {

@@ -104,7 +104,8 @@ void LivePicture::clip()
 
 void LivePicture::note(const FrameKey& key, const ClipResult& result)
 {
-    times_.subject += times_.clipping == 0 || !isSameClipping(key, clipped_);
+    if (times_.clipping == 0 || !isSameClipping(key, clipped_))
+        times_.subject = newSubject();
     ++times_.clipping;
     clipped_ = key;
     times_.clipMs = double(result.nanoseconds) * 1e-6;
@@ -141,7 +142,7 @@ void LivePicture::forget()
     wish_ = {};
     frame_ = {};
     clipped_ = {};
-    times_ = {.clipping = times_.clipping, .subject = times_.subject + 1};
+    times_ = {.clipping = times_.clipping, .subject = newSubject()};
 }
 
 /// The rectangle that a frame covers in the wanted view, in logical pixels.

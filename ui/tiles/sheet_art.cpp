@@ -50,7 +50,7 @@ void SheetArt::want(std::vector<SheetWish> wishes, std::uint64_t revision, const
         std::ranges::rotate(left_, last + 1);
     if (!isAlike)
         painting_.cancel();
-    times_ = {.clipping = times_.clipping + 1, .subject = times_.subject + 1};
+    times_ = {.clipping = times_.clipping + 1, .subject = app::newSubject()};
     times_.total = sheets_.scene().lines().size();
     times_.choice = session_.variant();
     if (!painting_.active())
