@@ -43,7 +43,8 @@ private:
 template <class Result>
 class Background {
 public:
-    Background();
+    /// The threads must outlive it.
+    explicit Background(QThreadPool& threads = backgroundThreads());
     ~Background() { cancel(); }
     Q_DISABLE_COPY_MOVE(Background)
 
@@ -59,7 +60,7 @@ public:
     void requestStop();
     /// Waits for the result at most that long, and delivers it before it returns. Returns false if
     /// the time was too short.
-    bool waitFor(std::chrono::milliseconds time);
+    bool waitFor(std::chrono::microseconds time);
     void wait(); ///< however long it takes
 
 private:
@@ -71,6 +72,7 @@ private:
     };
     void deliver();
 
+    QThreadPool& threads_;
     std::shared_ptr<Job> job_; ///< null: not active
     Done done_;
     Progressed progressed_;
@@ -79,7 +81,7 @@ private:
 };
 
 template <class Result>
-Background<Result>::Background()
+Background<Result>::Background(QThreadPool& threads) : threads_(threads)
 {
     QObject::connect(&watcher_, &QFutureWatcherBase::finished, &watcher_, [this] { deliver(); });
     QObject::connect(&watcher_, &QFutureWatcherBase::progressValueChanged, &watcher_, [this] {
@@ -99,7 +101,7 @@ void Background<Result>::start(Work work, Done done, Progressed progressed)
     done_ = std::move(done);
     progressed_ = std::move(progressed);
     watcher_.setFuture(QtConcurrent::run(
-        &backgroundThreads(),
+        &threads_,
         [job = job_, alone = alone_, work = std::move(work)](QPromise<Result>& promise) mutable {
             const std::scoped_lock lock(*alone);
             if (promise.isCanceled())
@@ -134,7 +136,7 @@ void Background<Result>::requestStop()
 }
 
 template <class Result>
-bool Background<Result>::waitFor(std::chrono::milliseconds time)
+bool Background<Result>::waitFor(std::chrono::microseconds time)
 {
     if (!job_ || !job_->finished.try_acquire_for(time))
         return !job_;

@@ -6,6 +6,13 @@
 
 namespace app {
 
+std::uint64_t threadNanoseconds()
+{
+    timespec now{};
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return std::uint64_t(now.tv_sec) * 1'000'000'000 + std::uint64_t(now.tv_nsec);
+}
+
 Clock wallClock()
 {
     return {QStringLiteral("wall"), [] {
@@ -16,11 +23,8 @@ Clock wallClock()
 
 Clock processorClock()
 {
-    return {QStringLiteral("processor time of the thread"), [] {
-                timespec now{};
-                ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-                return double(now.tv_sec) * 1e9 + double(now.tv_nsec);
-            }};
+    return {QStringLiteral("processor time of the thread"),
+            [] { return double(threadNanoseconds()); }};
 }
 
 } // namespace app

@@ -3,9 +3,13 @@
 
 #include <QString>
 
+#include <cstdint>
 #include <functional>
 
 namespace app {
+
+/// The processor time that the calling thread has used.
+std::uint64_t threadNanoseconds();
 
 /// A source of times for measurements.
 struct Clock {

@@ -1,29 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <chrono>
+#include "app/base/clock.h"
+
 #include <cstdint>
 
 namespace app {
 
-/// Adds up the time that some work takes.
+/// Adds up the processor time that some work takes on its thread: a busy machine does not make it
+/// longer.
 class Stopwatch {
 public:
     template <class Work>
     void time(const Work& work)
     {
-        const auto start = std::chrono::steady_clock::now();
+        const std::uint64_t start = threadNanoseconds();
         work();
-        sum_ += std::chrono::steady_clock::now() - start;
+        sum_ += threadNanoseconds() - start;
     }
-    void reset() { sum_ = {}; }
-    std::uint64_t nanoseconds() const
-    {
-        return std::uint64_t(std::chrono::duration_cast<std::chrono::nanoseconds>(sum_).count());
-    }
+    void reset() { sum_ = 0; }
+    std::uint64_t nanoseconds() const { return sum_; }
 
 private:
-    std::chrono::steady_clock::duration sum_{};
+    std::uint64_t sum_ = 0;
 };
 
 } // namespace app

@@ -8,9 +8,10 @@ TurnProgress::TurnProgress(const Follower& follower, double turns)
 {
 }
 
-void TurnProgress::turnDone()
+void TurnProgress::turnDone(double turns)
 {
-    const double share = ++done_ / turns_;
+    done_ += turns;
+    const double share = done_ / turns_;
     if (follower_.progress)
         follower_.progress({share, (clock_.nanoseconds() - start_) * (1 / share - 1) * 1e-9});
 }

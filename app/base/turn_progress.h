@@ -6,11 +6,12 @@
 
 namespace app {
 
-/// Reports progress of a task that consists of many turns of about the same length.
+/// Reports progress of a task that consists of many turns: of about the same length, or each as
+/// long as so many of them.
 class TurnProgress {
 public:
     TurnProgress(const Follower& follower, double turns);
-    void turnDone();
+    void turnDone(double turns = 1);
     bool stopped() const { return follower_.stop.stop_requested(); }
 
 private:

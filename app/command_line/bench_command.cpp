@@ -30,14 +30,13 @@ QString usualMeasures(const ParsedArguments& arguments, bool forPeople)
 Study measured(const Plan& plan)
 {
     ProgressLine line;
-    return *study(plan, {{}, [&](const Progress& progress) { line.show(progress); }});
+    return *study(plan, line.follower());
 }
 
 Table analysed(const Analysis& analysis, const PlannedTrial& trial)
 {
     ProgressLine line;
-    return *analysis.table(trial.options, trial.variants,
-                           {{}, [&](const Progress& progress) { line.show(progress); }});
+    return *analysis.table(trial.options, trial.variants, line.follower());
 }
 
 /// In the order of trials; the paper's own numbers come before the first trial that repeats them.

@@ -2,6 +2,7 @@
 #include "app/base/usual_algorithm.h"
 #include "app/command_line/cut_options.h"
 #include "app/command_line/drawing_files.h"
+#include "app/command_line/progress_line.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/table_clip.h"
 #include "app/command_line/table_input.h"
@@ -158,7 +159,7 @@ void clip(const ParsedArguments& arguments)
     const auto covered = occludeIfWanted(arguments, options, before); // rows of CSV have no areas
     if (output.format->holds == Holds::SeparateLines)
         before = flattened(std::move(before), options.tolerance);
-    Cut result = cut(before, options);
+    Cut result = cut(before, options, ProgressLine().follower());
     result.edit.windows = ClipWindows(); // it is cut already
     Document after = before;
     after.apply(result.edit);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/cut_options.h"
 
+#include "app/command_line/progress_line.h"
 #include "app/command_line/refusal.h"
 #include "app/cut/occlude.h"
 
@@ -51,7 +52,8 @@ std::optional<CutCounts> occludeIfWanted(const ParsedArguments& arguments,
 {
     if (!arguments.has(key("occlude")))
         return std::nullopt;
-    const Cut made = occlude(document, options);
+    ProgressLine line;
+    const Cut made = occlude(document, options, line.follower());
     document.apply(made.edit);
     return made.counts;
 }

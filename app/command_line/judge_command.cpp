@@ -42,7 +42,7 @@ plug_in::Case caseOf(const ParsedArguments& arguments)
 plug_in::Verdict judged(const plug_in::Case& which)
 {
     ProgressLine line;
-    return *plug_in::judge(which, {{}, [&](const Progress& progress) { line.show(progress); }});
+    return *plug_in::judge(which, line.follower());
 }
 
 void judge(const ParsedArguments& arguments)

@@ -3,6 +3,7 @@
 
 #include "app/base/unfinished.h"
 #include "app/command_line/command.h"
+#include "app/command_line/progress_line.h"
 #include "app/command_line/refusal.h"
 
 #include <QFile>
@@ -59,6 +60,7 @@ void answerSignals()
 {
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGINT, [](int) {
+        ProgressLine::erase();
         removeUnfinished();
         ::_exit(int(Exit::Interrupted));
     });

@@ -99,12 +99,13 @@ QString sentence(const Disagreement& disagreement)
 } // namespace
 
 std::vector<Disagreement> disagreements(const SceneLines& lines, const Window& window,
-                                        const Variant& chosen)
+                                        const Variant& chosen, const std::stop_token& stop)
 {
     std::vector<Disagreement> found = allToJudge(chosen);
     const Variant corrected{chosen.algorithm}; // the majority's contract
     for (const SceneLines::Run& run : lines.runs())
-        judge(found, run, window, corrected);
+        if (!stop.stop_requested())
+            judge(found, run, window, corrected);
     std::erase_if(found, [](const Disagreement& one) { return one.none(); });
     return found;
 }

@@ -7,6 +7,7 @@
 #include <QString>
 
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace app {
@@ -24,9 +25,10 @@ struct Disagreement {
 
 /// The verdict on a drawing and a window: one entry for each corrected form of the catalogue that
 /// differs from the majority, and one for `chosen` if it is a published form that differs. Empty:
-/// they agree. Takes as long as clipping once with every algorithm.
+/// they agree. Takes as long as clipping once with every algorithm. When a stop is requested, the
+/// result is of no use.
 std::vector<Disagreement> disagreements(const SceneLines& lines, const clipping::Window& window,
-                                        const Variant& chosen);
+                                        const Variant& chosen, const std::stop_token& stop = {});
 
 /// "All algorithms, corrected, agree here", or "KWC as published loses 456 lines that are visible".
 QString sentence(std::span<const Disagreement> disagreements);

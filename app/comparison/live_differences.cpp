@@ -124,19 +124,20 @@ std::unique_ptr<LiveFinding::Finding> LiveDifferences::start(const Window& windo
 
 void LiveDifferences::keep(Finding& whole)
 {
-    found_ = std::move(static_cast<Growing&>(whole).differences);
+    found_ =
+        std::make_shared<const Differences>(std::move(static_cast<Growing&>(whole).differences));
 }
 
-void LiveDifferences::forget() { found_ = {}; }
+void LiveDifferences::forget() { found_ = std::make_shared<const Differences>(); }
 
-const Differences* LiveDifferences::at(const Window& window) const
+std::shared_ptr<const Differences> LiveDifferences::at(const Window& window) const
 {
-    return asked_ && upToDate() && found_.window == window ? &found_ : nullptr;
+    return asked_ && upToDate() && found_->window == window ? found_ : nullptr;
 }
 
 std::span<const Clipped> LiveDifferences::piecesAt(const Window& window) const
 {
-    const Differences* now = at(window);
+    const auto now = at(window); // shared with this object
     return now ? std::span<const Clipped>(now->pieces) : std::span<const Clipped>();
 }
 

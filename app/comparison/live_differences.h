@@ -4,6 +4,8 @@
 #include "app/comparison/difference.h"
 #include "app/comparison/live_finding.h"
 
+#include <memory>
+
 namespace app {
 
 /// Which variants are compared: A against B.
@@ -51,12 +53,12 @@ public:
 
     /// The last result. While not up to date, it belongs to another window or to an earlier state
     /// of the drawing, so its line numbers may no longer exist.
-    const Differences& found() const { return found_; }
+    const Differences& found() const { return *found_; }
 
     static constexpr std::size_t mostAtOnce = 100'000;
-    /// All differences, or the pieces to colour, at that window; null or empty if not known (yet).
-    /// Valid until the next change.
-    const Differences* at(const clipping::Window& window) const;
+    /// All differences at that window, which any thread may keep; null if not known (yet).
+    std::shared_ptr<const Differences> at(const clipping::Window& window) const;
+    /// The pieces to colour; valid until the next change.
     std::span<const clipping::Clipped> piecesAt(const clipping::Window& window) const;
 
 private:
@@ -66,7 +68,7 @@ private:
     void forget() override;
 
     std::optional<Comparison> asked_;
-    Differences found_;
+    std::shared_ptr<const Differences> found_ = std::make_shared<const Differences>(); ///< not null
 };
 
 } // namespace app

@@ -12,6 +12,7 @@ using clipping::Window;
 namespace {
 
 constexpr int idleMilliseconds = 150; // many lines wait until a series of changes is over
+constexpr std::chrono::milliseconds patience(3); // for few lines, before the next frame
 
 } // namespace
 
@@ -100,9 +101,8 @@ void LiveFinding::findAtOnce()
     posted_ = false;
     if (upToDate_ || many())
         return;
-    const auto finding = start(*window_);
-    finding->look(scene_.lines(), scene_.lines().size());
-    keepFound(*finding);
+    begin();
+    background_.waitFor(patience);
 }
 
 void LiveFinding::begin()
@@ -125,7 +125,8 @@ void LiveFinding::begin()
             share_ = progress.share;
             emit progressed();
         });
-    emit begun();
+    if (many())
+        emit begun();
 }
 
 void LiveFinding::keepFound(Finding& whole)
@@ -141,8 +142,6 @@ double LiveFinding::progress() const { return background_.active() ? share_ : up
 
 void LiveFinding::finish()
 {
-    if (!upToDate_ && !many())
-        return findAtOnce();
     if (!upToDate_ && !background_.active())
         begin();
     background_.wait();

@@ -11,8 +11,9 @@
 namespace app {
 
 /// A result for all lines of an open drawing at the clip window, kept up to date while a question
-/// is asked. A few lines are examined at once, before the next frame; many lines are examined in
-/// the background, when a series of changes is over. Painting only reads the result.
+/// is asked. Lines are examined in the background: few of them at once, so that the result is there
+/// before the next frame, or soon after it; many when a series of changes is over. Painting only
+/// reads the result.
 class LiveFinding : public QObject {
     Q_OBJECT
 
@@ -33,7 +34,7 @@ signals:
 
 protected:
     struct BatchSizes {
-        std::size_t atOnce; ///< up to this many lines are examined at once
+        std::size_t atOnce; ///< up to this many lines are few
         std::size_t slice;  ///< lines between two readings of the stop token
     };
     LiveFinding(const EditedDocument& document, const Scene& scene, BatchSizes sizes,

@@ -6,6 +6,8 @@
 #include "app/document/style.h"
 #include "app/scene/region.h"
 
+#include <stop_token>
+
 namespace app {
 
 /// What the clip windows keep of a filled area.
@@ -17,7 +19,8 @@ struct AreaLeft {
 /// Cuts filled areas at clip windows, with exact decisions, whichever algorithm cuts the lines.
 class AreaCut {
 public:
-    explicit AreaCut(const ClipRegion& region);
+    /// When a stop is requested, what is left is of no use.
+    explicit AreaCut(const ClipRegion& region, const std::stop_token& stop = {});
 
     /// `chords` are those of the path, all subpaths in order, within the tolerance of its curves;
     /// open subpaths are filled as if closed. Curves come back as parts of the same curves, which
@@ -27,6 +30,7 @@ public:
 
 private:
     std::shared_ptr<const clipping::PreparedRegion> windows_;
+    std::stop_token stop_;
 };
 
 } // namespace app

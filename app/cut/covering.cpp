@@ -50,8 +50,8 @@ std::uint32_t cutAt(bool a, bool b)
 
 } // namespace
 
-Covering::Covering(std::vector<clipping::Area> areas)
-    : areas_(std::move(areas)), prepared_(areas_.size()), pieces_(piecesAtOnce)
+Covering::Covering(std::vector<clipping::Area> areas, const std::stop_token& stop)
+    : areas_(std::move(areas)), stop_(stop), prepared_(areas_.size()), pieces_(piecesAtOnce)
 {
     for (const clipping::Area& area : areas_)
         boxes_.push_back(boxOf(area.points));
@@ -84,7 +84,7 @@ std::span<const clipping::Clipped> Covering::visible(std::span<const Chord> chor
     index_.meeting(boxOf(corners), std::uint32_t(first),
                    [&](std::uint32_t area) { above_.push_back(area); });
     for (const std::uint32_t area : above_)
-        if (!open_.empty())
+        if (!open_.empty() && !stop_.stop_requested())
             coverBy(area, chords);
 
     std::ranges::sort(covered_, [&](const Covered& a, const Covered& b) {
@@ -113,7 +113,7 @@ void Covering::coverBy(std::uint32_t area, std::span<const Chord> chords)
             lines_.push_back(chords[chord].segment);
         }
     bool anyGone = false;
-    for (clipping::RegionProgress at; at.segment < lines_.size();) {
+    for (clipping::RegionProgress at; at.segment < lines_.size() && !stop_.stop_requested();) {
         at = clipping::clipAll(lines_, prepared(area), pieces_, at);
         for (const auto& piece : std::span(pieces_).first(at.written)) {
             take(piece, chords);

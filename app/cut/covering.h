@@ -6,6 +6,7 @@
 #include "clipping/region/region.h"
 
 #include <optional>
+#include <stop_token>
 
 namespace app {
 
@@ -16,7 +17,8 @@ namespace app {
 /// what several areas cover is exact, too, except for gaps that round to a point.
 class Covering {
 public:
-    explicit Covering(std::vector<clipping::Area> areas); ///< bottom to top
+    /// Bottom to top. When a stop is requested, nothing is covered from then on.
+    explicit Covering(std::vector<clipping::Area> areas, const std::stop_token& stop = {});
 
     /// The pieces of the chords that are in none of the areas from number `first` on, which include
     /// their borders. `source` is the chord's index. Valid until the next call.
@@ -36,6 +38,7 @@ private:
     const clipping::PreparedRegion& prepared(std::uint32_t area);
 
     std::vector<clipping::Area> areas_;
+    std::stop_token stop_;
     std::vector<clipping::Window> boxes_;
     std::vector<std::optional<clipping::PreparedRegion>> prepared_; ///< those asked for
     BoxIndex index_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cut/cut.h"
 
+#include "app/base/turn_progress.h"
 #include "app/cut/cut_edit.h"
 #include "app/cut/line_clipping.h"
 
@@ -52,7 +53,10 @@ private:
 // The parts of chords that are kept.
 class ChordClipping {
 public:
-    explicit ChordClipping(const CutOptions& options) : clipping_(options) {}
+    explicit ChordClipping(const CutOptions& options, const std::stop_token& stop = {})
+        : clipping_(options, stop)
+    {
+    }
 
     std::span<const std::uint32_t> contacts() const { return clipping_.contacts(); }
     std::span<const Clipped> keptOf(std::span<const Chord> chords)
@@ -82,9 +86,11 @@ CutOptions withTolerance(CutOptions options, const Page& page)
 
 class Cutter {
 public:
-    Cutter(const Document& document, const CutOptions& options, Grouping grouping)
+    Cutter(const Document& document, const CutOptions& options, Grouping grouping,
+           const Follower& follower)
         : objects_(document.objects()), options_(withTolerance(options, document.page())),
-          edit_(document, grouping), clipping_(options_)
+          edit_(document, grouping), clipping_(options_, follower.stop),
+          areas_(options_.region, follower.stop), turns_(follower, double(objects_.size()))
     {
     }
 
@@ -92,7 +98,7 @@ public:
     std::optional<Cut> cut()
     {
         objects_.forEach(0, objects_.size(), [&](std::size_t i, const ObjectView& object) {
-            if (!reached(i))
+            if (turns_.stopped() || !reached(i))
                 return;
             batch_.add(i, object, options_.tolerance);
             if (batch_.chords().size() >= chordsAtOnce)
@@ -119,6 +125,8 @@ private:
         edit_.counts().segmentsAfter += kept.size();
         std::span<const std::uint32_t> contacts = clipping_.contacts();
         for (const Batch::Member& member : batch_.members()) {
+            if (turns_.stopped())
+                return;
             const auto end = std::ranges::find_if(
                 kept, [&](const Clipped& piece) { return piece.source >= member.end; });
             const auto count = std::size_t(end - kept.begin());
@@ -127,6 +135,7 @@ private:
             contacts = contacts.subspan(std::size_t(touching - contacts.begin()));
             cutMember(member, kept.first(count), touches);
             kept = kept.subspan(count);
+            turns_.turnDone();
         }
         batch_.clear();
     }
@@ -167,18 +176,19 @@ private:
     const CutOptions options_;
     CutEdit edit_;
     ChordClipping clipping_;
-    AreaCut areas_{options_.region};
+    AreaCut areas_;
     Batch batch_;
+    TurnProgress turns_; ///< a turn for each object
 };
 
 } // namespace
 
-Cut cut(const Document& document, const CutOptions& options)
+Cut cut(const Document& document, const CutOptions& options, const Follower& follower)
 {
     assert(options.clipAll);
-    if (auto made = Cutter(document, options, Grouping::Yes).cut())
+    if (auto made = Cutter(document, options, Grouping::Yes, follower).cut())
         return std::move(*made);
-    return *Cutter(document, options, Grouping::No).cut();
+    return *Cutter(document, options, Grouping::No, follower).cut();
 }
 
 std::vector<Object> cutAlone(const Object& object, const CutOptions& options)

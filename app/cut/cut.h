@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/progress.h"
 #include "app/document/document.h"
 #include "app/scene/region_clipping.h"
 
@@ -50,8 +51,9 @@ struct Cut {
 /// `closeAreas` it stays one object instead, whose stroke follows the cut; its lines that enclose
 /// nothing are then above it. Where a document can hold no further groups, the parts are objects
 /// with numbered ids. Cut curves are split, not replaced by chords. Every end made by the cut lies
-/// on a window's edge, bit for bit inside the window. Hidden objects stay hidden.
-Cut cut(const Document& document, const CutOptions& options);
+/// on a window's edge, bit for bit inside the window. Hidden objects stay hidden. When a stop is
+/// requested, it returns within a tenth of a second, and the result is of no use.
+Cut cut(const Document& document, const CutOptions& options, const Follower& follower = {});
 
 /// What remains of one object, bottom to top. `options.tolerance` must not be 0.
 std::vector<Object> cutAlone(const Object& object, const CutOptions& options);

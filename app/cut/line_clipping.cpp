@@ -23,9 +23,10 @@ static bool isContact(const Clipped& piece, std::span<const Segment> lines)
     return a == b && lines[piece.source].a != lines[piece.source].b;
 }
 
-LineClipping::LineClipping(const CutOptions& options) : options_(options)
+LineClipping::LineClipping(const CutOptions& options, const std::stop_token& stop)
+    : options_(options)
 {
-    folding_.start(options.region, options.clipAll);
+    folding_.start(options.region, options.clipAll, stop);
 }
 
 std::span<const Clipped> LineClipping::keptOf(std::span<const Segment> lines)

@@ -9,8 +9,8 @@ namespace app {
 /// The kept parts of lines, as a cut with these options leaves them. Reuses its buffers.
 class LineClipping {
 public:
-    /// `options` must outlive this object.
-    explicit LineClipping(const CutOptions& options);
+    /// `options` must outlive this object. When a stop is requested, pieces are missing.
+    explicit LineClipping(const CutOptions& options, const std::stop_token& stop = {});
 
     /// The pieces in the order of the lines; `source` is the index of a line. Valid until the next
     /// call.

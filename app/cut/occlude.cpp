@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cut/occlude.h"
 
+#include "app/base/turn_progress.h"
 #include "app/cut/area_outline.h"
 #include "app/cut/covering.h"
 #include "app/cut/cut_edit.h"
@@ -12,8 +13,8 @@ constexpr std::uint8_t opaque = 255;
 
 class Occlusion {
 public:
-    Occlusion(const Document& document, const CutOptions& options)
-        : document_(document), options_(options), edit_(document, Grouping::No)
+    Occlusion(const Document& document, const CutOptions& options, const Follower& follower)
+        : document_(document), options_(options), follower_(follower), edit_(document, Grouping::No)
     {
         if (!(options_.tolerance > 0))
             options_.tolerance = usualTolerance(document.page());
@@ -22,16 +23,35 @@ public:
 
     Cut made()
     {
-        Covering covering(areas());
+        auto all = areas();
+        const std::size_t number = all.size();
+        Covering covering(std::move(all), follower_.stop);
+        TurnProgress turns(follower_, turnsFor(number));
         document_.objects().forEach(0, document_.objects().size(),
                                     [&](std::size_t i, const ObjectView& object) {
+                                        if (turns.stopped())
+                                            return;
                                         if (reached(i))
                                             cut(i, object, covering);
+                                        turns.turnDone(turnsOf(i, number));
                                     });
         return *edit_.take(); // there are no groups, so it is never empty
     }
 
 private:
+    // An object takes as long as the areas above it are many.
+    double turnsOf(std::size_t object, std::size_t areas) const
+    {
+        return 1 + double(areas - notAbove_[object]);
+    }
+    double turnsFor(std::size_t areas) const
+    {
+        double turns = 0;
+        for (std::size_t i = 0; i < notAbove_.size(); ++i)
+            turns += turnsOf(i, areas);
+        return turns;
+    }
+
     // All areas that cover something, and how many of them are not above each object.
     std::vector<clipping::Area> areas()
     {
@@ -86,6 +106,7 @@ private:
 
     const Document& document_;
     CutOptions options_;
+    const Follower& follower_;
     CutEdit edit_;
     std::vector<std::uint32_t> notAbove_;
     std::vector<Chord> chords_;
@@ -93,9 +114,9 @@ private:
 
 } // namespace
 
-Cut occlude(const Document& document, const CutOptions& options)
+Cut occlude(const Document& document, const CutOptions& options, const Follower& follower)
 {
-    return Occlusion(document, options).made();
+    return Occlusion(document, options, follower).made();
 }
 
 } // namespace app

@@ -16,6 +16,9 @@ namespace app {
 ///
 /// Of the options, `region`, `clipAll`, `keepContacts` and `closeAreas` do not count. Locked
 /// objects always cover. In the counts, `whole` includes objects that lost only their fill.
-Cut occlude(const Document& document, const CutOptions& options);
+///
+/// Thousands of areas on one another take minutes. When a stop is requested, it returns within a
+/// tenth of a second, and the result is of no use.
+Cut occlude(const Document& document, const CutOptions& options, const Follower& follower = {});
 
 } // namespace app

@@ -12,11 +12,11 @@
 namespace app {
 namespace {
 
-Cut cutOut(const Document& document, const CutOptions& options)
+Cut cutOut(const Document& document, const CutOptions& options, const Follower& follower)
 {
     CutOptions outside = options;
     outside.region = withKeep(options.region, Keep::Outside);
-    return cut(document, outside);
+    return cut(document, outside, follower);
 }
 
 constexpr std::array kinds{

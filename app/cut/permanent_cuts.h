@@ -15,7 +15,8 @@ struct PermanentCut {
     const char* done;    ///< "Cropped: %1"
     const char* nothing; ///< what is said if no object changes: "Nothing was cropped"
     const char* why;     ///< usually: "the clip window keeps all of the drawing."
-    Cut (*make)(const Document& document, const CutOptions& options);
+    /// When a stop is requested, the result is of no use.
+    Cut (*make)(const Document& document, const CutOptions& options, const Follower& follower);
 };
 
 /// All of them, in the order of menus.

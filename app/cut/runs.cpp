@@ -42,11 +42,11 @@ const clipping::Window* windowAt(const ClipRegion& region, const Point& p, Edge 
 std::optional<clipping::Segment> borderAt(const ClipRegion& region, const clipping::Segment& chord,
                                           const Point& cut)
 {
-    for (const auto& piece : clipping::clip(chord, *region.prepared))
+    for (const auto& piece : clipping::clip(chord, region.prepared->prepared()))
         for (const auto& [end, edge] :
              {std::pair(piece.segment.a, piece.edgeOfA), std::pair(piece.segment.b, piece.edgeOfB)})
             if (end == cut && edge != 0)
-                return region.prepared->edge(edge).segment;
+                return region.prepared->prepared().edge(edge).segment;
     return std::nullopt;
 }
 

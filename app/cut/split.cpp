@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cut/split.h"
 
+#include "app/base/phased_progress.h"
 #include "app/cut/fresh_ids.h"
 #include "app/cut/layer_above.h"
 #include "app/cut/outside_layers.h"
@@ -10,10 +11,10 @@
 namespace app {
 namespace {
 
-Cut cutKeeping(const Document& document, CutOptions options, Keep keep)
+Cut cutKeeping(const Document& document, CutOptions options, Keep keep, const Follower& follower)
 {
     options.region = withKeep(options.region, keep);
-    return cut(document, options);
+    return cut(document, options, follower);
 }
 
 ObjectRanges changedBy(const Cut& cut)
@@ -26,9 +27,8 @@ ObjectRanges changedBy(const Cut& cut)
 
 // Of the parts outside the windows, those of objects that the inner cut changes; no other object
 // has a part there. Their ids differ from those inside.
-Document outsideParts(const Document& document, const CutOptions& options, const Cut& inside)
+Document outsideParts(const Document& document, const Cut& outer, const Cut& inside)
 {
-    const Cut outer = cutKeeping(document, options, Keep::Outside);
     Document inner = document, all = document;
     inner.apply(inside.edit);
     all.apply(outer.edit);
@@ -68,10 +68,14 @@ Edit withOneLayer(const Document& document, Edit inside, const Document& outside
 
 } // namespace
 
-Cut split(const Document& document, const CutOptions& options)
+Cut split(const Document& document, const CutOptions& options, const Follower& follower)
 {
-    Cut result = cutKeeping(document, options, Keep::Inside);
-    const Document outside = outsideParts(document, options, result);
+    PhasedProgress phases(follower, {1, 1});
+    Cut result = cutKeeping(document, options, Keep::Inside, phases.next());
+    const Cut outer = cutKeeping(document, options, Keep::Outside, phases.next());
+    if (follower.stop.stop_requested())
+        return {};
+    const Document outside = outsideParts(document, outer, result);
     if (outside.objects().empty())
         return result;
     result.counts.whole += result.counts.gone;

@@ -9,7 +9,7 @@ namespace app {
 /// layer and group. What is outside goes to a layer of its own above each layer, "Roads, outside",
 /// with the same inner layers and groups (outside_layers.h); if the document can have no such
 /// layers, to one layer above all others. In the counts, `whole` includes objects that are wholly
-/// outside.
-Cut split(const Document& document, const CutOptions& options);
+/// outside. When a stop is requested, the result is of no use.
+Cut split(const Document& document, const CutOptions& options, const Follower& follower = {});
 
 } // namespace app

@@ -60,12 +60,15 @@ void LiveExactness::forget()
 void LiveExactness::measure()
 {
     counts_ = counted(found_, asked_->errorUnit);
-    pieces_.assign(errorClasses().size(), {});
+    std::vector<std::vector<Clipped>> pieces(errorClasses().size());
     for (const LineExactness& line : found_.list)
-        pieces_[errorClassOf(line, asked_->errorUnit)].push_back({line.piece, line.source, 0});
+        pieces[errorClassOf(line, asked_->errorUnit)].push_back({line.piece, line.source, 0});
+    pieces_.clear();
+    for (auto& ofClass : pieces)
+        pieces_.push_back(std::make_shared<const std::vector<Clipped>>(std::move(ofClass)));
 }
 
-std::span<const std::vector<Clipped>> LiveExactness::piecesAt(const Window& window) const
+std::span<const SharedPieces> LiveExactness::piecesAt(const Window& window) const
 {
     if (!asked_ || !upToDate() || found_.window != window)
         return {};

@@ -3,6 +3,7 @@
 
 #include "app/comparison/live_finding.h"
 #include "app/exactness/error_class.h"
+#include "app/view/frame_wish.h"
 
 namespace app {
 
@@ -29,8 +30,9 @@ public:
 
     static constexpr std::size_t mostAtOnce = 10'000;
     /// The pieces to colour, one list for each of errorClasses(), at that window; empty if nothing
-    /// was asked, or if it is not known (yet). Valid until the next change.
-    std::span<const std::vector<clipping::Clipped>> piecesAt(const clipping::Window& window) const;
+    /// was asked, or if it is not known (yet). Valid until the next change, while the lists may be
+    /// kept.
+    std::span<const SharedPieces> piecesAt(const clipping::Window& window) const;
 
 private:
     class Growing;
@@ -42,7 +44,7 @@ private:
     std::optional<Question> asked_;
     ExactnessResults found_;
     ErrorCounts counts_; ///< of the result, by the errorUnit that was asked for
-    std::vector<std::vector<clipping::Clipped>> pieces_; ///< pieces, by error class
+    std::vector<SharedPieces> pieces_; ///< by error class
 };
 
 } // namespace app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/export_cut.h"
 
+#include "app/base/phased_progress.h"
 #include "app/document/flattened.h"
 #include "app/document/hidden_objects.h"
 #include "app/formats/format.h"
@@ -11,29 +12,30 @@ namespace app {
 
 namespace {
 
-constexpr double exportDpi = 300; // of exported pictures
+constexpr double exportDpi = 300;                      // of exported pictures
+constexpr double cuttingWeight = 4, writingWeight = 1; // for the progress
 
 QString tr(const char* text) { return QCoreApplication::translate("Export", text); }
 
 // Separate lines are cut as lines, so that each of them is inside the window.
 std::optional<QString> cutAndWrite(const Document& document, CutOptions options,
-                                   const QString& path, const std::stop_token& stop,
-                                   CutCounts& counts)
+                                   const QString& path, const Follower& follower, CutCounts& counts)
 {
     const Format* format = formatOfFile(path);
     options.keepContacts = format && format->holds == Holds::SeparateLines;
     WriteOptions writing;
     writing.dpi = exportDpi;
-    writing.stop = stop;
+    writing.stop = follower.stop;
     // A cut adds many styles; the open document keeps its own.
     Document exported = withOwnStyles(document);
     if (!format || format->hides == StoresHidden::No)
         exported = withoutHidden(exported);
     if (options.keepContacts)
         exported = flattened(exported, usualTolerance(exported.page()));
-    Cut result = cut(exported, options);
+    PhasedProgress phases(follower, {cuttingWeight, writingWeight});
+    Cut result = cut(exported, options, phases.next());
     counts = result.counts;
-    if (stop.stop_requested())
+    if (follower.stop.stop_requested())
         return QString();
     result.edit.windows = ClipWindows(); // the exported drawing must not be cut again
     Page page = result.edit.page.value_or(exported.page());
@@ -46,16 +48,16 @@ std::optional<QString> cutAndWrite(const Document& document, CutOptions options,
 
 } // namespace
 
-CutExport exportCut(const Document& document, CutOptions options, const QString& path,
-                    const std::stop_token& stop)
+CutExport exportCut(const Document& document, const CutOptions& options, const QString& path,
+                    const Follower& follower)
 {
     CutCounts counts;
-    const auto write = [&] { return cutAndWrite(document, options, path, stop, counts); };
+    const auto write = [&] { return cutAndWrite(document, options, path, follower, counts); };
     const QString outOfMemory =
         tr("Cannot export %1: there is not enough memory. Close other programs, or export a part "
            "of the drawing.")
             .arg(path);
-    return {resultOf(write, stop, outOfMemory), counts};
+    return {resultOf(write, follower.stop, outOfMemory), counts};
 }
 
 } // namespace app

@@ -12,7 +12,8 @@ struct CutExport : WriteResult {
 };
 
 /// Cuts a drawing and writes what remains to a file, in the format of its extension, on any thread.
-CutExport exportCut(const Document& document, CutOptions options, const QString& path,
-                    const std::stop_token& stop);
+/// A stop request before the end leaves the disk unchanged.
+CutExport exportCut(const Document& document, const CutOptions& options, const QString& path,
+                    const Follower& follower);
 
 } // namespace app

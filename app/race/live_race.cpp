@@ -11,7 +11,7 @@ namespace app {
 namespace {
 
 constexpr int tenthOfASecond = 100;
-constexpr double sliceMilliseconds = 5;
+constexpr double sliceMilliseconds = 4; // and a step more
 constexpr qint64 longEnough = 10'000; // milliseconds; for large drawings, whose rounds take long
 
 } // namespace

@@ -12,7 +12,9 @@ using clipping::Clipped;
 
 namespace {
 
-constexpr std::size_t blockSize = 16384; // lines: some milliseconds even for the slowest
+// Lines of a step, so that it takes at most some milliseconds even for the slowest variant: when
+// they are clipped, and when their operations are counted.
+constexpr std::size_t blockSize = 8192, countedAtOnce = 1024;
 constexpr std::size_t leastTelling = 6;  // rounds, from which their spread is meaningful
 
 /// At least one block: a race without lines still has rounds.
@@ -79,8 +81,11 @@ void Race::begin(const RaceFrame& frame, Purpose purpose)
     if (judges())
         for (RaceRow& row : next_)
             row.differences = {};
-    if (counts())
+    if (counts()) {
         sample_ = evenly(frame.lines, judges() ? quickSample : thoroughSample);
+        for (RaceRow& row : next_)
+            row.operations = 0;
+    }
     turn_ = 0;
     racing_ = true;
     ++begun_;
@@ -93,7 +98,7 @@ bool Race::step()
     if (turn_ < n * blocks())
         clip((begun_ + turn_ / blocks()) % n, turn_ % blocks());
     else
-        count(turn_ - n * blocks());
+        count((turn_ - n * blocks()) % n, (turn_ - n * blocks()) / n);
     racing_ = ++turn_ < turns();
     if (!racing_)
         finish();
@@ -106,7 +111,11 @@ bool Race::counts() const
            && (looks_ == 0 || (looks_ == 1 && frame_.lines.size() > quickSample));
 }
 
-std::size_t Race::turns() const { return rows_.size() * (blocks() + (counts() ? 1 : 0)); }
+std::size_t Race::turns() const
+{
+    const std::size_t parts = (sample_.size() + countedAtOnce - 1) / countedAtOnce;
+    return rows_.size() * (blocks() + (counts() ? parts : 0));
+}
 
 void Race::clip(std::size_t variant, std::size_t block)
 {
@@ -137,12 +146,15 @@ void Race::judge(RaceRow& row, std::size_t block, std::span<const Clipped> found
     row.differences.endsApart += here.endsApart;
 }
 
-void Race::count(std::size_t variant)
+void Race::count(std::size_t variant, std::size_t part)
 {
     RaceRow& row = next_[variant];
-    const auto c = usesOf(row.variant).count(sample_, frame_.window);
-    row.operations = double(c.comparisons + c.additions + c.multiplications + c.divisions)
-                     / double(std::max<std::size_t>(sample_.size(), 1));
+    const std::size_t first = part * countedAtOnce;
+    const auto lines = std::span(sample_).subspan(first);
+    const auto c = usesOf(row.variant)
+                       .count(lines.first(std::min(lines.size(), countedAtOnce)), frame_.window);
+    row.operations += double(c.comparisons + c.additions + c.multiplications + c.divisions)
+                      / double(sample_.size());
 }
 
 void Race::finish()

@@ -74,7 +74,7 @@ private:
     std::size_t turns() const;
     void clip(std::size_t variant, std::size_t block);
     void judge(RaceRow& row, std::size_t block, std::span<const clipping::Clipped> found);
-    void count(std::size_t variant);
+    void count(std::size_t variant, std::size_t part);
     void finish();
 
     Clock clock_;

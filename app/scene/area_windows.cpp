@@ -28,19 +28,23 @@ clipping::Area areaOf(const ClipRegion::Step& step)
     return area;
 }
 
-std::shared_ptr<const clipping::PreparedRegion> areaWindows(const ClipRegion& region)
+std::shared_ptr<const LaterRegion> laterRegion(const ClipRegion& region, Keep keep)
 {
-    if (region.prepared)
-        return region.prepared;
-    if (region.steps.size() == 1 && region.keep == Keep::Inside) {
+    if (region.steps.size() == 1 && keep == Keep::Inside) {
         const ClipRegion::Step& only = region.steps.front();
         if (only.area && only.operation == WindowOperation::Add)
-            return only.area; // prepared already
+            return only.area;
     }
-    clipping::Region windows{{}, clipping::Keep(region.keep)};
+    clipping::Region windows{{}, clipping::Keep(keep)};
     for (const ClipRegion::Step& step : region.steps)
         windows.steps.push_back({areaOf(step), clipping::AreaOperation(step.operation)});
-    return std::make_shared<const clipping::PreparedRegion>(windows);
+    return std::make_shared<const LaterRegion>(std::move(windows));
+}
+
+std::shared_ptr<const clipping::PreparedRegion> areaWindows(const ClipRegion& region)
+{
+    const auto windows = region.prepared ? region.prepared : laterRegion(region, region.keep);
+    return {windows, &windows->prepared()};
 }
 
 } // namespace app

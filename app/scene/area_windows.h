@@ -13,7 +13,10 @@ bool isProper(const clipping::Window& box);
 clipping::Area areaOf(const ClipRegion::Step& step);
 
 /// The clip windows as the library's region: at it areas are cut, and lines with exact decisions.
-/// The one that the region has already, or a new one.
+/// The one that the region has already, or a new one; it is prepared.
 std::shared_ptr<const clipping::PreparedRegion> areaWindows(const ClipRegion& region);
+
+/// The same with one side kept, whatever the region says; prepared when it is used.
+std::shared_ptr<const LaterRegion> laterRegion(const ClipRegion& region, Keep keep);
 
 } // namespace app

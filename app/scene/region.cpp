@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace app {
 
@@ -34,7 +35,7 @@ Share shareIn(const ClipRegion::Step& step, const clipping::Window& box)
         || box.max.y < window.min.y || box.min.y > window.max.y)
         return Share::None;
     if (!step.rings.empty())
-        return step.area ? shareOf(clipping::partOf(box, *step.area)) : Share::Some;
+        return step.area ? shareOf(clipping::partOf(box, step.area->prepared())) : Share::Some;
     const bool all = box.min.x >= window.min.x && box.max.x <= window.max.x
                      && box.min.y >= window.min.y && box.max.y <= window.max.y;
     return all ? Share::All : Share::Some;
@@ -44,6 +45,8 @@ Share opposite(Share share)
 {
     return share == Share::None ? Share::All : share == Share::All ? Share::None : Share::Some;
 }
+
+Keep opposite(Keep keep) { return keep == Keep::Inside ? Keep::Outside : Keep::Inside; }
 
 Share either(Share a, Share b)
 {
@@ -66,7 +69,7 @@ bool hasArea(const clipping::Window& box) { return box.min.x < box.max.x && box.
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr clipping::Window nothing{{infinite, infinite}, {-infinite, -infinite}};
 
-clipping::Window boxAround(const std::vector<std::vector<Point>>& rings)
+clipping::Window boundsAround(const std::vector<std::vector<Point>>& rings)
 {
     clipping::Window box = nothing;
     for (const auto& ring : rings)
@@ -83,10 +86,10 @@ ClipRegion::Step stepOf(const ClipWindow& window, double tolerance)
     if (const auto box = axisAlignedBox(window.shape))
         return {*box, window.operation};
     WindowOutline outline = outlineOf(window.shape, tolerance);
-    ClipRegion::Step step{boxAround(outline.rings), window.operation, std::move(outline.rings),
+    ClipRegion::Step step{boundsAround(outline.rings), window.operation, std::move(outline.rings),
                           outline.rule};
     step.polygon = convexPolygonOf(step.rings);
-    step.area = std::make_shared<const clipping::PreparedRegion>(
+    step.area = std::make_shared<const LaterRegion>(
         clipping::Region{{{areaOf(step)}}, clipping::Keep::Inside});
     if (rectangle && !step.polygon.corners.empty())
         step.turned = clipping::turned(rectangle->box, rectangle->angle * 180 / std::numbers::pi);
@@ -95,9 +98,10 @@ ClipRegion::Step stepOf(const ClipWindow& window, double tolerance)
 
 void prepare(ClipRegion& region)
 {
-    region.prepared.reset();
-    if (!region.everything() && !region.single())
-        region.prepared = areaWindows(region);
+    if (region.everything() || region.single())
+        return;
+    region.prepared = laterRegion(region, region.keep);
+    region.opposite = laterRegion(region, opposite(region.keep));
 }
 
 } // namespace
@@ -130,7 +134,9 @@ ClipRegion withKeep(ClipRegion region, Keep keep)
     if (region.keep == keep)
         return region;
     region.keep = keep;
-    prepare(region);
+    std::swap(region.prepared, region.opposite);
+    if (!region.prepared)
+        prepare(region);
     return region;
 }
 

@@ -3,7 +3,7 @@
 
 #include "app/document/clip_windows.h"
 #include "app/document/page.h"
-#include "clipping/region/region.h"
+#include "app/scene/later_region.h"
 #include "clipping/turned_window.h"
 
 #include <cstdint>
@@ -39,7 +39,7 @@ struct ClipRegion {
         /// The border as a convex polygon with area; without corners if it is none.
         clipping::ConvexPolygon polygon{};
         /// What is inside the border, for boxes; null for an axis-aligned rectangle.
-        std::shared_ptr<const clipping::PreparedRegion> area{};
+        std::shared_ptr<const LaterRegion> area{};
         /// A rotated rectangle, if the polygon is one.
         std::optional<clipping::TurnedWindow> turned{};
         friend bool operator==(const Step& a, const Step& b)
@@ -52,7 +52,8 @@ struct ClipRegion {
     Keep keep = Keep::Inside; ///< if there is a `prepared`, it has the same
     /// Clips at all steps together, with exact decisions. `regionOf` leaves it null for one
     /// axis-aligned rectangle, at which nothing else is faster.
-    std::shared_ptr<const clipping::PreparedRegion> prepared{};
+    std::shared_ptr<const LaterRegion> prepared{};
+    std::shared_ptr<const LaterRegion> opposite{}; ///< the same with the other side kept
     friend bool operator==(const ClipRegion& a, const ClipRegion& b)
     {
         return a.keep == b.keep && a.steps == b.steps;

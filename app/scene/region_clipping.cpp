@@ -16,6 +16,10 @@ using clipping::Segment;
 // window.
 constexpr std::size_t foldedAtOnce = 1024;
 
+// Pieces between two readings of the stop token: some hundredths of a second where a line has
+// thousands of them.
+constexpr std::size_t mostPiecesAtOnce = 65'536;
+
 static std::span<Clipped> roomIn(std::vector<Clipped>& buffer, std::size_t count)
 {
     if (buffer.size() < count)
@@ -30,9 +34,10 @@ static bool isOneWindow(const ClipRegion& region, const RowForms& forms)
            && (region.single() || forms.exact || !region.steps.front().rings.empty());
 }
 
-void RegionClipping::start(const ClipRegion& region, ClipAll clipAll)
+void RegionClipping::start(const ClipRegion& region, ClipAll clipAll, const std::stop_token& stop)
 {
     region_ = &region;
+    stop_ = stop;
     forms_ = formsAt(region, clipAll);
     prepared_ = forms_.atRegion && !region.everything() ? areaWindows(region) : nullptr;
     oneWindow_ = isOneWindow(region, forms_);
@@ -72,6 +77,8 @@ void RegionClipping::fold(std::span<const Segment> lines, std::size_t first,
     if (prepared_)
         return clipRegion(lines, first, kept);
     for (; lines.size() > foldedAtOnce; first += foldedAtOnce) {
+        if (stop_.stop_requested())
+            return;
         fold(lines.first(foldedAtOnce), first, kept);
         lines = lines.subspan(foldedAtOnce);
     }
@@ -97,8 +104,9 @@ static clipping::Edge edgeOf(std::uint32_t number)
 void RegionClipping::clipRegion(std::span<const Segment> lines, std::size_t first,
                                 std::vector<Clipped>& kept)
 {
-    shaped_.resize(std::max<std::size_t>(2 * lines.size(), 64));
-    for (clipping::RegionProgress done; done.segment < lines.size();) {
+    shaped_.resize(std::clamp<std::size_t>(2 * lines.size(), 64, mostPiecesAtOnce));
+    clipping::RegionProgress done;
+    while (done.segment < lines.size() && !stop_.stop_requested()) {
         stopwatch_.time([&] { done = forms_.atRegion(lines, *prepared_, shaped_, done); });
         for (const clipping::RegionPiece& piece : std::span(shaped_).first(done.written))
             kept.push_back({piece.segment, std::uint32_t(first + piece.source),

@@ -4,6 +4,8 @@
 #include "app/base/stopwatch.h"
 #include "app/scene/step_clipping.h"
 
+#include <stop_token>
+
 namespace app {
 
 /// Clips lines with one algorithm at the windows of a region: all of them at once if the algorithm
@@ -11,8 +13,9 @@ namespace app {
 /// another one does (`usedAt`). Reuses its buffers.
 class RegionClipping {
 public:
-    /// `region` must live until the next start. `clipAll` is that of the chosen form.
-    void start(const ClipRegion& region, ClipAll clipAll);
+    /// `region` must live until the next start. `clipAll` is that of the chosen form. When a stop
+    /// is requested, pieces are missing from then on.
+    void start(const ClipRegion& region, ClipAll clipAll, const std::stop_token& stop = {});
     /// Whether `clip` may be called: a single window is clipped at, without its neighbours.
     bool atOneWindow() const { return oneWindow_; }
     /// Whether the row `exact` clips, whatever was chosen.
@@ -27,7 +30,7 @@ public:
     /// numbers that are not finite are dropped.
     void fold(std::span<const clipping::Segment> lines, std::size_t first,
               std::vector<clipping::Clipped>& kept);
-    /// The time that the algorithm has used since `start`, without the time for combining pieces.
+    /// The processor time that the algorithm has used since `start`, without combining pieces.
     std::uint64_t nanoseconds() const { return stopwatch_.nanoseconds(); }
 
 private:
@@ -40,6 +43,7 @@ private:
                     std::vector<clipping::Clipped>& kept);
 
     const ClipRegion* region_ = nullptr;
+    std::stop_token stop_;
     RowForms forms_;
     std::shared_ptr<const clipping::PreparedRegion> prepared_; ///< if the form for regions is used
     bool oneWindow_ = false;

@@ -3,7 +3,22 @@
 
 #include "app/document/flatten.h"
 
+#include <utility>
+
 namespace app {
+
+static bool update(SceneBlockCache& blocks, const Document& document)
+{
+    return blocks.update(document.objects(), document.containers().hiddenRanges(),
+                         usualTolerance(document.page()));
+}
+
+SceneBlockCache blocksFor(const Document& document)
+{
+    SceneBlockCache blocks;
+    update(blocks, document);
+    return blocks;
+}
 
 Scene::Scene(const EditedDocument& document, QObject* parent) : QObject(parent), document_(document)
 {
@@ -15,10 +30,20 @@ Scene::Scene(const EditedDocument& document, QObject* parent) : QObject(parent),
     update();
 }
 
+void Scene::expect(SceneBlockCache blocks)
+{
+    blocks_ = std::move(blocks);
+    expects_ = true;
+}
+
 void Scene::update()
 {
-    const Document& now = document_.now();
-    blocks_.update(now.objects(), now.containers().hiddenRanges(), usualTolerance(now.page()));
+    SceneBlockCache next = blocks_; // if memory runs out, nothing has changed
+    const bool changed = app::update(next, document_.now());
+    if (changed || expects_)
+        lines_ = SceneLines(next.blocks());
+    blocks_ = std::move(next);
+    expects_ = false;
 }
 
 } // namespace app

@@ -65,10 +65,11 @@ InChunk inChunk(std::span<const Clipped> pieces, std::span<const clipping::Segme
 
 } // namespace
 
-SceneFrame SceneClipping::clip(const SceneLines& lines, const ClipRegion& region, ClipAll clipAll)
+SceneFrame SceneClipping::clip(const SceneLines& lines, const ClipRegion& region, ClipAll clipAll,
+                               const std::stop_token& stop)
 {
     region_ = &region;
-    regionClipping_.start(region, clipAll);
+    regionClipping_.start(region, clipAll, stop);
     stopwatch_.reset();
     pieces_.clear();
     visible_ = 0;
@@ -79,6 +80,8 @@ SceneFrame SceneClipping::clip(const SceneLines& lines, const ClipRegion& region
         regionClipping_.isExact() && region.keep == Keep::Inside ? region.single() : std::nullopt;
     std::span<Remains> left = remains_;
     for (Block& block : blocks_) {
+        if (stop.stop_requested())
+            break;
         const auto remains = left.first(block.remains.size());
         left = left.subspan(remains.size());
         if (window)

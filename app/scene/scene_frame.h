@@ -20,7 +20,7 @@ struct SceneFrame {
     std::span<const Block> blocks{};
     std::size_t total = 0;         ///< number of lines
     std::size_t visible = 0;       ///< lines of which at least a part is kept
-    std::uint64_t nanoseconds = 0; ///< time of the clipping alone
+    std::uint64_t nanoseconds = 0; ///< processor time of the clipping alone
 };
 
 } // namespace app

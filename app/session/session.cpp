@@ -118,12 +118,14 @@ void Session::setPreview(const Preview& preview)
     emit previewChanged();
 }
 
-void Session::load(Imported imported, const QString& path)
+void Session::load(Imported imported, const QString& path, std::optional<SceneBlockCache> blocks)
 {
     losses_.clear(); // what an empty document has, if the new one does not fit into memory
     path_.clear();
     saving_ = false;
     history.clear();
+    if (blocks)
+        scene.expect(std::move(*blocks));
     document.load(std::move(imported.document));
     losses_ = std::move(imported.report);
     path_ = path;

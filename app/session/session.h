@@ -146,9 +146,11 @@ public:
     std::optional<std::size_t> inspected() const { return inspected_; }
     void inspect(std::optional<std::size_t> segment);
 
-    /// Opens a drawing: clears history, selection, file name and losses first. If memory runs out,
-    /// the drawing is an empty one without a file.
-    void load(Imported imported, const QString& path = {});
+    /// Opens a drawing: clears history, selection, file name and losses first. `blocks` are those
+    /// of a large one (Scene::expect). If memory runs out, the drawing is an empty one without a
+    /// file.
+    void load(Imported imported, const QString& path = {},
+              std::optional<SceneBlockCache> blocks = {});
     QString path() const { return path_; } ///< empty: never saved
     const std::vector<Loss>& losses() const { return losses_; }
     bool mustSaveAs() const; ///< no path, or the import lost something

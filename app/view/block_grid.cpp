@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 namespace app {
@@ -61,6 +62,15 @@ BlockGrid::BlockGrid(std::span<const clipping::Segment> segments)
     std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
     for (std::size_t i = 0; i < segments.size(); ++i)
         visit(segments[i], [&](std::size_t cell) { segments_[next[cell]++] = std::uint16_t(i); });
+}
+
+BlockGrid BlockGrid::ofOneCell(std::size_t segments)
+{
+    BlockGrid grid;
+    grid.start_ = {0, std::uint32_t(segments)};
+    grid.segments_.resize(segments);
+    std::iota(grid.segments_.begin(), grid.segments_.end(), std::uint16_t(0));
+    return grid;
 }
 
 bool BlockGrid::findNear(std::span<const clipping::Segment> segments, const Point& point,

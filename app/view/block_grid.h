@@ -21,6 +21,8 @@ class BlockGrid {
 public:
     /// At most SceneBlock::mostSegments segments. findNear() needs the same segments again.
     explicit BlockGrid(std::span<const clipping::Segment> segments);
+    /// One cell for so many segments, made in no time: every search looks at all of them.
+    static BlockGrid ofOneCell(std::size_t segments);
 
     /// Appends the numbers, plus `first`, of the segments within `radius` of the point, ascending.
     /// Stops after looking at `limits.looks` segments, which it counts down. False: it stopped
@@ -29,6 +31,8 @@ public:
                   std::size_t first, std::vector<std::size_t>& found, NearLimits& limits) const;
 
 private:
+    BlockGrid() = default;
+
     struct Cells {
         std::size_t x0, y0, x1, y1;
     }; // inclusive

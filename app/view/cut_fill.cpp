@@ -52,7 +52,7 @@ std::vector<clipping::Segment> linesOf(const clipping::ClippedArea& area)
 
 } // namespace
 
-CutFill::CutFill(const ClipRegion* region, Painted part)
+CutFill::CutFill(const ClipRegion* region, Painted part, const std::stop_token& stop) : stop_(stop)
 {
     if (!region || region->everything() || part == Painted::All)
         return;
@@ -67,7 +67,7 @@ Remains CutFill::remains(const clipping::Window& box) const
 
 std::vector<clipping::Segment> CutFill::clip(const Outline& outline, FillRule rule) const
 {
-    const auto clipped = clipping::clipArea(areaOf(outline, rule), *windows_);
+    const auto clipped = clipping::clipArea(areaOf(outline, rule), *windows_, stop_);
     std::vector<clipping::Segment> lines;
     if (clipped.part == clipping::AreaPart::Whole)
         for (const auto& part : outline)

@@ -5,13 +5,16 @@
 #include "app/view/outline.h"
 #include "app/view/painted_part.h"
 
+#include <stop_token>
+
 namespace app {
 
 /// The part of filled areas that a picture shows: inside the clip windows, or what these remove.
 class CutFill {
 public:
-    /// Without a region, and for Painted::All, areas are shown whole.
-    CutFill(const ClipRegion* region, Painted part);
+    /// Without a region, and for Painted::All, areas are shown whole. When a stop is requested,
+    /// areas are missing.
+    CutFill(const ClipRegion* region, Painted part, const std::stop_token& stop = {});
 
     bool cuts() const { return windows_ != nullptr; }
     /// What is shown of anything in a box, as far as the box tells.
@@ -22,6 +25,7 @@ public:
 private:
     ClipRegion region_;
     std::shared_ptr<const clipping::PreparedRegion> windows_;
+    std::stop_token stop_;
 };
 
 /// The bounding box of an outline, which must not be empty.

@@ -5,7 +5,16 @@
 
 namespace app {
 
-void FrameStatistics::add(double milliseconds) { times_[count_++ % length] = milliseconds; }
+void FrameStatistics::note(const FrameTimes& times)
+{
+    if (times.subject != subject_)
+        forget();
+    if (count_ > 0 && times.clipping == clipping_)
+        return;
+    subject_ = times.subject;
+    clipping_ = times.clipping;
+    times_[count_++ % length] = times.clipMs;
+}
 
 double FrameStatistics::median() const
 {

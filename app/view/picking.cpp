@@ -10,7 +10,8 @@
 
 namespace app {
 
-constexpr int mostHalvings = 10; // of the radius, in a crowd
+constexpr int mostHalvings = 10;           // of the radius, in a crowd
+constexpr std::size_t mostAtOnce = 10'000; // lines of a drawing whose grids are laid at once
 
 std::vector<std::size_t> Picking::near(const Point& point, double radius) const
 {
@@ -46,12 +47,39 @@ bool Picking::find(const Point& point, double radius, NearLimits& limits,
         if (block.block->segments.empty() || isOutside(block.around, around))
             continue;
         if (!block.grid)
-            block.grid.emplace(block.block->segments);
+            grid(block);
         if (!block.grid->findNear(block.block->segments, point, radius,
                                   scene_.lines().runs()[i].firstLine, found, limits))
             return false;
     }
     return true;
+}
+
+void Picking::grid(Block& block) const
+{
+    const auto& segments = block.block->segments;
+    block.isLaid = scene_.lines().size() <= mostAtOnce;
+    block.grid = block.isLaid ? BlockGrid(segments) : BlockGrid::ofOneCell(segments.size());
+    if (!block.isLaid && !laying_.active())
+        layNext();
+}
+
+void Picking::layNext() const
+{
+    const auto next = std::ranges::find(blocks_, false, &Block::isLaid);
+    if (next == blocks_.end())
+        return;
+    laying_.start([block = next->block](const Follower&) { return BlockGrid(block->segments); },
+                  [this, block = next->block](BlockGrid laid) {
+                      const auto of = std::ranges::find_if(blocks_, [&](const Block& each) {
+                          return sameAddress(each.block, block);
+                      });
+                      if (of != blocks_.end()) {
+                          of->grid = std::move(laid);
+                          of->isLaid = true;
+                      }
+                      layNext();
+                  });
 }
 
 std::optional<std::size_t> Picking::nearest(const Point& point, double radius) const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/background.h"
 #include "app/scene/scene.h"
 #include "app/view/block_grid.h"
 
@@ -9,7 +10,8 @@
 namespace app {
 
 /// Finds lines and objects by position, fast enough for hovering over millions of lines. Each block
-/// of the scene gets a grid on its first query, and keeps it while the block is in the scene.
+/// of the scene gets a grid after its first query, and keeps it while the block is in the scene.
+/// The grids of large drawings are laid on another thread; until then a query looks at every line.
 class Picking {
 public:
     Picking(const EditedDocument& document, const Scene& scene) : document_(document), scene_(scene)
@@ -41,8 +43,11 @@ private:
         Shared<SceneBlock> block; // owned here, so that no other block gets its address
         FloatBox around{};
         std::optional<BlockGrid> grid{};
+        bool isLaid = true; ///< false: it has one cell, until the grid is laid
     };
     void follow() const;
+    void grid(Block& block) const;
+    void layNext() const;
     bool find(const Point& point, double radius, NearLimits& limits,
               std::vector<std::size_t>& found) const;
 
@@ -50,6 +55,7 @@ private:
     const Scene& scene_;
     mutable std::uint64_t revision_ = 0; // revision of the lines that blocks_ belong to
     mutable std::vector<Block> blocks_;
+    mutable Background<BlockGrid> laying_;
 };
 
 } // namespace app

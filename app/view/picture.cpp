@@ -5,6 +5,7 @@
 #include "app/view/long_pieces.h"
 #include "app/view/scene_draw_list_builder.h"
 #include "app/view/visible_colour.h"
+#include "app/view/window_borders.h"
 
 #include <algorithm>
 
@@ -21,7 +22,7 @@ DrawList drawList(const StyleTable& styles, const SceneLines& lines, PaintedPart
     std::optional<StyleIndex> style;
     for (std::size_t at = 0; at < lines.blocks().size(); ++at) {
         const SceneBlock& block = *lines.blocks()[at];
-        for (std::size_t i = 0; i < block.chunks.size(); ++i) {
+        for (std::size_t i = 0; i < block.chunks.size() && !options.stop.stop_requested(); ++i) {
             const SceneChunk& chunk = block.chunks[i];
             const Remains remains = part.remains(at, i);
             if (remains == Remains::Gone && !(options.region && styles[chunk.style].fill))
@@ -157,6 +158,7 @@ Picture pictureOf(const StyleTable& styles, const SceneLines& lines, const Scene
         makeGhosts(picture.ghost, *options.ghosting);
     picture.selected = selected(styles, lines, options);
     picture.differing = differenceMarks(styles, lines, options);
+    picture.borders = windowBorders(options);
     return picture;
 }
 
@@ -165,10 +167,13 @@ Picture pictureOf(const StyleTable& styles, const SceneLines& lines, const Scene
 bool outlines(const SceneLines& lines, std::span<const ObjectRange> selection)
 {
     constexpr std::size_t mostObjects = 500, mostLines = 20'000;
-    std::size_t count = 0;
-    for (const auto& [first, end] : selection)
-        count += lines.firstLineOf(end) - lines.firstLineOf(first);
-    return count <= mostLines && objectsIn(selection) <= mostObjects;
+    std::size_t objects = 0, count = 0;
+    return std::ranges::all_of(selection, [&](const ObjectRange& range) {
+        objects += range.size();
+        if (objects <= mostObjects)
+            count += lines.firstLineOf(range.end) - lines.firstLineOf(range.first);
+        return objects <= mostObjects && count <= mostLines;
+    });
 }
 
 Picture picture(const StyleTable& styles, const SceneLines& lines, const SceneFrame& frame,

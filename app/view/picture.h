@@ -10,9 +10,9 @@ namespace app {
 
 /// One frame as draw lists, painted in this order: bands below the selected objects, which keep
 /// their colours (`selected`); the ghost, as a whole with the ghost's opacity (so that overlapping
-/// ghosts do not add up); the kept part; the differing pieces.
+/// ghosts do not add up); the kept part; the differing pieces; borders of clip windows.
 struct Picture {
-    DrawList selected, ghost, kept, differing;
+    DrawList selected, ghost, kept, differing, borders;
 };
 
 /// Whether selected objects are shown one by one: up to 500 of them, or 20,000 lines.

@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace app {
@@ -17,6 +18,16 @@ namespace app {
 struct Ghosting {
     Colour page;
     double opacity;
+};
+
+/// How the border of a clip window is painted: a line with a wider one below it; widths and dashes
+/// in logical pixels.
+struct BorderLine {
+    std::size_t step = 0; ///< of the region
+    Colour colour{}, below{255, 255, 255};
+    double width = 1, widthBelow = 0; ///< 0: there is no line below
+    std::vector<double> dashes{};
+    friend bool operator==(const BorderLine&, const BorderLine&) = default;
 };
 
 /// The options of a frame.
@@ -52,6 +63,8 @@ struct PictureOptions {
         Colour colour;
     };
     std::vector<Graded> graded{};
+    std::vector<BorderLine> borders{}; ///< to draw on top of everything
+    std::stop_token stop{}; ///< when it is requested, the rest of the picture is left out
 };
 
 } // namespace app

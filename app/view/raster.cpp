@@ -281,6 +281,7 @@ QImage rasterised(const Picture& picture, Band band, const RasterOptions& option
     Painting painting(image, band.top, options);
     painting.paint(picture.kept);
     painting.paint(picture.differing);
+    painting.paint(picture.borders);
     return image;
 }
 

@@ -9,7 +9,7 @@ namespace app {
 SceneDrawListBuilder::SceneDrawListBuilder(const SceneLines& lines, const PaintedPart& part,
                                            const PictureOptions& options,
                                            std::size_t expectedPieces)
-    : lines_(lines), part_(part), cutFill_(options.region, part.which()),
+    : lines_(lines), part_(part), cutFill_(options.region, part.which(), options.stop),
       closesAreas_(options.closesAreas && part.which() == Painted::Kept),
       leastLength_(options.leastLength), builder_(options, expectedPieces)
 {

@@ -19,6 +19,13 @@ struct BoundaryPiece {
 };
 
 /// Joins pieces to rings. At every point as many pieces begin as end.
-ClippedArea ringsOf(std::span<const BoundaryPiece> pieces);
+ClippedArea ringsOf(std::span<const BoundaryPiece> pieces, const std::stop_token& stop);
+
+/// Whether a loop over very many items is to end. Reads the token only now and then.
+inline bool isStopped(const std::stop_token& stop, std::size_t item)
+{
+    constexpr std::size_t now = 4096;
+    return item % now == 0 && stop.stop_requested();
+}
 
 } // namespace clipping

@@ -44,21 +44,28 @@ std::optional<AreaPart> lookAt(const Window& box, const PreparedRegion& window)
     return part == BoxPart::Whole ? AreaPart::Whole : AreaPart::None;
 }
 
-ClippedArea clipped(const Data& area, const Data& window)
+ClippedArea clipped(const Data& area, const Data& window, const std::stop_token& stop)
 {
     BoundarySweep sweep(area, window);
-    for (const AreaEdge& edge : area.edges)
+    for (const AreaEdge& edge : area.edges) {
+        if (stop.stop_requested())
+            return {AreaPart::Stopped};
         sweep.walkAreaEdge(edge);
-    for (const std::uint32_t i : edgesNear(window, area))
+    }
+    for (const std::uint32_t i : edgesNear(window, area)) {
+        if (stop.stop_requested())
+            return {AreaPart::Stopped};
         sweep.walkWindowEdge(window.edges[i]);
+    }
     if (sweep.isEmpty())
         return {};
-    return sweep.isWhole() ? ClippedArea{AreaPart::Whole} : ringsOf(sweep.pieces());
+    return sweep.isWhole() ? ClippedArea{AreaPart::Whole} : ringsOf(sweep.pieces(), stop);
 }
 
 } // namespace
 
-ClippedArea clipArea(const PreparedRegion& area, const PreparedRegion& window)
+ClippedArea clipArea(const PreparedRegion& area, const PreparedRegion& window,
+                     const std::stop_token& stop)
 {
     const Data &a = area.data(), &w = window.data();
     if (!a.isFinite || !w.isFinite || (a.keepsNone && w.keepsNone))
@@ -69,10 +76,10 @@ ClippedArea clipArea(const PreparedRegion& area, const PreparedRegion& window)
         if (const auto part = lookAt(a.grid.box(), window))
             return {*part};
     }
-    return clipped(a, w);
+    return clipped(a, w, stop);
 }
 
-ClippedArea clipArea(const Area& area, const PreparedRegion& window)
+ClippedArea clipArea(const Area& area, const PreparedRegion& window, const std::stop_token& stop)
 {
     const Data& w = window.data();
     if (!isFinite(area) || !w.isFinite)
@@ -84,7 +91,7 @@ ClippedArea clipArea(const Area& area, const PreparedRegion& window)
         box = {glm::min(box.min, p), glm::max(box.max, p)};
     if (const auto part = lookAt(box, window))
         return {*part};
-    return clipArea(PreparedRegion({{{area}}}), window);
+    return clipArea(PreparedRegion({{{area}}}), window, stop);
 }
 
 } // namespace clipping

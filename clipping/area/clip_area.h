@@ -3,6 +3,8 @@
 
 #include "clipping/region/region.h"
 
+#include <stop_token>
+
 // Clips filled areas at areas of any shape. All decisions are exact; only the coordinates of the
 // result are rounded.
 //
@@ -17,10 +19,11 @@ namespace CLEARCUT_API clipping {
 
 /// What a window leaves of an area.
 enum class AreaPart : std::uint8_t {
-    None,   ///< nothing with area
-    Whole,  ///< the area, unchanged: the rings are left empty, use the input
-    Cut,    ///< the rings of the result
-    Refused ///< a number is not finite, or area and window both reach to infinity
+    None,    ///< nothing with area
+    Whole,   ///< the area, unchanged: the rings are left empty, use the input
+    Cut,     ///< the rings of the result
+    Refused, ///< a number is not finite, or area and window both reach to infinity
+    Stopped  ///< nothing is known, because a stop was requested
 };
 
 /// Where an edge of the result comes from: from an edge of the area or of the window, `from` and
@@ -68,11 +71,14 @@ struct CLEARCUT_HOLDS_CONTAINERS ClippedArea {
 ///    edges of one input, the one with the smallest number.
 ///
 /// Takes O(edges) in ordinary drawings, plus what is needed to sort the crossings. Of the window,
-/// only the edges near the area count.
-ClippedArea clipArea(const PreparedRegion& area, const PreparedRegion& window);
+/// only the edges near the area count. Edges that cross one another thousands of times take many
+/// seconds: when a stop is requested, the call returns within some hundredths of a second.
+ClippedArea clipArea(const PreparedRegion& area, const PreparedRegion& window,
+                     const std::stop_token& stop = {});
 
 /// The same for one area, which is prepared first. An area that is clipped more than once should be
 /// prepared once.
-ClippedArea clipArea(const Area& area, const PreparedRegion& window);
+ClippedArea clipArea(const Area& area, const PreparedRegion& window,
+                     const std::stop_token& stop = {});
 
 } // namespace clipping

@@ -52,13 +52,15 @@ void findEnds(std::uint32_t vertex, std::span<const BoundaryPiece> pieces,
 } // namespace
 
 std::vector<std::uint32_t> followers(std::span<const BoundaryPiece> pieces,
-                                     const BoundaryVertices& vertices)
+                                     const BoundaryVertices& vertices, const std::stop_token& stop)
 {
     std::vector<std::uint32_t> follower(pieces.size());
     std::vector<std::uint32_t> open; // pieces that arrived and have none yet
     std::vector<PieceEnd> ends;
     std::vector<bool> isDone;
     for (std::uint32_t vertex = 0; vertex < vertices.count(); ++vertex) {
+        if (isStopped(stop, vertex))
+            break;
         constexpr std::uint32_t soon = 8; // pieces of crossing edges are far apart in memory
         if (vertex + soon < vertices.count())
             for (const std::uint32_t i : vertices.endingAt(vertex + soon))

@@ -10,18 +10,21 @@ constexpr std::size_t none = ~std::size_t(0);
 /// Walks from piece to piece. Where it comes back to a point, the pieces since then are a ring.
 class RingWalk {
 public:
-    explicit RingWalk(std::span<const BoundaryPiece> pieces)
-        : pieces_(pieces), vertices_(pieces), follower_(followers(pieces, vertices_)),
-          isDone_(pieces.size()), placeOf_(vertices_.count(), none)
+    RingWalk(std::span<const BoundaryPiece> pieces, const BoundaryVertices& vertices,
+             const std::vector<std::uint32_t>& follower)
+        : pieces_(pieces), vertices_(vertices), follower_(follower), isDone_(pieces.size()),
+          placeOf_(vertices_.count(), none)
     {
         result_.part = AreaPart::Cut;
         result_.points.reserve(pieces.size()), result_.origins.reserve(pieces.size());
     }
 
-    ClippedArea rings() &&
+    ClippedArea rings(const std::stop_token& stop) &&
     {
         for (std::uint32_t i = 0; i < pieces_.size(); ++i)
-            if (!isDone_[i])
+            if (stop.stop_requested())
+                return {AreaPart::Stopped};
+            else if (!isDone_[i])
                 walkFrom(i);
         return std::move(result_);
     }
@@ -74,8 +77,8 @@ private:
     }
 
     std::span<const BoundaryPiece> pieces_;
-    BoundaryVertices vertices_;
-    std::vector<std::uint32_t> follower_;
+    const BoundaryVertices& vertices_;
+    const std::vector<std::uint32_t>& follower_;
     std::vector<bool> isDone_;
     std::vector<std::size_t> placeOf_; ///< for each vertex, where the way leaves it
     std::vector<std::uint32_t> way_;
@@ -84,6 +87,15 @@ private:
 
 } // namespace
 
-ClippedArea ringsOf(std::span<const BoundaryPiece> pieces) { return RingWalk(pieces).rings(); }
+ClippedArea ringsOf(std::span<const BoundaryPiece> pieces, const std::stop_token& stop)
+{
+    const BoundaryVertices vertices(pieces, stop);
+    if (stop.stop_requested())
+        return {AreaPart::Stopped};
+    const std::vector<std::uint32_t> follower = followers(pieces, vertices, stop);
+    if (stop.stop_requested())
+        return {AreaPart::Stopped};
+    return RingWalk(pieces, vertices, follower).rings(stop);
+}
 
 } // namespace clipping

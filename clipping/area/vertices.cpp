@@ -19,21 +19,25 @@ std::size_t hashOf(const glm::dvec2& p)
 
 } // namespace
 
-BoundaryVertices::BoundaryVertices(std::span<const BoundaryPiece> pieces)
+BoundaryVertices::BoundaryVertices(std::span<const BoundaryPiece> pieces,
+                                   const std::stop_token& stop)
     : table_(std::bit_ceil(2 * pieces.size() + 1)), from_(pieces.size()), to_(pieces.size())
 {
-    for (std::size_t i = 0; i < pieces.size(); ++i)
+    for (std::size_t i = 0; i < pieces.size() && !isStopped(stop, i); ++i)
         from_[i] = vertexAt(pieces[i].from);
-    for (std::size_t i = 0; i < pieces.size(); ++i) // the next one often begins where one ends
+    for (std::size_t i = 0; i < pieces.size() && !isStopped(stop, i);
+         ++i) // the next one often begins where one ends
         to_[i] = i + 1 < pieces.size() && pieces[i + 1].from == pieces[i].to
                      ? from_[i + 1]
                      : vertexAt(pieces[i].to);
+    if (stop.stop_requested())
+        return;
     first_.assign(points_.size() + 1, 0);
     for (const std::uint32_t vertex : from_)
         ++first_[vertex + 1];
     for (std::size_t i = 1; i < first_.size(); ++i)
         first_[i] += first_[i - 1];
-    beginning_ = listedBy(from_), ending_ = listedBy(to_);
+    beginning_ = listedBy(from_, stop), ending_ = listedBy(to_, stop);
 }
 
 std::uint32_t BoundaryVertices::vertexAt(const glm::dvec2& p)
@@ -49,11 +53,11 @@ std::uint32_t BoundaryVertices::vertexAt(const glm::dvec2& p)
 }
 
 /// The pieces ordered by a vertex of theirs.
-std::vector<std::uint32_t>
-BoundaryVertices::listedBy(const std::vector<std::uint32_t>& vertexOf) const
+std::vector<std::uint32_t> BoundaryVertices::listedBy(const std::vector<std::uint32_t>& vertexOf,
+                                                      const std::stop_token& stop) const
 {
     std::vector<std::uint32_t> listed(vertexOf.size()), next(first_.begin(), first_.end() - 1);
-    for (std::uint32_t i = 0; i < vertexOf.size(); ++i) {
+    for (std::uint32_t i = 0; i < vertexOf.size() && !isStopped(stop, i); ++i) {
         assert(next[vertexOf[i]] < first_[vertexOf[i] + 1]);
         listed[next[vertexOf[i]]++] = i;
     }

@@ -6,10 +6,10 @@
 namespace clipping {
 
 /// The points where pieces begin and end, numbered, and the pieces that begin there. Points are the
-/// same if their rounded coordinates are.
+/// same if their rounded coordinates are. Of no use if a stop was requested.
 class BoundaryVertices {
 public:
-    explicit BoundaryVertices(std::span<const BoundaryPiece> pieces);
+    BoundaryVertices(std::span<const BoundaryPiece> pieces, const std::stop_token& stop);
 
     std::size_t count() const { return first_.size() - 1; }
     std::uint32_t from(std::size_t piece) const { return from_[piece]; }
@@ -26,7 +26,8 @@ public:
 
 private:
     std::uint32_t vertexAt(const glm::dvec2& p);
-    std::vector<std::uint32_t> listedBy(const std::vector<std::uint32_t>& vertexOf) const;
+    std::vector<std::uint32_t> listedBy(const std::vector<std::uint32_t>& vertexOf,
+                                        const std::stop_token& stop) const;
 
     std::vector<glm::dvec2> points_;   ///< of the vertices
     std::vector<std::uint32_t> table_; ///< 1 + a vertex, at its hash or after it; 0: none
@@ -34,8 +35,9 @@ private:
 };
 
 /// The piece that follows each piece on its ring. Where several pass one point, the one is chosen
-/// that has the same part of the result beside it, so that rings do not cross.
+/// that has the same part of the result beside it, so that rings do not cross. Some are missing if
+/// a stop was requested.
 std::vector<std::uint32_t> followers(std::span<const BoundaryPiece> pieces,
-                                     const BoundaryVertices& vertices);
+                                     const BoundaryVertices& vertices, const std::stop_token& stop);
 
 } // namespace clipping

@@ -3,5 +3,11 @@
 layout(location = 0) in vec2 point; // logical pixels from the middle of the view
 uniform vec2 viewport;
 uniform float pixelRatio;
+uniform float scale; // of a picture of another view
+uniform vec2 shift;  // and its place, in logical pixels
 
-void main() { gl_Position = vec4(point * pixelRatio * vec2(2.0, -2.0) / viewport, 0.0, 1.0); }
+void main()
+{
+    vec2 at = (point * scale + shift) * pixelRatio;
+    gl_Position = vec4(at * vec2(2.0, -2.0) / viewport, 0.0, 1.0);
+}

@@ -8,6 +8,8 @@ layout(location = 2) in float thickness;
 layout(location = 3) in uint caps;   // of a: caps & 3u, of b: caps >> 2: 0 butt, 1 round, 2 square
 uniform vec2 viewport;               // device pixels
 uniform float pixelRatio;
+uniform float scale;                 // of a picture of another view
+uniform vec2 shift;                  // and its place, in logical pixels
 out vec2 along;                      // from the piece's middle: along it and across it
 flat out vec2 halfSize;
 flat out vec4 ink;
@@ -15,7 +17,8 @@ flat out uvec2 cap;
 
 void main()
 {
-    vec2 a = ends.xy * pixelRatio, b = ends.zw * pixelRatio, d = b - a;
+    vec2 a = (ends.xy * scale + shift) * pixelRatio, b = (ends.zw * scale + shift) * pixelRatio;
+    vec2 d = b - a;
     float width = max(thickness * pixelRatio, 1.0), fade = min(thickness * pixelRatio, 1.0);
     float len = length(d);
     vec2 u = len > 1e-6 ? d / len : vec2(1, 0), n = vec2(-u.y, u.x);

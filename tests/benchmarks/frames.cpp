@@ -151,7 +151,7 @@ int main(int argc, char** argv)
     ui::Canvas canvas(session, gl ? ui::Backend::OpenGL : ui::Backend::Raster);
     std::vector<double> clip;
     QObject::connect(&canvas, &ui::Canvas::frameShown,
-                     [&](const ui::FrameTimes& t) { clip.push_back(t.clipMs); });
+                     [&](const app::FrameTimes& t) { clip.push_back(t.clipMs); });
     canvas.resize(1280 + 20, 800 + 20);
     canvas.show();
     QCoreApplication::processEvents();

@@ -16,6 +16,8 @@
 #include <memory>
 #include <random>
 
+#include "tests/app/scene/block_scene.h"
+
 /// What document.cpp draws: lines that touch nothing, or pen lines of 100 segments.
 enum class Drawn : std::uint8_t { Loose, Polylines };
 
@@ -35,7 +37,9 @@ public:
 
     app::SceneFrame clip()
     {
-        return scene_->clip(regionOf(document_.now().windows(), document_.now().page()), {&clipping::exactAlgorithm()});
+        return clipping_.clip(scene_->lines(),
+                              regionOf(document_.now().windows(), document_.now().page()),
+                              {&clipping::exactAlgorithm()});
     }
     app::Picture picture(const app::SceneFrame& frame) const
     {
@@ -112,6 +116,7 @@ private:
 
     app::EditedDocument document_;
     std::unique_ptr<app::Scene> scene_;
+    FrameClipping clipping_;
     std::unique_ptr<app::Picking> picking_;
     app::History history_;
 };

@@ -7,6 +7,7 @@
 
 #include <QApplication>
 
+#include "tests/app/scene/block_scene.h"
 #include "tests/benchmarks/figures.h"
 #include "tests/benchmarks/used_memory.h"
 
@@ -20,9 +21,10 @@ app::Imported drawingIn(const QString& path)
     return std::move(*read.value);
 }
 
-app::SceneFrame clip(app::Session& session)
+app::SceneFrame clip(const app::Session& session)
 {
-    return session.scene.clip(session.region(), {&app::usualAlgorithm()});
+    static FrameClipping clipping;
+    return clipping.clip(session.scene.lines(), session.region(), {&app::usualAlgorithm()});
 }
 
 app::Picture picture(app::Session& session, const app::SceneFrame& frame)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Measures the scene of blocks beside one array of all lines, on the same lines and in turns:
 // scene [loose|polylines] [SEGMENTS]
-#include "app/scene/block_scene.h"
 #include "clipping/chunks.h"
 #include "clipping/outside.h"
 
@@ -13,6 +12,7 @@
 #include <random>
 #include <string>
 
+#include "tests/app/scene/block_scene.h"
 #include "tests/benchmarks/figures.h"
 #include "tests/benchmarks/timing.h"
 #include "tests/benchmarks/used_memory.h"
@@ -221,7 +221,7 @@ private:
     double segments_;
     std::size_t start_;
     app::Objects objects_;
-    app::BlockScene blocks_;
+    BlockScene blocks_;
     std::unique_ptr<ArrayScene> array_;
 };
 

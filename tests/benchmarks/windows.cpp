@@ -4,7 +4,6 @@
 // with all closed shapes filled, whose areas are cut anew in each frame while the windows move.
 #include "app/document/recipe_outline.h"
 #include "app/formats/format.h"
-#include "app/scene/block_scene.h"
 #include "app/scene/window_needs.h"
 #include "app/session/samples.h"
 #include "app/view/picture.h"
@@ -14,6 +13,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/app/scene/block_scene.h"
 #include "tests/benchmarks/figures.h"
 #include "tests/benchmarks/short_lines.h"
 
@@ -69,7 +69,7 @@ struct Shapes {
 void lines(FigureTable& table, std::size_t count)
 {
     const app::Document document = shortLines(int(count));
-    app::BlockScene scene;
+    BlockScene scene;
     scene.update(document.objects(), {}, tolerance);
     const Shapes shapes{document.page().size};
     struct Row {
@@ -107,7 +107,7 @@ void areas(FigureTable& table, const QString& file)
         qFatal("%s", qPrintable(read.error));
     const app::Document& document = read.value->document;
     const app::Objects objects = filled(document);
-    app::BlockScene scene;
+    BlockScene scene;
     scene.update(objects, document.containers().hiddenRanges(), tolerance);
     const Shapes shapes{document.page().size};
     Figures clips, pictures, prepared;

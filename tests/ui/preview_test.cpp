@@ -12,6 +12,7 @@
 
 #include "tests/app/document/one_window.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/app/scene/block_scene.h"
 #include "tests/ui/test_window.h"
 
 using namespace ui;
@@ -92,7 +93,7 @@ struct Desk : TestWindow {
     /// The number of lines that `exact` keeps in the current clip window.
     std::size_t visible() const
     {
-        return session().scene.clip(session().region(), app::exactVariant()).visible;
+        return visibleIn(session().scene.lines(), session().region(), app::exactVariant());
     }
 
     std::array<LengthField*, 4> fields{};

@@ -98,14 +98,9 @@ void StatusBar::setSummary(const QString& summary)
     renderer_->hide();
 }
 
-void StatusBar::note(const FrameTimes& times)
+void StatusBar::note(const app::FrameTimes& times)
 {
-    if (times.total != last_.total || times.choice != last_.choice) {
-        clip_.forget();
-        draw_.forget();
-    }
-    clip_.add(times.clipMs);
-    draw_.add(times.drawMs);
+    clip_.note(times);
     last_ = times;
     if (!pause_.isActive())
         pause_.start();
@@ -116,7 +111,6 @@ void StatusBar::forgetFrames()
 {
     pause_.stop();
     clip_.forget();
-    draw_.forget();
     last_ = {};
     for (StatusCell* cell : {visible_, times_}) {
         cell->setText({});
@@ -132,24 +126,35 @@ void StatusBar::showTimes()
         summary_.isEmpty()
             ? tr("%1 of %2 visible").arg(app::countText(last_.visible), app::countText(last_.total))
             : summary_);
-    if (last_.painting) {
-        times_->setText(tr("painting…"));
-        times_->setToolTip(tr("The picture takes a while. Until it is ready, the canvas shows the "
-                              "previous one."));
-        return;
-    }
-    if (last_.total < app::leastLinesToTime) {
-        times_->setText(tr("too few lines to time"));
-        times_->setToolTip(tr("With fewer than %1 lines the times are too short to measure.")
-                               .arg(app::countText(app::leastLinesToTime)));
-        return;
-    }
-    const double clip = clip_.median();
-    times_->setText(tr("clip %1  draw %2")
-                        .arg(app::millisecondsText(clip), app::millisecondsText(draw_.median())));
-    times_->setToolTip(tr("Clipping: %1 ns per line. Both times are medians of the last %2 frames.")
-                           .arg(app::numberText(clip * 1e6 / double(last_.total), 1))
-                           .arg(app::FrameStatistics::length));
+    const QString clip = app::millisecondsText(clip_.median());
+    const bool timed = last_.total >= app::leastLinesToTime;
+    times_->setText(
+        !last_.painting
+            ? timed ? tr("clip %1  draw %2").arg(clip, app::millisecondsText(last_.drawMs))
+                    : tr("too few lines to time")
+        : timed ? tr("clip %1  painting…").arg(clip)
+                : tr("painting…"));
+    explainTimes();
+}
+
+void StatusBar::explainTimes()
+{
+    QStringList sentences;
+    if (last_.total < app::leastLinesToTime)
+        sentences << tr("With fewer than %1 lines the times are too short to measure.")
+                         .arg(app::countText(app::leastLinesToTime));
+    else
+        sentences << tr("Clipping: %1 ns per line. This is processor time, which other programs do "
+                        "not make longer, and the median of up to %2 frames of this drawing at "
+                        "these windows.")
+                         .arg(app::numberText(clip_.median() * 1e6 / double(last_.total), 1))
+                         .arg(app::FrameStatistics::length);
+    if (last_.painting)
+        sentences << tr("The picture takes a while. Until it is ready, the canvas shows the "
+                        "previous one.");
+    else if (last_.total >= app::leastLinesToTime)
+        sentences << tr("Drawing: the time in which this picture was painted.");
+    times_->setToolTip(sentences.join(u' '));
 }
 
 void StatusBar::showPosition(std::optional<app::Point> position)

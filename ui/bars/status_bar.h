@@ -18,8 +18,8 @@ class ZoomButton;
 
 /// The tool's hint at the left. At the right, a warning as long as work is not protected, and cells
 /// as wide as their widest text, so that nothing ever jumps: position, visible and total lines,
-/// algorithm, times (medians of 60 frames, shown at most ten times a second), zoom; in the dark
-/// theme the switch for dark paper.
+/// algorithm, times (shown at most ten times a second), zoom; in the dark theme the switch for dark
+/// paper.
 class StatusBar : public QStatusBar {
     Q_OBJECT
 
@@ -32,7 +32,7 @@ public:
 
     /// Empty: the tool's hint. Adds that digits choose the algorithm, if they do and if it fits.
     void showHint(const QString& hint);
-    void note(const FrameTimes& times); ///< of a frame that is shown
+    void note(const app::FrameTimes& times); ///< of a frame that is shown
     /// Why unsaved work would be lost in a crash; empty: it would not. Shown until then.
     void warn(const QString& sentence);
     /// What is shown in place of the drawing, such as "6 sheets, A4"; empty: the drawing is.
@@ -50,6 +50,7 @@ protected:
 private:
     void forgetFrames();
     void showTimes();
+    void explainTimes();
     void showPosition(std::optional<app::Point> position);
     void showStep();
     void showAlgorithm(const app::Variant& variant);
@@ -68,8 +69,8 @@ private:
     StatusCell *position_, *visible_, *algorithm_, *times_, *renderer_;
     QToolButton* darkPaper_;
     ZoomButton* zoom_;
-    app::FrameStatistics clip_, draw_;
-    FrameTimes last_;
+    app::FrameStatistics clip_;
+    app::FrameTimes last_;
     QString summary_;
     QString said_; ///< by showHint()
     QTimer pause_;

@@ -5,10 +5,10 @@
 #include "app/drawing/transformation.h"
 #include "app/session/digits.h"
 #include "app/session/session.h"
+#include "app/view/frame_times.h"
 #include "app/view/snapping/snap_to.h"
 #include "app/view/view.h"
 #include "ui/canvas/backend.h"
-#include "ui/canvas/frame_times.h"
 #include "ui/canvas/navigation.h"
 
 #include <QWidget>
@@ -97,7 +97,7 @@ public:
     QPoint drawingCorner() const;
 
 signals:
-    void frameShown(const ui::FrameTimes& times); ///< the times of the active pane's frame
+    void frameShown(const app::FrameTimes& times); ///< the times of the active pane's frame
     /// The pointer's position in the drawing; empty: the pointer has left.
     void pointerMoved(std::optional<app::Point> position);
     void hint(const QString& text); ///< the tool's current hint; empty: its usual one

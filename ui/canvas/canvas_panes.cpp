@@ -72,7 +72,7 @@ void Canvas::addPane()
         edit(panes, parts_->shown[place]);
         setPanes(panes);
     };
-    connect(&widget, &PaneWidget::frameShown, this, [this, &widget](const FrameTimes& times) {
+    connect(&widget, &PaneWidget::frameShown, this, [this, &widget](const app::FrameTimes& times) {
         if (widget.pane().active)
             emit frameShown(times);
     });

@@ -24,7 +24,7 @@ Controller::Controller(app::Session& session, QObject* parent)
     growing_.setSingleShot(true);
     growing_.setInterval(growthTold);
     connect(&growing_, &QTimer::timeout, this, &Controller::stepsChanged);
-    connect(&session.scene, &app::Scene::outdated, this, &Controller::outdate);
+    connect(&session.scene, &app::Scene::outdated, this, &Controller::followDocument);
     connect(&session, &app::Session::displayChanged, this, &Controller::followDisplay);
     connect(&session, &app::Session::selectionChanged, this, &Controller::outdate);
     connect(&session, &app::Session::inspectedChanged, this, &Controller::changed);
@@ -76,9 +76,20 @@ void Controller::inspectOnly()
 
 void Controller::outdate()
 {
-    snap_.reset(); // its target may no longer exist
+    snap_.reset();
     emit hintChanged();
     renew();
+}
+
+// Frames are told apart by their lines and clip windows. The page sets the size of a millimetre.
+void Controller::followDocument()
+{
+    snap_.reset(); // its target may no longer exist
+    emit hintChanged();
+    const double size = session_.now().page().millimetresPerUnit();
+    if (std::exchange(unitSize_, size) != size)
+        ++revision_;
+    emit changed();
 }
 
 // The lines are unchanged but look different.

@@ -3,7 +3,7 @@
 
 #include "app/comparison/panes.h"
 #include "app/session/digits.h"
-#include "app/view/picture.h"
+#include "app/view/frame_wish.h"
 #include "app/view/snapping/snapper.h"
 #include "ui/canvas/navigation.h"
 #include "ui/canvas/text_boxes.h"
@@ -12,6 +12,7 @@
 
 #include <QTimer>
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -23,16 +24,6 @@ struct ObjectInHand;
 }
 
 namespace ui {
-
-/// Frames with equal keys have equal pictures.
-struct FrameKey {
-    std::uint64_t revision = 0; ///< of the drawing, its display, the selection and the look
-    app::View view;
-    app::ClipRegion region{};
-    std::optional<app::Variant> choice{}; ///< never nothing in the key of a frame
-    std::uint64_t found = 0;              ///< of the differences found
-    friend bool operator==(const FrameKey&, const FrameKey&) = default;
-};
 
 /// The content of one of the surfaces that share a controller.
 struct Pane {
@@ -142,19 +133,14 @@ public:
     const std::vector<QRectF>& textBoxes() const { return textBoxes_.in(view()); }
     QColor pageColour() const;
     double ghostOpacity() const; ///< of the removed lines' layer, 0 to 1
-    FrameKey key(const Pane& pane) const
-    {
-        return {revision_, view(), session_.region(), pane.choice, pane.revision};
-    }
-    /// All lines, timed. Panes take turns: the frame is valid until the next one is clipped.
-    app::SceneFrame clip(const Pane& pane) const
-    {
-        return session_.scene.clip(session_.region(), pane.choice);
-    }
-    app::Picture picture(const app::SceneFrame& frame, const Pane& pane, double pixelRatio) const;
+    /// What a pane shows now: an image of so many pixels, or the draw lists alone.
+    app::FrameWish wish(const Pane& pane, double pixelRatio, const QSize& pixels = {}) const;
+    /// How long this turn of the event loop may still wait for pictures, which are painted on other
+    /// threads. All panes share it.
+    std::chrono::microseconds patience();
     /// The lines whose results differ between the pane's variant and `exact`; null: not known yet,
     /// or not asked for.
-    const app::Differences* differing(const Pane& pane) const;
+    std::shared_ptr<const app::Differences> differing(const Pane& pane) const;
 
 signals:
     void changed(); ///< repaint
@@ -169,8 +155,11 @@ signals:
     void stepsChanged();
 
 private:
-    void addErrors(app::PictureOptions& options) const;
+    app::PictureOptions pictureOptions(double pixelRatio) const;
+    void addDifferences(app::FrameWish& wish, const Pane& pane) const;
+    void addErrors(app::FrameWish& wish) const;
     void inspectOnly();
+    void followDocument();
     void outdate();
     void renew();
     void followDisplay();
@@ -245,7 +234,9 @@ private:
     /// Runs while the object being drawn has points not yet reported by stepsChanged().
     QTimer growing_;
     app::ObjectRanges inspectedSelection_; ///< the last one that inspectOnly() has seen
-    std::uint64_t revision_ = 1;
+    std::uint64_t revision_ = 1;           ///< of the display, the selection and the look
+    double unitSize_ = 0;                  ///< millimetres per user unit
+    std::optional<std::chrono::steady_clock::time_point> turnEnds_; ///< for waiting
 };
 
 } // namespace ui

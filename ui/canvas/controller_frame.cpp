@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/view/picture.h"
 #include "ui/canvas/controller.h"
+#include "ui/canvas/window_overlay.h"
+
+#include <algorithm>
 
 // The content of a frame.
 
 namespace ui {
+
+using namespace std::chrono_literals;
+
+// With what else is painted, a turn of the event loop stays below 8 ms.
+constexpr auto mostWaiting = 5ms;
 
 static app::Colour colourOf(const QColor& c)
 {
@@ -17,34 +26,40 @@ double Controller::ghostOpacity() const
     return session_.display().presenting ? 1 : paperLook_.ghost;
 }
 
-const app::Differences* Controller::differing(const Pane& pane) const
+std::shared_ptr<const app::Differences> Controller::differing(const Pane& pane) const
 {
     const auto window = session_.comparedAt();
     return pane.fromExact && window ? pane.fromExact->at(*window) : nullptr;
 }
 
+void Controller::addDifferences(app::FrameWish& wish, const Pane& pane) const
+{
+    auto differences = differing(pane);
+    if (!differences && pane.among == 1)
+        differences = session_.differences.at(window());
+    if (differences)
+        wish.differing = app::SharedPieces(differences, &differences->pieces);
+}
+
 /// Colours lines by their error class; wrong lines are marked like differing ones.
-void Controller::addErrors(app::PictureOptions& options) const
+void Controller::addErrors(app::FrameWish& wish) const
 {
     const auto pieces = session_.exactness.piecesAt(window());
     if (pieces.empty())
         return;
     const app::Ground ground = paperLook_.dark ? app::Ground::Dark : app::Ground::Light;
     for (std::size_t row = 0; row + 1 < pieces.size(); ++row)
-        options.graded.push_back(
+        wish.graded.push_back(
             {pieces[row], colourOf(app::errorColour(row, ground, paperLook_.differs))});
-    if (options.differing.empty())
-        options.differing = pieces.back();
+    if (!wish.differing || wish.differing->empty())
+        wish.differing = pieces.back();
 }
 
-app::Picture Controller::picture(const app::SceneFrame& frame, const Pane& pane,
-                                 double pixelRatio) const
+app::PictureOptions Controller::pictureOptions(double pixelRatio) const
 {
     const app::Display& display = session_.display();
     app::PictureOptions options;
-    options.view = view();
     options.removed = display.removed;
-    options.region = &session_.region();
     options.closesAreas = display.cutting.closeAreas;
     options.leastLength = exportOptions(display.cutting, session_.now().page()).leastLength;
     if (paperLook_.dark)
@@ -54,19 +69,46 @@ app::Picture Controller::picture(const app::SceneFrame& frame, const Pane& pane,
         options.strokes = 2;
         options.ghosting = app::Ghosting{colourOf(pageColour()), paperLook_.ghost};
     }
-    options.selection = session_.selection().ranges();
     options.light = colourOf(paperLook_.selection);
     options.paper = colourOf(pageColour());
-    if (const app::Differences* differences = differing(pane))
-        options.differing = differences->pieces;
-    else if (pane.among == 1)
-        options.differing = session_.differences.piecesAt(window());
-    if (pane.among == 1)
-        addErrors(options);
     options.marked = colourOf(paperLook_.differs);
     if (paperLook_.dark) // magenta is close to the selection's blue in the dark look
         options.ticks = app::PictureOptions::Ticks::Everywhere;
-    return app::picture(session_.now().styles(), session_.scene.lines(), frame, options);
+    return options;
+}
+
+app::FrameWish Controller::wish(const Pane& pane, double pixelRatio, const QSize& pixels) const
+{
+    const app::SceneLines& lines = session_.scene.lines();
+    app::FrameWish wish{.key = {.lines = lines.revision(),
+                                .look = revision_ + pane.revision,
+                                .view = view(),
+                                .region = session_.region(),
+                                .variant = pane.choice,
+                                .pixels = pixels,
+                                .pixelRatio = pixelRatio,
+                                .borders = longBorders(*this)},
+                        .document = session_.now(),
+                        .lines = lines,
+                        .options = pictureOptions(pixelRatio),
+                        .ghost = ghostOpacity()};
+    if (app::outlines(lines, session_.selection().ranges()))
+        wish.selection = session_.selection();
+    addDifferences(wish, pane);
+    if (pane.among == 1)
+        addErrors(wish);
+    return wish;
+}
+
+std::chrono::microseconds Controller::patience()
+{
+    using namespace std::chrono;
+    const auto now = steady_clock::now();
+    if (!turnEnds_) {
+        turnEnds_ = now + mostWaiting;
+        QTimer::singleShot(0, this, [this] { turnEnds_.reset(); });
+    }
+    return std::max(0us, duration_cast<microseconds>(*turnEnds_ - now));
 }
 
 } // namespace ui

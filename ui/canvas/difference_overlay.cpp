@@ -49,7 +49,7 @@ Words labelOf(const Controller& controller, const Pane& pane)
     if (const QString limit = app::limitText(pane.choice, app::needsOf(session.region()));
         !limit.isEmpty())
         return {tr("Not clipped here: %1").arg(limit), tr("Not clipped here")};
-    const app::Differences* differences = controller.differing(pane);
+    const auto differences = controller.differing(pane);
     if (!differences || differences->list.empty())
         return {};
     Words words = wordsOf(app::counted(differences->list));

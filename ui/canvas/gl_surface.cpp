@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/view/live_picture.h"
 #include "ui/canvas/overlay.h"
 #include "ui/canvas/renderer.h"
 #include "ui/canvas/surface.h"
 
-#include <QElapsedTimer>
 #include <QOpenGLPaintDevice>
 #include <QOpenGLWidget>
 
@@ -20,6 +20,9 @@ public:
         format.setProfile(QSurfaceFormat::CoreProfile);
         format.setStencilBufferSize(8);
         setFormat(format);
+        connect(&picture_, &app::LivePicture::advanced, this, qOverload<>(&QWidget::update));
+        connect(&picture_, &app::LivePicture::timed, this, [this] { report_(picture_.times()); });
+        connect(&controller.session(), &app::Session::loaded, this, &GlSurface::forget);
     }
     ~GlSurface() override
     {
@@ -29,11 +32,12 @@ public:
     }
 
     QWidget& widget() override { return *this; }
-    void settle() override { repaint(); }
-    void forget() override
+    void forget() override { picture_.forget(); }
+    void settle() override
     {
-        picture_ = {};
-        key_ = {};
+        repaint();
+        picture_.settle();
+        repaint();
     }
 
 protected:
@@ -43,40 +47,42 @@ protected:
     // Not QPainter(this), whose output is missing from QWidget::grab().
     void paintGL() override
     {
-        QElapsedTimer clock;
-        clock.start();
-        const app::SceneFrame frame = controller_.clip(pane_);
-        if (const FrameKey key = controller_.key(pane_);
-            key != key_ || ratio_ != devicePixelRatioF()) {
-            picture_ = controller_.picture(frame, pane_, devicePixelRatioF());
-            key_ = key;
-            ratio_ = devicePixelRatioF();
-        }
-        QOpenGLPaintDevice device((QSizeF(size()) * ratio_).toSize());
-        device.setDevicePixelRatio(ratio_);
+        const double ratio = devicePixelRatioF();
+        app::FrameWish wish = controller_.wish(pane_, ratio);
+        wish.make = [size = wish.key.view.size](const app::Picture& picture) {
+            return std::make_shared<const GlPicture>(glPicture(picture, size));
+        };
+        picture_.want(std::move(wish), controller_.patience());
+        QOpenGLPaintDevice device((QSizeF(size()) * ratio).toSize());
+        device.setDevicePixelRatio(ratio);
         QPainter painter(&device);
         painter.setFont(font());
         paintPaper(painter, controller_);
-        if (renderer_) {
+        const auto art = std::static_pointer_cast<const GlPicture>(picture_.frame().made);
+        if (renderer_ && art) {
             painter.beginNativePainting();
-            renderer_->paint(picture_, {width(), height()}, ratio_, controller_.ghostOpacity());
+            renderer_->paint(*art, placed(picture_.key()->view), {width(), height()}, ratio,
+                             controller_.ghostOpacity());
             painter.endNativePainting();
         }
         paintOverlay(painter, controller_, pane_);
         painter.end();
-        const double clipMs = double(frame.nanoseconds) * 1e-6;
-        report_({clipMs, double(clock.nsecsElapsed()) * 1e-6 - clipMs, frame.visible, frame.total,
-                 pane_.choice});
+        report_(picture_.times());
     }
 
 private:
+    /// Where the picture of a view is in the current one.
+    Placed placed(const app::View& then) const
+    {
+        const app::View& now = controller_.view();
+        return {now.zoom / then.zoom, (then.centre - now.centre) * now.zoom};
+    }
+
     Controller& controller_;
     const Pane& pane_;
     Report report_;
     std::unique_ptr<Renderer> renderer_;
-    app::Picture picture_;
-    FrameKey key_;
-    double ratio_ = 0;
+    app::LivePicture picture_;
 };
 
 } // namespace

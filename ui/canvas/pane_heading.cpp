@@ -100,11 +100,9 @@ QString PaneHeading::nameText() const
         .arg(app::limitText(pane_->choice, needs_), app::latin(used.algorithm->abbreviation));
 }
 
-void PaneHeading::note(const FrameTimes& times)
+void PaneHeading::note(const app::FrameTimes& times)
 {
-    if (times.total != last_.total || times.choice != last_.choice)
-        clip_.forget();
-    clip_.add(times.clipMs);
+    clip_.note(times);
     last_ = times;
     if (!pause_.isActive())
         pause_.start();

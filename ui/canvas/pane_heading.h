@@ -4,7 +4,6 @@
 #include "app/scene/window_needs.h"
 #include "app/view/frame_statistics.h"
 #include "ui/canvas/controller.h"
-#include "ui/canvas/frame_times.h"
 
 #include <QTimer>
 #include <QToolButton>
@@ -25,7 +24,7 @@ public:
     /// What the clip windows demand: an algorithm that cannot clip there is dimmed, and the heading
     /// says what is used instead.
     void setNeeds(app::WindowNeeds needs);
-    void note(const FrameTimes& times);
+    void note(const app::FrameTimes& times);
     QString time() const { return time_; } ///< as shown
     void openMenu();
 
@@ -62,7 +61,7 @@ private:
     app::WindowNeeds needs_ = app::WindowNeeds::Rectangle;
     QToolButton *choose_, *close_;
     app::FrameStatistics clip_;
-    FrameTimes last_;
+    app::FrameTimes last_;
     QString time_;
     QTimer pause_;
 };

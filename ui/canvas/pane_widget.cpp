@@ -11,7 +11,7 @@ PaneWidget::PaneWidget(Controller& controller, Backend backend, QWidget* parent)
       heading_(new PaneHeading(this)),
       surface_((backend == Backend::OpenGL ? makeGlSurface : makeRasterSurface)(
           controller, pane_,
-          [this](const FrameTimes& times) {
+          [this](const app::FrameTimes& times) {
               heading_->note(times);
               emit frameShown(times);
           },

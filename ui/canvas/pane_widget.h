@@ -25,7 +25,7 @@ public:
     void settle(); ///< waits for full quality and for the differences
 
 signals:
-    void frameShown(const ui::FrameTimes& times);
+    void frameShown(const app::FrameTimes& times);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;

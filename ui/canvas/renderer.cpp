@@ -26,6 +26,13 @@ void upload(QOpenGLBuffer& buffer, const std::vector<T>& data)
 
 } // namespace
 
+GlPicture glPicture(const app::Picture& picture, const glm::dvec2& viewSize)
+{
+    return {batches(picture.selected, viewSize), batches(picture.ghost, viewSize),
+            batches(picture.kept, viewSize), batches(picture.differing, viewSize),
+            batches(picture.borders, viewSize)};
+}
+
 std::unique_ptr<Renderer> Renderer::make()
 {
     std::unique_ptr<Renderer> renderer(new Renderer);
@@ -86,12 +93,15 @@ void Renderer::use(QOpenGLShaderProgram& program)
     program.setUniformValue("viewport", float(viewSize_.x * pixelRatio_),
                             float(viewSize_.y * pixelRatio_));
     program.setUniformValue("pixelRatio", float(pixelRatio_));
+    program.setUniformValue("scale", float(placed_.scale));
+    program.setUniformValue("shift", float(placed_.shift.x), float(placed_.shift.y));
 }
 
-void Renderer::paint(const app::Picture& picture, const glm::dvec2& viewSize, double pixelRatio,
-                     double ghost)
+void Renderer::paint(const GlPicture& picture, const Placed& placed, const glm::dvec2& viewSize,
+                     double pixelRatio, double ghost)
 {
     viewSize_ = viewSize;
+    placed_ = placed;
     pixelRatio_ = pixelRatio;
     gl_->glEnable(GL_BLEND);
     gl_->glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -101,17 +111,18 @@ void Renderer::paint(const app::Picture& picture, const glm::dvec2& viewSize, do
     gl_->glStencilMask(0xff);
     gl_->glClearStencil(0);
     gl_->glClear(GL_STENCIL_BUFFER_BIT);
-    paintDrawList(picture.selected);
-    if (!picture.ghost.commands.empty()) {
+    paintBatches(picture.selected);
+    if (!picture.ghost.batches.empty()) {
         GLint target = 0;
         gl_->glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
         beginLayer();
-        paintDrawList(picture.ghost);
+        paintBatches(picture.ghost);
         gl_->glBindFramebuffer(GL_FRAMEBUFFER, GLuint(target));
         paintLayer(ghost);
     }
-    paintDrawList(picture.kept);
-    paintDrawList(picture.differing);
+    paintBatches(picture.kept);
+    paintBatches(picture.differing);
+    paintBatches(picture.borders);
     gl_->glDisable(GL_STENCIL_TEST);
 }
 
@@ -137,9 +148,8 @@ void Renderer::paintLayer(double opacity)
     gl_->glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
-void Renderer::paintDrawList(const app::DrawList& drawList)
+void Renderer::paintBatches(const Batches& all)
 {
-    const Batches all = batches(drawList, viewSize_);
     upload(instances_, all.instances);
     upload(points_, all.points);
     for (const Batches::Batch& batch : all.batches)

@@ -10,9 +10,21 @@
 #include <QOpenGLVertexArrayObject>
 
 #include <memory>
-#include <optional>
 
 namespace ui {
+
+/// A picture as draw calls, which any thread may make.
+struct GlPicture {
+    Batches selected, ghost, kept, differing, borders;
+};
+GlPicture glPicture(const app::Picture& picture, const glm::dvec2& viewSize);
+
+/// Where a picture is shown that was made for another view of the same size: each point `p` of it,
+/// in logical pixels from the middle, at `p * scale + shift`.
+struct Placed {
+    double scale = 1;
+    glm::dvec2 shift{0};
+};
 
 /// Paints pictures with OpenGL 3.3 core: each straight piece of a stroke is one instance of a quad
 /// whose fragment shader knows the distance to its edge; areas are written to the stencil and then
@@ -24,15 +36,15 @@ public:
 
     /// Paints over the current framebuffer, which must have a stencil. `viewSize` in logical
     /// pixels, `ghost` is the opacity of removed lines, 0 to 1.
-    void paint(const app::Picture& picture, const glm::dvec2& viewSize, double pixelRatio,
-               double ghost);
+    void paint(const GlPicture& picture, const Placed& placed, const glm::dvec2& viewSize,
+               double pixelRatio, double ghost);
 
 private:
     Renderer() = default;
     bool build();
     bool link(QOpenGLShaderProgram& program, const char* name);
     void describeInstances(std::size_t first);
-    void paintDrawList(const app::DrawList& drawList);
+    void paintBatches(const Batches& all);
     void paintStrokes(const Batches::Batch& batch);
     void paintArea(const Batches& all, const Batches::Batch& batch);
     void paintLayer(double opacity);
@@ -45,6 +57,7 @@ private:
     QOpenGLBuffer instances_, points_;
     std::unique_ptr<QOpenGLFramebufferObject> ghost_;
     glm::dvec2 viewSize_{1};
+    Placed placed_;
     double pixelRatio_ = 1;
 };
 

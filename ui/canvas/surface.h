@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/view/frame_times.h"
 #include "ui/canvas/controller.h"
-#include "ui/canvas/frame_times.h"
 
 #include <memory>
 
@@ -12,7 +12,7 @@ namespace ui {
 /// and reports their times; it does not depend on tools. Controller and pane must outlive it.
 class Surface {
 public:
-    using Report = std::function<void(const FrameTimes&)>;
+    using Report = std::function<void(const app::FrameTimes&)>;
     virtual ~Surface() = default;
     virtual QWidget& widget() = 0;
     virtual void settle() {} ///< waits for full quality

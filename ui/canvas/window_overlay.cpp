@@ -5,6 +5,7 @@
 #include "app/document/window_outline.h"
 #include "app/view/frame_handles.h"
 #include "app/view/place.h"
+#include "app/view/window_borders.h"
 #include "ui/canvas/window_offer.h"
 #include "ui/canvas/window_tags.h"
 
@@ -63,7 +64,7 @@ QPainterPath outlineOnScreen(const app::View& view, const app::WindowShape& shap
         path.addRect(onScreen(view, *box));
         return path;
     }
-    constexpr double tolerance = 0.2, leastStep = 0.5; // pixels
+    constexpr double tolerance = 0.2; // pixels
     const app::WindowOutline rings = app::outlineOf(shape, tolerance / view.zoom);
     QPainterPath path;
     for (const auto& ring : rings.rings) {
@@ -72,39 +73,12 @@ QPainterPath outlineOnScreen(const app::View& view, const app::WindowShape& shap
             const app::Point at = view.toScreen(corner);
             if (!(std::abs(at.x) < 1e5 && std::abs(at.y) < 1e5))
                 return clippedOutline(view, rings);
-            // A coast has far more corners than can be seen.
-            const QPointF next(at.x, at.y);
-            if (polygon.isEmpty() || QLineF(polygon.last(), next).length() >= leastStep)
-                polygon << next;
+            polygon << QPointF(at.x, at.y);
         }
         path.addPolygon(polygon);
         path.closeSubpath();
     }
     return path;
-}
-
-// In parts if it is long: they take less time than one path that crosses itself thousands of times.
-void paintOutline(QPainter& painter, const QPainterPath& border)
-{
-    constexpr int mostAtOnce = 2000;
-    constexpr qsizetype together = 100; // edges
-    if (border.elementCount() <= mostAtOnce)
-        return painter.drawPath(border);
-    QPen pen = painter.pen();
-    const QList<QPolygonF> rings = border.toSubpathPolygons();
-    for (const QPolygonF& ring : rings) {
-        double length = 0;
-        for (qsizetype first = 0; first + 1 < ring.size(); first += together) {
-            const qsizetype count = std::min(together + 1, ring.size() - first);
-            if (pen.style() == Qt::CustomDashLine) { // they go on from part to part
-                pen.setDashOffset(length / pen.widthF());
-                for (qsizetype i = first + 1; i < first + count; ++i)
-                    length += QLineF(ring[i - 1], ring[i]).length();
-                painter.setPen(pen);
-            }
-            painter.drawPolyline(ring.constData() + first, int(count));
-        }
-    }
 }
 
 const app::ClipWindow& actedOn(const Controller& controller)
@@ -114,17 +88,70 @@ const app::ClipWindow& actedOn(const Controller& controller)
 }
 
 // Windows that add are solid; the other operations have different dashes, in pixels.
-void setDashes(QPen& pen, app::WindowOperation operation)
+const std::vector<double>& dashesOf(app::WindowOperation operation)
 {
-    static const std::map<app::WindowOperation, QList<qreal>> dashes{
+    static const std::map<app::WindowOperation, std::vector<double>> dashes{
         {app::WindowOperation::Add, {}},
         {app::WindowOperation::CutOut, {7, 4}},
         {app::WindowOperation::Intersect, {2, 3}}};
-    QList<qreal> pattern = dashes.at(operation);
-    for (qreal& length : pattern)
-        length /= pen.widthF();
+    return dashes.at(operation);
+}
+
+void setDashes(QPen& pen, app::WindowOperation operation)
+{
+    QList<qreal> pattern;
+    for (const double length : dashesOf(operation))
+        pattern << length / pen.widthF();
     if (!pattern.isEmpty())
         pen.setDashPattern(pattern);
+}
+
+/// Calls `visit(number, step)` for the visible windows, and the steps of the region that they are.
+template <class Visit>
+void forEachVisible(const app::Session& session, const Visit& visit)
+{
+    const auto& list = session.windows().list;
+    for (std::size_t i = 0, step = 0; i < list.size(); ++i)
+        if (list[i].visible)
+            visit(i, step++);
+}
+
+double outlineWidth(const Controller& controller, bool hovered)
+{
+    return (hovered ? outlineHovered : outline)
+           * (controller.session().display().presenting ? 2 : 1);
+}
+
+bool isLong(const Controller& controller, std::size_t window)
+{
+    bool found = false;
+    forEachVisible(controller.session(), [&](std::size_t number, std::size_t step) {
+        found =
+            found || (number == window && app::isLong(controller.session().region().steps[step]));
+    });
+    return found;
+}
+
+app::Colour plain(const QColor& c)
+{
+    return {std::uint8_t(c.red()), std::uint8_t(c.green()), std::uint8_t(c.blue())};
+}
+
+void paintBorder(QPainter& painter, const Controller& controller)
+{
+    const QPainterPath border = outlineOnScreen(controller.view(), actedOn(controller).shape);
+    const double width =
+        outlineWidth(controller, controller.tool().hoveredHandle() == app::Handle{});
+    QPen pen(controller.pageColour(), width + 2 * casing, Qt::SolidLine, Qt::FlatCap,
+             Qt::MiterJoin);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(pen);
+    painter.drawPath(border);
+    pen.setColor(colourOf(actedOn(controller), controller));
+    pen.setWidthF(width);
+    setDashes(pen, actedOn(controller).operation);
+    painter.setPen(pen);
+    painter.drawPath(border);
 }
 
 // Paints the drawing's other windows with thin lines.
@@ -132,15 +159,15 @@ void paintOthers(QPainter& painter, const Controller& controller)
 {
     const app::Session& session = controller.session();
     painter.setBrush(Qt::NoBrush);
-    const auto& list = session.windows().list;
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        if (!list[i].visible || i == session.windowNumber())
-            continue;
-        QPen pen(colourOf(list[i], controller), 1);
-        setDashes(pen, list[i].operation);
+    forEachVisible(session, [&](std::size_t number, std::size_t step) {
+        if (number == session.windowNumber() || app::isLong(session.region().steps[step]))
+            return;
+        const app::ClipWindow& window = session.windows().list[number];
+        QPen pen(colourOf(window, controller), 1);
+        setDashes(pen, window.operation);
         painter.setPen(pen);
-        paintOutline(painter, outlineOnScreen(controller.view(), list[i].shape));
-    }
+        painter.drawPath(outlineOnScreen(controller.view(), window.shape));
+    });
 }
 
 // The line to the handle that rotates the window and, while that is hovered or dragged, the centre.
@@ -247,6 +274,27 @@ bool isFurnished(const Controller& controller, const Pane& pane, const QRectF& w
 
 } // namespace
 
+std::vector<app::BorderLine> longBorders(const Controller& controller)
+{
+    const app::Session& session = controller.session();
+    std::vector<app::BorderLine> borders;
+    forEachVisible(session, [&](std::size_t number, std::size_t step) {
+        if (!app::isLong(session.region().steps[step]))
+            return;
+        const app::ClipWindow& window = session.windows().list[number];
+        app::BorderLine line{.step = step,
+                             .colour = plain(colourOf(window, controller)),
+                             .below = plain(controller.pageColour()),
+                             .dashes = dashesOf(window.operation)};
+        if (number == session.windowNumber()) {
+            line.width = outlineWidth(controller, false);
+            line.widthBelow = line.width + 2 * casing;
+        }
+        borders.push_back(std::move(line));
+    });
+    return borders;
+}
+
 void paintWindow(QPainter& painter, const Controller& controller, const Pane& pane)
 {
     if (!controller.clipWindow()) {
@@ -257,20 +305,8 @@ void paintWindow(QPainter& painter, const Controller& controller, const Pane& pa
     }
     paintOthers(painter, controller);
     const QRectF window = boxOnScreen(controller);
-    const QPainterPath border = outlineOnScreen(controller.view(), actedOn(controller).shape);
-    const bool hovered = controller.tool().hoveredHandle() == app::Handle{};
-    const double width =
-        (hovered ? outlineHovered : outline) * (controller.session().display().presenting ? 2 : 1);
-    QPen pen(controller.pageColour(), width + 2 * casing, Qt::SolidLine, Qt::FlatCap,
-             Qt::MiterJoin);
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(pen);
-    paintOutline(painter, border);
-    pen.setColor(colourOf(actedOn(controller), controller));
-    pen.setWidthF(width);
-    setDashes(pen, actedOn(controller).operation);
-    painter.setPen(pen);
-    paintOutline(painter, border);
+    if (!isLong(controller, *controller.session().windowNumber()))
+        paintBorder(painter, controller);
     if (pane.active)
         paintTags(painter, controller);
     if (!isFurnished(controller, pane, window))

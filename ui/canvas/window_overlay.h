@@ -5,8 +5,10 @@
 
 namespace ui {
 
-/// Paints the clip window: its outline with a casing and, in the active pane, its handles and a
-/// label with its size or position.
+/// The outlines that are long; the picture shows them.
+std::vector<app::BorderLine> longBorders(const Controller& controller);
+/// Paints the clip window: its outline with a casing, unless it is long, and, in the active pane,
+/// its handles and a label with its size or position.
 void paintWindow(QPainter& painter, const Controller& controller, const Pane& pane);
 /// The boxes of the clip window's outline, handles and label in a pane: nothing else may cover
 /// them. `font` is the painter's.

@@ -76,20 +76,45 @@ AlgorithmPanel::AlgorithmPanel(app::Session& session, QWidget* parent)
     };
     connect(corrected_, &QRadioButton::clicked, this, [=] { choose(clipping::Form::Corrected); });
     connect(published_, &QRadioButton::clicked, this, [=] { choose(clipping::Form::Published); });
-    connect(ask_, &QPushButton::clicked, this, &AlgorithmPanel::compare);
+    connect(ask_, &QPushButton::clicked, this, [this] { compare(); });
     connect(&session, &app::Session::displayChanged, this, &AlgorithmPanel::follow);
     connect(&session, &app::Session::previewChanged, this, &AlgorithmPanel::followWindow);
     connect(&session, &app::Session::previewChanged, this, &AlgorithmPanel::followNeeds);
     connect(&session.scene, &app::Scene::outdated, this, &AlgorithmPanel::outdate);
     idle_.setSingleShot(true);
     idle_.setInterval(idleMilliseconds);
-    connect(&idle_, &QTimer::timeout, this, &AlgorithmPanel::compare);
+    connect(&idle_, &QTimer::timeout, this, [this] { compare(); });
     follow();
 }
 
-void AlgorithmPanel::compare()
+void AlgorithmPanel::compare(std::function<void()> done)
 {
     idle_.stop();
+    const auto window = session_.comparedAt();
+    verdict_->setVisible(window.has_value()); // the caption says why nothing is compared
+    tick_->setVisible(window.has_value());
+    ask_->setEnabled(false);
+    if (!window)
+        return ask_->hide();
+    comparing_.start(
+        [lines = session_.scene.lines(), window = *window,
+         variant = session_.variant()](const app::Follower& follower) {
+            return app::disagreements(lines, window, variant, follower.stop);
+        },
+        [this, done = std::move(done)](std::vector<app::Disagreement> found) {
+            disagreements_ = std::move(found);
+            showVerdict();
+            if (done)
+                done();
+        });
+}
+
+void AlgorithmPanel::showVerdict()
+{
+    verdict_->setText(app::sentence(disagreements_));
+    verdict_->show();
+    tick_->show();
+    ask_->hide();
     ask_->hide();
     const auto window = session_.comparedAt();
     verdict_->setVisible(window.has_value()); // the caption says why nothing is compared
@@ -112,6 +137,8 @@ void AlgorithmPanel::followWindow()
 
 void AlgorithmPanel::outdate()
 {
+    comparing_.cancel();
+    ask_->setEnabled(true);
     const bool unasked = session_.scene.lines().size() <= mostLinesUnasked || !window_;
     if (unasked && isVisible())
         idle_.start();
@@ -170,7 +197,8 @@ void AlgorithmPanel::paintVerdict()
 void AlgorithmPanel::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
-    outdate();
+    if (!comparing_.active())
+        outdate();
 }
 
 void AlgorithmPanel::changeEvent(QEvent* event)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/background.h"
 #include "app/comparison/agreement.h"
 #include "app/session/session.h"
 
@@ -9,6 +10,8 @@
 #include <QRadioButton>
 #include <QStackedLayout>
 #include <QTimer>
+
+#include <functional>
 
 namespace ui {
 
@@ -21,7 +24,9 @@ class AlgorithmPanel : public QWidget {
 public:
     explicit AlgorithmPanel(app::Session& session, QWidget* parent = nullptr);
 
-    void compare();        ///< compares at once
+    /// Compares on another thread, and then calls `done`; not if anything changes before.
+    void compare(std::function<void()> done = {});
+    void finish() { comparing_.wait(); } ///< waits for the comparison
     QString title() const; ///< the algorithm and its form: "Skala, as published"
     QString verdict() const { return verdict_->text(); }
     QString instead() const { return instead_->text(); }
@@ -42,6 +47,7 @@ private:
     void outdate();
     void follow();
     void followNeeds();
+    void showVerdict();
     void paintVerdict();
 
     app::Session& session_;
@@ -53,6 +59,7 @@ private:
     QTimer idle_;
     std::optional<clipping::Window> window_{};
     std::vector<app::Disagreement> disagreements_;
+    app::Background<std::vector<app::Disagreement>> comparing_;
 };
 
 } // namespace ui

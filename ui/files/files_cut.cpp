@@ -34,7 +34,7 @@ void Files::exportCut()
             tr("Exporting %1…").arg(name),
             [document = session_.now(), options = cutAs(app::exportOptions),
              path](const app::Follower& follower) {
-                return app::exportCut(document, options, path, follower.stop);
+                return app::exportCut(document, options, path, follower);
             },
             [this, name, turn](const std::optional<app::CutExport>& made) {
                 const app::CutExport& cut = made.value();
@@ -60,9 +60,9 @@ void Files::cutNow(const app::PermanentCut& kind, const Turn& turn)
     using Cropped = std::optional<app::Cut>; // empty: not enough memory
     background_.run(
         tr("Cutting…"),
-        [document = session_.now(), options, &kind](const app::Follower&) -> Cropped {
+        [document = session_.now(), options, &kind](const app::Follower& follower) -> Cropped {
             try {
-                return kind.make(document, options);
+                return kind.make(document, options, follower);
             } catch (const std::bad_alloc&) {
                 return std::nullopt;
             }

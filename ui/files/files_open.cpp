@@ -15,6 +15,27 @@ namespace {
 
 constexpr double newPenMillimetres = 0.3; // the stroke width in a new drawing
 
+/// A file's drawing and the blocks of its lines.
+struct Opened {
+    app::Result<app::Imported> drawing;
+    std::optional<app::SceneBlockCache> blocks{};
+};
+
+Opened opened(const QString& path)
+{
+    Opened opened{app::readFile(path)};
+    try {
+        if (opened.drawing)
+            opened.blocks = app::blocksFor(opened.drawing.value->document);
+    } catch (const std::bad_alloc&) {
+        opened.drawing = app::Result<app::Imported>::failure(
+            Files::tr("Cannot open %1: there is not enough memory. Close other programs, or split "
+                      "the file.")
+                .arg(path));
+    }
+    return opened;
+}
+
 } // namespace
 
 void Files::replace(std::function<void(const Turn&)> then)
@@ -28,12 +49,13 @@ void Files::replace(std::function<void(const Turn&)> then)
 }
 
 /// False, and the drawing is empty: there is not enough memory.
-bool Files::show(app::Imported imported, const QString& path, const QString& title)
+bool Files::show(app::Imported imported, const QString& path, const QString& title,
+                 std::optional<app::SceneBlockCache> blocks)
 {
     title_ = title;
     sample_.clear();
     try {
-        session_.load(std::move(imported), path);
+        session_.load(std::move(imported), path, std::move(blocks));
     } catch (const std::bad_alloc&) {
         title_.clear();
         watch_.follow({}, {});
@@ -87,17 +109,16 @@ void Files::open(const QString& path)
 
 void Files::read(const QString& path, const Turn& turn)
 {
-    using Read = app::Result<app::Imported>;
     background_.run(
         tr("Opening %1…").arg(QFileInfo(path).fileName()),
-        [path](const app::Follower&) { return app::readFile(path); },
-        [this, path, turn](std::optional<Read> read) {
+        [path](const app::Follower&) { return opened(path); },
+        [this, path, turn](std::optional<Opened> read) {
             if (!read)
                 return;
-            if (!*read)
-                return emit told(
-                    {Message::Kind::Warning, tr("%1 Nothing was changed.").arg(read->error)});
-            if (!show(std::move(*read->value), path, {}))
+            if (!read->drawing)
+                return emit told({Message::Kind::Warning,
+                                  tr("%1 Nothing was changed.").arg(read->drawing.error)});
+            if (!show(std::move(*read->drawing.value), path, {}, std::move(read->blocks)))
                 return;
             noteRecent();
             tellLosses();

@@ -21,10 +21,9 @@ namespace {
 QString tr(const char* text) { return QCoreApplication::translate("CompareMenu", text); }
 
 /// Selects the objects with lines that some algorithm clips differently, except locked ones.
-void selectDiffering(MainWindow& window)
+void selectDisagreements(MainWindow& window)
 {
-    AlgorithmPanel& panel = window.algorithmPanel();
-    panel.compare();
+    const AlgorithmPanel& panel = window.algorithmPanel();
     const app::Session& session = window.session();
     app::ObjectRanges objects;
     for (const app::Disagreement& disagreement : panel.disagreements()) {
@@ -35,6 +34,11 @@ void selectDiffering(MainWindow& window)
     }
     window.tell({objects.empty() ? Message::Kind::Done : Message::Kind::Warning, panel.verdict()});
     window.session().select(common(objects, app::editableObjects(session.now())));
+}
+
+void selectDiffering(MainWindow& window)
+{
+    window.algorithmPanel().compare([&window] { selectDisagreements(window); });
 }
 
 /// Inspects the next or previous line; begins with the first or last one.

@@ -1,51 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tiles/sheet_art.h"
 
-#include "app/view/raster.h"
-
-#include <QElapsedTimer>
+#include <QDeadlineTimer>
+#include <QThreadPool>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ui {
 namespace {
 
-constexpr int atOnceMs = 30, sliceMs = 20;
-constexpr std::size_t mostPointsAtOnce = 60'000; // painted in some hundredths of a second
+constexpr int mostWaiting = 5; // milliseconds
 
 app::Colour colourOf(const QColor& c)
 {
     return {std::uint8_t(c.red()), std::uint8_t(c.green()), std::uint8_t(c.blue())};
 }
 
-bool same(const std::vector<SheetWish>& a, const std::vector<SheetWish>& b)
+bool same(const SheetWish& a, const SheetWish& b)
 {
-    return std::ranges::equal(a, b, [](const SheetWish& one, const SheetWish& other) {
-        return one.sheet == other.sheet && one.view == other.view && one.region == other.region;
-    });
-}
-
-QImage rasterised(const app::Picture& picture, const app::View& view, double ratio, double ghost)
-{
-    const int width = int(std::ceil(view.size.x * ratio));
-    const int height = int(std::ceil(view.size.y * ratio));
-    return app::rasterised(picture, {0, height}, {width, ratio, ghost});
+    return a.sheet == b.sheet && a.view == b.view && a.region == b.region;
 }
 
 } // namespace
 
 SheetArt::SheetArt(app::Session& session, app::LiveSheets& sheets)
-    : session_(session), sheets_(sheets)
+    : session_(session), sheets_(sheets), painting_(*QThreadPool::globalInstance())
 {
-    next_.setSingleShot(true);
-    connect(&next_, &QTimer::timeout, this, [this] { work(sliceMs); });
 }
 
 void SheetArt::want(std::vector<SheetWish> wishes, std::uint64_t revision, const Look& look,
                     double pixelRatio)
 {
-    if (revision == revision_ && &look == look_ && pixelRatio == pixelRatio_
-        && same(wishes, wanted_))
+    const bool isAlike = revision == revision_ && &look == look_ && pixelRatio == pixelRatio_;
+    if (isAlike && std::ranges::equal(wishes, wanted_, same))
         return;
     revision_ = revision;
     look_ = &look;
@@ -55,83 +43,74 @@ void SheetArt::want(std::vector<SheetWish> wishes, std::uint64_t revision, const
     });
     wanted_ = std::move(wishes);
     left_ = {wanted_.begin(), wanted_.end()};
-    painter_.cancel();
-    times_ = {};
+    // What is being painted is finished, and the next sheet begins; otherwise views that change all
+    // the time would starve the pictures.
+    if (const auto last = std::ranges::find(left_, painted_.sheet, &SheetWish::sheet);
+        last != left_.end())
+        std::ranges::rotate(left_, last + 1);
+    if (!isAlike)
+        painting_.cancel();
+    times_ = {.clipping = times_.clipping + 1, .subject = app::newSubject()};
     times_.total = sheets_.scene().lines().size();
     times_.choice = session_.variant();
-    work(atOnceMs);
-}
-
-void SheetArt::work(int milliseconds)
-{
-    QElapsedTimer clock;
-    clock.start();
-    while (!left_.empty() && !painter_.active() && clock.elapsed() < milliseconds)
+    if (!painting_.active())
         paintNext();
-    if (!left_.empty() && !painter_.active())
-        next_.start(0);
-    if (left_.empty() && !wanted_.empty())
-        emit frameShown(times_);
+    for (QDeadlineTimer end(mostWaiting); painting_.active() && !end.hasExpired();)
+        painting_.waitFor(std::chrono::milliseconds(end.remainingTime()));
 }
 
-/// A frame of the scene is valid until the next one is clipped: its picture is made at once.
-app::Picture SheetArt::picture(const SheetWish& wish)
+app::FrameWish SheetArt::frameOf(const SheetWish& wish) const
 {
-    app::Scene& scene = sheets_.scene();
-    const app::SceneFrame frame = scene.clip(wish.region, session_.variant());
-    times_.clipMs += double(frame.nanoseconds) * 1e-6;
-    times_.visible += frame.visible;
-    app::PictureOptions options;
-    options.view = wish.view;
-    options.removed = wish.removed;
-    options.region = &wish.region;
+    const app::SceneLines& lines = sheets_.scene().lines();
+    const app::Point size = wish.view.size * pixelRatio_;
+    app::FrameWish frame{.key = {.lines = lines.revision(),
+                                 .view = wish.view,
+                                 .region = wish.region,
+                                 .variant = session_.variant(),
+                                 .pixels = {int(std::ceil(size.x)), int(std::ceil(size.y))},
+                                 .pixelRatio = pixelRatio_},
+                         .document = sheets_.drawing(),
+                         .lines = lines,
+                         .ghost = look_->ghost};
+    frame.options.removed = wish.removed;
     if (look_->dark)
-        options.page = colourOf(look_->paper);
-    options.leastWidth = pixelRatio_ < 1.5 ? 0.75 : 0.5;
-    return app::picture(sheets_.drawing().styles(), scene.lines(), frame, options);
+        frame.options.page = colourOf(look_->paper);
+    frame.options.leastWidth = pixelRatio_ < 1.5 ? 0.75 : 0.5;
+    return frame;
 }
 
 void SheetArt::paintNext()
 {
-    QElapsedTimer clock;
-    clock.start();
-    const double clippedBefore = times_.clipMs;
-    const SheetWish wish = std::move(left_.front());
-    auto art = std::make_shared<app::Picture>(picture(wish));
-    if (art->kept.points.size() + art->ghost.points.size() <= mostPointsAtOnce) {
-        accept(wish.sheet, wish.view, rasterised(*art, wish.view, pixelRatio_, look_->ghost));
-        times_.drawMs += double(clock.nsecsElapsed()) * 1e-6 - (times_.clipMs - clippedBefore);
-        return;
-    }
-    painter_.start([art, view = wish.view, ratio = pixelRatio_, ghost = look_->ghost](
-                       const app::Follower&) { return rasterised(*art, view, ratio, ghost); },
-                   [this, clock, view = wish.view, sheet = wish.sheet](QImage image) {
-                       times_.drawMs += double(clock.nsecsElapsed()) * 1e-6;
-                       accept(sheet, view, std::move(image));
-                       work(sliceMs);
-                   });
+    if (left_.empty())
+        return wanted_.empty() ? void() : emit frameShown(times_);
+    const auto parts = std::make_shared<app::FrameParts>();
+    painted_ = left_.front();
+    painting_.start(
+        [wish = frameOf(painted_), painter = painter_, parts](const app::Follower& follower) {
+            return painter->paint(wish, follower, parts, *QThreadPool::globalInstance());
+        },
+        [this, parts](app::PaintedFrame frame) {
+            accept(parts->clipped().value(), std::move(frame));
+        });
 }
 
-void SheetArt::accept(std::size_t sheet, const app::View& view, QImage image)
+void SheetArt::accept(const app::ClipResult& clipped, app::PaintedFrame frame)
 {
-    left_.pop_front();
-    std::erase_if(pictures_, [sheet](const Picture& old) { return old.sheet == sheet; });
-    pictures_.push_back({sheet, view.visible(), std::move(image)});
+    times_.clipMs += double(clipped.nanoseconds) * 1e-6;
+    times_.drawMs += frame.drawMs;
+    times_.visible += clipped.visible;
+    std::erase_if(left_, [this](const SheetWish& wish) { return same(wish, painted_); });
+    std::erase_if(pictures_, [this](const Picture& old) { return old.sheet == painted_.sheet; });
+    pictures_.push_back({painted_.sheet, painted_.view.visible(), std::move(frame.image)});
     emit painted();
+    paintNext();
 }
 
-void SheetArt::settle()
-{
-    while (!left_.empty())
-        if (painter_.active())
-            painter_.wait();
-        else
-            work(sliceMs);
-}
+void SheetArt::settle() { painting_.wait(); }
 
 void SheetArt::forget()
 {
-    painter_.cancel();
+    painting_.cancel();
     left_.clear();
     wanted_.clear();
     pictures_.clear();

@@ -4,12 +4,11 @@
 #include "app/base/background.h"
 #include "app/session/live_sheets.h"
 #include "app/tiles/sheet_layout.h"
-#include "app/view/picture.h"
-#include "ui/canvas/frame_times.h"
+#include "app/view/frame_painting.h"
+#include "app/view/frame_times.h"
 #include "ui/look/look.h"
 
 #include <QImage>
-#include <QTimer>
 
 #include <deque>
 
@@ -24,16 +23,15 @@ struct SheetWish {
 };
 
 /// Pictures of a drawing on its sheets. All lines are clipped at every sheet, like at clip windows.
-/// What takes longer than a frame continues between events, and what takes longer than that is
-/// painted on another thread; until then the last pictures are there.
+/// They are painted one after the other, on other threads; until then the last pictures are there.
 class SheetArt : public QObject {
     Q_OBJECT
 
 public:
     SheetArt(app::Session& session, app::LiveSheets& sheets);
 
-    /// Makes these pictures, unless they are there. `revision` says whether the drawing or its
-    /// colours are the same as before.
+    /// Makes these pictures, unless they are there, and waits for some milliseconds. `revision`
+    /// says whether the drawing or its colours are the same as before.
     void want(std::vector<SheetWish> wishes, std::uint64_t revision, const Look& look,
               double pixelRatio);
 
@@ -49,25 +47,25 @@ public:
 
 signals:
     void painted();                               ///< one more picture is new
-    void frameShown(const ui::FrameTimes& times); ///< all of them are
+    void frameShown(const app::FrameTimes& times); ///< all of them are
 
 private:
-    void work(int milliseconds);
     void paintNext();
-    void accept(std::size_t sheet, const app::View& view, QImage image);
-    app::Picture picture(const SheetWish& wish);
+    void accept(const app::ClipResult& clipped, app::PaintedFrame frame);
+    app::FrameWish frameOf(const SheetWish& wish) const;
 
     app::Session& session_;
     app::LiveSheets& sheets_;
     std::vector<SheetWish> wanted_;
     std::deque<SheetWish> left_; ///< of those, the ones that are not yet painted
+    SheetWish painted_;          ///< the one that is being painted, or the last one
     std::uint64_t revision_ = 0;
     const Look* look_ = nullptr;
     double pixelRatio_ = 1;
     std::vector<Picture> pictures_;
-    FrameTimes times_{};
-    QTimer next_;
-    app::Background<QImage> painter_;
+    app::FrameTimes times_{};
+    std::shared_ptr<app::FramePainter> painter_ = std::make_shared<app::FramePainter>();
+    app::Background<app::PaintedFrame> painting_;
 };
 
 } // namespace ui

@@ -32,7 +32,7 @@ public:
     void settle(); ///< until the picture is up to date
 
 signals:
-    void frameShown(const ui::FrameTimes& times);
+    void frameShown(const app::FrameTimes& times);
     void hinted(const QString& hint); ///< why a click did nothing
 
 protected:

@@ -197,7 +197,7 @@ std::vector<Chord> chordsOf(const Document& document)
 
 bool kept(const ClipRegion& region, const Point& p)
 {
-    return region.prepared ? !clipping::clip({p, p}, *region.prepared).empty()
+    return region.prepared ? !clipping::clip({p, p}, region.prepared->prepared()).empty()
                            : remainsOf(region, {p, p}) == Remains::Whole;
 }
 

@@ -434,6 +434,28 @@ private slots:
         QVERIFY(last.particulars() == (app::Particulars{"id", "<title/>"}));
     }
 
+    void progressIsToldAndAStopEndsTheCut()
+    {
+        Sheet sheet;
+        for (int i = 0; i < 50; ++i)
+            sheet.shapes.push_back({{{{-5, 0}, {{{double(i), 1}}}, false}}, {}, {}, 0, false});
+        const app::Document document = app::documentOf(sheet);
+        app::CutOptions options{clipping::exactAlgorithm().corrected.clipAll};
+        options.region.steps = {{window, app::WindowOperation::Add}};
+        std::vector<double> shares;
+        const auto note = [&](const app::Progress& progress) { shares.push_back(progress.share); };
+        app::cut(document, options, {{}, note});
+        QVERIFY(!shares.empty() && std::ranges::is_sorted(shares));
+        QCOMPARE(shares.back(), 1.0);
+        std::stop_source stop;
+        shares.clear();
+        app::cut(document, options, {stop.get_token(), [&](const app::Progress& progress) {
+                                         note(progress);
+                                         stop.request_stop();
+                                     }});
+        QCOMPARE(shares.size(), std::size_t(1));
+    }
+
     void insideAndOutsideAreTheWhole()
     {
         std::mt19937_64 random(7);

@@ -203,6 +203,34 @@ private slots:
         sheet.shapes = {box("a", 0, 0, 4, 4, line)};
         QVERIFY(occlude(documentOf(sheet), {}).edit.splices.empty());
     }
+
+    void progressGrowsToTheEnd()
+    {
+        Sheet sheet;
+        for (int i = 0; i < 60; ++i)
+            sheet.shapes.push_back(box(QString::number(i), i, i, 100 + i, 100 + i));
+        std::vector<double> shares;
+        occlude(documentOf(sheet), {},
+                {{}, [&](const Progress& progress) { shares.push_back(progress.share); }});
+        QCOMPARE(shares.size(), 60u);
+        QVERIFY(std::ranges::is_sorted(shares));
+        QCOMPARE(shares.back(), 1.0);
+        QVERIFY(shares[29] > 0.7); // lower objects have more above them
+    }
+
+    void aStopEndsIt()
+    {
+        Sheet sheet;
+        for (int i = 0; i < 60; ++i)
+            sheet.shapes.push_back(box(QString::number(i), i, i, 100 + i, 100 + i));
+        std::stop_source stop;
+        int told = 0;
+        occlude(documentOf(sheet), {}, {stop.get_token(), [&](const Progress&) {
+                                            ++told;
+                                            stop.request_stop();
+                                        }});
+        QCOMPARE(told, 1);
+    }
 };
 
 QTEST_GUILESS_MAIN(OccludeTest)

@@ -60,7 +60,7 @@ private slots:
         old.close();
         std::stop_source stop;
         stop.request_stop();
-        QVERIFY(exportCut(drawing(), options(), path, stop.get_token()).end
+        QVERIFY(exportCut(drawing(), options(), path, {stop.get_token()}).end
                 == CutExport::End::Stopped);
         QVERIFY(old.open(QIODevice::ReadOnly));
         QCOMPARE(old.readAll(), QByteArray("old"));

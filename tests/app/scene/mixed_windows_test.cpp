@@ -2,7 +2,6 @@
 // What the scene keeps at windows of several shapes together, against exact fractions.
 #include "app/cut/cut.h"
 #include "app/document/document_builder.h"
-#include "app/scene/block_scene.h"
 #include "app/scene/window_needs.h"
 #include "clipping/region/catalogue.h"
 
@@ -14,6 +13,7 @@
 #include <cmath>
 
 #include "tests/app/document/kept_in.h"
+#include "tests/app/scene/block_scene.h"
 #include "tests/app/scene/mixed_windows.h"
 #include "tests/clipping/region/contract.h"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scene/area_windows.h"
-#include "app/scene/block_scene.h"
 #include "app/scene/scene_clipping.h"
 #include "clipping/outside.h"
 #include "clipping/region/catalogue.h"
@@ -14,6 +13,7 @@
 
 #include "tests/app/document/kept_in.h"
 #include "tests/app/document/twin_document.h"
+#include "tests/app/scene/block_scene.h"
 
 namespace {
 
@@ -168,7 +168,7 @@ public:
 
     TwinDocument document;
     PlainScene scene;
-    app::BlockScene blocks;
+    BlockScene blocks;
 };
 
 } // namespace
@@ -265,7 +265,7 @@ private slots:
         app::Shape shape;
         shape.paths.push_back(path);
         document.append(shape);
-        app::BlockScene scene;
+        BlockScene scene;
         scene.update(document.objects, {}, 1);
         QVERIFY(scene.lines().blocks().size() > 1);
         const ClipRegion inside{{{{{25, -1}, {75, 2}}, WindowOperation::Add}}, Keep::Inside};

@@ -9,6 +9,7 @@
 
 #include "tests/app/document/kept_in.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/app/scene/block_scene.h"
 
 namespace {
 
@@ -60,13 +61,14 @@ void editAtRandom(app::EditedDocument& document, std::mt19937_64& random)
 }
 
 /// Whether a frame is, bit for bit, what the algorithm says of every segment.
-bool clipsAsAll(app::Scene& scene, const clipping::Algorithm& algorithm,
+bool clipsAsAll(const app::Scene& scene, const clipping::Algorithm& algorithm,
                 const clipping::Window& window)
 {
     std::vector<clipping::Clipped> all(scene.lines().size());
     all.resize(algorithm.corrected.clipAll(segmentsOf(scene.lines()), window, all));
     const app::ClipRegion region{{{window, app::WindowOperation::Add}}};
-    const auto frame = scene.clip(region, {.algorithm = &algorithm});
+    FrameClipping clipping;
+    const auto frame = clipping.clip(scene.lines(), region, {.algorithm = &algorithm});
     return frame.total == scene.lines().size() && same(keptIn(frame), all);
 }
 
@@ -87,6 +89,22 @@ private slots:
             QVERIFY(segmentsOf(fresh.lines()) == segmentsOf(spliced.lines()));
             for (std::size_t i = 0; i <= sheetOf(document).shapes.size(); ++i)
                 QCOMPARE(spliced.lines().firstLineOf(i), fresh.lines().firstLineOf(i));
+        }
+    }
+
+    void blocksMadeBeforeGiveTheSameLines()
+    {
+        std::mt19937_64 random(3);
+        app::EditedDocument document, edited;
+        app::Scene scene(document);
+        for (int round = 0; round < 200; ++round) {
+            const app::Document before = edited.now();
+            for (int i = 0; i < 3; ++i)
+                editAtRandom(edited, random);
+            scene.expect(app::blocksFor(round % 3 == 0 ? before : edited.now()));
+            document.load(edited.now());
+            const app::Scene fresh(document);
+            QVERIFY(segmentsOf(fresh.lines()) == segmentsOf(scene.lines()));
         }
     }
 

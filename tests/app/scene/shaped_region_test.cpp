@@ -14,6 +14,8 @@
 #include <cmath>
 #include <random>
 
+#include "tests/app/scene/block_scene.h"
+
 using namespace app;
 using clipping::Clipped;
 using clipping::Segment;
@@ -158,7 +160,7 @@ private slots:
         for (std::size_t i = 0; i < all.size(); ++i)
             visible += i == 0 || all[i].source != all[i - 1].source;
         for (const clipping::Algorithm& algorithm : clipping::algorithms())
-            QCOMPARE(scene.clip(region, {&algorithm}).visible, visible);
+            QCOMPARE(visibleIn(scene.lines(), region, {&algorithm}), visible);
     }
     void aBoxIsWholeOrGoneOnlyIfAllOfItIs()
     {

@@ -8,6 +8,7 @@
 
 #include <cmath>
 
+#include "tests/app/scene/block_scene.h"
 #include "tests/clipping/random.h"
 
 using namespace app;
@@ -81,9 +82,11 @@ private slots:
             const RectangleShape window{{{30, 30}, {70, 70}}, seed % 2 ? 0.3 : 0};
             before.apply({.windows = ClipWindows{{{.shape = window}}}});
             const EditedDocument edited(before);
-            Scene scene(edited);
+            const Scene scene(edited);
             const ClipRegion region = regionOf(before.windows(), before.page());
-            const SceneFrame all = scene.clip(region, {&clipping::exactAlgorithm()});
+            FrameClipping clipping;
+            const SceneFrame all =
+                clipping.clip(scene.lines(), region, {&clipping::exactAlgorithm()});
             const std::size_t pieces = keptOf(all).pieces;
             for (const double least : {0.5, 4.0, 30.0}) {
                 const LongPieces longer(before.styles(), all, least);

@@ -12,7 +12,7 @@
 
 namespace {
 
-std::size_t allocated = 0; // bytes
+thread_local std::size_t allocated = 0; // bytes
 
 } // namespace
 
@@ -132,6 +132,17 @@ private slots:
                         all.push_back(run.firstLine + i);
             QCOMPARE(stage.picking.near(p, r), all);
         }
+    }
+    void gridsOfLargeDrawingsAreLaidMeanwhile()
+    {
+        std::mt19937_64 random(9);
+        Stage stage(scattered(random, 20'000));
+        const Point p(3, 4);
+        const app::NearLimits few{.looks = 2000};
+        const auto all = stage.picking.near(p, 2);
+        QVERIFY(!all.empty());
+        QVERIFY(stage.picking.near(p, 2, few) != all); // it looks at every line
+        QTRY_COMPARE_WITH_TIMEOUT(stage.picking.near(p, 2, few), all, 60'000);
     }
     void anEditCostsTheGridsOfItsBlocks()
     {
@@ -279,5 +290,5 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(PickingTest)
+QTEST_GUILESS_MAIN(PickingTest)
 #include "picking_test.moc"

@@ -2,7 +2,12 @@
 // What clipping/area/clip_area.h does with areas that one can draw.
 #include <QTest>
 
+#include <chrono>
+#include <stop_token>
+#include <thread>
+
 #include "tests/clipping/area/contract.h"
+#include "tests/clipping/random.h"
 
 using namespace clipping;
 using namespace area_contract;
@@ -161,6 +166,33 @@ private slots:
         const auto result = clipArea(two, inside(rectangle(1, 1, 9, 9)));
         QCOMPARE(ringsOf(result), (Rings{{{1, 1}, {6, 1}, {6, 4}, {4, 4}, {1, 4}}}));
         QVERIFY(result.part == AreaPart::Cut && areaOf(result) == 15);
+    }
+    // Whenever the stop is requested, nothing is known, or the result is complete.
+    void aStopEndsIt()
+    {
+        Random random(4);
+        Area area, window;
+        for (int i = 0; i < 400; ++i)
+            for (Area* each : {&area, &window})
+                each->points.push_back({random.between(0, 100), random.between(0, 100)});
+        area.rule = FillRule::EvenOdd;
+        const PreparedRegion at = inside(window);
+        const ClippedArea whole = clipArea(area, at);
+        QVERIFY(whole.part == AreaPart::Cut);
+        std::stop_source before;
+        before.request_stop();
+        QVERIFY(clipArea(area, at, before.get_token()).part == AreaPart::Stopped);
+        bool isStopped = true;
+        for (int wait = 1; isStopped; wait = 2 * wait + 1) {
+            std::stop_source stop;
+            const std::jthread later([&] {
+                std::this_thread::sleep_for(std::chrono::milliseconds(wait));
+                stop.request_stop();
+            });
+            const ClippedArea result = clipArea(area, at, stop.get_token());
+            isStopped = result.part == AreaPart::Stopped;
+            QVERIFY(isStopped ? result.points.empty() : result.points == whole.points);
+        }
     }
 };
 

@@ -36,9 +36,9 @@ inline void theKeptPartIsShownAndTheRestGhosted(ui::Backend backend)
 inline void everyFrameClipsEverything(ui::Backend backend)
 {
     Stage stage(backend, {line({10, 50}, {190, 50}), line({5, 5}, {6, 6})});
-    std::vector<ui::FrameTimes> frames;
+    std::vector<app::FrameTimes> frames;
     QObject::connect(stage.canvas.get(), &ui::Canvas::frameShown,
-                     [&](const ui::FrameTimes& t) { frames.push_back(t); });
+                     [&](const app::FrameTimes& t) { frames.push_back(t); });
     stage.picture();
     QVERIFY(!frames.empty());
     QCOMPARE(frames.back().total, std::size_t(2));

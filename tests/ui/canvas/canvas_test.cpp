@@ -60,6 +60,45 @@ private slots:
         ::splice(stage.session.document, 0, shapes.size(), {});
         QCOMPARE(stage.colourAt({100, 30}), QColor(Qt::white));
     }
+    // The wheel comes before the first picture of a large drawing, after an empty page was painted
+    // in no time.
+    void aLargeDrawingIsNeverPaintedAtOnce()
+    {
+        Stage stage(ui::Backend::Raster, {});
+        stage.canvas->settle();
+        bool painting = false;
+        connect(stage.canvas.get(), &ui::Canvas::frameShown,
+                [&](const app::FrameTimes& times) { painting = times.painting; });
+        ::splice(stage.session.document, 0, 0, longLines(60'000));
+        stage.canvas->repaint();
+        stage.surface().repaint();
+        QVERIFY(painting);
+        stage.wheel({300, 222}, {0, 120});
+        stage.surface().repaint();
+        QVERIFY(painting);
+        stage.canvas->fitDrawing();
+        stage.surface().repaint();
+        QVERIFY(painting);
+    }
+    // Its edges cross one another a million times.
+    void aWindowThatCrossesItselfIsNeverCutAtOnce()
+    {
+        app::Shape area = line({20, 10}, {180, 15});
+        area.paths.front() = {{20, 10}, {{{180, 10}}, {{180, 90}}, {{20, 90}}}, true};
+        area.style.fill = app::Colour{200, 0, 0};
+        Stage stage(ui::Backend::Raster, {area});
+        stage.canvas->settle();
+        bool painting = false;
+        connect(stage.canvas.get(), &ui::Canvas::frameShown,
+                [&](const app::FrameTimes& times) { painting = times.painting; });
+        const app::Path star(scribble(2000).paths);
+        stage.session.document.apply(
+            {.windows = app::ClipWindows{{{.shape = app::PathShape{star}}}}});
+        stage.surface().repaint();
+        QVERIFY(painting);
+        stage.canvas.reset(); // waits for nothing
+        QVERIFY(QThreadPool::globalInstance()->waitForDone(60'000));
+    }
     // Painted in one piece it would take minutes, longer than a test may take; so would waiting
     // for it when the canvas is destroyed.
     void aSelfCrossingStrokeNeverBlocksTheCanvas()
@@ -67,7 +106,7 @@ private slots:
         Stage stage(ui::Backend::Raster);
         bool painting = false;
         int frames = 0;
-        connect(stage.canvas.get(), &ui::Canvas::frameShown, [&](const ui::FrameTimes& times) {
+        connect(stage.canvas.get(), &ui::Canvas::frameShown, [&](const app::FrameTimes& times) {
             painting = times.painting;
             ++frames;
         });
@@ -90,6 +129,15 @@ private slots:
     }
 
 private:
+    static std::vector<app::Shape> longLines(int count)
+    {
+        std::mt19937 random(2);
+        const auto point = [&] { return app::Point(random() % 2000, random() % 1000) / 10.0; };
+        std::vector<app::Shape> lines;
+        while (count-- > 0)
+            lines.push_back(line(point(), point()));
+        return lines;
+    }
     static app::Shape scribble(int points)
     {
         std::mt19937 random(3);

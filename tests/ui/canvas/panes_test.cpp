@@ -137,7 +137,7 @@ private slots:
         stage.canvas->settle();
         QVERIFY(!frames.isEmpty());
         for (const auto& frame : frames) // the active pane's frames and no others
-            QCOMPARE(frame[0].value<ui::FrameTimes>().choice, std::optional(row("skala")));
+            QCOMPARE(frame[0].value<app::FrameTimes>().choice, std::optional(row("skala")));
         QTest::keyClick(&stage.pane(1), Qt::Key_Backtab);
         QTest::keyClick(&stage.pane(1), Qt::Key_Tab); // the keyboard reaches every pane as well
         QVERIFY(stage.canvas->panes().chosen() == stage.chosen());

@@ -10,6 +10,7 @@
 #include <QHeaderView>
 
 #include "tests/app/document/sheet_edits.h"
+#include "tests/app/scene/block_scene.h"
 #include "tests/app/session/concave_window.h"
 #include "tests/ui/test_window.h"
 
@@ -121,7 +122,8 @@ private slots:
         QCOMPARE(t.rows(), formsInTheCatalogue());
         QCOMPARE(t.panel().field(), "2,000 lines, rotated order, 1 thread");
         app::Session& session = t.window->session();
-        const auto visible = session.scene.clip(session.region(), app::exactVariant()).visible;
+        const auto visible =
+            visibleIn(session.scene.lines(), session.region(), app::exactVariant());
         for (int row = 0; row < t.rows(); ++row)
             if (t.text(row, CompareModel::Name) == "EX")
                 QCOMPARE(t.text(row, CompareModel::Visible), QLocale().toString(int(visible)));

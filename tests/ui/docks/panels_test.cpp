@@ -231,6 +231,7 @@ private slots:
         t.show();
         AlgorithmPanel& panel = t.window->algorithmPanel();
         panel.compare();
+        panel.finish();
         QCOMPARE(panel.verdict(), "All corrected algorithms agree here");
         QVERIFY(panel.disagreements().empty());
     }
@@ -251,6 +252,7 @@ private slots:
         const auto verdict = std::ranges::find(labels, "Agreement", &QLabel::accessibleName);
         QVERIFY(verdict != labels.end() && !(*verdict)->isVisible()); // only when it is asked for
         panel.compare();
+        panel.finish();
         session.setPreview({.line = clipping::Segment{{1, 1}, {9, 9}}});
         QVERIFY((*verdict)->isVisible());
         session.setPreview(
@@ -403,17 +405,22 @@ private slots:
     void theTimesBelongToTheCurrentAlgorithm()
     {
         TestWindow t; // never shown, so that there are no other frames
-        const auto frame = [&](const char* algorithm, double clipMs) {
-            FrameTimes times{.clipMs = clipMs, .drawMs = 1, .total = 5000};
-            times.choice = app::findVariant(algorithm);
-            emit t.window->canvas().frameShown(times);
+        std::uint64_t clipping = 0;
+        const auto frame = [&](std::uint64_t subject, double clipMs, double drawMs) {
+            emit t.window->canvas().frameShown({.clipMs = clipMs,
+                                                .drawMs = drawMs,
+                                                .total = 5000,
+                                                .clipping = ++clipping,
+                                                .subject = subject});
         };
         for (int i = 0; i < 9; ++i)
-            frame("cs", 5);
-        frame("md", 2);
+            frame(1, 5, 7);
+        frame(2, 2, 1); // another row, another window or another drawing
         QTRY_COMPARE(t.window->status().times(), "clip 2.00 ms  draw 1.00 ms");
+        frame(2, 4, 30); // the picture that is seen took this time
+        QTRY_COMPARE(t.window->status().times(), "clip 3.00 ms  draw 30.0 ms");
     }
-    void theStatusBarSaysThatItPaints()
+    void theStatusBarSaysThatItPaintsAndHowLongItClipped()
     {
         TestWindow t;
         const auto frame = [&](bool painting) {
@@ -421,7 +428,7 @@ private slots:
                 {.clipMs = 2, .drawMs = 1, .total = 5000, .painting = painting});
         };
         frame(true);
-        QTRY_COMPARE(t.window->status().times(), "painting…");
+        QTRY_COMPARE(t.window->status().times(), "clip 2.00 ms  painting…");
         frame(false);
         QTRY_COMPARE(t.window->status().times(), "clip 2.00 ms  draw 1.00 ms");
     }

@@ -16,6 +16,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "tests/app/command_line/program.h"
+#include "tests/app/scene/block_scene.h"
 #include "tests/ui/tools/hand.h"
 
 namespace {
@@ -111,7 +112,7 @@ private slots:
         openMap(h);
         const app::Document before = h.session.now();
         const auto visible = [&] {
-            return h.session.scene.clip(h.session.region(), h.session.variant()).visible;
+            return visibleIn(h.session.scene.lines(), h.session.region(), h.session.variant());
         };
         const std::size_t all = visible();
         QCOMPARE(all, h.session.scene.lines().size());
@@ -159,7 +160,7 @@ private slots:
         QTest::keyClick(h.t.window.get(), Qt::Key_2, Qt::ControlModifier | Qt::AltModifier); // Cut
         h.canvas.fitDrawing();
         const auto visible = [&] {
-            return h.session.scene.clip(h.session.region(), h.session.variant()).visible;
+            return visibleIn(h.session.scene.lines(), h.session.region(), h.session.variant());
         };
         h.canvas.setFocus();
         h.key(Qt::Key_W);

@@ -7,6 +7,7 @@
 
 #include <QAbstractButton>
 
+#include "tests/app/scene/block_scene.h"
 #include "tests/ui/tools/hand.h"
 
 namespace {
@@ -148,7 +149,7 @@ private slots:
     {
         Drawer d;
         const auto visible = [&] {
-            return d.session.scene.clip(d.session.region(), d.session.variant()).visible;
+            return visibleIn(d.session.scene.lines(), d.session.region(), d.session.variant());
         };
         QCOMPARE(visible(), 1u); // the line from (20, 20) to (100, 20)
         d.choose("window-use", 1);

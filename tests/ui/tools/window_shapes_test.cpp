@@ -19,6 +19,7 @@
 #include <QMenu>
 #include <QToolButton>
 
+#include "tests/app/scene/block_scene.h"
 #include "tests/ui/tools/hand.h"
 
 namespace {
@@ -116,7 +117,7 @@ private slots:
     {
         Windows w; // the corner runs (20, 20), (100, 20), (100, 80)
         const auto visible = [&] {
-            return w.session.scene.clip(w.session.region(), w.session.variant()).visible;
+            return visibleIn(w.session.scene.lines(), w.session.region(), w.session.variant());
         };
         QCOMPARE(visible(), 0u);
         w.session.select({0});

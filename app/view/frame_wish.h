@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/base/variant.h"
+#include "app/document/document.h"
+#include "app/document/object_ranges.h"
+#include "app/scene/scene_lines.h"
+#include "app/view/picture.h"
+
+#include <QSize>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace app {
+
+/// Frames with equal keys have the same picture.
+struct FrameKey {
+    std::uint64_t lines = 0; ///< SceneLines::revision()
+    std::uint64_t look = 0;  ///< counts changes of everything that is not a member here
+    View view{};
+    ClipRegion region{};
+    Variant variant{};     ///< that clips; not a known misprint
+    QSize pixels{};        ///< of the image; empty: none is wanted
+    double pixelRatio = 1; ///< device pixels per logical pixel
+    std::vector<BorderLine> borders{};
+    friend bool operator==(const FrameKey&, const FrameKey&) = default;
+};
+
+/// Whether the same lines are clipped at the same windows with the same variant.
+bool isSameClipping(const FrameKey& a, const FrameKey& b);
+/// Whether the lines and the size of the picture are the same.
+bool isSameBase(const FrameKey& a, const FrameKey& b);
+
+/// Pieces that several owners read.
+using SharedPieces = std::shared_ptr<const std::vector<clipping::Clipped>>;
+
+/// All that a frame shows. It owns or shares everything, so that any thread may work on it while
+/// the drawing is edited.
+struct FrameWish {
+    FrameKey key;
+    Document document; ///< with the styles of the lines
+    SceneLines lines;
+    PictureOptions options{}; ///< without what key, selection and pieces hold
+    ObjectRanges selection{};
+    SharedPieces differing{}; ///< may be null
+    struct Graded {
+        SharedPieces pieces;
+        Colour colour;
+    };
+    std::vector<Graded> graded{};
+    double ghost = 1; ///< opacity of the removed part
+    /// Makes what is wanted instead of an image, on the thread that paints; null: nothing.
+    std::function<std::shared_ptr<const void>(const Picture&)> make{};
+
+    /// The options with everything, as long as the wish lives.
+    PictureOptions pictureOptions() const;
+};
+
+} // namespace app

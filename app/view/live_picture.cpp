@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/view/live_picture.h"
+
+#include <QPainter>
+#include <QSignalBlocker>
+#include <QThreadPool>
+
+namespace app {
+namespace {
+
+using namespace std::chrono_literals;
+using Step = FrameSchedule::Step;
+
+constexpr auto rest = 500ms;
+constexpr double tooLong = 40; // milliseconds; after such a picture waiting for the next is in vain
+
+} // namespace
+
+// The global pool has as many threads as the processor, and QCoreApplication waits for them at
+// exit.
+LivePicture::LivePicture(QObject* parent)
+    : QObject(parent), painting_(*QThreadPool::globalInstance())
+{
+    rest_.setSingleShot(true);
+    rest_.setInterval(rest);
+    connect(&rest_, &QTimer::timeout, this, [this] { follow(schedule_.rested()); });
+}
+
+void LivePicture::want(FrameWish wish, std::chrono::microseconds patience)
+{
+    const QSignalBlocker quiet(this);
+    const bool isNew = wish.key != wish_.key;
+    wish_ = std::move(wish);
+    const Step step = schedule_.want(wish_.key);
+    follow(step);
+    if (step != Step::Start && step != Step::Replace)
+        clip();
+    else if (frame_.drawMs < tooLong)
+        painting_.waitFor(patience);
+    if (isNew && schedule_.isLate())
+        rest_.start();
+}
+
+void LivePicture::follow(Step step)
+{
+    if (step == Step::Start || step == Step::Replace)
+        return start(); // which cancels what is being painted
+    if (step != Step::Cancel)
+        return;
+    painting_.cancel();
+    parts_.reset();
+}
+
+void LivePicture::start()
+{
+    parts_ = std::make_shared<FrameParts>();
+    partsNoted_ = false;
+    painting_.start(
+        [wish = wish_, painter = painter_, parts = parts_](const Follower& follower) {
+            return painter->paint(wish, follower, parts, *QThreadPool::globalInstance());
+        },
+        [this](PaintedFrame frame) { deliver(std::move(frame)); },
+        [this](const Progress&) {
+            noteParts();
+            if (!parts_->bands().empty())
+                emit advanced();
+        });
+}
+
+void LivePicture::deliver(PaintedFrame frame)
+{
+    noteParts();
+    parts_.reset();
+    frame_ = std::move(frame);
+    times_.drawMs = frame_.drawMs;
+    follow(schedule_.finished());
+    emit advanced();
+}
+
+/// The frame that is being painted may be clipped by now.
+void LivePicture::noteParts()
+{
+    if (partsNoted_)
+        return;
+    const auto clipped = parts_->clipped();
+    if (clipped)
+        note(*schedule_.painting(), *clipped);
+    partsNoted_ = clipped.has_value();
+}
+
+void LivePicture::clip()
+{
+    clipsAgain_ = clipping_.active();
+    if (clipsAgain_)
+        return;
+    clipping_.start([wish = wish_, clipper = clipper_](
+                        const Follower& follower) { return clipper->clip(wish, follower.stop); },
+                    [this, key = wish_.key](const ClipResult& result) {
+                        note(key, result);
+                        if (clipsAgain_)
+                            clip();
+                    });
+}
+
+void LivePicture::note(const FrameKey& key, const ClipResult& result)
+{
+    if (times_.clipping == 0 || !isSameClipping(key, clipped_))
+        times_.subject = newSubject();
+    ++times_.clipping;
+    clipped_ = key;
+    times_.clipMs = double(result.nanoseconds) * 1e-6;
+    times_.visible = result.visible;
+    times_.total = result.total;
+    times_.choice = key.variant;
+    emit timed();
+}
+
+FrameTimes LivePicture::times() const
+{
+    FrameTimes times = times_;
+    times.painting = !schedule_.isCurrent();
+    return times;
+}
+
+void LivePicture::settle()
+{
+    do {
+        if (schedule_.isLate())
+            follow(schedule_.rested());
+        painting_.wait();
+        clipping_.wait();
+    } while (painting_.active() || clipping_.active());
+}
+
+void LivePicture::forget()
+{
+    painting_.cancel();
+    clipping_.cancel();
+    rest_.stop();
+    parts_.reset();
+    schedule_.forget();
+    wish_ = {};
+    frame_ = {};
+    clipped_ = {};
+    times_ = {.clipping = times_.clipping, .subject = newSubject()};
+}
+
+/// The rectangle that a frame covers in the wanted view, in logical pixels.
+QRectF LivePicture::placeOf(const FrameKey& key) const
+{
+    const View &now = wish_.key.view, &then = key.view;
+    if (then == now)
+        return {0, 0, now.size.x, now.size.y};
+    const clipping::Window seen = then.visible();
+    const Point from = now.toScreen(seen.min), to = now.toScreen(seen.max);
+    return {from.x, from.y, to.x - from.x, to.y - from.y};
+}
+
+void LivePicture::paint(QPainter& painter) const
+{
+    painter.save();
+    if (parts_ && schedule_.painting()) {
+        const FrameKey& key = *schedule_.painting();
+        const QRectF place = placeOf(key);
+        const double scale = place.height() / key.pixels.height();
+        QRegion rest(painter.viewport());
+        for (const auto& [band, image] : parts_->bands()) {
+            const QRectF at(place.left(), place.top() + band.top * scale, place.width(),
+                            band.height * scale);
+            painter.drawImage(at, image);
+            rest -= at.toAlignedRect();
+        }
+        painter.setClipRegion(rest);
+    }
+    if (const FrameKey* shown = key(); shown && !frame_.image.isNull())
+        painter.drawImage(placeOf(*shown), frame_.image);
+    painter.restore();
+}
+
+} // namespace app

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/usual_algorithm.h"
+#include "app/document/document_builder.h"
+#include "app/scene/document_lines.h"
+#include "app/view/live_picture.h"
+
+#include <QPainter>
+#include <QSemaphore>
+#include <QSignalSpy>
+#include <QTest>
+#include <QThreadPool>
+
+#include <random>
+#include <set>
+
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr clipping::Window page{{0, 0}, {400, 300}};
+
+/// Lines with both ends anywhere on the page.
+app::Document longLines(int count)
+{
+    std::mt19937 random(1);
+    const auto point = [&] { return app::Point(random() % 4000, random() % 3000) / 10.0; };
+    app::DocumentBuilder builder;
+    builder.open({.name = "Lines"});
+    const app::StyleIndex style = builder.style({.stroke = app::Colour{}, .width = 1});
+    for (int i = 0; i < count; ++i)
+        builder.addLine({point(), point()}, style);
+    builder.close();
+    return builder.take({{0, 0}, {400, 300}, {400, app::Unit::Px}, {300, app::Unit::Px}}, {},
+                        {{{.shape = app::RectangleShape{{{100, 60}, {300, 200}}}}}});
+}
+
+app::FrameWish wishFor(const app::Document& document)
+{
+    app::FrameWish wish{.document = document, .lines = app::linesOf(document)};
+    wish.key = {.lines = wish.lines.revision(),
+                .view = {.size = {400, 300}, .centre = {200, 150}},
+                .region = regionOf(document.windows(), document.page()),
+                .variant = {&app::usualAlgorithm()},
+                .pixels = {400, 300}};
+    return wish;
+}
+
+QImage paintedBy(const app::LivePicture& picture)
+{
+    QImage image(400, 300, QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    picture.paint(painter);
+    return image;
+}
+
+QImage paintedAtOnce(const app::FrameWish& wish)
+{
+    app::FramePainter painter;
+    QThreadPool none;
+    none.setMaxThreadCount(1);
+    const auto frame = painter.paint(wish, {{}, [](const app::Progress&) {}},
+                                     std::make_shared<app::FrameParts>(), none);
+    QImage image(400, 300, QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::white);
+    QPainter(&image).drawImage(0, 0, frame.image);
+    return image;
+}
+
+/// While it lives, no thread of the global pool is free.
+class BusyThreads {
+public:
+    BusyThreads()
+    {
+        const int threads = QThreadPool::globalInstance()->maxThreadCount();
+        for (int i = 0; i < threads; ++i)
+            QThreadPool::globalInstance()->start([this] {
+                begun_.release();
+                go_.acquire();
+            });
+        begun_.acquire(threads);
+    }
+    ~BusyThreads()
+    {
+        go_.release(QThreadPool::globalInstance()->maxThreadCount());
+        QThreadPool::globalInstance()->waitForDone();
+    }
+
+private:
+    QSemaphore begun_, go_;
+};
+
+} // namespace
+
+class LivePictureTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theImageIsThatOfTheFrame()
+    {
+        const app::FrameWish wish = wishFor(longLines(500));
+        app::LivePicture picture;
+        picture.want(wish, 0us);
+        picture.settle();
+        QVERIFY(!picture.times().painting);
+        QCOMPARE(paintedBy(picture), paintedAtOnce(wish));
+        QCOMPARE(picture.times().total, std::size_t(500));
+        QVERIFY(picture.times().visible > 0 && picture.times().visible < 500);
+        QCOMPARE(picture.times().choice, std::optional(wish.key.variant));
+    }
+    // Whatever was measured before: with a bound on the time that it waits, nothing can hold the
+    // thread that wants a frame.
+    void aFrameThatIsNotPaintedHoldsNothing()
+    {
+        app::LivePicture picture;
+        picture.want(wishFor(longLines(1)), 1s); // a fast one
+        picture.settle();
+        app::FrameWish wish = wishFor(longLines(500));
+        {
+            const BusyThreads busy;
+            picture.want(wish, 1ms);
+            QVERIFY(picture.times().painting);
+            wish.key.view.zoomAt({30, 40}, 1.2);
+            picture.want(wish, 1ms);
+            QVERIFY(picture.times().painting);
+        }
+        picture.settle();
+        QVERIFY(!picture.times().painting);
+        QCOMPARE(paintedBy(picture), paintedAtOnce(wish));
+    }
+    void theLastPictureIsMovedMeanwhile()
+    {
+        app::FrameWish wish = wishFor(longLines(40));
+        app::LivePicture picture;
+        picture.want(wish, 0us);
+        picture.settle();
+        const QImage before = paintedBy(picture);
+        const BusyThreads busy;
+        wish.key.view.pan({20, 10});
+        picture.want(wish, 0us);
+        QCOMPARE(paintedBy(picture).copy(20, 10, 380, 290), before.copy(0, 0, 380, 290));
+    }
+    void whatIsFinishedIsShown()
+    {
+        app::FrameWish wish = wishFor(longLines(60'000));
+        app::LivePicture picture;
+        QSignalSpy advanced(&picture, &app::LivePicture::advanced);
+        picture.want(wish, 0us);
+        QVERIFY(advanced.wait(60'000));
+        QVERIFY(picture.times().painting);
+        QCOMPARE(picture.times().total, std::size_t(60'000)); // clipped already
+        const QImage part = paintedBy(picture);
+        QImage blank(part.size(), part.format());
+        blank.fill(Qt::white);
+        QVERIFY(part != blank);
+        wish.key.view.pan({0, 1}); // it goes on
+        picture.want(wish, 0us);
+        QVERIFY(paintedBy(picture) != blank);
+    }
+    void eventsFasterThanFramesStarveNeither_data()
+    {
+        QTest::addColumn<bool>("edits");
+        QTest::newRow("views") << false;
+        QTest::newRow("drawings") << true;
+    }
+    void eventsFasterThanFramesStarveNeither()
+    {
+        QFETCH(const bool, edits);
+        const app::Document document = longLines(4000);
+        const app::Document other = longLines(4100);
+        const app::FrameWish wishes[]{wishFor(document), wishFor(other)};
+        app::LivePicture picture;
+        int events = 0, frames = 0;
+        std::optional<app::FrameKey> last;
+        while (frames < 4) {
+            app::FrameWish wish = wishes[edits ? events % 2 : 0];
+            wish.key.view.pan({double(events % 50) / 10, 0});
+            wish.key.look = std::uint64_t(++events);
+            picture.want(wish, 0us);
+            QTest::qWait(1);
+            if (picture.key() && picture.key() != last) {
+                ++frames;
+                last = *picture.key();
+            }
+        }
+        QVERIFY(events >= frames);
+    }
+    void timesBelongToWhatIsClipped()
+    {
+        app::FrameWish wish = wishFor(longLines(50));
+        app::LivePicture picture;
+        const auto next = [&] {
+            picture.want(wish, 0us);
+            picture.settle();
+            return picture.times();
+        };
+        const app::FrameTimes first = next(), second = next();
+        QCOMPARE(second.subject, first.subject);
+        QVERIFY(second.clipping != first.clipping); // every frame clips all lines
+        wish.key.view.pan({5, 5});
+        QCOMPARE(next().subject, first.subject);
+        std::set<std::uint64_t> subjects{first.subject};
+        wish.key.region.steps.clear();
+        subjects.insert(next().subject);
+        wish.key.region = wishFor(longLines(1)).key.region;
+        subjects.insert(next().subject);
+        wish.key.variant = {clipping::findAlgorithm("cs")};
+        subjects.insert(next().subject);
+        wish = wishFor(longLines(50));
+        subjects.insert(next().subject);
+        app::LivePicture other; // a pane beside it, which may be chosen instead
+        other.want(wish, 0us);
+        other.settle();
+        subjects.insert(other.times().subject);
+        QCOMPARE(subjects.size(), std::size_t(6));
+    }
+    void itMayEndWhileItPaints()
+    {
+        const app::FrameWish wish = wishFor(longLines(60'000));
+        for (int i = 0; i < 3; ++i) {
+            app::LivePicture picture;
+            picture.want(wish, 0us);
+            QTest::qWait(i * 20);
+            if (i == 1)
+                picture.forget();
+        }
+        QThreadPool::globalInstance()->waitForDone();
+    }
+};
+
+QTEST_MAIN(LivePictureTest)
+#include "live_picture_test.moc"
