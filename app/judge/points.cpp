@@ -10,10 +10,13 @@ namespace {
 
 constexpr int unfinished = -1, untested = -2; ///< instead of points: the time was up
 
-/// The share that is right; 1 if there are none.
-double share(std::size_t wrong, std::size_t all)
+/// Whole tenths that are right, of what was tested and of what was not. In whole numbers, because
+/// of ten lines with nine wrong ones, 1 − 0.9 is less than a tenth.
+int tenthsRight(const CategoryCount& count, std::size_t wrong, std::size_t all)
 {
-    return all == 0 ? 1 : 1 - double(std::min(wrong, all)) / double(all);
+    const std::size_t right = all == 0 ? 1 : all - std::min(wrong, all);
+    return int(fullPoints * right * count.judged
+               / (std::max<std::size_t>(1, all) * std::max<std::size_t>(1, count.lines)));
 }
 
 } // namespace
@@ -22,11 +25,9 @@ int pointsOf(const CategoryCount& count)
 {
     if (count.wrong == 0 && count.judged >= count.lines)
         return fullPoints;
-    const double tested = double(count.judged) / double(std::max<std::size_t>(1, count.lines));
-    const double right =
-        std::min(share(count.wrongVisible, count.visible),
-                 share(count.wrong - count.wrongVisible, count.judged - count.visible));
-    return std::min(fullPoints - 1, int(fullPoints * right * tested));
+    return std::min(
+        {fullPoints - 1, tenthsRight(count, count.wrongVisible, count.visible),
+         tenthsRight(count, count.wrong - count.wrongVisible, count.judged - count.visible)});
 }
 
 std::span<const Degree> degrees()

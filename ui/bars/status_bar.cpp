@@ -50,17 +50,24 @@ StatusBar::StatusBar(app::Session& session, Canvas& canvas, QWidget* parent)
     connect(&canvas, &Canvas::frameShown, this, &StatusBar::note);
     connect(&canvas, &Canvas::pointerMoved, this, &StatusBar::showPosition);
     connect(&canvas, &Canvas::viewChanged, this, &StatusBar::showZoom);
-    connect(&canvas, &Canvas::hint, this, &StatusBar::showHint);
-    connect(&canvas, &Canvas::toolChanged, this, [this] { showHint({}); });
+    const auto hint = [this](const QString& hint) {
+        if (!session_.microscope.isOpen()) // which has hints of its own
+            showHint(hint);
+    };
+    connect(&canvas, &Canvas::hint, this, hint);
+    connect(&canvas, &Canvas::toolChanged, this, [hint] { hint({}); });
     connect(&session, &app::Session::displayChanged, this, &StatusBar::keepRoom);
     connect(&session, &app::Session::previewChanged, this, &StatusBar::followWindows);
     connect(&session, &app::Session::loaded, this, &StatusBar::forgetFrames);
     connect(&session, &app::Session::loaded, this, &StatusBar::keepRoom);
+    connect(&session.microscope, &app::Microscope::openChanged, this, [this] { showHint({}); });
     for (const auto signal : {&app::Microscope::openChanged, &app::Microscope::tracedLineChanged,
                               &app::Microscope::stepChanged})
         connect(&session.microscope, signal, this, &StatusBar::showStep);
     keepRoom();
     showHint({});
+    if (session.microscope.isOpen())
+        showStep();
 }
 
 QString StatusBar::times() const { return times_->text(); }
@@ -94,8 +101,17 @@ void StatusBar::setSummary(const QString& summary)
         return showStep(); // of the canvas again, or of the microscope
     visible_->setText(summary);
     position_->setText({});
-    zoom_->hide();
-    renderer_->hide();
+    showParts();
+}
+
+/// The microscope has no times; zoom and renderer are those of the canvas.
+void StatusBar::showParts()
+{
+    const bool open = session_.microscope.isOpen();
+    const bool canvas = !open && summary_.isEmpty();
+    times_->setVisible(!open);
+    zoom_->setVisible(canvas);
+    renderer_->setVisible(canvas && width() >= widthForRenderer);
 }
 
 void StatusBar::note(const app::FrameTimes& times)
@@ -182,13 +198,10 @@ void StatusBar::showStep()
 {
     const app::Microscope& microscope = session_.microscope;
     const bool open = microscope.isOpen();
-    times_->setVisible(!open);
-    zoom_->setVisible(!open);
+    showParts();
     followPaper();
-    renderer_->setVisible(!open && width() >= widthForRenderer);
     if (!open) {
         keepRoom();
-        showHint({});
         showTimes();
         return showPosition({});
     }
@@ -276,8 +289,7 @@ void StatusBar::resizeEvent(QResizeEvent* event)
 {
     QStatusBar::resizeEvent(event);
     showHint(said_); // there may be more room
-    renderer_->setVisible(width() >= widthForRenderer && !session_.microscope.isOpen()
-                          && summary_.isEmpty());
+    showParts();
 }
 
 void StatusBar::changeEvent(QEvent* event)

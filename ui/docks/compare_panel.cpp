@@ -74,6 +74,7 @@ ComparePanel::ComparePanel(app::Session& session, QWidget* parent)
     });
     connect(&race_, &app::LiveRace::advanced, this, &ComparePanel::showRace);
     connect(&session, &app::Session::previewChanged, this, &ComparePanel::followWindows);
+    connect(&session, &app::Session::displayChanged, this, &ComparePanel::showRace);
     followWindows();
     const int forms = app::rememberedNumber(setting, 0, bothForms, bothForms);
     forms_->choose(forms);

@@ -60,7 +60,7 @@ void Gallery::mark(const QString& key)
 void Gallery::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
-    if (!begun_)
+    if (painted_ != buttons_.front()->pictureSize())
         paintPictures();
 }
 
@@ -73,7 +73,7 @@ void Gallery::resizeEvent(QResizeEvent* event)
         buttons_[std::size_t(i)]->setGeometry(i % columns * (each + gap),
                                               i / columns * (high + gap), each, high);
     setFixedHeight((int(buttons_.size()) + columns - 1) / columns * (high + gap));
-    if (isVisible() && event->oldSize().width() != width())
+    if (isVisible() && painted_ != buttons_.front()->pictureSize())
         paintPictures();
 }
 
@@ -81,10 +81,9 @@ void Gallery::paintPictures()
 {
     if (buttons_.empty())
         return;
-    begun_ = true;
     const Look& look = lookOnPaper(false);
     const app::ThumbnailColours colours{look.paper, look.accent, look.ghost};
-    const QSize points = buttons_.front()->pictureSize();
+    const QSize points = painted_ = buttons_.front()->pictureSize();
     auto sitting = std::make_shared<Sitting>();
     sitting->left = int(samples_.size());
     sitting->promise.start();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/dense_table.h"
 
+#include "ui/look/focus_ring.h"
 #include "ui/look/look.h"
 #include "ui/widgets/copy_cells.h"
 #include "ui/widgets/tabular.h"
@@ -190,6 +191,13 @@ void DenseTable::keyPressEvent(QKeyEvent* event)
         return QTableView::keyPressEvent(event);
     if (const QRect area = cellsToCopy(); !area.isEmpty())
         copyCells(*model(), area);
+}
+
+void DenseTable::paintEvent(QPaintEvent* event)
+{
+    QTableView::paintEvent(event);
+    if (hasFocus() && !(selectionModel() && selectionModel()->hasSelection()))
+        paintFocusRing(*viewport());
 }
 
 bool DenseTable::viewportEvent(QEvent* event)
