@@ -178,6 +178,7 @@ private slots:
             "GlSurface",         // needs a graphics card
             "RepeatDialog",      // modal, as the next ones: nothing changes elsewhere
             "MarginDialog",      //
+            "JoinDialog",        //
             "WaitingDialog",     //
             "ExportStepsDialog", //
             "LeftoverPicture",   //

@@ -15,15 +15,20 @@ JoinDialog::JoinDialog(app::Session& session, const app::NodeStep& step, QWidget
     : QDialog(parent), session_(session), step_(step),
       distance_(new LengthField(tr("Largest distance"), LengthField::Range::NotNegative,
                                 LengthField::Suffix::Unit)),
-      sentence_(new QLabel(tr("Two ends this close become one node if their paths have the same "
-                              "layer and the same style.")))
+      sentence_(new QLabel)
 {
+    const auto explain = [this] {
+        sentence_->setText(tr("Two ends this close become one node if their paths have the same "
+                              "layer and the same style."));
+    };
+    explain();
     setWindowTitle(tr("Join ends"));
     setObjectName(QStringLiteral("join-dialog"));
     const double unit = session.now().page().millimetresPerUnit();
     distance_->show(session.arrange.joinWithin / unit, session.display().unit, unit);
     connect(distance_, &LengthField::edited, this,
             [this, unit](double length) { session_.arrange.joinWithin = length * unit; });
+    connect(distance_, &LengthField::taken, this, explain);
     connect(distance_, &LengthField::refused, sentence_, &QLabel::setText);
     sentence_->setWordWrap(true);
     sentence_->setForegroundRole(QPalette::PlaceholderText);
