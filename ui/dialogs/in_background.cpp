@@ -11,6 +11,8 @@ constexpr std::chrono::milliseconds patience{500};
 
 } // namespace
 
+const InBackground::Any InBackground::noMemory = std::make_shared<char>();
+
 InBackground::InBackground(QWidget* window) : window_(window)
 {
     patience_.setSingleShot(true);
@@ -72,8 +74,11 @@ void InBackground::finish(const Any& result)
         dialog_.clear();
     }
     QMetaObject::invokeMethod(this, &InBackground::settle, Qt::QueuedConnection);
+    const QPointer self(this);
     if (const auto done = std::exchange(done_, {}))
         done(result);
+    if (self && result == noMemory)
+        emit ranOutOfMemory();
 }
 
 bool InBackground::busy() const

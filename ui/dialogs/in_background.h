@@ -8,6 +8,10 @@
 #include <QDeadlineTimer>
 #include <QTimer>
 
+#include <memory>
+#include <new>
+#include <optional>
+
 namespace ui {
 
 /// Long work of a window on another thread, one job at a time. During a job no window of the
@@ -26,8 +30,9 @@ public:
         Drops, ///< no result at once; the work runs on unseen
         Stops  ///< the work is asked to stop; the dialog stays, and the result is delivered
     };
-    /// Runs `Result work(const app::Follower&)`, which must own everything it uses and not throw.
-    /// An event calls `done(std::optional<Result>)`; empty: cancelled. No other job may be running.
+    /// Runs `Result work(const app::Follower&)`, which must own everything it uses, and may throw
+    /// std::bad_alloc alone. An event calls `done(std::optional<Result>)`; empty: cancelled, or
+    /// there was not enough memory. No other job may be running.
     template <class Work, class Done>
     void run(const QString& label, Work work, Done done, Cancel cancel);
 
@@ -41,8 +46,12 @@ public:
     /// Blocks until no job runs, whose results are then delivered, or until the deadline.
     void wait(QDeadlineTimer deadline = QDeadlineTimer(QDeadlineTimer::Forever));
 
+signals:
+    void ranOutOfMemory(); ///< after `done`
+
 private:
     using Any = std::shared_ptr<void>;
+    static const Any noMemory; ///< in place of a result
     using Job = app::Background<Any>;
     using Deliver = std::function<void(Any)>;
 
@@ -74,10 +83,14 @@ void InBackground::run(const QString& label, Work work, Done done, Cancel cancel
     start(
         label,
         [work = std::move(work)](const app::Follower& follower) mutable -> Any {
-            return std::make_shared<Result>(work(follower));
+            try {
+                return std::make_shared<Result>(work(follower));
+            } catch (const std::bad_alloc&) {
+                return noMemory;
+            }
         },
         [done = std::move(done)](const Any& result) mutable {
-            auto* const made = static_cast<Result*>(result.get());
+            auto* const made = result == noMemory ? nullptr : static_cast<Result*>(result.get());
             done(made ? std::optional<Result>(std::move(*made)) : std::nullopt);
         },
         cancel);

@@ -2,8 +2,7 @@
 #include "ui/editor/display.h"
 
 #include "app/command_line/command.h"
-
-#include <QApplication>
+#include "ui/editor/editor_application.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -59,10 +58,10 @@ QString whyNoDisplay()
 #endif
 }
 
-std::unique_ptr<QApplication> startApplication(int& argc, char** argv)
+std::unique_ptr<EditorApplication> startApplication(int& argc, char** argv)
 {
     handlerBefore = qInstallMessageHandler(whileStarting);
-    auto application = std::make_unique<QApplication>(argc, argv);
+    auto application = std::make_unique<EditorApplication>(argc, argv);
     qInstallMessageHandler(handlerBefore);
     return application;
 }

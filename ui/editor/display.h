@@ -5,9 +5,9 @@
 
 #include <memory>
 
-class QApplication;
-
 namespace ui {
+
+class EditorApplication;
 
 /// Why no window can be shown, judged by the environment variables, and what to do; empty if
 /// nothing prevents it.
@@ -16,6 +16,6 @@ QString whyNoDisplay();
 /// The application. Where windows cannot be shown (unreachable display, unknown platform) Qt would
 /// abort; this function instead writes one sentence to standard error and exits with the code for a
 /// failure.
-std::unique_ptr<QApplication> startApplication(int& argc, char** argv);
+std::unique_ptr<EditorApplication> startApplication(int& argc, char** argv);
 
 } // namespace ui

@@ -6,6 +6,7 @@
 #include "app/settings/settings_format.h"
 #include "app/teaching/line_text.h"
 #include "ui/editor/display.h"
+#include "ui/editor/editor_application.h"
 #include "ui/editor/recovery.h"
 #include "ui/files/files.h"
 #include "ui/look/saved_theme.h"
@@ -18,6 +19,7 @@
 #include <QElapsedTimer>
 #include <QFileInfo>
 #include <QImageWriter>
+#include <QScopeGuard>
 #include <QSettings>
 #include <QSurfaceFormat>
 #include <QTemporaryDir>
@@ -181,7 +183,7 @@ void openMicroscope(MainWindow& window, const Options& options)
 }
 
 /// Opens what the options request; saves the screenshot when everything is painted.
-int show(QApplication& application, const Options& options, const QElapsedTimer& clock)
+int show(EditorApplication& application, const Options& options, const QElapsedTimer& clock)
 {
     // With a style sheet, each widget that gets a parent has everything below it restyled. That
     // would take a quarter of the start, so the complete window gets the sheet at once.
@@ -190,6 +192,8 @@ int show(QApplication& application, const Options& options, const QElapsedTimer&
     MainWindow window(options.backend);
     addMenus(window);
     application.setStyleSheet(styleSheet);
+    application.setWindow(&window);
+    const auto withoutWindow = qScopeGuard([&] { application.setWindow(nullptr); });
     if (!options.screenshot.isEmpty())
         window.resize(options.size.value_or(usualPicture)); // independent of the screen
     else if (options.size) {

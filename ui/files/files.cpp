@@ -11,6 +11,11 @@ Files::Files(app::Session& session, QWidget& window, std::unique_ptr<Questions> 
     : session_(session), questions_(std::move(questions)), background_(&window)
 {
     connect(&session, &app::Session::fileChanged, this, &Files::nameChanged);
+    connect(&background_, &InBackground::ranOutOfMemory, this, [this] {
+        emit told(
+            {Message::Kind::Warning,
+             tr("There is not enough memory for this. Close other programs, and try again.")});
+    });
     watchFile();
 }
 

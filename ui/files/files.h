@@ -81,9 +81,9 @@ private:
     // The consequences of the answers of keepChanges(). Each holds its turn until it has ended.
     void replace(std::function<void(const Turn&)> then); ///< not if the person keeps the drawing
     void read(const QString& path, const Turn& turn);
-    void show(app::Imported imported, const QString& path, const QString& title);
+    bool show(app::Imported imported, const QString& path, const QString& title);
     void tellLosses();
-    void showRecovered(app::Recovered recovered, const app::Leftover& leftover);
+    bool showRecovered(app::Recovered recovered, const app::Leftover& leftover);
     void tellRecovered(const QString& lost, const app::Leftover& leftover);
     void setAside(app::Leftover leftover, const QString& error);
 

@@ -5,6 +5,8 @@
 
 #include <QFileInfo>
 
+#include <new>
+
 // Everything that replaces the drawing in the window.
 
 namespace ui {
@@ -25,23 +27,35 @@ void Files::replace(std::function<void(const Turn&)> then)
     });
 }
 
-void Files::show(app::Imported imported, const QString& path, const QString& title)
+/// False, and the drawing is empty: there is not enough memory.
+bool Files::show(app::Imported imported, const QString& path, const QString& title)
 {
     title_ = title;
     sample_.clear();
-    session_.load(std::move(imported), path);
+    try {
+        session_.load(std::move(imported), path);
+    } catch (const std::bad_alloc&) {
+        title_.clear();
+        watch_.follow({}, {});
+        emit nameChanged();
+        emit told({Message::Kind::Warning,
+                   tr("There is not enough memory to show %1. Close other programs, and open it "
+                      "again.")
+                       .arg(path.isEmpty() ? title : path)});
+        return false;
+    }
     session_.pen.style.width = newPenMillimetres / session_.now().page().millimetresPerUnit();
     seen_ = QFileInfo(path).lastModified();
     watch_.follow(path, seen_);
     emit nameChanged();
     emit told({});
+    return true;
 }
 
 void Files::startNew(std::function<void()> started)
 {
     replace([this, started = std::move(started)](const Turn&) {
-        show({app::newDrawing(), {}}, {}, {});
-        if (started)
+        if (show({app::newDrawing(), {}}, {}, {}) && started)
             started();
     });
 }
@@ -50,10 +64,9 @@ void Files::openMade(app::Document document, const QString& title, Answer opened
 {
     mayClose(
         [this, document = std::move(document), title, opened = std::move(opened)](bool mayReplace) {
-            if (mayReplace)
-                show({document, {}}, {}, title);
+            const bool shown = mayReplace && show({document, {}}, {}, title);
             if (opened)
-                opened(mayReplace);
+                opened(shown);
         });
 }
 
@@ -84,7 +97,8 @@ void Files::read(const QString& path, const Turn& turn)
             if (!*read)
                 return emit told(
                     {Message::Kind::Warning, tr("%1 Nothing was changed.").arg(read->error)});
-            show(std::move(*read->value), path, {});
+            if (!show(std::move(*read->value), path, {}))
+                return;
             noteRecent();
             tellLosses();
         },
@@ -108,7 +122,8 @@ void Files::openSample(const app::Sample& sample)
         auto read = app::readFile(sample.file);
         if (!read)
             return emit told({Message::Kind::Warning, read.error});
-        show(std::move(*read.value), {}, sample.title);
+        if (!show(std::move(*read.value), {}, sample.title))
+            return;
         sample_ = sample.key;
         emit nameChanged();
     });

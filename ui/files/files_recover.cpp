@@ -15,8 +15,9 @@ void Files::recover(const app::Leftover& leftover, const std::function<void(Reco
             [this, leftover, recovered, turn](std::optional<Read> read) {
                 auto end = Recovered::NotAtAll;
                 if (read && *read) {
-                    end = read->value->lost.isEmpty() ? Recovered::Wholly : Recovered::Partly;
-                    showRecovered(std::move(*read->value), leftover);
+                    const bool whole = read->value->lost.isEmpty();
+                    if (showRecovered(std::move(*read->value), leftover))
+                        end = whole ? Recovered::Wholly : Recovered::Partly;
                 } else if (read) {
                     setAside(leftover, read->error);
                 }
@@ -28,7 +29,7 @@ void Files::recover(const app::Leftover& leftover, const std::function<void(Reco
 
 // Undo may lead back to the saved state, but only if the file is still as it was saved. A drawing
 // that lacks something must not replace a file that may have it: Save asks for a new name.
-void Files::showRecovered(app::Recovered recovered, const app::Leftover& leftover)
+bool Files::showRecovered(app::Recovered recovered, const app::Leftover& leftover)
 {
     const app::Origin& origin = leftover.origin;
     const QString path = recovered.lost.isEmpty() ? origin.path : QString();
@@ -36,10 +37,12 @@ void Files::showRecovered(app::Recovered recovered, const app::Leftover& leftove
     const bool sameFile = path.isEmpty() || QFileInfo(path).lastModified() == origin.fileTime;
     if (!sameFile || !recovered.lost.isEmpty() || history.clean == history.index)
         history.clean.reset();
-    show({std::move(recovered.document), {}}, path, path.isEmpty() ? origin.name : QString());
+    if (!show({std::move(recovered.document), {}}, path, path.isEmpty() ? origin.name : QString()))
+        return false;
     seen_ = origin.fileTime;
     app::restore(session_.history, session_.document, std::move(history));
     tellRecovered(recovered.lost, leftover);
+    return true;
 }
 
 void Files::tellRecovered(const QString& lost, const app::Leftover& leftover)
