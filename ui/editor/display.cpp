@@ -4,8 +4,15 @@
 #include "app/command_line/command.h"
 #include "ui/editor/editor_application.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
+
+#if defined(Q_OS_UNIX)
+#include <sys/stat.h>
+#include <unistd.h>
+#endif
 
 namespace ui {
 namespace {
@@ -64,6 +71,20 @@ std::unique_ptr<EditorApplication> startApplication(int& argc, char** argv)
     auto application = std::make_unique<EditorApplication>(argc, argv);
     qInstallMessageHandler(handlerBefore);
     return application;
+}
+
+// A desktop gives its programs no input, and writes their messages to a file or a socket.
+bool isErrorRead()
+{
+#if defined(Q_OS_UNIX)
+    constexpr std::array streams{STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO};
+    return std::ranges::any_of(streams, [](int stream) {
+        struct stat found {};
+        return ::isatty(stream) != 0 || (::fstat(stream, &found) == 0 && S_ISFIFO(found.st_mode));
+    });
+#else
+    return true;
+#endif
 }
 
 } // namespace ui

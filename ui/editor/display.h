@@ -18,4 +18,8 @@ QString whyNoDisplay();
 /// failure.
 std::unique_ptr<EditorApplication> startApplication(int& argc, char** argv);
 
+/// Whether somebody can read standard error: a terminal is there, or another program listens. A
+/// program that was started from a desktop has neither.
+bool isErrorRead();
+
 } // namespace ui

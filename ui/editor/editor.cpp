@@ -48,6 +48,7 @@ struct Options {
     std::optional<app::Variant> algorithm; ///< the variant that clips
     std::size_t step = 1;
     bool verbose = false;
+    QString refusal; ///< why the arguments were refused, for the window; empty: they were not
 };
 
 QString tr(const char* text) { return QCoreApplication::translate("Editor", text); }
@@ -218,6 +219,8 @@ int show(EditorApplication& application, const Options& options, const QElapsedT
     const auto begin = [&] {
         if (!options.file.isEmpty() && !first)
             open();
+        if (!options.refusal.isEmpty())
+            window.tell({Message::Kind::Warning, options.refusal});
         if (recovery)
             recovery->offer();
     };
@@ -260,7 +263,11 @@ int runEditor(int argc, char** argv, const QStringList& arguments)
     Options options;
     if (const auto refusal = parse(options, arguments)) {
         complain(refusal->sentence);
-        return int(refusal->exit);
+        const bool forPicture = !arguments.filter(QStringLiteral("--screenshot")).isEmpty();
+        if (isErrorRead() || forPicture || !whyNoDisplay().isEmpty())
+            return int(refusal->exit);
+        options.file.clear(); // whoever started the program from a desktop sees only its window
+        options.refusal = refusal->sentence;
     }
     if (!options.screenshot.isEmpty() && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
         qputenv("QT_QPA_PLATFORM", "offscreen");
