@@ -8,6 +8,7 @@
 int main(int argc, char** argv)
 {
     app::holdStandardStreams();
+    app::refuseLongFiles();
     QStringList arguments;
     for (int i = 1; i < argc; ++i)
         arguments << QString::fromLocal8Bit(argv[i]);

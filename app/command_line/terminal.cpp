@@ -53,6 +53,8 @@ void holdStandardStreams()
             const int taken = ::open("/dev/null", stream.mode);
 }
 
+void refuseLongFiles() { std::signal(SIGXFSZ, SIG_IGN); }
+
 void answerSignals()
 {
     std::signal(SIGPIPE, SIG_IGN);

@@ -24,6 +24,10 @@ void say(const QString& line);
 /// opened file takes their place and receives messages. Call this first in main.
 void holdStandardStreams();
 
+/// Makes a file that grows beyond the system's limit (ulimit -f) a write error with its sentence,
+/// instead of the end of the program. Call this in main, too.
+void refuseLongFiles();
+
 /// Makes a closed pipe a write error, and Ctrl-C exit code 130. A file that is being replaced stays
 /// unchanged (QSaveFile).
 void answerSignals();

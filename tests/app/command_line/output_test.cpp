@@ -4,7 +4,6 @@
 #include <QDir>
 #include <QTest>
 
-#include <csignal>
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -171,7 +170,6 @@ private slots:
             writeText(old, "old");
             const auto run = clearcutAfter(
                 [room] {
-                    std::signal(SIGXFSZ, SIG_IGN);
                     const rlimit limit{rlim_t(room), RLIM_INFINITY};
                     ::setrlimit(RLIMIT_FSIZE, &limit);
                 },
@@ -184,6 +182,20 @@ private slots:
         QVERIFY(QFile::remove(old));
         QCOMPARE(QDir(folder_.path()).entryList({"old*"}, QDir::Files | QDir::Hidden),
                  QStringList());
+    }
+
+    void aPictureThatMayNotBeSoLargeIsSaid()
+    {
+        const QString picture = path("picture.png");
+        const auto run = clearcutAfter(
+            [] {
+                const rlimit limit{500, RLIM_INFINITY};
+                ::setrlimit(RLIMIT_FSIZE, &limit);
+            },
+            {"--screenshot", picture, path("a.csv")});
+        QCOMPARE(run.code, 1);
+        QVERIFY2(run.err.endsWith("picture.png: File too large.\n"), run.err);
+        QVERIFY(!QFile::exists(picture));
     }
 
     // A real one, where it can be had without being root: in a name space of its own.

@@ -15,7 +15,6 @@
 #include <QRegularExpression>
 #include <QTest>
 
-#include <csignal>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -340,7 +339,6 @@ private slots:
         for (const qsizetype full : {qsizetype(0), qsizetype(1), size / 2, size - 1}) {
             const auto run = clearcutAfter(
                 [full] {
-                    std::signal(SIGXFSZ, SIG_IGN);
                     const rlimit limit{rlim_t(full), RLIM_INFINITY};
                     ::setrlimit(RLIMIT_FSIZE, &limit);
                 },
