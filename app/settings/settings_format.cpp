@@ -4,6 +4,7 @@
 #include "app/base/replace_file.h"
 #include "app/settings/ini_text.h"
 
+#include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -16,6 +17,7 @@ namespace {
 
 constexpr qint64 mostBytes = 1'000'000;
 const QString bytesKey = QStringLiteral("base64");
+constexpr auto onlyUser = QFileDevice::ReadOwner | QFileDevice::WriteOwner;
 
 QJsonValue jsonOf(const QVariant& value)
 {
@@ -64,7 +66,10 @@ bool write(QIODevice& out, const QSettings::SettingsMap& map)
         return std::optional<QString>();
     };
     auto* const file = qobject_cast<QFileDevice*>(&out);
-    return file && !fillToDisk(*file, filling);
+    if (!file)
+        return false;
+    file->setPermissions(onlyUser);
+    return !fillToDisk(*file, filling);
 }
 
 } // namespace
@@ -74,6 +79,7 @@ void useSafeSettings()
     static const QSettings::Format format =
         QSettings::registerFormat(QStringLiteral("ini"), read, write);
     QSettings::setDefaultFormat(format);
+    QFile::setPermissions(QSettings().fileName(), onlyUser); // an earlier version's had wider ones
 }
 
 } // namespace app

@@ -65,6 +65,29 @@ private slots:
         QCOMPARE(read.value("bytes").toByteArray(), bytes);
     }
 
+    // It names files that were opened.
+    void onlyTheUserCanReadThem()
+    {
+        const auto others =
+            QFile::ReadGroup | QFile::WriteGroup | QFile::ReadOther | QFile::WriteOther;
+        const auto save = [] {
+            QSettings settings;
+            settings.setValue("recent", QStringList{"/home/me/plan.svg"});
+        };
+        const auto isMine = [&] { return (QFile::permissions(file()) & others) == 0; };
+        QFile::remove(file());
+        save();
+        QVERIFY(QFile::exists(file()) && isMine());
+        const auto wide = QFile::ReadOwner | QFile::WriteOwner | others;
+        QVERIFY(QFile::setPermissions(file(), wide)); // as earlier versions left it
+        QSettings().setValue("recent", QStringList{"/home/me/other.svg"});
+        QVERIFY(isMine());
+        QVERIFY(QFile::setPermissions(file(), wide));
+        useSafeSettings(); // the next start
+        QVERIFY(isMine());
+        QCOMPARE(QSettings().value("recent").toStringList(), QStringList{"/home/me/other.svg"});
+    }
+
     void anEarlierVersionsFileIsRead()
     {
         const QString old = folder_.filePath("old");
