@@ -1,37 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/nodes/end_joining.h"
 
+#include "app/nodes/nearest_points.h"
 #include "app/nodes/node_types.h"
 #include "app/nodes/subpath_edits.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <cassert>
+#include <functional>
+#include <queue>
 #include <tuple>
 
 namespace app {
 namespace {
 
-// Where thousands of ends lie on one spot, the pairs of the first ones are enough.
-constexpr std::size_t mostPairs = 1'000'000;
-
-/// End 2 i is the start of subpath i as it was at first, end 2 i + 1 its last node.
+/// End 2 i is the start of subpath i, end 2 i + 1 its last node.
 using End = std::size_t;
-struct Pair {
-    End a, b;
-    double distance;
-};
+constexpr End none = ~End(0);
 
-class Joining {
+End otherEnd(End end) { return end ^ 1; }
+
+/// Which ends are joined.
+class Joints {
 public:
-    explicit Joining(NodePath& path) : path_(path), state_(path.size())
+    Joints(const NodePath& path, std::span<const std::uint32_t> pens)
+        : path_(path), pens_(pens), partner_(2 * path.size(), none)
     {
-        for (std::size_t i = 0; i < path.size(); ++i) {
-            ends_.push_back({2 * i, 2 * i + 1});
-            subpathOf_.insert(subpathOf_.end(), 2, i);
+        for (std::size_t i = 0; i < path.size(); ++i)
             if (!path[i].closed && path[i].nodes.size() > 1)
                 open_.insert(open_.end(), {2 * i, 2 * i + 1});
-        }
         std::vector<End> selected;
         std::ranges::copy_if(open_, std::back_inserter(selected),
                              [this](End end) { return node(end).selected; });
@@ -40,34 +37,147 @@ public:
             open_ = std::move(selected);
     }
 
-    std::size_t joinNear(double tolerance)
+    End partner(End end) const { return partner_[end]; }
+    std::size_t count() const { return count_; }
+
+    void joinNear(double tolerance)
     {
-        std::size_t joints = 0;
-        std::vector<bool> used(subpathOf_.size());
-        for (const Pair& pair : pairsWithin(tolerance)) {
-            if (used[pair.a] || used[pair.b])
-                continue;
-            used[pair.a] = used[pair.b] = true;
-            join(pair.a, pair.b, true);
-            ++joints;
+        std::vector<End> sorted = open_; // those on one spot are neighbours
+        std::ranges::sort(sorted, {}, [this](End end) {
+            return std::tuple(pen(end), node(end).at.x, node(end).at.y, end);
+        });
+        const auto samePen = [this](End a, End b) { return pen(a) == pen(b); };
+        const auto sameSpot = [&](End a, End b) {
+            return samePen(a, b) && node(a).at == node(b).at;
+        };
+        forEachGroup(sorted, sameSpot, [this](std::span<const End> ends) { joinOnOneSpot(ends); });
+        std::erase_if(sorted, [this](End end) { return partner_[end] != none; });
+        forEachGroup(sorted, samePen,
+                     [&](std::span<const End> ends) { joinNearest(ends, tolerance); });
+    }
+    void joinByLine()
+    {
+        if (chosen_ && open_.size() == 2 && pen(open_[0]) == pen(open_[1]))
+            join(open_[0], open_[1]);
+    }
+
+private:
+    const Node& node(End end) const
+    {
+        const auto& nodes = path_[end / 2].nodes;
+        return end % 2 ? nodes.back() : nodes.front();
+    }
+    std::uint32_t pen(End end) const { return pens_[end / 2]; }
+    /// A short line is not joined to itself.
+    bool isOneLine(End end) const
+    {
+        const auto& nodes = path_[end / 2].nodes;
+        return nodes.size() == 2 && !nodes[0].curved;
+    }
+    bool mayJoin(End a, End b) const { return b != otherEnd(a) || !isOneLine(a); }
+    void join(End a, End b)
+    {
+        partner_[a] = b;
+        partner_[b] = a;
+        ++count_;
+    }
+
+    template <class Same, class Visit>
+    static void forEachGroup(std::span<const End> ends, const Same& same, const Visit& visit)
+    {
+        for (std::size_t first = 0, next = 0; first < ends.size(); first = next) {
+            for (next = first + 1; next < ends.size() && same(ends[first], ends[next]);)
+                ++next;
+            visit(ends.subspan(first, next - first));
         }
-        return joints;
     }
-    std::size_t joinByLine()
+
+    /// Each with the next one that is free.
+    void joinOnOneSpot(std::span<const End> ends)
     {
-        if (!chosen_ || open_.size() != 2)
-            return 0;
-        join(open_[0], open_[1], false);
-        return 1;
+        for (std::size_t i = 0; i < ends.size(); ++i)
+            for (std::size_t k = i + 1; k < ends.size() && partner_[ends[i]] == none; ++k)
+                if (partner_[ends[k]] == none && mayJoin(ends[i], ends[k]))
+                    join(ends[i], ends[k]);
     }
-    void finish(std::vector<std::size_t>& owners)
+
+    /// Of all pairs the nearest first.
+    void joinNearest(std::span<const End> ends, double tolerance)
+    {
+        struct Pair {
+            double distance;
+            std::size_t first, second; ///< numbers in `sorted`
+            std::size_t of;            ///< the one whose nearest is the other
+            auto operator<=>(const Pair&) const = default;
+        };
+        std::vector<End> sorted(ends.begin(), ends.end());
+        std::ranges::sort(sorted);
+        std::vector<Point> points;
+        for (const End end : sorted)
+            points.push_back(node(end).at);
+        NearestPoints left(std::move(points));
+        std::priority_queue<Pair, std::vector<Pair>, std::greater<>> pairs;
+        // The other end of a short line, which does not count; otherwise the end itself.
+        const auto besides = [&](std::size_t i) {
+            const std::size_t other = sorted[i] % 2 ? i - 1 : i + 1;
+            return other < sorted.size() && !mayJoin(sorted[i], sorted[other]) ? other : i;
+        };
+        const auto offer = [&](std::size_t i) {
+            if (const auto near = left.nearest(i, tolerance, besides(i)))
+                pairs.push({near->distance, std::min(i, near->point), std::max(i, near->point), i});
+        };
+        for (std::size_t i = 0; i < sorted.size(); ++i)
+            offer(i);
+        while (!pairs.empty()) {
+            const Pair pair = pairs.top();
+            pairs.pop();
+            if (partner_[sorted[pair.of]] != none)
+                continue;
+            if (partner_[sorted[pair.first]] == none && partner_[sorted[pair.second]] == none) {
+                join(sorted[pair.first], sorted[pair.second]);
+                left.remove(pair.first);
+                left.remove(pair.second);
+            } else {
+                offer(pair.of);
+            }
+        }
+    }
+
+    const NodePath& path_;
+    std::span<const std::uint32_t> pens_;
+    std::vector<End> partner_; ///< of each end; none: it stays an end
+    std::vector<End> open_;    ///< the ends that count
+    bool chosen_ = false;      ///< they are the selected ones
+    std::size_t count_ = 0;
+};
+
+/// The last node of one subpath becomes the first one of another, too.
+void mergeInto(Node& node, const Node& next)
+{
+    const Point middle = node.at == next.at ? node.at : node.at * 0.5 + next.at * 0.5;
+    node.in = node.in == node.at ? middle : node.in + (middle - node.at);
+    node.out = next.out == next.at ? middle : next.out + (middle - next.at);
+    node.curved = next.curved;
+    node.at = middle;
+    node.selected = node.selected || next.selected;
+}
+
+/// Puts subpaths together. Joined ends become one node (`merges`), or a straight segment.
+class Chains {
+public:
+    Chains(NodePath& path, const Joints& joints, bool merges)
+        : path_(path), joints_(joints), merges_(merges), gone_(path.size())
+    {
+    }
+
+    void join(std::vector<std::size_t>& owners)
     {
         std::size_t kept = 0;
         for (std::size_t i = 0; i < path_.size(); ++i) {
-            if (state_[i] == State::Gone)
+            if (gone_[i])
                 continue;
-            for (std::size_t k = 0; state_[i] == State::Joined && k < path_[i].nodes.size(); ++k)
-                path_[i].nodes[k].type = typeOf(path_[i], k);
+            if (joints_.partner(2 * i) != none || joints_.partner(2 * i + 1) != none)
+                path_[i] = chainOf(i);
             if (kept != i)
                 path_[kept] = std::move(path_[i]);
             owners[kept++] = owners[i];
@@ -77,117 +187,79 @@ public:
     }
 
 private:
-    enum class State : std::uint8_t { Unchanged, Joined, Gone };
-
-    const Node& node(End end) const
+    /// Where the chain begins that contains the subpath, in its direction; a closed one at its
+    /// start.
+    End beginOf(std::size_t subpath) const
     {
-        const auto& nodes = path_[end / 2].nodes;
-        return end % 2 ? nodes.back() : nodes.front();
-    }
-    /// A short line is not joined to itself.
-    bool isOneLine(End a, End b) const
-    {
-        const NodeSubpath& subpath = path_[a / 2];
-        return a / 2 == b / 2 && subpath.nodes.size() == 2 && !subpath.nodes[0].curved;
-    }
-    std::vector<Pair> pairsWithin(double tolerance) const
-    {
-        std::vector<End> byX = open_;
-        std::ranges::sort(byX, {}, [this](End end) { return node(end).at.x; });
-        std::vector<Pair> pairs;
-        for (std::size_t i = 0; i < byX.size(); ++i)
-            for (std::size_t k = i + 1; k < byX.size() && pairs.size() < mostPairs; ++k) {
-                const Point apart = node(byX[k]).at - node(byX[i]).at;
-                if (apart.x > tolerance)
-                    break;
-                const double distance = std::hypot(apart.x, apart.y);
-                if (distance <= tolerance && !isOneLine(byX[i], byX[k]))
-                    pairs.push_back({std::min(byX[i], byX[k]), std::max(byX[i], byX[k]), distance});
-            }
-        std::ranges::sort(pairs, [](const Pair& p, const Pair& q) {
-            return std::tie(p.distance, p.a, p.b) < std::tie(q.distance, q.a, q.b);
-        });
-        return pairs;
-    }
-
-    void join(End a, End b, bool merge)
-    {
-        const std::size_t first = std::min(subpathOf_[a], subpathOf_[b]);
-        const std::size_t second = std::max(subpathOf_[a], subpathOf_[b]);
-        if (first == second)
-            return closeBy(first, merge);
-        if (subpathOf_[a] != first)
-            std::swap(a, b);
-        NodeSubpath& whole = path_[first];
-        NodeSubpath& more = path_[second];
-        auto& [start, last] = ends_[first];
-        auto& [moreStart, moreLast] = ends_[second];
-        const bool before = a == start; // the second one is put before the first one
-        if ((before ? moreLast : moreStart) != b) {
-            reverse(more);
-            std::swap(moreStart, moreLast);
+        const End start = 2 * subpath;
+        End begin = start;
+        while (joints_.partner(begin) != none) {
+            begin = otherEnd(joints_.partner(begin));
+            if (begin == start)
+                break;
         }
-        const End newStart = before ? moreStart : start, newLast = before ? last : moreLast;
-        if (before)
-            std::swap(whole.nodes, more.nodes);
-        append(whole.nodes, more.nodes, merge);
-        more.nodes.clear();
-        state_[first] = State::Joined;
-        state_[second] = State::Gone;
-        start = newStart;
-        last = newLast;
-        subpathOf_[start] = subpathOf_[last] = first;
+        return begin;
     }
-    static void append(std::vector<Node>& nodes, const std::vector<Node>& more, bool merge)
+    NodeSubpath takeFrom(End first)
     {
-        std::size_t from = 0;
-        if (merge)
-            mergeInto(nodes.back(), more[from++]);
-        nodes.insert(nodes.end(), more.begin() + std::ptrdiff_t(from), more.end());
+        NodeSubpath taken = std::move(path_[first / 2]);
+        gone_[first / 2] = true;
+        if (first % 2)
+            reverse(taken);
+        return taken;
     }
-    /// The last node of one subpath becomes the first one of another, too.
-    static void mergeInto(Node& node, const Node& next)
+    NodeSubpath chainOf(std::size_t subpath)
     {
-        const Point middle = node.at == next.at ? node.at : node.at * 0.5 + next.at * 0.5;
-        node.in = node.in == node.at ? middle : node.in + (middle - node.at);
-        node.out = next.out == next.at ? middle : next.out + (middle - next.at);
-        node.curved = next.curved;
-        node.at = middle;
-        node.selected = node.selected || next.selected;
+        const End begin = beginOf(subpath);
+        NodeSubpath whole = takeFrom(begin);
+        End next = joints_.partner(otherEnd(begin));
+        for (; next != none && next != begin; next = joints_.partner(otherEnd(next)))
+            append(whole.nodes, takeFrom(next).nodes);
+        if (next == begin)
+            closeChain(whole);
+        for (std::size_t i = 0; i < whole.nodes.size(); ++i)
+            whole.nodes[i].type = typeOf(whole, i);
+        return whole;
     }
-    void closeBy(std::size_t subpath, bool merge)
+    void append(std::vector<Node>& nodes, const std::vector<Node>& more) const
     {
-        NodeSubpath& closed = path_[subpath];
-        state_[subpath] = State::Joined;
-        if (!merge || closed.nodes.size() < 3) {
-            close(closed);
+        if (merges_)
+            mergeInto(nodes.back(), more.front());
+        nodes.insert(nodes.end(), more.begin() + int(merges_), more.end());
+    }
+    void closeChain(NodeSubpath& whole) const
+    {
+        if (!merges_ || whole.nodes.size() < 3) {
+            close(whole);
             return;
         }
-        Node last = closed.nodes.back();
-        mergeInto(last, closed.nodes.front());
-        closed.nodes.front() = last;
-        closed.nodes.pop_back();
-        closed.closed = true;
+        Node last = whole.nodes.back();
+        mergeInto(last, whole.nodes.front());
+        whole.nodes.front() = last;
+        whole.nodes.pop_back();
+        whole.closed = true;
     }
 
     NodePath& path_;
-    std::vector<State> state_;             ///< of each subpath
-    std::vector<std::array<End, 2>> ends_; ///< of each subpath, as it is now
-    std::vector<std::size_t> subpathOf_;   ///< of each end
-    std::vector<End> open_;                ///< the ends that count
-    bool chosen_ = false;                  ///< they are the selected ones
+    const Joints& joints_;
+    bool merges_;
+    std::vector<bool> gone_; ///< they are a part of another one now
 };
 
 } // namespace
 
-std::size_t joinEnds(NodePath& path, std::vector<std::size_t>& owners, double tolerance)
+std::size_t joinEnds(NodePath& path, std::vector<std::size_t>& owners, double tolerance,
+                     std::span<const std::uint32_t> pens)
 {
-    Joining joining(path);
-    std::size_t joints = joining.joinNear(tolerance);
-    if (joints == 0)
-        joints = joining.joinByLine();
-    joining.finish(owners);
-    return joints;
+    assert(owners.size() == path.size() && pens.size() == path.size());
+    Joints joints(path, pens);
+    joints.joinNear(tolerance);
+    const bool merges = joints.count() > 0;
+    if (!merges)
+        joints.joinByLine();
+    if (joints.count() > 0)
+        Chains(path, joints, merges).join(owners);
+    return joints.count();
 }
 
 } // namespace app

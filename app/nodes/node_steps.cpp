@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/nodes/node_steps.h"
 
+#include "app/base/numbers.h"
 #include "app/nodes/end_joining.h"
 #include "app/nodes/node_deletion.h"
 #include "app/nodes/node_segments.h"
@@ -30,14 +31,14 @@ QString endsHaveNoType(const NodeSummary& nodes)
 QString noSegment() { return tr("There is no segment at the selected nodes."); }
 
 template <NodeType type>
-bool setType(OwnedPaths& paths, double)
+bool setType(OwnedPaths& paths, const JoinRule&)
 {
     return setTypes(paths.path, type);
 }
 
 /// Deletion and splitting change the number of subpaths, so each object is changed on its own.
 template <bool (*change)(NodePath&)>
-bool ofEach(OwnedPaths& paths, double)
+bool ofEach(OwnedPaths& paths, const JoinRule&)
 {
     OwnedPaths changed;
     bool any = false;
@@ -66,7 +67,7 @@ bool ofChosen(NodePath& path, const Change& change)
     return any;
 }
 
-bool reverseChosen(OwnedPaths& paths, double)
+bool reverseChosen(OwnedPaths& paths, const JoinRule&)
 {
     return ofChosen(paths.path, [](NodeSubpath& subpath) {
         reverse(subpath);
@@ -74,15 +75,30 @@ bool reverseChosen(OwnedPaths& paths, double)
     });
 }
 
-bool closeChosen(OwnedPaths& paths, double) { return ofChosen(paths.path, close); }
+bool closeChosen(OwnedPaths& paths, const JoinRule&) { return ofChosen(paths.path, close); }
 
-bool openChosen(OwnedPaths& paths, double)
+bool openChosen(OwnedPaths& paths, const JoinRule&)
 {
     return ofChosen(paths.path, [](NodeSubpath& subpath) {
         const auto at = std::ranges::find_if(subpath.nodes, &Node::selected);
         const bool any = at != subpath.nodes.end();
         return open(subpath, any ? std::size_t(at - subpath.nodes.begin()) : 0);
     });
+}
+
+std::size_t openCount(const NodePath& path)
+{
+    return std::size_t(std::ranges::count_if(path, [](const NodeSubpath& subpath) {
+        return !subpath.closed && subpath.nodes.size() > 1;
+    }));
+}
+
+std::size_t objectCount(const OwnedPaths& paths)
+{
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < paths.owners.size(); ++i)
+        count += i == 0 || paths.owners[i] != paths.owners[i - 1];
+    return count;
 }
 
 // NOLINTNEXTLINE(readability-function-size): a table, a row for each step
@@ -102,7 +118,7 @@ std::array<NodeStep, 12> allSteps()
                             : nodes.straight > 0 ? tr("The segments are straight already.")
                                                  : noSegment();
                  },
-                 [](OwnedPaths& paths, double) { return makeStraight(paths.path); }},
+                 [](OwnedPaths& paths, const JoinRule&) { return makeStraight(paths.path); }},
         NodeStep{"curve-segments", tr("Turn segments into c&urves"),
                  tr("Turn segments into curves"), true,
                  [](const NodeSummary& nodes) {
@@ -110,12 +126,12 @@ std::array<NodeStep, 12> allSteps()
                             : nodes.curved > 0 ? tr("The segments are curves already.")
                                                : noSegment();
                  },
-                 [](OwnedPaths& paths, double) { return makeCurved(paths.path); }},
+                 [](OwnedPaths& paths, const JoinRule&) { return makeCurved(paths.path); }},
         NodeStep{"add-nodes", tr("&Add nodes in the middle"), tr("Add nodes"), true,
                  [](const NodeSummary& nodes) {
                      return nodes.straight + nodes.curved > 0 ? QString() : noSegment();
                  },
-                 [](OwnedPaths& paths, double) { return insertInChosen(paths.path); }},
+                 [](OwnedPaths& paths, const JoinRule&) { return insertInChosen(paths.path); }},
         NodeStep{"delete-nodes", tr("&Delete nodes"), tr("Delete nodes"), true, always,
                  ofEach<deleteSelected>},
         NodeStep{"split-path", tr("Split path at &nodes"), tr("Split path"), true,
@@ -126,17 +142,19 @@ std::array<NodeStep, 12> allSteps()
                                      "segments.");
                  },
                  ofEach<splitAtSelected>},
-        NodeStep{"join-ends", tr("&Join ends"), tr("Join ends"), false,
+        NodeStep{"join-ends",
+                 tr("&Join ends…"),
+                 tr("Join ends"),
+                 false,
                  [](const NodeSummary& nodes) {
                      return nodes.open > 0 ? QString()
                                            : tr("The path is closed: it has no ends to join.");
                  },
-                 [](OwnedPaths& paths, double tolerance) {
-                     return joinEnds(paths.path, paths.owners, tolerance) > 0;
+                 [](OwnedPaths& paths, const JoinRule& rule) {
+                     return joinEnds(paths.path, paths.owners, rule.tolerance, rule.pens) > 0;
                  },
-                 tr("No two ends lie within %1 mm of each other. Select two ends with the tool "
-                    "Nodes to join them by a line.")
-                     .arg(joiningMillimetres)},
+                 {},
+                 true},
         NodeStep{"close-path", tr("Cl&ose path"), tr("Close path"), false,
                  [](const NodeSummary& nodes) {
                      return nodes.open > 0 ? QString() : tr("The path is closed already.");
@@ -165,6 +183,26 @@ std::span<const NodeStep> nodeSteps()
 const NodeStep& nodeStep(std::string_view key)
 {
     return *std::ranges::find(nodeSteps(), key, &NodeStep::key);
+}
+
+QString joinedText(const OwnedPaths& before, const OwnedPaths& after, const QString& tolerance)
+{
+    const std::size_t joints = openCount(before.path) - openCount(after.path);
+    const QString joined =
+        joints == 1
+            ? tr("1 pair of ends was joined within %1.").arg(tolerance)
+            : tr("%1 pairs of ends were joined within %2.").arg(countText(joints), tolerance);
+    const std::size_t objects = objectCount(before), left = objectCount(after);
+    return left == objects
+               ? joined
+               : tr("%1 objects became %2: %3").arg(countText(objects), countText(left), joined);
+}
+
+QString notJoinedText(const QString& tolerance)
+{
+    return tr("No two ends of the same layer and style lie within %1 of each other. Choose a "
+              "larger distance, or select two ends with the tool Nodes to join them by a line.")
+        .arg(tolerance);
 }
 
 } // namespace app

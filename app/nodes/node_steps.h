@@ -16,6 +16,12 @@ struct OwnedPaths {
     std::vector<std::size_t> owners{}; ///< one for each subpath, ascending
 };
 
+/// Which ends of paths a step may join.
+struct JoinRule {
+    double tolerance = 0;              ///< how far apart they may be, in user units
+    std::vector<std::uint32_t> pens{}; ///< of each subpath (end_joining.h)
+};
+
 /// One kind of change that commands make to the nodes of the selected paths.
 struct NodeStep {
     std::string_view key; ///< "smooth-nodes"
@@ -24,16 +30,20 @@ struct NodeStep {
     bool needsNodes;      ///< selected ones; else, without any, it concerns the whole paths
     /// Why it is impossible, in one sentence; empty: it is possible.
     QString (*refusal)(const NodeSummary& nodes);
-    /// False: nothing was changed, and `refused` says why. `tolerance` is the distance at which two
-    /// ends count as one, in user units.
-    bool (*change)(OwnedPaths& paths, double tolerance);
+    /// False: nothing was changed, and `refused` says why.
+    bool (*change)(OwnedPaths& paths, const JoinRule& rule);
     QString refused{};
+    bool joins = false; ///< ends, at a tolerance that the person chooses
 };
 
 /// Every kind, in the order of the menu.
 std::span<const NodeStep> nodeSteps();
 const NodeStep& nodeStep(std::string_view key); ///< of one of them
 
-constexpr double joiningMillimetres = 1; ///< `tolerance`, on paper
+constexpr double joiningMillimetres = 0.1; ///< the usual tolerance, on paper
+
+/// What joining did, or why it did nothing. `tolerance` is a length as text.
+QString joinedText(const OwnedPaths& before, const OwnedPaths& after, const QString& tolerance);
+QString notJoinedText(const QString& tolerance);
 
 } // namespace app

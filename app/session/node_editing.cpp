@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/node_editing.h"
 
+#include "app/base/numbers.h"
 #include "app/commands/change_paths.h"
 #include "app/nodes/node_segments.h"
 #include "app/session/session.h"
 
 #include <QCoreApplication>
+#include <QScopedValueRollback>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
 #include <utility>
 
 namespace app {
@@ -211,26 +216,34 @@ QString NodeEditing::whyNotEditable(const OwnedPaths& paths) const
     return {};
 }
 
-bool NodeEditing::apply(OwnedPaths paths, const QString& done, Merging merging)
+/// Returns why the nodes cannot be replaced; empty: they are.
+QString NodeEditing::put(OwnedPaths paths, const QString& done, Merging merging)
 {
-    path();
-    if (paths.owners.size() != paths.path.size())
-        return false; // made from nodes that have changed since
     if (const QString why = whyNotEditable(paths); !why.isEmpty())
-        return refuse(why);
+        return why;
     const std::vector<ChangedPath> changes = differing(objects_, read_, paths);
     std::vector<std::size_t> objects = objects_;
-    applying_ = true;
-    if (!changes.empty())
-        session_.history.push(new ChangePaths(session_.document, changes, done, merging));
-    applying_ = false;
+    {
+        const QScopedValueRollback applying(applying_, true);
+        if (!changes.empty())
+            session_.history.push(new ChangePaths(session_.document, changes, done, merging));
+    }
     objects = renumbered(objects, changes, paths.owners);
     read_ = std::move(paths);
     objects_ = std::move(objects);
     outdated_ = true; // to be compared with the document, and then the same nodes stay selected
     summary_.reset();
     emit changed();
-    return true;
+    return {};
+}
+
+bool NodeEditing::apply(OwnedPaths paths, const QString& done, Merging merging)
+{
+    path();
+    if (paths.owners.size() != paths.path.size())
+        return false; // made from nodes that have changed since
+    const QString why = put(std::move(paths), done, merging);
+    return why.isEmpty() || refuse(why);
 }
 
 bool NodeEditing::apply(NodePath changed, const QString& done, Merging merging)
@@ -280,15 +293,78 @@ QString NodeEditing::refusal(const NodeStep& step) const
     return shown_ || !outdated_ ? step.refusal(summary()) : QString();
 }
 
-bool NodeEditing::run(const NodeStep& step)
+/// Ends are joined within a layer and a style.
+JoinRule NodeEditing::joinRule() const
 {
+    const Document& now = session_.now();
+    JoinRule rule{session_.arrange.joinWithin / now.page().millimetresPerUnit()};
+    std::map<std::pair<ContainerId, StyleIndex>, std::uint32_t> pens;
+    for (const std::size_t object : read_.owners) {
+        const std::pair pen(now.containers().layerOf(object), now.objects()[object].styleIndex());
+        rule.pens.push_back(pens.try_emplace(pen, std::uint32_t(pens.size())).first->second);
+    }
+    return rule;
+}
+
+QString NodeEditing::whyNotJoined(const JoinRule& rule) const
+{
+    std::set<std::uint32_t> pens; // of the selected ends
+    for (std::size_t i = 0; i < read_.path.size(); ++i) {
+        const NodeSubpath& subpath = read_.path[i];
+        for (std::size_t k = 0; k < subpath.nodes.size(); ++k)
+            if (subpath.nodes[k].selected && subpath.isEnd(k))
+                pens.insert(rule.pens[i]);
+    }
+    return pens.size() > 1 ? tr("The selected ends belong to several layers or styles, and are not "
+                                "joined. Give the paths the same layer and style first.")
+                           : notJoinedText(toleranceText());
+}
+
+/// With as few decimals as tell it to a hundredth of itself: "0.1 mm".
+QString NodeEditing::toleranceText() const
+{
+    constexpr int mostDecimals = 6;
+    const Unit unit = session_.display().unit;
+    const double millimetres = session_.now().page().millimetresPerUnit();
+    const double length = inUnit(session_.arrange.joinWithin / millimetres, unit, millimetres);
+    int decimals = 0;
+    for (double tens = 1; decimals < mostDecimals; ++decimals, tens *= 10)
+        if (std::abs(std::round(length * tens) / tens - length) <= 0.01 * length)
+            break;
+    const std::string_view suffix = infoOf(unit).suffix;
+    const QString number = numberText(length, decimals);
+    return suffix.empty()
+               ? number
+               : number + u' ' + QString::fromUtf8(suffix.data(), qsizetype(suffix.size()));
+}
+
+bool NodeEditing::asksTolerance(const NodeStep& step) const
+{
+    return step.joins && !(shown_ && summary().selectedEnds == 2);
+}
+
+Result<QString> NodeEditing::tried(const NodeStep& step)
+{
+    using Done = Result<QString>;
     path();
     if (const QString why = refusal(step); !why.isEmpty())
-        return refuse(why);
+        return Done::failure(why);
     OwnedPaths paths = read_;
-    if (!step.change(paths, joiningMillimetres / session_.now().page().millimetresPerUnit()))
-        return step.refused.isEmpty() || refuse(step.refused);
-    return apply(std::move(paths), step.done);
+    const JoinRule rule = step.joins ? joinRule() : JoinRule{};
+    if (!step.change(paths, rule))
+        return step.joins               ? Done::failure(whyNotJoined(rule))
+               : step.refused.isEmpty() ? Done::of({})
+                                        : Done::failure(step.refused);
+    const QString done =
+        asksTolerance(step) ? joinedText(read_, paths, toleranceText()) : QString();
+    const QString why = put(std::move(paths), step.done, Merging::Never);
+    return why.isEmpty() ? Done::of(done) : Done::failure(why);
+}
+
+bool NodeEditing::run(const NodeStep& step)
+{
+    const auto done = tried(step);
+    return done || refuse(done.error);
 }
 
 } // namespace app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/result.h"
 #include "app/commands/undo_command.h"
 #include "app/nodes/node_steps.h"
 
@@ -56,7 +57,13 @@ public:
     bool insert(const NodeAddress& segment, double t); ///< and selects the new node
     /// Why a step is impossible now, in one sentence; empty: it is possible.
     QString refusal(const NodeStep& step) const;
-    bool run(const NodeStep& step); ///< false: refused
+    /// Takes the step. Returns what it did, in a sentence that may be empty, or why it is refused.
+    Result<QString> tried(const NodeStep& step);
+    /// The same; what is refused is said by `Session::refused`. False then.
+    bool run(const NodeStep& step);
+    /// Whether the step depends on `ArrangeOptions::joinWithin`. Two ends that were chosen are
+    /// joined however far apart they are.
+    bool asksTolerance(const NodeStep& step) const;
 
 signals:
     void changed(); ///< which nodes are selected, or shown
@@ -66,6 +73,10 @@ private:
     void carryOver(const OwnedPaths& before) const;
     QString lockedSentence(std::size_t object) const;
     QString whyNotEditable(const OwnedPaths& paths) const;
+    QString put(OwnedPaths paths, const QString& done, Merging merging);
+    JoinRule joinRule() const;
+    QString toleranceText() const;
+    QString whyNotJoined(const JoinRule& rule) const;
     bool refuse(const QString& sentence);
 
     Session& session_;

@@ -57,6 +57,7 @@ struct WindowPen {
 struct ArrangeOptions {
     StrokeScaling strokes = StrokeScaling::Keep; ///< when objects are scaled
     std::string_view alignTo = "to-selection";   ///< key of what objects are aligned to
+    double joinWithin = joiningMillimetres;      ///< ends of paths, in millimetres on paper
 };
 
 /// One open drawing with the whole state of an editor window, without a screen.

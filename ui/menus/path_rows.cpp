@@ -2,6 +2,7 @@
 #include "app/nodes/node_steps.h"
 #include "app/session/convert_selection.h"
 #include "ui/bars/option_bar.h"
+#include "ui/dialogs/join_dialog.h"
 #include "ui/menus/object_rows.h"
 #include "ui/window/main_window.h"
 
@@ -22,6 +23,22 @@ bool hasType(const MainWindow& window, std::size_t type)
     return nodes.someSelected() && nodes.summary().types[type] == nodes.summary().selected;
 }
 
+void take(const app::NodeStep& step, MainWindow& window)
+{
+    window.canvas().endGesture();
+    app::NodeEditing& nodes = window.session().nodes;
+    if (!nodes.refusal(step).isEmpty() || !nodes.asksTolerance(step)) {
+        nodes.run(step);
+        return;
+    }
+    auto* dialog = new JoinDialog(window.session(), step, &window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    QObject::connect(dialog, &JoinDialog::joined, &window, [&window](const QString& done) {
+        window.tell({Message::Kind::Done, done});
+    });
+    dialog->open();
+}
+
 /// The row of a step of the catalogue.
 ActionInfo nodeStep(std::size_t number, const QKeySequence& shortcut)
 {
@@ -31,11 +48,7 @@ ActionInfo nodeStep(std::size_t number, const QKeySequence& shortcut)
         .text = step.name,
         .scope = ShortcutScope::Canvas,
         .icon = step.key,
-        .run =
-            [&step](MainWindow& w) {
-                w.canvas().endGesture();
-                w.session().nodes.run(step);
-            },
+        .run = [&step](MainWindow& w) { take(step, w); },
         .submenu = tr("&Path"),
         .refusal = [&step](const MainWindow& w) { return w.session().nodes.refusal(step); },
         .made = [](MainWindow& w, QAction& action) { w.optionBar().addNodeStep(action); },

@@ -17,6 +17,7 @@ class NodeStepsTest : public QObject {
     }
 
 private slots:
+    void initTestCase() { QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates)); }
     void everyStepHasANameAndChangesAnOpenCurveOrSaysWhyNot()
     {
         std::set<std::string_view> keys;
@@ -31,11 +32,13 @@ private slots:
             paths.path[0].nodes[1].selected = true;
             const app::NodePath before = paths.path;
             const QString why = step.refusal(app::summaryOf(paths.path));
-            const bool done = why.isEmpty() && step.change(paths, 1);
+            const bool done = why.isEmpty() && step.change(paths, {1, {0}});
             if (done)
                 QVERIFY2(paths.path != before || step.key == "corner-nodes", step.key.data());
             else
-                QVERIFY2((why + step.refused).endsWith('.'), step.key.data());
+                QVERIFY2(
+                    (why + (step.joins ? app::notJoinedText("1 mm") : step.refused)).endsWith('.'),
+                    step.key.data());
             QCOMPARE(paths.owners.size(), paths.path.size());
             QVERIFY(app::isFinite(paths.path));
         }
@@ -71,20 +74,37 @@ private slots:
         app::OwnedPaths paths{{nodesOf(wave()), nodesOf(circle(5)), nodesOf(wave())}, {3, 7, 7}};
         paths.path[0].nodes[1].selected = paths.path[2].nodes[1].selected = true;
         app::OwnedPaths split = paths;
-        QVERIFY(app::nodeStep("split-path").change(split, 1));
+        QVERIFY(app::nodeStep("split-path").change(split, {}));
         QCOMPARE(split.owners, (std::vector<std::size_t>{3, 3, 7, 7, 7}));
         app::selectAll(std::span(paths.path).first(1), true);
-        QVERIFY(app::nodeStep("delete-nodes").change(paths, 1));
+        QVERIFY(app::nodeStep("delete-nodes").change(paths, {}));
         QCOMPARE(paths.owners, (std::vector<std::size_t>{7, 7}));
+    }
+    void whatWasJoinedIsSaid()
+    {
+        app::OwnedPaths before;
+        for (int i = 0; i < 1204; ++i) {
+            before.path.push_back(polyline({{double(i), 0}, {i + 1.0, 0}}));
+            before.owners.push_back(std::size_t(i));
+        }
+        app::OwnedPaths after = before;
+        QVERIFY(app::nodeStep("join-ends").change(after, {0.1, std::vector<std::uint32_t>(1204)}));
+        QCOMPARE(app::joinedText(before, after, "0.1 mm"),
+                 "1,204 objects became 1: 1,203 pairs of ends were joined within 0.1 mm.");
+        before = {{polyline({{0, 0}, {9, 0}, {5, 5}, {0, 0.05}})}, {7}};
+        after = before;
+        QVERIFY(app::nodeStep("join-ends").change(after, {0.1, {0}}));
+        QCOMPARE(app::joinedText(before, after, "0.1 mm"),
+                 "1 pair of ends was joined within 0.1 mm.");
     }
     void closingConcernsTheSelectedSubpathsOrAll()
     {
         app::OwnedPaths paths{{nodesOf(wave()), nodesOf(wave())}, {0, 1}};
         app::OwnedPaths all = paths;
-        QVERIFY(app::nodeStep("close-path").change(all, 1));
+        QVERIFY(app::nodeStep("close-path").change(all, {}));
         QVERIFY(all.path[0].closed && all.path[1].closed);
         paths.path[1].nodes[0].selected = true;
-        QVERIFY(app::nodeStep("close-path").change(paths, 1));
+        QVERIFY(app::nodeStep("close-path").change(paths, {}));
         QVERIFY(!paths.path[0].closed && paths.path[1].closed);
     }
 };
