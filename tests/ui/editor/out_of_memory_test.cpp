@@ -3,6 +3,7 @@
 // window says which, and everything goes on.
 #include "ui/editor/editor_application.h"
 
+#include <array>
 #include <cstdlib>
 #include <limits>
 #include <new>
@@ -58,14 +59,14 @@ struct Window : TestWindow {
     }
 };
 
-struct Key {
+struct Press {
     const char* name;
     int key;
     Qt::KeyboardModifiers modifiers;
 };
-constexpr std::array keys{Key{"move", Qt::Key_Right, {}}, Key{"delete", Qt::Key_Delete, {}},
-                          Key{"duplicate", Qt::Key_D, Qt::ControlModifier},
-                          Key{"group", Qt::Key_G, Qt::ControlModifier}};
+constexpr std::array presses{Press{"move", Qt::Key_Right, {}}, Press{"delete", Qt::Key_Delete, {}},
+                             Press{"duplicate", Qt::Key_D, Qt::ControlModifier},
+                             Press{"group", Qt::Key_G, Qt::ControlModifier}};
 
 } // namespace
 
@@ -75,7 +76,7 @@ class OutOfMemoryTest : public QObject {
 private slots:
     void anEditIsDoneOrNot()
     {
-        for (const Key& key : keys) {
+        for (const Press& press : presses) {
             Window t;
             app::Session& session = t.window->session();
             const app::Document before = session.now();
@@ -85,11 +86,11 @@ private slots:
             for (std::size_t at = 0; session.history.index() == index; at = at * 21 / 20 + 1) {
                 t.window->tell({});
                 left = at;
-                t.key(key.key, key.modifiers);
+                t.key(press.key, press.modifiers);
                 const bool failed = left == enough;
                 left = enough;
                 failures += failed;
-                const QString what = QStringLiteral("%1, after %2").arg(key.name).arg(at);
+                const QString what = QStringLiteral("%1, after %2").arg(press.name).arg(at);
                 if (session.history.index() == index) {
                     VERIFY_OR_SAY(session.now() == before, qPrintable(what));
                     VERIFY_OR_SAY(failed, qPrintable(what));
