@@ -93,7 +93,6 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas)
     connect(&canvas, &Canvas::toolChanged, this, [this, &canvas] { showOptionsOf(canvas.tool()); });
     showOptionsOf(canvas.tool());
     followDisplay();
-    paintIcons();
 }
 
 void OptionBar::showOptionsOf(std::string_view tool)
@@ -124,7 +123,7 @@ void OptionBar::addStroke()
     dashes_->setIconSize({36, 12});
     dashes_->setFixedSize(72, space::fieldHeight);
     for (const app::DashPattern& pattern : app::dashPatterns()) {
-        dashes_->addItem(QString());
+        dashes_->addItem(dashIcon(pattern), QString());
         dashes_->setItemData(dashes_->count() - 1, pattern.name, Qt::AccessibleTextRole);
     }
     addWidget(dashes_);
@@ -290,19 +289,9 @@ void OptionBar::arrange(int step)
 void OptionBar::changeEvent(QEvent* event)
 {
     QToolBar::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange)
-        paintIcons();
     if (event->type() == QEvent::FontChange) // when its fields have followed, too
-        QMetaObject::invokeMethod(this, [this] { fitInto(width()); }, Qt::QueuedConnection);
-}
-
-/// Repaints the icons that are pixmaps, which do not follow the palette like other icons.
-void OptionBar::paintIcons()
-{
-    const Look& look = lookOf(palette());
-    for (int i = 0; i < dashes_->count(); ++i)
-        dashes_->setItemIcon(i, dashIcon(app::dashPatterns()[std::size_t(i)], look.text));
-    followStyle();
+        QMetaObject::invokeMethod(
+            this, [this] { fitInto(width()); }, Qt::QueuedConnection);
 }
 
 void OptionBar::followDisplay()

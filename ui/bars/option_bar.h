@@ -63,7 +63,6 @@ private:
     void fitInto(int width);
     void arrange(int step);
     QLabel* addCaption(const QString& text);
-    void paintIcons();
     void followDisplay();
     void followStyle();
 

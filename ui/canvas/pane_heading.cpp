@@ -21,17 +21,6 @@ constexpr int margin = 10, gap = 8, markerSize = 12, button = 20;
 constexpr int widthForClose = 260; // in narrower headings the menu closes the pane
 constexpr int leastName = 48;      // a name elided to less is not shown
 
-QIcon markerIcon(const app::Variant& choice, const QPalette& palette)
-{
-    QPixmap picture(32, 32);
-    picture.setDevicePixelRatio(2);
-    picture.fill(Qt::transparent);
-    QPainter painter(&picture);
-    painter.setRenderHint(QPainter::Antialiasing);
-    app::paintMarker(painter, QRectF(2, 2, markerSize, markerSize), choice, groundOf(palette));
-    return picture;
-}
-
 QToolButton* makeButton(QWidget* parent, const QString& name)
 {
     auto* made = new QToolButton(parent);
@@ -251,9 +240,8 @@ void PaneHeading::fill(QMenu& menu)
 
 void PaneHeading::addChoice(QMenu& menu, const app::Variant& choice)
 {
-    auto* action =
-        menu.addAction(markerIcon(choice, palette()), app::limitedName(*choice.algorithm, needs_),
-                       this, [this, choice] { emit chosen(choice); });
+    auto* action = menu.addAction(markerIcon(choice), app::limitedName(*choice.algorithm, needs_),
+                                  this, [this, choice] { emit chosen(choice); });
     action->setCheckable(true);
     action->setChecked(pane_->choice == choice);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/readout_box.h"
 
-#include "ui/look/look_icon.h"
+#include "ui/widgets/icon_sign.h"
 
 #include <QKeyEvent>
 #include <QPainter>
@@ -48,9 +48,8 @@ ReadoutBox::ReadoutBox(Controller& controller, QWidget* parent)
 
 ReadoutBox::Cell ReadoutBox::makeCell()
 {
-    Cell cell{new QLabel, new QLabel, new QLineEdit};
+    Cell cell{new IconSign("lock", 14), new QLabel, new QLineEdit};
     cell.name->setForegroundRole(QPalette::PlaceholderText);
-    cell.lock->setPixmap(icon("lock").pixmap(14, 14));
     cell.lock->setToolTip(tr("This number is locked"));
     cell.field->setFrame(false);
     cell.field->setFixedSize(fieldWidth, fieldHeight);

@@ -9,6 +9,8 @@
 
 namespace ui {
 
+class IconSign;
+
 /// The numbers of the gesture beside the pointer, with a field for each. Typing opens a field,
 /// which then has the keyboard; the mouse stays with the canvas.
 class ReadoutBox : public QFrame {
@@ -26,7 +28,8 @@ protected:
 
 private:
     struct Cell {
-        QLabel *lock, *name;
+        IconSign* lock;
+        QLabel* name;
         QLineEdit* field;
     };
     Cell makeCell();

@@ -4,10 +4,10 @@
 #include "app/session/window_in_hand.h"
 #include "ui/docks/algorithm_list.h"
 #include "ui/look/look.h"
-#include "ui/look/look_icon.h"
+#include "ui/widgets/icon_sign.h"
+#include "ui/widgets/look_label.h"
 #include "ui/widgets/page_caption.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
@@ -22,8 +22,8 @@ constexpr std::size_t mostLinesUnasked = 150'000; // about 60 ms for all algorit
 
 AlgorithmPanel::AlgorithmPanel(app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session), corrected_(new QRadioButton(tr("corrected"))),
-      published_(new QRadioButton(tr("as published"))), tick_(new QLabel), verdict_(new QLabel),
-      instead_(new QLabel), remark_(new QStackedLayout),
+      published_(new QRadioButton(tr("as published"))), tick_(new IconSign("tick", 16)),
+      verdict_(new LookLabel), instead_(new QLabel), remark_(new QStackedLayout),
       ask_(new QPushButton(tr("Compare all algorithms")))
 {
     auto* label = new QLabel(tr("Form"));
@@ -34,7 +34,6 @@ AlgorithmPanel::AlgorithmPanel(app::Session& session, QWidget* parent)
     // So that the layout does not jump.
     verdict_->setMinimumHeight(2 * verdict_->fontMetrics().lineSpacing());
     verdict_->setAccessibleName(tr("Agreement"));
-    tick_->setFixedSize(16, 16);
     instead_->setWordWrap(true);
     instead_->setAlignment(Qt::AlignTop);
     instead_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored); // two lines, as verdict_
@@ -94,7 +93,7 @@ void AlgorithmPanel::compare()
         app::disagreements(session_.scene.lines(), session_.window(), session_.variant());
     verdict_->setText(app::sentence(disagreements_));
     verdict_->show();
-    tick_->show();
+    tick_->setVisible(true);
     ask_->hide();
     paintVerdict();
 }
@@ -156,26 +155,17 @@ QString AlgorithmPanel::title() const
 
 void AlgorithmPanel::paintVerdict()
 {
-    const Look& look = lookOf(palette());
     const bool good = disagreements_.empty();
-    const QColor colour = good ? look.good : look.differs;
+    const auto colour = good ? &Look::good : &Look::differs;
     verdict_->setFont(good ? font() : semiBold(font()));
-    verdict_->setStyleSheet(QStringLiteral("color: ") + colour.name());
-    tick_->setPixmap(
-        tinted(icon(good ? "tick" : "warning"), QSize(16, 16), devicePixelRatioF(), colour));
+    verdict_->setColour(colour);
+    tick_->show(good ? "tick" : "warning", colour);
 }
 
 void AlgorithmPanel::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
     outdate();
-}
-
-void AlgorithmPanel::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange)
-        paintVerdict();
 }
 
 } // namespace ui

@@ -3,14 +3,16 @@
 
 #include "app/comparison/agreement.h"
 #include "app/session/session.h"
+#include "ui/widgets/look_label.h"
 
-#include <QLabel>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QStackedLayout>
 #include <QTimer>
 
 namespace ui {
+
+class IconSign;
 
 /// Selects the algorithm that clips and its form, and says whether all algorithms agree on this
 /// drawing and clip window. The comparison runs when nothing has changed for a moment; on large
@@ -35,7 +37,6 @@ signals:
 
 protected:
     void showEvent(QShowEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
 private:
     void followWindow();
@@ -46,7 +47,8 @@ private:
 
     app::Session& session_;
     QRadioButton *corrected_, *published_;
-    QLabel *tick_, *verdict_;
+    IconSign* tick_;
+    LookLabel* verdict_;
     QLabel* instead_;        ///< what clips if the chosen algorithm cannot
     QStackedLayout* remark_; ///< whether all agree, or `instead_`
     QPushButton* ask_;

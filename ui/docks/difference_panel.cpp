@@ -4,12 +4,13 @@
 #include "app/base/numbers.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/widgets/icon_sign.h"
 #include "ui/widgets/keep_choice.h"
+#include "ui/widgets/look_label.h"
 #include "ui/widgets/page_caption.h"
 #include "ui/widgets/quiet_label.h"
 #include "ui/widgets/variant_box.h"
 
-#include <QEvent>
 #include <QGridLayout>
 #include <QScopedValueRollback>
 #include <QToolButton>
@@ -34,8 +35,8 @@ app::Variant firstA()
 
 DifferencePanel::DifferencePanel(app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session), model_(session), a_(new VariantBox(tr("A"))),
-      b_(new VariantBox(tr("B"))), ulps_(new QSpinBox), tick_(new QLabel), summary_(new QLabel),
-      explanation_(new QLabel), table_(new DenseTable)
+      b_(new VariantBox(tr("B"))), ulps_(new QSpinBox), tick_(new IconSign("tick", 16)),
+      summary_(new LookLabel), explanation_(new LookLabel), table_(new DenseTable)
 {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 6, 0, 0);
@@ -48,6 +49,7 @@ DifferencePanel::DifferencePanel(app::Session& session, QWidget* parent)
     connect(&soon_, &QTimer::timeout, this, &DifferencePanel::follow);
     connect(&session.differences, &app::LiveDifferences::changed, &soon_,
             qOverload<>(&QTimer::start));
+    connect(&session, &app::Session::displayChanged, &soon_, qOverload<>(&QTimer::start));
     connect(&session.differences, &app::LiveDifferences::begun, this,
             &DifferencePanel::paintSummary);
     follow();
@@ -96,8 +98,11 @@ void DifferencePanel::addTable()
 {
     summary_->setWordWrap(true);
     summary_->setAccessibleName(tr("Differences"));
-    tick_->setFixedSize(16, 16);
     explanation_->setWordWrap(true);
+    explanation_->setSheet([](const Look& look) {
+        return QStringLiteral("color: %1; background: %2; border-radius: 3px")
+            .arg(look.warning.name(), look.warningGround.name());
+    });
     explanation_->setFont(captionFont(font()));
     explanation_->setContentsMargins(space::labelToField, 6, space::labelToField, 6);
     auto* found = new QHBoxLayout;
@@ -209,9 +214,10 @@ void DifferencePanel::follow()
 /// moves.
 void DifferencePanel::fitColumns()
 {
-    if (model_.rowCount() == 0 || fittedTo_ == session_.differences.asked())
+    const std::pair shown(wanted(), session_.display().unit);
+    if (model_.rowCount() == 0 || fittedTo_ == shown)
         return;
-    fittedTo_ = session_.differences.asked();
+    fittedTo_ = shown;
     for (int column = 0; column < model_.columnCount(); ++column) {
         table_->resizeColumnToContents(column);
         table_->setColumnWidth(column, std::min(table_->columnWidth(column), mostColumnWidth));
@@ -220,7 +226,6 @@ void DifferencePanel::fitColumns()
 
 void DifferencePanel::paintSummary()
 {
-    const Look& look = lookOf(palette());
     const app::LiveDifferences& live = session_.differences;
     const app::Comparison comparison = wanted();
     const bool differ = !live.found().list.empty();
@@ -232,15 +237,12 @@ void DifferencePanel::paintSummary()
                                           app::counted(live.found().list), live.found().lines)
                                 + u'.');
     summary_->setFont(known && differ ? semiBold(font()) : font());
-    const QColor colour = !known || (!good && !differ) ? look.muted
-                          : good                       ? look.good
-                                                       : look.differs;
-    summary_->setStyleSheet(QStringLiteral("color: ") + colour.name());
+    const auto colour = !known || (!good && !differ) ? &Look::muted
+                        : good                       ? &Look::good
+                                                     : &Look::differs;
+    summary_->setColour(colour);
     tick_->setVisible(known && (good || differ));
-    tick_->setPixmap(
-        tinted(icon(good ? "tick" : "warning"), QSize(16, 16), devicePixelRatioF(), colour));
-    explanation_->setStyleSheet(QStringLiteral("color: %1; background: %2; border-radius: 3px")
-                                    .arg(look.warning.name(), look.warningGround.name()));
+    tick_->show(good ? "tick" : "warning", colour);
 }
 
 void DifferencePanel::showRow(int row)
@@ -293,13 +295,6 @@ void DifferencePanel::hideEvent(QHideEvent* event)
 {
     QWidget::hideEvent(event);
     session_.differences.ask(std::nullopt);
-}
-
-void DifferencePanel::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange)
-        paintSummary();
 }
 
 } // namespace ui

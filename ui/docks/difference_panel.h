@@ -3,13 +3,14 @@
 
 #include "ui/docks/difference_model.h"
 #include "ui/widgets/dense_table.h"
+#include "ui/widgets/look_label.h"
 
-#include <QLabel>
 #include <QSpinBox>
 #include <QTimer>
 
 namespace ui {
 
+class IconSign;
 class VariantBox;
 
 /// Compares variants A and B: the lines that they clip differently, counted in a sentence and
@@ -38,7 +39,6 @@ signals:
 protected:
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
 private:
     void addChoosers();
@@ -58,10 +58,11 @@ private:
     DifferenceModel model_;
     VariantBox *a_, *b_;
     QSpinBox* ulps_;
-    QLabel *tick_, *summary_, *explanation_;
+    IconSign* tick_;
+    LookLabel *summary_, *explanation_;
     DenseTable* table_;
     /// The comparison whose texts the columns were fitted to.
-    std::optional<app::Comparison> fittedTo_;
+    std::optional<std::pair<app::Comparison, app::Unit>> fittedTo_;
     QTimer soon_; ///< follow(), after the next frame
     bool following_ = false;
 };

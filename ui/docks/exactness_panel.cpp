@@ -7,6 +7,7 @@
 #include "ui/look/look_icon.h"
 #include "ui/widgets/error_histogram.h"
 #include "ui/widgets/keep_choice.h"
+#include "ui/widgets/look_label.h"
 #include "ui/widgets/magnifier_view.h"
 #include "ui/widgets/page_caption.h"
 #include "ui/widgets/quiet_label.h"
@@ -37,7 +38,7 @@ ExactnessPanel::ExactnessPanel(app::Session& session, QWidget* parent)
       algorithm_(new VariantBox(tr("Algorithm"), {tr("The current algorithm")})),
       errorUnit_(new Segments(tr("Ulps of"), {tr("largest coordinate"), tr("own coordinate")})),
       end_(new Segments(tr("End"), {tr("End 1"), tr("End 2")})),
-      lattice_(new Segments(tr("Numbers"), {tr("doubles"), tr("floats")})), summary_(new QLabel),
+      lattice_(new Segments(tr("Numbers"), {tr("doubles"), tr("floats")})), summary_(new LookLabel),
       heading_(new QLabel), magnified_(new QLabel), histogram_(new ErrorHistogram),
       table_(new DenseTable), magnifier_(new Magnifier), pages_(new QStackedWidget)
 {
@@ -189,7 +190,6 @@ void ExactnessPanel::follow()
 void ExactnessPanel::paintSummary()
 {
     const app::LiveExactness& exactness = session_.exactness;
-    const Look& look = lookOf(palette());
     const bool known = exactness.asked() && exactness.upToDate();
     const bool wrong = known && exactness.counts().classes.back() > 0;
     summary_->setText(known ? app::sentence(exactness.asked()->variant, exactness.counts(),
@@ -197,8 +197,7 @@ void ExactnessPanel::paintSummary()
                             : tr("Judging %1… %2")
                                   .arg(app::linesText(session_.scene.lines().size()),
                                        app::percentText(exactness.progress())));
-    const QColor colour = wrong ? look.differs : known ? look.text : look.muted;
-    summary_->setStyleSheet(QStringLiteral("color: ") + colour.name());
+    summary_->setColour(wrong ? &Look::differs : known ? &Look::text : &Look::muted);
 }
 
 void ExactnessPanel::showRow(int row)
@@ -266,13 +265,6 @@ void ExactnessPanel::hideEvent(QHideEvent* event)
 {
     QWidget::hideEvent(event);
     session_.exactness.ask(std::nullopt);
-}
-
-void ExactnessPanel::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange)
-        paintSummary();
 }
 
 void ExactnessPanel::keyPressEvent(QKeyEvent* event)

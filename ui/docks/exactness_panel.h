@@ -3,8 +3,8 @@
 
 #include "ui/docks/exactness_model.h"
 #include "ui/widgets/dense_table.h"
+#include "ui/widgets/look_label.h"
 
-#include <QLabel>
 #include <QStackedWidget>
 #include <QTimer>
 
@@ -40,7 +40,6 @@ signals:
 protected:
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
-    void changeEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
@@ -60,7 +59,8 @@ private:
     ExactnessModel model_;
     VariantBox* algorithm_;
     Segments *errorUnit_, *end_, *lattice_;
-    QLabel *summary_, *heading_, *magnified_;
+    LookLabel* summary_;
+    QLabel *heading_, *magnified_;
     ErrorHistogram* histogram_;
     DenseTable* table_;
     Magnifier* magnifier_;

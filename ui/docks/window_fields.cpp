@@ -104,6 +104,15 @@ QWidget* WindowFields::makeAngle()
     return angle;
 }
 
+void WindowFields::putAfter(QWidget* before)
+{
+    for (QWidget* next : std::initializer_list<QWidget*>{fields_[X], fields_[Y], fields_[Width],
+                                                         fields_[Height], unit_, chain_}) {
+        setTabOrder(before, next);
+        before = next;
+    }
+}
+
 void WindowFields::startTyping() { fields_[X]->setFocus(); }
 
 void WindowFields::follow()

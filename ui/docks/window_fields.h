@@ -22,6 +22,8 @@ public:
     explicit WindowFields(app::Session& session);
 
     void startTyping(); ///< at X
+    /// By Tab they follow each other and this widget.
+    void putAfter(QWidget* before);
     /// The angle's field with its label, for another row.
     QWidget* makeAngle();
 

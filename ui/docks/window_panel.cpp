@@ -18,7 +18,6 @@
 #include "ui/widgets/swatch.h"
 #include "ui/widgets/tool_list.h"
 
-#include <QEvent>
 #include <QLabel>
 #include <QPushButton>
 
@@ -63,6 +62,7 @@ QWidget* WindowPanel::makeList()
     column->addWidget(list_);
     column->addWidget(makeTools());
     column->addWidget(fields_);
+    fields_->putAfter(operation_);
     return page;
 }
 
@@ -168,12 +168,7 @@ void WindowPanel::follow()
     colour_->setEnabled(number.has_value());
     const app::ClipWindow shown = number ? session_.windows().list[*number] : app::ClipWindow{};
     operation_->setCurrentIndex(int(shown.operation));
-    const Look& look = lookOf(palette());
-    const QColor& usual = look.accent;
-    colour_->setIcon(swatchIcon(
-        shown.colour.value_or(app::Colour{std::uint8_t(usual.red()), std::uint8_t(usual.green()),
-                                          std::uint8_t(usual.blue())}),
-        look));
+    colour_->setIcon(windowSwatchIcon(shown.colour));
     result_->setWhole(app::resultOf(session_.windows()));
     result_->setToolTip(tr("What the windows make together: %1").arg(result_->whole()));
 }
@@ -212,13 +207,6 @@ void WindowPanel::setColour(const std::optional<app::Colour>& colour)
         app::rememberColour(settings, *colour);
     }
     emit entered();
-}
-
-void WindowPanel::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange)
-        follow();
 }
 
 } // namespace ui

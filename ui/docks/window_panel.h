@@ -34,9 +34,6 @@ signals:
     void refused(const QString& sentence); ///< the typed text is not a length
     void taken();                          ///< a field's value is valid again
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     QWidget* makeList();
     QWidget* makeKeep();

@@ -6,8 +6,9 @@
 #include "ui/hard_cases/case_picture_view.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/widgets/follow_language.h"
+#include "ui/widgets/look_label.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
@@ -17,9 +18,9 @@ namespace {
 
 constexpr double titleSize = 1.3;
 
-QLabel* text(Qt::TextInteractionFlags flags = Qt::TextSelectableByMouse)
+LookLabel* text(Qt::TextInteractionFlags flags = Qt::TextSelectableByMouse)
 {
-    auto* label = new QLabel;
+    auto* label = new LookLabel;
     label->setWordWrap(true);
     label->setTextInteractionFlags(flags);
     return label;
@@ -54,6 +55,10 @@ CaseView::CaseView(QWidget* parent)
     draw_->setIcon(icon("pencil"));
     draw_->setAutoDefault(false);
     layOut();
+    new LanguageFollower(*this, [this] {
+        if (hard_)
+            show(*hard_);
+    });
     connect(table_, &AnswerTable::answerChosen, this, &CaseView::showAnswer);
     connect(microscope_, &QPushButton::clicked, this, [this] {
         if (hard_ && table_->chosen())
@@ -108,7 +113,11 @@ void CaseView::show(const app::HardCase& hard)
                           .arg(app::pieceText(hard.line), app::pieceText(clipping::Segment{
                                                               hard.window.min, hard.window.max})));
     expected_->setText(tr("Exact visible part: %1").arg(app::pieceText(hard.visible)));
-    showOrigin();
+    origin_->setText(hard.isOurs()
+                         ? tr("This case was made for Clearcut.")
+                         : tr("From <a href=\"%1\">%2</a>")
+                               .arg(hard.link.toHtmlEscaped(), hard.origin.toHtmlEscaped()));
+    origin_->setToolTip(hard.link);
     const auto document = app::documentOf(hard);
     draw_->setEnabled(document.value.has_value());
     draw_->setToolTip(document ? tr("Open a new drawing with exactly these numbers. It appears "
@@ -116,18 +125,6 @@ void CaseView::show(const app::HardCase& hard)
                                : document.error);
     table_->show(hard, app::firstToLookAt(hard));
     ensureVisible(0, 0);
-}
-
-/// Sets the text again, because links take the palette's colour when the text is set.
-void CaseView::showOrigin()
-{
-    if (!hard_)
-        return;
-    origin_->setText(hard_->isOurs()
-                         ? tr("This case was made for Clearcut.")
-                         : tr("From <a href=\"%1\">%2</a>")
-                               .arg(hard_->link.toHtmlEscaped(), hard_->origin.toHtmlEscaped()));
-    origin_->setToolTip(hard_->link);
 }
 
 void CaseView::showAnswer()
@@ -144,13 +141,6 @@ void CaseView::showAnswer()
                                 ? tr("A known misprint: its steps are not recorded.")
                                 : tr("Show this case step by step with %1, the row selected below")
                                       .arg(app::nameOf(answer->variant)));
-}
-
-void CaseView::changeEvent(QEvent* event)
-{
-    QScrollArea::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange)
-        showOrigin();
 }
 
 } // namespace ui

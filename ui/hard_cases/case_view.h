@@ -4,7 +4,6 @@
 #include "app/base/variant.h"
 #include "app/hard_cases/hard_case.h"
 
-#include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
 
@@ -12,6 +11,7 @@ namespace ui {
 
 class AnswerTable;
 class CasePictureView;
+class LookLabel;
 
 /// One hard case: its picture, its source, why it is hard, the right result, and every variant's
 /// result. A selected wrong result is painted into the picture.
@@ -29,17 +29,13 @@ signals:
     void microscopeWanted(const app::HardCase& hard, const app::Variant& variant);
     void drawingWanted(const app::HardCase& hard, const app::Variant& variant);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void layOut();
     QWidget* facts();
     void showAnswer();
-    void showOrigin();
 
     const app::HardCase* hard_ = nullptr;
-    QLabel *title_, *origin_, *why_, *numbers_, *expected_, *note_;
+    LookLabel *title_, *origin_, *why_, *numbers_, *expected_, *note_;
     CasePictureView* picture_;
     QPushButton *microscope_, *draw_;
     AnswerTable* table_;

@@ -3,9 +3,10 @@
 
 #include "ui/experiment/tables_page.h"
 #include "ui/look/look.h"
+#include "ui/widgets/follow_language.h"
+#include "ui/widgets/look_label.h"
 
 #include <QAction>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -41,7 +42,7 @@ TableView::Rows rowsOf(const app::Table& table)
 } // namespace
 
 VerdictView::VerdictView(QWidget* parent)
-    : QWidget(parent), sign_(new QLabel), sentence_(text()), remarks_(text()),
+    : QWidget(parent), sign_(new LookLabel), sentence_(text()), remarks_(text()),
       look_(new QPushButton(tr("Open line in &microscope"))), tables_(new TablesPage)
 {
     sentence_->setObjectName(QStringLiteral("verdict"));
@@ -70,6 +71,10 @@ VerdictView::VerdictView(QWidget* parent)
                             space::dockMargin);
     column->addLayout(top);
     column->addWidget(tables_, 1);
+    new LanguageFollower(*this, [this] {
+        if (verdict_)
+            show(verdict_);
+    });
     connect(look_, &QPushButton::clicked, this, &VerdictView::want);
 }
 
@@ -93,11 +98,9 @@ void VerdictView::showSentence()
 {
     if (!verdict_)
         return;
-    const Look& look = lookOf(palette());
     const bool passed = verdict_->passed();
     sign_->setText(passed ? QStringLiteral("✓") : QStringLiteral("✗"));
-    sign_->setStyleSheet(
-        QStringLiteral("color: %1").arg((passed ? look.good : look.differs).name()));
+    sign_->setColour(passed ? &Look::good : &Look::differs);
     sentence_->setText(app::plug_in::sentence(*verdict_));
     const QStringList more = app::plug_in::remarks(*verdict_);
     remarks_->setText(more.join(u'\n'));
@@ -137,13 +140,6 @@ void VerdictView::copy() const
     tables_->copy();
     if (findings_)
         findings_->selectRow(row);
-}
-
-void VerdictView::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange)
-        showSentence();
 }
 
 } // namespace ui

@@ -12,6 +12,7 @@ class QPushButton;
 
 namespace ui {
 
+class LookLabel;
 class TableView;
 class TablesPage;
 
@@ -29,16 +30,14 @@ public:
 signals:
     void wanted(const app::plug_in::Finding& finding); ///< asks for the line in the microscope
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void showSentence();
     void follow(TableView* findings);
     void want();
 
     std::shared_ptr<const app::plug_in::Verdict> verdict_;
-    QLabel *sign_, *sentence_, *remarks_;
+    LookLabel* sign_;
+    QLabel *sentence_, *remarks_;
     QPushButton* look_;
     TablesPage* tables_;
     TableView* findings_ = nullptr;

@@ -3,15 +3,24 @@
 
 #include "app/formats/format.h"
 #include "app/view/painter_path.h"
-#include "ui/look/look.h"
 
 #include <QFile>
 #include <QIconEngine>
-#include <QPainter>
 
 namespace ui {
 
 namespace {
+
+constexpr double disabledOpacity = 0.45;
+
+QPixmap paintedPixmap(QIconEngine& engine, const QSize& size, QIcon::Mode mode, QIcon::State state)
+{
+    QPixmap picture(size);
+    picture.fill(Qt::transparent);
+    QPainter painter(&picture);
+    engine.paint(&painter, QRect({}, size), mode, state);
+    return picture;
+}
 
 /// Reads the icon's file at the first painting and paints it as paths at every size.
 class Engine : public QIconEngine {
@@ -26,7 +35,7 @@ public:
         painter->save();
         painter->setRenderHint(QPainter::Antialiasing);
         if (mode == QIcon::Disabled)
-            painter->setOpacity(painter->opacity() * 0.45);
+            painter->setOpacity(painter->opacity() * disabledOpacity);
         painter->translate(rect.topLeft());
         painter->scale(scale, scale);
         painter->translate(-drawing.page().min.x, -drawing.page().min.y);
@@ -37,11 +46,7 @@ public:
 
     QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override
     {
-        QPixmap picture(size);
-        picture.fill(Qt::transparent);
-        QPainter painter(&picture);
-        paint(&painter, QRect({}, size), mode, state);
-        return picture;
+        return paintedPixmap(*this, size, mode, state);
     }
 
     QIconEngine* clone() const override { return new Engine(*this); }
@@ -82,12 +87,44 @@ private:
     std::optional<app::Document> document_;
 };
 
+class PaintedEngine : public QIconEngine {
+public:
+    using Paint = std::function<void(QPainter& painter, const Look& look)>;
+    PaintedEngine(const QSize& size, Paint paint) : size_(size), paint_(std::move(paint)) {}
+
+    void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override
+    {
+        painter->save();
+        if (mode == QIcon::Disabled)
+            painter->setOpacity(painter->opacity() * disabledOpacity);
+        painter->translate(rect.topLeft());
+        painter->scale(double(rect.width()) / size_.width(),
+                       double(rect.height()) / size_.height());
+        paint_(*painter, lookOf(QApplication::palette()));
+        painter->restore();
+    }
+    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override
+    {
+        return paintedPixmap(*this, size, mode, state);
+    }
+    QIconEngine* clone() const override { return new PaintedEngine(*this); }
+
+private:
+    QSize size_;
+    Paint paint_;
+};
+
 } // namespace
 
 QIcon icon(std::string_view key)
 {
     const QLatin1StringView name(key.data(), qsizetype(key.size()));
     return QIcon(new Engine(QStringLiteral(":/icons/%1.svg").arg(name)));
+}
+
+QIcon paintedIcon(const QSize& size, std::function<void(QPainter& painter, const Look& look)> paint)
+{
+    return QIcon(new PaintedEngine(size, std::move(paint)));
 }
 
 QPixmap tinted(const QIcon& icon, const QSize& size, double pixelRatio, const QColor& colour)

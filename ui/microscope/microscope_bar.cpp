@@ -11,24 +11,6 @@
 
 namespace ui {
 
-namespace {
-
-constexpr int markerSize = 12;
-
-QPixmap marker(const clipping::Algorithm& algorithm, clipping::Form form, const QPalette& palette,
-               double pixelRatio)
-{
-    QPixmap picture(QSize(markerSize + 2, markerSize + 2) * pixelRatio);
-    picture.setDevicePixelRatio(pixelRatio);
-    picture.fill(Qt::transparent);
-    QPainter painter(&picture);
-    app::paintMarker(painter, QRectF(1, 1, markerSize, markerSize), {&algorithm, form},
-                     groundOf(palette));
-    return picture;
-}
-
-} // namespace
-
 MicroscopeBar::MicroscopeBar(app::Microscope& microscope, app::DrawnLine& drawn, QWidget* parent)
     : QWidget(parent), microscope_(microscope), drawn_(drawn), row_(new QHBoxLayout(this)),
       algorithm_(new QComboBox), corrected_(new QRadioButton(tr("corrected"))),
@@ -41,7 +23,6 @@ MicroscopeBar::MicroscopeBar(app::Microscope& microscope, app::DrawnLine& drawn,
     addAlgorithm();
     addLine();
     addEnd();
-    paintMarkers();
     connect(&microscope, &app::Microscope::tracedLineChanged, this, &MicroscopeBar::follow);
     connect(&drawn, &app::DrawnLine::refreshed, this, &MicroscopeBar::follow);
     follow();
@@ -75,7 +56,7 @@ void MicroscopeBar::addAlgorithm()
     addCaption(tr("Algorithm"));
     algorithm_->setAccessibleName(tr("Algorithm"));
     algorithm_->setFocusPolicy(Qt::TabFocus);
-    algorithm_->setIconSize({markerSize + 2, markerSize + 2});
+    algorithm_->setIconSize({14, 14});
     algorithm_->setMaxVisibleItems(30);
     algorithm_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     algorithm_->setMinimumContentsLength(12);
@@ -83,6 +64,7 @@ void MicroscopeBar::addAlgorithm()
     algorithm_->setMaximumWidth(320);
     for (const clipping::Algorithm& row : clipping::algorithms())
         algorithm_->addItem(
+            markerIcon({&row}),
             QStringLiteral("%1  %2").arg(app::latin(row.abbreviation), app::latin(row.name)));
     row_->addWidget(algorithm_, 4);
     auto* forms = new QWidget;
@@ -180,14 +162,6 @@ void MicroscopeBar::follow()
     next_->setEnabled(drawn_.line().has_value());
 }
 
-void MicroscopeBar::paintMarkers()
-{
-    const auto rows = clipping::algorithms();
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        algorithm_->setItemIcon(
-            int(i), marker(rows[i], clipping::Form::Corrected, palette(), devicePixelRatioF()));
-}
-
 /// Drops the captions first, then the buttons' texts.
 void MicroscopeBar::arrange()
 {
@@ -217,8 +191,6 @@ void MicroscopeBar::resizeEvent(QResizeEvent* event)
 void MicroscopeBar::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange)
-        paintMarkers();
     if (event->type() == QEvent::FontChange && close_)
         arrange();
 }

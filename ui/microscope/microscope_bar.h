@@ -44,7 +44,6 @@ private:
     void choose(clipping::Form form);
     void setLine(const clipping::Segment& line);
     void follow();
-    void paintMarkers();
     void arrange();
 
     app::Microscope& microscope_;

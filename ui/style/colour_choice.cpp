@@ -9,14 +9,13 @@
 #include "ui/widgets/colour_popup.h"
 #include "ui/widgets/swatch.h"
 
-#include <QEvent>
-
 namespace ui {
 
 ColourChoice::ColourChoice(app::Session& session, Canvas& canvas, app::PaintPart part)
     : session_(session), canvas_(canvas), part_(part), popup_(new ColourPopup(this))
 {
     setAutoRaise(true);
+    setIconSize({16, 16});
     setPart(part);
     connect(this, &QToolButton::clicked, this, &ColourChoice::open);
     connect(popup_, &ColourPopup::picked, this, &ColourChoice::choose);
@@ -44,8 +43,7 @@ std::optional<std::optional<app::Colour>> ColourChoice::now() const
 void ColourChoice::follow()
 {
     const auto colour = now();
-    const Look& look = lookOf(palette());
-    setIcon(colour ? swatchIcon(*colour, look) : mixedSwatchIcon(look));
+    setIcon(colour ? swatchIcon(*colour) : mixedSwatchIcon());
     setText(!colour ? tr("mixed") : *colour ? app::hexText(**colour) : tr("none"));
 }
 
@@ -82,13 +80,6 @@ void ColourChoice::startEyedropper()
         self->choose(colour);
         self->part_ = shown;
     });
-}
-
-void ColourChoice::changeEvent(QEvent* event)
-{
-    QToolButton::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange)
-        follow();
 }
 
 } // namespace ui

@@ -28,9 +28,6 @@ public:
 signals:
     void eyedropperStarted();
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void open();
     void follow();

@@ -14,7 +14,6 @@
 #include "ui/widgets/tool_list.h"
 
 #include <QCheckBox>
-#include <QEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QVBoxLayout>
@@ -83,7 +82,6 @@ StylePanel::StylePanel(app::Session& session, Canvas& canvas, QWidget* parent)
     connect(&session, &app::Session::selectionChanged, this, follow);
     connect(&session, &app::Session::displayChanged, this, follow);
     connect(&session.document, &app::EditedDocument::changed, this, follow);
-    paintIcons();
 }
 
 void StylePanel::focusFirst()
@@ -141,7 +139,7 @@ QLayout* StylePanel::makeWidth()
     dashes_->setIconSize({36, 12});
     dashes_->setFixedHeight(space::fieldHeight);
     for (const app::DashPattern& pattern : app::dashPatterns()) {
-        dashes_->addItem(QString());
+        dashes_->addItem(dashIcon(pattern), QString());
         dashes_->setItemData(dashes_->count() - 1, pattern.name, Qt::AccessibleTextRole);
         dashes_->setItemData(dashes_->count() - 1, pattern.name, Qt::ToolTipRole);
     }
@@ -321,24 +319,10 @@ void StylePanel::followLines(std::span<const app::Style> styles)
                : tr("Nothing here has a fill. Choose a fill colour first."));
 }
 
-void StylePanel::paintIcons()
-{
-    for (int i = 0; i < dashes_->count(); ++i)
-        dashes_->setItemIcon(i,
-                             dashIcon(app::dashPatterns()[std::size_t(i)], lookOf(palette()).text));
-}
-
 void StylePanel::showEvent(QShowEvent* event)
 {
     follow();
     QWidget::showEvent(event);
-}
-
-void StylePanel::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange)
-        paintIcons();
 }
 
 } // namespace ui

@@ -37,7 +37,6 @@ signals:
 
 protected:
     void showEvent(QShowEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
 private:
     QLayout* makeColour();
@@ -50,7 +49,6 @@ private:
     void follow();
     void followLayer();
     void followLines(std::span<const app::Style> styles);
-    void paintIcons();
     void change(const app::ChangeStyle& change, const QString& text,
                 app::Merging merging = app::Merging::Never);
     void enterPattern();

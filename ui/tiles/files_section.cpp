@@ -124,7 +124,7 @@ void FilesSection::takeName()
     follow(); // the old name stays
     frame_->show();
     frame_->raise();
-    files_->setStyleSheet(QStringLiteral("color: %1").arg(errorColour(lookOf(palette())).name()));
+    files_->setColour(errorColour);
     files_->setWhole(named.error);
     files_->setToolTip(named.error);
 }
@@ -160,7 +160,7 @@ void FilesSection::follow()
 
 void FilesSection::showFiles(const QStringList& files)
 {
-    files_->setStyleSheet({});
+    files_->setSheet({});
     files_->setForegroundRole(QPalette::PlaceholderText);
     files_->setWhole(files.size() < 2 ? files.value(0)
                                       : files.front() + QStringLiteral(" … ") + files.back());

@@ -6,6 +6,7 @@
 #include "app/tiles/sheet_names.h"
 #include "ui/look/error_colour.h"
 #include "ui/widgets/length_field.h"
+#include "ui/widgets/look_label.h"
 #include "ui/widgets/quiet_label.h"
 #include "ui/widgets/refusal_frame.h"
 #include "ui/widgets/segments.h"
@@ -37,12 +38,13 @@ SheetsSection::SheetsSection(app::Session& session, app::LiveSheets& sheets, QWi
       turn_(new Segments(tr("Orientation"), {tr("Portrait"), tr("Landscape")})),
       by_(new Segments(tr("Cut by"), {tr("Paper size"), tr("Number")})),
       columns_(countField(tr("Columns"))), rows_(countField(tr("Rows"))),
-      scale_(new QDoubleSpinBox), size_(quietLabel({})), refusal_(new QLabel)
+      scale_(new QDoubleSpinBox), size_(quietLabel({})), refusal_(new LookLabel)
 {
     addPaper();
     addNumbers();
     addLengths();
     refusal_->setWordWrap(true);
+    refusal_->setColour(errorColour);
     refusal_->setFont(captionFont(font()));
     refusal_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     refusal_->setFixedHeight(2 * QFontMetrics(refusal_->font()).lineSpacing());
@@ -165,11 +167,7 @@ void SheetsSection::refuse(QWidget* field, const QString& sentence)
     say(sentence);
 }
 
-void SheetsSection::say(const QString& sentence)
-{
-    refusal_->setText(sentence);
-    refusal_->setStyleSheet(QStringLiteral("color: %1").arg(errorColour(lookOf(palette())).name()));
-}
+void SheetsSection::say(const QString& sentence) { refusal_->setText(sentence); }
 
 void SheetsSection::withdraw()
 {

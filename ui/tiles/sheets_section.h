@@ -3,9 +3,9 @@
 
 #include "app/session/live_sheets.h"
 #include "ui/tiles/section.h"
+#include "ui/widgets/look_label.h"
 
 #include <QHash>
-#include <QLabel>
 
 #include <functional>
 
@@ -51,7 +51,8 @@ private:
     QSpinBox *columns_, *rows_;
     LengthField *overlap_, *margin_;
     QDoubleSpinBox* scale_;
-    QLabel *size_, *refusal_;
+    QLabel* size_;
+    LookLabel* refusal_;
     QHash<QWidget*, RefusalFrame*> frames_;
     bool following_ = false;
 };

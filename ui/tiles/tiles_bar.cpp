@@ -3,6 +3,7 @@
 
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/widgets/icon_sign.h"
 #include "ui/widgets/quiet_label.h"
 #include "ui/widgets/segments.h"
 
@@ -17,8 +18,7 @@ TilesBar::TilesBar(QWidget* parent)
       overlap_(new Segments(tr("Overlap"), {tr("Tinted"), tr("Plain")}))
 {
     setFixedHeight(space::optionsHeight);
-    auto* sign = new QLabel;
-    sign->setPixmap(icon("tiles").pixmap(18, 18));
+    auto* sign = new IconSign("tiles", 18);
     auto* title = new QLabel(tr("Tiles"));
     title->setFont(semiBold(font()));
     show_->setObjectName(QStringLiteral("tiles-arrangement"));

@@ -5,6 +5,7 @@
 #include "app/view/colour_chart.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/widgets/look_label.h"
 #include "ui/widgets/swatch.h"
 #include "ui/widgets/swatches.h"
 
@@ -28,7 +29,7 @@ QString hint()
 } // namespace
 
 ColourPopup::ColourPopup(QWidget* parent)
-    : Popup(tr("Colours"), parent), field_(new QLineEdit), sentence_(new QLabel)
+    : Popup(tr("Colours"), parent), field_(new QLineEdit), sentence_(new LookLabel)
 {
     setObjectName(QStringLiteral("colour-popup"));
     auto* column = new QVBoxLayout(this);
@@ -65,7 +66,8 @@ void ColourPopup::addField()
     auto* none = new QToolButton;
     none->setObjectName(QStringLiteral("no-colour"));
     none->setText(tr("None"));
-    none->setIcon(swatchIcon(std::nullopt, lookOf(palette())));
+    none->setIconSize({16, 16});
+    none->setIcon(swatchIcon(std::nullopt));
     none->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     none->setFixedHeight(space::fieldHeight);
     none->setProperty("framed", true);
@@ -103,9 +105,7 @@ void ColourPopup::hideEyedropper() { eyedropper_->hide(); }
 void ColourPopup::say(const QString& sentence, bool isError)
 {
     sentence_->setText(sentence);
-    const Look& look = lookOf(palette());
-    sentence_->setStyleSheet(
-        QStringLiteral("color: %1").arg((isError ? look.warning : look.muted).name()));
+    sentence_->setColour(isError ? &Look::warning : &Look::muted);
 }
 
 void ColourPopup::open(const QWidget& below, const ColourOffer& offer)

@@ -12,6 +12,8 @@ class QToolButton;
 
 namespace ui {
 
+class LookLabel;
+
 class Swatches;
 
 /// What a colour can be chosen from.
@@ -51,7 +53,7 @@ private:
     Swatches *inDrawing_, *recent_, *chart_;
     QToolButton* eyedropper_;
     QLineEdit* field_;
-    QLabel* sentence_;
+    LookLabel* sentence_;
 };
 
 } // namespace ui

@@ -7,6 +7,6 @@
 
 namespace ui {
 
-QIcon dashIcon(const app::DashPattern& pattern, const QColor& colour);
+QIcon dashIcon(const app::DashPattern& pattern); ///< of 36 × 12 logical pixels
 
 } // namespace ui

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QEvent>
-#include <QLabel>
+#include "ui/widgets/look_label.h"
 
 namespace ui {
 
 /// A text on one line, elided if it does not fit. The label's text requires no width of its own.
-class ElidedLabel : public QLabel {
+class ElidedLabel : public LookLabel {
 public:
     ElidedLabel()
     {
@@ -26,7 +25,7 @@ public:
 protected:
     void changeEvent(QEvent* event) override
     {
-        QLabel::changeEvent(event);
+        LookLabel::changeEvent(event);
         if (event->type() == QEvent::FontChange)
             elide();
     }

@@ -46,35 +46,33 @@ void paintSwatch(QPainter& painter, const QRect& square, const std::optional<app
 
 namespace {
 
+constexpr QSize iconSize(16, 16);
 const QRect inIcon(1, 1, 14, 14);
-
-QPixmap emptyIcon()
-{
-    QPixmap picture(32, 32);
-    picture.setDevicePixelRatio(2);
-    picture.fill(Qt::transparent);
-    return picture;
-}
 
 } // namespace
 
-QIcon swatchIcon(const std::optional<app::Colour>& colour, const Look& look)
+QIcon swatchIcon(const std::optional<app::Colour>& colour)
 {
-    QPixmap picture = emptyIcon();
-    QPainter painter(&picture);
-    paintSwatch(painter, inIcon, colour, look);
-    return picture;
+    return paintedIcon(iconSize, [colour](QPainter& painter, const Look& look) {
+        paintSwatch(painter, inIcon, colour, look);
+    });
 }
 
-QIcon mixedSwatchIcon(const Look& look)
+QIcon windowSwatchIcon(const std::optional<app::Colour>& own)
 {
-    QPixmap picture = emptyIcon();
-    QPainter painter(&picture);
-    painter.setPen(look.control);
-    painter.setBrush(look.base);
-    painter.drawRect(inIcon.adjusted(0, 0, -1, -1));
-    painter.fillRect(QRect(5, 7, 6, 2), look.control); // as in a half-checked box
-    return picture;
+    return paintedIcon(iconSize, [own](QPainter& painter, const Look& look) {
+        paintSwatch(painter, inIcon, own.value_or(plain(look.accent)), look);
+    });
+}
+
+QIcon mixedSwatchIcon()
+{
+    return paintedIcon(iconSize, [](QPainter& painter, const Look& look) {
+        painter.setPen(look.control);
+        painter.setBrush(look.base);
+        painter.drawRect(inIcon.adjusted(0, 0, -1, -1));
+        painter.fillRect(QRect(5, 7, 6, 2), look.control); // as in a half-checked box
+    });
 }
 
 } // namespace ui

@@ -2,10 +2,7 @@
 #pragma once
 
 #include "app/document/style.h"
-#include "ui/look/look.h"
-
-#include <QIcon>
-#include <QPainter>
+#include "ui/look/look_icon.h"
 
 namespace ui {
 
@@ -15,8 +12,10 @@ void paintSwatch(QPainter& painter, const QRect& square, const std::optional<app
                  const Look& look);
 
 /// The same as an icon of 16 logical pixels.
-QIcon swatchIcon(const std::optional<app::Colour>& colour, const Look& look);
+QIcon swatchIcon(const std::optional<app::Colour>& colour);
+/// For a clip window, which without a colour of its own has that of all windows.
+QIcon windowSwatchIcon(const std::optional<app::Colour>& own);
 /// An icon for several colours.
-QIcon mixedSwatchIcon(const Look& look);
+QIcon mixedSwatchIcon();
 
 } // namespace ui

@@ -3,29 +3,11 @@
 
 #include "ui/widgets/algorithm_marker.h"
 
-#include <QEvent>
-#include <QPainter>
 #include <QStandardItemModel>
 
 #include <algorithm>
 
 namespace ui {
-
-namespace {
-
-constexpr int markerSize = 12;
-
-QPixmap marker(const app::Variant& variant, const QPalette& palette, double pixelRatio)
-{
-    QPixmap picture(QSize(markerSize + 2, markerSize + 2) * pixelRatio);
-    picture.setDevicePixelRatio(pixelRatio);
-    picture.fill(Qt::transparent);
-    QPainter painter(&picture);
-    app::paintMarker(painter, QRectF(1, 1, markerSize, markerSize), variant, groundOf(palette));
-    return picture;
-}
-
-} // namespace
 
 VariantBox::VariantBox(const QString& name, const QStringList& before, QWidget* parent)
     : ToolList(parent), all_(app::variants()), before_(int(before.size()))
@@ -33,13 +15,12 @@ VariantBox::VariantBox(const QString& name, const QStringList& before, QWidget* 
     setAccessibleName(name);
     setSizeAdjustPolicy(AdjustToMinimumContentsLengthWithIcon);
     setMinimumContentsLength(12);
-    setIconSize({markerSize + 2, markerSize + 2});
+    setIconSize({14, 14});
     setMaxVisibleItems(30);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     addItems(before);
     for (const app::Variant& variant : all_)
-        addItem(app::titleOf(variant));
-    paintMarkers();
+        addItem(markerIcon(variant), app::titleOf(variant));
 }
 
 std::optional<app::Variant> VariantBox::variant() const
@@ -62,19 +43,6 @@ void VariantBox::offer(const std::function<bool(const app::Variant&)>& fits)
         items->item(rowOf(variant))->setEnabled(fits(variant));
     if (!items->item(currentIndex())->isEnabled())
         setCurrentIndex(0);
-}
-
-void VariantBox::paintMarkers()
-{
-    for (const app::Variant& variant : all_)
-        setItemIcon(rowOf(variant), marker(variant, palette(), devicePixelRatioF()));
-}
-
-void VariantBox::changeEvent(QEvent* event)
-{
-    ToolList::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange)
-        paintMarkers();
 }
 
 } // namespace ui

@@ -24,12 +24,8 @@ public:
     /// choice is selected.
     void offer(const std::function<bool(const app::Variant&)>& fits);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     int rowOf(const app::Variant& variant) const;
-    void paintMarkers();
 
     std::vector<app::Variant> all_;
     int before_;

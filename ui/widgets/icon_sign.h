@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/look/look_icon.h"
+
+#include <QWidget>
+
+namespace ui {
+
+/// An icon that is only looked at, in its own colours or in one of the look.
+class IconSign : public QWidget {
+public:
+    IconSign(std::string_view key, int side) : icon_(icon(key)) { setFixedSize(side, side); }
+
+    void show(std::string_view key, QColor Look::*colour)
+    {
+        icon_ = icon(key);
+        colour_ = colour;
+        update();
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override
+    {
+        QPainter painter(this);
+        const Look& look = lookOf(palette());
+        if (colour_)
+            painter.drawPixmap(rect(), tinted(icon_, size(), devicePixelRatioF(), look.*colour_));
+        else
+            icon_.paint(&painter, rect());
+    }
+
+private:
+    QIcon icon_;
+    QColor Look::*colour_ = nullptr; ///< null: its own colours
+};
+
+} // namespace ui

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/look/look.h"
+
+#include <QEvent>
+#include <QLabel>
+
+#include <functional>
+
+namespace ui {
+
+/// A label with a style sheet, and links, in the colours of the look that the program has.
+class LookLabel : public QLabel {
+public:
+    using QLabel::QLabel;
+    using Sheet = std::function<QString(const Look& look)>;
+
+    void setSheet(Sheet sheet)
+    {
+        sheet_ = std::move(sheet);
+        follow();
+    }
+    void setColour(const std::function<QColor(const Look& look)>& colour)
+    {
+        setSheet([colour](const Look& look) { return "color: " + colour(look).name(); });
+    }
+
+protected:
+    void changeEvent(QEvent* event) override
+    {
+        QLabel::changeEvent(event);
+        if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange)
+            follow();
+        if (event->type() == QEvent::PaletteChange && Qt::mightBeRichText(text())) {
+            const QString whole = text(); // links took their colour when it was set
+            clear();
+            setText(whole);
+        }
+    }
+
+private:
+    void follow()
+    {
+        const QString sheet = sheet_ ? sheet_(lookOf(QApplication::palette())) : QString();
+        if (sheet != styleSheet()) // which changes the style
+            setStyleSheet(sheet);
+    }
+
+    Sheet sheet_;
+};
+
+} // namespace ui
