@@ -6,7 +6,6 @@
 #include "app/scene/window_needs.h"
 #include "app/view/place.h"
 #include "ui/look/look.h"
-#include "ui/tools/tool.h"
 #include "ui/widgets/elided_label.h"
 #include "ui/widgets/status_cell.h"
 #include "ui/widgets/zoom_button.h"
@@ -44,17 +43,24 @@ StatusBar::StatusBar(app::Session& session, Canvas& canvas, QWidget* parent)
     connect(&canvas, &Canvas::frameShown, this, &StatusBar::note);
     connect(&canvas, &Canvas::pointerMoved, this, &StatusBar::showPosition);
     connect(&canvas, &Canvas::viewChanged, this, &StatusBar::showZoom);
-    connect(&canvas, &Canvas::hint, this, &StatusBar::showHint);
-    connect(&canvas, &Canvas::toolChanged, this, [this] { showHint({}); });
+    const auto hint = [this](const QString& said) {
+        if (!session_.microscope.isOpen()) // which has hints of its own
+            showHint(said);
+    };
+    connect(&canvas, &Canvas::hint, this, hint);
+    connect(&canvas, &Canvas::toolChanged, this, [hint] { hint({}); });
     connect(&session, &app::Session::displayChanged, this, &StatusBar::keepRoom);
     connect(&session, &app::Session::previewChanged, this, &StatusBar::followWindows);
     connect(&session, &app::Session::loaded, this, &StatusBar::forgetFrames);
     connect(&session, &app::Session::loaded, this, &StatusBar::keepRoom);
+    connect(&session.microscope, &app::Microscope::openChanged, this, [this] { showHint({}); });
     for (const auto signal : {&app::Microscope::openChanged, &app::Microscope::tracedLineChanged,
                               &app::Microscope::stepChanged})
         connect(&session.microscope, signal, this, &StatusBar::showStep);
     keepRoom();
     showHint({});
+    if (session.microscope.isOpen())
+        showStep();
 }
 
 QString StatusBar::times() const { return times_->text(); }
@@ -63,8 +69,8 @@ QString StatusBar::position() const { return position_->text(); }
 
 void StatusBar::showHint(const QString& hint)
 {
-    const ToolInfo* tool = session_.microscope.isOpen() ? nullptr : findTool(canvas_.tool());
-    hint_->setWhole(!hint.isEmpty() || !tool ? hint : tool->hint);
+    const bool usual = hint.isEmpty() && !session_.microscope.isOpen();
+    hint_->setWhole(usual ? canvas_.toolHint() : hint);
     hint_->setToolTip(hint_->whole());
 }
 
@@ -77,8 +83,17 @@ void StatusBar::setSummary(const QString& summary)
         return showStep(); // of the canvas again, or of the microscope
     visible_->setText(summary);
     position_->setText({});
-    zoom_->hide();
-    renderer_->hide();
+    showParts();
+}
+
+/// The microscope has no times; zoom and renderer are those of the canvas.
+void StatusBar::showParts()
+{
+    const bool open = session_.microscope.isOpen();
+    const bool canvas = !open && summary_.isEmpty();
+    times_->setVisible(!open);
+    zoom_->setVisible(canvas);
+    renderer_->setVisible(canvas && width() >= widthForRenderer);
 }
 
 void StatusBar::note(const FrameTimes& times)
@@ -160,12 +175,9 @@ void StatusBar::showStep()
 {
     const app::Microscope& microscope = session_.microscope;
     const bool open = microscope.isOpen();
-    times_->setVisible(!open);
-    zoom_->setVisible(!open);
-    renderer_->setVisible(!open && width() >= widthForRenderer);
+    showParts();
     if (!open) {
         keepRoom();
-        showHint({});
         showTimes();
         return showPosition({});
     }
@@ -251,8 +263,7 @@ void StatusBar::explainAlgorithm()
 void StatusBar::resizeEvent(QResizeEvent* event)
 {
     QStatusBar::resizeEvent(event);
-    renderer_->setVisible(width() >= widthForRenderer && !session_.microscope.isOpen()
-                          && summary_.isEmpty());
+    showParts();
 }
 
 void StatusBar::addZoomMenu()

@@ -42,6 +42,7 @@ private:
     void showTimes();
     void showPosition(std::optional<app::Point> position);
     void showStep();
+    void showParts();
     void showAlgorithm(const app::Variant& variant);
     void explainAlgorithm(); ///< in its tooltip
     void followWindows();

@@ -24,6 +24,7 @@ public:
     void resize(const glm::dvec2& size);
     /// Fits the rectangle into the view, again whenever the view's size changes.
     void show(const clipping::Window& rectangle);
+    bool isFitted() const { return fitted_.has_value(); } ///< until the view moves
     void hold(); ///< keeps the visible part in view when the size changes, until the view moves
     void pan(const QPointF& pixels);
     void zoomAt(const QPointF& screen, double factor);

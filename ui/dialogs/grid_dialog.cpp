@@ -35,6 +35,7 @@ GridDialog::GridDialog(app::Session& session, QWidget* parent)
         follow();
     });
     connect(angle_, &LengthField::refused, refusal_, &QLabel::setText);
+    connect(angle_, &LengthField::taken, refusal_, &QLabel::clear);
     auto* form = new QFormLayout;
     form->addRow(tr("Spacing a&long the lines"), along_);
     form->addRow(tr("Spacing ac&ross the lines"), across_);
@@ -68,6 +69,7 @@ LengthField* GridDialog::makeSpacing(const QString& name, double app::Grid::*spa
     });
     connect(field, &LengthField::refused, this,
             [this](const QString& sentence) { refusal_->setText(sentence); });
+    connect(field, &LengthField::taken, this, [this] { refusal_->clear(); });
     return field;
 }
 

@@ -40,8 +40,10 @@ MarginDialog::MarginDialog(app::Session& session, QWidget* parent)
             take(&app::PageMargins::left, margins_.left);
     });
     sentence_->setForegroundRole(QPalette::PlaceholderText);
-    for (const Side& side : sides_)
+    for (const Side& side : sides_) {
         connect(side.field, &LengthField::refused, sentence_, &QLabel::setText);
+        connect(side.field, &LengthField::taken, this, &MarginDialog::sayHint);
+    }
     auto* buttons = new QDialogButtonBox;
     buttons->addButton(tr("Cancel"), QDialogButtonBox::RejectRole);
     QPushButton* lay = buttons->addButton(tr("&Lay window"), QDialogButtonBox::AcceptRole);
@@ -89,8 +91,10 @@ void MarginDialog::follow()
     for (const auto& [field, margin] : sides_)
         field->show(margins_.*margin, session_.display().unit,
                     session_.now().page().millimetresPerUnit());
-    sentence_->setText(tr("A negative margin is outside the page."));
+    sayHint();
 }
+
+void MarginDialog::sayHint() { sentence_->setText(tr("A negative margin is outside the page.")); }
 
 void MarginDialog::show(app::Session& session, QWidget& parent)
 {

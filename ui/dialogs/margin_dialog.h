@@ -29,6 +29,7 @@ private:
     QGridLayout* makeFields();
     void take(double app::PageMargins::*side, double margin);
     void follow();
+    void sayHint();
 
     struct Side {
         LengthField* field;

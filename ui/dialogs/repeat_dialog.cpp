@@ -72,6 +72,7 @@ LengthField* RepeatDialog::makeField(const QString& name, double length)
     auto* field = new LengthField(name, LengthField::Range::Any, LengthField::Suffix::Unit);
     field->show(length, session_.display().unit, session_.now().page().millimetresPerUnit());
     connect(field, &LengthField::refused, result_, &QLabel::setText);
+    connect(field, &LengthField::taken, this, &RepeatDialog::follow);
     return field;
 }
 

@@ -75,6 +75,7 @@ ComparePanel::ComparePanel(app::Session& session, QWidget* parent)
     connect(&race_, &app::LiveRace::advanced, this, &ComparePanel::showRace);
     const auto follow = [this, &session] { race_.setWindow(session.window()); };
     connect(&session, &app::Session::previewChanged, this, follow);
+    connect(&session, &app::Session::displayChanged, this, &ComparePanel::showRace);
     follow();
     const int forms = app::rememberedNumber(setting, 0, bothForms, bothForms);
     forms_->choose(forms);

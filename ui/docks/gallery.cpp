@@ -60,7 +60,7 @@ void Gallery::mark(const QString& key)
 void Gallery::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
-    if (!begun_)
+    if (painted_ != buttons_.front()->pictureSize())
         paintPictures();
 }
 
@@ -73,14 +73,14 @@ void Gallery::resizeEvent(QResizeEvent* event)
         buttons_[std::size_t(i)]->setGeometry(i % columns * (each + gap),
                                               i / columns * (high + gap), each, high);
     setFixedHeight((int(buttons_.size()) + columns - 1) / columns * (high + gap));
-    if (isVisible() && event->oldSize().width() != width())
+    if (isVisible() && painted_ != buttons_.front()->pictureSize())
         paintPictures();
 }
 
 void Gallery::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange && begun_)
+    if (event->type() == QEvent::PaletteChange && !painted_.isEmpty())
         paintPictures();
 }
 
@@ -88,10 +88,9 @@ void Gallery::paintPictures()
 {
     if (buttons_.empty())
         return;
-    begun_ = true;
     const Look& look = lookOf(palette());
     const app::ThumbnailColours colours{look.paper, look.accent, look.ghost};
-    const QSize points = buttons_.front()->pictureSize();
+    const QSize points = painted_ = buttons_.front()->pictureSize();
     auto sitting = std::make_shared<Sitting>();
     sitting->left = int(samples_.size());
     sitting->promise.start();

@@ -38,7 +38,7 @@ private:
     std::vector<app::Sample> samples_;
     std::vector<SampleButton*> buttons_;
     QFutureWatcher<QImage> watcher_; ///< renders the pictures in the current size and colours
-    bool begun_ = false;
+    QSize painted_;                  ///< of the last pictures; empty: none yet
 };
 
 } // namespace ui

@@ -83,6 +83,7 @@ ExperimentWindow::ExperimentWindow(app::Session& session, std::function<QString(
     connect(quick_, &QPushButton::clicked, this, [this] { run(app::quick(choice_->choice())); });
     connect(progress_, &ProgressRow::cancelWanted, this, &ExperimentWindow::cancel);
     connect(&session_.scene, &app::Scene::outdated, this, &ExperimentWindow::followDrawing);
+    connect(&session_, &app::Session::displayChanged, this, &ExperimentWindow::showEffort);
     showEffort();
 }
 
@@ -124,6 +125,7 @@ QWidget* ExperimentWindow::left()
     auto* scroll = new QScrollArea;
     scroll->setWidget(fields);
     scroll->setWidgetResizable(true);
+    scroll->setFocusPolicy(Qt::NoFocus); // its fields have it
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* buttons = new QHBoxLayout;

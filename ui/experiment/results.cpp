@@ -7,6 +7,7 @@
 #include "ui/experiment/tables_page.h"
 #include "ui/look/look.h"
 #include "ui/widgets/chart_view.h"
+#include "ui/widgets/follow_language.h"
 #include "ui/widgets/segments.h"
 
 #include <QHBoxLayout>
@@ -62,6 +63,7 @@ Results::Results(const QList<QWidget*>& tools, QWidget* parent)
     age_->hide();
     summary_->setFrameShape(QFrame::NoFrame);
     summary_->setWidgetResizable(true);
+    summary_->setFocusPolicy(Qt::NoFocus); // there is nothing to do in it
     summary_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     summary_->setWidget(verdict_);
     verdict_->setAlignment(Qt::AlignTop);
@@ -78,6 +80,10 @@ Results::Results(const QList<QWidget*>& tools, QWidget* parent)
     top->addWidget(summary_);
     column->addLayout(top);
     column->addWidget(tabs_, 1);
+    new LanguageFollower(*this, [this] {
+        if (study_)
+            show(study_);
+    });
     connect(trial_, &QComboBox::currentIndexChanged, this, &Results::showTrial);
     connect(reasons_, &Segments::picked, this, &Results::showReasons);
     connect(tabs_, &QTabWidget::currentChanged, this, &Results::tabChanged);
@@ -143,6 +149,7 @@ void Results::showMeasures()
     measures_ = new Segments(tr("Measure"), namesOf(study_->measures));
     measures_->choose(std::min(chosen, int(study_->measures.size()) - 1));
     row_->insertWidget(1, measures_);
+    setTabOrder(trial_, measures_);
     connect(measures_, &Segments::picked, this, &Results::showTrial);
 }
 

@@ -45,7 +45,6 @@ StepsPanel::StepsPanel(app::Microscope& microscope, QWidget* parent)
     sentence_->setWordWrap(true);
     sentence_->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    sentence_->setAccessibleName(tr("What happens"));
     sentence_->setMinimumHeight(sentenceLines * QFontMetrics(sentence_->font()).lineSpacing());
     count_->setAccessibleName(tr("Step"));
     keys_->setFont(captionFont(font()));
@@ -150,9 +149,9 @@ void StepsPanel::showStep()
     buttons_[Play]->setEnabled(any);
     speed_->setEnabled(any);
     legend_->show(narration);
+    sentence_->setAccessibleName(sentence_->text());
     if (sentence_->text() != before && isVisible()) {
         QAccessibleEvent told(sentence_, QAccessible::NameChanged);
-        sentence_->setAccessibleName(sentence_->text());
         QAccessible::updateAccessibility(&told);
     }
 }

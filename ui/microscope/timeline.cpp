@@ -35,21 +35,24 @@ Timeline::Timeline(app::Microscope& microscope, QWidget* parent)
     setAccessibleName(tr("Timeline"));
     setFont(captionFont(font()));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    const auto changed = [this] {
-        const auto& narration = microscope_.narration();
-        QString words;
-        if (microscope_.isCovered())
-            words = tr("The later steps are covered until you answer.");
-        else if (!narration.steps.empty())
-            words = tr("Step %1 of %2: %3")
-                        .arg(microscope_.step() + 1)
-                        .arg(narration.steps.size())
-                        .arg(markWord(microscope_.narrated()->mark));
-        setAccessibleDescription(words);
-        update();
-    };
-    connect(&microscope, &app::Microscope::stepChanged, this, changed);
-    connect(&microscope, &app::Microscope::tracedLineChanged, this, changed);
+    connect(&microscope, &app::Microscope::stepChanged, this, &Timeline::follow);
+    connect(&microscope, &app::Microscope::tracedLineChanged, this, &Timeline::follow);
+    follow();
+}
+
+void Timeline::follow()
+{
+    const auto& narration = microscope_.narration();
+    QString words;
+    if (microscope_.isCovered())
+        words = tr("The later steps are covered until you answer.");
+    else if (!narration.steps.empty())
+        words = tr("Step %1 of %2: %3")
+                    .arg(microscope_.step() + 1)
+                    .arg(narration.steps.size())
+                    .arg(markWord(microscope_.narrated()->mark));
+    setAccessibleDescription(words);
+    update();
 }
 
 QSize Timeline::minimumSizeHint() const

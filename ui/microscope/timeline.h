@@ -29,6 +29,7 @@ protected:
     bool event(QEvent* event) override;
 
 private:
+    void follow();
     double spacing() const;
     QRect answerCover() const;
     std::size_t stepAt(double x) const;

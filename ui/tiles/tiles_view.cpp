@@ -194,7 +194,14 @@ void TilesView::settle()
     repaint();
 }
 
-void TilesView::resizeEvent(QResizeEvent*) { navigation_.resize({width(), height()}); }
+/// The room for the tags is a part of the height.
+void TilesView::resizeEvent(QResizeEvent*)
+{
+    const bool fitted = navigation_.isFitted();
+    navigation_.resize({width(), height()});
+    if (fitted)
+        fit();
+}
 
 void TilesView::wheelEvent(QWheelEvent* event)
 {

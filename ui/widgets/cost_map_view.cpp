@@ -19,6 +19,7 @@ namespace {
 
 constexpr int margin = 3, gap = 6;
 constexpr double cellPixels = 2;
+constexpr double usualLegend = 32;   // pixels
 constexpr double keyStep = 1. / 200; // fraction of the area's width
 constexpr double far = 10;           // factor with Shift
 
@@ -51,17 +52,22 @@ app::CostMapLook CostMapView::look() const
     return look;
 }
 
-QRectF CostMapView::room() const
+QRectF CostMapView::room(double legend) const
 {
-    const double legend = map_ ? app::legendHeight(*map_, width() - 2 * margin, look()) : 32;
     return rect().adjusted(margin, margin, -margin, -int(legend) - gap - margin);
 }
 
-QRectF CostMapView::place() const { return app::mapPlace(plan_, room()); }
+QRectF CostMapView::place() const
+{
+    const double legend =
+        map_ ? app::legendHeight(*map_, width() - 2 * margin, look()) : usualLegend;
+    return app::mapPlace(plan_, room(legend));
+}
 
+/// The same whichever map is shown until then, or none.
 QSize CostMapView::cells(const app::CostPlan& plan) const
 {
-    const QSizeF size = app::mapPlace(plan, room()).size() / cellPixels;
+    const QSizeF size = app::mapPlace(plan, room(usualLegend)).size() / cellPixels;
     return size.toSize().expandedTo({24, 18});
 }
 

@@ -46,7 +46,7 @@ protected:
 
 private:
     app::CostMapLook look() const;
-    QRectF room() const;
+    QRectF room(double legend) const; ///< above a legend of this height
     void moveTo(const QPointF& pixel);
 
     app::CostPlan plan_;

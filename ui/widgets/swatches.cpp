@@ -42,7 +42,7 @@ void Swatches::setColours(std::vector<app::Colour> colours)
     marked_.reset();
     at_ = 0;
     setFocusPolicy(colours_.empty() ? Qt::NoFocus : Qt::StrongFocus);
-    update();
+    tell();
 }
 
 void Swatches::mark(const std::optional<app::Colour>& colour)
@@ -51,7 +51,7 @@ void Swatches::mark(const std::optional<app::Colour>& colour)
     marked_.reset();
     if (found != colours_.end())
         at_ = *(marked_ = std::size_t(found - colours_.begin()));
-    update();
+    tell();
 }
 
 bool Swatches::has(const app::Colour& colour) const
@@ -105,7 +105,15 @@ void Swatches::mousePressEvent(QMouseEvent* event)
 void Swatches::goTo(std::size_t colour)
 {
     at_ = colour;
-    setAccessibleName(QStringLiteral("%1: %2").arg(name_, app::hexText(colours_[at_])));
+    tell();
+}
+
+/// While it has the keyboard, its name tells the colour that Enter picks.
+void Swatches::tell()
+{
+    const bool chooses = hasFocus() && at_ < colours_.size();
+    setAccessibleName(chooses ? QStringLiteral("%1: %2").arg(name_, app::hexText(colours_[at_]))
+                              : name_);
     update();
 }
 
@@ -133,9 +141,14 @@ void Swatches::keyPressEvent(QKeyEvent* event)
 
 void Swatches::focusInEvent(QFocusEvent* event)
 {
-    if (!colours_.empty())
-        goTo(at_);
     QWidget::focusInEvent(event);
+    tell();
+}
+
+void Swatches::focusOutEvent(QFocusEvent* event)
+{
+    QWidget::focusOutEvent(event);
+    tell();
 }
 
 bool Swatches::event(QEvent* event)

@@ -33,11 +33,13 @@ protected:
     void mousePressEvent(QMouseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
     bool event(QEvent* event) override;
 
 private:
     std::optional<std::size_t> colourAt(const QPointF& place) const;
     void goTo(std::size_t colour);
+    void tell();
 
     QString name_;
     int columns_, rows_;

@@ -137,6 +137,8 @@ bool MainWindow::event(QEvent* event)
 {
     if (event->type() == QEvent::WindowActivate)
         refreshActions();
+    if (event->type() == QEvent::LocaleChange)
+        emit session_.displayChanged(); // numbers look different
     return QMainWindow::event(event);
 }
 
