@@ -339,6 +339,37 @@ QSize LookStyle::sizeFromContents(ContentsType type, const QStyleOption* option,
     return answer;
 }
 
+static bool turnsWithTheWheel(const QWidget* widget)
+{
+    return qobject_cast<const QAbstractSpinBox*>(widget) || qobject_cast<const QComboBox*>(widget)
+           || qobject_cast<const QTabBar*>(widget);
+}
+
+void LookStyle::polish(QWidget* widget)
+{
+    QProxyStyle::polish(widget);
+    if (!turnsWithTheWheel(widget))
+        return;
+    if (widget->focusPolicy() == Qt::WheelFocus)
+        widget->setFocusPolicy(Qt::StrongFocus); // the wheel would give it the focus first
+    widget->installEventFilter(this);
+}
+
+void LookStyle::unpolish(QWidget* widget)
+{
+    if (turnsWithTheWheel(widget))
+        widget->removeEventFilter(this);
+    QProxyStyle::unpolish(widget);
+}
+
+bool LookStyle::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() != QEvent::Wheel || static_cast<QWidget*>(watched)->hasFocus())
+        return QProxyStyle::eventFilter(watched, event);
+    event->ignore(); // it goes to the parent
+    return true;
+}
+
 int LookStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                          QStyleHintReturn* answer) const
 {

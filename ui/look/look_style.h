@@ -13,6 +13,9 @@ class LookStyle : public QProxyStyle {
 public:
     LookStyle();
 
+    /// The wheel changes no field, list or tab that it only passes: what is around them scrolls.
+    void polish(QWidget* widget) override;
+    void unpolish(QWidget* widget) override;
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                        const QWidget* widget) const override;
     void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
@@ -25,6 +28,9 @@ public:
                            const QWidget* widget) const override;
     int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                   QStyleHintReturn* answer) const override;
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void drawMenuButton(const QStyleOptionToolButton& button, QPainter& painter,
