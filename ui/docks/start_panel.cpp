@@ -116,6 +116,7 @@ StartPanel::StartPanel(QWidget* parent)
     auto* scroll = new QScrollArea;
     scroll->setWidget(body);
     scroll->setWidgetResizable(true);
+    scroll->setFocusPolicy(Qt::NoFocus); // its buttons have it
     scroll->setFrameShape(QFrame::NoFrame);
     // The samples' height depends on the width. A scroll bar that appears and disappears would
     // change both in an endless loop.
@@ -127,6 +128,7 @@ StartPanel::StartPanel(QWidget* parent)
     all->setContentsMargins(0, 0, 0, 0);
     all->addWidget(scroll);
 
+    showRecent({});
     connect(draw, &QAbstractButton::clicked, this, &StartPanel::drawWanted);
     connect(open, &QAbstractButton::clicked, this, &StartPanel::openWanted);
     connect(lesson, &QAbstractButton::clicked, this, &StartPanel::lessonWanted);

@@ -21,6 +21,7 @@ ChartsPage::ChartsPage(QWidget* parent) : QScrollArea(parent)
 {
     setFrameShape(QFrame::NoFrame);
     setWidgetResizable(true);
+    setFocusPolicy(Qt::NoFocus);                       // its charts have it
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // because heights depend on the width
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     viewport()->setBackgroundRole(QPalette::Base);

@@ -6,7 +6,7 @@
 #include "app/lessons/reading.h"
 #include "app/teaching/page_figure.h"
 #include "ui/explanation/page_style.h"
-#include "ui/look/look.h"
+#include "ui/look/focus_ring.h"
 #include "ui/widgets/algorithm_marker.h"
 
 #include <QKeyEvent>
@@ -183,8 +183,27 @@ void PageView::resizeEvent(QResizeEvent* event)
 void PageView::changeEvent(QEvent* event)
 {
     QTextBrowser::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange)
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::LocaleChange)
         soon_.start();
+}
+
+void PageView::paintEvent(QPaintEvent* event)
+{
+    QTextBrowser::paintEvent(event);
+    if (hasFocus())
+        paintFocusRing(*viewport());
+}
+
+void PageView::focusInEvent(QFocusEvent* event)
+{
+    QTextBrowser::focusInEvent(event);
+    viewport()->update();
+}
+
+void PageView::focusOutEvent(QFocusEvent* event)
+{
+    QTextBrowser::focusOutEvent(event);
+    viewport()->update();
 }
 
 void PageView::keyPressEvent(QKeyEvent* event)

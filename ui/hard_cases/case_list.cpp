@@ -2,7 +2,7 @@
 #include "ui/hard_cases/case_list.h"
 
 #include "ui/hard_cases/case_picture_view.h"
-#include "ui/look/look.h"
+#include "ui/look/focus_ring.h"
 #include "ui/widgets/keep_choice.h"
 
 #include <QPainter>
@@ -149,6 +149,13 @@ void CaseList::currentChanged(const QModelIndex& current, const QModelIndex& pre
     QListView::currentChanged(current, previous);
     if (current.isValid())
         emit caseChosen(chosen());
+}
+
+void CaseList::paintEvent(QPaintEvent* event)
+{
+    QListView::paintEvent(event);
+    if (hasFocus())
+        paintFocusRing(*viewport());
 }
 
 void CaseList::resizeEvent(QResizeEvent* event)

@@ -3,10 +3,12 @@
 
 #include "ui/look/look.h"
 
+#include <QCheckBox>
 #include <QDateTime>
 #include <QListWidget>
 #include <QPainter>
 #include <QPainterPath>
+#include <QRadioButton>
 #include <QStyleOption>
 #include <QToolBar>
 
@@ -101,8 +103,11 @@ void drawToolButton(QPainter& painter, const QStyleOption& option)
         drawBox(painter, option.rect, look.tint, look.selection);
     else if (enabled && (has(option, QStyle::State_Sunken) || has(option, QStyle::State_MouseOver)))
         drawBox(painter, option.rect, look.hover, look.hover);
-    if (enabled && has(option, QStyle::State_HasFocus))
-        drawBox(painter, option.rect, Qt::transparent, look.selection, 2);
+}
+
+void drawFocusRing(QPainter& painter, const QStyleOption& option)
+{
+    drawBox(painter, option.rect, Qt::transparent, lookOf(option.palette).selection, 2);
 }
 
 void drawCheck(QPainter& painter, const QStyleOption& option, double radius)
@@ -208,8 +213,11 @@ void LookStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opti
     case PE_IndicatorToolBarHandle:
     case PE_FrameStatusBarItem:
     case PE_FrameTabBarBase:
-    case PE_FrameFocusRect:
-        return; // bars have no frames; widgets paint their own focus rings
+        return;             // bars have no frames
+    case PE_FrameFocusRect: // the others paint their own rings
+        if (qobject_cast<const QCheckBox*>(widget) || qobject_cast<const QRadioButton*>(widget))
+            drawFocusRing(*painter, *option);
+        return;
     case PE_PanelStatusBar:
     case PE_PanelMenuBar:
         return painter->fillRect(option->rect, option->palette.window());
@@ -296,6 +304,9 @@ void LookStyle::drawComplexControl(ComplexControl control, const QStyleOptionCom
         drawMenuButton(*button, *painter, widget);
     } else {
         QProxyStyle::drawComplexControl(control, option, painter, widget);
+        const bool framed = widget && widget->property("framed").toBool(); // has a ring
+        if (control == CC_ToolButton && has(*option, State_HasFocus) && !framed)
+            drawFocusRing(*painter, *option);
     }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/microscope/code_view.h"
 
-#include "ui/look/look.h"
+#include "ui/look/focus_ring.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QFontDatabase>
@@ -131,6 +131,20 @@ void CodeView::paintEvent(QPaintEvent* event)
     if (const QRectF row = rowOf(currentLine_); row.isValid())
         QPainter(viewport()).fillRect(row, lookOf(palette()).tint);
     QTextEdit::paintEvent(event);
+    if (hasFocus())
+        paintFocusRing(*viewport());
+}
+
+void CodeView::focusInEvent(QFocusEvent* event)
+{
+    QTextEdit::focusInEvent(event);
+    viewport()->update();
+}
+
+void CodeView::focusOutEvent(QFocusEvent* event)
+{
+    QTextEdit::focusOutEvent(event);
+    viewport()->update();
 }
 
 void CodeView::resizeEvent(QResizeEvent* event)

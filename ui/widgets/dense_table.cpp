@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/dense_table.h"
 
-#include "ui/look/look.h"
+#include "ui/look/focus_ring.h"
 #include "ui/widgets/tabular.h"
 
 #include <QEvent>
@@ -155,6 +155,13 @@ void DenseTable::paintGround(QPainter& painter, const QStyleOptionViewItem& opti
         painter.fillRect(r.left(), r.top(), r.width(), 1, look.selection);
         painter.fillRect(r.left(), r.bottom(), r.width(), 1, look.selection);
     }
+}
+
+void DenseTable::paintEvent(QPaintEvent* event)
+{
+    QTableView::paintEvent(event);
+    if (hasFocus() && !(selectionModel() && selectionModel()->hasSelection()))
+        paintFocusRing(*viewport());
 }
 
 bool DenseTable::viewportEvent(QEvent* event)

@@ -22,6 +22,7 @@ public:
                      const QModelIndex& index) const;
 
 protected:
+    void paintEvent(QPaintEvent* event) override;
     bool viewportEvent(QEvent* event) override;
 
 private:

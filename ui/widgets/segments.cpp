@@ -84,6 +84,7 @@ Segments::Segments(const QString& name, const QStringList& choices, QWidget* par
         row->addWidget(button);
         group_.addButton(button, i);
     }
+    setFocusProxy(group_.button(0)); // so that setTabOrder() moves all buttons
     connect(&group_, &QButtonGroup::idClicked, this, &Segments::picked);
     choose(0);
 }

@@ -2,7 +2,7 @@
 #include "ui/widgets/table_view.h"
 
 #include "app/experiment/one_by_one.h"
-#include "ui/look/look.h"
+#include "ui/look/focus_ring.h"
 #include "ui/widgets/algorithm_marker.h"
 #include "ui/widgets/tabular.h"
 
@@ -215,6 +215,13 @@ void TableView::changeEvent(QEvent* event)
     QTableView::changeEvent(event);
     if (event->type() == QEvent::StyleChange || event->type() == QEvent::FontChange)
         fit();
+}
+
+void TableView::paintEvent(QPaintEvent* event)
+{
+    QTableView::paintEvent(event);
+    if (hasFocus())
+        paintFocusRing(*viewport());
 }
 
 /// Vertical scrolling is left to the parent.
