@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random keys, clicks, unfinished gestures and commands on all widgets.
+// Random keys, clicks, unfinished gestures and commands on all widgets of all windows, with several
+// files and whatever is on the clipboard.
 // The environment variables CLEARCUT_EVENTS and CLEARCUT_SEED set their number and the seed.
+#include <QAbstractButton>
 #include <QApplication>
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QDesktopServices>
+#include <QFileDialog>
 #include <QListView>
 #include <QMenu>
+#include <QMimeData>
 #include <QTimer>
 #include <QWheelEvent>
 
@@ -22,6 +29,33 @@ quint64 fromEnvironment(const char* name, quint64 usual)
     return qEnvironmentVariableIsSet(name) ? qEnvironmentVariable(name).toULongLong() : usual;
 }
 
+constexpr const char* drawings[]{
+    "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9'/>",
+    "<svg xmlns='http://www.w3.org/2000/svg' width='200mm' height='100mm' viewBox='0 0 200 100'>"
+    "<g id='a'><g><rect width='40' height='30' fill='#abc'/><circle r='9' cx='60' cy='20'/></g>"
+    "<path d='M0 0C50 90 90 0 99 99' stroke='red' fill='none' stroke-dasharray='3 1'/></g></svg>",
+    "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 50 50' xmlns:clearcut='urn:clearcut:1'>"
+    "<metadata><clearcut:window xmin='5' ymin='5' xmax='20' ymax='20'/></metadata>"
+    "<path d='M0 0L50 50M9 0L0 9' stroke='#000'/></svg>",
+    "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 1e-3 1e-3'><path d='M0 0h1e-3' "
+    "stroke='#00f' stroke-width='1e-4'/></svg>",
+    "<svg this is none",
+    "x1,y1,x2,y2\n0,0,100,50\n10,90,90,10\n",
+};
+
+/// Opens no browser.
+class NoBrowser : public QObject {
+    Q_OBJECT
+
+public:
+    NoBrowser()
+    {
+        for (const char* scheme : {"http", "https", "file"})
+            QDesktopServices::setUrlHandler(scheme, this, "open");
+    }
+    Q_INVOKABLE void open(const QUrl&) {}
+};
+
 class Somebody {
 public:
     explicit Somebody(quint64 seed) : random_(seed)
@@ -30,14 +64,24 @@ public:
         test_.show();
         test_.answers->answer = Questions::Answer::DontSave;
         for (QAction* action : test_.window->findChildren<QAction*>())
-            if (!action->menu() && !action->isSeparator() && !leavesTheWindow(*action))
+            if (leavesTheWindow(*action))
+                action->disconnect(); // also in menus
+            else if (!action->menu() && !action->isSeparator())
                 actions_ << action;
-        // Questions get no answer.
-        QObject::connect(&closer_, &QTimer::timeout, [] {
-            if (QWidget* waiting = QApplication::activePopupWidget()
-                                       ? QApplication::activePopupWidget()
-                                       : QApplication::activeModalWidget())
+        for (std::size_t i = 0; i < std::size(drawings); ++i)
+            files_ << test_.file(QString(i + 1 < std::size(drawings) ? "%1.svg" : "%1.csv").arg(i),
+                                 drawings[i]);
+        const auto samples = app::samples();
+        files_ << samples[0].file << samples[1].file;
+        // What waits for an answer in an event loop of its own gets one event, then none.
+        QObject::connect(&closer_, &QTimer::timeout, [this] {
+            QWidget* waiting = inFront();
+            if (!waiting || !acting_)
+                return;
+            if (std::exchange(answered_, true) || qobject_cast<QFileDialog*>(waiting))
                 waiting->close();
+            else
+                somewhere(*waiting);
         });
         closer_.start(20);
         QObject::connect(&session(), &app::Session::loaded,
@@ -48,7 +92,11 @@ public:
     /// Sends one random event, waits for the file that it reads or writes, and describes it.
     QString act()
     {
-        const QString what = send();
+        acting_ = true;
+        answered_ = false;
+        QWidget* front = inFront();
+        const QString what = !front ? send() : below(4) ? somewhere(*front) : closed(*front);
+        acting_ = false;
         test_.window->files().wait();
         return what;
     }
@@ -97,11 +145,19 @@ public:
     }
 
 private:
+    app::Session& session() { return test_.window->session(); }
+    int below(int most) { return int(random_() % unsigned(most)); }
+    template <class List>
+    auto& oneOf(List& list)
+    {
+        return list[below(int(std::size(list)))];
+    }
     QString send()
     {
-        switch (below(13)) {
+        switch (below(20)) {
         case 0:
         case 1:
+        case 13:
             return command();
         case 2:
             return key();
@@ -117,16 +173,125 @@ private:
             return drag();
         case 8:
             return pane();
+        case 9:
+        case 14:
+        case 15:
+            return somewhere(*oneWindow());
+        case 16:
+            return type();
+        case 17:
+            return foreignClipboard();
+        case 18:
+            return open();
         default:
             return mouse();
         }
     }
-    app::Session& session() { return test_.window->session(); }
-    int below(int most) { return int(random_() % unsigned(most)); }
-    template <class List>
-    auto& oneOf(List& list)
+
+    /// The menu, popup or dialog that alone takes input now, or null.
+    static QWidget* inFront()
     {
-        return list[below(int(std::size(list)))];
+        QWidget* popup = QApplication::activePopupWidget();
+        return popup ? popup : QApplication::activeModalWidget();
+    }
+    QWidget* oneWindow()
+    {
+        QWidgetList shown;
+        for (QWidget* window : QApplication::topLevelWidgets())
+            if (window->isVisible() && window->windowType() != Qt::ToolTip)
+                shown << window;
+        return oneOf(shown);
+    }
+    static QString closed(QWidget& window)
+    {
+        window.close();
+        return "close " + window.objectName();
+    }
+    /// Events to one of the widgets of a window.
+    QString somewhere(QWidget& window)
+    {
+        if (qobject_cast<QFileDialog*>(&window)) // it can delete files
+            return closed(window);
+        QWidgetList parts{&window};
+        for (QWidget* part : window.findChildren<QWidget*>())
+            if (part->isVisible() && part->isEnabled() && part->window() == &window
+                && !measuresForMinutes(*part))
+                parts << part;
+        const QPointer<QWidget> part = oneOf(parts);
+        const QPoint at(below(std::max(1, part->width())), below(std::max(1, part->height())));
+        const QString name =
+            QString("%1 “%2” in %3")
+                .arg(part->metaObject()->className(), part->accessibleName(), window.objectName());
+        switch (below(6)) {
+        case 0: {
+            QContextMenuEvent menu(QContextMenuEvent::Mouse, at, part->mapToGlobal(at));
+            QApplication::sendEvent(part, &menu);
+            return "menu of " + name;
+        }
+        case 1:
+            turn(*part, at);
+            return "wheel on " + name;
+        case 2:
+            QTest::mouseDClick(part, Qt::LeftButton, modifiers(), at);
+            return "double click on " + name;
+        case 3:
+            part->setFocus(Qt::TabFocusReason);
+            return type() + " in " + name;
+        default:
+            QTest::mouseClick(part, Qt::LeftButton, modifiers(), at);
+            return "click on " + name;
+        }
+    }
+    static bool measuresForMinutes(const QWidget& widget)
+    {
+        const auto* button = qobject_cast<const QAbstractButton*>(&widget);
+        return button && QString(button->text()).remove(u'&') == u"Run";
+    }
+    /// Keys to whatever has the keyboard.
+    QString type()
+    {
+        static const QStringList texts{"12", "-3,5", "1in+4mm", "x", "#ff8000", "é", "0", "1e9"};
+        static constexpr Qt::Key keys[]{
+            Qt::Key_Tab,    Qt::Key_Backtab, Qt::Key_Return, Qt::Key_Escape, Qt::Key_Space,
+            Qt::Key_Up,     Qt::Key_Down,    Qt::Key_Home,   Qt::Key_End,    Qt::Key_PageDown,
+            Qt::Key_Delete, Qt::Key_F2,      Qt::Key_A,      Qt::Key_C,      Qt::Key_X,
+            Qt::Key_V,      Qt::Key_Z,       Qt::Key_Y,      Qt::Key_F10};
+        QWidget* focus = QApplication::focusWidget();
+        if (!focus)
+            return "nothing typed";
+        if (below(2)) {
+            const QString text = oneOf(texts);
+            QTest::keyClicks(focus, text);
+            return "type " + text;
+        }
+        const Qt::Key key = oneOf(keys);
+        const bool control = key >= Qt::Key_A && key <= Qt::Key_Z;
+        QTest::keyClick(focus, key, control ? Qt::ControlModifier : modifiers());
+        return "key " + QKeySequence(key).toString();
+    }
+    QString foreignClipboard()
+    {
+        auto* data = new QMimeData;
+        const QByteArray content = oneOf(drawings);
+        if (below(2))
+            data->setText(content);
+        if (below(2))
+            data->setData("image/svg+xml", content);
+        QGuiApplication::clipboard()->setMimeData(data);
+        return "another program's clipboard";
+    }
+    QString open()
+    {
+        const QString file = oneOf(files_);
+        test_.window->files().open(file);
+        return "open " + file;
+    }
+    static void turn(QWidget& widget, const QPoint& at)
+    {
+        QWheelEvent event(at, widget.mapToGlobal(at), {}, {0, -120}, Qt::NoButton, {},
+                          Qt::NoScrollPhase, false);
+        QSpontaneKeyEvent::setSpontaneous(&event); // made events do not go on to the parent
+        qApp->notify(&widget, &event);
     }
     QPoint place()
     {
@@ -148,7 +313,7 @@ private:
 
     QString command()
     {
-        test_.answers->open = test_.path("two.svg");
+        test_.answers->open = oneOf(files_);
         test_.answers->save = test_.path(below(2) ? "random.svg" : "random.csv");
         QAction* action = oneOf(actions_);
         const QString text = action->text(); // of undo and redo it changes
@@ -267,8 +432,11 @@ private:
 
     std::mt19937_64 random_;
     TestWindow test_;
+    NoBrowser noBrowser_;
     QList<QAction*> actions_;
+    QStringList files_;
     QTimer closer_;
+    bool acting_ = false, answered_ = false;
     app::Sheet start_;
 };
 
