@@ -26,12 +26,12 @@ public:
     bool begin(QPaintDevice*) override { return true; }
     bool end() override { return true; }
     Type type() const override { return User; }
-    void updateState(const QPaintEngineState& state) override
+    void updateState(const QPaintEngineState& next) override
     {
-        if (state.state() & DirtyTransform)
-            transform_ = state.transform();
-        if (state.state() & DirtyPen)
-            pen_ = state.pen();
+        if (next.state() & DirtyTransform)
+            transform_ = next.transform();
+        if (next.state() & DirtyPen)
+            pen_ = next.pen();
     }
     void drawPixmap(const QRectF&, const QPixmap&, const QRectF&) override {}
     void drawPath(const QPainterPath&) override {}

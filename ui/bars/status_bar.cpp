@@ -50,9 +50,9 @@ StatusBar::StatusBar(app::Session& session, Canvas& canvas, QWidget* parent)
     connect(&canvas, &Canvas::frameShown, this, &StatusBar::note);
     connect(&canvas, &Canvas::pointerMoved, this, &StatusBar::showPosition);
     connect(&canvas, &Canvas::viewChanged, this, &StatusBar::showZoom);
-    const auto hint = [this](const QString& hint) {
+    const auto hint = [this](const QString& said) {
         if (!session_.microscope.isOpen()) // which has hints of its own
-            showHint(hint);
+            showHint(said);
     };
     connect(&canvas, &Canvas::hint, this, hint);
     connect(&canvas, &Canvas::toolChanged, this, [hint] { hint({}); });
