@@ -102,7 +102,8 @@ void LiveFinding::findAtOnce()
     if (upToDate_ || many())
         return;
     begin();
-    background_.waitFor(patience);
+    if (!background_.waitFor(patience))
+        emit changed(); // for a while the result is old
 }
 
 void LiveFinding::begin()
@@ -123,7 +124,8 @@ void LiveFinding::begin()
         [this](const std::unique_ptr<Finding>& whole) { keepFound(*whole); },
         [this](const Progress& progress) {
             share_ = progress.share;
-            emit progressed();
+            if (many())
+                emit progressed();
         });
     if (many())
         emit begun();

@@ -150,7 +150,7 @@ private slots:
         QVERIFY(session.differences.piecesAt(moved).empty()); // to ask computes nothing
         session.setPreview({.windows = withWindow(session.now().windows(), moved)});
         QVERIFY(session.differences.piecesAt(moved).empty());
-        QCoreApplication::sendPostedEvents(); // before anybody paints
+        session.differences.finish();
         const auto pieces = session.differences.piecesAt(moved);
         QCOMPARE(session.differences.found().list, expected);
         QCOMPARE(pieces.size(), expected.size() + app::counted(expected).endsApart);
@@ -163,7 +163,7 @@ private slots:
                                                   session.scene.lines()[difference.source], moved);
                 }));
         session.setPreview({});
-        QCoreApplication::sendPostedEvents();
+        session.differences.finish();
         QCOMPARE(session.differences.found().window, paper);
         QCOMPARE(session.differences.found().list, before);
     }

@@ -40,7 +40,7 @@ Made made(std::string_view key, const Sheet& sheet, const app::CutOptions& more 
     options.clipAll = app::usualAlgorithm().corrected.clipAll;
     options.region = {{{window, app::WindowOperation::Add}}, more.region.keep};
     app::Document document = app::documentOf(sheet);
-    const app::Cut cut = app::permanentCut(key).make(document, options);
+    const app::Cut cut = app::permanentCut(key).make(document, options, {});
     document.apply(cut.edit);
     return {app::sheetOf(document), cut.counts, document};
 }
@@ -175,7 +175,7 @@ private slots:
         const app::Document before = document;
         app::CutOptions options{.clipAll = app::usualAlgorithm().corrected.clipAll};
         options.region = {{{window, app::WindowOperation::Add}}};
-        const app::Cut split = app::permanentCut("split").make(document, options);
+        const app::Cut split = app::permanentCut("split").make(document, options, {});
         const app::Edit back = document.apply(split.edit);
         QCOMPARE(treeOf(document), QStringLiteral("Roads#roads[a #g[#b[- - ] c ] Paths[] ] "
                                                   "Roads, outside#roads-2[a-2 #g-2[#b-2[- - ] ] "
@@ -215,7 +215,7 @@ private slots:
         app::CutOptions options{.clipAll = app::usualAlgorithm().corrected.clipAll};
         options.region = {{{window, app::WindowOperation::Add}}};
         const app::Edit back =
-            document.apply(app::permanentCut("split").make(document, options).edit);
+            document.apply(app::permanentCut("split").make(document, options, {}).edit);
         document.apply(back);
         QVERIFY(document.objects() == before.objects());
         QVERIFY(document.containers() == before.containers());

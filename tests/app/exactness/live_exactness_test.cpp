@@ -38,7 +38,7 @@ std::size_t painted(const app::Session& session, const Window& window)
 {
     std::size_t pieces = 0;
     for (const auto& ofClass : session.exactness.piecesAt(window))
-        pieces += ofClass.size();
+        pieces += ofClass->size();
     return pieces;
 }
 
@@ -70,16 +70,16 @@ private slots:
         QVERIFY(session.exactness.counts().classes.back() > 50);
         QCOMPARE(painted(session, paper), session.exactness.found().list.size());
         QVERIFY(session.exactness.piecesAt({{0, 0}, {9, 9}}).empty());
-        for (const Clipped& piece : session.exactness.piecesAt(paper).back())
+        for (const Clipped& piece : *session.exactness.piecesAt(paper).back())
             QVERIFY(piece.source < 2'000);
 
         const Window moved{{120, 90}, {320, 240}};
         session.setPreview({.windows = withWindow(session.now().windows(), moved)});
-        QCoreApplication::sendPostedEvents(); // before anybody paints
+        session.exactness.finish();
         QVERIFY(isUpToDateAt(session, moved));
         QCOMPARE(painted(session, moved), session.exactness.found().list.size());
         session.setPreview({});
-        QCoreApplication::sendPostedEvents();
+        session.exactness.finish();
         ::splice(session.document, 0, 700, {});
         QVERIFY(session.exactness.piecesAt(paper).empty()); // its lines are others
         QTRY_VERIFY(session.exactness.upToDate());

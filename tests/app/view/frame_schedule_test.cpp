@@ -178,8 +178,9 @@ private slots:
                 painter.tick();
             VERIFY_OR_SAY(painter.schedule.isCurrent() && !painter.schedule.painting()
                               && painter.schedule.shown() == last,
-                          QString::number(round));
-            VERIFY_OR_SAY(painter.begun >= int(painter.finished.size()), QString::number(round));
+                          qPrintable(QString::number(round)));
+            VERIFY_OR_SAY(painter.begun >= int(painter.finished.size()),
+                          qPrintable(QString::number(round)));
         }
     }
 };

@@ -178,7 +178,7 @@ private slots:
             wish.key.look = std::uint64_t(++events);
             picture.want(wish, 0us);
             QTest::qWait(1);
-            if (picture.key() && picture.key() != last) {
+            if (picture.key() && *picture.key() != last) {
                 ++frames;
                 last = *picture.key();
             }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/picking.h"
+#include "clipping/algorithm.h"
 
 #include <QTest>
 

@@ -111,7 +111,7 @@ private slots:
         QCOMPARE(stage.table->model()->rowCount(), 10);
         for (int row = 0; row < 3; ++row)
             QVERIFY2(stage.cell(row, 1).startsWith("lost: "), qPrintable(stage.cell(row, 1)));
-        const auto& last = stage.session.exactness.piecesAt(window).back();
+        const auto& last = *stage.session.exactness.piecesAt(window).back();
         QCOMPARE(last.size(), std::size_t(3)); // painted like differing lines
         QVERIFY(
             stage.panel.findChild<ErrorHistogram*>()->accessibleDescription().endsWith("wrong: 3"));
