@@ -727,7 +727,7 @@ private slots:
         QFETCH(QByteArray, what);
         const QByteArray touching = "0,0,10,10\n5,20,15,0\n", cut = "0,15,30,15\n";
         const auto errorOf = [&](const QByteArray& table) {
-            const auto run = clearcut(
+            auto run = clearcut(
                 QStringList{"clip", "-", "--from", "csv", "-o", "-", "-w", "10,10,20,20"} + more,
                 table);
             return run.code == 0 ? run.err.replace("Shapes with covered lines: 0 cut, 0 removed; "

@@ -26,7 +26,7 @@ app::Document longLines(int count)
     const auto point = [&] { return app::Point(random() % 4000, random() % 3000) / 10.0; };
     app::DocumentBuilder builder;
     builder.open({.name = "Lines"});
-    const app::StyleIndex style = builder.style({.stroke = app::Colour{}, .width = 1});
+    const app::StyleEntry style = builder.style({.stroke = app::Colour{}, .width = 1});
     for (int i = 0; i < count; ++i)
         builder.addLine({point(), point()}, style);
     builder.close();

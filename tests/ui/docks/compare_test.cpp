@@ -250,9 +250,8 @@ private slots:
         QVERIFY(table.isColumnHidden(CompareModel::Here));
         QTRY_VERIFY(t.panel().race().upToDate());
         const std::size_t visible =
-            t.window->session()
-                .scene.clip(t.window->session().region(), app::exactVariant())
-                .visible;
+            visibleIn(t.window->session().scene.lines(), t.window->session().region(),
+                      app::exactVariant());
         QTRY_COMPARE(t.text(rowOf("EX"), CompareModel::Visible), app::countText(visible));
     }
     void columnsAreHiddenWithoutRoom()

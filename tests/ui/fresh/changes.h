@@ -211,8 +211,8 @@ inline std::vector<DeskChange> deskChanges()
                  d.grid.spacing = 1 + desk.below(9);
              });
          }},
-        {"as printed",
-         [](Desk& desk) { display(desk, [](app::Display& d) { d.asPrinted = !d.asPrinted; }); }},
+        {"dark paper",
+         [](Desk& desk) { display(desk, [](app::Display& d) { d.darkPaper = !d.darkPaper; }); }},
         {"what the algorithm sees",
          [](Desk& desk) { display(desk, [](app::Display& d) { d.overlay = !d.overlay; }); }},
         {"inspect",
