@@ -48,7 +48,7 @@ struct CLEARCUT_HOLDS_CONTAINERS Functions {
     BasicTrace<Piece::dimensions> (*trace)(const S& segment, const W& window);
 };
 
-/// k of the contract for convex polygons, for every row that supports them (README.md, "Polygons").
+/// k of the contract for convex polygons, for every row that supports them (polygon/README.md).
 /// M is the largest |coordinate| of segment and polygon; "moved" edges are edges whose lines are
 /// moved by k ulps of M on each axis.
 /// 1. For finite input it returns the part of the segment inside the closed polygon, directed from
@@ -65,7 +65,7 @@ struct CLEARCUT_HOLDS_CONTAINERS Functions {
 /// A polygon is prepared once per call (O(corners), the only allocation), so prefer clipAll.
 inline constexpr double polygonUlps = 32;
 
-/// k of the contract in three dimensions, for every row that supports boxes (README.md, "Boxes").
+/// k of the contract in three dimensions, for every row that supports boxes (box/README.md).
 inline constexpr double boxUlps = 48;
 
 /// The two forms of an algorithm: with its published defects corrected, and as its authors printed

@@ -6,7 +6,7 @@
 #include <QString>
 
 // How far results for one line are apart, in the unit of the library's contract
-// (clipping/README.md, "How far off").
+// (clipping/algorithms/README.md, "How far off").
 
 namespace app {
 

@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-// A trace as data: everything that the library reports, in reading order. README.md of app/
+// A trace as data: everything that the library reports, in reading order. README.md of this folder
 // describes the format.
 
 namespace app {

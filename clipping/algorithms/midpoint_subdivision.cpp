@@ -19,8 +19,8 @@
 // Error: two points of the last step are 2^-53*D apart, 2 ulps; in README.md they take the place of
 // the two differences in step 1, so its k = 24 holds here too. An outcode can be wrong within 3e, 6
 // ulps: a contact of two ends is off by both steps, both outcodes and the 5 of an added distance, 4
-// + 12 + 5 = 21. The same holds in three dimensions, where this is far below the k of README.md,
-// "Boxes".
+// + 12 + 5 = 21. The same holds in three dimensions, where this is far below the k of
+// box/README.md.
 
 #include "clipping/clamped.h"
 #include "clipping/describe.h"

@@ -8,7 +8,7 @@
 
 // Streaming stores write past the caches. An ordinary store first reads the line that it changes
 // into the caches: half of the traffic of an output that does not stay there. They pay where
-// nothing is computed meanwhile (tests/benchmarks/README.md). In an anonymous namespace, as lanes.h
+// nothing is computed meanwhile (README.md). In an anonymous namespace, as lanes.h
 // explains.
 
 namespace clipping {

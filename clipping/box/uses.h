@@ -6,7 +6,7 @@
 namespace clipping {
 
 // The form in three dimensions of the one row whose corrected function works in the plane only.
-// README.md, "Boxes", gives its error.
+// README.md gives its error.
 extern const Functions<Segment3, Window3> matthesDrakopoulosBox;
 
 } // namespace clipping

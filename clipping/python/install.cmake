@@ -38,6 +38,6 @@ install(TARGETS clearcut_python LIBRARY DESTINATION ${modules_folder}/clearcut $
 install(DIRECTORY clearcut DESTINATION ${modules_folder} ${quietly} FILES_MATCHING PATTERN *.py PATTERN *.pyi PATTERN py.typed
   PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/${info} DESTINATION ${modules_folder} ${quietly})
-install(FILES README.md cluster.md DESTINATION share/doc/python3-clearcut ${quietly})
+install(FILES README.md cluster.md examples.md DESTINATION share/doc/python3-clearcut ${quietly})
 install(DIRECTORY examples DESTINATION share/doc/python3-clearcut ${quietly})
 install(FILES copyright DESTINATION share/doc/python3-clearcut ${quietly})

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // How fast `exact` clips many segments, beside plain reading and copying of the same bytes, beside
-// the other rows and beside other libraries. Prints Markdown; README.md keeps what it printed.
+// the other rows and beside other libraries. Prints Markdown; peers.md keeps what it printed.
 //   clip_bench                          everything, in about five minutes
 //   clip_bench SCENE MILLIONS [ROUNDS]  one scene (or "all")
 //   clip_bench few                      from 1 to 100 segments a call

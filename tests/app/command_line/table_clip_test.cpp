@@ -283,7 +283,7 @@ private slots:
         }
     }
 
-    // The example of README.md.
+    // The example of resources/manual/streams.md.
     void theSameFilterRunsUnderGnuParallel()
     {
         if (QStandardPaths::findExecutable(QStringLiteral("parallel")).isEmpty())
