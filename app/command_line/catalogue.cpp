@@ -22,6 +22,7 @@ Command algorithmsCommand();
 Command benchCommand();
 Command infoCommand();
 Command judgeCommand();
+Command helpCommand();
 Command traceCommand();
 
 // THE CATALOGUE. To add a command: write its file in app/command_line/, and name it in both lists.
@@ -38,6 +39,7 @@ std::vector<Command> commands()
         algorithmsCommand(),
         benchCommand(),
         judgeCommand(),
+        helpCommand(),
     };
     // clang-format on
 }

@@ -29,10 +29,11 @@ struct Command {
     QString summary; ///< one sentence
     std::vector<Option> options;
     QStringList examples; ///< whole command lines
-    qsizetype operands;   ///< the exact number of arguments that are not options
+    qsizetype operands;   ///< the number of arguments that are not options
     void (*run)(const ParsedArguments& arguments); ///< throws WrongUsage or Failure (refusal.h)
     bool paints = false;                           ///< needs fonts or OpenGL, so a QGuiApplication
     QStringList limits{};                          ///< limits of its input, a sentence each
+    bool lastIsOptional = false;                   ///< the last operand may be left out
 };
 std::vector<Command> commands();
 

@@ -72,7 +72,7 @@ ParsedArguments::ParsedArguments(const Command& command, const QStringList& argu
         throw WrongUsage{refusalOf(parser_, command)};
     if (helpWanted())
         return;
-    if (operands().size() < command.operands)
+    if (operands().size() < command.operands - (command.lastIsOptional ? 1 : 0))
         throw WrongUsage{Commands::tr("An argument is missing: %1 %2.")
                              .arg(QLatin1StringView(command.key), command.usage)};
     if (operands().size() > command.operands)

@@ -5,6 +5,7 @@
 #include "app/base/numbers.h"
 #include "app/hard_cases/hard_case.h"
 #include "app/session/first_traced_line.h"
+#include "app/teaching/manual.h"
 #include "app/teaching/trace_link.h"
 #include "ui/docks/algorithm_list.h"
 #include "ui/explanation/page_view.h"
@@ -100,9 +101,12 @@ QWidget* ExplanationWindow::bar()
 {
     back_ = button("step-back", tr("Back"), QKeySequence(QStringLiteral("Alt+Left")));
     forward_ = button("step-on", tr("Forward"), QKeySequence(QStringLiteral("Alt+Right")));
-    auto* look = button("microscope", tr("Show this algorithm step by step in the microscope"), {});
-    look->setText(tr("Open microscope"));
-    look->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    look_ = button("microscope", tr("Show this algorithm step by step in the microscope"), {});
+    look_->setText(tr("Open microscope"));
+    look_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    contents_ = button("book", tr("All pages of the manual"), {});
+    contents_->setText(tr("Contents"));
+    contents_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     auto* smaller = button({}, tr("A− Smaller text"), QKeySequence::ZoomOut);
     auto* larger = button({}, tr("A+ Larger text"), QKeySequence::ZoomIn);
     auto* search = button("zoom", tr("Find on this page"), QKeySequence::Find);
@@ -121,7 +125,8 @@ QWidget* ExplanationWindow::bar()
         wanted_->selectAll();
     });
     connect(save, &QToolButton::clicked, this, &ExplanationWindow::savePdf);
-    connect(look, &QToolButton::clicked, this, [this] {
+    connect(contents_, &QToolButton::clicked, this, [this] { page_->showManual(app::manualIndex); });
+    connect(look_, &QToolButton::clicked, this, [this] {
         app::TracedLine tracedLine = app::firstTracedLine(session_);
         tracedLine.variant = {page_->algorithm(), clipping::Form::Corrected};
         session_.microscope.open(tracedLine);
@@ -132,7 +137,7 @@ QWidget* ExplanationWindow::bar()
     auto* row = new QHBoxLayout(whole);
     row->setContentsMargins(space::dockMargin, 4, space::dockMargin, 4);
     row->setSpacing(4);
-    for (QToolButton* one : {back_, forward_, look})
+    for (QToolButton* one : {back_, forward_, look_, contents_})
         row->addWidget(one);
     row->addStretch();
     for (QToolButton* one : {smaller, larger, search, save})
@@ -177,14 +182,28 @@ void ExplanationWindow::show(const clipping::Algorithm& algorithm)
     QDialog::show();
 }
 
+void ExplanationWindow::showManual()
+{
+    if (page_->topic().isEmpty())
+        page_->showManual(topic_.isEmpty() ? app::manualIndex : topic_);
+    QDialog::show();
+}
+
+/// The list is that of algorithms; the manual has its index.
 void ExplanationWindow::showPlace()
 {
-    const auto* algorithm = page_->algorithm();
-    if (!algorithm)
+    if (page_->title().isEmpty())
         return;
-    setWindowTitle(app::latin(algorithm->name));
-    list_->setCurrentIndex(
-        list_->model()->index(int(algorithm - clipping::algorithms().data()), 0));
+    setWindowTitle(page_->title());
+    const auto* algorithm = page_->algorithm();
+    list_->setVisible(algorithm);
+    look_->setVisible(algorithm);
+    contents_->setVisible(!algorithm);
+    if (algorithm)
+        list_->setCurrentIndex(
+            list_->model()->index(int(algorithm - clipping::algorithms().data()), 0));
+    else
+        topic_ = page_->topic();
     if (finder_->isVisible() && !wanted_->text().isEmpty())
         find({});
 }
@@ -223,7 +242,9 @@ void ExplanationWindow::stopFinding()
 
 void ExplanationWindow::savePdf()
 {
-    const QString name = app::latin(page_->algorithm()->key) + QStringLiteral(".pdf");
+    const QString name =
+        (page_->algorithm() ? app::latin(page_->algorithm()->key) : page_->topic())
+        + QStringLiteral(".pdf");
     const QString file = questions_->fileToWrite(tr("Save page as PDF"), name, tr("PDF document"),
                                                  QStringLiteral("pdf"));
     if (file.isEmpty())

@@ -32,6 +32,7 @@ public:
     /// Replaces the dialogs; used by tests.
     void setQuestions(std::unique_ptr<Questions> questions);
     void show(const clipping::Algorithm& algorithm);
+    void showManual(); ///< the page of the manual that was read last, or its index
     PageView& page() { return *page_; }
 
 signals:
@@ -62,6 +63,8 @@ private:
     QLabel* found_;
     MessageStrip* strip_;
     QToolButton *back_ = nullptr, *forward_ = nullptr;
+    QToolButton *contents_ = nullptr, *look_ = nullptr; ///< on pages of the manual; of algorithms
+    QString topic_; ///< of the manual, read last
 };
 
 } // namespace ui

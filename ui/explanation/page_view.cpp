@@ -4,11 +4,13 @@
 #include "app/base/latin.h"
 #include "app/base/replace_file.h"
 #include "app/lessons/reading.h"
+#include "app/teaching/manual.h"
 #include "app/teaching/page_figure.h"
 #include "ui/explanation/page_style.h"
 #include "ui/look/focus_ring.h"
 #include "ui/widgets/algorithm_marker.h"
 
+#include <QDir>
 #include <QKeyEvent>
 #include <QPdfWriter>
 #include <QScrollBar>
@@ -26,6 +28,32 @@ constexpr double step = 0.1;     // fraction of the text size
 constexpr int figureWidth = 620; // logical pixels on paper
 constexpr double printRatio = 3; // figure pixels per logical pixel
 constexpr double printSize = 10; // points
+const QString pictures = QStringLiteral(":/manual/pictures/");
+
+QImage widthOf(const QImage& picture, int width, double ratio)
+{
+    QImage image = picture.scaledToWidth(std::min(picture.width(), int(width * ratio)),
+                                         Qt::SmoothTransformation);
+    image.setDevicePixelRatio(ratio);
+    return image;
+}
+
+// For printing.
+void addFigure(QTextDocument& paper, const clipping::Algorithm& algorithm)
+{
+    const QUrl figure(QStringLiteral("figure:") + app::latin(algorithm.key));
+    paper.addResource(
+        QTextDocument::ImageResource, figure,
+        app::pageFigure(figure.toString(), app::Ground::Light, figureWidth, printRatio));
+}
+
+void addPictures(QTextDocument& paper, const QString& markdown)
+{
+    for (const QString& name : QDir(pictures).entryList())
+        if (markdown.contains(name))
+            paper.addResource(QTextDocument::ImageResource, QUrl(QStringLiteral("pictures/") + name),
+                              widthOf(QImage(pictures + name), figureWidth, printRatio));
+}
 
 } // namespace
 
@@ -48,16 +76,31 @@ void PageView::show(const clipping::Algorithm& algorithm)
     setSource(QUrl(app::pageLink(algorithm)), QTextDocument::MarkdownResource);
 }
 
+void PageView::showManual(const QString& topic)
+{
+    setSource(QUrl(topic + QStringLiteral(".md")), QTextDocument::MarkdownResource);
+}
+
 const clipping::Algorithm* PageView::algorithm() const
 {
     return app::algorithmOfPage(source().path());
 }
 
+QString PageView::topic() const { return app::topicOfPage(source().path()); }
+
+QString PageView::title() const
+{
+    const auto manual = app::manualPage(topic());
+    return manual ? manual->title : algorithm() ? app::latin(algorithm()->name) : QString();
+}
+
 void PageView::follow(const QUrl& link)
 {
-    if (const auto* algorithm =
-            link.scheme().isEmpty() ? app::algorithmOfPage(link.path()) : nullptr)
+    const QString path = link.scheme().isEmpty() ? link.path() : QString();
+    if (const auto* algorithm = app::algorithmOfPage(path))
         show(*algorithm);
+    else if (const QString topic = app::topicOfPage(path); !topic.isEmpty())
+        showManual(topic);
     else
         emit linkChosen(link);
 }
@@ -75,6 +118,11 @@ QVariant PageView::loadResource(int type, const QUrl& url)
                                devicePixelRatioF());
     if (const auto* algorithm = app::algorithmOfPage(url.path()))
         return app::readingOf(*algorithm).toUtf8();
+    if (const auto page = app::manualPage(app::topicOfPage(url.path())))
+        return page->markdown.toUtf8();
+    if (url.path().startsWith(QStringLiteral("pictures/")))
+        return widthOf(QImage(QStringLiteral(":/manual/") + url.path()), columnWidth(),
+                       devicePixelRatioF());
     return type == QTextDocument::ImageResource ? QVariant()
                                                 : QTextBrowser::loadResource(type, url);
 }
@@ -108,7 +156,7 @@ void PageView::setZoom(int steps)
     QFont larger;
     larger.setPointSizeF(larger.pointSizeF() * (1 + step * zoom_));
     setFont(larger);
-    if (algorithm())
+    if (!source().isEmpty())
         reload();
 }
 
@@ -142,21 +190,19 @@ void PageView::forgetFound()
 
 std::optional<QString> PageView::saveAsPdf(const QString& file) const
 {
-    const QUrl figure(QStringLiteral("figure:") + app::latin(algorithm()->key));
     QTextDocument paper;
     QFont body;
     body.setPointSizeF(printSize);
     paper.setDefaultFont(body);
-    paper.addResource(
-        QTextDocument::ImageResource, figure,
-        app::pageFigure(figure.toString(), app::Ground::Light, figureWidth, printRatio));
-    paper.setMarkdown(app::readingOf(*algorithm()));
+    const auto manual = app::manualPage(topic());
+    manual ? addPictures(paper, manual->markdown) : addFigure(paper, *algorithm());
+    paper.setMarkdown(manual ? manual->markdown : app::readingOf(*algorithm()));
     styleMarkdown(paper, lookOf(QPalette(Qt::white)));
     return app::replaceFile(file, [&paper, this](QIODevice& out) -> std::optional<QString> {
         QPdfWriter writer(&out);
         writer.setPageSize(QPageSize(QPageSize::A4));
         writer.setPageMargins({22, 20, 22, 20}, QPageLayout::Millimeter);
-        writer.setTitle(app::latin(algorithm()->name));
+        writer.setTitle(title());
         paper.print(&writer);
         return std::nullopt;
     });
@@ -166,7 +212,7 @@ std::optional<QString> PageView::saveAsPdf(const QString& file) const
 /// the palette.
 void PageView::setAnew()
 {
-    if (!algorithm())
+    if (source().isEmpty())
         return;
     const int before = verticalScrollBar()->value();
     reload();

@@ -10,7 +10,7 @@
 
 namespace ui {
 
-/// The page of an algorithm: lines of a comfortable length, figures painted by the program in the
+/// A page of an algorithm or of the manual: lines of a comfortable length, figures painted by the program in the
 /// palette's colours. It follows links to other pages and signals all other links. It goes back and
 /// forward like a browser.
 class PageView : public QTextBrowser {
@@ -20,7 +20,10 @@ public:
     explicit PageView(QWidget* parent = nullptr);
 
     void show(const clipping::Algorithm& algorithm);
-    const clipping::Algorithm* algorithm() const; ///< null before the first page
+    void showManual(const QString& topic);        ///< which must exist
+    const clipping::Algorithm* algorithm() const; ///< null on a page of the manual, or on none
+    QString topic() const;                        ///< of the manual; empty on other pages
+    QString title() const;
 
     /// Selects the next match of `text`, wrapping around at the end, and highlights all matches.
     /// Returns their number.

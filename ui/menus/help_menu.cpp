@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/menus/actions.h"
+#include "ui/menus/other_windows.h"
 #include "ui/menus/pages.h"
 #include "ui/window/main_window.h"
 
@@ -22,9 +23,14 @@ MenuInfo helpMenu()
         .rows =
             {
                 {
+                    .key = "manual",
+                    .text = tr("&Manual"),
+                    .icon = "book",
+                    .show = &OtherWindows::showManual,
+                },
+                {
                     .key = "start",
                     .text = tr("Show &start panel"),
-                    .icon = "book",
                     .run = [](MainWindow& w) { w.raisePanel("start"); },
                 },
                 {

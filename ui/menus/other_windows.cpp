@@ -51,7 +51,7 @@ void OtherWindows::showJudge()
     bringToFront(*judge_);
 }
 
-void OtherWindows::explain(const clipping::Algorithm& algorithm)
+ExplanationWindow& OtherWindows::reader()
 {
     if (!explanation_) {
         explanation_ = new ExplanationWindow(window_.session(), window_);
@@ -66,7 +66,18 @@ void OtherWindows::explain(const clipping::Algorithm& algorithm)
                     hardCases_->chooseFailing(variant);
                 });
     }
-    explanation_->show(algorithm);
+    return *explanation_;
+}
+
+void OtherWindows::explain(const clipping::Algorithm& algorithm)
+{
+    reader().show(algorithm);
+    bringToFront(*explanation_);
+}
+
+void OtherWindows::showManual()
+{
+    reader().showManual();
     bringToFront(*explanation_);
 }
 

@@ -26,12 +26,15 @@ public:
     void showHardCases();
     void showJudge();
     void explain(const clipping::Algorithm& algorithm);
+    void showManual();
     /// Explains the algorithm of the open microscope, else the one that clips.
     void explainCurrent();
     /// Opens the export dialog for the microscope's trace.
     void exportSteps();
 
 private:
+    ExplanationWindow& reader();
+
     MainWindow& window_;
     ExperimentWindow* experiment_ = nullptr;
     HardCasesWindow* hardCases_ = nullptr;

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line/nearest.h"
+#include "app/command_line/parsed_arguments.h"
+#include "app/command_line/refusal.h"
+#include "app/command_line/table.h"
+#include "app/command_line/terminal.h"
+#include "app/teaching/manual.h"
+
+namespace app {
+namespace {
+
+QString overview()
+{
+    std::vector<std::pair<QString, QString>> rows;
+    for (const QString& topic : manualTopics())
+        if (const auto page = manualPage(topic); page && topic != manualIndex)
+            rows.emplace_back(topic, page->title);
+    return Commands::tr("Usage: clearcut help TOPIC\n\nTopics:\n") + aligned(rows);
+}
+
+void help(const ParsedArguments& arguments)
+{
+    const QString topic = arguments.operands().value(0);
+    if (topic.isEmpty())
+        return print(overview());
+    const auto page = manualPage(topic);
+    if (!page) {
+        const auto meant = nearestTo(topic, manualTopics());
+        const QString nothing = Commands::tr("There is no page on “%1”.").arg(topic);
+        throw WrongUsage{
+            meant ? nothing + u' ' + Commands::tr("Did you mean “%1”?").arg(*meant) : nothing};
+    }
+    print(plainText(*page));
+}
+
+} // namespace
+
+Command helpCommand()
+{
+    return {.key = "help",
+            .usage = "[TOPIC]",
+            .summary = Commands::tr("Prints a page of the manual, or the list of its topics."),
+            .examples = {"clearcut help", "clearcut help snapping"},
+            .operands = 1,
+            .run = help,
+            .lastIsOptional = true};
+}
+
+} // namespace app

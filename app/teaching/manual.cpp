@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/teaching/manual.h"
+
+#include <QFile>
+#include <QRegularExpression>
+
+namespace app {
+
+namespace {
+
+const QString folder = QStringLiteral(":/manual/"), ending = QStringLiteral(".md");
+
+// "[Snapping](snapping.md)"
+const QRegularExpression& pageLinks()
+{
+    static const QRegularExpression links(
+        QStringLiteral("\\[([^\\]]+)\\]\\(([a-z-]+)\\.md(?:#[^)]*)?\\)"));
+    return links;
+}
+
+} // namespace
+
+std::optional<ManualPage> manualPage(const QString& topic)
+{
+    static const QRegularExpression comment(QStringLiteral("<!--.*?-->"),
+                                            QRegularExpression::DotMatchesEverythingOption);
+    QFile file(folder + topic + ending);
+    if (topic.contains(u'/') || !file.open(QIODevice::ReadOnly))
+        return std::nullopt;
+    const QString markdown = QString::fromUtf8(file.readAll()).remove(comment).trimmed();
+    return ManualPage{topic, markdown.section(u'\n', 0, 0).mid(2), markdown};
+}
+
+QStringList manualTopics()
+{
+    QStringList topics{manualIndex};
+    if (const auto index = manualPage(manualIndex))
+        for (auto links = pageLinks().globalMatch(index->markdown); links.hasNext();)
+            topics << links.next().captured(2);
+    return topics;
+}
+
+QString topicOfPage(const QString& link)
+{
+    const QString name = link.section(u'/', -1);
+    const QString topic = name.endsWith(ending) ? name.chopped(ending.size()) : QString();
+    return !topic.isEmpty() && QFile::exists(folder + name) ? topic : QString();
+}
+
+QString plainText(const ManualPage& page)
+{
+    static const QRegularExpression picture(QStringLiteral("!\\[[^\\]]*\\]\\([^)]*\\)\n*"));
+    static const QRegularExpression emphasis(
+        QStringLiteral("(?<![\\w*])(\\*{1,2})(?=\\S)([^*\n]+(?:\n[^*\n]+)?)(?<=\\S)\\1(?![\\w*])"));
+    QString text = page.markdown;
+    text.remove(picture);
+    text.replace(pageLinks(), QStringLiteral("\\1 (\\2)"));
+    text.replace(emphasis, QStringLiteral("\\2"));
+    return text + u'\n';
+}
+
+} // namespace app

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QStringList>
+
+#include <optional>
+
+namespace app {
+
+/// A page of the manual: a file in resources/manual/, whose README explains the format.
+struct ManualPage {
+    QString topic; ///< the file's name without ".md"
+    QString title;
+    QString markdown; ///< without comments; links to other pages are "TOPIC.md"
+};
+
+inline const QString manualIndex = QStringLiteral("index"); ///< the topic of the list of pages
+
+/// The topics in the order of the index, which comes first.
+QStringList manualTopics();
+/// Empty if there is no page on the topic.
+std::optional<ManualPage> manualPage(const QString& topic);
+
+/// The topic of the page that a link names, such as "snapping.md"; empty for other links.
+QString topicOfPage(const QString& link);
+
+/// The page as a terminal shows it: links as "Snapping (snapping)", no pictures and no emphasis.
+QString plainText(const ManualPage& page);
+
+} // namespace app
