@@ -30,9 +30,9 @@ struct RaceRow {
     double operations = 0; ///< per line: comparisons, additions, multiplications, divisions
 
     /// The times of this frame's rounds, or of all rounds while those are too few, and their
-    /// summary. Every row of a race has the same number of times.
+    /// summary, which is 0 without any. Every row of a race has the same number of times.
     std::span<const double> times() const;
-    Summary summary() const { return summaryOf(times()); }
+    Summary summary() const { return milliseconds.empty() ? Summary{} : summaryOf(times()); }
 };
 
 /// All variants clip the same frame, round by round, one after the other and into the same buffer;
