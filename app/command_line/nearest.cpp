@@ -3,25 +3,32 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace app {
 namespace {
 
-/// The number of letters to insert, delete or exchange to turn one word into the other.
+/// The number of letters to insert, delete, exchange, or swap with the next one to turn one word
+/// into the other ("optimal string alignment").
 std::size_t distance(const QString& word, const QString& other)
 {
-    std::vector<std::size_t> row(std::size_t(other.size()) + 1);
-    std::iota(row.begin(), row.end(), 0);
-    for (const QChar letter : word) {
-        std::size_t diagonal = row[0]++;
-        for (std::size_t i = 1; i < row.size(); ++i) {
-            const std::size_t exchanged = diagonal + (other[qsizetype(i) - 1] != letter);
-            diagonal = row[i];
-            row[i] = std::min({exchanged, row[i] + 1, row[i - 1] + 1});
+    using Row = std::vector<std::size_t>;
+    Row now(std::size_t(other.size()) + 1);
+    std::iota(now.begin(), now.end(), 0);
+    Row before = now, beforeThat = now;
+    for (qsizetype w = 0; w < word.size(); ++w) {
+        beforeThat = std::exchange(before, now);
+        ++now[0];
+        for (std::size_t i = 1; i < now.size(); ++i) {
+            const auto o = qsizetype(i) - 1;
+            now[i] =
+                std::min({before[i - 1] + (other[o] != word[w]), before[i] + 1, now[i - 1] + 1});
+            if (w > 0 && o > 0 && word[w] == other[o - 1] && word[w - 1] == other[o])
+                now[i] = std::min(now[i], beforeThat[i - 2] + 1);
         }
     }
-    return row.back();
+    return now.back();
 }
 
 } // namespace
