@@ -73,8 +73,11 @@ private:
 
 bool isOnlyPoints(const Object& object)
 {
-    return std::ranges::all_of(object.path.subpaths(),
-                               [](const Subpath& path) { return path.segments.empty(); });
+    return std::ranges::all_of(object.path.subpaths(), [](const Subpath& path) {
+        return std::ranges::all_of(path.segments, [&](const PathSegment& segment) {
+            return !segment.curved && segment.to == path.start;
+        });
+    });
 }
 
 CutOptions withTolerance(CutOptions options, const Page& page)

@@ -684,7 +684,7 @@ private slots:
         QCOMPARE(run.code, 0);
         QVERIFY2(run.err.contains("2 × text"), run.err.constData());
         QVERIFY2(
-            run.err.contains("Shapes: 0 kept whole, 1 cut, 0 removed; closed paths opened: 1.\n"
+            run.err.contains("Shapes: 0 kept whole, 1 cut, 0 removed.\n"
                              "Window (the page): "
                              "0,0,10,10 in the drawing's coordinates, 0mm,0mm,2.646mm,2.646mm "
                              "from the paper's top left corner.\nLines: 4 before, "),
