@@ -198,13 +198,13 @@ if c == 0000 or c == 1111
   reject
 i = enter[c],  j = leave[c]
 if code2 != 0000
-  if j == 1 or j == 3: x2 = e[j],  y2 = held(y1 + f[j]/dx)
-  else: x2 = held(x1 + f[j]/dy),  y2 = e[j]
+  if j == 1 or j == 3: x2 = ex[j],  y2 = held(y1 + f[j]/dx)
+  else: x2 = held(x1 + f[j]/dy),  y2 = ey[j]
 if code1 != 0000
-  if i == 1 or i == 3: x1 = e[i],  y1 = held(y1 + f[i]/dx)
-  else: x1 = held(x1 + f[i]/dy),  y1 = e[i]
+  if i == 1 or i == 3: x1 = ex[i],  y1 = held(y1 + f[i]/dx)
+  else: x1 = held(x1 + f[i]/dy),  y1 = ey[i]
 accept the line from x1, y1 to x2, y2
-e[0] = ymin,  e[1] = xmax,  e[2] = ymax,  e[3] = xmin
+ey[0] = ymin,  ex[1] = xmax,  ey[2] = ymax,  ex[3] = xmin
 enter[0001] = 0,  leave[0001] = 3
 enter[0010] = 1,  leave[0010] = 0
 enter[0011] = 1,  leave[0011] = 3
@@ -235,13 +235,13 @@ enter[1110] = 3,  leave[1110] = 0
         if (step.test(25, code2 != 0)) {
             visible.b = crossedAt(crossing->j, *crossing, s.a, w);
             const Edge edge = edgesFromCorners[crossing->j];
-            step.set("e[j]", levelOf(edge, w));
+            step.set(axisOf(edge) == 0 ? "ex[j]" : "ey[j]", levelOf(edge, w));
             step.cut(lineAt(edge, 26), 1, visible.b, edge);
         }
         if (step.test(28, code1 != 0)) {
             visible.a = crossedAt(crossing->i, *crossing, s.a, w);
             const Edge edge = edgesFromCorners[crossing->i];
-            step.set("e[i]", levelOf(edge, w));
+            step.set(axisOf(edge) == 0 ? "ex[i]" : "ey[i]", levelOf(edge, w));
             step.cut(lineAt(edge, 29), 0, visible.a, edge);
         }
         return step.accept(31, visible);

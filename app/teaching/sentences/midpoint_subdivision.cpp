@@ -251,6 +251,7 @@ constexpr auto variables = std::to_array<VariableUnit>({
     {"f", ValueUnit::Bare},
     {"last", ValueUnit::Bare},
     {"n", ValueUnit::Bare},
+    {"q", ValueUnit::Length},
     {"toLeft", ValueUnit::Length},
     {"toRight", ValueUnit::Length},
     {"toBottom", ValueUnit::Length},
