@@ -16,7 +16,7 @@ constexpr QSize size(1000, 900);
 
 std::vector<Chart> charts()
 {
-    const Measure& clip = measures().front();
+    const Measure clip = measures().front();
     return {chartOf(sample::seven(), clip),
             chartOf(sample::everything(), clip),
             chartOf(sample::seven(), clip, paperTables().front()),

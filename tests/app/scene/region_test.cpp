@@ -441,7 +441,7 @@ private slots:
         QCOMPARE(region.steps.size(), 3u);
         QCOMPARE(region.steps[1].rings.at(0).size(), 4u);
         QVERIFY(region.steps[2].box == (clipping::Window{{0, 0}, {1, 1}}));
-        QCOMPARE(comparedWindow(windows, page), (ComparedWindow{straight.box, false}));
+        QCOMPARE(comparedWindow(windows, page), (ComparedWindow{straight.box, false, 2}));
     }
     void manyWindowsFoldAsWell()
     {

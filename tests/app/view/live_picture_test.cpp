@@ -57,8 +57,8 @@ QImage paintedBy(const app::LivePicture& picture)
 QImage paintedAtOnce(const app::FrameWish& wish)
 {
     app::FramePainter painter;
-    QThreadPool none;
-    none.setMaxThreadCount(1);
+    QThreadPool none; // as many threads, so the same bands: edges are rounded from where they begin
+    none.setMaxThreadCount(QThreadPool::globalInstance()->maxThreadCount());
     const auto frame = painter.paint(wish, {{}, [](const app::Progress&) {}},
                                      std::make_shared<app::FrameParts>(), none);
     QImage image(400, 300, QImage::Format_ARGB32_Premultiplied);
