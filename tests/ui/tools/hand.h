@@ -39,6 +39,7 @@ struct Hand {
         display.unit = app::Unit::User;
         session.setDisplay(display);
         t.show();
+        key(Qt::Key_1, Qt::ControlModifier | Qt::AltModifier); // Draw: digits are numbers
         canvas.setSnapping(app::SnapTo::Nothing);
         canvas.fitDrawing();
     }
