@@ -683,12 +683,11 @@ private slots:
         const auto run = clearcut({"clip", path("text.svg"), "-o", path("x.svg"), "--stats"});
         QCOMPARE(run.code, 0);
         QVERIFY2(run.err.contains("2 × text"), run.err.constData());
-        QVERIFY2(
-            run.err.contains("Shapes: 0 kept whole, 1 cut, 0 removed.\n"
-                             "Window (the page): "
-                             "0,0,10,10 in the drawing's coordinates, 0mm,0mm,2.646mm,2.646mm "
-                             "from the paper's top left corner.\nLines: 4 before, "),
-            run.err.constData());
+        QVERIFY2(run.err.contains("Shapes: 0 kept whole, 1 cut, 0 removed.\n"
+                                  "Window (the page): "
+                                  "0,0,10,10 in the drawing's coordinates, 0mm,0mm,2.646mm,2.646mm "
+                                  "from the paper's top left corner.\nLines: 4 before, "),
+                 run.err.constData());
         QCOMPARE(run.out, "");
         QCOMPARE(clearcut({"clip", path("text.svg"), "-o", path("x.svg"), "-q"}).err, "");
     }

@@ -259,7 +259,8 @@ private slots:
             "Overlap must be less than 190\u00a0mm, the width of a sheet.");
         row({"a4", "--marks", "--sheet-margin", "1mm", "-o", "x.pdf"},
             "Marks need a margin of at least 5\u00a0mm on each sheet.");
-        row({"a99", "-o", "x.pdf"}, "--tiles a99: give columns and rows such as 3x2, a size such as 45mmx48mm, or a paper");
+        row({"a99", "-o", "x.pdf"},
+            "--tiles a99: give columns and rows such as 3x2, a size such as 45mmx48mm, or a paper");
         row({"a4", "--scale", "10mm", "-o", "x.pdf"},
             "--scale 10mm: give a positive percentage such as 150%");
         row({"a4", "--scale", "-5%", "-o", "x.pdf"}, "give a positive percentage");
