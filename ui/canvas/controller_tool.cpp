@@ -63,14 +63,15 @@ QCursor Controller::cursor() const
 
 void Controller::withTool(const std::function<void()>& call)
 {
-    const QString before = hint();
+    const auto told = [this] { return std::pair(hint(), digitUse()); };
+    const auto before = told();
     const Steps stepsBefore = steps();
     call();
     if (!bench_.nextTool.empty())
         setTool(std::exchange(bench_.nextTool, {}));
     navigation_.go(toolView_);
     followGauge();
-    if (hint() != before)
+    if (told() != before)
         emit hintChanged();
     tellSteps(stepsBefore);
     emit changed();

@@ -155,7 +155,7 @@ private slots:
         person.drag({100, 5}, {150, 30});
         QCOMPARE(person.session.windows().list.size(), std::size_t(2));
         QVERIFY(person.digitsChoose());
-        QVERIFY(person.hint().endsWith("Digits: algorithm."));
+        QVERIFY2(person.hint().endsWith("Digits: algorithm."), qPrintable(person.hint()));
     }
     void inDrawDigitsAreTheNumbersOfWhatWasJustDrawn()
     {
