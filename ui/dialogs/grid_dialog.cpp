@@ -31,8 +31,8 @@ GridDialog::GridDialog(app::Session& session, QWidget* parent)
     connect(angle_, &LengthField::edited, this, [this](double degrees) {
         if (std::abs(degrees) <= mostDegrees)
             return change(&app::Grid::angle, degrees);
-        refusal_->setText(tr("The angle must be between −360° and 360°."));
         follow();
+        refusal_->setText(tr("The angle must be between −360° and 360°."));
     });
     connect(angle_, &LengthField::refused, refusal_, &QLabel::setText);
     connect(angle_, &LengthField::taken, refusal_, &QLabel::clear);
@@ -62,10 +62,10 @@ LengthField* GridDialog::makeSpacing(const QString& name, double app::Grid::*spa
         const double millimetres = length * session_.now().page().millimetresPerUnit();
         if (millimetres >= app::Grid::least && millimetres <= app::Grid::most)
             return change(spacing, millimetres);
+        follow();
         refusal_->setText(
             tr("The spacing must be between %1 mm and %2 mm.")
                 .arg(app::numberText(app::Grid::least, 3), app::numberText(app::Grid::most, 0)));
-        follow();
     });
     connect(field, &LengthField::refused, this,
             [this](const QString& sentence) { refusal_->setText(sentence); });

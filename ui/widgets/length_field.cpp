@@ -253,13 +253,14 @@ void LengthField::keyPressEvent(QKeyEvent* event)
     if (!fits && !isLength) // Qt would show the last number in a mixed field
         return selectAll();
     const bool types = lineEdit()->isModified();
+    if (enters && fits)
+        emit taken(); // first: its user may refuse the number
     QDoubleSpinBox::keyPressEvent(event);
     if (!fits)
         event->accept();
     if (enters && fits) {
         if (types)
             finishMixed();
-        emit taken();
         emit entered();
     }
 }
