@@ -118,6 +118,7 @@ void CaseView::show(const app::HardCase& hard)
                          : tr("From <a href=\"%1\">%2</a>")
                                .arg(hard.link.toHtmlEscaped(), hard.origin.toHtmlEscaped()));
     origin_->setToolTip(hard.link);
+    origin_->setFocusPolicy(hard.isOurs() ? Qt::NoFocus : Qt::StrongFocus); // for the link
     const auto document = app::documentOf(hard);
     draw_->setEnabled(document.value.has_value());
     draw_->setToolTip(document ? tr("Open a new drawing with exactly these numbers. It appears "
