@@ -151,7 +151,7 @@ MenuInfo viewMenu()
                 },
                 {
                     .key = "zoom-100",
-                    .text = tr("&Actual size"),
+                    .text = tr("Ac&tual size"),
                     .keys = {K("Ctrl+0")},
                     .run = [](MainWindow& w) { w.canvas().setZoom(1); },
                 },
