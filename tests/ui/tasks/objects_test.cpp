@@ -69,9 +69,9 @@ private slots:
             add(steps, {press("Add layer"), enter()});
             add(steps, another(corner));
         }
-        add(steps, {dragRow(list, "Layer 3", "Layer 2"), dragRow(list, "Layer 2", "Drawing"),
-                    clickRow(list, "Layer 4"), key("Alt+Down"), clickRow(list, "Layer 2", 18),
-                    key("Ctrl+A"), key("Right")});
+        add(steps, {key("Ctrl+Alt+2"), dragRow(list, "Layer 3", "Layer 2"),
+                    dragRow(list, "Layer 2", "Drawing"), clickRow(list, "Layer 4"), key("Alt+Down"),
+                    clickRow(list, "Layer 2", 18), key("Ctrl+A"), key("Right")});
         check(steps, {box({81, 90}), box({41, 50}), box({80, 50}), box({40, 90})});
     }
     void recoloured()
@@ -100,9 +100,9 @@ private slots:
         Steps steps{key("L"), type("0,30"), enter(), type("210,0"), enter(),
                     enter(),  type("50,0"), enter(), type("0,297"), enter()};
         add(steps, rectangle("60,50"));
-        add(steps, {press("Add a clip window that covers the whole page"), key("Ctrl+A"),
-                    type("10"), tab(), type("10"), tab(), type("190"), tab(), type("277"), enter(),
-                    key("Ctrl+Shift+X"), key("Ctrl+E")});
+        add(steps, {key("Ctrl+Alt+2"), press("Add a clip window that covers the whole page"),
+                    key("Ctrl+A"), type("10"), tab(), type("10"), tab(), type("190"), tab(),
+                    type("277"), enter(), key("Ctrl+Shift+X"), key("Ctrl+E")});
         const Table once{{{{10, 30}, {200, 30}}}, {{{50, 10}, {50, 287}}}, box({60, 50})};
         Table twice = once;
         twice.insert(twice.end(), once.begin(), once.end());

@@ -219,6 +219,7 @@ private slots:
                    shape({{{80, 80}, {{{20, 20}}}, false}})});
         Hand::key(Qt::Key_A, Qt::ControlModifier);
         Hand::key(Qt::Key_J, Qt::ShiftModifier);
+        QTest::keyClick(QApplication::activeModalWidget(), Qt::Key_Return); // the usual distance
         QCOMPARE(hand.session.now().objects().size(), std::size_t(1));
         QVERIFY(hand.path().closed && hand.path().segments.size() == 2);
     }
