@@ -43,6 +43,7 @@ class HostileSettingsTest : public QObject {
                 "plugInLibrary",
                 "plugInsTrusted",
                 "undoMegabytes",
+                "darkPaper",
                 "lessons/done"};
     }
 

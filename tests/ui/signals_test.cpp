@@ -75,6 +75,7 @@ bool mayBeUnheard(const QObject& object, const QByteArray& signal)
     const auto* widget = qobject_cast<const QWidget*>(&object);
     const QString name = widget ? widget->accessibleName() : QString();
     return signal == "foldWanted"           // only the panel Algorithm can be folded
+           || signal == "indexSet"          // the journal hears it, which this window is without
            || signal == "eyedropperStarted" // closes the popups that take all events
            || signal == "eyedropperWanted"  // hidden where there is no canvas
            || (signal == "entered" && isIn(object, "ui::StylePopup")) // which keeps the keyboard

@@ -113,6 +113,7 @@ private slots:
         page.resize(220, 200);
         page.show();
         QVERIFY(QTest::qWaitForWindowExposed(&page));
+        page.setFocus();
         for (QWidget* part : {static_cast<QWidget*>(field), static_cast<QWidget*>(list),
                               static_cast<QWidget*>(count)}) {
             page.verticalScrollBar()->setValue(0);

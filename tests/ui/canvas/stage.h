@@ -33,6 +33,7 @@ public:
         sheet.window = {{50, 20}, {150, 80}};
         sheet.shapes = std::move(shapes);
         session.load({app::documentOf(sheet), {}});
+        session.worksInDraw = true; // digits are numbers
         canvas = std::make_unique<ui::Canvas>(session, backend);
         canvas->resize(820, 620);
         canvas->show();

@@ -156,7 +156,8 @@ private slots:
     void keysThatTheListDoesNotUseGoToTheCanvas()
     {
         Panel panel;
-        const auto& session = panel.window->session();
+        auto& session = panel.window->session();
+        session.worksInDraw = true;
         const auto clickRow = [&] { panel.click(panel.row(1).center()); };
         panel.window->canvas().setTool("select");
         clickRow();

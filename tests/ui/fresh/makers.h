@@ -140,7 +140,11 @@ inline std::vector<Maker> makers()
         {"algorithm", {320, 400}, onSession<AlgorithmPanel>},
         {"windows",
          {320, 330},
-         [](Desk& desk) { return withCutOptions(*new WindowPanel(desk.session), desk.session); }},
+         [](Desk& desk) {
+             auto* panel = new WindowPanel(desk.session);
+             panel->tilesButton().hide(); // which stands in the heading of its dock
+             return withCutOptions(*panel, desk.session);
+         }},
         {"selection", {320, 200}, onSession<SelectionPanel>},
         {"style", {320, 260}, [](Desk& desk) { return new StylePanel(desk.session, desk.canvas); }},
         {"line", {320, 300}, onSession<LinePanel>},

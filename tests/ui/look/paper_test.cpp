@@ -40,7 +40,7 @@ struct Drawing : TestWindow {
     QColor page() const { return at({100, 90}); }
     QColor kept() const { return at({100, 50}); }
     QColor ghost() const { return at({20, 50}); }
-    QColor outline() const { return at({100, 20}); }
+    QColor outline() const { return at({75, 20}); } // beside the handles
     void choose(Theme theme) const
     {
         window->setTheme(theme);

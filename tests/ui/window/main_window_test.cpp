@@ -162,6 +162,7 @@ private slots:
         t.show();
         const auto* algorithm = t.window->session().display().variant.algorithm;
         t.run("workspace-draw");
+        t.run("select-all"); // otherwise the clip window is chosen, and digits choose for it
         QTest::keyClick(t.drawingArea(), Qt::Key_2);
         QCOMPARE(t.window->session().display().variant.algorithm, algorithm);
         QVERIFY(t.window->statusBar()->currentMessage().contains("do not choose the algorithm"));
