@@ -51,7 +51,8 @@ class OutputTest : public QObject {
                 {"costmap", {{"-a", "md", "--measure", "comparisons", "--size", "8x6", "-o", "-"}}},
                 {"algorithms", {{}, {"-f", "json"}}},
                 {"bench", {{"-n", "100", "-r", "1", "-a", "md"}}},
-                {"judge", {{PLUG_INS "/example.so"}}}};
+                {"judge", {{PLUG_INS "/example.so"}}},
+                {"help", {{}, {"snapping"}}}};
     }
 
     QStringList given(std::string_view key, QStringList arguments) const
