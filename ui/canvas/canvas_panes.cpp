@@ -25,8 +25,7 @@ const app::Panes& Canvas::panes() const { return parts_->panes; }
 QWidget* Canvas::paneSurface(std::size_t pane) const
 {
     const auto place = parts_->place(pane);
-    const bool made = place && *place < parts_->widgets.size(); // not while panes are laid out
-    return made ? &parts_->widgets[*place]->surface().widget() : nullptr;
+    return place ? &parts_->widgets[*place]->surface().widget() : nullptr;
 }
 
 void Canvas::setPanes(const app::Panes& panes)

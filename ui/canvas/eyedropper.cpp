@@ -9,6 +9,8 @@
 #include <QApplication>
 #include <QMouseEvent>
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 namespace ui {
@@ -100,6 +102,15 @@ bool Eyedropper::eventFilter(QObject* watched, QEvent* event)
             end();
         return true;
     }
+    // Other events come while panes are made and deleted, too.
+    static constexpr std::array ofPointer{QEvent::Leave,
+                                          QEvent::ContextMenu,
+                                          QEvent::MouseMove,
+                                          QEvent::MouseButtonPress,
+                                          QEvent::MouseButtonRelease,
+                                          QEvent::MouseButtonDblClick};
+    if (std::ranges::find(ofPointer, event->type()) == ofPointer.end())
+        return false;
     const auto* surface = qobject_cast<QWidget*>(watched);
     bool shows = false;
     for (std::size_t pane = 0; pane < canvas_.panes().size(); ++pane)
