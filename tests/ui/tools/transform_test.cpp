@@ -257,7 +257,8 @@ private slots:
         hand.type("5");
         hand.canvas->undo(); // cancels the correction
         QVERIFY(hand.is(0, {50, 50}, {90, 50}));
-        hand.key(Qt::Key_Return);
+        hand.key(Qt::Key_Return); // opens it again
+        QTest::keyClick(Hand::focused(), Qt::Key_Escape);
         QVERIFY(hand.is(0, {50, 50}, {90, 50}));
         QCOMPARE(hand.session.history.count(), 1);
     }

@@ -217,9 +217,9 @@ private slots:
             return box.max - box.min;
         };
         const double height = size().y;
-        w.type("50\n");
+        w.type("\n50\n");
         QVERIFY(glm::distance(size(), app::Point(50, height)) < 1e-9);
-        w.type("44\t30\n"); // again, both numbers
+        w.type("\n44\t30\n"); // again, both numbers
         QVERIFY(glm::distance(size(), app::Point(44, 30)) < 1e-9);
         QCOMPARE(w.session.history.index(), steps);
         w.type("9");

@@ -162,7 +162,7 @@ private slots:
         t.show();
         const auto* algorithm = t.window->session().display().variant.algorithm;
         t.run("workspace-draw");
-        t.run("select-all"); // otherwise the clip window is chosen, and digits choose for it
+        t.window->canvas().setTool("hand"); // no clip window is chosen, and nothing takes numbers
         QTest::keyClick(t.drawingArea(), Qt::Key_2);
         QCOMPARE(t.window->session().display().variant.algorithm, algorithm);
         QVERIFY(t.window->statusBar()->currentMessage().contains("do not choose the algorithm"));
