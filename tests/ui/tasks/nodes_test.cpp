@@ -43,7 +43,7 @@ private slots:
         check({key("L"), type("10,10"), enter(), type("30,0"), enter(), type("0,20"), enter(),
                type("-30,0"), enter(), type("0,-20"), enter(), key("Ctrl+A"), key("Shift+J"),
                enter()},
-              {{{{10, 30}, {10, 10}, {40, 10}, {40, 30}}, true}});
+              {{{{10, 10}, {40, 10}, {40, 30}, {10, 30}}, true}});
     }
     /// The points are the centres of small circles.
     void traced()

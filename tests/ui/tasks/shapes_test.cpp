@@ -101,8 +101,7 @@ private slots:
                    line("24,28", "32,0"),
                    line("56,20", "-32,0"),
                    {key("Ctrl+A"), key("Shift+J"), enter()}}),
-              {{{{56, 20},
-                 {24, 20},
+              {{{{24, 20},
                  {24 - q, 20},
                  {20, 24 - q},
                  {20, 24},
@@ -154,7 +153,7 @@ private slots:
                           type("15"),    enter(),          type("23x"), enter(),
                           key("Ctrl+A"), key("Shift+J"),   enter()};
         Table gear{{{}, true}};
-        for (int i = 11; i < 11 + 24; ++i)
+        for (int i = 0; i < 24; ++i)
             for (const auto& [radius, degrees] :
                  {std::pair{40.0, 0.0}, {45.0, 3.0}, {45.0, 9.0}, {40.0, 12.0}}) {
                 const double angle = glm::radians(degrees + 15 * i);
