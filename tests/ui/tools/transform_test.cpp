@@ -257,7 +257,9 @@ private slots:
         hand.type("5");
         hand.canvas->undo(); // cancels the correction
         QVERIFY(hand.is(0, {50, 50}, {90, 50}));
+        QVERIFY(!qobject_cast<QLineEdit*>(Hand::focused()));
         hand.key(Qt::Key_Return); // opens it again
+        QVERIFY(qobject_cast<QLineEdit*>(Hand::focused()));
         QTest::keyClick(Hand::focused(), Qt::Key_Escape);
         QVERIFY(hand.is(0, {50, 50}, {90, 50}));
         QCOMPARE(hand.session.history.count(), 1);

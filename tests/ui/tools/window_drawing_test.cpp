@@ -164,7 +164,7 @@ private slots:
         QCOMPARE(d.list().size(), 3u);
         QVERIFY(d.isNearBox(app::boxOf(d.last()), {{60, 45}, {70, 55}}));
     }
-    // After a window that cuts out the tool adds again; a number still changes the hole.
+    // After a window that cuts out the tool adds again; its numbers still change the hole.
     void numbersChangeTheHoleThatWasDrawn()
     {
         Drawer d;
@@ -221,11 +221,11 @@ private slots:
         const clipping::Window box = app::boxOf(d.last());
         QVERIFY(same(box.max - box.min, {12.5, 30}));
         const auto* before = d.session.display().variant.algorithm;
-        d.type("\n20\n"); // until something else happens, numbers change the window
+        d.type("\n20\n"); // until something else happens, Enter opens the numbers
         QVERIFY(same(app::boxOf(d.last()).max - app::boxOf(d.last()).min, {20, 30}));
         QCOMPARE(d.session.display().variant.algorithm, before);
         d.key(Qt::Key_Z, Qt::ControlModifier);
-        d.type("2"); // now it chooses the algorithm
+        d.type("\n2"); // now Enter opens nothing, and the digit chooses the algorithm
         QVERIFY(d.session.display().variant.algorithm != before);
     }
     void aMoveTakesNumbers()

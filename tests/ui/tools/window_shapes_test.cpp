@@ -222,14 +222,15 @@ private slots:
         w.type("\n44\t30\n"); // again, both numbers
         QVERIFY(glm::distance(size(), app::Point(44, 30)) < 1e-9);
         QCOMPARE(w.session.history.index(), steps);
-        w.type("9");
+        w.type("\n9");
+        QVERIFY(qobject_cast<QLineEdit*>(QApplication::focusWidget()));
         w.key(Qt::Key_Escape); // gives up the correction
         w.key(Qt::Key_Escape);
         QVERIFY(glm::distance(size(), app::Point(44, 30)) < 1e-9);
         QCOMPARE(w.session.windowNumber(), std::optional(drawn));
-        w.key(Qt::Key_Right); // something else: digits choose the algorithm again
+        w.key(Qt::Key_Right); // something else: Enter opens nothing
         const auto* before = w.session.display().variant.algorithm;
-        w.type("2");
+        w.type("\n2");
         QVERIFY(w.session.display().variant.algorithm != before);
         QVERIFY(glm::distance(size(), app::Point(44, 30)) < 1e-9);
     }
