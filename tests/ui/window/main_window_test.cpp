@@ -165,7 +165,7 @@ private slots:
         t.window->canvas().setTool("hand"); // no clip window is chosen, and nothing takes numbers
         QTest::keyClick(t.drawingArea(), Qt::Key_2);
         QCOMPARE(t.window->session().display().variant.algorithm, algorithm);
-        QVERIFY(t.window->statusBar()->currentMessage().contains("do not choose the algorithm"));
+        QVERIFY(t.window->statusBar()->currentMessage().contains("only while a clip window is"));
         auto* tabs = t.window->findChild<WorkspaceTabs*>();
         QTest::mouseClick(tabs, Qt::LeftButton, {}, tabs->tabRect(3).center()); // Learn
         QTest::keyClick(t.drawingArea(), Qt::Key_2);
