@@ -33,6 +33,7 @@ WindowPanel::WindowPanel(app::Session& session, QWidget* parent)
 {
     pages_->addWidget(makeList());
     pages_->addWidget(makeOffer());
+    fields_->putAfter(operation_); // now: Qt moves nothing behind the last widget of a window
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     connect(fields_, &WindowFields::entered, this, &WindowPanel::entered);
     connect(fields_, &WindowFields::refused, this, &WindowPanel::refused);
@@ -62,7 +63,6 @@ QWidget* WindowPanel::makeList()
     column->addWidget(list_);
     column->addWidget(makeTools());
     column->addWidget(fields_);
-    fields_->putAfter(operation_);
     return page;
 }
 
