@@ -10,7 +10,6 @@
 #include "ui/widgets/follow_language.h"
 #include "ui/widgets/segments.h"
 
-#include <QAbstractButton>
 #include <QHBoxLayout>
 #include <QScrollBar>
 #include <QVBoxLayout>
@@ -150,11 +149,7 @@ void Results::showMeasures()
     measures_ = new Segments(tr("Measure"), namesOf(study_->measures));
     measures_->choose(std::min(chosen, int(study_->measures.size()) - 1));
     row_->insertWidget(1, measures_);
-    QWidget* before = trial_;
-    for (auto* button : measures_->findChildren<QAbstractButton*>()) {
-        setTabOrder(before, button);
-        before = button;
-    }
+    setTabOrder(trial_, measures_);
     connect(measures_, &Segments::picked, this, &Results::showTrial);
 }
 

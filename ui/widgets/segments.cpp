@@ -84,7 +84,8 @@ Segments::Segments(const QString& name, const QStringList& choices, QWidget* par
         row->addWidget(button);
         group_.addButton(button, i);
     }
-    setFocusProxy(group_.button(0)); // so that setTabOrder() moves all buttons
+    setFocusPolicy(Qt::TabFocus); // with the proxy: so that setTabOrder() moves all buttons
+    setFocusProxy(group_.button(0));
     connect(&group_, &QButtonGroup::idClicked, this, &Segments::picked);
     choose(0);
 }
