@@ -46,9 +46,10 @@ void Canvas::activatePane(std::size_t pane)
     setPanes(panes);
 }
 
-/// The session's variant has changed.
+/// The session's display has changed, perhaps its variant.
 void Canvas::followChoice()
 {
+    update(); // beside the last pane, where dark paper is seen
     const app::Variant choice = parts_->controller.session().variant();
     if (choice == parts_->panes.chosen())
         return;

@@ -6,6 +6,7 @@
 #include "ui/look/look_icon.h"
 #include "ui/microscope/legend.h"
 #include "ui/microscope/timeline.h"
+#include "ui/widgets/follow_language.h"
 #include "ui/widgets/heading.h"
 
 #include <QAccessible>
@@ -20,6 +21,11 @@ namespace {
 constexpr int margin = 16, sentenceLines = 2;
 constexpr std::array speeds{0.5, 1.0, 2.0, 4.0};
 enum Button { First, Previous, Play, Next, Last };
+
+QString speedText(double speed)
+{
+    return StepsPanel::tr("%1\u00d7").arg(app::numberText(speed, speed < 1 ? 1 : 0));
+}
 
 QFont sentenceFont(const QFont& body)
 {
@@ -85,7 +91,11 @@ QToolButton* StepsPanel::addButton(const char* key, const QString& name, const Q
 void StepsPanel::addSpeeds()
 {
     for (const double speed : speeds)
-        speed_->addItem(tr("%1\u00d7").arg(app::numberText(speed, speed < 1 ? 1 : 0)), speed);
+        speed_->addItem(speedText(speed), speed);
+    new LanguageFollower(*this, [this] {
+        for (int i = 0; i < speed_->count(); ++i)
+            speed_->setItemText(i, speedText(speed_->itemData(i).toDouble()));
+    });
     speed_->setCurrentIndex(1);
     speed_->setFocusPolicy(Qt::TabFocus);
     speed_->setAccessibleName(tr("Speed"));
