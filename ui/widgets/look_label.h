@@ -3,7 +3,7 @@
 
 #include "ui/look/look.h"
 
-#include <QEvent>
+#include <QFocusEvent>
 #include <QLabel>
 
 #include <functional>
@@ -37,6 +37,15 @@ protected:
             clear();
             setText(whole);
         }
+    }
+
+    /// Tab goes to a link at once, which shows the focus; the label itself shows none.
+    void focusInEvent(QFocusEvent* event) override
+    {
+        QLabel::focusInEvent(event);
+        const bool forth = event->reason() == Qt::TabFocusReason;
+        if ((forth || event->reason() == Qt::BacktabFocusReason) && text().contains(u"<a "))
+            focusNextPrevChild(forth);
     }
 
 private:
