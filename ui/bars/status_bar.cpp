@@ -35,6 +35,7 @@ StatusBar::StatusBar(app::Session& session, Canvas& canvas, QWidget* parent)
     hint_->setForegroundRole(QPalette::PlaceholderText);
     hint_->setObjectName(QStringLiteral("hint"));
     hint_->setContentsMargins(8, 0, 0, 0);
+    hint_->installEventFilter(this);
     addWidget(hint_, 1);
     addPermanentWidget(warning_);
     warning_->hide();
@@ -288,8 +289,14 @@ void StatusBar::explainAlgorithm()
 void StatusBar::resizeEvent(QResizeEvent* event)
 {
     QStatusBar::resizeEvent(event);
-    showHint(said_); // there may be more room
     showParts();
+}
+
+bool StatusBar::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == hint_ && event->type() == QEvent::Resize)
+        showHint(said_); // the bar, or a cell beside it, has another width
+    return QStatusBar::eventFilter(watched, event);
 }
 
 void StatusBar::changeEvent(QEvent* event)
