@@ -65,6 +65,7 @@ Results::Results(const QList<QWidget*>& tools, QWidget* parent)
     summary_->setWidgetResizable(true);
     summary_->setFocusPolicy(Qt::NoFocus); // there is nothing to do in it
     summary_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    summary_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // else lines break by its past
     summary_->setWidget(verdict_);
     verdict_->setAlignment(Qt::AlignTop);
     reserveRoom();
