@@ -113,13 +113,17 @@ public:
     /// Clicks the button with this tooltip.
     void press(const QString& toolTip)
     {
+        showAll();
         for (auto* button : window_.window->findChildren<QAbstractButton*>())
-            if (button->isVisible() && button->toolTip() == toolTip)
-                return QTest::mouseClick(button, Qt::LeftButton);
+            if (button->isVisible() && button->toolTip() == toolTip) {
+                QTest::mouseClick(button, Qt::LeftButton);
+                return showAll();
+            }
     }
     /// Clicks the field of this name.
     void clickField(const QString& name)
     {
+        showAll();
         for (auto* field : window_.window->findChildren<QAbstractSpinBox*>())
             if (field->isVisible() && field->isEnabled() && field->accessibleName() == name) {
                 auto* edit = field->findChild<QLineEdit*>();
@@ -175,6 +179,8 @@ private:
             }
         });
     }
+    /// A person sees a panel before clicking there, and what opens: both come after the event.
+    static void showAll() { QCoreApplication::processEvents(); }
     QWidget* receiver() const
     {
         if (QWidget* popup = QApplication::activePopupWidget())

@@ -137,8 +137,7 @@ private slots:
         rectangle(steps, "40,20", "20", "10");
         for (const char* by : {"10,13", "-30,14", "40,14", "-25,23", "45,13", "-35,12", "25,16"})
             add(steps, {key("G"), key("C"), type(by), enter()});
-        add(steps, {key("Ctrl+A"), key("Ctrl+Alt+1"), press("Align left sides"),
-                    press("Spread evenly down")});
+        add(steps, {key("Ctrl+A"), press("Align left sides"), press("Spread evenly down")});
         Table table;
         for (int i = 0; i < 8; ++i)
             table.push_back(boxes({{{20, 20 + 15 * i}, {40, 30 + 15 * i}}})[0]);
@@ -165,8 +164,8 @@ private slots:
         Steps steps{clickField("Stroke width"), key("Ctrl+A"), type("0.7"), enter()};
         rectangle(steps, "20,30", "25", "20");
         add(steps, {key("E"), type("22.5,30"), enter(), type("20"), tab(), type("20"), enter(),
-                    key("Ctrl+A"), key("Ctrl+Alt+1"), press("Keep the ratio of width to height"),
-                    clickField("Width"), key("Ctrl+A"), type("50"), enter()});
+                    key("Ctrl+A"), press("Keep the ratio of width to height"), clickField("Width"),
+                    key("Ctrl+A"), type("50"), enter()});
         Table table = boxes({{{20, 30}, {70, 70}}});
         table.push_back(circle({45, 50}, 20));
         for (Drawn& path : table)
