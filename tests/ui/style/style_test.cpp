@@ -327,6 +327,19 @@ private slots:
         p.click({60, 20});
         QCOMPARE(p.style(1).fill, std::optional(red));
     }
+    // Events come while panes are made, when there are more panes than widgets for them.
+    void eyedropperGoesOnWhileThePanesChange()
+    {
+        Person p;
+        p.session.select({0});
+        QTest::keyClick(&p.surface(), Qt::Key_I);
+        p.move({60, 40}, {});
+        for (const char* panes : {"panes-4", "panes-all", "panes-1"})
+            p.t.run(panes);
+        p.move({60, 40}, {});
+        p.click({60, 40});
+        QCOMPARE(p.style(0).stroke, std::optional(blue));
+    }
     void styleIsCopiedAndPasted()
     {
         Person p;
