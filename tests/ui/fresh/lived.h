@@ -43,6 +43,7 @@ public:
         for (std::size_t i = 0; i < makers_.size(); ++i)
             if (all_[i].open && makers_[i].isShown)
                 all_[i].open->setVisible(makers_[i].isShown(desk));
+        elsewhere_.activateWindow(); // what is shown takes the keyboard
         for (const Pair& one : all_)
             if (one.open)
                 scrollBack(*one.open);
