@@ -53,6 +53,8 @@ void LivePicture::follow(Step step)
 
 void LivePicture::start()
 {
+    clipping_.cancel(); // of an earlier frame: its times would come after those of this one
+    clipsAgain_ = false;
     parts_ = std::make_shared<FrameParts>();
     partsNoted_ = false;
     painting_.start(

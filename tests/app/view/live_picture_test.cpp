@@ -214,6 +214,17 @@ private slots:
         subjects.insert(other.times().subject);
         QCOMPARE(subjects.size(), std::size_t(6));
     }
+    void timesOfAnEarlierFrameDoNotComeAfterThoseOfALaterOne()
+    {
+        app::LivePicture picture;
+        const app::FrameWish earlier = wishFor(longLines(50));
+        picture.want(earlier, 0us);
+        picture.settle();
+        picture.want(earlier, 0us); // its lines are clipped again
+        picture.want(wishFor(longLines(7)), 0us);
+        picture.settle();
+        QCOMPARE(picture.times().total, std::size_t(7));
+    }
     void itMayEndWhileItPaints()
     {
         const app::FrameWish wish = wishFor(longLines(60'000));
