@@ -33,9 +33,10 @@ public:
 
     QWidget& widget() override { return *this; }
     void forget() override { picture_.forget(); }
+    // Not by repaint(), which paints later if this window was composed less than a frame ago.
     void settle() override
     {
-        repaint();
+        want({});
         picture_.settle();
         repaint();
     }
@@ -48,11 +49,7 @@ protected:
     void paintGL() override
     {
         const double ratio = devicePixelRatioF();
-        app::FrameWish wish = controller_.wish(pane_, ratio);
-        wish.make = [size = wish.key.view.size](const app::Picture& picture) {
-            return std::make_shared<const GlPicture>(glPicture(picture, size));
-        };
-        picture_.want(std::move(wish), controller_.patience());
+        want(controller_.patience());
         QOpenGLPaintDevice device((QSizeF(size()) * ratio).toSize());
         device.setDevicePixelRatio(ratio);
         QPainter painter(&device);
@@ -71,6 +68,14 @@ protected:
     }
 
 private:
+    void want(std::chrono::microseconds patience)
+    {
+        app::FrameWish wish = controller_.wish(pane_, devicePixelRatioF());
+        wish.make = [size = wish.key.view.size](const app::Picture& picture) {
+            return std::make_shared<const GlPicture>(glPicture(picture, size));
+        };
+        picture_.want(std::move(wish), patience);
+    }
     /// Where the picture of a view is in the current one.
     Placed placed(const app::View& then) const
     {

@@ -23,9 +23,10 @@ public:
 
     QWidget& widget() override { return *this; }
     void forget() override { picture_.forget(); }
+    // Not by repaint(), which paints later if this window was composed less than a frame ago.
     void settle() override
     {
-        repaint();
+        want({});
         picture_.settle();
         repaint();
     }
@@ -33,9 +34,7 @@ public:
 protected:
     void paintEvent(QPaintEvent*) override
     {
-        const double ratio = devicePixelRatioF();
-        const QSize pixels = (QSizeF(size()) * ratio).toSize();
-        picture_.want(controller_.wish(pane_, ratio, pixels), controller_.patience());
+        want(controller_.patience());
         QPainter painter(this);
         paintPaper(painter, controller_);
         picture_.paint(painter);
@@ -44,6 +43,13 @@ protected:
     }
 
 private:
+    void want(std::chrono::microseconds patience)
+    {
+        const double ratio = devicePixelRatioF();
+        const QSize pixels = (QSizeF(size()) * ratio).toSize();
+        picture_.want(controller_.wish(pane_, ratio, pixels), patience);
+    }
+
     Controller& controller_;
     const Pane& pane_;
     Report report_;
