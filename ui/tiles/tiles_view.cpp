@@ -178,7 +178,7 @@ void TilesView::paintEvent(QPaintEvent*)
                          sheets_.tiling().error);
         return;
     }
-    art_.want(wishes(), revision_, onPaper, devicePixelRatioF());
+    want();
     SheetPainter sheets(painter, sheets_, *layout_, navigation_.view(), onPaper);
     sheets.paintPapers(tinted_);
     sheets.paintPictures(art_.pictures());
@@ -187,9 +187,17 @@ void TilesView::paintEvent(QPaintEvent*)
     sheets.paintTags(captionFont(font()), use_ == Use::Full);
 }
 
+void TilesView::want()
+{
+    if (sheets_.isOpen() && layout_)
+        art_.want(wishes(), revision_, lookOnPaper(session_.display().darkPaper),
+                  devicePixelRatioF());
+}
+
+// Not by repaint(), which paints later if this window was composed less than a frame ago.
 void TilesView::settle()
 {
-    repaint();
+    want();
     art_.settle();
     repaint();
 }

@@ -50,6 +50,7 @@ private:
     void follow();
     void outdate();
     std::vector<SheetWish> wishes() const;
+    void want(); ///< the pictures of the sheets in view, if there are sheets
     SheetWish wishFor(std::size_t sheet, const clipping::Window& shown) const;
     app::Point layoutAt(const QPointF& screen) const;
     std::optional<int> edgeAt(const QPointF& screen) const;
