@@ -92,11 +92,13 @@ private slots:
         Hand hand({shape({corner()})});
         hand.click({60, 20});
         const auto clicked = hand.session.inspected();
+        hand.canvas.settle();
         const QImage shown = hand.canvas.grab().toImage();
         Hand::key(Qt::Key_Escape);
         hand.drag({10, 10}, {130, 90});
         QCOMPARE(hand.session.inspected(), clicked);
         hand.move({60, 20}, Qt::NoButton); // as after the click
+        hand.canvas.settle();
         QCOMPARE(hand.canvas.grab().toImage(), shown);
     }
     void aClickOnTheHandleIsAClick()
