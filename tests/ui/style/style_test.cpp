@@ -35,6 +35,7 @@ class StyleTest : public QObject {
             : Hand({line(20, {.stroke = red, .width = 2}), line(40, {.stroke = blue, .width = 1}),
                     line(60, {.stroke = blue, .width = 1})})
         {
+            key(Qt::Key_2, Qt::ControlModifier | Qt::AltModifier); // in Draw the panel is docked
         }
         Style style(std::size_t object) { return session.now().objects()[object].style(); }
         StylePanel& panel() { return popup().panel(); }
