@@ -162,6 +162,9 @@ void Canvas::settle()
     for (const auto& widget : parts_->widgets)
         if (!widget->isHidden())
             widget->settle();
+    for (const auto& widget : parts_->widgets) // one may paint the others, too
+        if (!widget->isHidden())
+            widget->surface().widget().repaint();
 }
 
 void Canvas::resizeEvent(QResizeEvent*) { layOut(); }

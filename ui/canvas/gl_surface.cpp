@@ -38,7 +38,6 @@ public:
     {
         want({});
         picture_.settle();
-        repaint();
     }
 
 protected:

@@ -28,7 +28,6 @@ public:
     {
         want({});
         picture_.settle();
-        repaint();
     }
 
 protected:
