@@ -106,7 +106,11 @@ void SheetArt::accept(const app::ClipResult& clipped, app::PaintedFrame frame)
     paintNext();
 }
 
-void SheetArt::settle() { painting_.wait(); }
+void SheetArt::settle()
+{
+    while (painting_.active()) // each picture starts the next one
+        painting_.wait();
+}
 
 void SheetArt::forget()
 {
