@@ -40,6 +40,7 @@ Command helpCommand()
     return {.key = "help",
             .usage = "[TOPIC]",
             .summary = Commands::tr("Prints a page of the manual, or the list of its topics."),
+            .options = {},
             .examples = {"clearcut help", "clearcut help snapping"},
             .operands = 1,
             .run = help,
