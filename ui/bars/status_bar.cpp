@@ -5,6 +5,7 @@
 #include "app/base/numbers.h"
 #include "app/scene/window_needs.h"
 #include "app/view/place.h"
+#include "ui/look/caption.h"
 #include "ui/look/look.h"
 #include "ui/widgets/elided_label.h"
 #include "ui/widgets/status_cell.h"
@@ -31,7 +32,7 @@ StatusBar::StatusBar(app::Session& session, Canvas& canvas, QWidget* parent)
 {
     setSizeGripEnabled(false);
     setFixedHeight(space::statusHeight);
-    hint_->setFont(captionFont(font()));
+    wearCaption(*hint_);
     hint_->setForegroundRole(QPalette::PlaceholderText);
     hint_->setObjectName(QStringLiteral("hint"));
     hint_->setContentsMargins(8, 0, 0, 0);
@@ -52,7 +53,7 @@ StatusBar::StatusBar(app::Session& session, Canvas& canvas, QWidget* parent)
     connect(&canvas, &Canvas::pointerMoved, this, &StatusBar::showPosition);
     connect(&canvas, &Canvas::viewChanged, this, &StatusBar::showZoom);
     const auto hint = [this](const QString& said) {
-        if (!session_.microscope.isOpen()) // which has hints of its own
+        if (!session_.microscope.isOpen() && summary_.isEmpty()) // these have hints of their own
             showHint(said);
     };
     connect(&canvas, &Canvas::hint, this, hint);
@@ -98,8 +99,11 @@ void StatusBar::setSummary(const QString& summary)
     if (summary == summary_)
         return;
     summary_ = summary;
-    if (summary.isEmpty())
-        return showStep(); // of the canvas again, or of the microscope
+    if (summary.isEmpty()) { // the canvas again, or the microscope
+        showHint({});
+        return showStep();
+    }
+    keepRoom();
     visible_->setText(summary);
     position_->setText({});
     showParts();
@@ -133,6 +137,8 @@ void StatusBar::forgetFrames()
         cell->setText({});
         cell->setToolTip({});
     }
+    if (session_.microscope.isOpen())
+        showStep();
 }
 
 void StatusBar::showTimes()
@@ -201,8 +207,8 @@ void StatusBar::showStep()
     const bool open = microscope.isOpen();
     showParts();
     followPaper();
+    keepRoom();
     if (!open) {
-        keepRoom();
         showTimes();
         return showPosition({});
     }
@@ -223,12 +229,6 @@ void StatusBar::showZoom()
 /// Gives every cell the width of the widest text possible for this drawing.
 void StatusBar::keepRoom()
 {
-    const QFont type = captionFont(font()); // it is larger while presenting
-    for (QWidget* cell :
-         std::initializer_list<QWidget*>{hint_, warning_, position_, visible_, algorithm_, times_,
-                                         renderer_, darkPaper_, zoom_})
-        if (cell && cell->font() != type)
-            cell->setFont(type);
     const auto& page = session_.now().page();
     const double size = page.millimetresPerUnit();
     const app::Unit unit = session_.display().unit;
@@ -238,7 +238,7 @@ void StatusBar::keepRoom()
             .arg(app::lengthNumber(farthest, unit, size), app::lengthText(farthest, unit, size)));
     const QString total =
         app::countText(std::max<std::size_t>(session_.scene.lines().size(), 9999));
-    visible_->setWidest(tr("%1 of %2 visible").arg(total, total));
+    visible_->setWidest(summary_.isEmpty() ? tr("%1 of %2 visible").arg(total, total) : summary_);
     times_->setWidest(
         tr("clip %1  draw %2").arg(app::millisecondsText(0.001), app::millisecondsText(99.9)));
     if (!session_.microscope.isOpen())
@@ -312,6 +312,7 @@ void StatusBar::addPaperSwitch()
     darkPaper_->setText(tr("Dark paper"));
     darkPaper_->setToolTip(tr("Show the page dark, and dark colours lighter on it. Files keep "
                               "their colours."));
+    wearCaption(*darkPaper_);
     darkPaper_->setCheckable(true);
     darkPaper_->setAutoRaise(true);
     darkPaper_->setFocusPolicy(Qt::TabFocus);

@@ -137,7 +137,6 @@ void toggleTiles(MainWindow& window)
     app::LiveSheets& sheets = window.sheets();
     if (sheets.isOpen())
         return sheets.close();
-    window.session().microscope.close();
     sheets.open();
 }
 

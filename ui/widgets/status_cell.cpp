@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/status_cell.h"
 
+#include "ui/look/caption.h"
 #include "ui/look/look.h"
 #include "ui/widgets/tabular.h"
 
@@ -8,7 +9,7 @@ namespace ui {
 
 StatusCell::StatusCell(const QString& name, QWidget* parent) : QWidget(parent), name_(name)
 {
-    setFont(captionFont(font()));
+    wearCaption(*this);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Ignored);
     setAccessibleName(name);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/warning_button.h"
 
+#include "ui/look/caption.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 
@@ -16,7 +17,7 @@ constexpr int pictureSize = 14, beside = 8, between = 5; // pixels
 
 WarningButton::WarningButton(QWidget* parent) : QToolButton(parent)
 {
-    setFont(captionFont(font()));
+    wearCaption(*this);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Ignored);
     setFocusPolicy(Qt::TabFocus);
     hide();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/zoom_button.h"
 
+#include "ui/look/caption.h"
 #include "ui/look/look.h"
 #include "ui/widgets/tabular.h"
 
@@ -8,7 +9,7 @@ namespace ui {
 
 ZoomButton::ZoomButton(QWidget* parent) : QToolButton(parent)
 {
-    setFont(captionFont(font()));
+    wearCaption(*this);
     setPopupMode(QToolButton::InstantPopup);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Ignored);
     setFocusPolicy(Qt::TabFocus);

@@ -45,8 +45,10 @@ void Modes::followMicroscope()
 void Modes::followSheets()
 {
     const bool open = parts_.sheets.isOpen();
-    if (open)
+    if (open) {
         tiles_.enter();
+        session_.microscope.close();
+    }
     fit();
     if (!open && parts_.centre.showsCanvas())
         tiles_.returnFocus();
