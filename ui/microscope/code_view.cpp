@@ -53,6 +53,7 @@ CodeView::CodeView(QWidget* parent) : QTextEdit(parent), numbers_(new Numbers(*t
     viewport()->setAutoFillBackground(false);
     connect(verticalScrollBar(), &QScrollBar::valueChanged, numbers_,
             qOverload<>(&QWidget::update));
+    connect(verticalScrollBar(), &QScrollBar::rangeChanged, this, &CodeView::keepInSight);
 }
 
 void CodeView::show(const QStringList& code)
@@ -75,12 +76,17 @@ void CodeView::light(int line)
     setAccessibleDescription(line > 0 && line <= code_.size()
                                  ? tr("Line %1: %2").arg(line).arg(code_[line - 1].trimmed())
                                  : QString());
-    const QRectF row = rowOf(line);
+    keepInSight();
+    viewport()->update();
+    numbers_->update();
+}
+
+void CodeView::keepInSight()
+{
+    const QRectF row = rowOf(currentLine_);
     QScrollBar* scroll = verticalScrollBar();
     if (row.isValid() && (row.top() < 0 || row.bottom() > viewport()->height()))
         scroll->setValue(scroll->value() + int(row.center().y()) - viewport()->height() / 2);
-    viewport()->update();
-    numbers_->update();
 }
 
 QRectF CodeView::rowOf(int line) const
@@ -151,6 +157,12 @@ void CodeView::resizeEvent(QResizeEvent* event)
 {
     QTextEdit::resizeEvent(event);
     placeNumbers();
+}
+
+void CodeView::showEvent(QShowEvent* event)
+{
+    QTextEdit::showEvent(event); // scrolls to its cursor
+    keepInSight();
 }
 
 void CodeView::changeEvent(QEvent* event)

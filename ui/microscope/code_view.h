@@ -20,6 +20,7 @@ public:
 protected:
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
     void changeEvent(QEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
@@ -29,6 +30,7 @@ private:
     void paintNumbers();
     void placeNumbers();
     int numbersWidth() const;
+    void keepInSight(); ///< the current line, also when there is another code or size
     QRectF rowOf(int line) const; ///< in viewport coordinates
 
     Numbers* numbers_ = nullptr;
