@@ -108,9 +108,10 @@ void ComparePanel::showNothingMeasured()
     for (const app::Variant& variant : race_.variants())
         rows.push_back({.variant = variant});
     table_->showRows(rows, 0, app::needsOf(session_.region()));
-    groups_->setToolTip({});
-    for (QLabel* label : {groups_, field_, state_})
+    for (QLabel* label : {groups_, field_, state_}) {
         label->clear();
+        label->setToolTip({});
+    }
 }
 
 void ComparePanel::showRace()

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/numbers.h"
+#include "app/session/window_in_hand.h"
 #include "ui/bars/status_bar.h"
 #include "ui/editing/undo_memory.h"
 #include "ui/files/files.h"
@@ -21,6 +22,12 @@ void MainWindow::connectSession()
                               &app::Session::fileChanged})
         connect(&session_, signal, this, &MainWindow::refreshActions);
     connect(&session_.document, &app::EditedDocument::changed, this, &MainWindow::refreshActions);
+    connect(&session_, &app::Session::previewChanged, this,
+            [this, before = app::needsInHand(session_)]() mutable {
+                if (const app::WindowNeeds now = app::needsInHand(session_);
+                    std::exchange(before, now) != now)
+                    refreshActions(); // the names of algorithms say what they can clip
+            });
     connect(&session_.nodes, &app::NodeEditing::changed, this, &MainWindow::refreshActions);
     connect(&session_.entered, &app::EnteredGroup::changed, this, &MainWindow::refreshActions);
     connect(&session_.history, &app::History::cleanChanged, this, &MainWindow::showTitle);
