@@ -3,6 +3,8 @@
 
 #include <QPainter>
 #include <QScreen>
+#include <QScrollBar>
+#include <QTextEdit>
 
 #include "tests/ui/fresh/makers.h"
 #include "tests/ui/fresh/settled.h"
@@ -172,11 +174,13 @@ private:
         return shownBy(widget, painted(widget));
     }
 
-    /// A list remembers how far a person has scrolled.
+    /// Lists and pages of text remember how far a person has scrolled.
     static void scrollBack(QWidget& window)
     {
         for (auto* view : window.findChildren<QAbstractItemView*>())
             view->scrollToTop();
+        for (auto* text : window.findChildren<QTextEdit*>())
+            text->verticalScrollBar()->setValue(0);
     }
 
     /// One above the other.
