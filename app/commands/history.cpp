@@ -10,7 +10,7 @@
 
 namespace app {
 
-// What needs memory comes before redo(): a step that is done is counted, too.
+// Room for the step is reserved before redo(): when memory runs out, nothing was done yet.
 void History::push(UndoCommand* command)
 {
     std::unique_ptr<UndoCommand> done(command);

@@ -42,7 +42,7 @@ const NodeStep& nodeStep(std::string_view key); ///< of one of them
 
 constexpr double joiningMillimetres = 0.1; ///< the usual tolerance, on paper
 
-/// What joining did, or why it did nothing. `tolerance` is a length as text.
+/// Messages: what joining did, and that no ends lie within `tolerance`, a length as text.
 QString joinedText(const OwnedPaths& before, const OwnedPaths& after, const QString& tolerance);
 QString notJoinedText(const QString& tolerance);
 

@@ -29,11 +29,13 @@ bool isLong(const ClipRegion::Step& step)
     double length = 0;
     for (const auto& ring : step.rings) {
         count += ring.size();
+        if (count > manyEdges)
+            return true; // without measuring them: this is asked in every frame
         for (std::size_t i = 0; i < ring.size(); ++i)
             length += glm::distance(ring[i], ring[(i + 1) % ring.size()]);
     }
     const Point size = step.box.max - step.box.min;
-    return count > manyEdges || length > manyTimes * (size.x + size.y);
+    return length > manyTimes * (size.x + size.y);
 }
 
 DrawList windowBorders(const PictureOptions& options)

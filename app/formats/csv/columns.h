@@ -20,7 +20,7 @@ using Fields = std::span<const std::string_view>;
 /// Whether a header names four columns that are coordinates of lines, by usual names.
 bool namesCoordinates(Fields header);
 
-/// What the fields of a header name.
+/// The columns that the names in the first record of a table stand for.
 class Header {
 public:
     explicit Header(Fields fields);

@@ -10,7 +10,7 @@
 
 namespace app::svg {
 
-/// What was skipped at the beginning of a file.
+/// How much of the beginning of a file was skipped, for the places of later messages.
 struct Beginning {
     qint64 bytes = 0, lines = 0;
 };

@@ -5,8 +5,8 @@
 
 #include <span>
 
-// What becomes of each property of SVG and CSS. Whatever stands in none of these tables is lost,
-// and told.
+// Tables of the properties of SVG and CSS that are evaluated, kept, or of no effect here. A property
+// that is in none of them is reported as lost.
 
 namespace app::svg {
 

@@ -9,7 +9,7 @@
 namespace app::svg {
 namespace {
 
-// A word of CSS, with * at its end for all that begin so.
+// Whether a name is the pattern, or begins with the pattern's text before its final *.
 bool fits(std::string_view name, std::string_view pattern)
 {
     if (!pattern.ends_with('*'))

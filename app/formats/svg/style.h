@@ -70,7 +70,7 @@ struct Properties {
     Properties inherited() const;
 };
 
-/// What an element's style says of a length ("width"), or else its attribute.
+/// The text of a length such as "width": the CSS property of this name, or else the attribute.
 std::string_view lengthText(const Tree& tree, Node node, const Properties& properties,
                             std::string_view name);
 
@@ -88,7 +88,7 @@ public:
 
 private:
     struct Cascade;
-    /// What an attribute of some name is.
+    /// How an attribute is treated, by its name.
     struct Attribute {
         const Property* property; ///< null: none
         bool isLost;              ///< it changes the picture, but is not evaluated
@@ -101,7 +101,7 @@ private:
     void apply(Cascade& cascade, const Declaration& declaration);
     void set(Cascade& cascade, const Property& property, std::string_view value, bool isCss);
 
-    /// What a name of CSS means.
+    /// How a declaration of CSS is treated, by its name.
     struct Meaning {
         const Property* property = nullptr; ///< null: it is not evaluated
         std::string lost{};                 ///< its plain name, if it may change the picture

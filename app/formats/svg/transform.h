@@ -26,7 +26,7 @@ struct Matrix {
 
 Matrix translation(const Point& by);
 
-/// What the numbers of a transform mean.
+/// The units of the numbers of a transform.
 struct TransformUnits {
     const Lengths& lengths;
     Point box{};        ///< the size that percentages refer to
