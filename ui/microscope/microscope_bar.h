@@ -23,6 +23,7 @@ public:
     MicroscopeBar(app::Microscope& microscope, app::DrawnLine& drawn, QWidget* parent = nullptr);
 
     LineField& lineField() { return *line_; }
+    void follow(); ///< shows what is traced, in the language of numbers
 
 signals:
     void refused(const QString& sentence);
@@ -43,7 +44,6 @@ private:
     QToolButton* addButton(const char* icon, const QString& name);
     void choose(clipping::Form form);
     void setLine(const clipping::Segment& line);
-    void follow();
     void arrange();
 
     app::Microscope& microscope_;

@@ -104,6 +104,7 @@ MicroscopePage::MicroscopePage(app::Session& session, app::DrawnLine& drawn, QWi
     connect(&session, &app::Session::previewChanged, overview_, &Overview::forget);
     connect(&session.scene, &app::Scene::outdated, overview_, &Overview::forget);
     connect(&session, &app::Session::displayChanged, overview_, &Overview::forget); // its paper
+    connect(&session, &app::Session::displayChanged, bar_, &MicroscopeBar::follow);
     connect(bar_, &MicroscopeBar::lineDone, view_, [this] { view_->setFocus(); });
     connect(bar_, &MicroscopeBar::closeWanted, this, &MicroscopePage::closeWanted);
     connect(bar_, &MicroscopeBar::exportWanted, this, &MicroscopePage::exportWanted);
