@@ -72,10 +72,6 @@ inline constexpr double boxUlps = 48;
 /// it.
 enum class Form : std::uint8_t { Corrected, Published };
 
-/// The old name of Functions, until the next minor version.
-template <class S, class W, class Piece = S>
-using Uses [[deprecated("write Functions")]] = Functions<S, W, Piece>;
-
 /// One row of the catalogue. A null pointer means that there is no such form; `floats` is never
 /// null.
 struct CLEARCUT_HOLDS_CONTAINERS Algorithm {
@@ -87,18 +83,10 @@ struct CLEARCUT_HOLDS_CONTAINERS Algorithm {
     double ulps;                          ///< k of the contract
     Functions<Segment, Window> corrected; ///< the form to use: keeps the contract
     const Functions<Segment, Window>* published; ///< as its authors printed it
-    union {
-        const Functions<BasicSegment<float>, BasicWindow<float>>* floats; ///< corrected, for floats
-        [[deprecated("write floats")]] const Functions<BasicSegment<float>, BasicWindow<float>>*
-            single; ///< its old name
-    };
+    const Functions<BasicSegment<float>, BasicWindow<float>>* floats; ///< corrected, for floats
     const Functions<Segment, ConvexPolygon>* polygon; ///< clips at a convex polygon
-    union {
-        /// Same result, bit for bit, in O(log corners).
-        const Functions<Segment, ConvexPolygon>* polygonBySearch;
-        [[deprecated("write polygonBySearch")]] const Functions<Segment, ConvexPolygon>*
-            searchedPolygon; ///< its old name
-    };
+    /// Same result, bit for bit, in O(log corners).
+    const Functions<Segment, ConvexPolygon>* polygonBySearch;
     const Functions<Segment3, Window3>*
         box; ///< in three dimensions; keeps the contract with `boxUlps`
     const Functions<Line, Window, Segment>* line; ///< infinite lines; keeps the contract
@@ -114,13 +102,6 @@ constexpr const Functions<Segment, Window>* functionsOf(const Algorithm& algorit
                                                         Form form) noexcept
 {
     return form == Form::Corrected ? &algorithm.corrected : algorithm.published;
-}
-
-/// The old name of functionsOf, until the next minor version.
-[[deprecated("write functionsOf")]] constexpr const Functions<Segment, Window>*
-usesOf(const Algorithm& algorithm, Form form) noexcept
-{
-    return functionsOf(algorithm, form);
 }
 
 /// The pseudo-code of one form; empty if there is none.

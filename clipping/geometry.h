@@ -86,10 +86,6 @@ enum class Edge : std::uint8_t {
     Top,
     Near,
     Far,
-#ifndef None
-    /// The old name of NoEdge, until the next minor version; X11 has a macro None.
-    None [[deprecated("write NoEdge")]] = NoEdge,
-#endif
 };
 
 /// The edge at the lower and at the upper end of an axis.

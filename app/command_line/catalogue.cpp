@@ -64,7 +64,7 @@ std::optional<Command> commandOf(const QStringList& arguments)
     return std::nullopt;
 }
 
-QString overview()
+QString commandOverview()
 {
     std::vector<std::pair<QString, QString>> rows;
     for (const Command& command : commands())
@@ -78,6 +78,11 @@ QString overview()
                 {"--theme system|light|dark", Commands::tr("The theme of the window.")},
                 {"--size WIDTHxHEIGHT", Commands::tr("The size of the window.")},
                 {"--panes 1|2|4|all", Commands::tr("How many algorithms are shown side by side.")},
+                {"--algorithm KEY", Commands::tr("The algorithm that clips, such as LB.")},
+                {"--microscope LINE|first",
+                 Commands::tr("Open the microscope at \"10, 20 -> 70, 130\", or at the first line.")},
+                {"--step N", Commands::tr("The step that the microscope shows.")},
+                {"--verbose", Commands::tr("Print when the first frame was shown.")},
                 {"--screenshot FILE.png", Commands::tr("Save a picture of the window and end.")}})
            + Commands::tr("\nCommands:\n") + aligned(rows) + u'\n'
            + wrapped(Commands::tr("Exit codes: 0 done, 1 failed, 2 wrong usage, 3 something "
@@ -122,7 +127,7 @@ int runCommandLine(const QStringList& arguments)
         else if (asksForVersion(arguments))
             print(QStringLiteral("clearcut " CLEARCUT_VERSION "\n"));
         else
-            print(overview());
+            print(commandOverview());
         return int(Exit::Done);
     } catch (const WrongUsage& wrong) {
         say(QStringLiteral("clearcut %1: %2").arg(name, wrong.sentence));

@@ -2,7 +2,6 @@
 #include "app/settings/settings_format.h"
 
 #include "app/base/replace_file.h"
-#include "app/settings/ini_text.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -27,7 +26,7 @@ QJsonValue jsonOf(const QVariant& value)
 }
 
 /// Invalid if this program never writes such a value.
-QVariant valueOf(const QJsonValue& json)
+QVariant valueOfJson(const QJsonValue& json)
 {
     if (json.isObject())
         return QByteArray::fromBase64(json.toObject().value(bytesKey).toString().toLatin1());
@@ -45,13 +44,9 @@ bool read(QIODevice& in, QSettings::SettingsMap& map)
     const QByteArray text = in.read(mostBytes + 1);
     if (text.size() > mostBytes)
         return false;
-    if (!text.trimmed().startsWith('{')) {
-        map = settingsOfIni(text);
-        return true;
-    }
     const QJsonObject all = QJsonDocument::fromJson(text).object();
     for (auto each = all.begin(); each != all.end(); ++each)
-        if (const QVariant value = valueOf(each.value()); value.isValid())
+        if (const QVariant value = valueOfJson(each.value()); value.isValid())
             map.insert(each.key(), value);
     return true;
 }

@@ -10,7 +10,7 @@
 // Clip windows as elements of the root's metadata, in order. Default values are not written:
 //   <clearcut:window xmin="0" ymin="0" xmax="9" ymax="9"/>
 //   <clearcut:window name="Hole" operation="cut-out" visible="no" colour="#c2410c" xmin=…/>
-//   <clearcut:window operation="intersect" corners="0 0 9 0 9 9"/>
+//   <clearcut:window operation="intersect" d="M0 0L9 0L9 9Z"/>
 // The first element carries keep="outside" for all windows; without windows, an element without a
 // shape carries it.
 
