@@ -15,26 +15,23 @@ function(link_headers room folder)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${folders_of_rooms}/${room}/${folder} SYMBOLIC)
 endfunction()
 
-# room(NAME [ON ROOM...] [USES LIBRARY...] [DATA FILE...] [TOGETHER [ALONE FILE...]]): the folder NAME beside the CMakeLists.txt, as the library
+# room(NAME [ON ROOM...] [USES LIBRARY...] [DATA FILE...]): the folder NAME beside the CMakeLists.txt, as the library
 # app_NAME or ui_NAME, which the library `app` or `ui` brings with all others. Without ON it stands on the libraries in
 # `ground`. USES are its own affair; DATA, below resources/, is in the program as :/FILE. The headers in `precompiled`
 # are compiled once, with the first room.
 #
-# TOGETHER: where headers are precompiled, the files of the room are compiled 16 at a time, which takes less time. For that
-# no two of them may have the same name in their unnamed namespaces, as the files of a catalogue do. Files that do are
-# named by ALONE; a new file can bring two others together that never were.
+# Where headers are precompiled, the files of a room are compiled 16 at a time, which takes less time. For that no two of
+# them may have the same name in their unnamed namespaces; tests/local_names_test.cpp names those that do.
 function(room name)
-  cmake_parse_arguments(room "TOGETHER" "" "ALONE;ON;USES;DATA" ${ARGN})
+  cmake_parse_arguments(room "" "" "ON;USES;DATA" ${ARGN})
   get_filename_component(layer ${CMAKE_CURRENT_SOURCE_DIR} NAME)
   set(room ${layer}_${name})
   set(CMAKE_AUTOGEN_ORIGIN_DEPENDS OFF) # moc need not wait until the rooms below are built
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${name}/*.h ${name}/*.cpp)
   qt_add_library(${room} STATIC ${sources})
-  if(CLEARCUT_PRECOMPILE AND room_TOGETHER)
+  if(CLEARCUT_PRECOMPILE)
     set_target_properties(${room} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
     target_compile_options(${room} PRIVATE ${compiled_together})
-    list(TRANSFORM room_ALONE PREPEND ${name}/)
-    set_source_files_properties(${room_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   endif()
   link_headers(${room} ${layer}/${name})
   target_include_directories(${room} PUBLIC ${folders_of_rooms}/${room})

@@ -10,7 +10,7 @@
 namespace app {
 namespace {
 
-struct Experiments {
+struct Durations {
     Q_DECLARE_TR_FUNCTIONS(Experiments)
 };
 
@@ -22,18 +22,18 @@ QString durationText(double seconds)
 {
     constexpr double minute = 60, hour = 3600;
     if (seconds < 2 * minute)
-        return Experiments::tr("%1 s").arg(count(std::ceil(seconds)));
+        return Durations::tr("%1 s").arg(count(std::ceil(seconds)));
     if (seconds < 2 * hour)
-        return Experiments::tr("%1 minutes").arg(count(std::round(seconds / minute)));
-    return Experiments::tr("%1 hours").arg(count(std::round(seconds / hour)));
+        return Durations::tr("%1 minutes").arg(count(std::round(seconds / minute)));
+    return Durations::tr("%1 hours").arg(count(std::round(seconds / hour)));
 }
 
 QString progressText(const Progress& progress)
 {
     const QString share = count(std::floor(100 * progress.share));
     if (progress.share < 0.02) // too early for an estimate
-        return Experiments::tr("%1 %").arg(share);
-    return Experiments::tr("%1 %, %2 left").arg(share, durationText(progress.secondsLeft));
+        return Durations::tr("%1 %").arg(share);
+    return Durations::tr("%1 %, %2 left").arg(share, durationText(progress.secondsLeft));
 }
 
 } // namespace app

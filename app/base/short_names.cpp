@@ -11,7 +11,7 @@
 namespace app {
 namespace {
 
-struct Experiments {
+struct ShortNames {
     Q_DECLARE_TR_FUNCTIONS(Experiments)
 };
 
@@ -26,7 +26,7 @@ QString abbreviation(const Variant& variant)
 QString shortNameOf(const Variant& variant)
 {
     return variant.form == clipping::Form::Published
-               ? Experiments::tr("%1 as published").arg(abbreviation(variant))
+               ? ShortNames::tr("%1 as published").arg(abbreviation(variant))
                : abbreviation(variant);
 }
 
@@ -42,7 +42,7 @@ QString introducedName(const clipping::Algorithm& algorithm)
     const auto name = latin(algorithm.name);
     return algorithm.name == algorithm.abbreviation
                ? name
-               : Experiments::tr("%1 (%2)").arg(
+               : ShortNames::tr("%1 (%2)").arg(
                    name, abbreviation({&algorithm, clipping::Form::Corrected}));
 }
 
@@ -50,7 +50,7 @@ QString listText(const QStringList& names)
 {
     if (names.size() < 2)
         return names.join(QString());
-    return Experiments::tr("%1 and %2")
+    return ShortNames::tr("%1 and %2")
         .arg(names.sliced(0, names.size() - 1).join(QStringLiteral(", ")), names.back());
 }
 
@@ -59,13 +59,12 @@ QString briefListText(const QStringList& names)
     constexpr qsizetype mostNamed = 7, named = 3;
     if (names.size() <= mostNamed)
         return listText(names);
-    return listText(names.first(named) << Experiments::tr("%1 others").arg(names.size() - named));
+    return listText(names.first(named) << ShortNames::tr("%1 others").arg(names.size() - named));
 }
 
 QString timeText(double nanoseconds)
 {
-    return Experiments::tr("%1 ns per line")
-        .arg(numberText(nanoseconds, nanoseconds < 100 ? 2 : 0));
+    return ShortNames::tr("%1 ns per line").arg(numberText(nanoseconds, nanoseconds < 100 ? 2 : 0));
 }
 
 } // namespace app

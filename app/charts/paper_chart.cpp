@@ -9,7 +9,7 @@
 namespace app {
 namespace {
 
-ChartRow rowOf(const PaperColumn& column, const Summary& runs, double lowest)
+ChartRow paperRow(const PaperColumn& column, const Summary& runs, double lowest)
 {
     const double average = column.printedAverage;
     ChartRow row = rowFor({column.algorithm, clipping::Form::Published});
@@ -52,7 +52,7 @@ Chart chartOf(const PaperTable& paper)
         .groups = groupsOf(ranking, order),
         .notes = groupNotes(ranking) << paperPairingText()};
     for (const std::size_t i : order)
-        chart.rows.push_back(rowOf(paper.columns[i], runs[i], lowest));
+        chart.rows.push_back(paperRow(paper.columns[i], runs[i], lowest));
     return chart;
 }
 

@@ -24,7 +24,7 @@ constexpr std::array kinds{
     Kind{QT_TRANSLATE_NOOP("Charts", "divisions"), &OperationCounts::divisions},
 };
 
-ChartRow rowOf(const VariantOperations& operations, std::uint64_t lines)
+ChartRow operationsRow(const VariantOperations& operations, std::uint64_t lines)
 {
     ChartRow row = rowFor(operations.variant);
     const OperationCounts scene = operations.scene();
@@ -106,7 +106,7 @@ Chart chartOf(const OperationProfile& profile)
     for (std::size_t k = 0; k < kinds.size(); ++k)
         chart.legend.push_back({LegendBar{k}, Charts::tr(kinds[k].name)});
     for (const VariantOperations& operations : profile.rows)
-        chart.rows.push_back(rowOf(operations, profile.options.lines));
+        chart.rows.push_back(operationsRow(operations, profile.options.lines));
     std::ranges::stable_sort(chart.rows, {}, lengthOf);
     return withSharedNote(std::move(chart));
 }

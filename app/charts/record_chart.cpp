@@ -36,8 +36,8 @@ bool comparable(const Record& record, const Timing& timing, const PaperTable& pa
 
 /// Which of the sorted timings has the value 1: the lowest median. Beside a table of the paper,
 /// only the paper's algorithms count, otherwise the two scales could not be compared.
-std::size_t unitOf(const Record& record, std::span<const std::size_t> order,
-                   const std::optional<PaperTable>& paper)
+std::size_t unitTiming(const Record& record, std::span<const std::size_t> order,
+                       const std::optional<PaperTable>& paper)
 {
     if (!paper)
         return order.front();
@@ -80,7 +80,7 @@ QString testText(const Ranking& ranking, std::size_t thing)
                  .arg(numberText(test.ratio, 3), pText(test.p));
 }
 
-ChartRow rowOf(const Variant& variant, const Summary& times, double lowest)
+ChartRow recordRow(const Variant& variant, const Summary& times, double lowest)
 {
     ChartRow row = rowFor(variant);
     row.value = nanosecondsText(times.median);
@@ -136,7 +136,7 @@ Chart chartOf(const Record& record, const Measure& measure, const std::optional<
 {
     const auto times = summaries(record, measure);
     const auto order = sortedByMedian(times);
-    const std::size_t one = unitOf(record, order, paper);
+    const std::size_t one = unitTiming(record, order, paper);
     const Ranking ranking = rankingOf(record, measure);
     Chart chart{.key = QStringLiteral("%1-%2").arg(record.options.scene.key, measure.key),
                 .title = (one == order.front()
@@ -151,7 +151,7 @@ Chart chartOf(const Record& record, const Measure& measure, const std::optional<
                 .reference = 1,
                 .notes = groupNotes(ranking)};
     for (const std::size_t i : order) {
-        chart.rows.push_back(rowOf(record.timings[i].variant, times[i], times[one].median));
+        chart.rows.push_back(recordRow(record.timings[i].variant, times[i], times[one].median));
         chart.rows.back().detail += testText(ranking, i);
         if (paper && comparable(record, record.timings[i], *paper))
             compare(chart.rows.back(), *paper);

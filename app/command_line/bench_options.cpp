@@ -118,7 +118,7 @@ void takeShape(const GivenValue& value, const Imported& imported, Field& field)
         throw WrongUsage{Commands::tr("--window %1: ").arg(value.text) + refusal};
 }
 
-void takeWindow(const ParsedArguments& arguments, const Imported& imported, Field& field)
+void takeFieldWindow(const ParsedArguments& arguments, const Imported& imported, Field& field)
 {
     const QString option = QStringLiteral("window");
     const auto text = arguments.text(option);
@@ -161,7 +161,7 @@ void takeField(const ParsedArguments& arguments, const Imported& imported,
 {
     if (const auto space = plainRectangle(arguments, QStringLiteral("space")))
         options.field.space = *space;
-    takeWindow(arguments, imported, options.field);
+    takeFieldWindow(arguments, imported, options.field);
     if (options.scene.lines == 0 && !hasRoom(options.field))
         throw WrongUsage{Commands::tr("The window must have an area, and the space must extend "
                                       "beyond it on all four sides: see --space and --window.")};

@@ -74,8 +74,8 @@ void sayNothingIsLeft(const Imported& imported, const Document& before, const Do
             .arg(place));
 }
 
-void report(const Imported& imported, const Document& before, const CutCounts& counts,
-            bool keepsContacts)
+void reportCut(const Imported& imported, const Document& before, const CutCounts& counts,
+               bool keepsContacts)
 {
     const std::size_t hidden = hiddenObjects(before).size(); // the cut applied to all of them
     sayLosses(imported.report);
@@ -129,7 +129,8 @@ private:
     QStringList laps_;
 };
 
-std::vector<std::uint32_t> rowsOf(const Imported& imported, const Document& before, const Cut& cut)
+std::vector<std::uint32_t> sourceRows(const Imported& imported, const Document& before,
+                                      const Cut& cut)
 {
     std::vector<std::uint32_t> rows;
     if (!imported.rows.empty()) {
@@ -166,7 +167,7 @@ void clip(const ParsedArguments& arguments)
     laps.lap(Commands::tr("cut"));
 
     output.options.tolerance = options.tolerance;
-    output.options.sources = rowsOf(imported, before, result);
+    output.options.sources = sourceRows(imported, before, result);
     if (options.region.keep == Keep::Inside)
         output.options.bounds = options.region.single();
     if (plan)
@@ -178,7 +179,7 @@ void clip(const ParsedArguments& arguments)
     if (!arguments.has(QStringLiteral("quiet"))) {
         if (covered)
             say(occlusionText(*covered));
-        report(imported, before, result.counts, options.keepContacts);
+        reportCut(imported, before, result.counts, options.keepContacts);
         sayPoints(rounded(after, output.options).points);
         sayDropped(arguments, output, dropped);
         if (const QString more = furtherCountsText(result.counts); !more.isEmpty())

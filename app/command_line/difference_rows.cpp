@@ -12,7 +12,7 @@ namespace app {
 namespace {
 
 /// Which variant sees the line, in the order of Difference::Kind.
-constexpr std::array words{"only_a", "only_b", "ends"};
+constexpr std::array kindWords{"only_a", "only_b", "ends"};
 
 std::string number(double value)
 {
@@ -109,7 +109,7 @@ void DifferenceRows::add(const Difference& difference, const Numbers& numbers, c
                          const Piece& b)
 {
     Fields fields{std::to_string(numbers.line), std::to_string(numbers.shape),
-                  words[std::size_t(difference.kind)],
+                  kindWords[std::size_t(difference.kind)],
                   QString::number(difference.ulps, 'g', 6).toStdString()};
     set(fields, 4, a);
     set(fields, 8, b);

@@ -39,8 +39,8 @@ QString typesWith(Function Format::*can)
 }
 
 template <class Function>
-const Format& formatOf(const ParsedArguments& arguments, const QString& option, const QString& path,
-                       Function Format::*can, const Format* ofName)
+const Format& drawingFormat(const ParsedArguments& arguments, const QString& option,
+                            const QString& path, Function Format::*can, const Format* ofName)
 {
     const Format* asked = arguments.format(option);
     const Format* format = asked ? asked : ofName;
@@ -74,7 +74,8 @@ const Format& readFormatOf(const ParsedArguments& arguments, const QString& path
     const bool there = QFileInfo::exists(path) && !QFileInfo(path).isDir();
     if (path != standardStream && !there)
         return formats()[0];
-    return formatOf(arguments, QStringLiteral("from"), path, &Format::read, formatToRead(path));
+    return drawingFormat(arguments, QStringLiteral("from"), path, &Format::read,
+                         formatToRead(path));
 }
 
 std::vector<Option> readingOptions()
@@ -196,8 +197,8 @@ Output outputOf(const ParsedArguments& arguments, const QString& input)
         throw WrongUsage{
             Commands::tr("%1 is also the input. Give another name, or --in-place to overwrite it.")
                 .arg(output.path)};
-    output.format = &formatOf(arguments, QStringLiteral("to"), output.path, &Format::write,
-                              formatOfFile(output.path));
+    output.format = &drawingFormat(arguments, QStringLiteral("to"), output.path, &Format::write,
+                                   formatOfFile(output.path));
     if (const auto decimals = arguments.count(QStringLiteral("precision"), 0, mostDecimals))
         output.options.precision = int(*decimals);
     output.options.dpi = arguments.positive(QStringLiteral("dpi")).value_or(output.options.dpi);

@@ -9,7 +9,7 @@
 namespace app {
 namespace {
 
-QString overview()
+QString topicOverview()
 {
     std::vector<std::pair<QString, QString>> rows;
     for (const QString& topic : manualTopics())
@@ -22,13 +22,13 @@ void help(const ParsedArguments& arguments)
 {
     const QString topic = arguments.operands().value(0);
     if (topic.isEmpty())
-        return print(overview());
+        return print(topicOverview());
     const auto page = manualPage(topic);
     if (!page) {
         const auto meant = nearestTo(topic, manualTopics());
         const QString nothing = Commands::tr("There is no page on “%1”.").arg(topic);
-        throw WrongUsage{
-            meant ? nothing + u' ' + Commands::tr("Did you mean “%1”?").arg(*meant) : nothing};
+        throw WrongUsage{meant ? nothing + u' ' + Commands::tr("Did you mean “%1”?").arg(*meant)
+                               : nothing};
     }
     print(plainText(*page));
 }

@@ -169,7 +169,7 @@ Rows windowRows(const ClipWindows& windows)
     return rows;
 }
 
-Rows rowsOf(const Imported& imported)
+Rows infoRows(const Imported& imported)
 {
     const Document& document = imported.document;
     const Page& page = document.page();
@@ -208,7 +208,7 @@ Rows rowsOf(const Imported& imported)
 
 void inform(const ParsedArguments& arguments)
 {
-    print(inColumns(rowsOf(readDrawing(arguments, arguments.operands().first()))));
+    print(inColumns(infoRows(readDrawing(arguments, arguments.operands().first()))));
 }
 
 } // namespace

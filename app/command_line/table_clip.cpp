@@ -14,7 +14,8 @@
 namespace app {
 namespace {
 
-void report(const ParsedArguments& arguments, const csv::TableCut& made, const CutOptions& options)
+void reportTableCut(const ParsedArguments& arguments, const csv::TableCut& made,
+                    const CutOptions& options)
 {
     const Imported table = tableWithoutLines();
     sayLosses(made.stream.report);
@@ -100,7 +101,7 @@ void clipTable(const ParsedArguments& arguments, const QString& input, const Out
     if (!made.stream.complete)
         return;
     if (!arguments.has(QStringLiteral("quiet")))
-        report(arguments, made, options);
+        reportTableCut(arguments, made, options);
     if (arguments.has(QStringLiteral("stats")))
         say(Commands::tr("Lines: %1 before, %2 after; %3 ms.")
                 .arg(made.counts.lines.segmentsBefore)

@@ -66,7 +66,7 @@ WindowFrame frameOf(const GivenValue& value, YAxis y)
     return std::get<RectangleShape>(rotated(box, y == YAxis::Up ? angle : -angle));
 }
 
-void takeWindow(const GivenValue& value, TracedLine& tracedLine)
+void takeTracedWindow(const GivenValue& value, TracedLine& tracedLine)
 {
     if (value.text.contains(u':'))
         return takePolygon(value, tracedLine);
@@ -93,7 +93,7 @@ TracedLine tracedLineOf(const ParsedArguments& arguments)
                                                                              : YAxis::Down,
         .origin = {}};
     if (const auto text = arguments.text(QStringLiteral("window")))
-        takeWindow({QStringLiteral("window"), *text}, tracedLine);
+        takeTracedWindow({QStringLiteral("window"), *text}, tracedLine);
     return tracedLine;
 }
 
@@ -115,7 +115,7 @@ TraceExport exportOf(const ParsedArguments& arguments)
 }
 
 /// The format of --format, or of the name's ending; text by default.
-const TraceFormat& formatOf(const ParsedArguments& arguments, const QString& output)
+const TraceFormat& traceFormat(const ParsedArguments& arguments, const QString& output)
 {
     if (arguments.has(QStringLiteral("format")))
         return *findTraceFormat(
@@ -181,7 +181,7 @@ void write(const ParsedArguments& arguments, const TraceExport& trace, const Tra
 void trace(const ParsedArguments& arguments)
 {
     const QString output = arguments.text(QStringLiteral("output")).value_or(QString());
-    const TraceFormat& format = formatOf(arguments, output);
+    const TraceFormat& format = traceFormat(arguments, output);
     const bool toTerminal = output.isEmpty() || output == QStringLiteral("-");
     if (toTerminal && format.forPeople)
         throw WrongUsage{Commands::tr("Name a file or a folder for the pictures with -o.")};

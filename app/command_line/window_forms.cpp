@@ -135,7 +135,7 @@ QString firstNames(const QStringList& names)
                                   .arg(name, firstNames(names)))};
 }
 
-Windows shapesOf(const GivenValue& value, const Document& drawing, const ObjectRange& range)
+Windows shapesOfObjects(const GivenValue& value, const Document& drawing, const ObjectRange& range)
 {
     Windows windows = windowsOf(drawing, range);
     refuseNothing(value, windows);
@@ -150,14 +150,14 @@ Windows shape(const GivenValue& value, const QString& id, const Imported& import
     for (std::size_t i = 0; i < drawing.objects().size(); ++i) {
         const QString& here = drawing.objects()[i].particulars().id;
         if (here == id && !id.isEmpty())
-            return shapesOf(value, drawing, {i, i + 1});
+            return shapesOfObjects(value, drawing, {i, i + 1});
         if (!here.isEmpty())
             ids << here;
     }
     for (const ContainerId each : drawing.containers().inOrder()) {
         const QString& here = drawing.containers()[each].svgId;
         if (here == id && !id.isEmpty())
-            return shapesOf(value, drawing, drawing.containers().rangeOf(each));
+            return shapesOfObjects(value, drawing, drawing.containers().rangeOf(each));
         if (!here.isEmpty())
             ids << here;
     }
@@ -172,7 +172,7 @@ Windows layer(const GivenValue& value, const QString& name, const Imported& impo
         if (tree[id].kind != Container::Kind::Layer)
             continue;
         if (tree[id].name == name)
-            return shapesOf(value, imported.document, tree.rangeOf(id));
+            return shapesOfObjects(value, imported.document, tree.rangeOf(id));
         names << tree[id].name;
     }
     refuseName(value, name, names, Commands::tr("the drawing has no layer."));

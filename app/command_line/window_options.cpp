@@ -69,8 +69,8 @@ void uniteIfNeeded(std::vector<ClipWindow>& shapes, const GivenValue& value, con
         shapes = {{.shape = united(shapes, page)}};
 }
 
-std::vector<ClipWindow> shapesOf(const GivenValue& value, const ParsedArguments& arguments,
-                                 const Imported& imported)
+std::vector<ClipWindow> givenShapes(const GivenValue& value, const ParsedArguments& arguments,
+                                    const Imported& imported)
 {
     if (value.option != QLatin1StringView("page"))
         return windowsOf(value, imported);
@@ -87,7 +87,7 @@ ClipWindows givenWindows(const ParsedArguments& arguments, const Imported& impor
     for (const GivenValue& value : given(arguments)) {
         const auto* giver = std::ranges::find(
             givers, value.option, [](const auto& each) { return QLatin1StringView(each.option); });
-        auto shapes = shapesOf(value, arguments, imported);
+        auto shapes = givenShapes(value, arguments, imported);
         uniteIfNeeded(shapes, value, imported.document.page());
         for (ClipWindow& window : shapes) {
             window.operation = giver->operation;
@@ -191,7 +191,7 @@ ClipWindows windowsOf(const ParsedArguments& arguments, const Imported& imported
 
 namespace {
 
-QString operationText(WindowOperation operation)
+QString stepPhrase(WindowOperation operation)
 {
     return operation == WindowOperation::Add      ? Commands::tr("add %1")
            : operation == WindowOperation::CutOut ? Commands::tr("cut out %1")
@@ -238,7 +238,7 @@ QString windowText(const ParsedArguments& arguments, const Imported& imported,
             .arg(source, stepText(region.steps.front(), imported), keeps);
     QStringList steps;
     for (const ClipRegion::Step& step : region.steps)
-        steps << operationText(step.operation).arg(stepText(step, imported));
+        steps << stepPhrase(step.operation).arg(stepText(step, imported));
     return Commands::tr("Windows (%1): %2%3.").arg(source, steps.join(QStringLiteral("; ")), keeps);
 }
 

@@ -11,7 +11,8 @@
 
 namespace app {
 
-using namespace clipping;
+using clipping::Clipped;
+using clipping::Window;
 
 namespace {
 
@@ -51,9 +52,9 @@ void add(Disagreement& to, std::span<const Difference> fromMajority, std::size_t
 std::vector<Disagreement> allToJudge(const Variant& chosen)
 {
     std::vector<Disagreement> all;
-    if (chosen.form == Form::Published)
+    if (chosen.form == clipping::Form::Published)
         all.push_back({.variant = chosen});
-    for (const Algorithm& algorithm : algorithms())
+    for (const clipping::Algorithm& algorithm : clipping::algorithms())
         all.push_back({.variant = {&algorithm}});
     return all;
 }
@@ -65,7 +66,7 @@ void judge(std::vector<Disagreement>& all, const SceneLines::Run& run, const Win
     std::vector<std::vector<Clipped>> answers;
     for (const Disagreement& one : all)
         answers.push_back(clipped(one.variant, run.segments, window));
-    const auto votes = std::span(answers).last(algorithms().size());
+    const auto votes = std::span(answers).last(clipping::algorithms().size());
     const auto majority = majorityOf(votes, run.segments.size());
     for (std::size_t i = 0; i < all.size(); ++i)
         add(all[i],

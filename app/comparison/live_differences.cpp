@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/live_differences.h"
 
+#include "app/base/finite.h"
+
 #include <glm/common.hpp>
 
 #include <algorithm>
@@ -29,12 +31,6 @@ void appendPieces(std::vector<Clipped>& to, std::span<const Difference> list,
             if (!left->empty() && left->front().source == difference.source)
                 to.push_back({left->front().segment, difference.source + first, left->front().cut});
         }
-}
-
-bool isFinite(const Segment& s)
-{
-    return std::isfinite(s.a.x) && std::isfinite(s.a.y) && std::isfinite(s.b.x)
-           && std::isfinite(s.b.y);
 }
 
 } // namespace

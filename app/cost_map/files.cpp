@@ -22,7 +22,7 @@ namespace app {
 namespace {
 
 constexpr double margin = 16, width = 720, scale = 2;
-constexpr double gap = 8; // logical pixels
+constexpr double partSpacing = 8; // logical pixels
 
 QString text(const Point& point) { return shortestText(point.x) + u',' + shortestText(point.y); }
 
@@ -102,8 +102,8 @@ QImage costPicture(const CostMap& map, const CostMapLook& look)
     const double mapHeight = std::clamp(std::round(inner * extent.y / extent.x), 60., 1200.);
     const double notesHeight = metrics.boundingRect(all, Qt::TextWordWrap, notes).height();
     const double legend = legendHeight(map, inner, look);
-    const double height = std::ceil(2 * margin + boldMetrics.height() + gap + mapHeight + gap
-                                    + legend + gap + notesHeight);
+    const double height = std::ceil(2 * margin + boldMetrics.height() + partSpacing + mapHeight
+                                    + partSpacing + legend + partSpacing + notesHeight);
     QImage image((QSizeF(width, height) * scale).toSize(), QImage::Format_RGB32);
     if (image.isNull())
         return image;
@@ -116,12 +116,12 @@ QImage costPicture(const CostMap& map, const CostMapLook& look)
     painter.setPen(look.chart.text);
     painter.setFont(bold);
     painter.drawText(QPointF(margin, y + boldMetrics.ascent()), title);
-    y += boldMetrics.height() + gap;
+    y += boldMetrics.height() + partSpacing;
     paintMap(painter, mapPlace(map.plan, {margin, y, inner, mapHeight}), map, look,
              RegionLabels::Shown);
-    y += mapHeight + gap;
+    y += mapHeight + partSpacing;
     paintLegend(painter, {margin, y, inner, legend}, map, look);
-    y += legend + gap;
+    y += legend + partSpacing;
     painter.setFont(look.chart.font);
     painter.setPen(look.chart.muted);
     painter.drawText(QRectF(margin, y, inner, notesHeight + 4), Qt::TextWordWrap, notes);

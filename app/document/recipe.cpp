@@ -12,7 +12,7 @@ namespace {
 bool alike(const Point& scale) { return std::abs(scale.x) == std::abs(scale.y); }
 
 /// A text after a map that keeps angles. It is mirrored by a map that turns x to y the other way.
-TextRecipe turned(TextRecipe text, const AffineMap& map)
+TextRecipe turnedText(TextRecipe text, const AffineMap& map)
 {
     const Point along = map.x * std::cos(text.turn) + map.y * std::sin(text.turn);
     text.at = map(text.at);
@@ -53,7 +53,7 @@ struct Placed {
             return {};
         TextRecipe text = r;
         if (where.scale.x != where.scale.y || where.scale.x < 0)
-            text = turned(r, {{where.scale.x, 0}, {0, where.scale.y}});
+            text = turnedText(r, {{where.scale.x, 0}, {0, where.scale.y}});
         text.size = r.size * std::abs(where.scale.x);
         text.at = where(r.at);
         return text;
@@ -100,7 +100,7 @@ struct Turned {
     }
     Recipe operator()(const TextRecipe& r) const
     {
-        return keepsShape ? Recipe(turned(r, map)) : Recipe{};
+        return keepsShape ? Recipe(turnedText(r, map)) : Recipe{};
     }
 
 private:

@@ -16,7 +16,7 @@ namespace {
 // Distance of control points, in radii, for a Bézier curve that approximates a quarter circle.
 constexpr double quarter = 0.5522847498307936;
 
-struct Outline {
+struct OutlineOfRecipe {
     std::optional<Subpath> operator()(const RectangleRecipe& r) const
     {
         const Point end = r.corner + r.size;
@@ -53,7 +53,10 @@ struct Outline {
 
 } // namespace
 
-std::optional<Subpath> outlineOf(const Recipe& recipe) { return std::visit(Outline{}, recipe); }
+std::optional<Subpath> outlineOf(const Recipe& recipe)
+{
+    return std::visit(OutlineOfRecipe{}, recipe);
+}
 
 bool alike(std::span<const Subpath> a, std::span<const Subpath> b)
 {

@@ -30,7 +30,7 @@ std::uint64_t bits(const std::optional<Colour>& colour)
     return colour ? std::uint64_t(1) << 32 | std::bit_cast<std::uint32_t>(*colour) : 0;
 }
 
-bool sameBits(const Style& a, const Style& b)
+bool sameStyleBits(const Style& a, const Style& b)
 {
     return a.stroke == b.stroke && a.fill == b.fill && bits(a.width) == bits(b.width)
            && bits(a.miterLimit) == bits(b.miterLimit) && bits(a.dashOffset) == bits(b.dashOffset)
@@ -79,7 +79,7 @@ StyleIndex StyleTable::indexOf(const Style& style)
     const std::lock_guard lock(adding_);
     const auto [first, last] = found_.equal_range(hash);
     for (auto at = first; at != last; ++at)
-        if (sameBits((*this)[at->second], style))
+        if (sameStyleBits((*this)[at->second], style))
             return at->second;
 
     const auto index = StyleIndex(size_.load(std::memory_order_relaxed));

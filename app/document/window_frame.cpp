@@ -6,7 +6,7 @@
 namespace app {
 namespace {
 
-Point turned(const Point& p, const Point& centre, double angle)
+Point turnedPoint(const Point& p, const Point& centre, double angle)
 {
     if (angle == 0)
         return p; // with every bit
@@ -30,12 +30,12 @@ std::array<Point, 4> cornersOf(const WindowFrame& frame)
 
 Point intoFrame(const WindowFrame& frame, const Point& p)
 {
-    return turned(p, centreOf(frame.box), -frame.angle);
+    return turnedPoint(p, centreOf(frame.box), -frame.angle);
 }
 
 Point outOfFrame(const WindowFrame& frame, const Point& p)
 {
-    return turned(p, centreOf(frame.box), frame.angle);
+    return turnedPoint(p, centreOf(frame.box), frame.angle);
 }
 
 WindowFrame resized(const WindowFrame& frame, const clipping::Window& box)

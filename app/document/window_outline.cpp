@@ -52,7 +52,7 @@ Ring ringOf(const Subpath& path, double tolerance)
     return ring;
 }
 
-struct Outline {
+struct OutlineOfWindow {
     double tolerance;
 
     WindowOutline operator()(const RectangleShape& rectangle) const
@@ -79,7 +79,7 @@ struct Outline {
 
 WindowOutline outlineOf(const WindowShape& shape, double tolerance)
 {
-    return std::visit(Outline{tolerance}, shape);
+    return std::visit(OutlineOfWindow{tolerance}, shape);
 }
 
 } // namespace app

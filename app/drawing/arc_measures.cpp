@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/drawing/arc_measures.h"
 
-#include "app/document/affine_map.h"
 #include "app/document/direction.h"
 #include "app/drawing/circle_arc.h"
-
-#include <QCoreApplication>
+#include "app/drawing/translated.h"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -16,11 +14,9 @@
 namespace app {
 namespace {
 
-constexpr double step = 15, whole = 360; // degrees
-constexpr double most = 359;             // of an arc between two points
-constexpr double rounding = 1e-12;       // relative to the radius
-
-QString tr(const char* text) { return QCoreApplication::translate("GestureMeasure", text); }
+constexpr double arcStep = 15, whole = 360; // degrees
+constexpr double most = 359;                // of an arc between two points
+constexpr double rounding = 1e-12;          // relative to the radius
 
 double chordOf(const GestureStart& start) { return glm::distance(start.from, start.pointer); }
 
@@ -64,8 +60,9 @@ Point endOfArc(const GestureStart& start, const Point& pointer, const Held& held
 QString refusalOfArc(const GestureStart& start, const Held& held)
 {
     if (held[0] && *held[0] < chordOf(start) / 2 * (1 - rounding))
-        return tr("The radius must be at least half the distance between the ends.");
-    return held[1] == 0 ? tr("The angle must not be 0.") : QString();
+        return GestureMeasures::tr(
+            "The radius must be at least half the distance between the ends.");
+    return held[1] == 0 ? GestureMeasures::tr("The angle must not be 0.") : QString();
 }
 
 template <Turn turn>
@@ -77,28 +74,24 @@ double sweepOf(const GestureStart& start, const Point& to)
     return degrees > 0 ? degrees - whole : degrees;
 }
 
-Point turned(const GestureStart& start, double degrees)
-{
-    return rotation(degrees, start.from)(start.pointer);
-}
-
 template <Turn turn>
 GestureMeasure sweep()
 {
-    return {{{tr("Angle"), Quantity::Angle, whole}},
+    return {{{GestureMeasures::tr("Angle"), Quantity::Angle, whole}},
             [](const GestureStart& start, const Point& to) -> Numbers {
                 return {sweepOf<turn>(start, to)};
             },
             [](const GestureStart& start, const Point& pointer, const Held& held) {
-                return held[0] ? turned(start, *held[0]) : pointer;
+                return held[0] ? turnedPointer(start, *held[0]) : pointer;
             },
             GestureMeasure::Points::Relative,
             [](const GestureStart& start, const Point& pointer) {
-                return turned(start, std::round(sweepOf<turn>(start, pointer) / step) * step);
+                return turnedPointer(start,
+                                     std::round(sweepOf<turn>(start, pointer) / arcStep) * arcStep);
             },
             false,
             [](const GestureStart&, const Held& held) {
-                return held[0] == 0 ? tr("The angle must not be 0.") : QString();
+                return held[0] == 0 ? GestureMeasures::tr("The angle must not be 0.") : QString();
             }};
 }
 
@@ -107,13 +100,14 @@ GestureMeasure sweep()
 const GestureMeasure& arcMeasure()
 {
     static const GestureMeasure measure{
-        {{tr("Radius"), Quantity::Length}, {tr("Angle"), Quantity::Angle, most}},
+        {{GestureMeasures::tr("Radius"), Quantity::Length},
+         {GestureMeasures::tr("Angle"), Quantity::Angle, most}},
         arcValues,
         endOfArc,
         GestureMeasure::Points::Relative,
         [](const GestureStart& start, const Point& pointer) {
-            const double degrees = std::round(arcValues(start, pointer)[1] / step) * step;
-            return onArc(start, pointer, std::clamp(degrees, step, whole - step));
+            const double degrees = std::round(arcValues(start, pointer)[1] / arcStep) * arcStep;
+            return onArc(start, pointer, std::clamp(degrees, arcStep, whole - arcStep));
         },
         true,
         refusalOfArc};

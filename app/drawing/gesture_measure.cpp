@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/drawing/gesture_measure.h"
 
+#include "app/document/affine_map.h"
 #include "app/document/direction.h"
-
-#include <QCoreApplication>
+#include "app/drawing/translated.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -13,8 +13,6 @@
 
 namespace app {
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("GestureMeasure", text); }
 
 /// A vector of this length in a vector's direction; to the right, if that is zero.
 Point ofLength(const Point& vector, double length)
@@ -67,7 +65,8 @@ Point endOfBox(const GestureStart& start, const Point& pointer, const Held& held
 
 std::vector<GestureMeasure::Field> sides()
 {
-    return {{tr("Width"), Quantity::Length}, {tr("Height"), Quantity::Length}};
+    return {{GestureMeasures::tr("Width"), Quantity::Length},
+            {GestureMeasures::tr("Height"), Quantity::Length}};
 }
 
 std::vector<GestureMeasure::Field> with(std::vector<GestureMeasure::Field> fields,
@@ -96,7 +95,8 @@ template <int axis, bool centre>
 GestureMeasure sideMeasure()
 {
     constexpr double share = centre ? 0.5 : 1;
-    return {{{axis == 0 ? tr("Width") : tr("Height"), Quantity::Length}},
+    return {{{axis == 0 ? GestureMeasures::tr("Width") : GestureMeasures::tr("Height"),
+              Quantity::Length}},
             [](const GestureStart& start, const Point& to) -> Numbers {
                 return {std::abs(to[axis] - start.from[axis]) / share, 0};
             },
@@ -125,7 +125,8 @@ GestureMeasure polar(std::vector<GestureMeasure::Field> fields)
 
 std::vector<GestureMeasure::Field> radius()
 {
-    return {{tr("Radius"), Quantity::Length}, {tr("Angle"), Quantity::Angle}};
+    return {{GestureMeasures::tr("Radius"), Quantity::Length},
+            {GestureMeasures::tr("Angle"), Quantity::Angle}};
 }
 
 using Boxes = std::array<GestureMeasure, 4>;
@@ -153,8 +154,9 @@ const GestureMeasure& sideLength(int axis, Anchor anchor)
 
 const GestureMeasure& lengthAndAngle(Anchor anchor)
 {
-    static const std::vector<GestureMeasure::Field> fields{{tr("Length"), Quantity::Length},
-                                                           {tr("Angle"), Quantity::Angle}};
+    static const std::vector<GestureMeasure::Field> fields{
+        {GestureMeasures::tr("Length"), Quantity::Length},
+        {GestureMeasures::tr("Angle"), Quantity::Angle}};
     static const GestureMeasure fromEnd = polar(fields), fromMiddle = polar<true>(fields);
     return anchor == Anchor::Centre ? fromMiddle : fromEnd;
 }
@@ -167,14 +169,16 @@ const GestureMeasure& radiusAndAngle()
 
 const GestureMeasure& polygonMeasure()
 {
-    static const GestureMeasure measure = polar(with(radius(), {tr("Corners"), Quantity::Count}));
+    static const GestureMeasure measure =
+        polar(with(radius(), {GestureMeasures::tr("Corners"), Quantity::Count}));
     return measure;
 }
 
 const GestureMeasure& starMeasure()
 {
-    static const GestureMeasure measure = polar(
-        with(with(radius(), {tr("Points"), Quantity::Count}), {tr("Inner"), Quantity::Share, 1}));
+    static const GestureMeasure measure =
+        polar(with(with(radius(), {GestureMeasures::tr("Points"), Quantity::Count}),
+                   {GestureMeasures::tr("Inner"), Quantity::Share, 1}));
     return measure;
 }
 
@@ -186,14 +190,16 @@ const GestureMeasure& widthAndHeight(Proportion proportion, Anchor anchor)
 
 const GestureMeasure& widthHeightAndRadius(Proportion proportion, Anchor anchor)
 {
-    static const Boxes boxes = boxMeasures(with(sides(), {tr("Radius"), Quantity::Length}));
+    static const Boxes boxes =
+        boxMeasures(with(sides(), {GestureMeasures::tr("Radius"), Quantity::Length}));
     return chosen(boxes, proportion, anchor);
 }
 
 const GestureMeasure& position()
 {
     static const GestureMeasure measure{
-        {{tr("X"), Quantity::Coordinate}, {tr("Y"), Quantity::Coordinate}},
+        {{GestureMeasures::tr("X"), Quantity::Coordinate},
+         {GestureMeasures::tr("Y"), Quantity::Coordinate}},
         [](const GestureStart& start, const Point& to) -> Numbers {
             return {to.x - start.from.x, to.y - start.from.y};
         },
@@ -203,6 +209,11 @@ const GestureMeasure& position()
         },
         GestureMeasure::Points::Absolute};
     return measure;
+}
+
+Point turnedPointer(const GestureStart& start, double degrees)
+{
+    return rotation(degrees, start.from)(start.pointer);
 }
 
 std::optional<std::size_t> firstZero(const GestureMeasure& measure, const GestureStart& start,

@@ -69,6 +69,9 @@ const GestureMeasure& sideLength(int axis, Anchor anchor);
 /// For a first point, measured from the origin of coordinates.
 const GestureMeasure& position();
 
+/// The pointer's place, turned about where the gesture begins.
+Point turnedPointer(const GestureStart& start, double degrees);
+
 /// The number of the first length or factor that is 0, so that nothing would remain.
 std::optional<std::size_t> firstZero(const GestureMeasure& measure, const GestureStart& start,
                                      const Point& to);

@@ -12,7 +12,9 @@
 namespace app {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Readout", text); }
+struct ReadoutText {
+    Q_DECLARE_TR_FUNCTIONS(Readout)
+};
 
 } // namespace
 
@@ -21,13 +23,13 @@ QString Readout::number(std::size_t field, const Point& end) const
     const double value = valueOf(field, end);
     const Quantity quantity = gauge_.measure->fields[field].quantity;
     if (quantity == Quantity::Angle)
-        return tr("%1°").arg(numberText(value, 1));
+        return ReadoutText::tr("%1°").arg(numberText(value, 1));
     if (quantity == Quantity::Factor || quantity == Quantity::Share)
-        return tr("%1 %").arg(numberText(value * 100, 1));
+        return ReadoutText::tr("%1 %").arg(numberText(value * 100, 1));
     if (quantity == Quantity::Count)
         return numberText(value, 0);
     if (!std::isfinite(value))
-        return tr("∞");
+        return ReadoutText::tr("∞");
     return lengthText(value, gauge_.scale.unit, gauge_.scale.millimetresPerUnit);
 }
 
@@ -145,12 +147,12 @@ bool Readout::hold(const Entry& entry)
         return hold(number->value);
     if (const auto* repeat = std::get_if<RepeatEntry>(&entry)) {
         if (!gauge_.repeats)
-            return refuse(tr("There are no copies to repeat here. Type a number."));
+            return refuse(ReadoutText::tr("There are no copies to repeat here. Type a number."));
         repeat_ = *repeat;
         return true;
     }
     if (gauge_.measure->points == GestureMeasure::Points::Refused)
-        return refuse(tr("A point has no meaning here. Type one number."));
+        return refuse(ReadoutText::tr("A point has no meaning here. Type one number."));
     if (const auto* point = std::get_if<PointEntry>(&entry))
         return holdPoint(*point);
     return holdPolar(std::get<PolarEntry>(entry));
@@ -160,9 +162,10 @@ bool Readout::hold(double number)
 {
     const GestureMeasure::Field& field = gauge_.measure->fields[active_];
     if (std::abs(number) > field.most)
-        return refuse(tr("%1 must be from −%2 to %2.").arg(field.name, numberText(field.most, 0)));
+        return refuse(ReadoutText::tr("%1 must be from −%2 to %2.")
+                          .arg(field.name, numberText(field.most, 0)));
     if (const auto other = decider())
-        return refuse(tr("%1 is locked and determines this number. Unlock it first.")
+        return refuse(ReadoutText::tr("%1 is locked and determines this number. Unlock it first.")
                           .arg(gauge_.measure->fields[*other].name));
     if (gauge_.measure->equal && !field.kept)
         for (std::size_t i = 0; i < count(); ++i)
@@ -205,7 +208,8 @@ bool Readout::holdPolar(const PolarEntry& entry)
     const auto& fields = gauge_.measure->fields;
     const bool hasAngle = fields.size() > 1 && fields[1].quantity == Quantity::Angle;
     if (!entry.length && !hasAngle)
-        return refuse(tr("An angle alone has no meaning here. Type a length before it: 30<45."));
+        return refuse(
+            ReadoutText::tr("An angle alone has no meaning here. Type a length before it: 30<45."));
     if (!hasAngle || (entry.length && gauge_.measure->equal)) {
         target_ = gauge_.relativeTo.value_or(gauge_.start.from)
                   + directionOf(entry.angle) * *entry.length;
@@ -267,7 +271,7 @@ bool Readout::take()
 
 bool Readout::refuseZero(std::size_t field)
 {
-    return refuse(tr("%1 must not be 0.").arg(gauge_.measure->fields[field].name));
+    return refuse(ReadoutText::tr("%1 must not be 0.").arg(gauge_.measure->fields[field].name));
 }
 
 Point Readout::end(const Point& pointer) const

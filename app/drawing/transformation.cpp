@@ -11,7 +11,9 @@
 namespace app {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Transformation", text); }
+struct TransformationText {
+    Q_DECLARE_TR_FUNCTIONS(Transformation)
+};
 
 AffineMap move(const GestureStart& start, const GestureEnd& end, Along, double times)
 {
@@ -41,18 +43,24 @@ AffineMap skew(const GestureStart& start, const GestureEnd& end, Along axis, dou
 std::span<const Transformation> transformations()
 {
     static const std::array all{
-        Transformation{"move", u'G', tr("&Move"), tr("Move selection"),
-                       tr("Select what to move first, with the Select tool (V)."), moveMeasure,
-                       move, true},
-        Transformation{"rotate", u'O', tr("&Rotate"), tr("Rotate selection"),
-                       tr("Select what to rotate first, with the Select tool (V)."),
-                       rotationMeasure, rotate},
-        Transformation{"scale", u'K', tr("&Scale"), tr("Scale selection"),
-                       tr("Select what to scale first, with the Select tool (V)."), scalingMeasure,
-                       scale},
-        Transformation{"skew", u'J', tr("S&kew"), tr("Skew selection"),
-                       tr("Select what to skew first, with the Select tool (V)."), skewMeasure,
-                       skew},
+        Transformation{
+            "move", u'G', TransformationText::tr("&Move"), TransformationText::tr("Move selection"),
+            TransformationText::tr("Select what to move first, with the Select tool (V)."),
+            moveMeasure, move, true},
+        Transformation{
+            "rotate", u'O', TransformationText::tr("&Rotate"),
+            TransformationText::tr("Rotate selection"),
+            TransformationText::tr("Select what to rotate first, with the Select tool (V)."),
+            rotationMeasure, rotate},
+        Transformation{
+            "scale", u'K', TransformationText::tr("&Scale"),
+            TransformationText::tr("Scale selection"),
+            TransformationText::tr("Select what to scale first, with the Select tool (V)."),
+            scalingMeasure, scale},
+        Transformation{
+            "skew", u'J', TransformationText::tr("S&kew"), TransformationText::tr("Skew selection"),
+            TransformationText::tr("Select what to skew first, with the Select tool (V)."),
+            skewMeasure, skew},
     };
     return all;
 }

@@ -2,8 +2,7 @@
 #include "app/drawing/transformation_measures.h"
 
 #include "app/document/direction.h"
-
-#include <QCoreApplication>
+#include "app/drawing/translated.h"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -15,9 +14,7 @@ namespace {
 
 using Points = GestureMeasure::Points;
 
-constexpr double step = 15; // degrees
-
-QString tr(const char* text) { return QCoreApplication::translate("GestureMeasure", text); }
+constexpr double turnStep = 15; // degrees
 
 template <int axis>
 GestureMeasure wayAlong(const QString& name)
@@ -40,11 +37,6 @@ double angleBetween(const GestureStart& start, const Point& to)
     return std::remainder(turned, 360);
 }
 
-Point turned(const GestureStart& start, double degrees)
-{
-    return rotation(degrees, start.from)(start.pointer);
-}
-
 /// The quotient of two vectors along a direction; 1 if the first one has no length.
 double quotient(const Point& old, const Point& now)
 {
@@ -65,9 +57,9 @@ GestureMeasure scalingAlong()
     const auto end = [](const GestureStart& start, const Point& pointer, const Held& held) {
         return held[0] ? start.from + (start.pointer - start.from) * *held[0] : pointer;
     };
-    const QString name = axis == Along::X   ? tr("Scale X")
-                         : axis == Along::Y ? tr("Scale Y")
-                                            : tr("Scale");
+    const QString name = axis == Along::X   ? GestureMeasures::tr("Scale X")
+                         : axis == Along::Y ? GestureMeasures::tr("Scale Y")
+                                            : GestureMeasures::tr("Scale");
     return {{{name, Quantity::Factor}}, values, end, Points::Refused};
 }
 
@@ -100,9 +92,9 @@ GestureMeasure skewAlong(const QString& name)
         return held[0] ? skewed<along>(start, *held[0]) : pointer;
     };
     const auto toStep = [](const GestureStart& start, const Point& pointer) {
-        const double steps = std::round(skewAngle<along>(start, pointer) / step);
-        constexpr double most = 90 / step - 1; // a right angle has no skew
-        return skewed<along>(start, std::clamp(steps, -most, most) * step);
+        const double steps = std::round(skewAngle<along>(start, pointer) / turnStep);
+        constexpr double most = 90 / turnStep - 1; // a right angle has no skew
+        return skewed<along>(start, std::clamp(steps, -most, most) * turnStep);
     };
     return {{{name, Quantity::Angle, mostSkew}}, values, end, Points::Refused, toStep};
 }
@@ -111,23 +103,25 @@ GestureMeasure skewAlong(const QString& name)
 
 const GestureMeasure& moveMeasure(Along axis)
 {
-    static const GestureMeasure x = wayAlong<0>(tr("X")), y = wayAlong<1>(tr("Y"));
+    static const GestureMeasure x = wayAlong<0>(GestureMeasures::tr("X")),
+                                y = wayAlong<1>(GestureMeasures::tr("Y"));
     return axis == Along::X ? x : axis == Along::Y ? y : lengthAndAngle();
 }
 
 const GestureMeasure& rotationMeasure(Along)
 {
     static const GestureMeasure measure{
-        {{tr("Angle"), Quantity::Angle}},
+        {{GestureMeasures::tr("Angle"), Quantity::Angle}},
         [](const GestureStart& start, const Point& to) -> Numbers {
             return {angleBetween(start, to), 0};
         },
         [](const GestureStart& start, const Point& pointer, const Held& held) {
-            return held[0] ? turned(start, *held[0]) : pointer;
+            return held[0] ? turnedPointer(start, *held[0]) : pointer;
         },
         Points::Refused,
         [](const GestureStart& start, const Point& pointer) {
-            return turned(start, std::round(angleBetween(start, pointer) / step) * step);
+            return turnedPointer(start,
+                                 std::round(angleBetween(start, pointer) / turnStep) * turnStep);
         }};
     return measure;
 }
@@ -141,7 +135,8 @@ const GestureMeasure& scalingMeasure(Along axis)
 
 const GestureMeasure& skewMeasure(Along axis)
 {
-    static const GestureMeasure x = skewAlong<0>(tr("Skew X")), y = skewAlong<1>(tr("Skew Y"));
+    static const GestureMeasure x = skewAlong<0>(GestureMeasures::tr("Skew X")),
+                                y = skewAlong<1>(GestureMeasures::tr("Skew Y"));
     return axis == Along::Y ? y : x;
 }
 

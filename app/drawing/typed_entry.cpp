@@ -12,9 +12,11 @@
 namespace app {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Entry", text); }
+struct TypedEntryText {
+    Q_DECLARE_TR_FUNCTIONS(Entry)
+};
 
-constexpr double limit = 1e9; // as in the fields of the panels
+constexpr double largestTyped = 1e9; // as in the fields of the panels
 
 class EntryReader {
 public:
@@ -24,10 +26,11 @@ public:
     {
         const auto length = typedLength(text, scale_, locale_);
         if (!length)
-            return refuse(tr("“%1” is not a length: %2.").arg(text.trimmed(), length.error));
+            return refuse(
+                TypedEntryText::tr("“%1” is not a length: %2.").arg(text.trimmed(), length.error));
         const double units = fromUnit(*length.value, scale_.unit, scale_.millimetresPerUnit);
-        if (!(std::abs(units) <= limit))
-            return refuse(tr("“%1” is too large.").arg(text.trimmed()));
+        if (!(std::abs(units) <= largestTyped))
+            return refuse(TypedEntryText::tr("“%1” is too large.").arg(text.trimmed()));
         return units;
     }
     std::optional<double> angle(QString text)
@@ -36,9 +39,10 @@ public:
         text.remove(u'°');
         const auto degrees = plainNumber(text);
         if (!degrees)
-            return refuse(tr("“%1” is not an angle: %2.").arg(typed, degrees.error));
-        if (!(std::abs(*degrees.value) <= limit))
-            return refuse(tr("“%1” is too large.").arg(typed));
+            return refuse(
+                TypedEntryText::tr("“%1” is not an angle: %2.").arg(typed, degrees.error));
+        if (!(std::abs(*degrees.value) <= largestTyped))
+            return refuse(TypedEntryText::tr("“%1” is too large.").arg(typed));
         return *degrees.value;
     }
     std::optional<double> factor(QString text)
@@ -47,9 +51,9 @@ public:
         const bool percent = typed.endsWith(u'%');
         const auto factor = plainNumber(text.remove(u'%'));
         if (!factor)
-            return refuse(tr("“%1” is not a factor: %2.").arg(typed, factor.error));
-        if (!(std::abs(*factor.value) <= limit))
-            return refuse(tr("“%1” is too large.").arg(typed));
+            return refuse(TypedEntryText::tr("“%1” is not a factor: %2.").arg(typed, factor.error));
+        if (!(std::abs(*factor.value) <= largestTyped))
+            return refuse(TypedEntryText::tr("“%1” is too large.").arg(typed));
         return *factor.value / (percent ? 100 : 1);
     }
     std::optional<double> count(const QString& text)
@@ -59,7 +63,8 @@ public:
         if (!count || *count.value < least || *count.value > most
             || *count.value != std::floor(*count.value))
             return refuse(
-                tr("“%1” is not a number of corners: type a whole number from %2 to %3.")
+                TypedEntryText::tr(
+                    "“%1” is not a number of corners: type a whole number from %2 to %3.")
                     .arg(text.trimmed(), locale_.toString(least), locale_.toString(most)));
         return *count.value;
     }
@@ -70,7 +75,9 @@ public:
         const auto share = plainNumber(text.remove(u'%'));
         const double value = share ? *share.value / (percent || *share.value > 1 ? 100 : 1) : 0;
         if (!(value > 0 && value <= 1))
-            return refuse(tr("“%1” is not a share: type a percentage from 1 to 100.").arg(typed));
+            return refuse(
+                TypedEntryText::tr("“%1” is not a share: type a percentage from 1 to 100.")
+                    .arg(typed));
         return value;
     }
     std::optional<double> number(const QString& text, Quantity quantity)
@@ -97,8 +104,9 @@ public:
         bool whole = false;
         const int count = locale_.toInt(text.chopped(1).trimmed(), &whole);
         if (!whole || count < 1 || count > mostCopies) {
-            refuse(tr("“%1” is not a number of copies: type a whole number from 1 to %2 before "
-                      "the %3.")
+            refuse(TypedEntryText::tr(
+                       "“%1” is not a number of copies: type a whole number from 1 to %2 before "
+                       "the %3.")
                        .arg(text, locale_.toString(mostCopies), text.right(1)));
             return std::nullopt;
         }
@@ -125,7 +133,7 @@ public:
     {
         const QStringList parts = text.split(separator);
         if (parts.size() != 2) {
-            refuse(tr("“%1” is not a point: type two numbers, such as 10%2 20.")
+            refuse(TypedEntryText::tr("“%1” is not a point: type two numbers, such as 10%2 20.")
                        .arg(text, QString(separator)));
             return std::nullopt;
         }
@@ -148,7 +156,7 @@ private:
     Result<double> plainNumber(const QString& text) const
     {
         if (std::ranges::any_of(text, [](QChar c) { return c.isLetter(); }))
-            return Result<double>::failure(tr("type a number without a unit"));
+            return Result<double>::failure(TypedEntryText::tr("type a number without a unit"));
         return typedLength(text, {}, locale_);
     }
     std::nullopt_t refuse(const QString& sentence)

@@ -20,7 +20,7 @@ struct Exactness {
     Q_DECLARE_TR_FUNCTIONS(Exactness)
 };
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 /// Two decimals below one, "< 0.01" for less.
 QString number(double ulps)
@@ -62,10 +62,10 @@ std::span<const ErrorClass> errorClasses()
 {
     using E = Exactness;
     static const std::array all{
-        ErrorClass{0, E::tr("exact"), false},       ErrorClass{0.5, E::tr("≤ ½ ulp"), false},
-        ErrorClass{1, E::tr("≤ 1 ulp"), false},     ErrorClass{4, E::tr("≤ 4 ulps"), false},
-        ErrorClass{16, E::tr("≤ 16 ulps"), false},  ErrorClass{64, E::tr("≤ 64 ulps"), false},
-        ErrorClass{infinity, E::tr("more"), false}, ErrorClass{infinity, E::tr("wrong"), true}};
+        ErrorClass{0, E::tr("exact"), false},        ErrorClass{0.5, E::tr("≤ ½ ulp"), false},
+        ErrorClass{1, E::tr("≤ 1 ulp"), false},      ErrorClass{4, E::tr("≤ 4 ulps"), false},
+        ErrorClass{16, E::tr("≤ 16 ulps"), false},   ErrorClass{64, E::tr("≤ 64 ulps"), false},
+        ErrorClass{unlimited, E::tr("more"), false}, ErrorClass{unlimited, E::tr("wrong"), true}};
     return all;
 }
 

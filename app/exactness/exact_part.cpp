@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exactness/exact_part.h"
 
+#include "app/base/finite.h"
+
 #include <algorithm>
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
@@ -137,8 +139,6 @@ struct Whole {
         return end;
     }
 };
-
-bool isFinite(const dvec2& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
 bool isInside(const dvec2& p, const Window& w)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exactness/exactness.h"
 
+#include "app/base/finite.h"
 #include "app/comparison/ulps.h"
 
 #include <algorithm>
@@ -16,12 +17,6 @@ using clipping::Window;
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-bool isFinite(const Segment& s)
-{
-    return std::isfinite(s.a.x) && std::isfinite(s.a.y) && std::isfinite(s.b.x)
-           && std::isfinite(s.b.y);
-}
 
 bool isOutside(const glm::dvec2& p, const Window& w)
 {

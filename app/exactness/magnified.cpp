@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/exactness/magnified.h"
 
+#include "app/base/finite.h"
 #include "app/comparison/ulps.h"
 
 #include <algorithm>
@@ -14,10 +15,6 @@ using clipping::Window;
 using glm::dvec2;
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-bool isFinite(const dvec2& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
 double largest(const dvec2& p) { return std::max(std::abs(p.x), std::abs(p.y)); }
 
@@ -43,7 +40,10 @@ dvec2 unit(const Segment& line)
     return scaled / std::hypot(scaled.x, scaled.y);
 }
 
-double ulpOf(double x) { return std::nextafter(std::abs(x), infinity) - std::abs(x); }
+double spacingAt(double x)
+{
+    return std::nextafter(std::abs(x), std::numeric_limits<double>::infinity()) - std::abs(x);
+}
 
 template <class Number>
 std::vector<double> walked(double centre, double from, double to, std::size_t most)
@@ -93,7 +93,7 @@ std::optional<Magnified> magnified(const Variant& variant, const Segment& line,
         seen.onLine =
             dvec2(seen.direction.y, -seen.direction.x) * distanceLeftOf(line, seen.centre);
     seen.window = {window.min - seen.centre, window.max - seen.centre};
-    seen.ulp = {ulpOf(seen.centre.x), ulpOf(seen.centre.y)};
+    seen.ulp = {spacingAt(seen.centre.x), spacingAt(seen.centre.y)};
     seen.largestUlp = ulpFor(line, window);
     return seen;
 }

@@ -26,7 +26,7 @@ constexpr double roomy = 56;        // initial distance between two numbers in p
 constexpr double leastDistance = 5; // pixels; closer numbers are not drawn separately
 constexpr double mostPixelsPerUlp = 600, labelGap = 12;
 
-double largest(const glm::dvec2& p) { return std::max(std::abs(p.x), std::abs(p.y)); }
+double largestDistance(const glm::dvec2& p) { return std::max(std::abs(p.x), std::abs(p.y)); }
 
 /// Limits the scale to a range in which something is visible.
 double bounded(double pixelsPerUnit, const Magnified& seen)
@@ -240,7 +240,7 @@ MagnifierView usualView(const Magnified& seen, const QSizeF& size)
     double pixels = roomy / std::max(std::max(seen.ulp.x, seen.ulp.y), 1e-290);
     QPointF middle;
     if (seen.exactness && *seen.exactness != glm::dvec2{}) {
-        pixels = std::min(pixels, 0.4 * side / largest(*seen.exactness));
+        pixels = std::min(pixels, 0.4 * side / largestDistance(*seen.exactness));
         const glm::dvec2 half = *seen.exactness / 2.0 * pixels;
         middle = {-half.x, -half.y};
     }

@@ -15,7 +15,7 @@ using clipping::Clipped;
 using clipping::Segment;
 using clipping::Window;
 
-constexpr std::uint64_t blockSize = 100'000;
+constexpr std::uint64_t accuracyBlockSize = 100'000;
 
 /// A NaN counts as outside.
 bool isInside(const Segment& s, const Window& w)
@@ -64,7 +64,7 @@ void clipInto(std::vector<Clipped>& out, const Variant& variant, std::span<const
         clipping::functionsOf(*variant.algorithm, variant.form)->clipAll(lines, window, out));
 }
 
-QStringList rowOf(const Accuracy& row)
+QStringList accuracyRow(const Accuracy& row)
 {
     return {QString::fromUtf8(row.variant.algorithm->key),
             wordOf(row.variant.form),
@@ -88,7 +88,7 @@ std::optional<std::vector<Accuracy>> accuracies(const ExperimentOptions& options
     const Variant exact{&clipping::exactAlgorithm(), clipping::Form::Corrected};
     const LineSource source = options.scene.begin(options.field, options.seed);
     const Window& window = options.field.window;
-    const std::uint64_t blocks = (options.lines + blockSize - 1) / blockSize;
+    const std::uint64_t blocks = (options.lines + accuracyBlockSize - 1) / accuracyBlockSize;
     TurnProgress turns(follower, double(blocks));
     std::vector<std::uint64_t> measured(all.size());
     std::vector<Segment> lines;
@@ -96,7 +96,7 @@ std::optional<std::vector<Accuracy>> accuracies(const ExperimentOptions& options
     for (std::uint64_t done = 0; done < options.lines; done += lines.size()) {
         if (turns.stopped())
             return std::nullopt;
-        lines.resize(std::min(blockSize, options.lines - done));
+        lines.resize(std::min(accuracyBlockSize, options.lines - done));
         source(lines);
         clipInto(exactPieces, exact, lines, window);
         for (Accuracy& row : all) {
@@ -125,7 +125,7 @@ Table accuracyTable(std::span<const Accuracy> accuracies, const ExperimentOption
             "Outside: lines with an end that it leaves outside the window. Ulps: how far ends are "
             "off, in units in the last place of the largest coordinate of line and window.")}};
     for (const Accuracy& row : accuracies)
-        table.rows.push_back(rowOf(row));
+        table.rows.push_back(accuracyRow(row));
     return table;
 }
 

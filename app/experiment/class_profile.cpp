@@ -25,14 +25,15 @@ std::optional<Record> recordOf(const ExperimentOptions& scene, std::vector<clipp
     return record;
 }
 
-QString percentText(double share) { return QString::number(100 * share, 'g', 3); }
+QString shortPercentText(double share) { return QString::number(100 * share, 'g', 3); }
 
 /// "wholly inside 0.011 %, rejected at once 64.2 % ..."
 QString mixText(const ClassProfile& profile)
 {
     QStringList parts;
     for (const ClassTimes& one : profile.classes)
-        parts << Experiments::tr("%1 %2 %").arg(words(one.of.lineClass), percentText(one.of.share));
+        parts << Experiments::tr("%1 %2 %").arg(words(one.of.lineClass),
+                                                shortPercentText(one.of.share));
     return parts.join(QStringLiteral(", "));
 }
 
@@ -58,8 +59,8 @@ QStringList notesOf(const ClassProfile& profile)
     return notes;
 }
 
-QStringList rowOf(const ClassProfile& profile, std::size_t variant, const Variant& who,
-                  const Measure& measure)
+QStringList classRow(const ClassProfile& profile, std::size_t variant, const Variant& who,
+                     const Measure& measure)
 {
     QStringList row{QString::fromUtf8(who.algorithm->key), wordOf(who.form)};
     double weighted = 0;
@@ -121,7 +122,7 @@ Table classTable(const ClassProfile& profile)
     std::erase_if(table.facts, [](const auto& fact) { return fact.first == u"lines"; });
     const Measure clip = measures().front();
     for (std::size_t i = 0; i < measured->record.timings.size(); ++i)
-        table.rows.push_back(rowOf(profile, i, measured->record.timings[i].variant, clip));
+        table.rows.push_back(classRow(profile, i, measured->record.timings[i].variant, clip));
     return table;
 }
 

@@ -16,7 +16,7 @@ double stepFor(const clipping::Window& w)
     return std::exp2(std::ilogb(largest) - 16);
 }
 
-std::uint64_t checksumOf(const clipping::Clipped& line, double step, std::uint64_t first)
+std::uint64_t pieceChecksum(const clipping::Clipped& line, double step, std::uint64_t first)
 {
     const auto of = [&](const glm::dvec2& p) {
         const auto rounded = [&](double x) { return std::nearbyint(x / step) + 0.0; }; // never -0
@@ -35,7 +35,7 @@ Findings added(Findings so, std::span<const clipping::Clipped> found,
     std::uint64_t agreed = 0;
     auto next = exactPieces.begin();
     for (const clipping::Clipped& line : found) {
-        so.checksum += checksumOf(line, step, first);
+        so.checksum += pieceChecksum(line, step, first);
         while (next != exactPieces.end() && next->source < line.source)
             ++next;
         agreed += next != exactPieces.end() && next->source == line.source;

@@ -12,7 +12,7 @@ namespace {
 
 using clipping::OperationCounts;
 
-constexpr std::uint64_t blockSize = 100'000;
+constexpr std::uint64_t profileBlockSize = 100'000;
 
 OperationCounts sum(const OperationCounts& a, const OperationCounts& b)
 {
@@ -43,8 +43,8 @@ void count(OperationProfile& profile, const LinesByClass& classes, const TurnPro
     }
 }
 
-QStringList rowOf(const Variant& variant, const QString& lineClass, std::uint64_t lines,
-                  const OperationCounts& counts)
+QStringList operationRow(const Variant& variant, const QString& lineClass, std::uint64_t lines,
+                         const OperationCounts& counts)
 {
     const auto perLine = [&](std::uint64_t count) {
         return QString::number(double(count) / double(lines), 'f', 2);
@@ -75,13 +75,13 @@ std::optional<OperationProfile> operationProfile(const ExperimentOptions& option
     for (const Variant& variant : variants)
         profile.rows.push_back({variant, {}});
     const LineSource source = options.scene.begin(options.field, options.seed);
-    const std::uint64_t blocks = (options.lines + blockSize - 1) / blockSize;
+    const std::uint64_t blocks = (options.lines + profileBlockSize - 1) / profileBlockSize;
     TurnProgress turns(follower, double(blocks));
     std::vector<clipping::Segment> lines;
     for (std::uint64_t done = 0; done < options.lines; done += lines.size()) {
         if (turns.stopped())
             return std::nullopt;
-        lines.resize(std::min(blockSize, options.lines - done));
+        lines.resize(std::min(profileBlockSize, options.lines - done));
         source(lines);
         count(profile, divided(lines, options.field.window), turns);
         turns.turnDone();
@@ -104,10 +104,10 @@ Table operationTable(const OperationProfile& profile)
     for (const VariantOperations& row : profile.rows) {
         for (std::size_t c = 0; c < profile.mix.size(); ++c)
             if (profile.mix[c] > 0)
-                table.rows.push_back(
-                    rowOf(row.variant, words(lineClasses[c]), profile.mix[c], row.byClass[c]));
-        table.rows.push_back(
-            rowOf(row.variant, Experiments::tr("whole scene"), profile.options.lines, row.scene()));
+                table.rows.push_back(operationRow(row.variant, words(lineClasses[c]),
+                                                  profile.mix[c], row.byClass[c]));
+        table.rows.push_back(operationRow(row.variant, Experiments::tr("whole scene"),
+                                          profile.options.lines, row.scene()));
     }
     return table;
 }

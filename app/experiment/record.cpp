@@ -30,8 +30,8 @@ QString drawTargetText(const ExperimentOptions& options, const DrawTarget& targe
                : target.name() + QStringLiteral("; clock: ") + clock.name;
 }
 
-QStringList rowOf(const Timing& timing, const Summary& times, const Ranking& ranking,
-                  std::size_t thing)
+QStringList timingRow(const Timing& timing, const Summary& times, const Ranking& ranking,
+                      std::size_t thing)
 {
     return {QString::fromUtf8(timing.variant.algorithm->key),
             wordOf(timing.variant.form),
@@ -161,7 +161,7 @@ Table timesTable(const Record& record, const Measure& measure)
     const auto times = summaries(record, measure);
     const Ranking ranking = rankingOf(record, measure);
     for (std::size_t i = 0; i < times.size(); ++i)
-        table.rows.push_back(rowOf(record.timings[i], times[i], ranking, i));
+        table.rows.push_back(timingRow(record.timings[i], times[i], ranking, i));
     table.notes << Experiments::tr(
         "Low to high: the 95 % confidence interval of the median. Lost: visible lines that the "
         "algorithm drops. Shown: invisible lines that it keeps.");

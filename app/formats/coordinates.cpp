@@ -8,8 +8,8 @@
 namespace app {
 namespace {
 
-constexpr double all = std::numeric_limits<double>::infinity();
-constexpr clipping::Window everything{{-all, -all}, {all, all}};
+constexpr double endless = std::numeric_limits<double>::infinity();
+constexpr clipping::Window everything{{-endless, -endless}, {endless, endless}};
 
 void append(std::string& text, double value, int axis, int precision,
             const clipping::Window& bounds)
@@ -20,7 +20,7 @@ void append(std::string& text, double value, int axis, int precision,
         appendNumber(text, value, precision, bounds.min[axis], bounds.max[axis]);
 }
 
-double rounded(double value, int axis, int precision, const clipping::Window& bounds)
+double roundedCoordinate(double value, int axis, int precision, const clipping::Window& bounds)
 {
     std::string text;
     append(text, value, axis, precision, bounds);
@@ -38,14 +38,14 @@ bool becomesPoint(const clipping::Segment& line, const WriteOptions& options)
 Point roundedPoint(const Point& point, const WriteOptions& options)
 {
     const clipping::Window bounds = options.bounds.value_or(everything);
-    return {rounded(point.x, 0, options.precision, bounds),
-            rounded(point.y, 1, options.precision, bounds)};
+    return {roundedCoordinate(point.x, 0, options.precision, bounds),
+            roundedCoordinate(point.y, 1, options.precision, bounds)};
 }
 
 Point roundedControl(const Point& point, const WriteOptions& options)
 {
-    return {rounded(point.x, 0, options.precision, everything),
-            rounded(point.y, 1, options.precision, everything)};
+    return {roundedCoordinate(point.x, 0, options.precision, everything),
+            roundedCoordinate(point.y, 1, options.precision, everything)};
 }
 
 void appendCoordinate(std::string& text, double value, int axis, const WriteOptions& options)

@@ -25,11 +25,11 @@ namespace {
 constexpr double mostPixelsOfSide = 32'767, mostPixels = 150e6;
 constexpr double millimetresPerInch = 25.4;
 
-struct Words {
+struct PngText {
     Q_DECLARE_TR_FUNCTIONS(formats)
 };
 
-QColor colourOf(const Colour& c) { return {c.red, c.green, c.blue, c.alpha}; }
+QColor qtColour(const Colour& c) { return {c.red, c.green, c.blue, c.alpha}; }
 
 Qt::PenCapStyle capOf(Cap cap)
 {
@@ -45,7 +45,7 @@ Qt::PenJoinStyle joinOf(Join join)
 
 QPen penOf(const Style& style, double pixelsPerUnit)
 {
-    QPen pen(colourOf(*style.stroke), style.width, Qt::SolidLine, capOf(style.cap),
+    QPen pen(qtColour(*style.stroke), style.width, Qt::SolidLine, capOf(style.cap),
              joinOf(style.join));
     pen.setMiterLimit(style.miterLimit);
     constexpr double shortestPattern = 0.1; // pixels; finer dashes look grey and take very long
@@ -66,7 +66,7 @@ void paint(QPainter& painter, const Object& object, double pixelsPerUnit)
     const Style& style = object.style;
     const QPainterPath outline = painterPath(object.path, style.fillRule);
     if (style.fill && !fillSummed(painter, object))
-        painter.fillPath(outline, colourOf(*style.fill));
+        painter.fillPath(outline, qtColour(*style.fill));
     if (!style.stroke || !(style.width > 0))
         return;
     painter.setPen(penOf(style, pixelsPerUnit));
@@ -88,9 +88,9 @@ std::optional<QString> tooLarge(const Point& pixels, const Point& inches)
                                  std::sqrt(mostPixels / inches.x / inches.y));
     constexpr double mostShown = 1e9;
     const auto number = [](double x) {
-        return x <= mostShown ? QString::number(x, 'f', 0) : Words::tr("more than 1,000,000,000");
+        return x <= mostShown ? QString::number(x, 'f', 0) : PngText::tr("more than 1,000,000,000");
     };
-    return Words::tr(
+    return PngText::tr(
                "the picture would have %1 × %2 pixels, but at most %3 pixels a side and %4 in all "
                "are possible. Choose %5 dpi or less.")
         .arg(number(pixels.x), number(pixels.y), number(mostPixelsOfSide), number(mostPixels),
@@ -108,7 +108,7 @@ std::optional<QString> write(const Document& document, QIODevice& out, const Wri
         return sentence;
     QImage image(int(pixels.x), int(pixels.y), QImage::Format_RGB32);
     if (image.isNull())
-        return Words::tr("there is not enough memory for the picture. Choose fewer dpi.");
+        return PngText::tr("there is not enough memory for the picture. Choose fewer dpi.");
     image.fill(Qt::white); // white paper
     const int dotsPerMetre = int(std::lround(options.dpi / millimetresPerInch * 1000));
     image.setDotsPerMeterX(dotsPerMetre);
@@ -125,7 +125,7 @@ std::optional<QString> write(const Document& document, QIODevice& out, const Wri
     QByteArray bytes;
     QBuffer buffer(&bytes);
     if (!QImageWriter(&buffer, "png").write(image))
-        return Words::tr("there is not enough memory for the picture. Choose fewer dpi.");
+        return PngText::tr("there is not enough memory for the picture. Choose fewer dpi.");
     const std::string_view view(bytes.data(), std::size_t(bytes.size()));
     return writeAll(out, view) ? std::nullopt : std::optional(out.errorString() + u'.');
 }

@@ -8,7 +8,7 @@
 namespace app {
 namespace {
 
-bool isPoint(const Subpath& path)
+bool isPointPath(const Subpath& path)
 {
     return std::ranges::all_of(path.segments, [&](const PathSegment& segment) {
         const bool straight =
@@ -38,7 +38,7 @@ std::optional<Subpath> rounded(const Subpath& path, const WriteOptions& options)
                          && !result.segments.back().curved && at == result.start;
     if (returns) // the closing line goes there
         result.segments.pop_back();
-    if (result.segments.empty() && !isPoint(path))
+    if (result.segments.empty() && !isPointPath(path))
         return std::nullopt;
     return result;
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/hard_cases/case_answer.h"
 
+#include "app/base/finite.h"
 #include "app/comparison/ulps.h"
 #include "app/comparison/variants.h"
+#include "app/hard_cases/translated.h"
 #include "app/teaching/line_text.h"
 #include "app/teaching/narration.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 
 #include <algorithm>
@@ -18,14 +19,6 @@ using clipping::Segment;
 using clipping::Window;
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("hard_cases", text); }
-
-bool isFinite(const Segment& s)
-{
-    return std::isfinite(s.a.x) && std::isfinite(s.a.y) && std::isfinite(s.b.x)
-           && std::isfinite(s.b.y);
-}
 
 double beyond(const Segment& piece, const Window& w)
 {
@@ -116,32 +109,32 @@ QString words(const CaseAnswer& answer)
 {
     switch (answer.ruling) {
     case Ruling::Right:
-        return tr("right");
+        return HardCases::tr("right");
     case Ruling::Allowed:
-        return tr("within the guaranteed %1 ulps").arg(answer.variant.algorithm->ulps);
+        return HardCases::tr("within the guaranteed %1 ulps").arg(answer.variant.algorithm->ulps);
     case Ruling::Lost:
-        return tr("lost");
+        return HardCases::tr("lost");
     case Ruling::Shown:
-        return tr("shown but not visible");
+        return HardCases::tr("shown but not visible");
     case Ruling::Outside:
-        return tr("outside the window by %1").arg(roughText(answer.beyond));
+        return HardCases::tr("outside the window by %1").arg(roughText(answer.beyond));
     case Ruling::Moved:
-        return tr("ends at the wrong place");
+        return HardCases::tr("ends at the wrong place");
     case Ruling::NotANumber:
-        return tr("not a number");
+        return HardCases::tr("not a number");
     case Ruling::DidNotEnd:
         break;
     }
-    return tr("never ends (was stopped)");
+    return HardCases::tr("never ends (was stopped)");
 }
 
 QString pieceText(const std::optional<Segment>& piece)
 {
     if (!piece)
-        return tr("nothing");
+        return HardCases::tr("nothing");
     if (piece->a == piece->b)
-        return tr("the point %1").arg(point(piece->a));
-    return tr("%1 to %2").arg(point(piece->a), point(piece->b));
+        return HardCases::tr("the point %1").arg(point(piece->a));
+    return HardCases::tr("%1 to %2").arg(point(piece->a), point(piece->b));
 }
 
 } // namespace app

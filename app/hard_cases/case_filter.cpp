@@ -2,8 +2,8 @@
 #include "app/hard_cases/case_filter.h"
 
 #include "app/comparison/variants.h"
+#include "app/hard_cases/translated.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 
 #include <algorithm>
@@ -12,8 +12,6 @@
 namespace app {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("hard_cases", text); }
 
 constexpr std::array kinds{std::pair{Ruling::DidNotEnd, "An algorithm never ends"},
                            std::pair{Ruling::Lost, "Something visible is lost"},
@@ -54,13 +52,13 @@ std::vector<const HardCase*> casesFor(const CaseFilter& filter)
 
 std::vector<CaseChoice> caseChoices()
 {
-    std::vector<CaseChoice> choices{choice(tr("All cases"), {})};
+    std::vector<CaseChoice> choices{choice(HardCases::tr("All cases"), {})};
     for (const Variant& variant : variants())
         if (variant.form == clipping::Form::Published)
-            choices.push_back(
-                choice(tr("%1 fails").arg(nameOf(variant)), {.variant = keyOf(variant)}));
+            choices.push_back(choice(HardCases::tr("%1 fails").arg(nameOf(variant)),
+                                     {.variant = keyOf(variant)}));
     for (const auto& [fault, name] : kinds)
-        choices.push_back(choice(tr(name), {.fault = fault}));
+        choices.push_back(choice(HardCases::tr(name), {.fault = fault}));
     return choices;
 }
 

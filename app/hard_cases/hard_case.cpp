@@ -2,6 +2,7 @@
 #include "app/hard_cases/hard_case.h"
 
 #include "app/comparison/variants.h"
+#include "app/hard_cases/translated.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -17,8 +18,6 @@ namespace app {
 namespace {
 
 using Numbers = std::array<double, 4>;
-
-QString tr(const char* text) { return QCoreApplication::translate("hard_cases", text); }
 
 QString translated(const QJsonObject& entry, QLatin1StringView field)
 {
@@ -97,7 +96,7 @@ Result<std::vector<HardCase>> readHardCases(const QByteArray& json)
     QJsonParseError error;
     const auto document = QJsonDocument::fromJson(json, &error);
     if (!document.isArray())
-        return R::failure(tr("The hard cases cannot be read: %1, at byte %2.")
+        return R::failure(HardCases::tr("The hard cases cannot be read: %1, at byte %2.")
                               .arg(error.errorString())
                               .arg(error.offset));
     std::vector<HardCase> all;
@@ -110,10 +109,11 @@ Result<std::vector<HardCase>> readHardCases(const QByteArray& json)
                       .why = translated(entry, QLatin1StringView("why"))};
         if (hard.key.isEmpty() || hard.title.isEmpty() || hard.origin.isEmpty()
             || hard.why.isEmpty())
-            return R::failure(
-                tr("Hard case %1 has no key, title, origin or reason.").arg(all.size() + 1));
+            return R::failure(HardCases::tr("Hard case %1 has no key, title, origin or reason.")
+                                  .arg(all.size() + 1));
         if (const QString wrong = fill(hard, entry); !wrong.isEmpty())
-            return R::failure(tr("Hard case %1: “%2” is not right.").arg(hard.key, wrong));
+            return R::failure(
+                HardCases::tr("Hard case %1: “%2” is not right.").arg(hard.key, wrong));
         all.push_back(std::move(hard));
     }
     return R::of(std::move(all));

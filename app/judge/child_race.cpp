@@ -87,7 +87,7 @@ Contender contender(const Timing& timing, std::size_t i, const ClassProfile& pro
     return one;
 }
 
-Times timesOf(const Record& record, const ClassProfile& profile)
+Times timesOfRecord(const Record& record, const ClassProfile& profile)
 {
     Times times{{}, {}, factsOf(record)};
     for (std::size_t i = 0; i < record.timings.size(); ++i)
@@ -122,7 +122,7 @@ void race(int out, const Library& library, const QStringList& arguments)
     if (!record || !profile)
         return;
     tell(out, jsonOf(checking.found()));
-    tell(out, jsonOf(timesOf(*record, *profile)));
+    tell(out, jsonOf(timesOfRecord(*record, *profile)));
 }
 
 } // namespace app::plug_in

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/judge/judgement.h"
 
+#include "app/base/finite.h"
 #include "app/comparison/ulps.h"
 #include "app/judge/translated.h"
 #include "clipping/algorithm.h"
@@ -16,8 +17,6 @@ namespace {
 
 using clipping::Segment;
 using clipping::Window;
-
-bool isFinite(const glm::dvec2& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
 bool makesSense(const Question& q)
 {
@@ -47,7 +46,7 @@ double beyond(const glm::dvec2& p, const Window& w)
     return std::max(beyond(p.x, w.min.x, w.max.x), beyond(p.y, w.min.y, w.max.y));
 }
 
-bool sameBits(const glm::dvec2& p, const glm::dvec2& q)
+bool samePointBits(const glm::dvec2& p, const glm::dvec2& q)
 {
     return std::bit_cast<std::array<std::uint64_t, 2>>(p)
            == std::bit_cast<std::array<std::uint64_t, 2>>(q);
@@ -57,7 +56,7 @@ bool sameBits(const glm::dvec2& p, const glm::dvec2& q)
 bool movedInside(const Question& q, const Segment& piece)
 {
     const auto moves = [&](const glm::dvec2& from, const glm::dvec2& to) {
-        return beyond(from, q.window) == 0 && !sameBits(from, to);
+        return beyond(from, q.window) == 0 && !samePointBits(from, to);
     };
     return moves(q.line.a, piece.a) || moves(q.line.b, piece.b);
 }

@@ -20,7 +20,7 @@ using clipping::Segment;
 constexpr double allowedUlps = Contract{}.ulps; ///< for a visibility, with any numbers
 constexpr std::size_t mostKept = 8;
 
-std::array<std::uint64_t, 4> bitsOf(const Segment& segment)
+std::array<std::uint64_t, 4> segmentBits(const Segment& segment)
 {
     return std::bit_cast<std::array<std::uint64_t, 4>>(segment);
 }
@@ -31,15 +31,16 @@ std::uint64_t sumOf(std::span<const Clipped> pieces)
     std::uint64_t sum = pieces.size();
     for (const Clipped& one : pieces) {
         sum = sum * 31 + one.source;
-        for (const std::uint64_t of : bitsOf(one.segment))
+        for (const std::uint64_t of : segmentBits(one.segment))
             sum = (sum ^ of) * 0x100000001b3;
     }
     return sum;
 }
 
-bool sameBits(const std::optional<Segment>& one, const std::optional<Segment>& other)
+bool samePieceBits(const std::optional<Segment>& one, const std::optional<Segment>& other)
 {
-    return one.has_value() == other.has_value() && (!one || bitsOf(*one) == bitsOf(*other));
+    return one.has_value() == other.has_value()
+           && (!one || segmentBits(*one) == segmentBits(*other));
 }
 
 Answer answerOf(const std::optional<Segment>& piece)
@@ -50,9 +51,9 @@ Answer answerOf(const std::optional<Segment>& piece)
 }
 
 /// Iterates over the pieces, line by line.
-class Reader {
+class PieceReader {
 public:
-    explicit Reader(std::span<const Clipped> pieces) : left_(pieces) {}
+    explicit PieceReader(std::span<const Clipped> pieces) : left_(pieces) {}
     /// The piece of a line; call it with ascending lines.
     std::optional<Segment> of(std::size_t line)
     {
@@ -176,7 +177,7 @@ bool RaceCheck::isKnown(std::span<const Segment> lines) const
 
 void RaceCheck::judgeAll(std::span<const Clipped> pieces)
 {
-    Reader reader(pieces);
+    PieceReader reader(pieces);
     for (std::size_t i = 0; i < lines_.size(); ++i) {
         const auto piece = reader.of(i);
         found_.visible += expected({lines_[i], window_}).has_value();
@@ -192,10 +193,10 @@ void RaceCheck::judgeAll(std::span<const Clipped> pieces)
 
 void RaceCheck::compare(std::span<const Clipped> pieces)
 {
-    Reader now(pieces), then(pieces_);
+    PieceReader now(pieces), then(pieces_);
     for (std::size_t i = 0; i < lines_.size(); ++i) {
         const auto piece = now.of(i);
-        if (!sameBits(piece, then.of(i)))
+        if (!samePieceBits(piece, then.of(i)))
             add(Fault::Changed, i, piece);
     }
 }

@@ -11,7 +11,9 @@ namespace app {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("lesson", text); }
+struct LessonText {
+    Q_DECLARE_TR_FUNCTIONS(lesson)
+};
 
 /// "-160,-30": two numbers with a comma.
 std::optional<Point> pointOf(const QString& word)
@@ -155,11 +157,14 @@ Result<Lesson> readLesson(const QString& key, const QString& text)
         ++number;
         if (!line.startsWith(QStringLiteral("<!--")) && !reading.take(line))
             return Result<Lesson>::failure(
-                tr("line %1: “%2” is not understood. No lesson was read.").arg(number).arg(line));
+                LessonText::tr("line %1: “%2” is not understood. No lesson was read.")
+                    .arg(number)
+                    .arg(line));
     }
     if (!reading.endPage() || reading.lesson.title.isEmpty())
         return Result<Lesson>::failure(
-            tr("line %1: the last page has no text, or no page has a “look” line.").arg(number));
+            LessonText::tr("line %1: the last page has no text, or no page has a “look” line.")
+                .arg(number));
     return Result<Lesson>::of(reading.lesson);
 }
 

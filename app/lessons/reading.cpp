@@ -20,7 +20,9 @@ namespace {
 constexpr std::size_t mostCases = 6; // on a page; the gallery has all of them
 const QString ending = QStringLiteral(".md");
 
-QString tr(const char* text) { return QCoreApplication::translate("reading", text); }
+struct ReadingText {
+    Q_DECLARE_TR_FUNCTIONS(reading)
+};
 
 /// What fails, and a link that shows it.
 QString itemOf(const HardCase& hard, const Variant& variant)
@@ -28,7 +30,8 @@ QString itemOf(const HardCase& hard, const Variant& variant)
     QString text = QStringLiteral("- [%1](clearcut:case/%2): %3")
                        .arg(hard.title, hard.key, words(answerOf(hard, variant)));
     if (const auto watch = traceLink(tracedLineOf(hard, variant)))
-        text += QStringLiteral(" ([%1](%2))").arg(tr("watch it in the microscope"), *watch);
+        text += QStringLiteral(" ([%1](%2))")
+                    .arg(ReadingText::tr("watch it in the microscope"), *watch);
     return text + u'\n';
 }
 
@@ -42,15 +45,17 @@ QString hardCasesOf(const clipping::Algorithm& algorithm)
     if (cases.empty())
         return {};
     const bool all = cases.size() <= mostCases;
-    QString text = QStringLiteral("\n\n## %1\n%2\n")
-                       .arg(tr("Hard cases"),
-                            all ? tr("The published form fails on these lines.")
-                                : tr("The published form fails on these lines, among others."));
+    QString text =
+        QStringLiteral("\n\n## %1\n%2\n")
+            .arg(ReadingText::tr("Hard cases"),
+                 all ? ReadingText::tr("The published form fails on these lines.")
+                     : ReadingText::tr("The published form fails on these lines, among others."));
     for (std::size_t i = 0; i < std::min(cases.size(), mostCases); ++i)
         text += itemOf(*cases[i], published);
     if (!all)
         text += QStringLiteral("\n[%1](clearcut:fails/%2)\n")
-                    .arg(tr("All %1 cases where it fails").arg(cases.size()), keyOf(published));
+                    .arg(ReadingText::tr("All %1 cases where it fails").arg(cases.size()),
+                         keyOf(published));
     return text;
 }
 

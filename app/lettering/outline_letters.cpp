@@ -76,9 +76,10 @@ QFont fontOf(const QString& family)
     return font;
 }
 
-class Writer {
+class OutlineWriter {
 public:
-    explicit Writer(const QString& family) : font_(fontOf(family)), raw_(QRawFont::fromFont(font_))
+    explicit OutlineWriter(const QString& family)
+        : font_(fontOf(family)), raw_(QRawFont::fromFont(font_))
     {
         const double capital = raw_.capHeight();
         done.capital = capital > 0 ? capital : usualCapital * pixelsPerEm;
@@ -158,7 +159,7 @@ private:
 
 Letters outlineLetters(const QString& text, const QString& family)
 {
-    Writer writer(family);
+    OutlineWriter writer(family);
     writer.write(text);
     return std::move(writer.done);
 }

@@ -15,9 +15,9 @@ constexpr double boxWidth = 14, boxMargin = 3;
 QString textOf(char32_t character) { return QString::fromUcs4(&character, 1); }
 
 /// Writes letters one after the other.
-class Writer {
+class StrokeWriter {
 public:
-    explicit Writer(const StrokeFont& font) : font_(font) {}
+    explicit StrokeWriter(const StrokeFont& font) : font_(font) {}
 
     void write(const QString& text)
     {
@@ -103,7 +103,7 @@ private:
 
 Letters strokeLetters(const QString& text, const StrokeFont& font)
 {
-    Writer writer(font);
+    StrokeWriter writer(font);
     writer.write(text);
     return std::move(writer.done);
 }

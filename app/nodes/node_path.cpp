@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/nodes/node_path.h"
 
+#include "app/base/finite.h"
 #include "app/nodes/node_types.h"
 
 #include <algorithm>
@@ -124,8 +125,6 @@ std::size_t selectedCount(std::span<const NodeSubpath> path)
 {
     return count(path, [](const Node& node) { return node.selected; });
 }
-
-bool isFinite(const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
 bool isFinite(std::span<const NodeSubpath> path)
 {

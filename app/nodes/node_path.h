@@ -51,7 +51,6 @@ std::vector<Subpath> subpathsOf(std::span<const NodeSubpath> path);
 
 std::size_t nodeCount(std::span<const NodeSubpath> path);
 std::size_t selectedCount(std::span<const NodeSubpath> path);
-bool isFinite(const Point& p);
 bool isFinite(std::span<const NodeSubpath> path); ///< every point of it
 void selectAll(std::span<NodeSubpath> path, bool selected);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/nodes/node_places.h"
 
+#include "app/base/finite.h"
 #include "app/nodes/node_types.h"
 
 #include <algorithm>

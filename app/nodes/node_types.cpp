@@ -13,11 +13,11 @@ namespace {
 
 constexpr double inLine = 1e-3; // the sine of the largest angle
 
-double length(const Point& p) { return std::hypot(p.x, p.y); }
+double vectorLength(const Point& p) { return std::hypot(p.x, p.y); }
 
 bool opposite(const Point& a, const Point& b)
 {
-    const double la = length(a), lb = length(b);
+    const double la = vectorLength(a), lb = vectorLength(b);
     if (!(la > 0) || !(lb > 0))
         return false;
     const Point ua = a / la, ub = b / lb;
@@ -72,8 +72,8 @@ void makeSmooth(NodeSubpath& subpath, std::size_t i)
     const Sides was = sidesOf(subpath, i);
     Node& node = subpath.nodes[i];
     const auto third = [&](const Point& handle, std::size_t other) {
-        const double own = length(handle);
-        return own > 0 ? own : length(subpath.nodes[other].at - node.at) / 3;
+        const double own = vectorLength(handle);
+        return own > 0 ? own : vectorLength(subpath.nodes[other].at - node.at) / 3;
     };
     const Point along = directionOf(subpath, i);
     if (was.curvedIn != was.curvedOut) {
@@ -99,8 +99,8 @@ void makeSymmetric(NodeSubpath& subpath, std::size_t i)
     makeSmooth(subpath, i);
     Node& node = subpath.nodes[i];
     const Point in = node.in - node.at, out = node.out - node.at;
-    const double mean = (length(in) + length(out)) / 2;
-    node.out = node.at + withLength(length(out) > 0 ? out : -in, mean);
+    const double mean = (vectorLength(in) + vectorLength(out)) / 2;
+    node.out = node.at + withLength(vectorLength(out) > 0 ? out : -in, mean);
     node.in = node.at - (node.out - node.at);
 }
 
@@ -108,7 +108,7 @@ void makeSymmetric(NodeSubpath& subpath, std::size_t i)
 
 Point withLength(const Point& vector, double wanted)
 {
-    const double is = length(vector);
+    const double is = vectorLength(vector);
     return is > 0 && std::isfinite(is) ? vector / is * wanted : Point(0);
 }
 
@@ -119,7 +119,7 @@ NodeType typeOf(const NodeSubpath& subpath, std::size_t node)
     const Sides sides = sidesOf(subpath, node);
     if ((!sides.curvedIn && !sides.curvedOut) || !opposite(sides.in, sides.out))
         return NodeType::Corner;
-    const double in = length(sides.in), out = length(sides.out);
+    const double in = vectorLength(sides.in), out = vectorLength(sides.out);
     const bool alike = std::abs(in - out) <= inLine * std::max(in, out);
     return sides.curvedIn && sides.curvedOut && alike ? NodeType::Symmetric : NodeType::Smooth;
 }
@@ -156,7 +156,7 @@ void alignToLine(NodeSubpath& subpath, std::size_t i)
         return;
     const Point line = sides.curvedIn ? sides.out : sides.in;
     const Point handle = sides.curvedIn ? sides.in : sides.out;
-    const Point moved = withLength(-line, length(handle));
+    const Point moved = withLength(-line, vectorLength(handle));
     if (moved != Point(0) && !opposite(line, handle))
         (sides.curvedIn ? node.in : node.out) = node.at + moved;
 }

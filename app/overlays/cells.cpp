@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/overlays/half_plane.h"
 #include "app/overlays/parts.h"
-
-#include <QCoreApplication>
+#include "app/overlays/translated.h"
 
 #include <algorithm>
 
@@ -11,8 +10,6 @@ namespace app {
 using clipping::Edge;
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
 
 constexpr unsigned centre = 4;
 
@@ -60,21 +57,23 @@ std::vector<unsigned> visited(const OverlayContext& context)
     return cells;
 }
 
-QString caption(const OverlayContext& context, std::span<const unsigned> cells)
+QString cellsCaption(const OverlayContext& context, std::span<const unsigned> cells)
 {
     if (!context.line)
-        return tr("The walk goes from cell to cell, to the right. %1").arg(pointAtALine());
+        return Overlays::tr("The walk goes from cell to cell, to the right. %1")
+            .arg(pointAtALine());
     if (cells.empty())
-        return tr("Both ends are beyond one edge: there is no walk, and nothing is visible.");
+        return Overlays::tr(
+            "Both ends are beyond one edge: there is no walk, and nothing is visible.");
     QStringList names;
     for (const unsigned cell : cells)
         names << QString::number(cell);
-    const QString narration =
-        tr("The walk from the left end: cell %1.").arg(names.join(QStringLiteral(" \u2192 ")));
+    const QString narration = Overlays::tr("The walk from the left end: cell %1.")
+                                  .arg(names.join(QStringLiteral(" \u2192 ")));
     return narration + QStringLiteral(" ")
            + (context.trace.outcome == clipping::Outcome::Visible
-                  ? tr("The part in cell 4 is visible.")
-                  : tr("The walk does not reach cell 4: nothing is visible."));
+                  ? Overlays::tr("The part in cell 4 is visible.")
+                  : Overlays::tr("The walk does not reach cell 4: nothing is visible."));
 }
 
 } // namespace
@@ -84,7 +83,7 @@ Overlay cellOverlay(const OverlayContext& context)
     std::vector<unsigned> cells;
     if (context.line)
         cells = visited(context);
-    Overlay overlay{.lines = regionBorders(context), .caption = caption(context, cells)};
+    Overlay overlay{.lines = regionBorders(context), .caption = cellsCaption(context, cells)};
     for (const unsigned cell : {0U, 1U, 3U, 4U, 6U, 7U}) {
         OverlayArea area = cellArea(cell, context);
         area.pointed = context.pointer && cellOf(*context.pointer, context.window) == cell;

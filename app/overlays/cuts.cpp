@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/latin.h"
 #include "app/overlays/parts.h"
-
-#include <QCoreApplication>
+#include "app/overlays/translated.h"
 
 #include <algorithm>
 
@@ -12,10 +11,8 @@ namespace app {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
-
 /// The infinite lines of the four edges; those that cut the line are highlighted.
-std::vector<OverlayLine> edges(const OverlayContext& context, std::span<const EndMove> moves)
+std::vector<OverlayLine> cutEdges(const OverlayContext& context, std::span<const EndMove> moves)
 {
     std::vector<OverlayLine> lines;
     for (const clipping::Edge edge : windowEdges)
@@ -28,13 +25,13 @@ std::vector<OverlayLine> edges(const OverlayContext& context, std::span<const En
     return lines;
 }
 
-OverlayTable table(const OverlayContext& context, std::span<const EndMove> moves)
+OverlayTable cutsTable(const OverlayContext& context, std::span<const EndMove> moves)
 {
-    OverlayTable table{{tr("cut"), tr("end and edge")}, {}, {}};
+    OverlayTable table{{Overlays::tr("cut"), Overlays::tr("end and edge")}, {}, {}};
     for (const EndMove& move : moves)
         table.rows.push_back(
             {QString::number(table.rows.size() + 1),
-             tr("%1 to %2").arg(endName(move.ofB), edgeName(move.edge, context.y))});
+             Overlays::tr("%1 to %2").arg(endName(move.ofB), edgeName(move.edge, context.y))});
     return table;
 }
 
@@ -42,29 +39,32 @@ OverlayTable table(const OverlayContext& context, std::span<const EndMove> moves
 QString listed(QStringList edges)
 {
     const QString last = edges.takeLast();
-    return edges.isEmpty() ? last : tr("%1 and %2").arg(edges.join(tr(", ")), last);
+    return edges.isEmpty() ? last
+                           : Overlays::tr("%1 and %2").arg(edges.join(Overlays::tr(", ")), last);
 }
 
-QString caption(const OverlayContext& context, std::span<const EndMove> moves)
+QString cutsCaption(const OverlayContext& context, std::span<const EndMove> moves)
 {
     if (!context.line)
-        return tr("The lines of the window's four edges. %1").arg(pointAtALine());
+        return Overlays::tr("The lines of the window's four edges. %1").arg(pointAtALine());
     const QString name = latin(context.variant.algorithm->name);
     const bool visible = context.trace.outcome == clipping::Outcome::Visible;
     if (context.trace.outcome == clipping::Outcome::DidNotEnd)
-        return tr("%1 does not end on this line and is stopped: nothing is visible.").arg(name);
+        return Overlays::tr("%1 does not end on this line and is stopped: nothing is visible.")
+            .arg(name);
     if (moves.empty() && visible && context.trace.visible != *context.line)
-        return tr("%1 cuts the line: the remaining part is visible.").arg(name);
+        return Overlays::tr("%1 cuts the line: the remaining part is visible.").arg(name);
     if (moves.empty())
-        return (visible ? tr("%1 cuts nothing: the whole line is visible.")
-                        : tr("%1 rejects the line without a cut: nothing is visible."))
+        return (visible ? Overlays::tr("%1 cuts nothing: the whole line is visible.")
+                        : Overlays::tr("%1 rejects the line without a cut: nothing is visible."))
             .arg(name);
     QStringList edges;
     for (const EndMove& move : moves)
         if (const QString edge = edgeWords(move.edge, context.y); !edges.contains(edge))
             edges << edge;
-    return (visible ? tr("%1 cuts the line at %2: the remaining part is visible.")
-                    : tr("%1 cuts the line at %2 and then rejects it: nothing is visible."))
+    return (visible
+                ? Overlays::tr("%1 cuts the line at %2: the remaining part is visible.")
+                : Overlays::tr("%1 cuts the line at %2 and then rejects it: nothing is visible."))
         .arg(name, listed(edges));
 }
 
@@ -78,7 +78,7 @@ Overlay traceOverlay(const OverlayContext& context)
     constexpr std::size_t enough = 8; // more marks would hide each other
     if (moves.size() > enough)
         moves.resize(enough);
-    Overlay overlay{.lines = edges(context, moves), .caption = caption(context, moves)};
+    Overlay overlay{.lines = cutEdges(context, moves), .caption = cutsCaption(context, moves)};
     if (!context.line)
         return overlay;
     for (OverlayLine& line : moveLines(context, moves))
@@ -87,7 +87,7 @@ Overlay traceOverlay(const OverlayContext& context)
     for (OverlayMark& mark : endMarks(*context.line, {}, {}))
         overlay.marks.push_back(std::move(mark));
     if (!moves.empty())
-        overlay.table = table(context, moves);
+        overlay.table = cutsTable(context, moves);
     return overlay;
 }
 

@@ -15,7 +15,7 @@ QRectF around(const QPointF& middle, const QSizeF& size)
             size.height()};
 }
 
-double cross(const QPointF& u, const QPointF& v) { return u.x() * v.y() - u.y() * v.x(); }
+double crossProduct(const QPointF& u, const QPointF& v) { return u.x() * v.y() - u.y() * v.x(); }
 
 /// For polygons of either orientation.
 bool contains(const QPolygonF& convex, const QPointF& p)
@@ -23,7 +23,7 @@ bool contains(const QPolygonF& convex, const QPointF& p)
     bool left = false, right = false;
     for (qsizetype i = 0; i < convex.size(); ++i) {
         const QPointF &a = convex[i], &b = convex[(i + 1) % convex.size()];
-        const double side = cross(b - a, p - a);
+        const double side = crossProduct(b - a, p - a);
         left = left || side > 0;
         right = right || side < 0;
     }
@@ -44,7 +44,7 @@ QPointF centroid(const QPolygonF& convex)
     for (qsizetype i = 0; i < convex.size(); ++i)
         mean += convex[i] / double(convex.size());
     for (qsizetype i = 2; i < convex.size(); ++i) {
-        const double part = cross(convex[i - 1] - convex[0], convex[i] - convex[0]);
+        const double part = crossProduct(convex[i - 1] - convex[0], convex[i] - convex[0]);
         area += part;
         sum += part * (convex[0] + convex[i - 1] + convex[i]) / 3;
     }

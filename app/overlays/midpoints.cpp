@@ -3,15 +3,12 @@
 
 #include "app/comparison/outcode_text.h"
 #include "app/overlays/parts.h"
+#include "app/overlays/translated.h"
 #include "clipping/outcode.h"
-
-#include <QCoreApplication>
 
 namespace app {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
 
 constexpr std::size_t shownHalvings = 6; // later midpoints are usually less than a pixel apart
 
@@ -35,18 +32,19 @@ void search(bool forB, const clipping::Segment& line, const clipping::Window& wi
     }
 }
 
-QString caption(const OverlayContext& context)
+QString midpointsCaption(const OverlayContext& context)
 {
     if (!context.line)
-        return tr("Outcodes tell which half cannot contain the end that is sought. %1")
+        return Overlays::tr("Outcodes tell which half cannot contain the end that is sought. %1")
             .arg(pointAtALine());
     const auto [a, b] = codesOf(context);
     if ((a & b) != 0 || (a | b) == 0)
         return codeWords(context);
     return context.trace.outcome == clipping::Outcome::Visible
-               ? tr("The first midpoints are numbered: each halves the part that may contain the "
-                    "end.")
-               : tr("Halving finds two points beyond one edge: nothing is visible.");
+               ? Overlays::tr(
+                   "The first midpoints are numbered: each halves the part that may contain the "
+                   "end.")
+               : Overlays::tr("Halving finds two points beyond one edge: nothing is visible.");
 }
 
 } // namespace
@@ -67,7 +65,7 @@ Overlay midpointOverlay(const OverlayContext& context)
 {
     Overlay overlay{.areas = outcodeRegions(context),
                     .lines = regionBorders(context),
-                    .caption = caption(context)};
+                    .caption = midpointsCaption(context)};
     if (!context.line)
         return overlay;
     const auto& [a, b] = *context.line;

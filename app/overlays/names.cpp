@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/overlays/parts.h"
+#include "app/overlays/translated.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 
 namespace app {
@@ -9,8 +9,6 @@ namespace app {
 using clipping::Edge;
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
 
 /// None, left, right, bottom, top, as seen on screen.
 std::size_t seenEdge(Edge edge, YAxis y)
@@ -27,7 +25,7 @@ QString edgeName(Edge edge, YAxis y)
         QT_TRANSLATE_NOOP("Overlay", "none"), QT_TRANSLATE_NOOP("Overlay", "left"),
         QT_TRANSLATE_NOOP("Overlay", "right"), QT_TRANSLATE_NOOP("Overlay", "bottom"),
         QT_TRANSLATE_NOOP("Overlay", "top")};
-    return tr(names[seenEdge(edge, y)]);
+    return Overlays::tr(names[seenEdge(edge, y)]);
 }
 
 QString edgeLetter(Edge edge, YAxis y)
@@ -38,8 +36,8 @@ QString edgeLetter(Edge edge, YAxis y)
 
 QString parameterText(double t) { return QLocale().toString(t, 'g', 4).replace(u'-', u'\u2212'); }
 
-QString endName(bool ofB) { return ofB ? tr("End 2") : tr("End 1"); }
+QString endName(bool ofB) { return ofB ? Overlays::tr("End 2") : Overlays::tr("End 1"); }
 
-QString pointAtALine() { return tr("Point at a line, select one or draw one."); }
+QString pointAtALine() { return Overlays::tr("Point at a line, select one or draw one."); }
 
 } // namespace app

@@ -1,27 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/outcode_text.h"
 #include "app/overlays/parts.h"
-
-#include <QCoreApplication>
+#include "app/overlays/translated.h"
 
 namespace app {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
-
-QString caption(const OverlayContext& context, std::span<const EndMove> moves)
+QString outcodesCaption(const OverlayContext& context, std::span<const EndMove> moves)
 {
     if (!context.line)
-        return tr("An outcode has four bits: %1. %2").arg(outcodeBits(), pointAtALine());
+        return Overlays::tr("An outcode has four bits: %1. %2").arg(outcodeBits(), pointAtALine());
     QString text = codeWords(context);
     if (moves.empty())
         return text;
     text += QStringLiteral(" ")
-            + tr("%1 is cut at %2 first.")
+            + Overlays::tr("%1 is cut at %2 first.")
                   .arg(endName(moves.front().ofB), edgeWords(moves.front().edge, context.y));
     if (context.trace.outcome == clipping::Outcome::DidNotEnd)
-        text += QStringLiteral(" ") + tr("Its outcodes repeat forever: the algorithm is stopped.");
+        text += QStringLiteral(" ")
+                + Overlays::tr("Its outcodes repeat forever: the algorithm is stopped.");
     return text;
 }
 
@@ -44,7 +42,7 @@ Overlay outcodeOverlay(const OverlayContext& context)
             overlay.marks.push_back(std::move(mark));
         overlay.table = codeTable(context);
     }
-    overlay.caption = caption(context, moves);
+    overlay.caption = outcodesCaption(context, moves);
     return overlay;
 }
 

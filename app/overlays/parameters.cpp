@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/overlays/half_plane.h"
 #include "app/overlays/parts.h"
-
-#include <QCoreApplication>
+#include "app/overlays/translated.h"
 
 #include <algorithm>
 
@@ -11,8 +10,6 @@ namespace app {
 using clipping::Edge;
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
 
 /// The intersection of the line with an edge's infinite line.
 struct Crossing {
@@ -81,30 +78,33 @@ Edge shutOut(const OverlayContext& context)
     return Edge::NoEdge;
 }
 
-QString caption(const OverlayContext& context, const Bounds& bounds)
+QString parametersCaption(const OverlayContext& context, const Bounds& bounds)
 {
     if (!context.line)
-        return tr("The window is the intersection of four half-planes; the outer side of each edge "
-                  "is hatched. %1")
-            .arg(pointAtALine());
+        return Overlays::
+            tr("The window is the intersection of four half-planes; the outer side of each edge "
+               "is hatched. %1")
+                .arg(pointAtALine());
     const auto words = [&](Edge edge) { return edgeWords(edge, context.y); };
     if (const Edge edge = shutOut(context); edge != Edge::NoEdge)
-        return tr("The line is parallel to %1 and lies beyond it: nothing is visible.")
+        return Overlays::tr("The line is parallel to %1 and lies beyond it: nothing is visible.")
             .arg(words(edge));
-    const QString start = bounds.enter == Edge::NoEdge
-                              ? tr("The line starts inside all four half-planes")
-                              : tr("The line enters the last half-plane at t = %1, at %2,")
-                                    .arg(parameterText(bounds.from), words(bounds.enter));
+    const QString start =
+        bounds.enter == Edge::NoEdge
+            ? Overlays::tr("The line starts inside all four half-planes")
+            : Overlays::tr("The line enters the last half-plane at t = %1, at %2,")
+                  .arg(parameterText(bounds.from), words(bounds.enter));
     const QString stop = bounds.leave == Edge::NoEdge
-                             ? tr("leaves none of them before its end")
-                             : tr("leaves the first one at t = %1, at %2")
+                             ? Overlays::tr("leaves none of them before its end")
+                             : Overlays::tr("leaves the first one at t = %1, at %2")
                                    .arg(parameterText(bounds.to), words(bounds.leave));
     const bool whole = bounds.enter == Edge::NoEdge && bounds.leave == Edge::NoEdge;
-    const QString end = bounds.from > bounds.to
-                            ? tr("The line leaves before it has entered: nothing is visible.")
-                        : whole ? tr("The whole line is visible.")
-                                : tr("The part in between is visible.");
-    return tr("%1 and %2. %3").arg(start, stop, end);
+    const QString end =
+        bounds.from > bounds.to
+            ? Overlays::tr("The line leaves before it has entered: nothing is visible.")
+        : whole ? Overlays::tr("The whole line is visible.")
+                : Overlays::tr("The part in between is visible.");
+    return Overlays::tr("%1 and %2. %3").arg(start, stop, end);
 }
 
 void addHalfPlanes(Overlay& overlay, const OverlayContext& context, const Bounds& bounds)
@@ -129,7 +129,7 @@ Overlay parameterOverlay(const OverlayContext& context)
                 crossings.push_back(*found);
     std::ranges::stable_sort(crossings, {}, &Crossing::t);
     const Bounds bounds = boundsOf(crossings);
-    Overlay overlay{.caption = caption(context, bounds)};
+    Overlay overlay{.caption = parametersCaption(context, bounds)};
     addHalfPlanes(overlay, context, bounds);
     if (!context.line)
         return overlay;
@@ -142,8 +142,8 @@ Overlay parameterOverlay(const OverlayContext& context)
         overlay.marks.push_back(
             {.at = c.at,
              .symbol = c.enters ? Symbol::Filled : Symbol::Hollow,
-             .label =
-                 (c.enters ? tr("enters  t = %1") : tr("leaves  t = %1")).arg(parameterText(c.t)),
+             .label = (c.enters ? Overlays::tr("enters  t = %1") : Overlays::tr("leaves  t = %1"))
+                          .arg(parameterText(c.t)),
              .emphasis = emphasis});
         axis.ticks.push_back({c.t, c.enters, edgeName(c.edge, context.y), emphasis});
     }

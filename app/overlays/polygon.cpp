@@ -2,8 +2,7 @@
 #include "app/base/latin.h"
 #include "app/overlays/parts.h"
 #include "app/overlays/polygon_edges.h"
-
-#include <QCoreApplication>
+#include "app/overlays/translated.h"
 
 // The overlay of every algorithm at a convex polygon: the lines of its edges, and where they cut.
 
@@ -13,8 +12,6 @@ namespace {
 
 /// The lines of more edges would cover the drawing.
 constexpr std::size_t mostEdges = 16;
-
-QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
 
 struct PolygonCut {
     bool ofB;
@@ -35,10 +32,11 @@ std::vector<PolygonCut> cutsOf(const OverlayContext& context)
     return cuts;
 }
 
-QString edgeText(std::size_t number) { return tr("edge %1").arg(number); }
+QString edgeText(std::size_t number) { return Overlays::tr("edge %1").arg(number); }
 
 /// The infinite lines of the edges; those that cut the line are highlighted.
-std::vector<OverlayLine> edges(const OverlayContext& context, std::span<const PolygonCut> cuts)
+std::vector<OverlayLine> polygonEdges(const OverlayContext& context,
+                                      std::span<const PolygonCut> cuts)
 {
     std::vector<OverlayLine> lines;
     for (std::size_t number = 1; number <= context.corners.size(); ++number) {
@@ -56,21 +54,22 @@ std::vector<OverlayLine> edges(const OverlayContext& context, std::span<const Po
     return lines;
 }
 
-QString caption(const OverlayContext& context, std::span<const PolygonCut> cuts)
+QString polygonCaption(const OverlayContext& context, std::span<const PolygonCut> cuts)
 {
     if (!context.line)
-        return tr("The lines of the window's %1 edges. %2")
+        return Overlays::tr("The lines of the window's %1 edges. %2")
             .arg(context.corners.size())
             .arg(pointAtALine());
     const QString name = latin(context.variant.algorithm->name);
     if (context.trace.outcome != clipping::Outcome::Visible)
-        return tr("%1 rejects the line: nothing is visible.").arg(name);
+        return Overlays::tr("%1 rejects the line: nothing is visible.").arg(name);
     if (cuts.empty())
-        return tr("%1 cuts nothing: the whole line is visible.").arg(name);
-    return cuts.size() == 1 ? tr("%1 cuts the line at %2: the remaining part is visible.")
-                                  .arg(name, edgeText(cuts[0].edge))
-                            : tr("%1 cuts the line at %2 and %3: the remaining part is visible.")
-                                  .arg(name, edgeText(cuts[0].edge), edgeText(cuts[1].edge));
+        return Overlays::tr("%1 cuts nothing: the whole line is visible.").arg(name);
+    return cuts.size() == 1
+               ? Overlays::tr("%1 cuts the line at %2: the remaining part is visible.")
+                     .arg(name, edgeText(cuts[0].edge))
+               : Overlays::tr("%1 cuts the line at %2 and %3: the remaining part is visible.")
+                     .arg(name, edgeText(cuts[0].edge), edgeText(cuts[1].edge));
 }
 
 } // namespace
@@ -78,7 +77,7 @@ QString caption(const OverlayContext& context, std::span<const PolygonCut> cuts)
 Overlay polygonOverlay(const OverlayContext& context)
 {
     const auto cuts = cutsOf(context);
-    Overlay overlay{.lines = edges(context, cuts), .caption = caption(context, cuts)};
+    Overlay overlay{.lines = polygonEdges(context, cuts), .caption = polygonCaption(context, cuts)};
     for (const auto& [ofB, edge, from, to] : cuts) {
         if (const auto part = clipping::exactAlgorithm().corrected.clip({from, to}, context.seen))
             overlay.lines.push_back({.segment = *part,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/overlays/parts.h"
-
-#include <QCoreApplication>
+#include "app/overlays/translated.h"
 
 #include <algorithm>
 
@@ -11,8 +10,6 @@ using clipping::Edge;
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
-
 /// The tests for an end in that region: first left or right, then those at its new place.
 QString testsOf(unsigned code, YAxis y)
 {
@@ -20,9 +17,9 @@ QString testsOf(unsigned code, YAxis y)
     for (const Edge edge : windowEdges)
         if (code & bitOf(edge))
             names << edgeName(edge, y);
-    return names.isEmpty()     ? tr("stays")
+    return names.isEmpty()     ? Overlays::tr("stays")
            : names.size() == 1 ? names.front()
-                               : tr("%1, then %2?").arg(names.front(), names.back());
+                               : Overlays::tr("%1, then %2?").arg(names.front(), names.back());
 }
 
 /// The edge perpendicular to an axis to which an end was moved.
@@ -33,39 +30,41 @@ QString pushedTo(std::span<const EndMove> moves, bool ofB, glm::length_t axis, Y
     return move == moves.end() ? QStringLiteral("\u2013") : edgeName(move->edge, y);
 }
 
-OverlayTable table(const OverlayContext& context, std::span<const EndMove> moves)
+OverlayTable pushesTable(const OverlayContext& context, std::span<const EndMove> moves)
 {
-    OverlayTable table{{tr("pushed to"), endName(false), endName(true)}, {}, {}};
+    OverlayTable table{{Overlays::tr("pushed to"), endName(false), endName(true)}, {}, {}};
     const auto row = [&](const QString& name, glm::length_t axis) {
         table.rows.push_back({name, pushedTo(moves, false, axis, context.y),
                               pushedTo(moves, true, axis, context.y)});
     };
-    row(tr("left or right"), 0);
-    row(tr("top or bottom"), 1);
+    row(Overlays::tr("left or right"), 0);
+    row(Overlays::tr("top or bottom"), 1);
     const bool missed = context.trace.outcome != clipping::Outcome::Visible;
-    table.rows.push_back({missed ? tr("rejected") : tr("visible"), {}, {}});
+    table.rows.push_back({missed ? Overlays::tr("rejected") : Overlays::tr("visible"), {}, {}});
     table.highlightedRow = table.rows.size() - 1;
     return table;
 }
 
-QString caption(const OverlayContext& context, std::span<const EndMove> moves)
+QString pushesCaption(const OverlayContext& context, std::span<const EndMove> moves)
 {
     if (!context.line)
-        return tr("The tests that fire for an end: first left or right; then top or bottom, at the "
-                  "place to which the end was pushed. %1")
-            .arg(pointAtALine());
+        return Overlays::
+            tr("The tests that fire for an end: first left or right; then top or bottom, at the "
+               "place to which the end was pushed. %1")
+                .arg(pointAtALine());
     QStringList ways;
     for (const EndMove& move : moves)
-        ways << tr("%1 to %2").arg(endName(move.ofB), edgeWords(move.edge, context.y));
-    const QString pushed =
-        ways.isEmpty() ? tr("No end is pushed.") : tr("Pushed: %1.").arg(ways.join(tr(", ")));
+        ways << Overlays::tr("%1 to %2").arg(endName(move.ofB), edgeWords(move.edge, context.y));
+    const QString pushed = ways.isEmpty()
+                               ? Overlays::tr("No end is pushed.")
+                               : Overlays::tr("Pushed: %1.").arg(ways.join(Overlays::tr(", ")));
     if (context.trace.outcome == clipping::Outcome::Visible)
-        return pushed + QStringLiteral(" ") + tr("The remaining part is visible.");
+        return pushed + QStringLiteral(" ") + Overlays::tr("The remaining part is visible.");
     const Edge last = context.trace.steps.empty() ? Edge::NoEdge : context.trace.steps.back().edge;
-    const QString why =
-        last == Edge::NoEdge
-            ? tr("The test for a miss fires: nothing is visible.")
-            : tr("Both ends are beyond %1: nothing is visible.").arg(edgeWords(last, context.y));
+    const QString why = last == Edge::NoEdge
+                            ? Overlays::tr("The test for a miss fires: nothing is visible.")
+                            : Overlays::tr("Both ends are beyond %1: nothing is visible.")
+                                  .arg(edgeWords(last, context.y));
     return pushed + QStringLiteral(" ") + why;
 }
 
@@ -82,9 +81,9 @@ Overlay pushOverlay(const OverlayContext& context)
         overlay.marks = moveMarks(context, moves);
         for (OverlayMark& mark : endMarks(*context.line, {}, {}))
             overlay.marks.push_back(std::move(mark));
-        overlay.table = table(context, moves);
+        overlay.table = pushesTable(context, moves);
     }
-    overlay.caption = caption(context, moves);
+    overlay.caption = pushesCaption(context, moves);
     return overlay;
 }
 

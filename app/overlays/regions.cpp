@@ -2,9 +2,8 @@
 #include "app/comparison/outcode_text.h"
 #include "app/overlays/half_plane.h"
 #include "app/overlays/parts.h"
+#include "app/overlays/translated.h"
 #include "clipping/outcode.h"
-
-#include <QCoreApplication>
 
 #include <glm/common.hpp>
 
@@ -13,8 +12,6 @@ namespace app {
 using clipping::Edge;
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
 
 /// The rectangle with that outcode, clipped to the visible part.
 std::vector<Point> regionCorners(unsigned code, const clipping::Window& window,
@@ -105,7 +102,7 @@ CodePair codesOf(const OverlayContext& context)
 OverlayTable codeTable(const OverlayContext& context)
 {
     const auto [a, b] = codesOf(context);
-    OverlayTable table{{QString(), tr("code")},
+    OverlayTable table{{QString(), Overlays::tr("code")},
                        {{endName(false), outcodeText(a)},
                         {endName(true), outcodeText(b)},
                         {QStringLiteral("AND"), outcodeText(a & b)},
@@ -121,15 +118,17 @@ QString codeWords(const OverlayContext& context)
 {
     const auto [a, b] = codesOf(context);
     if ((a | b) == 0)
-        return tr("Both outcodes are 0000: the whole line is inside.");
+        return Overlays::tr("Both outcodes are 0000: the whole line is inside.");
     if ((a & b) == 0)
-        return tr("The outcodes have no bit in common and are not both 0000: they do not decide.");
+        return Overlays::tr(
+            "The outcodes have no bit in common and are not both 0000: they do not decide.");
     QStringList names;
     for (const Edge edge : windowEdges)
         if (a & b & bitOf(edge))
             names << edgeWords(edge, context.y);
-    return tr("The outcodes have a bit in common: both ends are beyond %1, so nothing is visible.")
-        .arg(names.join(tr(" and ")));
+    return Overlays::tr(
+               "The outcodes have a bit in common: both ends are beyond %1, so nothing is visible.")
+        .arg(names.join(Overlays::tr(" and ")));
 }
 
 } // namespace app

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/overlays/parts.h"
-
-#include <QCoreApplication>
+#include "app/overlays/translated.h"
 
 namespace app {
 
 using clipping::Edge;
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
 
 /// C, L, R, B, T and two letters at the corners, as in the authors' table: they mean xmin, xmax,
 /// ymin and ymax, whichever direction y has.
@@ -22,33 +19,36 @@ QString regionName(unsigned code)
     return name.isEmpty() ? QStringLiteral("C") : name;
 }
 
-OverlayTable table(const OverlayContext& context, std::span<const EndMove> moves)
+OverlayTable scriptsTable(const OverlayContext& context, std::span<const EndMove> moves)
 {
     const auto [a, b] = codesOf(context);
-    OverlayTable table{{tr("case"), tr("%1 to %2").arg(regionName(a), regionName(b))}, {}, {}};
+    OverlayTable table{
+        {Overlays::tr("case"), Overlays::tr("%1 to %2").arg(regionName(a), regionName(b))}, {}, {}};
     for (const EndMove& move : moves)
         table.rows.push_back(
             {QString::number(table.rows.size() + 1),
-             tr("%1 to %2").arg(endName(move.ofB), edgeName(move.edge, context.y))});
+             Overlays::tr("%1 to %2").arg(endName(move.ofB), edgeName(move.edge, context.y))});
     const bool visible = context.trace.outcome == clipping::Outcome::Visible;
-    table.rows.push_back({{}, visible ? tr("visible") : tr("rejected")});
+    table.rows.push_back({{}, visible ? Overlays::tr("visible") : Overlays::tr("rejected")});
     table.highlightedRow = table.rows.size() - 1;
     return table;
 }
 
-QString caption(const OverlayContext& context)
+QString scriptsCaption(const OverlayContext& context)
 {
     if (!context.line)
-        return tr("The regions of both ends pick one of 81 scripts. %1").arg(pointAtALine());
+        return Overlays::tr("The regions of both ends pick one of 81 scripts. %1")
+            .arg(pointAtALine());
     const auto [a, b] = codesOf(context);
-    const QString pair = tr("End 1 in %1, End 2 in %2").arg(regionName(a), regionName(b));
+    const QString pair = Overlays::tr("End 1 in %1, End 2 in %2").arg(regionName(a), regionName(b));
     if ((a & b) != 0)
-        return tr("%1: the script of this case rejects at once.").arg(pair);
+        return Overlays::tr("%1: the script of this case rejects at once.").arg(pair);
     if ((a | b) == 0)
-        return tr("%1: the script of this case is empty, the line is inside.").arg(pair);
+        return Overlays::tr("%1: the script of this case is empty, the line is inside.").arg(pair);
     return context.trace.outcome == clipping::Outcome::Visible
-               ? tr("%1: the script of this case leaves a visible part.").arg(pair)
-               : tr("%1: the script of this case finds that nothing is visible.").arg(pair);
+               ? Overlays::tr("%1: the script of this case leaves a visible part.").arg(pair)
+               : Overlays::tr("%1: the script of this case finds that nothing is visible.")
+                     .arg(pair);
 }
 
 } // namespace
@@ -58,7 +58,7 @@ Overlay scriptOverlay(const OverlayContext& context)
     Overlay overlay{
         .areas = regionsNamed(context, [](unsigned code, YAxis) { return regionName(code); }),
         .lines = regionBorders(context),
-        .caption = caption(context)};
+        .caption = scriptsCaption(context)};
     if (!context.line)
         return overlay;
     const auto [a, b] = codesOf(context);
@@ -71,7 +71,7 @@ Overlay scriptOverlay(const OverlayContext& context)
     overlay.marks = moveMarks(context, moves);
     for (OverlayMark& mark : endMarks(*context.line, regionName(a), regionName(b)))
         overlay.marks.push_back(std::move(mark));
-    overlay.table = table(context, moves);
+    overlay.table = scriptsTable(context, moves);
     return overlay;
 }
 

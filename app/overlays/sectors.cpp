@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/overlays/half_plane.h"
 #include "app/overlays/parts.h"
+#include "app/overlays/translated.h"
 #include "clipping/outcode.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 
@@ -12,8 +11,6 @@ namespace app {
 using clipping::Edge;
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
 
 /// The edges at which a line from the first end enters and leaves the window.
 struct Sector {
@@ -25,7 +22,7 @@ struct Sector {
 QString labelOf(const Sector& sector, YAxis y)
 {
     const QString text = edgeLetter(sector.enter, y) + edgeLetter(sector.leave, y);
-    return text.isEmpty() ? tr("in") : text;
+    return text.isEmpty() ? Overlays::tr("in") : text;
 }
 
 /// The sector that the library found; empty if nothing was visible.
@@ -146,31 +143,33 @@ OverlayArea* areaOf(std::vector<OverlayArea>& areas, const std::optional<Sector>
 QString placeWords(const Point& eye, const OverlayContext& context)
 {
     const unsigned code = clipping::outcodeOf(eye, context.window);
-    return code == 0             ? tr("inside the window")
-           : (code & (code - 1)) ? tr("beyond a corner")
-                                 : tr("beyond an edge");
+    return code == 0             ? Overlays::tr("inside the window")
+           : (code & (code - 1)) ? Overlays::tr("beyond a corner")
+                                 : Overlays::tr("beyond an edge");
 }
 
-QString caption(const OverlayContext& context, const Point& eye,
-                const std::optional<Sector>& sector)
+QString sectorCaption(const OverlayContext& context, const Point& eye,
+                      const std::optional<Sector>& sector)
 {
     const QString place = placeWords(eye, context);
     if (!context.line)
-        return tr("These are the sectors of a line whose End 1 is here, %1. %2")
+        return Overlays::tr("These are the sectors of a line whose End 1 is here, %1. %2")
             .arg(place, pointAtALine());
     if (!sector)
-        return tr("End 1 lies %1, and no line from there to End 2 meets the window: nothing is "
-                  "visible.")
+        return Overlays::tr(
+                   "End 1 lies %1, and no line from there to End 2 meets the window: nothing is "
+                   "visible.")
             .arg(place);
     if (*sector == Sector{})
-        return tr("End 1 lies %1, and so does End 2: nothing is cut.").arg(place);
+        return Overlays::tr("End 1 lies %1, and so does End 2: nothing is cut.").arg(place);
     const auto words = [&](Edge edge) { return edgeWords(edge, context.y); };
-    const QString text =
-        sector->enter == Edge::NoEdge   ? tr("the line leaves through %1").arg(words(sector->leave))
-        : sector->leave == Edge::NoEdge ? tr("the line enters through %1").arg(words(sector->enter))
-                                        : tr("the line enters through %1 and leaves through %2")
-                                              .arg(words(sector->enter), words(sector->leave));
-    return tr("End 1 lies %1, End 2 in sector %2: %3.")
+    const QString text = sector->enter == Edge::NoEdge
+                             ? Overlays::tr("the line leaves through %1").arg(words(sector->leave))
+                         : sector->leave == Edge::NoEdge
+                             ? Overlays::tr("the line enters through %1").arg(words(sector->enter))
+                             : Overlays::tr("the line enters through %1 and leaves through %2")
+                                   .arg(words(sector->enter), words(sector->leave));
+    return Overlays::tr("End 1 lies %1, End 2 in sector %2: %3.")
         .arg(place, labelOf(*sector, context.y), text);
 }
 
@@ -200,7 +199,7 @@ Overlay sectorOverlay(const OverlayContext& context)
         if (OverlayArea* area = areaOf(overlay.areas, to, context.y))
             area->pointed = true;
     }
-    overlay.caption = caption(context, eye, sector);
+    overlay.caption = sectorCaption(context, eye, sector);
     return overlay;
 }
 

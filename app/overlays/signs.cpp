@@ -2,14 +2,11 @@
 #include "app/comparison/outcode_text.h"
 #include "app/overlays/corner_signs.h"
 #include "app/overlays/parts.h"
-
-#include <QCoreApplication>
+#include "app/overlays/translated.h"
 
 namespace app {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
 
 /// The corners whose bits are set lie to the left of the line, if y points up. Empty if the
 /// outcodes decided before the test.
@@ -36,16 +33,17 @@ constexpr bool isImpossible(unsigned pattern) { return pattern == 5 || pattern =
 QString crossedBy(unsigned pattern, YAxis y)
 {
     if (isImpossible(pattern))
-        return tr("impossible");
+        return Overlays::tr("impossible");
     QStringList crossed;
     for (const clipping::Edge edge : crossedEdges(pattern))
         crossed << edgeName(edge, y);
-    return crossed.isEmpty() ? tr("none") : crossed.join(tr(", "));
+    return crossed.isEmpty() ? Overlays::tr("none") : crossed.join(Overlays::tr(", "));
 }
 
-OverlayTable table(std::optional<unsigned> pattern, YAxis y)
+OverlayTable signsTable(std::optional<unsigned> pattern, YAxis y)
 {
-    OverlayTable table{{tr("c"), tr("signs"), tr("crosses")}, {}, pattern};
+    OverlayTable table{
+        {Overlays::tr("c"), Overlays::tr("signs"), Overlays::tr("crosses")}, {}, pattern};
     for (unsigned c = 0; c < 16; ++c)
         table.rows.push_back({QString::number(c), bitsOf(c), crossedBy(c, y)});
     return table;
@@ -76,21 +74,22 @@ std::optional<OverlayLine> infiniteLine(const OverlayContext& context)
     return OverlayLine{.segment = *part, .kind = OverlayLine::Kind::Ray};
 }
 
-QString caption(const OverlayContext& context, std::optional<unsigned> pattern)
+QString signsCaption(const OverlayContext& context, std::optional<unsigned> pattern)
 {
     if (!context.line)
-        return tr("The outcodes are tested first, then the side of the line on which each corner "
-                  "of the window lies. %1")
+        return Overlays::tr(
+                   "The outcodes are tested first, then the side of the line on which each corner "
+                   "of the window lies. %1")
             .arg(pointAtALine());
     if (!pattern)
-        return tr("%1 No corner had to be tested.").arg(codeWords(context));
-    const QString signs = tr("The corners' signs make c = %1 (%2), row %1 of the table: ")
+        return Overlays::tr("%1 No corner had to be tested.").arg(codeWords(context));
+    const QString signs = Overlays::tr("The corners' signs make c = %1 (%2), row %1 of the table: ")
                               .arg(*pattern)
                               .arg(bitsOf(*pattern));
     return signs
            + (crossedBy(*pattern, context.y) == crossedBy(0, context.y)
-                  ? tr("all corners lie on one side of the line, so nothing is visible.")
-                  : tr("the line crosses %1.").arg(crossedBy(*pattern, context.y)));
+                  ? Overlays::tr("all corners lie on one side of the line, so nothing is visible.")
+                  : Overlays::tr("the line crosses %1.").arg(crossedBy(*pattern, context.y)));
 }
 
 } // namespace
@@ -109,8 +108,8 @@ Overlay signOverlay(const OverlayContext& context)
         for (OverlayMark& mark : endMarks(*context.line, outcodeText(a), outcodeText(b)))
             overlay.marks.push_back(std::move(mark));
     }
-    overlay.table = table(pattern, context.y);
-    overlay.caption = caption(context, pattern);
+    overlay.table = signsTable(pattern, context.y);
+    overlay.caption = signsCaption(context, pattern);
     return overlay;
 }
 

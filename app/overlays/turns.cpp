@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/overlays/parts.h"
+#include "app/overlays/translated.h"
 #include "clipping/outcode.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <iterator>
@@ -12,8 +11,6 @@ namespace app {
 using clipping::Edge;
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
 
 /// The tests of `exact`: the edges that the line meets first and last on each axis, and whether it
 /// has to cross them.
@@ -68,27 +65,29 @@ Edge edgeOfRejection(const clipping::Trace& trace)
     return trace.steps[trace.steps.size() - 2].edge;
 }
 
-QString caption(const OverlayContext& context, std::span<const EndMove> moves,
-                std::size_t questions)
+QString turnsCaption(const OverlayContext& context, std::span<const EndMove> moves,
+                     std::size_t questions)
 {
     if (!context.line)
-        return tr("Only the corners that can decide are tested: on which side of the line do they "
-                  "lie? %1")
+        return Overlays::tr(
+                   "Only the corners that can decide are tested: on which side of the line do they "
+                   "lie? %1")
             .arg(pointAtALine());
     const auto [a, b] = codesOf(context);
     if ((a & b) != 0 || (a | b) == 0)
-        return (a & b) != 0 ? tr(
+        return (a & b) != 0 ? Overlays::tr(
                    "Both ends are beyond one edge: nothing is visible, and no corner is tested.")
-                            : tr("Both ends are inside: nothing is cut, and no corner is tested.");
+                            : Overlays::tr(
+                                "Both ends are inside: nothing is cut, and no corner is tested.");
     if (context.trace.outcome != clipping::Outcome::Visible)
-        return tr("The line passes a corner on the outside: nothing is visible.");
+        return Overlays::tr("The line passes a corner on the outside: nothing is visible.");
     QStringList ways;
     for (const EndMove& move : moves)
-        ways << (move.ofB ? tr("leaves through %1") : tr("enters through %1"))
+        ways << (move.ofB ? Overlays::tr("leaves through %1") : Overlays::tr("enters through %1"))
                     .arg(edgeWords(move.edge, context.y));
-    const QString asked =
-        questions == 0 ? tr("No corner has to be tested") : tr("The corners decide");
-    return tr("%1: the line %2.").arg(asked, ways.join(tr(" and ")));
+    const QString asked = questions == 0 ? Overlays::tr("No corner has to be tested")
+                                         : Overlays::tr("The corners decide");
+    return Overlays::tr("%1: the line %2.").arg(asked, ways.join(Overlays::tr(" and ")));
 }
 
 /// "left, not top": at which of two edges the line enters or leaves.
@@ -97,7 +96,7 @@ QString choiceWords(const Question& question, std::span<const EndMove> moves, YA
     for (const EndMove& move : moves)
         for (const int k : {0, 1})
             if (move.edge == question.edge[k])
-                return tr("%1, not %2")
+                return Overlays::tr("%1, not %2")
                     .arg(edgeName(move.edge, y), edgeName(question.edge[1 - k], y));
     return {};
 }
@@ -115,8 +114,8 @@ std::vector<OverlayMark> corners(const OverlayContext& context, std::span<const 
             && std::ranges::find(question.edge, rejecting) != std::end(question.edge);
         marks.push_back({.at = corner,
                          .symbol = missed ? Symbol::Hollow : Symbol::Filled,
-                         .label = missed             ? tr("passed outside: missed")
-                                  : question.decides ? tr("passed inside: met")
+                         .label = missed             ? Overlays::tr("passed outside: missed")
+                                  : question.decides ? Overlays::tr("passed inside: met")
                                                      : choiceWords(question, moves, context.y),
                          .emphasis = Emphasis::Highlighted});
         if (missed)
@@ -136,7 +135,7 @@ Overlay turnOverlay(const OverlayContext& context)
         if (const auto [a, b] = codesOf(context); (a & b) == 0)
             overlay.marks = corners(context, moves);
     }
-    overlay.caption = caption(context, moves, overlay.marks.size());
+    overlay.caption = turnsCaption(context, moves, overlay.marks.size());
     if (context.line) {
         for (OverlayMark& mark : moveMarks(context, moves))
             overlay.marks.push_back(std::move(mark));

@@ -53,7 +53,7 @@ bool reaches(const FloatBox& box, const FloatBox& all)
            || box.maxY == all.maxY;
 }
 
-void cover(std::optional<Window>& all, std::span<const Segment> lines)
+void extendOver(std::optional<Window>& all, std::span<const Segment> lines)
 {
     for (const Segment& s : lines) {
         const Point min = glm::min(s.a, s.b), max = glm::max(s.a, s.b);
@@ -77,13 +77,13 @@ std::optional<Window> boundsOf(const SceneLines& lines, std::span<const LineRang
     if (around && !isNumber(*around)) {
         for (const LineRange& range : ranges)
             lines.forEachPart(range.first, range.end, [&](auto run, auto first, auto end) {
-                cover(all, lines.runs()[run].segments.subspan(first, end - first));
+                extendOver(all, lines.runs()[run].segments.subspan(first, end - first));
             });
     } else if (around) {
         forEach([&](const FloatBox& box) { return reaches(box, *around); },
                 [&](const FloatBox& box, const auto& some) {
                     if (reaches(box, *around))
-                        cover(all, some);
+                        extendOver(all, some);
                 });
     }
     return all;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scene/box_remains.h"
 
+#include "app/base/finite.h"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -9,12 +11,6 @@
 
 namespace app {
 namespace {
-
-bool isFinite(const clipping::Window& w)
-{
-    return std::isfinite(w.min.x) && std::isfinite(w.min.y) && std::isfinite(w.max.x)
-           && std::isfinite(w.max.y);
-}
 
 /// A faster `remainsOf` for a region of one finite window.
 class OneWindow {

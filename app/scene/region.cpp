@@ -57,7 +57,7 @@ Share either(Share a, Share b)
 
 Share both(Share a, Share b) { return opposite(either(opposite(a), opposite(b))); }
 
-Share after(WindowOperation operation, Share before, Share window)
+Share shareAfter(WindowOperation operation, Share before, Share window)
 {
     if (operation == WindowOperation::Add)
         return either(before, window);
@@ -149,7 +149,7 @@ Remains remainsOf(const ClipRegion& region, const clipping::Window& box)
     Share share = region.startsFull() ? Share::All : Share::None;
     for (const ClipRegion::Step& step : region.steps) {
         const bool flat = !region.single() && !hasArea(step.box);
-        share = after(step.operation, share, flat ? Share::None : shareIn(step, box));
+        share = shareAfter(step.operation, share, flat ? Share::None : shareIn(step, box));
     }
     if (share == Share::Some)
         return Remains::Pieces;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/finite.h"
 #include "app/scene/divided_line.h"
 #include "clipping/outside.h"
 
@@ -14,15 +15,9 @@ namespace {
 using clipping::Clipped;
 using clipping::Segment;
 
-bool isFinite(const Segment& s)
-{
-    return std::isfinite(s.a.x) && std::isfinite(s.a.y) && std::isfinite(s.b.x)
-           && std::isfinite(s.b.y);
-}
-
 // Whether a point is in the set after a step, given whether it was before and whether it is in the
 // step's window.
-bool after(WindowOperation operation, bool before, bool inWindow)
+bool isInAfter(WindowOperation operation, bool before, bool inWindow)
 {
     if (operation == WindowOperation::Add)
         return before || inWindow;
@@ -34,7 +29,7 @@ bool keepsUnseen(const ClipRegion& region)
 {
     bool in = region.startsFull();
     for (const auto& step : region.steps)
-        in = after(step.operation, in, false);
+        in = isInAfter(step.operation, in, false);
     return region.everything() || in == (region.keep == Keep::Inside);
 }
 
@@ -46,13 +41,13 @@ std::optional<bool> keepsUncut(const ClipRegion& region, const Segment& line, Pi
         const bool seen = isSeen(atStep[i]);
         if (seen && std::memcmp(&atStep[i]->segment, &line, sizeof line) != 0)
             return std::nullopt;
-        in = after(region.steps[i].operation, in, seen);
+        in = isInAfter(region.steps[i].operation, in, seen);
     }
     return in == (region.keep == Keep::Inside);
 }
 
 // One window of which the pieces need no dividing.
-bool isOneWindow(const ClipRegion& region)
+bool isUndividedWindow(const ClipRegion& region)
 {
     return region.steps.size() == 1 && region.steps.front().operation != WindowOperation::CutOut;
 }
@@ -81,7 +76,7 @@ void fold(const ClipRegion& region, const Segment& line, std::uint32_t source, P
           std::vector<Clipped>& kept)
 {
     assert(atStep.size() == region.steps.size());
-    if (isOneWindow(region)) {
+    if (isUndividedWindow(region)) {
         foldSingle(region.keep, line, source, isSeen(atStep[0]) ? atStep[0] : std::nullopt, kept);
         return;
     }

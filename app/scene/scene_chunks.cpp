@@ -22,7 +22,7 @@ double areaOf(const FloatBox& box)
 }
 
 // Whether the box around both has clearly less area than the two boxes together.
-bool cover(const FloatBox& a, const FloatBox& b)
+bool boxCovers(const FloatBox& a, const FloatBox& b)
 {
     return areaOf(united(a, b)) < 0.75 * (areaOf(a) + areaOf(b));
 }
@@ -35,7 +35,7 @@ void addChunks(SceneBlock& block, std::size_t begin, std::size_t end, StyleIndex
         const std::size_t next = endOfStroke(segments, begin);
         const FloatBox box = boxAround(segments.subspan(begin, next - begin));
         SceneChunk* last = block.chunks.size() > before ? &block.chunks.back() : nullptr;
-        if (last && next - last->first <= SceneBlock::mostInChunk && cover(last->box, box))
+        if (last && next - last->first <= SceneBlock::mostInChunk && boxCovers(last->box, box))
             last->box = united(last->box, box);
         else
             block.chunks.push_back({box, style, std::uint32_t(begin)});

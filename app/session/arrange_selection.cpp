@@ -12,7 +12,9 @@
 namespace app {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Arrange", text); }
+struct ArrangeSelectionText {
+    Q_DECLARE_TR_FUNCTIONS(Arrange)
+};
 
 /// Whether all objects of the range are in the set: one of its ranges then holds them.
 bool holds(const ObjectRanges& set, const ObjectRange& range)
@@ -55,8 +57,9 @@ const ArrangedUnit& lastOf(std::span<const ArrangedUnit> units, const Session& s
 }
 
 /// One map for each unit.
-void push(Session& session, std::span<const ArrangedUnit> units, std::span<const AffineMap> maps,
-          const QString& text, StrokeScaling strokes = StrokeScaling::Keep)
+void pushArranged(Session& session, std::span<const ArrangedUnit> units,
+                  std::span<const AffineMap> maps, const QString& text,
+                  StrokeScaling strokes = StrokeScaling::Keep)
 {
     ObjectRanges objects;
     std::vector<AffineMap> each; // units ascend, so the maps are in the order of the objects
@@ -81,8 +84,9 @@ std::vector<AffineMap> translations(std::span<const Point> ways)
 
 QString noWindow()
 {
-    return tr("There is no clip window to align to. Draw one, or choose something else in Object > "
-              "Align.");
+    return ArrangeSelectionText::tr(
+        "There is no clip window to align to. Draw one, or choose something else in Object > "
+        "Align.");
 }
 
 } // namespace
@@ -106,15 +110,19 @@ std::span<const AlignmentTarget> alignmentTargets()
     using Box = std::optional<clipping::Window>;
     using Units = std::span<const ArrangedUnit>;
     static const std::array all{
-        AlignmentTarget{"to-selection", tr("To the &selection"), tr("to selection"), false,
+        AlignmentTarget{"to-selection", ArrangeSelectionText::tr("To the &selection"),
+                        ArrangeSelectionText::tr("to selection"), false,
                         [](const Session& session, Units) { return session.selectionBounds(); }},
         AlignmentTarget{
-            "to-last", tr("To the object clicked l&ast"), tr("to last clicked"), false,
+            "to-last", ArrangeSelectionText::tr("To the object clicked l&ast"),
+            ArrangeSelectionText::tr("to last clicked"), false,
             [](const Session& session, Units units) { return Box(lastOf(units, session).box); }},
         AlignmentTarget{
-            "to-page", tr("To the &page"), tr("to page"), true,
+            "to-page", ArrangeSelectionText::tr("To the &page"),
+            ArrangeSelectionText::tr("to page"), true,
             [](const Session& session, Units) { return Box(session.now().page().rectangle()); }},
-        AlignmentTarget{"to-window", tr("To the &clip window"), tr("to clip window"), true,
+        AlignmentTarget{"to-window", ArrangeSelectionText::tr("To the &clip window"),
+                        ArrangeSelectionText::tr("to clip window"), true,
                         [](const Session& session, Units) { return session.clipWindow(); }},
     };
     return all;
@@ -164,8 +172,8 @@ void align(Session& session, int axis, AlignTo side)
     if (units.empty())
         return;
     if (const auto to = alignmentTarget(session).box(session, units))
-        push(session, units, translations(aligned(boxesOf(units), *to, axis, side)),
-             tr("Align selection"));
+        pushArranged(session, units, translations(aligned(boxesOf(units), *to, axis, side)),
+                     ArrangeSelectionText::tr("Align selection"));
     else
         emit session.refused(noWindow());
 }
@@ -176,13 +184,14 @@ void spreadEvenly(Session& session, int axis)
     const AlignmentTarget& target = alignmentTarget(session);
     const auto over = target.isExtent ? target.box(session, units) : std::nullopt;
     if (units.size() < leastSpread(session))
-        emit session.refused(tr("Select more objects to spread: at least three, or two to spread "
-                                "them over the page or the clip window."));
+        emit session.refused(ArrangeSelectionText::tr(
+            "Select more objects to spread: at least three, or two to spread "
+            "them over the page or the clip window."));
     else if (target.isExtent && !over)
         emit session.refused(noWindow());
     else
-        push(session, units, translations(spread(boxesOf(units), axis, over)),
-             tr("Spread selection"));
+        pushArranged(session, units, translations(spread(boxesOf(units), axis, over)),
+                     ArrangeSelectionText::tr("Spread selection"));
 }
 
 void makeSameSize(Session& session, bool width, bool height)
@@ -191,8 +200,8 @@ void makeSameSize(Session& session, bool width, bool height)
     if (units.size() < 2)
         return;
     const clipping::Window model = lastOf(units, session).box;
-    push(session, units, sameSize(boxesOf(units), model, width, height), tr("Make same size"),
-         session.arrange.strokes);
+    pushArranged(session, units, sameSize(boxesOf(units), model, width, height),
+                 ArrangeSelectionText::tr("Make same size"), session.arrange.strokes);
 }
 
 bool repeatSelection(Session& session, std::span<const AffineMap> maps, const QString& undoText)

@@ -8,11 +8,13 @@
 namespace app {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Arrange", text); }
+struct ArrangementsText {
+    Q_DECLARE_TR_FUNCTIONS(Arrange)
+};
 
 /// Transforms the selection; `map` takes its pivot, which stays where a person put it.
 template <typename Map>
-void turn(Session& session, Map map, const QString& undoText)
+void transformSelection(Session& session, Map map, const QString& undoText)
 {
     if (!session.selectionBounds())
         return;
@@ -28,14 +30,14 @@ template <int degrees>
 void rotate(Session& session)
 {
     const auto map = [](const Point& pivot) { return rotation(degrees, pivot); };
-    turn(session, map, tr("Rotate selection"));
+    transformSelection(session, map, ArrangementsText::tr("Rotate selection"));
 }
 
 template <int x, int y>
 void flip(Session& session)
 {
     const auto map = [](const Point& pivot) { return scaling({x, y}, pivot); };
-    turn(session, map, tr("Flip selection"));
+    transformSelection(session, map, ArrangementsText::tr("Flip selection"));
 }
 
 template <int axis, AlignTo side>
@@ -59,104 +61,105 @@ void sameSizeOn(Session& session)
 std::span<const Arrangement> arrangements()
 {
     using enum Arrangement::Kind;
-    const QString aligns = tr("&Align"), spreads = tr("Spread eve&nly"),
-                  sizes = tr("Make same si&ze");
+    const QString aligns = ArrangementsText::tr("&Align"),
+                  spreads = ArrangementsText::tr("Spread eve&nly"),
+                  sizes = ArrangementsText::tr("Make same si&ze");
     // THE CATALOGUE, in the order of the buttons.
     static const std::vector<Arrangement> all{
         {.kind = Align,
          .key = "align-left",
-         .text = tr("&Left sides"),
-         .name = tr("Align left sides"),
+         .text = ArrangementsText::tr("&Left sides"),
+         .name = ArrangementsText::tr("Align left sides"),
          .submenu = aligns,
          .run = alignOn<0, AlignTo::Least>},
         {.kind = Align,
          .key = "align-centre",
-         .text = tr("&Middles, side by side"),
-         .name = tr("Align middles, side by side"),
+         .text = ArrangementsText::tr("&Middles, side by side"),
+         .name = ArrangementsText::tr("Align middles, side by side"),
          .submenu = aligns,
          .run = alignOn<0, AlignTo::Middle>},
         {.kind = Align,
          .key = "align-right",
-         .text = tr("&Right sides"),
-         .name = tr("Align right sides"),
+         .text = ArrangementsText::tr("&Right sides"),
+         .name = ArrangementsText::tr("Align right sides"),
          .submenu = aligns,
          .run = alignOn<0, AlignTo::Most>},
         {.kind = Align,
          .key = "align-top",
-         .text = tr("&Tops"),
-         .name = tr("Align tops"),
+         .text = ArrangementsText::tr("&Tops"),
+         .name = ArrangementsText::tr("Align tops"),
          .submenu = aligns,
          .run = alignOn<1, AlignTo::Least>},
         {.kind = Align,
          .key = "align-middle",
-         .text = tr("M&iddles, one above the other"),
-         .name = tr("Align middles, one above the other"),
+         .text = ArrangementsText::tr("M&iddles, one above the other"),
+         .name = ArrangementsText::tr("Align middles, one above the other"),
          .submenu = aligns,
          .run = alignOn<1, AlignTo::Middle>},
         {.kind = Align,
          .key = "align-bottom",
-         .text = tr("&Bottoms"),
-         .name = tr("Align bottoms"),
+         .text = ArrangementsText::tr("&Bottoms"),
+         .name = ArrangementsText::tr("Align bottoms"),
          .submenu = aligns,
          .run = alignOn<1, AlignTo::Most>},
         {.kind = Turn,
          .key = "rotate-left",
-         .text = tr("Rotate 90° &left"),
-         .name = tr("Rotate 90° left"),
+         .text = ArrangementsText::tr("Rotate 90° &left"),
+         .name = ArrangementsText::tr("Rotate 90° left"),
          .shortcut = "Shift+O",
          .run = rotate<90>},
         {.kind = Turn,
          .key = "rotate-right",
-         .text = tr("Rotate 90° r&ight"),
-         .name = tr("Rotate 90° right"),
+         .text = ArrangementsText::tr("Rotate 90° r&ight"),
+         .name = ArrangementsText::tr("Rotate 90° right"),
          .shortcut = "Alt+Shift+O",
          .run = rotate<-90>},
         {.kind = Turn,
          .key = "flip-horizontal",
-         .text = tr("Flip &horizontally"),
-         .name = tr("Flip horizontally"),
+         .text = ArrangementsText::tr("Flip &horizontally"),
+         .name = ArrangementsText::tr("Flip horizontally"),
          .shortcut = "Shift+H",
          .run = flip<-1, 1>},
         {.kind = Turn,
          .key = "flip-vertical",
-         .text = tr("Flip &vertically"),
-         .name = tr("Flip vertically"),
+         .text = ArrangementsText::tr("Flip &vertically"),
+         .name = ArrangementsText::tr("Flip vertically"),
          .shortcut = "Shift+V",
          .run = flip<1, -1>},
         {.kind = Spread,
          .key = "spread-horizontally",
-         .text = tr("&Horizontally"),
-         .name = tr("Spread evenly across"),
+         .text = ArrangementsText::tr("&Horizontally"),
+         .name = ArrangementsText::tr("Spread evenly across"),
          .submenu = spreads,
          .least = 3,
          .run = spreadOn<0>},
         {.kind = Spread,
          .key = "spread-vertically",
-         .text = tr("&Vertically"),
-         .name = tr("Spread evenly down"),
+         .text = ArrangementsText::tr("&Vertically"),
+         .name = ArrangementsText::tr("Spread evenly down"),
          .submenu = spreads,
          .least = 3,
          .run = spreadOn<1>},
         {.kind = SameSize,
          .key = "same-width",
-         .text = tr("&Width"),
-         .name = tr("Make same width"),
+         .text = ArrangementsText::tr("&Width"),
+         .name = ArrangementsText::tr("Make same width"),
          .submenu = sizes,
          .least = 2,
          .button = false,
          .run = sameSizeOn<true, false>},
         {.kind = SameSize,
          .key = "same-height",
-         .text = tr("&Height"),
-         .name = tr("Make same height"),
+         .text = ArrangementsText::tr("&Height"),
+         .name = ArrangementsText::tr("Make same height"),
          .submenu = sizes,
          .least = 2,
          .button = false,
          .run = sameSizeOn<false, true>},
         {.kind = SameSize,
          .key = "same-size",
-         .text = tr("&Both"),
-         .name = tr("Make same size"),
+         .text = ArrangementsText::tr("&Both"),
+         .name = ArrangementsText::tr("Make same size"),
          .submenu = sizes,
          .least = 2,
          .button = false,
@@ -171,9 +174,10 @@ QString refusal(const Arrangement& how, const Session& session)
     const std::size_t least = spreads ? leastSpread(session) : how.least;
     if (session.selection().size() >= least)
         return {};
-    return least == 1   ? tr("Nothing is selected. Select an object first.")
-           : least == 2 ? tr("Select several objects first.")
-                        : tr("Select at least three objects first: the outer two stay.");
+    return least == 1 ? ArrangementsText::tr("Nothing is selected. Select an object first.")
+           : least == 2
+               ? ArrangementsText::tr("Select several objects first.")
+               : ArrangementsText::tr("Select at least three objects first: the outer two stay.");
 }
 
 } // namespace app

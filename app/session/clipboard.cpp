@@ -17,7 +17,7 @@ const QString svgType = QStringLiteral("image/svg+xml");
 const QString textType = QStringLiteral("text/plain");
 
 // An object from a page with other units, scaled to this page.
-Object scaled(Object object, double factor)
+Object scaledObject(Object object, double factor)
 {
     const Placement where{Point(factor)};
     object.path = object.path.placed(where);
@@ -122,7 +122,7 @@ Document pasted(const QMimeData& data, const Page& page)
     Objects objects;
     document.objects().forEach(
         0, document.objects().size(), [&](std::size_t, const ObjectView& object) {
-            Object copy = factor == 1 ? object.copy() : scaled(object.copy(), factor);
+            Object copy = factor == 1 ? object.copy() : scaledObject(object.copy(), factor);
             copy.particulars.id.clear();
             objects.append(copy);
         });

@@ -16,13 +16,16 @@ namespace {
 
 constexpr double stepMillimetres = 5; // from one copy to the next
 
-QString tr(const char* text) { return QCoreApplication::translate("Copies", text); }
+struct CopiesText {
+    Q_DECLARE_TR_FUNCTIONS(Copies)
+};
 
-void push(Session& session, std::optional<Rearranged> copies, const QString& undoText)
+void pushCopies(Session& session, std::optional<Rearranged> copies, const QString& undoText)
 {
     if (!copies) {
-        emit session.refused(tr("Nothing was copied: a drawing can have %1 layers and groups.")
-                                 .arg(countText(Containers::mostContainers)));
+        emit session.refused(
+            CopiesText::tr("Nothing was copied: a drawing can have %1 layers and groups.")
+                .arg(countText(Containers::mostContainers)));
         return;
     }
     session.history.push(new AddObjects(session.document, std::move(copies->edit), undoText));
@@ -46,24 +49,25 @@ void duplicateInPlace(Session& session)
     if (session.selection().empty())
         return;
     const std::vector<RowChange> once{[](ObjectRow&) {}};
-    push(session, withCopies(session.now(), session.selection(), session.entered.id(), once),
-         tr("Duplicate"));
+    pushCopies(session, withCopies(session.now(), session.selection(), session.entered.id(), once),
+               CopiesText::tr("Duplicate"));
 }
 
 void paste(Session& session, const Document& drawing, PastePlace place)
 {
     if (!mayAddObjects(session)) {
-        emit session.refused(tr("The layer %1 is locked or hidden, so nothing was pasted. Select "
-                                "another layer, or unlock and show this one.")
-                                 .arg(nameForNew(session)));
+        emit session.refused(
+            CopiesText::tr("The layer %1 is locked or hidden, so nothing was pasted. Select "
+                           "another layer, or unlock and show this one.")
+                .arg(nameForNew(session)));
         return;
     }
     const Point step(stepMillimetres / session.now().page().millimetresPerUnit());
     const Point by = place == PastePlace::InPlace
                          ? Point(0)
                          : copyOffset(session.now(), drawing.objects(), step);
-    push(session, withDrawing(session.now(), movedBy(drawing, by), containerForNew(session)),
-         tr("Paste"));
+    pushCopies(session, withDrawing(session.now(), movedBy(drawing, by), containerForNew(session)),
+               CopiesText::tr("Paste"));
 }
 
 } // namespace app

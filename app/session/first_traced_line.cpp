@@ -14,7 +14,9 @@ namespace app {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Microscope", text); }
+struct FirstTracedLineText {
+    Q_DECLARE_TR_FUNCTIONS(Microscope)
+};
 
 /// A line that crosses the infinite line of ymin, enters the window at xmin and leaves it at ymax.
 clipping::Segment across(const clipping::Window& window)
@@ -88,12 +90,14 @@ TracedLine tracedLineOf(const Session& session, std::size_t segment)
 {
     const SceneLines& lines = session.scene.lines();
     const TracedWindow window = tracedWindow(session);
-    const QString line = tr("Line %1 of %2").arg(countText(segment + 1), countText(lines.size()));
+    const QString line = FirstTracedLineText::tr("Line %1 of %2")
+                             .arg(countText(segment + 1), countText(lines.size()));
     const QString remark = window.remark();
-    TracedLine traced{.variant = session.variant(),
-                      .line = window.into(lines[segment]),
-                      .y = YAxis::Down,
-                      .origin = remark.isEmpty() ? line : tr("%1, %2").arg(line, remark)};
+    TracedLine traced{
+        .variant = session.variant(),
+        .line = window.into(lines[segment]),
+        .y = YAxis::Down,
+        .origin = remark.isEmpty() ? line : FirstTracedLineText::tr("%1, %2").arg(line, remark)};
     window.putInto(traced);
     return traced;
 }
@@ -116,7 +120,7 @@ TracedLine firstTracedLine(const Session& session)
     TracedLine traced{.variant = session.variant(),
                       .line = across(window.frame.box),
                       .y = YAxis::Down,
-                      .origin = tr("Example line")};
+                      .origin = FirstTracedLineText::tr("Example line")};
     window.putInto(traced);
     return traced;
 }

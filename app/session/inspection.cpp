@@ -23,7 +23,9 @@ using clipping::Edge;
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("inspection", text); }
+struct InspectionText {
+    Q_DECLARE_TR_FUNCTIONS(inspection)
+};
 
 QLatin1StringView latin(std::string_view text)
 {
@@ -35,13 +37,13 @@ QString edgeName(Edge edge)
 {
     switch (edge) {
     case Edge::Left:
-        return tr("left edge");
+        return InspectionText::tr("left edge");
     case Edge::Right:
-        return tr("right edge");
+        return InspectionText::tr("right edge");
     case Edge::Bottom:
-        return tr("top edge");
+        return InspectionText::tr("top edge");
     case Edge::Top:
-        return tr("bottom edge");
+        return InspectionText::tr("bottom edge");
     default:
         return {};
     }
@@ -132,8 +134,8 @@ QString stepText(const clipping::Step& step, const Measure& measure)
     if (!values.isEmpty())
         text += QStringLiteral(": ") + values.join(QStringLiteral(", "));
     if (step.what == What::Reject || step.what == What::GiveUp)
-        return tr("%1\n     leaves nothing").arg(text);
-    return tr("%1\n     leaves %2 to %3")
+        return InspectionText::tr("%1\n     leaves nothing").arg(text);
+    return InspectionText::tr("%1\n     leaves %2 to %3")
         .arg(text, measure.point(step.segment.a), measure.point(step.segment.b));
 }
 
@@ -141,13 +143,13 @@ QString endText(const Inspection& line, const Measure& measure)
 {
     switch (line.trace.outcome) {
     case clipping::Outcome::DidNotEnd:
-        return tr("The algorithm did not end and was stopped: nothing is visible");
+        return InspectionText::tr("The algorithm did not end and was stopped: nothing is visible");
     case clipping::Outcome::Invisible:
-        return tr("Nothing is visible");
+        return InspectionText::tr("Nothing is visible");
     case clipping::Outcome::Visible:
         break;
     }
-    return tr("Visible: %1 to %2")
+    return InspectionText::tr("Visible: %1 to %2")
         .arg(measure.point(line.trace.visible.a), measure.point(line.trace.visible.b));
 }
 
@@ -166,7 +168,7 @@ QString Region::words() const
         {{"above left", "above", "above right"},
          {"left", "inside", "right"},
          {"below left", "below", "below right"}}};
-    return tr(names[row + 1][column + 1]);
+    return InspectionText::tr(names[row + 1][column + 1]);
 }
 
 Region regionOf(const Point& point, const clipping::Window& window)
@@ -223,8 +225,8 @@ Inspection inspect(const Session& session, std::size_t segment)
 QString verdictText(const Inspection& line)
 {
     const QString name = nameOf(line.variant);
-    return line.visible ? tr("%1: visible, %2").arg(name, percentText(line.share))
-                        : tr("%1: nothing visible").arg(name);
+    return line.visible ? InspectionText::tr("%1: visible, %2").arg(name, percentText(line.share))
+                        : InspectionText::tr("%1: nothing visible").arg(name);
 }
 
 QString costText(const clipping::OperationCounts& cost)
@@ -232,20 +234,22 @@ QString costText(const clipping::OperationCounts& cost)
     QStringList parts;
     const auto add = [&](std::uint64_t count, const char* one, const char* many) {
         if (count > 0)
-            parts << (count == 1 ? tr(one) : tr(many).arg(countText(count)));
+            parts << (count == 1 ? InspectionText::tr(one)
+                                 : InspectionText::tr(many).arg(countText(count)));
     };
     add(cost.comparisons, "1 comparison", "%1 comparisons");
     add(cost.additions, "1 addition", "%1 additions");
     add(cost.multiplications, "1 multiplication", "%1 multiplications");
     add(cost.divisions, "1 division", "%1 divisions");
     add(cost.negations, "1 negation", "%1 negations");
-    return parts.isEmpty() ? tr("nothing") : parts.join(QStringLiteral(", "));
+    return parts.isEmpty() ? InspectionText::tr("nothing") : parts.join(QStringLiteral(", "));
 }
 
 QStringList stepTexts(const Inspection& line, Unit unit, const Page& page)
 {
     if (const Misprint* misprint = line.variant.misprint)
-        return {tr("A known misprint: its steps are not recorded."), misprint->whatIsWrong};
+        return {InspectionText::tr("A known misprint: its steps are not recorded."),
+                misprint->whatIsWrong};
     const Measure measure{line.variant, unit, page.millimetresPerUnit(), originOf(page, unit)};
     QStringList texts;
     for (const clipping::Step& step : line.trace.steps)

@@ -13,15 +13,18 @@
 namespace app {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("LayerSteps", text); }
+struct LayerStepsText {
+    Q_DECLARE_TR_FUNCTIONS(LayerSteps)
+};
 
 QString sentenceOn(MoveFault fault)
 {
     static const std::array all{
-        QString(), tr("The layer was removed meanwhile."),
-        tr("A layer cannot be moved into itself or into a layer inside it."),
-        tr("A layer cannot be moved into a group, only into another layer."),
-        tr("A group cannot be moved out of all layers. Move it into another layer.")};
+        QString(), LayerStepsText::tr("The layer was removed meanwhile."),
+        LayerStepsText::tr("A layer cannot be moved into itself or into a layer inside it."),
+        LayerStepsText::tr("A layer cannot be moved into a group, only into another layer."),
+        LayerStepsText::tr(
+            "A group cannot be moved out of all layers. Move it into another layer.")};
     return all[std::size_t(fault)];
 }
 
@@ -90,7 +93,8 @@ void moveLayer(Session& session, ContainerId layer, const ContainerPlace& place)
     auto moved = movedContainer(session.now(), layer, place, session.selection());
     if (!moved || !moved->changes())
         return;
-    const QString text = tr("Move layer %1").arg(session.now().containers()[layer].name);
+    const QString text =
+        LayerStepsText::tr("Move layer %1").arg(session.now().containers()[layer].name);
     session.history.push(new RearrangeObjects(session.document, std::move(moved->edit), text));
     session.select(common(moved->chosen, editableObjects(session.now())));
 }
@@ -124,7 +128,8 @@ void showOnlyLayer(Session& session, ContainerId layer)
     const bool isAlone = alone == tree;
     session.history.push(new SetContainers(
         session.document, isAlone ? all : alone,
-        isAlone ? tr("Show all layers") : tr("Show only layer %1").arg(tree[layer].name)));
+        isAlone ? LayerStepsText::tr("Show all layers")
+                : LayerStepsText::tr("Show only layer %1").arg(tree[layer].name)));
 }
 
 } // namespace app

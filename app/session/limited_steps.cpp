@@ -10,7 +10,13 @@
 
 namespace app {
 
-static QString tr(const char* text) { return QCoreApplication::translate("LimitedSteps", text); }
+namespace {
+
+struct LimitedStepsText {
+    Q_DECLARE_TR_FUNCTIONS(LimitedSteps)
+};
+
+} // namespace
 
 /// Layers beyond the limit of a file would be merged when the file is opened again.
 static bool hasRoomForALayer(const Containers& containers)
@@ -26,20 +32,23 @@ bool addLayer(Session& session, const QString& name)
 {
     const Containers& containers = session.now().containers();
     if (!hasRoomForALayer(containers)) {
-        emit session.refused(tr("No layer was added. This drawing has %1 layers, and a file cannot "
-                                "hold more. Delete a layer first.")
-                                 .arg(countText(Containers::mostLayers)));
+        emit session.refused(
+            LimitedStepsText::tr(
+                "No layer was added. This drawing has %1 layers, and a file cannot "
+                "hold more. Delete a layer first.")
+                .arg(countText(Containers::mostLayers)));
         return false;
     }
     const std::size_t top = containers.objects();
     auto more = containers.inserted({.name = name}, 0, containers.childrenOf(0).size(), {top, top});
     if (more)
-        session.history.push(
-            new SetContainers(session.document, std::move(*more), tr("Add layer")));
+        session.history.push(new SetContainers(session.document, std::move(*more),
+                                               LimitedStepsText::tr("Add layer")));
     else
-        emit session.refused(tr("No layer was added. This drawing has %1 layers and groups, and "
-                                "cannot take more. Delete a layer first.")
-                                 .arg(countText(Containers::mostContainers)));
+        emit session.refused(
+            LimitedStepsText::tr("No layer was added. This drawing has %1 layers and groups, and "
+                                 "cannot take more. Delete a layer first.")
+                .arg(countText(Containers::mostContainers)));
     return more.has_value();
 }
 

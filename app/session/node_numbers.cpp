@@ -18,12 +18,14 @@
 namespace app {
 namespace {
 
-using Number = std::optional<double>;
+using OptionalNumber = std::optional<double>;
 
-QString tr(const char* text) { return QCoreApplication::translate("NodeNumbers", text); }
+struct NodeNumbersText {
+    Q_DECLARE_TR_FUNCTIONS(NodeNumbers)
+};
 
 template <int axis>
-Number place(const NodeSubpath& subpath, std::size_t node, const Point& origin)
+OptionalNumber nodePlace(const NodeSubpath& subpath, std::size_t node, const Point& origin)
 {
     return subpath.nodes[node].at[axis] - origin[axis];
 }
@@ -45,17 +47,17 @@ std::optional<Point> arm(const NodeSubpath& subpath, std::size_t node, HandleSid
 }
 
 template <HandleSide side>
-Number length(const NodeSubpath& subpath, std::size_t node, const Point&)
+OptionalNumber handleLength(const NodeSubpath& subpath, std::size_t node, const Point&)
 {
     const auto vector = arm(subpath, node, side);
-    return vector ? Number(std::hypot(vector->x, vector->y)) : std::nullopt;
+    return vector ? OptionalNumber(std::hypot(vector->x, vector->y)) : std::nullopt;
 }
 
 template <HandleSide side>
-Number angle(const NodeSubpath& subpath, std::size_t node, const Point&)
+OptionalNumber handleAngle(const NodeSubpath& subpath, std::size_t node, const Point&)
 {
     const auto vector = arm(subpath, node, side);
-    return vector ? Number(degreesOf(*vector)) : std::nullopt;
+    return vector ? OptionalNumber(degreesOf(*vector)) : std::nullopt;
 }
 
 /// `change` makes a new arm of the old one.
@@ -78,7 +80,7 @@ bool lengthen(NodePath& path, double value, const Point&)
 }
 
 template <HandleSide side>
-bool turn(NodePath& path, double value, const Point&)
+bool turnHandle(NodePath& path, double value, const Point&)
 {
     return changeArms<side>(
         path, [&](const Point& old) { return directionOf(value) * std::hypot(old.x, old.y); });
@@ -94,19 +96,34 @@ bool differ(double a, double b)
 std::span<const NodeNumber> nodeNumbers()
 {
     using enum HandleSide;
-    static const QString none =
-        tr("There is no handle on this side. Turn the segment into a curve (Shift+U).");
+    static const QString none = NodeNumbersText::tr(
+        "There is no handle on this side. Turn the segment into a curve (Shift+U).");
     static const std::array all{
-        NodeNumber{"node-x", tr("X"), tr("Node X"), Quantity::Coordinate, {}, place<0>, placeAt<0>},
-        NodeNumber{"node-y", tr("Y"), tr("Node Y"), Quantity::Coordinate, {}, place<1>, placeAt<1>},
-        NodeNumber{"in-length", tr("L"), tr("Length of handle In"), Quantity::Length, none,
-                   length<In>, lengthen<In>},
-        NodeNumber{"in-angle", tr("∠"), tr("Angle of handle In"), Quantity::Angle, none, angle<In>,
-                   turn<In>},
-        NodeNumber{"out-length", tr("L"), tr("Length of handle Out"), Quantity::Length, none,
-                   length<Out>, lengthen<Out>},
-        NodeNumber{"out-angle", tr("∠"), tr("Angle of handle Out"), Quantity::Angle, none,
-                   angle<Out>, turn<Out>},
+        NodeNumber{"node-x",
+                   NodeNumbersText::tr("X"),
+                   NodeNumbersText::tr("Node X"),
+                   Quantity::Coordinate,
+                   {},
+                   nodePlace<0>,
+                   placeAt<0>},
+        NodeNumber{"node-y",
+                   NodeNumbersText::tr("Y"),
+                   NodeNumbersText::tr("Node Y"),
+                   Quantity::Coordinate,
+                   {},
+                   nodePlace<1>,
+                   placeAt<1>},
+        NodeNumber{"in-length", NodeNumbersText::tr("L"),
+                   NodeNumbersText::tr("Length of handle In"), Quantity::Length, none,
+                   handleLength<In>, lengthen<In>},
+        NodeNumber{"in-angle", NodeNumbersText::tr("∠"), NodeNumbersText::tr("Angle of handle In"),
+                   Quantity::Angle, none, handleAngle<In>, turnHandle<In>},
+        NodeNumber{"out-length", NodeNumbersText::tr("L"),
+                   NodeNumbersText::tr("Length of handle Out"), Quantity::Length, none,
+                   handleLength<Out>, lengthen<Out>},
+        NodeNumber{"out-angle", NodeNumbersText::tr("∠"),
+                   NodeNumbersText::tr("Angle of handle Out"), Quantity::Angle, none,
+                   handleAngle<Out>, turnHandle<Out>},
     };
     return all;
 }
@@ -117,7 +134,7 @@ std::optional<NodeValue> nodeValue(const Session& session, const NodeNumber& num
     std::optional<NodeValue> found;
     for (const NodeSubpath& subpath : session.nodes.path())
         for (std::size_t i = 0; i < subpath.nodes.size(); ++i) {
-            const Number value =
+            const OptionalNumber value =
                 subpath.nodes[i].selected ? number.value(subpath, i, origin) : std::nullopt;
             if (value && found && differ(*value, found->first))
                 return NodeValue{found->first, true};
@@ -132,13 +149,14 @@ bool setNodeNumber(Session& session, const NodeNumber& number, double value, Mer
     NodePath path = session.nodes.path();
     const Point origin = originOf(session.now().page(), session.display().unit);
     if (number.set(path, value, origin))
-        return session.nodes.apply(std::move(path), tr("Set %1").arg(number.name.toLower()),
-                                   merging);
+        return session.nodes.apply(
+            std::move(path), NodeNumbersText::tr("Set %1").arg(number.name.toLower()), merging);
     emit session.refused(
         number.quantity == Quantity::Length
-            ? tr("A handle must be longer than 0. To remove it, turn the segment into a line "
-                 "(Shift+L).")
-            : tr("%1 cannot be set to this number.").arg(number.name));
+            ? NodeNumbersText::tr(
+                "A handle must be longer than 0. To remove it, turn the segment into a line "
+                "(Shift+L).")
+            : NodeNumbersText::tr("%1 cannot be set to this number.").arg(number.name));
     return false;
 }
 
@@ -156,11 +174,11 @@ QString nodesText(const Session& session)
     const NodeSummary& nodes = session.nodes.summary();
     const QString count = countText(nodes.nodes);
     if (!nodes.only)
-        return tr("%1 of %2 nodes").arg(countText(nodes.selected), count);
+        return NodeNumbersText::tr("%1 of %2 nodes").arg(countText(nodes.selected), count);
     std::size_t number = nodes.only->node + 1;
     for (std::size_t s = 0; s < nodes.only->subpath; ++s)
         number += session.nodes.path()[s].nodes.size();
-    return tr("node %1 of %2").arg(countText(number), count);
+    return NodeNumbersText::tr("node %1 of %2").arg(countText(number), count);
 }
 
 } // namespace app

@@ -14,14 +14,17 @@
 namespace app {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Rearrange", text); }
+struct RearrangeText {
+    Q_DECLARE_TR_FUNCTIONS(Rearrange)
+};
 
-void push(Session& session, std::optional<Rearranged> result, const QString& undoText,
-          const QString& unchanged)
+void pushRearranged(Session& session, std::optional<Rearranged> result, const QString& undoText,
+                    const QString& unchanged)
 {
     if (!result) {
         emit session.refused(
-            tr("Nothing was changed: a drawing can have %1 layers and groups, nested %2 deep.")
+            RearrangeText::tr(
+                "Nothing was changed: a drawing can have %1 layers and groups, nested %2 deep.")
                 .arg(countText(Containers::mostContainers),
                      countText(std::size_t(Containers::deepest))));
         return;
@@ -45,17 +48,19 @@ struct StackingText {
 
 StackingText textOf(Stacking how)
 {
-    const QString front = tr("The selection is already in front."),
-                  back = tr("The selection is already at the back.");
+    const QString front = RearrangeText::tr("The selection is already in front."),
+                  back = RearrangeText::tr("The selection is already at the back.");
     switch (how) {
     case Stacking::Raise:
-        return {tr("Raise selection"), tr("Nothing in front of the selection overlaps it.")};
+        return {RearrangeText::tr("Raise selection"),
+                RearrangeText::tr("Nothing in front of the selection overlaps it.")};
     case Stacking::Lower:
-        return {tr("Lower selection"), tr("Nothing behind the selection overlaps it.")};
+        return {RearrangeText::tr("Lower selection"),
+                RearrangeText::tr("Nothing behind the selection overlaps it.")};
     case Stacking::ToFront:
-        return {tr("Bring to front"), front};
+        return {RearrangeText::tr("Bring to front"), front};
     case Stacking::ToBack:
-        return {tr("Send to back"), back};
+        return {RearrangeText::tr("Send to back"), back};
     }
     return {};
 }
@@ -64,14 +69,16 @@ StackingText textOf(Stacking how)
 
 void groupSelection(Session& session)
 {
-    push(session, grouped(session.now(), session.selection(), session.entered.id()), tr("Group"),
-         tr("Nothing is selected. Select objects first."));
+    pushRearranged(session, grouped(session.now(), session.selection(), session.entered.id()),
+                   RearrangeText::tr("Group"),
+                   RearrangeText::tr("Nothing is selected. Select objects first."));
 }
 
 void ungroupSelection(Session& session)
 {
-    push(session, ungrouped(session.now(), session.selection(), session.entered.id()),
-         tr("Ungroup"), tr("No group is selected. Click a group first."));
+    pushRearranged(session, ungrouped(session.now(), session.selection(), session.entered.id()),
+                   RearrangeText::tr("Ungroup"),
+                   RearrangeText::tr("No group is selected. Click a group first."));
 }
 
 // The boxes are computed here, because the draft knows no lines.
@@ -84,8 +91,9 @@ void stackSelection(Session& session, Stacking how)
         return other && overlap(*box, *other);
     };
     const auto [undo, unchanged] = textOf(how);
-    push(session, stacked(session.now(), session.selection(), session.entered.id(), how, overlaps),
-         undo, unchanged);
+    pushRearranged(session,
+                   stacked(session.now(), session.selection(), session.entered.id(), how, overlaps),
+                   undo, unchanged);
 }
 
 void moveSelectionTo(Session& session, ContainerId layer)
@@ -93,13 +101,16 @@ void moveSelectionTo(Session& session, ContainerId layer)
     const Containers& tree = session.now().containers();
     const QString name = tree[layer].name;
     if (!tree.shown(layer) || tree.locked(layer)) {
-        emit session.refused(tr("The layer %1 is locked or hidden, so nothing was moved to it. "
-                                "Unlock and show it first.")
-                                 .arg(name));
+        emit session.refused(
+            RearrangeText::tr("The layer %1 is locked or hidden, so nothing was moved to it. "
+                              "Unlock and show it first.")
+                .arg(name));
         return;
     }
-    push(session, movedTo(session.now(), session.selection(), session.entered.id(), layer),
-         tr("Move to layer %1").arg(name), tr("The selection is already on top of this layer."));
+    pushRearranged(session,
+                   movedTo(session.now(), session.selection(), session.entered.id(), layer),
+                   RearrangeText::tr("Move to layer %1").arg(name),
+                   RearrangeText::tr("The selection is already on top of this layer."));
 }
 
 std::vector<ContainerId> usableLayers(const Session& session)
@@ -122,8 +133,10 @@ void moveSelectionBy(Session& session, int by)
     const auto to = std::ranges::find(layers, now) - layers.begin() - by;
     if (to < 0 || to >= std::ptrdiff_t(layers.size()))
         emit session.refused(
-            by > 0 ? tr("No layer above is shown and unlocked. Show or unlock one first.")
-                   : tr("No layer below is shown and unlocked. Show or unlock one first."));
+            by > 0 ? RearrangeText::tr(
+                "No layer above is shown and unlocked. Show or unlock one first.")
+                   : RearrangeText::tr(
+                       "No layer below is shown and unlocked. Show or unlock one first."));
     else
         moveSelectionTo(session, layers[std::size_t(to)]);
 }

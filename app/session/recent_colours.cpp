@@ -10,14 +10,14 @@
 namespace app {
 namespace {
 
-const QString key = QStringLiteral("recentColours");
+const QString recentColoursKey = QStringLiteral("recentColours");
 
 } // namespace
 
 std::vector<Colour> recentColours(const QSettings& settings)
 {
     std::vector<Colour> colours;
-    for (const QString& text : settings.value(key).toStringList()) {
+    for (const QString& text : settings.value(recentColoursKey).toStringList()) {
         const auto colour = typedColour(text); // other programs may have written the settings file
         const bool isNew = colour && std::ranges::find(colours, *colour.value) == colours.end();
         if (isNew && colours.size() < mostRecentColours)
@@ -32,7 +32,7 @@ void rememberColour(QSettings& settings, const Colour& colour)
     for (const Colour& other : recentColours(settings))
         if (other != colour && texts.size() < qsizetype(mostRecentColours))
             texts << hexText(other);
-    settings.setValue(key, texts);
+    settings.setValue(recentColoursKey, texts);
 }
 
 } // namespace app

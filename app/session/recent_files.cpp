@@ -13,7 +13,7 @@ namespace app {
 namespace {
 
 constexpr qsizetype longestPath = 4096; // characters
-const QString key = QStringLiteral("recent");
+const QString recentFilesKey = QStringLiteral("recent");
 
 /// One text for each file, so that the settings file stays readable for people.
 QString written(const RecentFile& file)
@@ -43,7 +43,7 @@ bool RecentFile::missing() const { return !QFileInfo::exists(path); }
 std::vector<RecentFile> recentFiles(const QSettings& settings)
 {
     std::vector<RecentFile> files;
-    for (const QString& text : settings.value(key).toStringList())
+    for (const QString& text : settings.value(recentFilesKey).toStringList())
         if (auto file = read(text); file && files.size() < mostRecentFiles)
             files.push_back(*file);
     return files;
@@ -58,10 +58,10 @@ void remember(QSettings& settings, const RecentFile& file)
     QStringList texts;
     for (const RecentFile& each : files)
         texts << written(each);
-    settings.setValue(key, texts);
+    settings.setValue(recentFilesKey, texts);
 }
 
-void forgetRecentFiles(QSettings& settings) { settings.remove(key); }
+void forgetRecentFiles(QSettings& settings) { settings.remove(recentFilesKey); }
 
 QString dayText(const QDate& day, const QDate& today)
 {

@@ -14,7 +14,9 @@
 namespace app {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("SelectAlike", text); }
+struct SelectAlikeText {
+    Q_DECLARE_TR_FUNCTIONS(SelectAlike)
+};
 
 /// Calls visit(object, style) for the objects.
 template <class Visit>
@@ -112,10 +114,10 @@ ObjectRanges named(const Document& document, const Has& has)
 std::span<const Likeness> likenesses()
 {
     static const std::array all{
-        Likeness{"same-colour", tr("Same &colour"), sameColour},
-        Likeness{"same-stroke-width", tr("Same stroke &width"), sameWidth},
-        Likeness{"same-style", tr("Same &style"), sameStyle},
-        Likeness{"same-layer", tr("Same &layer"), sameLayer},
+        Likeness{"same-colour", SelectAlikeText::tr("Same &colour"), sameColour},
+        Likeness{"same-stroke-width", SelectAlikeText::tr("Same stroke &width"), sameWidth},
+        Likeness{"same-style", SelectAlikeText::tr("Same &style"), sameStyle},
+        Likeness{"same-layer", SelectAlikeText::tr("Same &layer"), sameLayer},
     };
     return all;
 }
@@ -135,9 +137,10 @@ void selectLayer(Session& session, ContainerId layer)
     const Containers& tree = session.now().containers();
     session.entered.enter(0);
     if (!tree.shown(layer) || tree.locked(layer))
-        emit session.refused(tr("The layer %1 is locked or hidden, so nothing in it was selected. "
+        emit session.refused(
+            SelectAlikeText::tr("The layer %1 is locked or hidden, so nothing in it was selected. "
                                 "Unlock and show it first.")
-                                 .arg(tree[layer].name));
+                .arg(tree[layer].name));
     else
         session.select(common(ObjectRanges(tree.rangeOf(layer)), selectableObjects(session)));
 }
@@ -146,21 +149,22 @@ QString find(Session& session, const QString& text)
 {
     const QString wanted = text.trimmed();
     if (wanted.isEmpty())
-        return tr("Type an id or a name.");
+        return SelectAlikeText::tr("Type an id or a name.");
     ObjectRanges found = named(session.now(), [&](const QString& name) { return name == wanted; });
     if (found.empty())
         found = named(session.now(), [&](const QString& name) { return isPartOf(name, wanted); });
     if (found.empty())
-        return tr("No object, group or layer is named “%1”.").arg(wanted);
+        return SelectAlikeText::tr("No object, group or layer is named “%1”.").arg(wanted);
     session.entered.enter(0);
     ObjectRanges usable = common(found, selectableObjects(session));
     if (usable.empty())
-        return tr("The objects named “%1” are locked or hidden. Unlock and show them first.")
+        return SelectAlikeText::tr(
+                   "The objects named “%1” are locked or hidden. Unlock and show them first.")
             .arg(wanted);
     const std::size_t count = usable.size();
     session.select(std::move(usable));
-    return count == 1 ? tr("1 object is selected.")
-                      : tr("%1 objects are selected.").arg(countText(count));
+    return count == 1 ? SelectAlikeText::tr("1 object is selected.")
+                      : SelectAlikeText::tr("%1 objects are selected.").arg(countText(count));
 }
 
 } // namespace app

@@ -16,11 +16,13 @@
 namespace app {
 namespace {
 
-using Number = std::optional<double>;
+using SelectionValue = std::optional<double>;
 using Map = std::optional<AffineMap>;
 using Frame = SelectionFrame;
 
-QString tr(const char* text) { return QCoreApplication::translate("SelectionNumbers", text); }
+struct SelectionNumbersText {
+    Q_DECLARE_TR_FUNCTIONS(SelectionNumbers)
+};
 
 /// The only selected object, if it is a line.
 std::optional<clipping::Segment> onlyLine(const Session& session)
@@ -38,27 +40,27 @@ std::optional<Point> reference(const Session& session, const Frame& frame)
 }
 
 template <int axis>
-Number place(const Session& session, const Frame& frame)
+SelectionValue selectionPlace(const Session& session, const Frame& frame)
 {
     const auto at = reference(session, frame);
     const Point origin = originOf(session.now().page(), session.display().unit);
-    return at ? Number((*at)[axis] - origin[axis]) : std::nullopt;
+    return at ? SelectionValue((*at)[axis] - origin[axis]) : std::nullopt;
 }
 
 template <int axis>
 Map moveTo(const Session& session, const Frame& frame, double value)
 {
-    const auto old = place<axis>(session, frame);
+    const auto old = selectionPlace<axis>(session, frame);
     Point by(0);
     by[axis] = value - old.value_or(value);
     return old ? Map(translation(by)) : std::nullopt;
 }
 
 template <int axis>
-Number side(const Session& session, const Frame&)
+SelectionValue side(const Session& session, const Frame&)
 {
     const auto& box = session.selectionBounds();
-    return box ? Number(box->max[axis] - box->min[axis]) : std::nullopt;
+    return box ? SelectionValue(box->max[axis] - box->min[axis]) : std::nullopt;
 }
 
 template <int axis>
@@ -75,11 +77,11 @@ Map resizeTo(const Session& session, const Frame& frame, double value)
 }
 
 /// Only a line has a direction; of everything else the angle is the turn that is typed.
-Number angle(const Session& session, const Frame&)
+SelectionValue selectionAngle(const Session& session, const Frame&)
 {
     if (const auto line = onlyLine(session))
         return degreesOf(line->b - line->a);
-    return session.selectionBounds() ? Number(0) : std::nullopt;
+    return session.selectionBounds() ? SelectionValue(0) : std::nullopt;
 }
 
 Map turnTo(const Session& session, const Frame& frame, double value)
@@ -93,9 +95,9 @@ Map turnTo(const Session& session, const Frame& frame, double value)
 }
 
 /// The skew that is typed: no object remembers how it was skewed.
-Number skew(const Session& session, const Frame&)
+SelectionValue skew(const Session& session, const Frame&)
 {
-    return session.selectionBounds() ? Number(0) : std::nullopt;
+    return session.selectionBounds() ? SelectionValue(0) : std::nullopt;
 }
 
 Map skewBy(const Session& session, const Frame& frame, double value)
@@ -107,7 +109,7 @@ Map skewBy(const Session& session, const Frame& frame, double value)
 }
 
 /// Of all lines and chords together.
-Number length(const Session& session, const Frame&)
+SelectionValue lineLength(const Session& session, const Frame&)
 {
     if (session.selection().empty())
         return std::nullopt;
@@ -121,7 +123,7 @@ Number length(const Session& session, const Frame&)
 
 Map lengthenTo(const Session& session, const Frame& frame, double value)
 {
-    const auto old = length(session, frame);
+    const auto old = lineLength(session, frame);
     if (!old || *old == 0 || !(value > 0))
         return std::nullopt;
     const auto line = onlyLine(session);
@@ -132,20 +134,32 @@ Map lengthenTo(const Session& session, const Frame& frame, double value)
 
 std::span<const SelectionNumber> selectionNumbers()
 {
-    const QString tooLarge = tr("This number is too large.");
+    const QString tooLarge = SelectionNumbersText::tr("This number is too large.");
     static const std::array all{
-        SelectionNumber{"x", tr("X"), tr("X"), Quantity::Coordinate, place<0>, moveTo<0>, tooLarge},
-        SelectionNumber{"y", tr("Y"), tr("Y"), Quantity::Coordinate, place<1>, moveTo<1>, tooLarge},
-        SelectionNumber{"w", tr("W"), tr("Width"), Quantity::Length, side<0>, resizeTo<0>,
-                        tr("The width must be more than 0, and a vertical line has none.")},
-        SelectionNumber{"h", tr("H"), tr("Height"), Quantity::Length, side<1>, resizeTo<1>,
-                        tr("The height must be more than 0, and a horizontal line has none.")},
-        SelectionNumber{"angle", tr("∠"), tr("Angle"), Quantity::Angle, angle, turnTo, tooLarge},
-        SelectionNumber{"skew", tr("▱"), tr("Skew"), Quantity::Angle, skew, skewBy,
-                        tr("The skew must be between −%1° and %1°, and a horizontal line has none.")
-                            .arg(mostSkew)},
-        SelectionNumber{"length", tr("L"), tr("Length"), Quantity::Length, length, lengthenTo,
-                        tr("The length must be more than 0, and a point has none.")},
+        SelectionNumber{"x", SelectionNumbersText::tr("X"), SelectionNumbersText::tr("X"),
+                        Quantity::Coordinate, selectionPlace<0>, moveTo<0>, tooLarge},
+        SelectionNumber{"y", SelectionNumbersText::tr("Y"), SelectionNumbersText::tr("Y"),
+                        Quantity::Coordinate, selectionPlace<1>, moveTo<1>, tooLarge},
+        SelectionNumber{"w", SelectionNumbersText::tr("W"), SelectionNumbersText::tr("Width"),
+                        Quantity::Length, side<0>, resizeTo<0>,
+                        SelectionNumbersText::tr(
+                            "The width must be more than 0, and a vertical line has none.")},
+        SelectionNumber{"h", SelectionNumbersText::tr("H"), SelectionNumbersText::tr("Height"),
+                        Quantity::Length, side<1>, resizeTo<1>,
+                        SelectionNumbersText::tr(
+                            "The height must be more than 0, and a horizontal line has none.")},
+        SelectionNumber{"angle", SelectionNumbersText::tr("∠"), SelectionNumbersText::tr("Angle"),
+                        Quantity::Angle, selectionAngle, turnTo, tooLarge},
+        SelectionNumber{
+            "skew", SelectionNumbersText::tr("▱"), SelectionNumbersText::tr("Skew"),
+            Quantity::Angle, skew, skewBy,
+            SelectionNumbersText::tr(
+                "The skew must be between −%1° and %1°, and a horizontal line has none.")
+                .arg(mostSkew)},
+        SelectionNumber{
+            "length", SelectionNumbersText::tr("L"), SelectionNumbersText::tr("Length"),
+            Quantity::Length, lineLength, lengthenTo,
+            SelectionNumbersText::tr("The length must be more than 0, and a point has none.")},
     };
     return all;
 }
@@ -159,7 +173,7 @@ std::optional<QString> setSelectionNumber(Session& session, const SelectionNumbe
         return number.refusal;
     if (*map == AffineMap{.from = map->from, .to = map->from})
         return std::nullopt;
-    const QString text = tr("Set %1").arg(number.name.toLower());
+    const QString text = SelectionNumbersText::tr("Set %1").arg(number.name.toLower());
     session.history.push(new TransformObjects(session.document, session.selection(), *map,
                                               session.arrange.strokes, text, merging));
     return std::nullopt;

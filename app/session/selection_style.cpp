@@ -14,9 +14,11 @@
 namespace app {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Style", text); }
+struct StyleStepsText {
+    Q_DECLARE_TR_FUNCTIONS(Style)
+};
 
-Style scaled(Style style, double factor)
+Style scaledStyle(Style style, double factor)
 {
     style.width *= factor;
     style.dashOffset *= factor;
@@ -49,7 +51,7 @@ void setLayerStyle(Session& session, const std::optional<Style>& style)
         return;
     layer.newStyle = text;
     session.history.push(new SetContainers(session.document, session.now().containers().with(layer),
-                                           tr("Style of new objects")));
+                                           StyleStepsText::tr("Style of new objects")));
 }
 
 std::vector<Style> shownStyles(const Session& session)
@@ -102,13 +104,15 @@ std::optional<QString> setColour(Session& session, PaintPart part,
     const auto other = stroke ? &Style::fill : &Style::stroke;
     const auto leavesNothing = [&](const Style& style) { return !colour && !(style.*other); };
     if (std::ranges::any_of(shownStyles(session), leavesNothing))
-        return stroke ? tr("Without a stroke and without a fill nothing would be visible. Choose a "
-                           "fill first.")
-                      : tr("Without a stroke and without a fill nothing would be visible. Choose a "
-                           "stroke colour first.");
+        return stroke ? StyleStepsText::tr(
+                   "Without a stroke and without a fill nothing would be visible. Choose a "
+                   "fill first.")
+                      : StyleStepsText::tr(
+                          "Without a stroke and without a fill nothing would be visible. Choose a "
+                          "stroke colour first.");
     restyle(
         session, [&](Style& style) { style.*part = colour; },
-        stroke ? tr("Stroke colour") : tr("Fill colour"));
+        stroke ? StyleStepsText::tr("Stroke colour") : StyleStepsText::tr("Fill colour"));
     return std::nullopt;
 }
 
@@ -123,9 +127,9 @@ CopiedStyle copiedStyle(const Session& session)
 void pasteStyle(Session& session, const CopiedStyle& copied)
 {
     const double factor = copied.millimetresPerUnit / session.now().page().millimetresPerUnit();
-    const Style style = factor == 1 ? copied.style : scaled(copied.style, factor);
+    const Style style = factor == 1 ? copied.style : scaledStyle(copied.style, factor);
     restyle(
-        session, [&style](Style& each) { each = style; }, tr("Paste style"));
+        session, [&style](Style& each) { each = style; }, StyleStepsText::tr("Paste style"));
 }
 
 } // namespace app

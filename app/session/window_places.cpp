@@ -12,10 +12,9 @@
 namespace app {
 namespace {
 
-QString tr(std::string_view text)
-{
-    return QCoreApplication::translate("WindowPlaces", text.data());
-}
+struct WindowPlacesText {
+    Q_DECLARE_TR_FUNCTIONS(WindowPlaces)
+};
 
 std::optional<clipping::Window> page(const Session& session)
 {
@@ -73,7 +72,7 @@ std::span<const LayingPlace> windowPlaces() { return places; }
 void layWindow(Session& session, const LayingPlace& place)
 {
     if (const auto box = place.box(session))
-        lay(session, *box, place.name(session), tr(place.step));
+        lay(session, *box, place.name(session), WindowPlacesText::tr(place.step.data()));
 }
 
 std::optional<QString> layWindowInside(Session& session, const PageMargins& margins)
@@ -82,10 +81,11 @@ std::optional<QString> layWindowInside(Session& session, const PageMargins& marg
     const clipping::Window inside{page.min + Point(margins.left, margins.top),
                                   page.max - Point(margins.right, margins.bottom)};
     if (!(inside.min.x < inside.max.x && inside.min.y < inside.max.y))
-        return tr(QT_TRANSLATE_NOOP("WindowPlaces",
-                                    "The margins leave nothing of the page. Type smaller ones."));
+        return WindowPlacesText::tr(QT_TRANSLATE_NOOP(
+            "WindowPlaces", "The margins leave nothing of the page. Type smaller ones."));
     lay(session, inside, {},
-        tr(QT_TRANSLATE_NOOP("WindowPlaces", "Lay clip window inside the margin")));
+        WindowPlacesText::tr(
+            QT_TRANSLATE_NOOP("WindowPlaces", "Lay clip window inside the margin")));
     return std::nullopt;
 }
 

@@ -17,10 +17,12 @@
 namespace app {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("WindowSteps", text); }
+struct WindowStepsText {
+    Q_DECLARE_TR_FUNCTIONS(WindowSteps)
+};
 
-void push(Session& session, ClipWindows windows, const QString& text,
-          Merging merging = Merging::Never)
+void pushWindows(Session& session, ClipWindows windows, const QString& text,
+                 Merging merging = Merging::Never)
 {
     if (windows != session.now().windows())
         session.history.push(new SetWindows(session.document, std::move(windows), text, merging));
@@ -49,7 +51,7 @@ void setWindowShape(Session& session, const WindowShape& shape, const QString& t
                     Merging merging)
 {
     if (numberIn(session.now().windows(), session))
-        push(session, withShape(session, shape), text, merging);
+        pushWindows(session, withShape(session, shape), text, merging);
     else
         addWindows(session, {{.shape = shape}}, text);
 }
@@ -98,7 +100,8 @@ WindowPen penAfter(WindowPen pen)
 void drawWindow(Session& session, const WindowShape& shape)
 {
     if (replacedBy(session)) {
-        push(session, withDrawn(session, shape).windows, tr("Draw clip window"));
+        pushWindows(session, withDrawn(session, shape).windows,
+                    WindowStepsText::tr("Draw clip window"));
         return;
     }
     if (!addWindow(session, {.shape = shape, .operation = operationOf(session.windowPen.use)}))
@@ -110,7 +113,7 @@ void moveWindow(Session& session, const Point& by, Merging merging)
 {
     if (const auto number = session.windowNumber())
         setWindowShape(session, mapped(session.windows().list[*number].shape, translation(by)),
-                       tr("Move clip window"), merging);
+                       WindowStepsText::tr("Move clip window"), merging);
 }
 
 bool addWindows(Session& session, std::vector<ClipWindow> added, const QString& text)
@@ -119,23 +122,24 @@ bool addWindows(Session& session, std::vector<ClipWindow> added, const QString& 
     auto& list = windows.list;
     if (list.size() + added.size() > ClipWindows::most) {
         emit session.refused(
-            tr("No clip window was drawn. This drawing has %1 clip windows, hidden "
-               "ones included, and cannot have more than %2. Delete a clip window "
-               "first.")
+            WindowStepsText::tr(
+                "No clip window was drawn. This drawing has %1 clip windows, hidden "
+                "ones included, and cannot have more than %2. Delete a clip window "
+                "first.")
                 .arg(countText(list.size()), countText(ClipWindows::most)));
         return false;
     }
     for (ClipWindow& window : added)
         list.push_back(std::move(window));
     const std::size_t last = list.size() - 1;
-    push(session, std::move(windows), text);
+    pushWindows(session, std::move(windows), text);
     session.chooseWindow(last);
     return true;
 }
 
 bool addWindow(Session& session, ClipWindow window)
 {
-    return addWindows(session, {std::move(window)}, tr("Draw clip window"));
+    return addWindows(session, {std::move(window)}, WindowStepsText::tr("Draw clip window"));
 }
 
 void removeWindow(Session& session)
@@ -145,7 +149,7 @@ void removeWindow(Session& session)
     if (!number)
         return;
     windows.list.erase(windows.list.begin() + std::ptrdiff_t(*number));
-    push(session, std::move(windows), tr("Remove clip window"));
+    pushWindows(session, std::move(windows), WindowStepsText::tr("Remove clip window"));
     session.chooseWindow(*number > 0 ? *number - 1 : 0);
 }
 
@@ -160,7 +164,7 @@ void reorderWindow(Session& session, std::size_t from, std::size_t to)
         std::rotate(at(from), at(from + 1), at(to + 1));
     else
         std::rotate(at(to), at(from), at(from + 1));
-    push(session, std::move(windows), tr("Reorder clip windows"));
+    pushWindows(session, std::move(windows), WindowStepsText::tr("Reorder clip windows"));
     session.chooseWindow(to);
 }
 
@@ -171,7 +175,7 @@ void changeWindow(Session& session, std::size_t number, const QString& text,
     if (number >= windows.list.size())
         return;
     change(windows.list[number]);
-    push(session, std::move(windows), text);
+    pushWindows(session, std::move(windows), text);
 }
 
 std::vector<ClipWindow> windowsOfSelection(const Session& session)
@@ -191,17 +195,21 @@ void addWindowsOfSelection(Session& session)
     auto made = windowsOfSelection(session);
     const std::size_t all = session.selection().size(), count = made.size();
     if (made.empty()) {
-        emit session.refused(tr("None of the selected objects encloses an area, so they cannot be "
+        emit session.refused(
+            WindowStepsText::tr("None of the selected objects encloses an area, so they cannot be "
                                 "clip windows. Select a closed shape."));
         return;
     }
-    if (!addWindows(session, std::move(made), tr("Make clip windows of selection")) || count == all)
+    if (!addWindows(session, std::move(made), WindowStepsText::tr("Make clip windows of selection"))
+        || count == all)
         return;
     emit session.refused(
-        all - count == 1 ? tr("1 of the %1 selected objects encloses no area and was left out.")
-                               .arg(countText(all))
-                         : tr("%1 of the %2 selected objects enclose no area and were left out.")
-                               .arg(countText(all - count), countText(all)));
+        all - count == 1
+            ? WindowStepsText::tr("1 of the %1 selected objects encloses no area and was left out.")
+                  .arg(countText(all))
+            : WindowStepsText::tr(
+                  "%1 of the %2 selected objects enclose no area and were left out.")
+                  .arg(countText(all - count), countText(all)));
 }
 
 void windowToPath(Session& session)
@@ -210,9 +218,10 @@ void windowToPath(Session& session)
     if (!number)
         return;
     if (!mayAddObjects(session)) {
-        emit session.refused(tr("The layer %1 is locked or hidden, so nothing was drawn. Select "
+        emit session.refused(
+            WindowStepsText::tr("The layer %1 is locked or hidden, so nothing was drawn. Select "
                                 "another layer, or unlock and show this one.")
-                                 .arg(nameForNew(session)));
+                .arg(nameForNew(session)));
         return;
     }
     PathShape shape = pathOf(session.windows().list[*number].shape);
@@ -222,7 +231,7 @@ void windowToPath(Session& session)
     Objects objects = session.now().objects().slice(0, 0);
     objects.append(object);
     session.history.push(new AddObjects(session.document, objects, containerForNew(session),
-                                        tr("Draw clip window's outline")));
+                                        WindowStepsText::tr("Draw clip window's outline")));
     session.select(justAdded(session));
 }
 

@@ -8,7 +8,9 @@
 namespace app {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("WindowWords", text); }
+struct WindowWordsText {
+    Q_DECLARE_TR_FUNCTIONS(WindowWords)
+};
 
 /// A kind of shape, in words and as an icon.
 struct Looks {
@@ -34,7 +36,7 @@ Looks looksOf(const WindowShape& shape)
 
 } // namespace
 
-QString nameOf(const WindowShape& shape) { return tr(looksOf(shape).name); }
+QString nameOf(const WindowShape& shape) { return WindowWordsText::tr(looksOf(shape).name); }
 
 QString nameOf(const ClipWindow& window)
 {
@@ -62,10 +64,10 @@ QString resultOf(const ClipWindows& windows)
         if (count == 0)
             continue;
         if (text.isEmpty() && operation != WindowOperation::Add)
-            text = tr("everything");
+            text = WindowWordsText::tr("everything");
         if (!text.isEmpty())
             text += u' ' + signOf(operation) + u' ';
-        text += count == 1 ? name : tr("%1 × %2").arg(count).arg(name);
+        text += count == 1 ? name : WindowWordsText::tr("%1 × %2").arg(count).arg(name);
     }
     return text;
 }

@@ -45,7 +45,7 @@ qsizetype widthOf(const Table& table, const Column& column, qsizetype most)
     return width;
 }
 
-Columns columnsOf(const Table& table)
+Columns foldedColumns(const Table& table)
 {
     Columns columns;
     const auto numeric = numericColumns(table);
@@ -78,7 +78,7 @@ void breakTexts(const Table& table, Columns& columns)
         last.width = widthOf(table, last, room);
 }
 
-QString lineOf(const Columns& columns, const std::vector<QStringList>& cells, qsizetype number)
+QString foldedLine(const Columns& columns, const std::vector<QStringList>& cells, qsizetype number)
 {
     QString line;
     for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -99,7 +99,7 @@ QString linesOf(const Columns& columns, const std::vector<QStringList>& cells)
         most = std::max(most, cell.size());
     QString text;
     for (qsizetype number = 0; number < most; ++number)
-        text += lineOf(columns, cells, number);
+        text += foldedLine(columns, cells, number);
     return text;
 }
 
@@ -170,7 +170,7 @@ QStringList brokenLines(const QString& text, qsizetype width, QStringView after)
 
 QString folded(const Table& table)
 {
-    Columns columns = columnsOf(table);
+    Columns columns = foldedColumns(table);
     if (columns.empty())
         return {};
     if (widthOf(columns) > terminalWidth)

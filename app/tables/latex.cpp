@@ -41,7 +41,7 @@ const std::map<char16_t, const char*>& signs()
 /// dashes.
 bool isKnown(QChar c) { return c < u'\u0180' || (c >= u'\u2013' && c <= u'\u2026'); }
 
-QString escaped(const QString& text)
+QString latexEscaped(const QString& text)
 {
     QString result;
     for (const QChar c : oneLine(text))
@@ -58,7 +58,7 @@ QString rowOf(const QStringList& fields)
 {
     QStringList cells;
     for (const QString& field : fields)
-        cells << escaped(field);
+        cells << latexEscaped(field);
     return cells.join(QStringLiteral(" & ")) + QStringLiteral(" \\\\\n");
 }
 
@@ -66,12 +66,12 @@ QString noteOf(const Table& table)
 {
     QStringList facts;
     for (const auto& [name, value] : table.facts)
-        facts << escaped(name) + QStringLiteral(": ") + escaped(value);
+        facts << latexEscaped(name) + QStringLiteral(": ") + latexEscaped(value);
     QStringList lines;
     if (!facts.isEmpty())
         lines << facts.join(QStringLiteral("; ")) + u'.';
     for (const QString& note : table.notes)
-        lines << escaped(note);
+        lines << latexEscaped(note);
     if (lines.isEmpty())
         return {};
     return QStringLiteral(
@@ -79,7 +79,7 @@ QString noteOf(const Table& table)
            + lines.join(QStringLiteral("\\par\n")) + QStringLiteral("\n\\end{minipage}\n");
 }
 
-QString columnsOf(const Table& table)
+QString columnTypes(const Table& table)
 {
     QString columns;
     for (const bool numeric : numericColumns(table))
@@ -99,7 +99,7 @@ QString captionOf(const Table& table)
 {
     QString text;
     if (!table.title.isEmpty())
-        text += QStringLiteral("\\caption{%1}").arg(escaped(table.title));
+        text += QStringLiteral("\\caption{%1}").arg(latexEscaped(table.title));
     if (!table.key.isEmpty())
         text += QStringLiteral("\\label{tab:%1}").arg(table.key);
     return text;
@@ -114,7 +114,7 @@ QString floatOf(const Table& table)
            + QStringLiteral(
                  "\\resizebox{\\ifdim\\width>\\linewidth\\linewidth\\else\\width\\fi}{!}{%\n"
                  "\\begin{tabular}{@{}%1@{}}\n\\toprule\n")
-                 .arg(columnsOf(table))
+                 .arg(columnTypes(table))
            + rowOf(table.names) + QStringLiteral("\\midrule\n") + rowsOf(table)
            + QStringLiteral("\\bottomrule\n\\end{tabular}}\n") + noteOf(table)
            + QStringLiteral("\\end{table}\n");
@@ -157,7 +157,7 @@ QString longTableOf(const Table& table)
                                                   : captionOf(table) + QStringLiteral("\\\\\n");
     const QString text =
         QStringLiteral("{%1\\setlength{\\tabcolsep}{3pt}\n\\begin{longtable}{@{}%2@{}}\n")
-            .arg(QLatin1StringView(setting.size), columnsOf(table))
+            .arg(QLatin1StringView(setting.size), columnTypes(table))
         + caption + head + QStringLiteral("\\endfirsthead\n") + head
         + QStringLiteral("\\endhead\n\\midrule\n\\endfoot\n\\bottomrule\n\\endlastfoot\n")
         + rowsOf(table) + QStringLiteral("\\end{longtable}}\n") + noteOf(table);

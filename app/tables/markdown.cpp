@@ -5,7 +5,7 @@ namespace app {
 namespace {
 
 /// Escapes the characters that are markup in a cell or a line.
-QString escaped(const QString& text)
+QString markdownEscaped(const QString& text)
 {
     QString result;
     for (const QChar c : oneLine(text)) {
@@ -16,11 +16,11 @@ QString escaped(const QString& text)
     return result;
 }
 
-QString lineOf(const QStringList& fields)
+QString rowLine(const QStringList& fields)
 {
     QStringList cells;
     for (const QString& field : fields)
-        cells << escaped(field);
+        cells << markdownEscaped(field);
     return QStringLiteral("| ") + cells.join(QStringLiteral(" | ")) + QStringLiteral(" |\n");
 }
 
@@ -34,20 +34,20 @@ QString markdownText(std::span<const Table> tables)
         if (&table != &tables.front())
             text += u'\n';
         if (!table.title.isEmpty())
-            text += QStringLiteral("## ") + escaped(table.title) + QStringLiteral("\n\n");
-        text += lineOf(table.names) + u'|';
+            text += QStringLiteral("## ") + markdownEscaped(table.title) + QStringLiteral("\n\n");
+        text += rowLine(table.names) + u'|';
         for (const bool numeric : numericColumns(table))
             text += numeric ? QStringLiteral("---:|") : QStringLiteral(":---|");
         text += u'\n';
         for (const QStringList& row : table.rows)
-            text += lineOf(row);
+            text += rowLine(row);
         if (!table.facts.empty() || !table.notes.isEmpty())
             text += u'\n';
         for (const auto& [name, value] : table.facts)
-            text += QStringLiteral("- ") + escaped(name) + QStringLiteral(": ") + escaped(value)
-                    + u'\n';
+            text += QStringLiteral("- ") + markdownEscaped(name) + QStringLiteral(": ")
+                    + markdownEscaped(value) + u'\n';
         for (const QString& note : table.notes)
-            text += QStringLiteral("- ") + escaped(note) + u'\n';
+            text += QStringLiteral("- ") + markdownEscaped(note) + u'\n';
     }
     return text;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/teaching/figure_frame.h"
 
+#include "app/base/finite.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,8 +18,6 @@ double share(double value, double low, double high)
 {
     return (value / 2 - low / 2) / (high / 2 - low / 2);
 }
-
-bool isFinite(const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
 /// The interval to be shown on one axis.
 struct Span {

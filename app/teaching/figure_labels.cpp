@@ -15,11 +15,13 @@ namespace app {
 namespace {
 
 using clipping::Edge;
-using Tone = FigureLabel::Tone;
+using LabelTone = FigureLabel::Tone;
 
 constexpr std::array edges{Edge::Left, Edge::Right, Edge::Bottom, Edge::Top};
 
-QString tr(const char* text) { return QCoreApplication::translate("Figure", text); }
+struct FigureLabelsText {
+    Q_DECLARE_TR_FUNCTIONS(Figure)
+};
 
 QSizeF sizeOf(const FigureLabel& label, const FigureFrame& frame)
 {
@@ -80,8 +82,8 @@ LabelObstacles obstaclesOf(const TracedLine& tracedLine, const Narration& narrat
 }
 
 /// Puts a label at the best free place, if any, and makes the place an obstacle.
-bool place(std::vector<FigureLabel>& labels, FigureLabel label, std::span<const QRectF> places,
-           LabelObstacles& obstacles)
+bool placeLabel(std::vector<FigureLabel>& labels, FigureLabel label, std::span<const QRectF> places,
+                LabelObstacles& obstacles)
 {
     const auto box = freePlace(places, obstacles);
     if (!box)
@@ -97,11 +99,12 @@ void labelMark(std::vector<FigureLabel>& labels, const FigureMark& mark, LabelOb
 {
     const bool boxed =
         mark.shape == FigureMark::Shape::Cut && mark.tone == FigureMark::Tone::Highlighted;
-    FigureLabel label{boxed ? Tone::Highlighted : Tone::Plain, mark.head, mark.detail, {}, {}};
+    FigureLabel label{
+        boxed ? LabelTone::Highlighted : LabelTone::Plain, mark.head, mark.detail, {}, {}};
     const QSizeF size = sizeOf(label, frame);
     const double radius = radiusOf(mark, frame);
-    if (!place(labels, label, placesAround(mark.place, radius, size), obstacles)
-        && !place(labels, label, placesWithin(obstacles.inside, mark.place, size), obstacles))
+    if (!placeLabel(labels, label, placesAround(mark.place, radius, size), obstacles)
+        && !placeLabel(labels, label, placesWithin(obstacles.inside, mark.place, size), obstacles))
         return;
     FigureLabel& placed = labels.back();
     const QPointF nearest(std::clamp(mark.place.x(), placed.box.left(), placed.box.right()),
@@ -142,7 +145,7 @@ void labelEdges(std::vector<FigureLabel>& labels, const TracedLine& tracedLine,
         if (!line)
             continue;
         const double level = clipping::levelOf(edge, tracedLine.window);
-        const Tone tone = scene.edge == edge ? Tone::HighlightedEdge : Tone::Edge;
+        const LabelTone tone = scene.edge == edge ? LabelTone::HighlightedEdge : LabelTone::Edge;
         FigureLabel label{
             tone,
             QStringLiteral("%1 = %2").arg(QLatin1StringView(nameOf(edge)), shortText(level)),
@@ -151,8 +154,8 @@ void labelEdges(std::vector<FigureLabel>& labels, const TracedLine& tracedLine,
             {}};
         const bool before =
             edge == Edge::Left || edge == (frame.y == YAxis::Up ? Edge::Top : Edge::Bottom);
-        place(labels, label, placesAlong(*line, sizeOf(label, frame), frame.unit(), before),
-              obstacles);
+        placeLabel(labels, label, placesAlong(*line, sizeOf(label, frame), frame.unit(), before),
+                   obstacles);
     }
 }
 
@@ -184,10 +187,13 @@ void labelPolygonEdges(std::vector<FigureLabel>& labels, const TracedLine& trace
         const auto side = frame.part(polygonEdge(i + 1, corners));
         if (!side || !(side->length() > 0) || (corners.size() > mostNumbered && !now))
             continue;
-        FigureLabel label{
-            now ? Tone::HighlightedEdge : Tone::Edge, tr("edge %1").arg(i + 1), {}, {}, {}};
-        place(labels, label, placesBesideSide(*side, sizeOf(label, frame), frame.unit()),
-              obstacles);
+        FigureLabel label{now ? LabelTone::HighlightedEdge : LabelTone::Edge,
+                          FigureLabelsText::tr("edge %1").arg(i + 1),
+                          {},
+                          {},
+                          {}};
+        placeLabel(labels, label, placesBesideSide(*side, sizeOf(label, frame), frame.unit()),
+                   obstacles);
     }
 }
 
@@ -197,8 +203,12 @@ void labelWindow(std::vector<FigureLabel>& labels, const TracedLine& tracedLine,
 {
     const QRectF box = windowBox(tracedLine, frame);
     const double gap = 3 * frame.unit();
-    FigureLabel label{
-        Tone::Window, tracedLine.windowIsPage ? tr("Page") : tr("Clip window"), {}, {}, {}};
+    FigureLabel label{LabelTone::Window,
+                      tracedLine.windowIsPage ? FigureLabelsText::tr("Page")
+                                              : FigureLabelsText::tr("Clip window"),
+                      {},
+                      {},
+                      {}};
     const QSizeF size = sizeOf(label, frame);
     std::vector<QRectF> places;
     const double left = box.left() + gap, right = box.right() - gap - size.width();
@@ -210,18 +220,18 @@ void labelWindow(std::vector<FigureLabel>& labels, const TracedLine& tracedLine,
     for (const double y : {box.bottom() + gap, box.top() - gap - size.height()})
         for (const double x : {left, right, box.right() + gap, box.left() - gap - size.width()})
             places.emplace_back(QPointF(x, y), size);
-    place(labels, label, places, obstacles);
+    placeLabel(labels, label, places, obstacles);
 }
 
 } // namespace
 
-QFont headFont(const FigureFrame& frame, Tone tone)
+QFont headFont(const FigureFrame& frame, LabelTone tone)
 {
     QFont font = frame.font;
-    if (tone == Tone::Edge)
+    if (tone == LabelTone::Edge)
         return detailFont(frame);
     font.setWeight(QFont::DemiBold);
-    if (tone != Tone::Plain && tone != Tone::Highlighted)
+    if (tone != LabelTone::Plain && tone != LabelTone::Highlighted)
         font.setPixelSize(detailFont(frame).pixelSize());
     return font;
 }
@@ -233,10 +243,10 @@ QFont detailFont(const FigureFrame& frame)
     return font;
 }
 
-QMarginsF paddingOf(const FigureFrame& frame, Tone tone)
+QMarginsF paddingOf(const FigureFrame& frame, LabelTone tone)
 {
     const double u = frame.unit();
-    return tone == Tone::Highlighted ? QMarginsF(9, 5, 9, 5) * u : QMarginsF(3, 1, 3, 1) * u;
+    return tone == LabelTone::Highlighted ? QMarginsF(9, 5, 9, 5) * u : QMarginsF(3, 1, 3, 1) * u;
 }
 
 std::optional<QLineF> edgeLine(Edge edge, const TracedLine& tracedLine, const FigureFrame& frame)

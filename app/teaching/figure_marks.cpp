@@ -11,9 +11,11 @@ namespace app {
 namespace {
 
 using Form = FigureMark::Shape;
-using Tone = FigureMark::Tone;
+using MarkTone = FigureMark::Tone;
 
-QString tr(const char* text) { return QCoreApplication::translate("Figure", text); }
+struct FigureMarksText {
+    Q_DECLARE_TR_FUNCTIONS(Figure)
+};
 
 /// The direction on screen from one point of the drawing to another; to the right if they are
 /// equal.
@@ -56,12 +58,12 @@ void placeFarEnd(FigureMark& mark, const Point& other, const FigureFrame& frame)
 }
 
 /// The tone of an end: cut in this step, cut earlier, or unchanged.
-Tone toneOfEnd(const StepScene& scene, int end)
+MarkTone toneOfEnd(const StepScene& scene, int end)
 {
-    Tone tone = scene.state == StepScene::State::Rejected ? Tone::Muted : Tone::Strong;
+    MarkTone tone = scene.state == StepScene::State::Rejected ? MarkTone::Muted : MarkTone::Strong;
     for (const CutPoint& cut : scene.cuts)
         if (cut.end == end)
-            tone = scene.isNow(cut) ? Tone::Highlighted : Tone::Muted;
+            tone = scene.isNow(cut) ? MarkTone::Highlighted : MarkTone::Muted;
     return tone;
 }
 
@@ -77,10 +79,10 @@ void addEnds(std::vector<FigureMark>& marks, const TracedLine& tracedLine, const
                         .point = point,
                         .place = frame.at(point),
                         .angle = 0,
-                        .head = tr("End %1").arg(end),
+                        .head = FigureMarksText::tr("End %1").arg(end),
                         .detail = pointText(point)};
         if (a == b)
-            mark.head = tr("End 1 and End 2");
+            mark.head = FigureMarksText::tr("End 1 and End 2");
         if (!frame.shows(point))
             placeFarEnd(mark, other, frame);
         marks.push_back(mark);
@@ -91,13 +93,13 @@ void addEnds(std::vector<FigureMark>& marks, const TracedLine& tracedLine, const
 
 QString detailOf(const CutPoint& cut, bool now, YAxis y)
 {
-    const QString edge =
-        cut.polygonEdge ? tr("edge %1").arg(cut.polygonEdge) : edgeWords(cut.edge, y);
+    const QString edge = cut.polygonEdge ? FigureMarksText::tr("edge %1").arg(cut.polygonEdge)
+                                         : edgeWords(cut.edge, y);
     if (now)
-        return edge.isEmpty() ? tr("new End %1").arg(cut.end)
-                              : tr("new End %1 at %2").arg(cut.end).arg(edge);
-    return edge.isEmpty() ? tr("cut in step %1").arg(cut.step + 1)
-                          : tr("cut at %1, step %2").arg(edge).arg(cut.step + 1);
+        return edge.isEmpty() ? FigureMarksText::tr("new End %1").arg(cut.end)
+                              : FigureMarksText::tr("new End %1 at %2").arg(cut.end).arg(edge);
+    return edge.isEmpty() ? FigureMarksText::tr("cut in step %1").arg(cut.step + 1)
+                          : FigureMarksText::tr("cut at %1, step %2").arg(edge).arg(cut.step + 1);
 }
 
 void addCuts(std::vector<FigureMark>& marks, const StepScene& scene, const FigureFrame& frame)
@@ -109,9 +111,9 @@ void addCuts(std::vector<FigureMark>& marks, const StepScene& scene, const Figur
         const bool told = cut.stands || scene.cuts.size() <= mostTold;
         const bool strong = cut.stands && scene.state != StepScene::State::Rejected;
         marks.push_back({.shape = Form::Cut,
-                         .tone = scene.isNow(cut) ? Tone::Highlighted
-                                 : strong         ? Tone::Strong
-                                                  : Tone::Muted,
+                         .tone = scene.isNow(cut) ? MarkTone::Highlighted
+                                 : strong         ? MarkTone::Strong
+                                                  : MarkTone::Muted,
                          .point = cut.at,
                          .place = frame.at(cut.at),
                          .angle = 0,
@@ -125,7 +127,7 @@ void addCuts(std::vector<FigureMark>& marks, const StepScene& scene, const Figur
 double radiusOf(const FigureMark& mark, const FigureFrame& frame)
 {
     const bool round = mark.shape == Form::End;
-    return frame.unit() * (round ? 5.5 : mark.tone == Tone::Highlighted ? 9.5 : 7.5);
+    return frame.unit() * (round ? 5.5 : mark.tone == MarkTone::Highlighted ? 9.5 : 7.5);
 }
 
 std::vector<FigureMark> figureMarks(const TracedLine& tracedLine, const StepScene& scene,
@@ -136,12 +138,12 @@ std::vector<FigureMark> figureMarks(const TracedLine& tracedLine, const StepScen
     addCuts(marks, scene, frame);
     if (scene.candidate && frame.shows(*scene.candidate))
         marks.push_back({.shape = Form::Candidate,
-                         .tone = Tone::Highlighted,
+                         .tone = MarkTone::Highlighted,
                          .point = *scene.candidate,
                          .place = frame.at(*scene.candidate),
                          .angle = 0,
                          .head = pointText(*scene.candidate),
-                         .detail = tr("cut here?")});
+                         .detail = FigureMarksText::tr("cut here?")});
     return marks;
 }
 

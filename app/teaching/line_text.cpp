@@ -15,7 +15,7 @@ bool commaIsDecimal() { return QLocale().decimalPoint() == QStringLiteral(","); 
 QString separator() { return commaIsDecimal() ? QStringLiteral("; ") : QStringLiteral(", "); }
 
 /// With the decimal mark of the locale, otherwise locale-independent, so that it reads back.
-QString number(double value)
+QString coordinateText(double value)
 {
     QString text = QLocale::c().toString(value, 'g', QLocale::FloatingPointShortest);
     if (commaIsDecimal())
@@ -38,7 +38,7 @@ std::optional<double> numberFrom(QString text, Comma comma)
 }
 
 /// Number, separator, number; between the ends an arrow or "to" is allowed too.
-QRegularExpression pattern(const QString& number, const QString& separator)
+QRegularExpression linePattern(const QString& number, const QString& separator)
 {
     const QString end = number + separator + number;
     return QRegularExpression(
@@ -48,9 +48,9 @@ QRegularExpression pattern(const QString& number, const QString& separator)
 std::optional<clipping::Segment> lineFrom(const QString& plain, Comma comma)
 {
     static const QRegularExpression commas =
-        pattern(QStringLiteral("([^\\s,;]+?)"), QStringLiteral("(?:\\s*[,;]\\s*|\\s+)"));
+        linePattern(QStringLiteral("([^\\s,;]+?)"), QStringLiteral("(?:\\s*[,;]\\s*|\\s+)"));
     static const QRegularExpression decimals =
-        pattern(QStringLiteral("([^\\s;]+?)"), QStringLiteral("(?:\\s*;\\s*|,?\\s+)"));
+        linePattern(QStringLiteral("([^\\s;]+?)"), QStringLiteral("(?:\\s*;\\s*|,?\\s+)"));
     const auto match = (comma == Comma::Separates ? commas : decimals).match(plain);
     std::array<double, 4> values{};
     for (int i = 0; i < 4; ++i) {
@@ -66,7 +66,9 @@ std::optional<clipping::Segment> lineFrom(const QString& plain, Comma comma)
 
 QString lineText(const clipping::Segment& line)
 {
-    const auto end = [](const glm::dvec2& p) { return number(p.x) + separator() + number(p.y); };
+    const auto end = [](const glm::dvec2& p) {
+        return coordinateText(p.x) + separator() + coordinateText(p.y);
+    };
     return end(line.a) + QStringLiteral(" \u2192 ") + end(line.b);
 }
 

@@ -12,7 +12,9 @@ namespace app {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("narration", text); }
+struct NarrationText {
+    Q_DECLARE_TR_FUNCTIONS(narration)
+};
 
 QString withMinus(QString text) { return text.replace(u'-', u'\u2212'); }
 
@@ -31,7 +33,7 @@ QString valueText(const Variable& variable)
     case clipping::ValueKind::Bits:
         return outcodeText(unsigned(variable.value));
     case clipping::ValueKind::Truth:
-        return variable.value != 0 ? tr("yes") : tr("no");
+        return variable.value != 0 ? NarrationText::tr("yes") : NarrationText::tr("no");
     default:
         return exactText(variable.value);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/teaching/overlay_of.h"
 
+#include "app/base/finite.h"
 #include "app/document/window_frame.h"
 #include "app/overlays/family.h"
 #include "app/teaching/teaching.h"
@@ -12,8 +13,6 @@
 namespace app {
 
 namespace {
-
-bool isFinite(const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
 /// The rectangle around what is seen, in a frame's own directions.
 clipping::Window seenIn(const WindowFrame& frame, const clipping::Window& seen)

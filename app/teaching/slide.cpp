@@ -16,22 +16,25 @@ namespace app {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Slide", text); }
+struct SlideText {
+    Q_DECLARE_TR_FUNCTIONS(Slide)
+};
 
 constexpr double margin = 32, columnWidth = 560, gap = 24;
 constexpr double top = 90, bottom = slideHeight - margin; // of the area below the header
 constexpr double sentenceHeight = 132, operationsHeight = 88;
 
-QString stepText(const Narration& narration, std::size_t step)
+QString slideStepText(const Narration& narration, std::size_t step)
 {
-    return narration.steps.empty() ? QString()
-                                   : tr("Step %1 of %2").arg(step + 1).arg(narration.steps.size());
+    return narration.steps.empty()
+               ? QString()
+               : SlideText::tr("Step %1 of %2").arg(step + 1).arg(narration.steps.size());
 }
 
 /// "Line from −160, −30 to 70, 130, convex window with 5 corners".
 QString polygonFacts(const TracedLine& tracedLine)
 {
-    return tr("Line from %1 to %2, convex window with %3 corners")
+    return SlideText::tr("Line from %1 to %2, convex window with %3 corners")
         .arg(pointText(tracedLine.line.a), pointText(tracedLine.line.b))
         .arg(tracedLine.corners.size());
 }
@@ -41,8 +44,8 @@ QString factsText(const TracedLine& tracedLine)
 {
     if (!tracedLine.corners.empty())
         return polygonFacts(tracedLine);
-    return (tracedLine.windowIsPage ? tr("Line from %1 to %2, page from %3 to %4")
-                                    : tr("Line from %1 to %2, window from %3 to %4"))
+    return (tracedLine.windowIsPage ? SlideText::tr("Line from %1 to %2, page from %3 to %4")
+                                    : SlideText::tr("Line from %1 to %2, window from %3 to %4"))
         .arg(pointText(tracedLine.line.a), pointText(tracedLine.line.b),
              pointText(tracedLine.window.min), pointText(tracedLine.window.max));
 }
@@ -59,7 +62,7 @@ void paintHeader(QPainter& painter, const TracedLine& tracedLine, const Narratio
     painter.drawText(line.adjusted(30, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
                      titleOf(tracedLine.variant));
     painter.setFont(sized(body, 1.1));
-    painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, stepText(narration, step));
+    painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, slideStepText(narration, step));
     painter.setFont(sized(body, 0.9));
     painter.setPen(colours.muted);
     painter.drawText(line.translated(30, 32), Qt::AlignLeft | Qt::AlignVCenter,
@@ -143,7 +146,7 @@ QRectF sentenceArea()
 QString slideTitle(const TracedLine& tracedLine, const Narration& narration, std::size_t step)
 {
     return narration.steps.empty() ? titleOf(tracedLine.variant)
-                                   : tr("%1, step %2 of %3")
+                                   : SlideText::tr("%1, step %2 of %3")
                                          .arg(titleOf(tracedLine.variant))
                                          .arg(step + 1)
                                          .arg(narration.steps.size());

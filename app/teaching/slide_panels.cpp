@@ -17,7 +17,9 @@ namespace app {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Slide", text); }
+struct SlidePanelsText {
+    Q_DECLARE_TR_FUNCTIONS(Slide)
+};
 
 constexpr double headingHeight = 32;
 constexpr double smallText = 0.9; // of the body font: 18 pixels, the smallest text on a slide
@@ -162,8 +164,9 @@ void paintVariable(QPainter& painter, const QRectF& row, const Variable& variabl
     painter.setFont(body);
     painter.setPen(variable.before ? colours.muted : colours.highlight);
     painter.drawText(earlier, Qt::AlignLeft | Qt::AlignVCenter,
-                     variable.before ? tr("was %1").arg(fitting(before, earlier.width() - 44, body))
-                                     : tr("new"));
+                     variable.before ? SlidePanelsText::tr("was %1").arg(
+                         fitting(before, earlier.width() - 44, body))
+                                     : SlidePanelsText::tr("new"));
 }
 
 struct Operation {
@@ -171,13 +174,13 @@ struct Operation {
     std::uint64_t clipping::OperationCounts::*count;
 };
 
-std::array<Operation, 4> operations()
+std::array<Operation, 4> panelOperations()
 {
     using Counts = clipping::OperationCounts;
-    return {{{tr("comparisons"), &Counts::comparisons},
-             {tr("additions"), &Counts::additions},
-             {tr("multiplications"), &Counts::multiplications},
-             {tr("divisions"), &Counts::divisions}}};
+    return {{{SlidePanelsText::tr("comparisons"), &Counts::comparisons},
+             {SlidePanelsText::tr("additions"), &Counts::additions},
+             {SlidePanelsText::tr("multiplications"), &Counts::multiplications},
+             {SlidePanelsText::tr("divisions"), &Counts::divisions}}};
 }
 
 } // namespace
@@ -205,7 +208,7 @@ QFont bold(QFont font)
 double paintCode(QPainter& painter, const QRectF& area, const Narration& narration,
                  std::size_t step, const FigureColours& colours)
 {
-    const double top = paintHeading(painter, area, tr("Pseudo-code"), colours);
+    const double top = paintHeading(painter, area, SlidePanelsText::tr("Pseudo-code"), colours);
     const double numbers =
         QFontMetricsF(slideFonts().code).horizontalAdvance(QStringLiteral("00")) + 16;
     const double height = area.bottom() - top;
@@ -239,7 +242,7 @@ double paintVariables(QPainter& painter, const QRectF& area, const NarratedStep&
                       const FigureColours& colours)
 {
     constexpr double row = 25;
-    double top = paintHeading(painter, area, tr("Variables"), colours);
+    double top = paintHeading(painter, area, SlidePanelsText::tr("Variables"), colours);
     const auto room = std::size_t(std::max(0.0, (area.bottom() - top) / row));
     const std::size_t all = narrated.variables.size();
     const auto rows = shown(narrated, all <= room ? all : std::max<std::size_t>(room, 1) - 1);
@@ -252,14 +255,15 @@ double paintVariables(QPainter& painter, const QRectF& area, const NarratedStep&
     painter.setFont(sized(slideFonts().body, smallText));
     painter.setPen(colours.muted);
     painter.drawText(QRectF(area.left(), top, area.width(), row), Qt::AlignLeft | Qt::AlignVCenter,
-                     tr("and %1 more").arg(all - rows.size()));
+                     SlidePanelsText::tr("and %1 more").arg(all - rows.size()));
     return top + row;
 }
 
 double paintOperations(QPainter& painter, const QRectF& area, const Narration& narration,
                        std::size_t step, const FigureColours& colours)
 {
-    const double top = paintHeading(painter, area, tr("Operations so far"), colours);
+    const double top =
+        paintHeading(painter, area, SlidePanelsText::tr("Operations so far"), colours);
     const QFont number = bold(sized(slideFonts().body, 1.2)),
                 small = sized(slideFonts().body, smallText);
     const QFontMetricsF large(number), words(small);
@@ -269,9 +273,10 @@ double paintOperations(QPainter& painter, const QRectF& area, const Narration& n
     };
     std::vector<Cell> cells;
     double used = 0;
-    for (const auto& [name, count] : operations()) {
+    for (const auto& [name, count] : panelOperations()) {
         Cell cell{countText(narration.steps[step].cost.*count),
-                  tr("of %1").arg(countText(narration.steps.back().cost.*count)), name, 0};
+                  SlidePanelsText::tr("of %1").arg(countText(narration.steps.back().cost.*count)),
+                  name, 0};
         cell.width =
             std::max(words.horizontalAdvance(name),
                      large.horizontalAdvance(cell.now) + 5 + words.horizontalAdvance(cell.of));

@@ -17,7 +17,9 @@ namespace app {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("TraceFile", text); }
+struct TraceFileText {
+    Q_DECLARE_TR_FUNCTIONS(TraceFile)
+};
 
 PaintedCaption captionOf(const TraceExport& trace, std::size_t step)
 {
@@ -71,15 +73,16 @@ std::span<const TraceFormat> traceFormats()
 {
     using Files = TraceFormat::Files;
     static const std::array all{
-        TraceFormat{"pdf", "pdf", tr("PDF document, one page for each step"), Files::One, true,
-                    pdf},
-        TraceFormat{"svg", "svg", tr("SVG drawings, one for each step"), Files::OneAStep, true,
-                    svg},
-        TraceFormat{"png", "png", tr("PNG pictures, one for each step"), Files::OneAStep, true,
-                    png},
-        TraceFormat{"gif", "gif", tr("Animated GIF picture"), Files::One, true, traceGif},
-        TraceFormat{"text", "txt", tr("Text"), Files::One, false, traceText},
-        TraceFormat{"json", "json", tr("JSON data"), Files::One, false, traceJson}};
+        TraceFormat{"pdf", "pdf", TraceFileText::tr("PDF document, one page for each step"),
+                    Files::One, true, pdf},
+        TraceFormat{"svg", "svg", TraceFileText::tr("SVG drawings, one for each step"),
+                    Files::OneAStep, true, svg},
+        TraceFormat{"png", "png", TraceFileText::tr("PNG pictures, one for each step"),
+                    Files::OneAStep, true, png},
+        TraceFormat{"gif", "gif", TraceFileText::tr("Animated GIF picture"), Files::One, true,
+                    traceGif},
+        TraceFormat{"text", "txt", TraceFileText::tr("Text"), Files::One, false, traceText},
+        TraceFormat{"json", "json", TraceFileText::tr("JSON data"), Files::One, false, traceJson}};
     return all;
 }
 
@@ -151,7 +154,7 @@ std::optional<QString> writeTrace(const QStringList& paths, std::span<const QByt
             return out.errorString() + u'.';
         });
         if (error)
-            return tr("Cannot write %1: %2").arg(path, *error);
+            return TraceFileText::tr("Cannot write %1: %2").arg(path, *error);
     }
     return std::nullopt;
 }

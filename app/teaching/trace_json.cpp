@@ -17,7 +17,7 @@ namespace app {
 namespace {
 
 /// A number as in all files of the program; NaN and infinity as words.
-QString number(double value)
+QString jsonNumber(double value)
 {
     if (std::isnan(value))
         return QStringLiteral("\"nan\"");
@@ -36,7 +36,8 @@ QString list(const QStringList& parts) { return u'[' + parts.join(QStringLiteral
 
 QString list(const clipping::Segment& s)
 {
-    return list(QStringList{number(s.a.x), number(s.a.y), number(s.b.x), number(s.b.y)});
+    return list(
+        QStringList{jsonNumber(s.a.x), jsonNumber(s.a.y), jsonNumber(s.b.x), jsonNumber(s.b.y)});
 }
 
 /// {"name": value, ...} in the given order.
@@ -73,7 +74,7 @@ QString valueOf(double value, clipping::ValueKind kind)
 {
     if (kind == clipping::ValueKind::Truth)
         return value != 0 ? QStringLiteral("true") : QStringLiteral("false");
-    return number(value);
+    return jsonNumber(value);
 }
 
 QString variablesOf(const NarratedStep& narrated)
@@ -105,20 +106,21 @@ QString stepOf(const NarratedStep& narrated, std::size_t step)
         return is ? QStringLiteral("true") : QStringLiteral("false");
     };
     return QStringLiteral("    ")
-           + object({{"step", QString::number(step + 1)},
-                     {"line",
-                      narrated.line > 0 ? QString::number(narrated.line) : QStringLiteral("null")},
-                     {"mark", markKey(narrated.mark)},
-                     {"sentence", quoted(narrated.sentence)},
-                     {"answer", narrated.answer ? truth(*narrated.answer) : QStringLiteral("null")},
-                     {"edge", narrated.polygonEdge ? QString::number(narrated.polygonEdge)
-                                                   : edgeKey(narrated.edge)},
-                     {"left", list(narrated.left)},
-                     {"candidate", candidate ? list({number(candidate->x), number(candidate->y)})
-                                             : QStringLiteral("null")},
-                     {"variables", variablesOf(narrated)},
-                     {"operations", operationsOf(narrated.cost)}},
-                    QStringLiteral("    "));
+           + object(
+               {{"step", QString::number(step + 1)},
+                {"line",
+                 narrated.line > 0 ? QString::number(narrated.line) : QStringLiteral("null")},
+                {"mark", markKey(narrated.mark)},
+                {"sentence", quoted(narrated.sentence)},
+                {"answer", narrated.answer ? truth(*narrated.answer) : QStringLiteral("null")},
+                {"edge", narrated.polygonEdge ? QString::number(narrated.polygonEdge)
+                                              : edgeKey(narrated.edge)},
+                {"left", list(narrated.left)},
+                {"candidate", candidate ? list({jsonNumber(candidate->x), jsonNumber(candidate->y)})
+                                        : QStringLiteral("null")},
+                {"variables", variablesOf(narrated)},
+                {"operations", operationsOf(narrated.cost)}},
+               QStringLiteral("    "));
 }
 
 QString outcomeKey(clipping::Outcome outcome)
@@ -142,7 +144,7 @@ QString windowOf(const TracedLine& tracedLine)
     const QString box = list(clipping::Segment{tracedLine.window.min, tracedLine.window.max});
     QStringList corners;
     for (const Point& corner : tracedLine.corners)
-        corners << list({number(corner.x), number(corner.y)});
+        corners << list({jsonNumber(corner.x), jsonNumber(corner.y)});
     return corners.isEmpty() ? box : box + QStringLiteral(",\n  \"corners\": ") + list(corners);
 }
 

@@ -10,7 +10,9 @@ namespace app {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("TraceFile", text); }
+struct TraceTextWords {
+    Q_DECLARE_TR_FUNCTIONS(TraceFile)
+};
 
 QString pair(const Point& point)
 {
@@ -28,7 +30,7 @@ QString changes(const NarratedStep& narrated)
         if (variable.before) {
             Variable before = variable;
             before.value = *variable.before;
-            word += tr(" (was %1)").arg(valueText(before));
+            word += TraceTextWords::tr(" (was %1)").arg(valueText(before));
         }
         words << word;
     }
@@ -37,14 +39,14 @@ QString changes(const NarratedStep& narrated)
 
 QString operations(const clipping::OperationCounts& cost)
 {
-    return tr("comparisons %1, additions %2, multiplications %3, divisions %4")
+    return TraceTextWords::tr("comparisons %1, additions %2, multiplications %3, divisions %4")
         .arg(cost.comparisons)
         .arg(cost.additions)
         .arg(cost.multiplications)
         .arg(cost.divisions);
 }
 
-QString stepText(const TraceExport& trace, std::size_t step)
+QString traceStepText(const TraceExport& trace, std::size_t step)
 {
     const Narration& narration = trace.narration;
     const NarratedStep& narrated = narration.steps[step];
@@ -52,7 +54,7 @@ QString stepText(const TraceExport& trace, std::size_t step)
     QString text = QString::number(step + 1).rightJustified(3) + QStringLiteral("  ")
                    + narrated.sentence + u'\n';
     if (narrated.line >= 1 && narrated.line <= narration.code.size())
-        text += indent + tr("line %1: ").arg(narrated.line)
+        text += indent + TraceTextWords::tr("line %1: ").arg(narrated.line)
                 + narration.code[narrated.line - 1].trimmed() + u'\n';
     if (const QString changed = changes(narrated); !changed.isEmpty())
         text += indent + changed + u'\n';
@@ -62,23 +64,26 @@ QString stepText(const TraceExport& trace, std::size_t step)
 QString endText(const Narration& narration)
 {
     if (narration.visible)
-        return tr("Visible: %1 to %2").arg(pair(narration.visible->a), pair(narration.visible->b));
+        return TraceTextWords::tr("Visible: %1 to %2")
+            .arg(pair(narration.visible->a), pair(narration.visible->b));
     return narration.outcome == clipping::Outcome::DidNotEnd
-               ? tr("The algorithm did not end and was stopped: nothing is visible.")
-               : tr("Nothing is visible.");
+               ? TraceTextWords::tr(
+                   "The algorithm did not end and was stopped: nothing is visible.")
+               : TraceTextWords::tr("Nothing is visible.");
 }
 
 QString windowText(const TracedLine& tracedLine)
 {
-    const QString y = tracedLine.y == YAxis::Up ? tr("up") : tr("down");
+    const QString y =
+        tracedLine.y == YAxis::Up ? TraceTextWords::tr("up") : TraceTextWords::tr("down");
     if (tracedLine.corners.empty())
-        return (tracedLine.windowIsPage ? tr("Page:    %1 to %2, y grows %3\n\n")
-                                        : tr("Window:  %1 to %2, y grows %3\n\n"))
+        return (tracedLine.windowIsPage ? TraceTextWords::tr("Page:    %1 to %2, y grows %3\n\n")
+                                        : TraceTextWords::tr("Window:  %1 to %2, y grows %3\n\n"))
             .arg(pair(tracedLine.window.min), pair(tracedLine.window.max), y);
     QStringList corners;
     for (const Point& corner : tracedLine.corners)
         corners << pair(corner);
-    return tr("Window:  %1; edge 1 begins at the first corner, y grows %2\n\n")
+    return TraceTextWords::tr("Window:  %1; edge 1 begins at the first corner, y grows %2\n\n")
         .arg(corners.join(QStringLiteral("; ")), y);
 }
 
@@ -88,12 +93,13 @@ QByteArray traceText(const TraceExport& trace, std::span<const std::size_t> step
 {
     const TracedLine& tracedLine = trace.tracedLine;
     QString text = titleOf(tracedLine.variant) + u'\n';
-    text += tr("Line:    %1 to %2\n").arg(pair(tracedLine.line.a), pair(tracedLine.line.b));
+    text += TraceTextWords::tr("Line:    %1 to %2\n")
+                .arg(pair(tracedLine.line.a), pair(tracedLine.line.b));
     text += windowText(tracedLine);
     if (trace.narration.steps.empty())
         return (text + trace.narration.refusal + u'\n').toUtf8();
     for (const std::size_t step : steps)
-        text += stepText(trace, step) + u'\n';
+        text += traceStepText(trace, step) + u'\n';
     return (text + endText(trace.narration) + u'\n').toUtf8();
 }
 

@@ -10,22 +10,23 @@ namespace app {
 
 namespace {
 
-using enum ValueUnit;
-
 /// The usual units: of names that several algorithms use with the same meaning.
-constexpr auto common = std::to_array<VariableUnit>({
-    {"t", Bare},
-    {"dx", Length},
-    {"dy", Length},
-    {"rise", Length},
-    {"run", Length},
-    {"x", X},
-    {"y", Y},
-    {"xi", X},
-    {"yi", Y},
-    {"xo", X},
-    {"yo", Y},
-});
+constexpr auto usualUnits = [] {
+    using enum ValueUnit;
+    return std::to_array<VariableUnit>({
+        {"t", Bare},
+        {"dx", Length},
+        {"dy", Length},
+        {"rise", Length},
+        {"run", Length},
+        {"x", X},
+        {"y", Y},
+        {"xi", X},
+        {"yi", Y},
+        {"xo", X},
+        {"yo", Y},
+    });
+}();
 
 } // namespace
 
@@ -35,7 +36,7 @@ std::optional<ValueUnit> unitOfValue(const Variant& variant, std::string_view na
     const bool isPublished = variant.form == clipping::Form::Published;
     for (const std::span<const VariableUnit> all :
          {isPublished ? row.published : std::span<const VariableUnit>(), row.variables,
-          std::span<const VariableUnit>(common)})
+          std::span<const VariableUnit>(usualUnits)})
         if (const auto found = std::ranges::find(all, name, &VariableUnit::name);
             found != all.end())
             return found->unit;

@@ -13,7 +13,7 @@
 namespace app {
 namespace {
 
-constexpr double thin = 0.25; // millimetres
+constexpr double markWidth = 0.25; // millimetres
 
 class Marks {
 public:
@@ -22,7 +22,7 @@ public:
           margin_(margin * unit_), arm_(std::min(margin * 0.4, 3.0) * unit_)
     {
         style_.stroke = Colour{};
-        style_.width = thin * unit_;
+        style_.width = markWidth * unit_;
     }
 
     std::vector<Object> take() { return std::move(objects_); }

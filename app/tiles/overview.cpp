@@ -12,7 +12,7 @@
 namespace app {
 namespace {
 
-constexpr double thin = 0.35, tallest = 12; // millimetres on the overview
+constexpr double thinLine = 0.35, tallest = 12; // millimetres on the overview
 
 /// Lines of one width in millimetres.
 class Grid {
@@ -20,7 +20,7 @@ public:
     explicit Grid(double millimetresPerUnit) : unit_(1 / millimetresPerUnit)
     {
         style_.stroke = Colour{};
-        style_.width = thin * unit_;
+        style_.width = thinLine * unit_;
     }
 
     void addEdges(const clipping::Window& w)

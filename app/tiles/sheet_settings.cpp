@@ -4,14 +4,12 @@
 #include "app/base/latin.h"
 #include "app/base/numbers.h"
 #include "app/tiles/papers.h"
+#include "app/tiles/translated.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 
 namespace app {
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("Tiles", text); }
 
 constexpr std::string_view manyPages = "pdf";
 
@@ -30,8 +28,10 @@ TilePlan planOf(const SheetSettings& settings)
 QString paperText(const SheetSettings& settings, const Tiling& tiling)
 {
     if (settings.byNumber)
-        return tr("%1 × %2 mm").arg(numberText(tiling.sheet.x, 0), numberText(tiling.sheet.y, 0));
-    return (settings.landscape ? tr("%1 landscape") : tr("%1 portrait")).arg(settings.paper);
+        return Tiles::tr("%1 × %2 mm")
+            .arg(numberText(tiling.sheet.x, 0), numberText(tiling.sheet.y, 0));
+    return (settings.landscape ? Tiles::tr("%1 landscape") : Tiles::tr("%1 portrait"))
+        .arg(settings.paper);
 }
 
 QString patternOf(const SheetSettings& settings, const QString& title)
@@ -51,17 +51,18 @@ Result<SheetSettings> withName(SheetSettings settings, const QString& typed, con
     using Refused = Result<SheetSettings>;
     QString name = typed.trimmed();
     if (name.contains(u'/'))
-        return Refused::failure(tr("A name must not contain “/”. The folder is chosen later."));
+        return Refused::failure(
+            Tiles::tr("A name must not contain “/”. The folder is chosen later."));
     if (const Format* format = formatOfFile(name); format && format->write) {
         name.chop(QFileInfo(name).suffix().size() + 1);
         if (settings.format != format->key)
             settings = withFormat(std::move(settings), *format);
     }
     if (nameWithoutNumbers(name).isEmpty() && (settings.oneFile || name.isEmpty()))
-        return Refused::failure(tr("Type a name for the files."));
+        return Refused::failure(Tiles::tr("Type a name for the files."));
     if (!settings.oneFile && !namesEverySheet(name, tiling))
-        return Refused::failure(
-            tr("Each sheet needs a name of its own: put {row} and {column}, or {n}, into it."));
+        return Refused::failure(Tiles::tr(
+            "Each sheet needs a name of its own: put {row} and {column}, or {n}, into it."));
     settings.name = name;
     return Refused::of(std::move(settings));
 }

@@ -7,8 +7,8 @@
 #include "app/formats/pdf/writer.h"
 #include "app/tiles/marks.h"
 #include "app/tiles/overview.h"
+#include "app/tiles/translated.h"
 
-#include <QCoreApplication>
 #include <QElapsedTimer>
 
 #include <algorithm>
@@ -16,11 +16,9 @@
 namespace app {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Tiles", text); }
-
 void addMarks(Document& sheet, const std::vector<Object>& marks)
 {
-    auto [tree, layer] = withLayerAbove(sheet, tr("Sheet marks"));
+    auto [tree, layer] = withLayerAbove(sheet, Tiles::tr("Sheet marks"));
     sheet.apply({.containers = std::move(tree)});
     Objects objects = sheet.objects().slice(0, 0);
     for (const Object& mark : marks)
@@ -75,7 +73,7 @@ private:
 
 QString cancelled(std::size_t done, std::size_t all)
 {
-    return tr("The export was cancelled after %1 of %2 sheets.").arg(done).arg(all);
+    return Tiles::tr("The export was cancelled after %1 of %2 sheets.").arg(done).arg(all);
 }
 
 std::optional<QString> writePages(const Sheets& sheets, const QString& path,
@@ -93,11 +91,11 @@ std::optional<QString> writePages(const Sheets& sheets, const QString& path,
                 return follower.stop.stop_requested() ? Document() : pageOf(sheets, pages[number]);
             },
             out, options);
-        return follower.stop.stop_requested() ? tr("the export was cancelled.") : failed;
+        return follower.stop.stop_requested() ? Tiles::tr("the export was cancelled.") : failed;
     });
     if (error && follower.stop.stop_requested())
-        return tr("The export was cancelled; %1 is as it was before.").arg(path);
-    return error ? std::optional(tr("Cannot write %1: %2").arg(path, *error)) : std::nullopt;
+        return Tiles::tr("The export was cancelled; %1 is as it was before.").arg(path);
+    return error ? std::optional(Tiles::tr("Cannot write %1: %2").arg(path, *error)) : std::nullopt;
 }
 
 } // namespace
@@ -139,8 +137,9 @@ std::optional<QString> writeSheets(const Sheets& sheets, const QString& pattern,
     if (!namesEverySheet(pattern, sheets.tiling)) {
         if (format.key == "pdf")
             return writePages(sheets, pattern, options, follower);
-        return tr("%1 is one name for %2 sheets. Put {row} and {column}, or {n}, into it; only a "
-                  "PDF file holds them all.")
+        return Tiles::tr(
+                   "%1 is one name for %2 sheets. Put {row} and {column}, or {n}, into it; only a "
+                   "PDF file holds them all.")
             .arg(pattern)
             .arg(sheets.count());
     }

@@ -39,7 +39,7 @@ QPainterPath disc()
     return path;
 }
 
-QPainterPath cross(double turn)
+QPainterPath crossShape(double turn)
 {
     QPainterPath one, other;
     one.addRect(-0.32, -0.95, 0.64, 1.9);
@@ -87,9 +87,9 @@ std::span<const OwnMark> ownMarks()
         OwnMark{"CB", 0x005756, 0x0EC676, polygon(4, 0)},
         OwnMark{"NLN", 0x4C965C, 0xB6FD88, polygon(3, 0)},
         OwnMark{"Skala", 0xB07A00, 0xCAD30E, polygon(3, half)},
-        OwnMark{"KWC", 0x965C87, 0xFFA3BB, cross(0)},
+        OwnMark{"KWC", 0x965C87, 0xFFA3BB, crossShape(0)},
         OwnMark{"MD", 0x590251, 0xBA5686, polygon(6, half / 6)},
-        OwnMark{"SPY", 0x8348FA, 0x865EE6, cross(45)},
+        OwnMark{"SPY", 0x8348FA, 0x865EE6, crossShape(45)},
         OwnMark{"SB", 0x545ABA, 0xC684B5, arch()},
         OwnMark{"WN", 0x676F48, 0x93AC00, polygon(5, 0)},
         OwnMark{"MS", 0x7C3908, 0x968A38, bar()},

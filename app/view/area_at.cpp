@@ -6,9 +6,9 @@
 namespace app {
 namespace {
 
-class Search {
+class AreaSearch {
 public:
-    Search(const Document& document, const SceneLines& lines, const Point& point)
+    AreaSearch(const Document& document, const SceneLines& lines, const Point& point)
         : document_(document), lines_(lines), p_(point)
     {
     }
@@ -91,7 +91,7 @@ private:
 std::optional<std::size_t> areaAt(const Document& document, const SceneLines& lines,
                                   const Point& point)
 {
-    return Search(document, lines, point).uppermost();
+    return AreaSearch(document, lines, point).uppermost();
 }
 
 } // namespace app

@@ -30,7 +30,7 @@ double distance(const Point& point, const clipping::Segment& s)
 }
 
 // Segments that are not finite are near nothing.
-static bool isFinite(const clipping::Segment& s)
+static bool hasFiniteEnds(const clipping::Segment& s)
 {
     const Point zero = (s.a - s.a) + (s.b - s.b);
     return zero == Point(0);
@@ -114,7 +114,7 @@ void BlockGrid::lay(std::span<const clipping::Segment> segments)
 {
     std::optional<clipping::Window> all;
     for (const auto& s : segments) {
-        if (!isFinite(s))
+        if (!hasFiniteEnds(s))
             continue;
         const Point min = glm::min(s.a, s.b), max = glm::max(s.a, s.b);
         all = all ? clipping::Window{glm::min(all->min, min), glm::max(all->max, max)}
@@ -125,7 +125,7 @@ void BlockGrid::lay(std::span<const clipping::Segment> segments)
     const auto& [min, max] = *all;
     Point share(0); // the sum of all segments as shares of the total width and height
     for (const auto& s : segments)
-        if (isFinite(s))
+        if (hasFiniteEnds(s))
             share += glm::abs(s.b - s.a) / glm::max(max - min, Point(1e-12));
     const auto count = double(segments.size());
     const double crossed = mostCellsCrossed * count / std::max(share.x + share.y, 1.0);
@@ -150,7 +150,7 @@ BlockGrid::Cells BlockGrid::cellsOf(const Point& min, const Point& max) const
 template <class Visit>
 void BlockGrid::visit(const clipping::Segment& s, const Visit& cell) const
 {
-    if (!isFinite(s))
+    if (!hasFiniteEnds(s))
         return;
     const Cells all = cellsOf(glm::min(s.a, s.b), glm::max(s.a, s.b));
     const Point along = s.b - s.a;

@@ -32,6 +32,9 @@ private:
         sums_; ///< in each pixel, how much its cover differs from its left neighbour's
 };
 
+/// QPainter is fast for fewer points than these, whatever they cross.
+constexpr std::size_t fewPoints = 128;
+
 /// Whether this summation takes less time than QPainter for an area whose edges rise and fall by
 /// `height` device pixels in total.
 bool worthSumming(double height, const QRect& pixels);

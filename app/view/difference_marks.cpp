@@ -19,7 +19,7 @@ constexpr double leastWidth = 2.25, thicker = 1.5; // pixels
 constexpr double leastGraded = 1;                  // pixels; every line is at least this wide, so
                                                    // none stands out
 constexpr double tickLength = 8;                   // pixels
-constexpr double tooShort = 6, withRoom = 16;      // pixels; a shorter piece is too short to be
+constexpr double tooShort = 6, roomForTick = 16;   // pixels; a shorter piece is too short to be
                                                    // seen, or to have room for a tick among many
 constexpr std::size_t severalPieces = 300; // in the view; ticks on all of them hide everything else
 
@@ -48,7 +48,7 @@ std::optional<Segment> tickOf(const Segment& piece, const PictureOptions& option
     const double length = glm::length(along), pixels = length * options.view.zoom;
     const bool isShort = pixels < tooShort;
     const bool wanted = isShort || options.ticks == Ticks::Everywhere;
-    if (!wanted || (!few && pixels < withRoom))
+    if (!wanted || (!few && pixels < roomForTick))
         return std::nullopt;
     const Point across = length > 0 ? Point(-along.y, along.x) / length : Point(0.6, 0.8);
     const Point half = across * (tickLength / 2 / options.view.zoom);
@@ -132,21 +132,6 @@ void addMarks(DrawListBuilder& builder, LineStyles& styles, const Thickness& thi
     paint(width);
 }
 
-void append(DrawList& to, DrawList drawList)
-{
-    const auto polylines = std::uint32_t(to.polylines.size()),
-               points = std::uint32_t(to.points.size());
-    for (DrawCommand& command : drawList.commands) {
-        command.firstPolyline += polylines;
-        to.commands.push_back(command);
-    }
-    for (Polyline& polyline : drawList.polylines) {
-        polyline.first += points;
-        to.polylines.push_back(polyline);
-    }
-    to.points.insert(to.points.end(), drawList.points.begin(), drawList.points.end());
-}
-
 DrawList gradedMarks(LineStyles& styles, const PictureOptions& options)
 {
     PictureOptions asTheyAre = options; // keep the given colours, which are chosen for the page
@@ -179,7 +164,7 @@ DrawList differenceMarks(const StyleTable& styles, const SceneLines& lines,
     if (options.graded.empty())
         return builder.take();
     DrawList drawList = gradedMarks(lineStyles, options);
-    append(drawList, builder.take());
+    drawList.append(builder.take());
     return drawList;
 }
 

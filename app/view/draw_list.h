@@ -52,6 +52,21 @@ struct DrawList {
     {
         return std::span(points).subspan(polyline.first, polyline.count);
     }
+    /// Draws these above the others.
+    void append(const DrawList& above)
+    {
+        const auto before = std::uint32_t(polylines.size());
+        const auto pointsBefore = std::uint32_t(points.size());
+        for (DrawCommand command : above.commands) {
+            command.firstPolyline += before;
+            commands.push_back(command);
+        }
+        for (Polyline polyline : above.polylines) {
+            polyline.first += pointsBefore;
+            polylines.push_back(polyline);
+        }
+        points.insert(points.end(), above.points.begin(), above.points.end());
+    }
 };
 
 } // namespace app

@@ -13,7 +13,7 @@
 namespace app {
 namespace {
 
-bool contains(const clipping::Window& w, const Point& p)
+bool containsPoint(const clipping::Window& w, const Point& p)
 {
     return p.x >= w.min.x && p.x <= w.max.x && p.y >= w.min.y && p.y <= w.max.y;
 }
@@ -31,7 +31,7 @@ bool isWhole(std::span<const clipping::Segment> whole, std::span<const clipping:
            && std::ranges::all_of(pieces, [](const auto& piece) { return piece.cut == 0; });
 }
 
-clipping::Window withRoom(const clipping::Window& view, const Point& room)
+clipping::Window withMargin(const clipping::Window& view, const Point& room)
 {
     return {view.min - room, view.max + room};
 }
@@ -51,7 +51,7 @@ DrawListBuilder::DrawListBuilder(const PictureOptions& options, std::size_t expe
     : options_(options)
 {
     const clipping::Window view = options_.view.visible();
-    filled_ = withRoom(view, (view.max - view.min) * 0.01);
+    filled_ = withMargin(view, (view.max - view.min) * 0.01);
     drawList_.points.reserve(2 * expectedPieces);
     drawList_.polylines.reserve(expectedPieces);
 }
@@ -89,7 +89,8 @@ void DrawListBuilder::setStyle(const Style& style)
                     style.join, style.miterLimit};
     const double sharp =
         strokeStyle_.join == Join::Miter ? std::max(1.0, strokeStyle_.miterLimit) : 1.5;
-    seen_ = withRoom(options_.view.visible(), Point((0.5 * strokeStyle_.width * sharp + 2) / zoom));
+    seen_ =
+        withMargin(options_.view.visible(), Point((0.5 * strokeStyle_.width * sharp + 2) / zoom));
 }
 
 void DrawListBuilder::fill(const Outline& whole)
@@ -156,7 +157,7 @@ std::optional<SeenPart> DrawListBuilder::partSeen(const clipping::Clipped& piece
         return std::nullopt;
     SeenPart part{s, clipping::cutEdgeOfA(piece.cut) != clipping::Edge::NoEdge,
                   clipping::cutEdgeOfB(piece.cut) != clipping::Edge::NoEdge};
-    if (contains(seen_, s.a) && contains(seen_, s.b))
+    if (containsPoint(seen_, s.a) && containsPoint(seen_, s.b))
         return part;
     const auto visible = clipToView(s, seen_);
     if (!visible)

@@ -14,13 +14,13 @@ namespace {
 
 constexpr std::size_t pieceLength = 64; // points
 constexpr double longEnough = 2;        // in stroke widths: such segments are divided invisibly
-constexpr double finer = 2;             // Qt flattens joins this much finer for QPainter
+constexpr double finerJoins = 2;        // Qt flattens joins this much finer for QPainter
 
 class Outliner {
 public:
     Outliner(const StrokeStyle& strokeStyle, const QTransform& toDevice, const VisitContour& visit)
         : least_(longEnough * strokeStyle.width),
-          toFiner_(toDevice * QTransform::fromScale(finer, finer)), visit_(visit)
+          toFiner_(toDevice * QTransform::fromScale(finerJoins, finerJoins)), visit_(visit)
     {
         stroker_.setWidth(strokeStyle.width);
         stroker_.setMiterLimit(strokeStyle.miterLimit);
@@ -102,7 +102,7 @@ private:
         for (QPolygonF& contour : path.toSubpathPolygons(toFiner_)) {
             prepare(contour);
             for (QPointF& p : contour)
-                p /= finer;
+                p /= finerJoins;
             visit_(contour);
         }
     }

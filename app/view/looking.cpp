@@ -16,7 +16,7 @@ constexpr double longPieceOfView = 0.8;   // the same, for one longer than the c
 
 double longest(const clipping::Window& w) { return std::max(w.max.x - w.min.x, w.max.y - w.min.y); }
 
-bool contains(const clipping::Window& all, const clipping::Window& part)
+bool containsWindow(const clipping::Window& all, const clipping::Window& part)
 {
     return all.min.x <= part.min.x && all.min.y <= part.min.y && part.max.x <= all.max.x
            && part.max.y <= all.max.y;
@@ -39,7 +39,7 @@ View lookingAt(const View& view, const clipping::Window& piece, const clipping::
     View to = view;
     const double pixels = longest(piece) * view.zoom;
     const bool fits = pixels <= longPieceOfView * std::min(view.size.x, view.size.y);
-    if (pixels >= wellSeen && contains(view.visible(), piece))
+    if (pixels >= wellSeen && containsWindow(view.visible(), piece))
         return view;
     const double zoom = zoomFor(view, longest(piece), longest(clipWindow));
     if (!fits)

@@ -50,9 +50,9 @@ private:
 };
 
 template <class Rule>
-class Search {
+class RectangleSearch {
 public:
-    Search(const SceneLines& lines, const Window& rectangle)
+    RectangleSearch(const SceneLines& lines, const Window& rectangle)
         : lines_(lines), rectangle_(rectangle), rule_(rectangle)
     {
     }
@@ -129,12 +129,12 @@ private:
 
 ObjectRanges objectsWithin(const SceneLines& lines, const Window& rectangle)
 {
-    return Search<Within>(lines, rectangle).objects();
+    return RectangleSearch<Within>(lines, rectangle).objects();
 }
 
 ObjectRanges objectsTouching(const SceneLines& lines, const Window& rectangle)
 {
-    return Search<Touching>(lines, rectangle).objects();
+    return RectangleSearch<Touching>(lines, rectangle).objects();
 }
 
 } // namespace app

@@ -7,26 +7,26 @@ namespace app {
 
 namespace {
 
-struct Grid {
+struct PaneCells {
     int columns, rows;
 };
 
 int length(int whole, int parts) { return std::max(0, (whole - (parts - 1) * paneGap) / parts); }
 
-QSize cellSize(const QSize& area, const Grid& grid)
+QSize cellSize(const QSize& area, const PaneCells& grid)
 {
     return {length(area.width(), grid.columns), length(area.height(), grid.rows)};
 }
 
-Grid gridFor(const QSize& area, int count, double breadth)
+PaneCells gridFor(const QSize& area, int count, double breadth)
 {
-    const auto drawingHeight = [&](const Grid& grid) {
+    const auto drawingHeight = [&](const PaneCells& grid) {
         const QSize cell = cellSize(area, grid);
         return std::min(cell.width() / breadth, double(cell.height() - paneHeading));
     };
-    Grid best{1, count};
+    PaneCells best{1, count};
     for (int columns = 2; columns <= count; ++columns)
-        if (const Grid grid{columns, (count + columns - 1) / columns};
+        if (const PaneCells grid{columns, (count + columns - 1) / columns};
             drawingHeight(grid) > drawingHeight(best))
             best = grid;
     return best;
@@ -52,7 +52,7 @@ bool hasRoom(const QSize& area, int count, double breadth)
 
 std::vector<QRect> paneCells(const QSize& area, int count, double breadth)
 {
-    const Grid grid = gridFor(area, count, breadth);
+    const PaneCells grid = gridFor(area, count, breadth);
     const QSize size = cellSize(area, grid);
     std::vector<QRect> cells;
     cells.reserve(std::size_t(count));

@@ -108,27 +108,12 @@ private:
     Style style_;
 };
 
-void append(DrawList& below, const DrawList& above)
-{
-    const auto polylines = std::uint32_t(below.polylines.size());
-    const auto points = std::uint32_t(below.points.size());
-    for (DrawCommand command : above.commands) {
-        command.firstPolyline += polylines;
-        below.commands.push_back(command);
-    }
-    for (Polyline polyline : above.polylines) {
-        polyline.first += points;
-        below.polylines.push_back(polyline);
-    }
-    below.points.insert(below.points.end(), above.points.begin(), above.points.end());
-}
-
 DrawList selected(const StyleTable& styles, const SceneLines& lines, const PictureOptions& options)
 {
     if (!outlines(lines, options.selection))
         return {};
     DrawList bands = BandPainter(styles, lines, options, options.light, outlined).drawList();
-    append(bands, BandPainter(styles, lines, options, options.paper, band).drawList());
+    bands.append(BandPainter(styles, lines, options, options.paper, band).drawList());
     return bands;
 }
 

@@ -10,8 +10,8 @@
 
 namespace app {
 
-constexpr double closest = 0.25;        // pixels between the points of a polyline
-constexpr double shortestPattern = 1.5; // pixels; finer dashes are drawn solid
+constexpr double closest = 0.25;             // pixels between the points of a polyline
+constexpr double shortestDrawnPattern = 1.5; // pixels; finer dashes are drawn solid
 constexpr std::size_t recentPolylines = 4096;
 
 PolylineBuilder::PolylineBuilder(DrawList& drawList, const View& view)
@@ -63,7 +63,7 @@ void PolylineBuilder::finishDashed()
 {
     const std::vector<QPointF> line(drawList_.points.begin() + openAt_, drawList_.points.end());
     drawList_.points.resize(openAt_);
-    const auto all = dashes(line, pattern_, open_->phase * view_.zoom, shortestPattern);
+    const auto all = dashes(line, pattern_, open_->phase * view_.zoom, shortestDrawnPattern);
     for (const auto& dash : all) {
         const auto first = std::uint32_t(drawList_.points.size());
         drawList_.points.insert(drawList_.points.end(), dash.begin(), dash.end());

@@ -19,8 +19,7 @@ namespace {
 // caps. With round caps it must build outlines, which takes ten times as long.
 constexpr double roundEndsShow = 3; // device pixels; round caps are visible from this width on
 constexpr qsizetype batch = 1024;
-constexpr std::size_t fewPoints = 128; // QPainter is fast for fewer, whatever they cross
-constexpr std::size_t stretch = 64;    // points of a long thin polyline painted at a time
+constexpr std::size_t stretch = 64; // points of a long thin polyline painted at a time
 
 QColor qColor(const Colour& c) { return QColor(c.red, c.green, c.blue, c.alpha); }
 

@@ -14,7 +14,7 @@ constexpr std::array<QRgb, 5> onDark{0x27345A, 0x2D6389, 0x419AA6, 0x8ACCB0, 0xF
 
 int between(int from, int to, double share) { return int(std::lround(from + (to - from) * share)); }
 
-double luminance(const QColor& colour)
+double relativeLuminance(const QColor& colour)
 {
     const auto linear = [](double x) {
         return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
@@ -39,7 +39,7 @@ QColor sequentialColour(double share, Ground ground)
 QColor readableOn(const QColor& colour)
 {
     constexpr double even = 0.179; // luminance at which black and white have equal contrast (WCAG)
-    return luminance(colour) > even ? QColor(0x1B1E23) : QColor(Qt::white);
+    return relativeLuminance(colour) > even ? QColor(0x1B1E23) : QColor(Qt::white);
 }
 
 } // namespace app

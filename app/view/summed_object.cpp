@@ -16,11 +16,10 @@
 namespace app {
 namespace {
 
-constexpr std::size_t fewPoints = 128;  // QPainter is fast for fewer, whatever they cross
-constexpr double shortestPattern = 0.1; // device pixels; finer dashes look like plain grey
-constexpr double mostDashes = 1e7;      // in a path; a path with more is mostly off the page
-constexpr double finer = 4;             // how much finer than Qt curves are flattened
-constexpr int pixelsAtATime = 1 << 24;  // these use 128 MB
+constexpr double shortestSummedPattern = 0.1; // device pixels; finer dashes look like plain grey
+constexpr double mostDashes = 1e7;            // in a path; a path with more is mostly off the page
+constexpr double finerCurves = 4;             // how much finer than Qt curves are flattened
+constexpr int pixelsAtATime = 1 << 24;        // these use 128 MB
 
 struct FlatSubpath {
     QPolygonF points; ///< device pixels
@@ -29,8 +28,8 @@ struct FlatSubpath {
 
 std::vector<FlatSubpath> flatSubpathsOf(const Path& path, const QTransform& toDevice)
 {
-    const QTransform toFiner = toDevice * QTransform::fromScale(finer, finer);
-    const QTransform back = QTransform::fromScale(1 / finer, 1 / finer);
+    const QTransform toFiner = toDevice * QTransform::fromScale(finerCurves, finerCurves);
+    const QTransform back = QTransform::fromScale(1 / finerCurves, 1 / finerCurves);
     std::vector<FlatSubpath> subpaths;
     for (const Subpath& subpath : path.subpaths()) {
         const QPainterPath alone = painterPath({&subpath, 1}, FillRule::NonZero);
@@ -81,7 +80,7 @@ std::optional<std::vector<FlatSubpath>> drawnParts(std::vector<FlatSubpath> subp
                                                    const Style& style, double scale)
 {
     const double period = scale * std::accumulate(style.dashes.begin(), style.dashes.end(), 0.0);
-    if (!(period >= shortestPattern))
+    if (!(period >= shortestSummedPattern))
         return subpaths;
     std::vector<double> pattern = style.dashes;
     for (double& length : pattern)

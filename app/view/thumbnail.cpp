@@ -15,13 +15,13 @@ namespace app {
 
 namespace {
 
-constexpr double margin = 4, outline = 1.5; // points
+constexpr double margin = 4, outlineWidth = 1.5; // points
 
 /// Lets the page fill the picture around the clip window, but keeps the whole window visible.
 void cover(View& view, const Page& page, const clipping::Window& window)
 {
     const double filling = std::max(view.size.x / page.size.x, view.size.y / page.size.y);
-    view.fit(window, margin + outline);
+    view.fit(window, margin + outlineWidth);
     if (!(view.zoom < filling) || window.max == window.min)
         view.zoom = filling;
     const Point half = view.size / view.zoom * 0.5, middle = page.min + page.size * 0.5;
@@ -60,7 +60,7 @@ QImage thumbnail(const Document& document, const QSize& points, double pixelRati
     QPainter painter(&image);
     painter.drawImage(QRect({}, pixels), art);
     painter.scale(pixelRatio, pixelRatio);
-    painter.setPen(QPen(colours.accent, outline));
+    painter.setPen(QPen(colours.accent, outlineWidth));
     const Point a = view.toScreen(window.min), b = view.toScreen(window.max);
     if (!shown.isPage)
         painter.drawRect(QRectF(QPointF(a.x, a.y), QPointF(b.x, b.y)));

@@ -18,7 +18,7 @@ using app::OverlayLine;
 using app::OverlayMark;
 
 constexpr double hatchSpacing = 9, tickSpacing = 9, tick = 6; // pixels
-constexpr double markRadius = 4, signRadius = 8, gap = 6;
+constexpr double markRadius = 4, signRadius = 8, besideMark = 6;
 
 class Painting {
 public:
@@ -79,7 +79,7 @@ public:
         const QPointF at = ground_.onScreen(mark.at);
         const QSizeF size = sizeOf(mark.label);
         if (!mark.label.isEmpty() && ground_.room.contains(at))
-            if (const auto place = places_.first(app::placesBeside(at, size, gap)))
+            if (const auto place = places_.first(app::placesBeside(at, size, besideMark)))
                 text(*place, mark.label, mark.emphasis);
     }
     void labelOf(const OverlayLine& line)

@@ -2,6 +2,7 @@
 #include "app/view/picture.h"
 #include "ui/canvas/controller.h"
 #include "ui/canvas/window_overlay.h"
+#include "ui/widgets/swatch.h"
 
 #include <algorithm>
 
@@ -13,11 +14,6 @@ using namespace std::chrono_literals;
 
 // With what else is painted, a turn of the event loop stays below 8 ms.
 constexpr auto mostWaiting = 5ms;
-
-static app::Colour colourOf(const QColor& c)
-{
-    return {std::uint8_t(c.red()), std::uint8_t(c.green()), std::uint8_t(c.blue())};
-}
 
 QColor Controller::pageColour() const { return paperLook_.paper; }
 
@@ -50,7 +46,7 @@ void Controller::addErrors(app::FrameWish& wish) const
     const app::Ground ground = paperLook_.dark ? app::Ground::Dark : app::Ground::Light;
     for (std::size_t row = 0; row + 1 < pieces.size(); ++row)
         wish.graded.push_back(
-            {pieces[row], colourOf(app::errorColour(row, ground, paperLook_.differs))});
+            {pieces[row], plainColour(app::errorColour(row, ground, paperLook_.differs))});
     if (!wish.differing || wish.differing->empty())
         wish.differing = pieces.back();
 }
@@ -63,15 +59,15 @@ app::PictureOptions Controller::pictureOptions(double pixelRatio) const
     options.closesAreas = display.cutting.closeAreas;
     options.leastLength = exportOptions(display.cutting, session_.now().page()).leastLength;
     if (paperLook_.dark)
-        options.page = colourOf(paperLook_.paper);
+        options.page = plainColour(paperLook_.paper);
     options.leastWidth = pixelRatio < 1.5 ? 0.75 : 0.5;
     if (display.presenting) {
         options.strokes = 2;
-        options.ghosting = app::Ghosting{colourOf(pageColour()), paperLook_.ghost};
+        options.ghosting = app::Ghosting{plainColour(pageColour()), paperLook_.ghost};
     }
-    options.light = colourOf(paperLook_.selection);
-    options.paper = colourOf(pageColour());
-    options.marked = colourOf(paperLook_.differs);
+    options.light = plainColour(paperLook_.selection);
+    options.paper = plainColour(pageColour());
+    options.marked = plainColour(paperLook_.differs);
     if (paperLook_.dark) // magenta is close to the selection's blue in the dark look
         options.ticks = app::PictureOptions::Ticks::Everywhere;
     return options;

@@ -11,14 +11,15 @@ namespace ui {
 
 namespace {
 
-constexpr double inset = 10, margin = 10, sample = 22, gap = 8, sampleWidth = 2.25; // pixels
-constexpr double height = 26;
+constexpr double inset = 10, margin = 10, sample = 22, besideSample = 8,
+                 sampleWidth = 2.25; // pixels
+constexpr double boxHeight = 26;
 
 struct Words {
     QString whole, brief;
 };
 
-Words wordsOf(const app::DifferenceCounts& counts)
+Words countedWords(const app::DifferenceCounts& counts)
 {
     const auto tr = [](const char* text) { return QCoreApplication::translate("Canvas", text); };
     QStringList whole, brief;
@@ -52,7 +53,7 @@ Words labelOf(const Controller& controller, const Pane& pane)
     const auto differences = controller.differing(pane);
     if (!differences || differences->list.empty())
         return {};
-    Words words = wordsOf(app::counted(differences->list));
+    Words words = countedWords(app::counted(differences->list));
     if (const QString name = app::comparedName(session); !name.isEmpty())
         words.whole = tr("%1 in %2", "lines that differ, a clip window").arg(words.whole, name);
     return words;
@@ -73,7 +74,7 @@ void paintSample(QPainter& painter, const Look& look, double left, double middle
 
 double differenceLabelHeight(const Controller& controller, const Pane& pane)
 {
-    return labelOf(controller, pane).whole.isEmpty() ? 0 : height + inset;
+    return labelOf(controller, pane).whole.isEmpty() ? 0 : boxHeight + inset;
 }
 
 void paintDifferenceLabel(QPainter& painter, const Controller& controller, const Pane& pane)
@@ -85,13 +86,13 @@ void paintDifferenceLabel(QPainter& painter, const Controller& controller, const
     const bool differs = controller.differing(pane) != nullptr;
     const app::Point room = controller.view().size;
     const QFontMetricsF metrics(painter.font());
-    const double before = differs ? sample + gap : 0;
+    const double before = differs ? sample + besideSample : 0;
     const double around = 2 * inset + 2 * margin + before;
     QString text = words.whole;
     if (metrics.horizontalAdvance(text) > room.x - around)
         text = metrics.elidedText(words.brief, Qt::ElideRight, room.x - around);
-    const QRectF box(inset, room.y - inset - height,
-                     metrics.horizontalAdvance(text) + 2 * margin + before, height);
+    const QRectF box(inset, room.y - inset - boxHeight,
+                     metrics.horizontalAdvance(text) + 2 * margin + before, boxHeight);
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.fillRect(box, look.base);
     painter.setPen(differs ? look.differs : look.border);

@@ -8,7 +8,7 @@
 namespace ui {
 namespace {
 
-void paintLine(QPainter& painter, const QLineF& line, const QColor& colour)
+void paintGridLine(QPainter& painter, const QLineF& line, const QColor& colour)
 {
     const double ratio = painter.device()->devicePixelRatioF(), pixel = 1 / ratio;
     const auto snapped = [&](double v) { return std::floor(v * ratio) / ratio; };
@@ -33,10 +33,10 @@ void paintLines(QPainter& painter, const Controller& controller, const app::Grid
     for (const bool major : {false, true}) // major lines over the others
         for (const app::GridLine& line : lines)
             if (line.major == major)
-                paintLine(painter,
-                          {controller.bench().onScreen(line.line.a),
-                           controller.bench().onScreen(line.line.b)},
-                          major ? look.gridMajor : look.grid);
+                paintGridLine(painter,
+                              {controller.bench().onScreen(line.line.a),
+                               controller.bench().onScreen(line.line.b)},
+                              major ? look.gridMajor : look.grid);
 }
 
 void paintDots(QPainter& painter, const Controller& controller, const app::Grid& grid,

@@ -9,8 +9,8 @@
 namespace ui {
 namespace {
 
-constexpr double room = 10, labelHeight = 18, labelPadding = 6; // pixels
-constexpr float pale = 0.55F;                                   // opacity of the veil outside
+constexpr double aroundGroup = 10, labelHeight = 18, labelPadding = 6; // pixels
+constexpr float pale = 0.55F; // opacity of the veil outside
 
 // Limited to the surroundings of the view: painters fail with coordinates like 1e9.
 QRectF frameOf(const clipping::Window& bounds, const app::View& view, double around)
@@ -50,7 +50,7 @@ void paintEnteredGroup(QPainter& painter, const Controller& controller)
     if (!bounds)
         return;
     const app::View& view = controller.view();
-    const QRectF frame = frameOf(*bounds, view, room);
+    const QRectF frame = frameOf(*bounds, view, aroundGroup);
     painter.save();
     QPainterPath outside;
     outside.addRect(QRectF(0, 0, view.size.x, view.size.y));
@@ -75,7 +75,7 @@ void paintHoveredGroup(QPainter& painter, const Controller& controller, std::siz
         return;
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(controller.paperLook().selection, 1));
-    painter.drawRect(frameOf(*bounds, controller.view(), room / 2));
+    painter.drawRect(frameOf(*bounds, controller.view(), aroundGroup / 2));
 }
 
 } // namespace ui

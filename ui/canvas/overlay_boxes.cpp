@@ -16,7 +16,7 @@ using app::Emphasis;
 using app::OverlayAxis;
 using app::OverlayTable;
 
-constexpr double inset = 10, padding = 8, columnGap = 14, bar = 3; // pixels
+constexpr double boxInset = 10, padding = 8, columnGap = 14, bar = 3; // pixels
 constexpr double widestCaption = 460, narrowestCaption = 170, tallest = 0.45;
 // Sizes of the axis in multiples of the font's row height: its height, and the margin at either
 // side.
@@ -51,7 +51,7 @@ void placeTable(OverlayBoxes& boxes, const OverlayTable& table, const QRectF& ro
     for (const double column : columnWidths(table, font))
         width += column;
     const double row = rowHeight(font), free = tallest * room.height() - 2 * padding - row;
-    if (width > room.width() - inset - narrowestCaption || free < row)
+    if (width > room.width() - boxInset - narrowestCaption || free < row)
         return;
     boxes.rows = std::min(table.rows.size(), std::size_t(free / row));
     const std::size_t middle = table.highlightedRow.value_or(0), half = boxes.rows / 2;
@@ -63,7 +63,7 @@ void placeTable(OverlayBoxes& boxes, const OverlayTable& table, const QRectF& ro
 void placeCaption(OverlayBoxes& boxes, const QString& caption, const QRectF& room,
                   const QFont& font)
 {
-    const double right = boxes.table.isEmpty() ? room.right() : boxes.table.left() - inset;
+    const double right = boxes.table.isEmpty() ? room.right() : boxes.table.left() - boxInset;
     const double width = std::min(widestCaption, right - room.left());
     const QRectF text = QFontMetricsF(font).boundingRect(QRectF(0, 0, width - 2 * padding, 1e4),
                                                          Qt::TextWordWrap | Qt::AlignLeft, caption);
@@ -166,7 +166,7 @@ struct AxisWord {
     bool end = false; ///< an end of the line: its label goes above or below, wherever there is room
 };
 // Entries are above, exits below; highlighted ones come first, then the ends of the line.
-std::vector<AxisWord> wordsOf(const OverlayAxis& axis)
+std::vector<AxisWord> axisWords(const OverlayAxis& axis)
 {
     std::vector<AxisWord> words;
     const auto add = [&](Emphasis emphasis) {
@@ -192,7 +192,7 @@ void paintWords(QPainter& painter, const OverlayAxis& axis, const AxisScale& sca
     const double row = rowHeight(font);
     app::LabelPlaces places(box, {});
     std::array<bool, 2> ended{};
-    for (const AxisWord& word : wordsOf(axis)) {
+    for (const AxisWord& word : axisWords(axis)) {
         if (word.end && ended[std::size_t(word.t)])
             continue;
         painter.setFont(word.highlightedRow ? semiBold(font) : font);
@@ -247,11 +247,11 @@ void paintAxis(QPainter& painter, const OverlayAxis& axis, const OverlayGround& 
 OverlayBoxes boxesOf(const app::Overlay& overlay, const OverlayGround& ground, const QFont& font)
 {
     OverlayBoxes boxes;
-    QRectF room = ground.room.adjusted(inset, inset, -inset, -inset);
+    QRectF room = ground.room.adjusted(boxInset, boxInset, -boxInset, -boxInset);
     const double axisHeight = axisRows * rowHeight(font);
     if (overlay.axis && room.height() > 3 * axisHeight && room.width() > 3 * axisHeight) {
         boxes.axis = QRectF(room.left(), room.bottom() - axisHeight, room.width(), axisHeight);
-        room.setBottom(boxes.axis.top() - inset);
+        room.setBottom(boxes.axis.top() - boxInset);
     }
     if (overlay.table)
         placeTable(boxes, *overlay.table, room, font);

@@ -17,7 +17,7 @@ namespace ui {
 namespace {
 
 constexpr int updateMilliseconds = 100; // ten times a second
-constexpr int margin = 10, gap = 8, markerSize = 12, button = 20;
+constexpr int headingMargin = 10, headingGap = 8, markerSize = 12, button = 20;
 constexpr int widthForClose = 260; // in narrower headings the menu closes the pane
 constexpr int leastName = 48;      // a name elided to less is not shown
 
@@ -112,25 +112,26 @@ QString PaneHeading::formText() const
 PaneHeading::Places PaneHeading::places() const
 {
     Places p;
-    auto left = [&, x = margin](int width) mutable {
+    auto left = [&, x = headingMargin](int width) mutable {
         return QRect(std::exchange(x, x + width), 1, width, height() - 1);
     };
     const int timeWidth = tabularWidth(fontMetrics(), app::millisecondsText(88.8));
     if (width() >= widthForClose)
         p.close = QRect(width() - button - 4, 5, button, button);
-    const int right = p.close.isValid() ? p.close.left() - 4 : width() - margin;
+    const int right = p.close.isValid() ? p.close.left() - 4 : width() - headingMargin;
     p.time = QRect(right - timeWidth, 1, timeWidth, height() - 1);
-    p.marker = left(markerSize + gap);
+    p.marker = left(markerSize + headingGap);
     const QFontMetrics bold(semiBold(font()));
     const auto& algorithm = *pane_->choice.algorithm;
-    p.abbreviation = left(bold.horizontalAdvance(app::latin(algorithm.abbreviation)) + gap);
-    int room = p.time.left() - gap - button - p.abbreviation.right();
-    const int name = fontMetrics().horizontalAdvance(nameText()) + gap;
-    const int formWidth = QFontMetrics(captionFont(font())).horizontalAdvance(formText()) + gap;
+    p.abbreviation = left(bold.horizontalAdvance(app::latin(algorithm.abbreviation)) + headingGap);
+    int room = p.time.left() - headingGap - button - p.abbreviation.right();
+    const int name = fontMetrics().horizontalAdvance(nameText()) + headingGap;
+    const int formWidth =
+        QFontMetrics(captionFont(font())).horizontalAdvance(formText()) + headingGap;
     const bool published = app::usedAt(needs_, pane_->choice).form == clipping::Form::Published;
     const bool form = published && formWidth <= room;
     room -= form ? formWidth : 0;
-    if (room >= std::min(name, leastName + gap))
+    if (room >= std::min(name, leastName + headingGap))
         p.name = left(std::min(name, room));
     if (form)
         p.form = left(formWidth);
@@ -177,7 +178,7 @@ void PaneHeading::paintEvent(QPaintEvent*)
         painter.setPen(colour);
         painter.drawText(
             place, Qt::AlignLeft | Qt::AlignVCenter,
-            QFontMetrics(font).elidedText(words, Qt::ElideRight, place.width() - gap + 1));
+            QFontMetrics(font).elidedText(words, Qt::ElideRight, place.width() - headingGap + 1));
     };
     const QColor ink = clips ? look.text : palette().color(QPalette::Disabled, QPalette::Text);
     text(p.abbreviation, semiBold(font()), ink, app::latin(choice.algorithm->abbreviation));

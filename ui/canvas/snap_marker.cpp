@@ -9,7 +9,7 @@
 namespace ui {
 namespace {
 
-constexpr double ring = 10, glyph = 9, room = 6, height = 20, gapHeight = 18; // pixels
+constexpr double ring = 10, glyph = 9, room = 6, leastLabelHeight = 20, gapHeight = 18; // pixels
 
 void paintGlyph(QPainter& painter, const app::SnapKind& kind, const QRectF& square)
 {
@@ -24,10 +24,10 @@ QSizeF labelSize(const QPainter& painter, const QString& word)
 {
     const QFontMetricsF metrics(painter.font());
     return {room + glyph + room + metrics.horizontalAdvance(word) + room,
-            std::max(height, metrics.height() + 2)};
+            std::max(leastLabelHeight, metrics.height() + 2)};
 }
 
-void paintLabel(QPainter& painter, const Look& look, const app::Snap& snap, const QRectF& place)
+void paintSnapLabel(QPainter& painter, const Look& look, const app::Snap& snap, const QRectF& place)
 {
     painter.setPen(Qt::NoPen);
     painter.setBrush(look.guideGround);
@@ -48,9 +48,9 @@ void paintPlace(QPainter& painter, const Controller& controller, const app::Snap
     painter.setPen(QPen(look.guide, 1.75));
     painter.drawEllipse(at, ring / 2, ring / 2);
     const app::Point canvas = controller.view().size;
-    paintLabel(painter, look, snap,
-               app::markerPlace(at, labelSize(painter, snap.word()), {canvas.x, canvas.y},
-                                controller.readoutPlace()));
+    paintSnapLabel(painter, look, snap,
+                   app::markerPlace(at, labelSize(painter, snap.word()), {canvas.x, canvas.y},
+                                    controller.readoutPlace()));
 }
 
 app::Point pointOn(const app::AlignmentLine& line, double along)
@@ -88,7 +88,7 @@ void paintGap(QPainter& painter, const Controller& controller, const app::Alignm
     painter.drawText(place, Qt::AlignCenter, text);
 }
 
-void paintLine(QPainter& painter, const Controller& controller, const app::AlignmentLine& line)
+void paintAlignment(QPainter& painter, const Controller& controller, const app::AlignmentLine& line)
 {
     QPen pen(controller.paperLook().guide, 1, Qt::CustomDashLine, Qt::FlatCap);
     pen.setDashPattern({4, 3});
@@ -108,7 +108,7 @@ void paintSnapMarker(QPainter& painter, const Controller& controller)
     if (!moved && (!place || !controller.pointer()))
         return;
     for (const app::AlignmentLine& line : moved ? moved->lines : place->lines)
-        paintLine(painter, controller, line);
+        paintAlignment(painter, controller, line);
     if (place)
         paintPlace(painter, controller, *place);
 }

@@ -13,7 +13,7 @@
 namespace ui {
 namespace {
 
-constexpr int boxWidth = 320, sizeWidth = 92, margin = 8, mostLines = 6;
+constexpr int boxWidth = 320, sizeWidth = 92, boxMargin = 8, mostLines = 6;
 constexpr int belowLetters = 12;
 constexpr double level = 0.01; // the sine of the angle up to which a text does not go down
 
@@ -38,11 +38,11 @@ TextBox::TextBox(Controller& controller, QWidget* parent)
     text_->setContextMenuPolicy(Qt::NoContextMenu);
     remark_->setWordWrap(true);
     auto* options = new QHBoxLayout;
-    options->setSpacing(margin);
+    options->setSpacing(boxMargin);
     options->addWidget(font_, 1);
     options->addWidget(size_);
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(margin, margin, margin, margin);
+    column->setContentsMargins(boxMargin, boxMargin, boxMargin, boxMargin);
     column->setSpacing(6);
     column->addWidget(text_);
     column->addWidget(remark_);

@@ -8,6 +8,7 @@
 #include "app/view/window_borders.h"
 #include "ui/canvas/window_offer.h"
 #include "ui/canvas/window_tags.h"
+#include "ui/widgets/swatch.h"
 
 #include <QPainterPath>
 
@@ -21,12 +22,12 @@
 namespace ui {
 namespace {
 
-constexpr double outline = 1.5, outlineHovered = 2.5, casing = 1; // pixels
+constexpr double usualOutline = 1.5, outlineHovered = 2.5, casing = 1; // pixels
 constexpr double handleSize = 9, labelGap = 13;
 
 // The window in screen coordinates, limited to the visible range, because painters fail with
 // coordinates like 1e9.
-QRectF onScreen(const app::View& view, const clipping::Window& window)
+QRectF boxOnScreen(const app::View& view, const clipping::Window& window)
 {
     const app::Point room(64), least = -room, most = view.size + room;
     const app::Point min = glm::clamp(view.toScreen(window.min), least, most);
@@ -36,7 +37,7 @@ QRectF onScreen(const app::View& view, const clipping::Window& window)
 
 QRectF boxOnScreen(const Controller& controller)
 {
-    return onScreen(controller.view(), *controller.clipWindow());
+    return boxOnScreen(controller.view(), *controller.clipWindow());
 }
 
 // Edge by edge, because painters fail with coordinates like 1e9.
@@ -61,7 +62,7 @@ QPainterPath outlineOnScreen(const app::View& view, const app::WindowShape& shap
 {
     if (const auto box = app::axisAlignedBox(shape)) {
         QPainterPath path;
-        path.addRect(onScreen(view, *box));
+        path.addRect(boxOnScreen(view, *box));
         return path;
     }
     constexpr double tolerance = 0.2; // pixels
@@ -118,7 +119,7 @@ void forEachVisible(const app::Session& session, const Visit& visit)
 
 double outlineWidth(const Controller& controller, bool hovered)
 {
-    return (hovered ? outlineHovered : outline)
+    return (hovered ? outlineHovered : usualOutline)
            * (controller.session().display().presenting ? 2 : 1);
 }
 
@@ -130,11 +131,6 @@ bool isLong(const Controller& controller, std::size_t window)
             found || (number == window && app::isLong(controller.session().region().steps[step]));
     });
     return found;
-}
-
-app::Colour plain(const QColor& c)
-{
-    return {std::uint8_t(c.red()), std::uint8_t(c.green()), std::uint8_t(c.blue())};
 }
 
 void paintBorder(QPainter& painter, const Controller& controller)
@@ -203,7 +199,7 @@ void paintHandles(QPainter& painter, const Controller& controller)
     }
     painter.setPen(QPen(colour, 1));
     paintPivot(painter, controller, frame);
-    painter.setPen(QPen(colour, outline));
+    painter.setPen(QPen(colour, usualOutline));
     for (const auto& [handle, at] : placed) {
         const bool hovered = controller.tool().hoveredHandle() == handle;
         painter.setBrush(hovered ? colour : controller.pageColour());
@@ -252,7 +248,7 @@ QRectF labelPlace(const Controller& controller, const QRectF& window, const QFon
     return label;
 }
 
-void paintLabel(QPainter& painter, const Controller& controller, const QRectF& window)
+void paintWindowLabel(QPainter& painter, const Controller& controller, const QRectF& window)
 {
     const Look& look = controller.paperLook();
     painter.setFont(labelFont(painter.font()));
@@ -283,8 +279,8 @@ std::vector<app::BorderLine> longBorders(const Controller& controller)
             return;
         const app::ClipWindow& window = session.windows().list[number];
         app::BorderLine line{.step = step,
-                             .colour = plain(colourOf(window, controller)),
-                             .below = plain(controller.pageColour()),
+                             .colour = plainColour(colourOf(window, controller)),
+                             .below = plainColour(controller.pageColour()),
                              .dashes = dashesOf(window.operation)};
         if (number == session.windowNumber()) {
             line.width = outlineWidth(controller, false);
@@ -312,7 +308,7 @@ void paintWindow(QPainter& painter, const Controller& controller, const Pane& pa
     if (!isFurnished(controller, pane, window))
         return;
     paintHandles(painter, controller);
-    paintLabel(painter, controller, window);
+    paintWindowLabel(painter, controller, window);
 }
 
 std::vector<QRectF> windowFurniture(const Controller& controller, const Pane& pane,
@@ -326,7 +322,7 @@ std::vector<QRectF> windowFurniture(const Controller& controller, const Pane& pa
                                QRectF(window.topLeft(), QSizeF(0, window.height())),
                                QRectF(window.topRight(), QSizeF(0, window.height()))};
     for (QRectF& edge : places)
-        edge.adjust(-outline, -outline, outline, outline);
+        edge.adjust(-usualOutline, -usualOutline, usualOutline, usualOutline);
     if (pane.active)
         for (const WindowTag& tag : windowTags(controller, font))
             places.push_back(tag.place);

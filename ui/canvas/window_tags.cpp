@@ -11,7 +11,7 @@
 namespace ui {
 namespace {
 
-constexpr double height = 18, belowFrame = 6, besideText = 6; // pixels
+constexpr double tagHeight = 18, belowFrame = 6, besideText = 6; // pixels
 constexpr int widest = 160;
 constexpr std::size_t most = 30;
 
@@ -29,9 +29,9 @@ QRectF placeOf(const app::ClipWindow& window, const app::View& view, double widt
 {
     const clipping::Window box = app::boxOf(window.shape);
     const app::Point min = view.toScreen(box.min), max = view.toScreen(box.max);
-    QRectF place(min.x, max.y + belowFrame, width, height);
+    QRectF place(min.x, max.y + belowFrame, width, tagHeight);
     const bool roomy =
-        max.x - min.x > width + 2 * belowFrame && max.y - min.y > height + 2 * belowFrame;
+        max.x - min.x > width + 2 * belowFrame && max.y - min.y > tagHeight + 2 * belowFrame;
     if (window.operation == app::WindowOperation::CutOut && roomy)
         place.moveCenter({(min.x + max.x) / 2, (min.y + max.y) / 2});
     return place;

@@ -25,22 +25,25 @@ using Verb = Questions::LeftoverAnswer::Verb;
 
 constexpr int listWidth = 340;
 
-QString tr(const char* text) { return QCoreApplication::translate("LeftoversDialog", text); }
+struct LeftoversDialog {
+    Q_DECLARE_TR_FUNCTIONS(LeftoversDialog)
+};
 
 QString timeText(const QDateTime& time)
 {
     const QDateTime here = time.toLocalTime();
-    return tr("%1, %2").arg(app::dayText(here.date(), QDate::currentDate()),
-                            QLocale().toString(here.time(), QStringLiteral("HH:mm")));
+    return LeftoversDialog::tr("%1, %2").arg(
+        app::dayText(here.date(), QDate::currentDate()),
+        QLocale().toString(here.time(), QStringLiteral("HH:mm")));
 }
 
 QTreeWidget* makeList(const std::vector<app::Leftover>& leftovers)
 {
     auto* list = new QTreeWidget;
-    list->setAccessibleName(tr("Unsaved drawings"));
+    list->setAccessibleName(LeftoversDialog::tr("Unsaved drawings"));
     list->setRootIsDecorated(false);
     list->setUniformRowHeights(true);
-    list->setHeaderLabels({tr("Drawing"), tr("Last change")});
+    list->setHeaderLabels({LeftoversDialog::tr("Drawing"), LeftoversDialog::tr("Last change")});
     list->header()->setStretchLastSection(false);
     list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
@@ -61,11 +64,12 @@ Questions::LeftoverAnswer askAboutLeftovers(QWidget& window,
 {
     QDialog dialog(&window);
     dialog.setObjectName(QStringLiteral("leftovers"));
-    dialog.setWindowTitle(tr("Unsaved drawings"));
+    dialog.setWindowTitle(LeftoversDialog::tr("Unsaved drawings"));
     auto* column = new QVBoxLayout(&dialog);
     auto* sentence =
-        new QLabel(leftovers.size() == 1 ? tr("Clearcut ended before this drawing was saved.")
-                                         : tr("Clearcut ended before these drawings were saved."));
+        new QLabel(leftovers.size() == 1
+                       ? LeftoversDialog::tr("Clearcut ended before this drawing was saved.")
+                       : LeftoversDialog::tr("Clearcut ended before these drawings were saved."));
     column->addWidget(sentence);
     auto* list = makeList(leftovers);
     list->setMinimumWidth(listWidth);
@@ -81,9 +85,11 @@ Questions::LeftoverAnswer askAboutLeftovers(QWidget& window,
     row->addWidget(picture);
     column->addLayout(row);
     auto* buttons = new QDialogButtonBox;
-    auto* recover = buttons->addButton(tr("Recover drawing"), QDialogButtonBox::AcceptRole);
-    auto* discard = buttons->addButton(tr("Discard drawing"), QDialogButtonBox::DestructiveRole);
-    buttons->addButton(tr("Keep for later"), QDialogButtonBox::RejectRole);
+    auto* recover =
+        buttons->addButton(LeftoversDialog::tr("Recover drawing"), QDialogButtonBox::AcceptRole);
+    auto* discard = buttons->addButton(LeftoversDialog::tr("Discard drawing"),
+                                       QDialogButtonBox::DestructiveRole);
+    buttons->addButton(LeftoversDialog::tr("Keep for later"), QDialogButtonBox::RejectRole);
     recover->setDefault(true);
     recover->setFocus();
     discard->setAutoDefault(false);

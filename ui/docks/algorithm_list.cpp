@@ -19,9 +19,9 @@ namespace {
 constexpr int aboutWidth = 34; // width of the year, in pixels
 constexpr double disabledMarker = 0.4;
 
-class RowPainter : public QStyledItemDelegate {
+class AlgorithmPainter : public QStyledItemDelegate {
 public:
-    RowPainter(const app::Session& session, QObject* parent)
+    AlgorithmPainter(const app::Session& session, QObject* parent)
         : QStyledItemDelegate(parent), session_(session)
     {
     }
@@ -126,7 +126,7 @@ AlgorithmList::AlgorithmList(app::Session& session, QWidget* parent)
     : QListView(parent), session_(session), about_(new QToolButton(viewport()))
 {
     setModel(new AlgorithmModel(session, this));
-    setItemDelegate(new RowPainter(session, this));
+    setItemDelegate(new AlgorithmPainter(session, this));
     setAccessibleName(tr("Algorithm"));
     keepChoice(*this);
     setFrameShape(QFrame::NoFrame);

@@ -9,14 +9,9 @@ namespace ui {
 
 namespace {
 
-const app::DifferenceColumn& columnOf(int column)
+const app::DifferenceColumn& differenceColumn(int column)
 {
     return app::differenceColumns()[std::size_t(column)];
-}
-
-int sideOf(int column)
-{
-    return int((columnOf(column).number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
 }
 
 } // namespace
@@ -40,9 +35,9 @@ QVariant DifferenceModel::cell(int row, int column, int role) const
     if (at >= list.size())
         return {}; // the list has changed; follow() will be called
     if (role == Qt::DisplayRole)
-        return columnOf(column).text(session_, list[at]);
+        return differenceColumn(column).text(session_, list[at]);
     if (role == Qt::TextAlignmentRole)
-        return sideOf(column);
+        return sideOf(differenceColumn(column).number);
     if (role == Qt::ToolTipRole)
         return app::piecesInFull(session_, list[at]);
     return {};
@@ -51,13 +46,13 @@ QVariant DifferenceModel::cell(int row, int column, int role) const
 QVariant DifferenceModel::heading(int column, int role) const
 {
     if (role == Qt::TextAlignmentRole)
-        return sideOf(column);
+        return sideOf(differenceColumn(column).number);
     const auto comparison =
         session_.differences.asked().value_or(app::Comparison{app::exactVariant()});
     if (role == Qt::DisplayRole)
-        return columnOf(column).heading(comparison);
+        return differenceColumn(column).heading(comparison);
     if (role == Qt::ToolTipRole)
-        return columnOf(column).meaning(comparison);
+        return differenceColumn(column).meaning(comparison);
     return {};
 }
 
@@ -66,7 +61,7 @@ void DifferenceModel::sortBy(int column, Qt::SortOrder order)
     beginResetModel();
     column_ = column;
     order_ = order;
-    rows_ = app::sortedBy(session_, columnOf(column), order);
+    rows_ = app::sortedBy(session_, differenceColumn(column), order);
     endResetModel();
 }
 

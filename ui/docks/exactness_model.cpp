@@ -9,14 +9,9 @@ namespace ui {
 
 namespace {
 
-const app::ExactnessColumn& columnOf(int column)
+const app::ExactnessColumn& exactnessColumn(int column)
 {
     return app::exactnessColumns()[std::size_t(column)];
-}
-
-int sideOf(int column)
-{
-    return int((columnOf(column).number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
 }
 
 } // namespace
@@ -37,20 +32,20 @@ QVariant ExactnessModel::cell(int row, int column, int role) const
     if (!exactness)
         return {};
     if (role == Qt::DisplayRole)
-        return columnOf(column).text(*exactness);
+        return exactnessColumn(column).text(*exactness);
     if (role == Qt::TextAlignmentRole)
-        return sideOf(column);
+        return sideOf(exactnessColumn(column).number);
     return {};
 }
 
 QVariant ExactnessModel::heading(int column, int role) const
 {
     if (role == Qt::TextAlignmentRole)
-        return sideOf(column);
+        return sideOf(exactnessColumn(column).number);
     if (role == Qt::DisplayRole)
-        return columnOf(column).heading;
+        return exactnessColumn(column).heading;
     if (role == Qt::ToolTipRole)
-        return columnOf(column).meaning;
+        return exactnessColumn(column).meaning;
     return {};
 }
 
@@ -59,7 +54,7 @@ void ExactnessModel::sortBy(int column, Qt::SortOrder order)
     beginResetModel();
     column_ = column;
     order_ = order;
-    rows_ = app::sortedBy(session_.exactness.found().list, columnOf(column), order);
+    rows_ = app::sortedBy(session_.exactness.found().list, exactnessColumn(column), order);
     endResetModel();
 }
 

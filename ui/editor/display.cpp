@@ -20,39 +20,43 @@
 namespace ui {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Display", text); }
+struct DisplayText {
+    Q_DECLARE_TR_FUNCTIONS(Display)
+};
 
 QString instead()
 {
-    return tr("Start the editor from a desktop, or use a command that needs no display, such as "
-              "clearcut clip IN -o OUT (clearcut --help lists all commands).");
+    return DisplayText::tr(
+        "Start the editor from a desktop, or use a command that needs no display, such as "
+        "clearcut clip IN -o OUT (clearcut --help lists all commands).");
 }
 
 /// The display or platform that was requested.
 QString whereAsked()
 {
     if (const QString platform = qEnvironmentVariable("QT_QPA_PLATFORM"); !platform.isEmpty())
-        return tr("the platform “%1” (QT_QPA_PLATFORM)").arg(platform);
+        return DisplayText::tr("the platform “%1” (QT_QPA_PLATFORM)").arg(platform);
     for (const char* variable : {"WAYLAND_DISPLAY", "DISPLAY"})
         if (const QString display = qEnvironmentVariable(variable); !display.isEmpty())
-            return tr("the display “%1” (%2)").arg(display, QLatin1StringView(variable));
-    return tr("this system");
+            return DisplayText::tr("the display “%1” (%2)")
+                .arg(display, QLatin1StringView(variable));
+    return DisplayText::tr("this system");
 }
 
 QtMessageHandler handlerBefore = nullptr; // the previous message handler; set before Qt starts
 
-struct Message {
+struct HeldMessage {
     QtMsgType type;
     QByteArray category;
     QString text;
 };
 std::mutex heldMutex; // a platform's plug-in has threads of its own
-std::vector<Message> held;
+std::vector<HeldMessage> held;
 
 [[noreturn]] void giveUp()
 {
     const QString sentence =
-        tr("The editor cannot show a window on %1. %2").arg(whereAsked(), instead());
+        DisplayText::tr("The editor cannot show a window on %1. %2").arg(whereAsked(), instead());
     std::fprintf(stderr, "clearcut: %s\n", qPrintable(sentence));
     std::_Exit(int(app::Exit::Failed)); // returning from a fatal message aborts
 }
@@ -81,7 +85,7 @@ QString whyNoDisplay()
     for (const char* variable : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
         if (!qEnvironmentVariableIsEmpty(variable))
             return {};
-    return tr("There is no display for the editor. %1").arg(instead());
+    return DisplayText::tr("There is no display for the editor. %1").arg(instead());
 #else
     return {};
 #endif
@@ -95,7 +99,7 @@ std::unique_ptr<EditorApplication> startApplication(int& argc, char** argv)
         giveUp();
     qInstallMessageHandler(handlerBefore);
     const std::scoped_lock one(heldMutex);
-    for (const Message& message : std::exchange(held, {}))
+    for (const HeldMessage& message : std::exchange(held, {}))
         handlerBefore(message.type, {nullptr, 0, nullptr, message.category}, message.text);
     return application;
 }

@@ -17,7 +17,9 @@ namespace {
 using app::Variant;
 using clipping::Form;
 
-QString tr(const char* text) { return QCoreApplication::translate("AlgorithmMenu", text); }
+struct AlgorithmMenu {
+    Q_DECLARE_TR_FUNCTIONS(AlgorithmMenu)
+};
 
 void use(MainWindow& window, const Variant& variant)
 {
@@ -56,21 +58,23 @@ void addUses(MainWindow& window, const clipping::Algorithm& algorithm, QMenu& me
             menu.addAction(text, &window, [&window, variant] { use(window, variant); })
                 ->setObjectName(form == Form::Corrected ? "use-corrected" : "use-published");
     };
-    add(algorithm.published ? tr("Use &corrected form") : tr("&Use"), Form::Corrected);
+    add(algorithm.published ? AlgorithmMenu::tr("Use &corrected form") : AlgorithmMenu::tr("&Use"),
+        Form::Corrected);
     if (algorithm.published)
-        add(tr("Use &published form"), Form::Published);
+        add(AlgorithmMenu::tr("Use &published form"), Form::Published);
     menu.addSeparator();
 }
 
 void addComparisons(MainWindow& window, const Variant& variant, QMenu& menu)
 {
     for (const bool asA : {true, false})
-        menu.addAction(asA ? tr("Compare as &A") : tr("Compare as &B"), &window,
-                       [&window, variant, asA] { compareAs(window, variant, asA); })
+        menu.addAction(asA ? AlgorithmMenu::tr("Compare as &A")
+                           : AlgorithmMenu::tr("Compare as &B"),
+                       &window, [&window, variant, asA] { compareAs(window, variant, asA); })
             ->setObjectName(asA ? "compare-as-a" : "compare-as-b");
     const auto choices = window.canvas().panes().choices();
     if (std::ranges::find(choices, variant) == choices.end())
-        menu.addAction(tr("&Show in another pane"), &window,
+        menu.addAction(AlgorithmMenu::tr("&Show in another pane"), &window,
                        [&window, variant] { showInPane(window, variant); })
             ->setObjectName("show-in-pane");
     menu.addSeparator();
@@ -87,10 +91,10 @@ QMenu* algorithmMenu(MainWindow& window, const clipping::Algorithm& algorithm)
     const Variant now = window.session().variant();
     addUses(window, algorithm, *menu);
     addComparisons(window, app::usable({&algorithm, now.form}), *menu);
-    menu->addAction(tr("&About %1").arg(name), &window,
+    menu->addAction(AlgorithmMenu::tr("&About %1").arg(name), &window,
                     [&window, &algorithm] { emit window.explanationWanted(algorithm); })
         ->setObjectName("about-algorithm");
-    menu->addAction(tr("Copy &name"), &window,
+    menu->addAction(AlgorithmMenu::tr("Copy &name"), &window,
                     [name] { QGuiApplication::clipboard()->setText(name); })
         ->setObjectName("copy-name");
     return menu;

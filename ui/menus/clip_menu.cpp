@@ -27,9 +27,11 @@ namespace ui {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("ClipMenu", text); }
+struct ClipMenu {
+    Q_DECLARE_TR_FUNCTIONS(ClipMenu)
+};
 
-void choose(MainWindow& window, const clipping::Algorithm& algorithm)
+void chooseAlgorithm(MainWindow& window, const clipping::Algorithm& algorithm)
 {
     window.session().changeDisplay(
         [&](app::Display& display) { display.variant.algorithm = &algorithm; });
@@ -47,8 +49,9 @@ void explainDigits(MainWindow& window)
             digits << QKeySequence(digit);
     QObject::connect(action, &QAction::triggered, &window, [&window] {
         window.statusBar()->showMessage(
-            tr("In the workspace Draw digits choose the algorithm only while a clip window is "
-               "chosen. Choose it in the menu Clip, or in another workspace."),
+            ClipMenu::tr(
+                "In the workspace Draw digits choose the algorithm only while a clip window is "
+                "chosen. Choose it in the menu Clip, or in another workspace."),
             MainWindow::messageMilliseconds);
     });
     QObject::connect(&window, &MainWindow::actionsOutdated, action, [&window, digits, action] {
@@ -67,8 +70,8 @@ void addAlgorithms(MainWindow& window, QMenu& menu)
 {
     auto* group = new QActionGroup(&menu);
     for (const clipping::Algorithm& row : clipping::algorithms()) {
-        auto* action =
-            menu.addAction(app::latin(row.name), &window, [&window, &row] { choose(window, row); });
+        auto* action = menu.addAction(app::latin(row.name), &window,
+                                      [&window, &row] { chooseAlgorithm(window, row); });
         action->setCheckable(true);
         group->addAction(action);
         action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
@@ -96,7 +99,7 @@ bool shows(const MainWindow& window)
 }
 
 template <app::Keep keep>
-void setKeep(MainWindow& window)
+void chooseSide(MainWindow& window)
 {
     ui::setKeep(window.session(), keep);
 }
@@ -124,7 +127,7 @@ std::vector<ActionInfo> placeRows()
         });
     rows.push_back({
         .key = "window-inside-margin",
-        .text = tr("Lay window inside the page's &margins…"),
+        .text = ClipMenu::tr("Lay window inside the page's &margins…"),
         .run = [](MainWindow& w) { MarginDialog::show(w.session(), w); },
     });
     return rows;
@@ -143,8 +146,9 @@ void toggleTiles(MainWindow& window)
 QString whyNoTiles(const MainWindow& window)
 {
     if (window.isPresenting())
-        return tr("Leave the presentation first (F11).");
-    return window.session().scene.lines().size() == 0 ? tr("The drawing is empty.") : QString();
+        return ClipMenu::tr("Leave the presentation first (F11).");
+    return window.session().scene.lines().size() == 0 ? ClipMenu::tr("The drawing is empty.")
+                                                      : QString();
 }
 
 bool hasWindow(const MainWindow& window) { return window.session().windowNumber().has_value(); }
@@ -153,13 +157,13 @@ ActionInfo occludeRow()
 {
     return {
         .key = "occlude",
-        .text = tr("Remo&ve covered lines"),
+        .text = ClipMenu::tr("Remo&ve covered lines"),
         .run = [](MainWindow& w) { w.files().cutPermanently(app::permanentCut("occlude")); },
         .enabled = [](const MainWindow& w) { return w.session().scene.lines().size() > 0; },
     };
 }
 
-QString noWindow() { return tr("No clip window is visible. Draw one first (W)."); }
+QString noWindow() { return ClipMenu::tr("No clip window is visible. Draw one first (W)."); }
 
 } // namespace
 
@@ -172,12 +176,12 @@ MenuInfo clipMenu()
         return w.session().scene.lines().size() > 0 && hasWindow(w);
     };
     MenuInfo menu{
-        .title = tr("&Clip"),
+        .title = ClipMenu::tr("&Clip"),
         .rows =
             {
                 {
                     .key = "crop",
-                    .text = tr("&Crop to windows"),
+                    .text = ClipMenu::tr("&Crop to windows"),
                     .keys = {QKeySequence("Ctrl+Shift+X")},
                     .run =
                         [](MainWindow& w) { w.files().cutPermanently(app::permanentCut("crop")); },
@@ -185,7 +189,7 @@ MenuInfo clipMenu()
                 },
                 {
                     .key = "cut-out",
-                    .text = tr("Cut o&ut windows"),
+                    .text = ClipMenu::tr("Cut o&ut windows"),
                     .run =
                         [](MainWindow& w) {
                             w.files().cutPermanently(app::permanentCut("cut-out"));
@@ -194,7 +198,7 @@ MenuInfo clipMenu()
                 },
                 {
                     .key = "split",
-                    .text = tr("Spli&t at windows"),
+                    .text = ClipMenu::tr("Spli&t at windows"),
                     .run =
                         [](MainWindow& w) { w.files().cutPermanently(app::permanentCut("split")); },
                     .enabled = some,
@@ -202,7 +206,7 @@ MenuInfo clipMenu()
                 occludeRow(),
                 {
                     .key = "tiles",
-                    .text = tr("Til&es…"),
+                    .text = ClipMenu::tr("Til&es…"),
                     .keys = {QKeySequence("Ctrl+T")},
                     .icon = "tiles",
                     .run = toggleTiles,
@@ -215,21 +219,21 @@ MenuInfo clipMenu()
                 },
                 {
                     .key = "windows-of-selection",
-                    .text = tr("Make clip &windows of selection"),
+                    .text = ClipMenu::tr("Make clip &windows of selection"),
                     .run = [](MainWindow& w) { app::addWindowsOfSelection(w.session()); },
                     .enabled = [](const MainWindow& w) { return !w.session().selection().empty(); },
                     .needs = nothingSelected(),
                 },
                 {
                     .key = "window-to-path",
-                    .text = tr("Draw window's outline as &path"),
+                    .text = ClipMenu::tr("Draw window's outline as &path"),
                     .run = [](MainWindow& w) { app::windowToPath(w.session()); },
                     .enabled = hasWindow,
                     .needs = noWindow(),
                 },
                 {
                     .key = "remove-window",
-                    .text = tr("&Remove clip window"),
+                    .text = ClipMenu::tr("&Remove clip window"),
                     .run = removeWindow,
                     .enabled = hasWindow,
                     .needs = noWindow(),
@@ -237,43 +241,43 @@ MenuInfo clipMenu()
                 {},
                 {
                     .key = "keep-inside",
-                    .text = tr("Keep &inside"),
-                    .run = setKeep<Keep::Inside>,
+                    .text = ClipMenu::tr("Keep &inside"),
+                    .run = chooseSide<Keep::Inside>,
                     .checked = keeps<Keep::Inside>,
                     .group = "keep",
                 },
                 {
                     .key = "keep-outside",
-                    .text = tr("Keep &outside"),
-                    .run = setKeep<Keep::Outside>,
+                    .text = ClipMenu::tr("Keep &outside"),
+                    .run = chooseSide<Keep::Outside>,
                     .checked = keeps<Keep::Outside>,
                     .group = "keep",
                 },
                 {},
                 {
                     .key = "removed-ghosted",
-                    .text = tr("Removed part &ghosted"),
+                    .text = ClipMenu::tr("Removed part &ghosted"),
                     .run = setRemoved<RemovedPart::Ghosted>,
                     .checked = shows<RemovedPart::Ghosted>,
                     .group = "removed",
                 },
                 {
                     .key = "removed-hidden",
-                    .text = tr("Removed part &hidden"),
+                    .text = ClipMenu::tr("Removed part &hidden"),
                     .run = setRemoved<RemovedPart::Hidden>,
                     .checked = shows<RemovedPart::Hidden>,
                     .group = "removed",
                 },
                 {
                     .key = "removed-shown",
-                    .text = tr("Removed part &shown"),
+                    .text = ClipMenu::tr("Removed part &shown"),
                     .run = setRemoved<RemovedPart::Shown>,
                     .checked = shows<RemovedPart::Shown>,
                     .group = "removed",
                 },
                 {},
                 {
-                    .text = tr("&Algorithm"),
+                    .text = ClipMenu::tr("&Algorithm"),
                     .fill = addAlgorithms,
                 },
             },

@@ -18,7 +18,9 @@ namespace ui {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("CompareMenu", text); }
+struct CompareMenu {
+    Q_DECLARE_TR_FUNCTIONS(CompareMenu)
+};
 
 /// Selects the objects with lines that some algorithm clips differently, except locked ones.
 void selectDisagreements(MainWindow& window)
@@ -71,7 +73,7 @@ void showMisprint(MainWindow& window)
                                      app::exactVariant());
 }
 
-void choose(MainWindow& window, clipping::Form form)
+void chooseForm(MainWindow& window, clipping::Form form)
 {
     window.session().changeDisplay([form](app::Display& display) { display.variant.form = form; });
 }
@@ -84,13 +86,13 @@ bool someLines(const MainWindow& window) { return window.session().scene.lines()
 MenuInfo compareMenu()
 {
     MenuInfo menu{
-        .title = tr("Co&mpare"),
+        .title = CompareMenu::tr("Co&mpare"),
         .rows =
             {
                 {
                     .key = "form-corrected",
-                    .text = tr("&Corrected form"),
-                    .run = [](MainWindow& w) { choose(w, clipping::Form::Corrected); },
+                    .text = CompareMenu::tr("&Corrected form"),
+                    .run = [](MainWindow& w) { chooseForm(w, clipping::Form::Corrected); },
                     .checked =
                         [](const MainWindow& w) {
                             return w.session().variant().form == clipping::Form::Corrected;
@@ -99,8 +101,8 @@ MenuInfo compareMenu()
                 },
                 {
                     .key = "form-published",
-                    .text = tr("&Published form"),
-                    .run = [](MainWindow& w) { choose(w, clipping::Form::Published); },
+                    .text = CompareMenu::tr("&Published form"),
+                    .run = [](MainWindow& w) { chooseForm(w, clipping::Form::Published); },
                     .enabled =
                         [](const MainWindow& w) {
                             return w.session().display().variant.algorithm->published != nullptr;
@@ -114,7 +116,7 @@ MenuInfo compareMenu()
                 {},
                 {
                     .key = "agree",
-                    .text = tr("Compare &all algorithms"),
+                    .text = CompareMenu::tr("Compare &all algorithms"),
                     .keys = {QKeySequence("F7")},
                     .icon = "compare",
                     .run =
@@ -126,7 +128,7 @@ MenuInfo compareMenu()
                 },
                 {
                     .key = "select-differing",
-                    .text = tr("&Select lines that differ"),
+                    .text = CompareMenu::tr("&Select lines that differ"),
                     .keys = {QKeySequence("Shift+F7")},
                     .run = selectDiffering,
                     .enabled = someLines,
@@ -134,33 +136,33 @@ MenuInfo compareMenu()
                 {},
                 {
                     .key = "compare-live",
-                    .text = tr("Compare algorithms &live"),
+                    .text = CompareMenu::tr("Compare algorithms &live"),
                     .keys = {QKeySequence("F9")},
                     .run = [](MainWindow& w) { w.togglePanel("compare"); },
                     .checked = [](const MainWindow& w) { return w.showsPanel("compare"); },
                 },
                 {
                     .key = "differences",
-                    .text = tr("&Differences between two algorithms"),
+                    .text = CompareMenu::tr("&Differences between two algorithms"),
                     .keys = {QKeySequence("Shift+F9")},
                     .run = [](MainWindow& w) { w.togglePanel("difference"); },
                     .checked = [](const MainWindow& w) { return w.showsPanel("difference"); },
                 },
                 {
                     .key = "misprint",
-                    .text = tr("Show the paper's &misprint (Step 2)"),
+                    .text = CompareMenu::tr("Show the paper's &misprint (Step 2)"),
                     .run = showMisprint,
                 },
                 {
                     .key = "next-difference",
-                    .text = tr("Next d&ifference"),
+                    .text = CompareMenu::tr("Next d&ifference"),
                     .keys = {QKeySequence("F4")},
                     .run = [](MainWindow& w) { goToDifference(w, 1); },
                     .enabled = someLines,
                 },
                 {
                     .key = "previous-difference",
-                    .text = tr("Previo&us difference"),
+                    .text = CompareMenu::tr("Previo&us difference"),
                     .keys = {QKeySequence("Shift+F4")},
                     .run = [](MainWindow& w) { goToDifference(w, -1); },
                     .enabled = someLines,
@@ -168,14 +170,14 @@ MenuInfo compareMenu()
                 {},
                 {
                     .key = "next-line",
-                    .text = tr("Inspect &next line"),
+                    .text = CompareMenu::tr("Inspect &next line"),
                     .keys = {QKeySequence("F8")},
                     .run = [](MainWindow& w) { inspectNext(w, 1); },
                     .enabled = someLines,
                 },
                 {
                     .key = "previous-line",
-                    .text = tr("Inspect p&revious line"),
+                    .text = CompareMenu::tr("Inspect p&revious line"),
                     .keys = {QKeySequence("Shift+F8")},
                     .run = [](MainWindow& w) { inspectNext(w, -1); },
                     .enabled = someLines,
@@ -183,7 +185,7 @@ MenuInfo compareMenu()
                 {},
                 {
                     .key = "reproduce-paper",
-                    .text = tr("Reproduce t&he paper…"),
+                    .text = CompareMenu::tr("Reproduce t&he paper…"),
                     .keys = {QKeySequence("Ctrl+F7")},
                     .icon = "chart",
                     .show = &OtherWindows::showExperiment,

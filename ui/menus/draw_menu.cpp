@@ -10,7 +10,9 @@ namespace ui {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("DrawMenu", text); }
+struct DrawMenu {
+    Q_DECLARE_TR_FUNCTIONS(DrawMenu)
+};
 
 /// Adds the tools, grouped as in their catalogue.
 void addTools(MainWindow& window, QMenu& menu)
@@ -25,6 +27,6 @@ void addTools(MainWindow& window, QMenu& menu)
 
 } // namespace
 
-MenuInfo drawMenu() { return {.title = tr("&Draw"), .begin = addTools}; }
+MenuInfo drawMenu() { return {.title = DrawMenu::tr("&Draw"), .begin = addTools}; }
 
 } // namespace ui

@@ -6,16 +6,11 @@
 #include "ui/menus/needs.h"
 #include "ui/window/main_window.h"
 
-#include <QCoreApplication>
 #include <QMenu>
 
 namespace ui {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("EditMenu", text); }
-
-bool someSelected(const MainWindow& window) { return !window.session().selection().empty(); }
 
 /// The clipboard now holds a drawing, so a warning that it does not is outdated.
 void withdrawWarning(MainWindow& window)
@@ -77,13 +72,13 @@ QAction* stepAction(Canvas& canvas, QMenu& menu, const StepEntry& entry)
 
 void addSteps(MainWindow& window, QMenu& menu)
 {
-    QAction* undo =
-        stepAction(window.canvas(), menu,
-                   {"undo", tr("&Undo"), &Canvas::undo, &Canvas::canUndo, &Canvas::undoText});
+    QAction* undo = stepAction(
+        window.canvas(), menu,
+        {"undo", EditMenu::tr("&Undo"), &Canvas::undo, &Canvas::canUndo, &Canvas::undoText});
     undo->setShortcuts(keys(QKeySequence::Undo));
-    QAction* redo =
-        stepAction(window.canvas(), menu,
-                   {"redo", tr("&Redo"), &Canvas::redo, &Canvas::canRedo, &Canvas::redoText});
+    QAction* redo = stepAction(
+        window.canvas(), menu,
+        {"redo", EditMenu::tr("&Redo"), &Canvas::redo, &Canvas::canRedo, &Canvas::redoText});
     redo->setShortcuts(keys(QKeySequence::Redo, {QKeySequence("Ctrl+Y")}));
     menu.addActions({undo, redo});
     menu.addSeparator();
@@ -97,12 +92,12 @@ MenuInfo editMenu()
 {
     using K = QKeySequence;
     MenuInfo menu{
-        .title = tr("&Edit"),
+        .title = EditMenu::tr("&Edit"),
         .rows =
             {
                 {
                     .key = "cut",
-                    .text = tr("Cu&t"),
+                    .text = EditMenu::tr("Cu&t"),
                     .keys = keys(K::Cut),
                     .run =
                         [](MainWindow& w) {
@@ -114,7 +109,7 @@ MenuInfo editMenu()
                 },
                 {
                     .key = "copy",
-                    .text = tr("&Copy"),
+                    .text = EditMenu::tr("&Copy"),
                     .keys = keys(K::Copy),
                     .run =
                         [](MainWindow& w) {
@@ -126,19 +121,19 @@ MenuInfo editMenu()
                 },
                 {
                     .key = "paste",
-                    .text = tr("&Paste"),
+                    .text = EditMenu::tr("&Paste"),
                     .keys = keys(K::Paste),
                     .run = [](MainWindow& w) { pasteOrWarn(w, app::PastePlace::Offset); },
                 },
                 {
                     .key = "paste-in-place",
-                    .text = tr("Paste &in place"),
+                    .text = EditMenu::tr("Paste &in place"),
                     .keys = {K("Ctrl+Alt+V")},
                     .run = [](MainWindow& w) { pasteOrWarn(w, app::PastePlace::InPlace); },
                 },
                 {
                     .key = "duplicate",
-                    .text = tr("Dup&licate in place"),
+                    .text = EditMenu::tr("Dup&licate in place"),
                     .keys = {K("Ctrl+D")},
                     .run = [](MainWindow& w) { app::duplicateInPlace(w.session()); },
                     .enabled = someSelected,
@@ -146,7 +141,7 @@ MenuInfo editMenu()
                 },
                 {
                     .key = "delete",
-                    .text = tr("&Delete"),
+                    .text = EditMenu::tr("&Delete"),
                     .keys = {K(Qt::Key_Delete), K(Qt::Key_Backspace)},
                     .scope = ShortcutScope::Canvas,
                     .icon = "bin",
@@ -157,7 +152,7 @@ MenuInfo editMenu()
                 {},
                 {
                     .key = "select-all",
-                    .text = tr("Select &all"),
+                    .text = EditMenu::tr("Select &all"),
                     .keys = keys(K::SelectAll),
                     .run = selectAllNodesOrObjects,
                     .enabled =
@@ -165,7 +160,7 @@ MenuInfo editMenu()
                 },
                 {
                     .key = "deselect",
-                    .text = tr("D&eselect"),
+                    .text = EditMenu::tr("D&eselect"),
                     .keys = keys(K::Deselect, {K("Ctrl+Shift+A")}),
                     .run = [](MainWindow& w) { w.session().select({}); },
                     .enabled = someSelected,

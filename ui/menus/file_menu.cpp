@@ -13,7 +13,9 @@ namespace ui {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("FileMenu", text); }
+struct FileMenu {
+    Q_DECLARE_TR_FUNCTIONS(FileMenu)
+};
 
 void fillRecent(MainWindow& window, QMenu& menu)
 {
@@ -27,7 +29,8 @@ void fillRecent(MainWindow& window, QMenu& menu)
         action->setEnabled(!file.missing());
     }
     menu.addSeparator();
-    auto* forget = menu.addAction(tr("&Clear recent files"), &window.files(), &Files::forgetRecent);
+    auto* forget =
+        menu.addAction(FileMenu::tr("&Clear recent files"), &window.files(), &Files::forgetRecent);
     forget->setEnabled(number > 1);
 }
 
@@ -44,44 +47,44 @@ MenuInfo fileMenu()
 {
     using K = QKeySequence;
     return {
-        .title = tr("&File"),
+        .title = FileMenu::tr("&File"),
         .rows =
             {
                 {
                     .key = "new",
-                    .text = tr("&New"),
+                    .text = FileMenu::tr("&New"),
                     .keys = keys(K::New),
                     .icon = "page",
                     .run = [](MainWindow& w) { w.files().startNew(); },
                 },
                 {
                     .key = "open",
-                    .text = tr("&Open…"),
+                    .text = FileMenu::tr("&Open…"),
                     .keys = keys(K::Open),
                     .icon = "folder",
                     .run = [](MainWindow& w) { w.files().open(); },
                 },
                 {
-                    .text = tr("Open &recent"),
+                    .text = FileMenu::tr("Open &recent"),
                     .fill = addRecent,
                 },
                 {},
                 {
                     .key = "save",
-                    .text = tr("&Save"),
+                    .text = FileMenu::tr("&Save"),
                     .keys = keys(K::Save),
                     .run = [](MainWindow& w) { w.files().save(); },
                 },
                 {
                     .key = "save-as",
-                    .text = tr("Save &as…"),
+                    .text = FileMenu::tr("Save &as…"),
                     .keys = keys(K::SaveAs, {K("Ctrl+Shift+S")}),
                     .run = [](MainWindow& w) { w.files().saveAs(); },
                 },
                 {},
                 {
                     .key = "export",
-                    .text = tr("&Export cut drawing…"),
+                    .text = FileMenu::tr("&Export cut drawing…"),
                     .keys = {K("Ctrl+E")},
                     .icon = "export",
                     .run = [](MainWindow& w) { w.files().exportCut(); },
@@ -92,7 +95,7 @@ MenuInfo fileMenu()
                 {},
                 {
                     .key = "close",
-                    .text = tr("&Close"),
+                    .text = FileMenu::tr("&Close"),
                     .keys = {K("Ctrl+W")},
                     .run =
                         [](MainWindow& w) {
@@ -101,7 +104,7 @@ MenuInfo fileMenu()
                 },
                 {
                     .key = "quit",
-                    .text = tr("&Quit"),
+                    .text = FileMenu::tr("&Quit"),
                     .keys = keys(K::Quit, {K("Ctrl+Q")}),
                     .run = [](MainWindow& w) { w.close(); },
                 },

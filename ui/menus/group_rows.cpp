@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/rearrange_selection.h"
 #include "app/session/units.h"
+#include "ui/menus/needs.h"
 #include "ui/menus/object_rows.h"
 #include "ui/tools/group_choice.h"
 #include "ui/window/main_window.h"
-
-#include <QCoreApplication>
 
 namespace ui {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("ObjectMenu", text); }
-
 bool groupSelected(const MainWindow& window) { return app::someGroupSelected(window.session()); }
-
-bool someSelected(const MainWindow& window) { return !window.session().selection().empty(); }
 
 } // namespace
 
@@ -25,43 +20,44 @@ std::vector<ActionInfo> groupRows()
     return {
         {
             .key = "group",
-            .text = tr("&Group"),
+            .text = ObjectMenu::tr("&Group"),
             .keys = {K("Ctrl+G")},
             .run = [](MainWindow& w) { app::groupSelection(w.session()); },
             .enabled = someSelected,
-            .needs = tr("Nothing is selected. Select an object first."),
+            .needs = ObjectMenu::tr("Nothing is selected. Select an object first."),
         },
         {
             .key = "ungroup",
-            .text = tr("&Ungroup"),
+            .text = ObjectMenu::tr("&Ungroup"),
             .keys = {K("Ctrl+Shift+G")},
             .run = [](MainWindow& w) { app::ungroupSelection(w.session()); },
             .enabled = groupSelected,
-            .needs = tr("No group is selected. Click a group first."),
+            .needs = ObjectMenu::tr("No group is selected. Click a group first."),
         },
         {
             .key = "enter-group",
-            .text = tr("&Enter group"),
+            .text = ObjectMenu::tr("&Enter group"),
             .keys = {K("Ctrl+Return")},
             .run =
                 [](MainWindow& w) {
                     const auto groups = app::selectedGroups(w.session());
                     if (groups.empty())
-                        emit w.session().refused(tr("No group is selected. Click a group first."));
+                        emit w.session().refused(
+                            ObjectMenu::tr("No group is selected. Click a group first."));
                     else
                         enterGroupAt(w.session(),
                                      w.session().now().containers().rangeOf(groups.back()).first);
                 },
             .enabled = groupSelected,
-            .needs = tr("No group is selected. Click a group first."),
+            .needs = ObjectMenu::tr("No group is selected. Click a group first."),
         },
         {
             .key = "leave-group",
-            .text = tr("Leave group"),
+            .text = ObjectMenu::tr("Leave group"),
             .keys = {K("Ctrl+Shift+Return")},
             .run = [](MainWindow& w) { leaveGroup(w.session()); },
             .enabled = [](const MainWindow& w) { return w.session().entered.id() != 0; },
-            .needs = tr("No group is entered. Double click a group to enter it."),
+            .needs = ObjectMenu::tr("No group is entered. Double click a group to enter it."),
         },
     };
 }

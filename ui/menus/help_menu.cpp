@@ -11,7 +11,9 @@ namespace ui {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("HelpMenu", text); }
+struct HelpMenu {
+    Q_DECLARE_TR_FUNCTIONS(HelpMenu)
+};
 
 } // namespace
 
@@ -19,23 +21,23 @@ MenuInfo helpMenu()
 {
     using K = QKeySequence;
     return {
-        .title = tr("&Help"),
+        .title = HelpMenu::tr("&Help"),
         .rows =
             {
                 {
                     .key = "manual",
-                    .text = tr("&Manual"),
+                    .text = HelpMenu::tr("&Manual"),
                     .icon = "book",
                     .show = &OtherWindows::showManual,
                 },
                 {
                     .key = "start",
-                    .text = tr("Show &start panel"),
+                    .text = HelpMenu::tr("Show &start panel"),
                     .run = [](MainWindow& w) { w.raisePanel("start"); },
                 },
                 {
                     .key = "shortcuts",
-                    .text = tr("&Keyboard shortcuts"),
+                    .text = HelpMenu::tr("&Keyboard shortcuts"),
                     .keys = {K("Ctrl+?")},
                     .icon = "keyboard",
                     .run = [](MainWindow& w) { showShortcuts(w); },
@@ -43,12 +45,12 @@ MenuInfo helpMenu()
                 {},
                 {
                     .key = "about",
-                    .text = tr("A&bout Clearcut"),
+                    .text = HelpMenu::tr("A&bout Clearcut"),
                     .run = [](MainWindow& w) { showAbout(w); },
                 },
                 {
                     .key = "about-qt",
-                    .text = tr("About &Qt"),
+                    .text = HelpMenu::tr("About &Qt"),
                     .run = [](MainWindow&) { QApplication::aboutQt(); },
                 },
             },

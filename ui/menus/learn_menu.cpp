@@ -9,7 +9,9 @@ namespace ui {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("LearnMenu", text); }
+struct LearnMenu {
+    Q_DECLARE_TR_FUNCTIONS(LearnMenu)
+};
 
 void toggleMicroscope(MainWindow& window)
 {
@@ -32,12 +34,12 @@ void toggleOverlay(MainWindow& window)
 MenuInfo learnMenu()
 {
     return {
-        .title = tr("&Learn"),
+        .title = LearnMenu::tr("&Learn"),
         .rows =
             {
                 {
                     .key = "microscope",
-                    .text = tr("Clip &microscope"),
+                    .text = LearnMenu::tr("Clip &microscope"),
                     .keys = {QKeySequence("F2")},
                     .icon = "microscope",
                     .run = toggleMicroscope,
@@ -45,14 +47,14 @@ MenuInfo learnMenu()
                 },
                 {
                     .key = "export-steps",
-                    .text = tr("Export s&teps…"),
+                    .text = LearnMenu::tr("Export s&teps…"),
                     .icon = "export",
                     .show = &OtherWindows::exportSteps,
                     .enabled = [](const MainWindow& w) { return w.session().microscope.isOpen(); },
                 },
                 {
                     .key = "overlay",
-                    .text = tr("What the algorithm &sees"),
+                    .text = LearnMenu::tr("What the algorithm &sees"),
                     .keys = {QKeySequence("F3"), QKeySequence("Ctrl+R")},
                     .icon = "regions",
                     .run = toggleOverlay,
@@ -60,7 +62,7 @@ MenuInfo learnMenu()
                 },
                 {
                     .key = "lessons",
-                    .text = tr("&Lessons"),
+                    .text = LearnMenu::tr("&Lessons"),
                     .keys = {QKeySequence("Ctrl+F1")},
                     .icon = "book",
                     .run = [](MainWindow& w) { w.showLessons(); },
@@ -68,34 +70,34 @@ MenuInfo learnMenu()
                 },
                 {
                     .key = "cost-map",
-                    .text = tr("&Cost map"),
+                    .text = LearnMenu::tr("&Cost map"),
                     .keys = {QKeySequence("Shift+F2")},
                     .run = [](MainWindow& w) { w.togglePanel("cost-map"); },
                     .checked = [](const MainWindow& w) { return w.showsPanel("cost-map"); },
                 },
                 {
                     .key = "exactness",
-                    .text = tr("E&xactness"),
+                    .text = LearnMenu::tr("E&xactness"),
                     .keys = {QKeySequence("Shift+F3")},
                     .run = [](MainWindow& w) { w.togglePanel("exactness"); },
                     .checked = [](const MainWindow& w) { return w.showsPanel("exactness"); },
                 },
                 {
                     .key = "about-algorithm",
-                    .text = tr("About this &algorithm"),
+                    .text = LearnMenu::tr("About this &algorithm"),
                     .keys = keys(QKeySequence::HelpContents, {QKeySequence("F1")}),
                     .icon = "book",
                     .show = &OtherWindows::explainCurrent,
                 },
                 {
                     .key = "hard-cases",
-                    .text = tr("&Hard cases…"),
+                    .text = LearnMenu::tr("&Hard cases…"),
                     .keys = {QKeySequence("Ctrl+F2")},
                     .show = &OtherWindows::showHardCases,
                 },
                 {
                     .key = "judge",
-                    .text = tr("&Judge your own algorithm…"),
+                    .text = LearnMenu::tr("&Judge your own algorithm…"),
                     .keys = {QKeySequence("Ctrl+F3")},
                     .show = &OtherWindows::showJudge,
                 },

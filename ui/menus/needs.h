@@ -5,6 +5,11 @@
 
 namespace ui {
 
+class MainWindow;
+
+/// Whether a command on the selection is enabled.
+bool someSelected(const MainWindow& window);
+
 /// Why a command on the selection is disabled.
 QString nothingSelected();
 

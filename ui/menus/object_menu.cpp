@@ -6,15 +6,9 @@
 #include "ui/menus/object_rows.h"
 #include "ui/window/main_window.h"
 
-#include <QCoreApplication>
-
 namespace ui {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("ObjectMenu", text); }
-
-bool someSelected(const MainWindow& window) { return !window.session().selection().empty(); }
 
 /// Begins a transformation that takes the pointer or numbers.
 ActionInfo begin(const app::Transformation& kind)
@@ -34,7 +28,7 @@ ActionInfo repeat()
 {
     return {
         .key = "repeat",
-        .text = tr("Repeat in rows or aroun&d a point…"),
+        .text = ObjectMenu::tr("Repeat in rows or aroun&d a point…"),
         .keys = {QKeySequence("Ctrl+Shift+D")},
         .run =
             [](MainWindow& w) {
@@ -53,7 +47,7 @@ ActionInfo scaleStrokes()
     using app::StrokeScaling;
     return {
         .key = "scale-strokes",
-        .text = tr("Scale stroke &widths too"),
+        .text = ObjectMenu::tr("Scale stroke &widths too"),
         .run =
             [](MainWindow& w) {
                 const bool on = w.session().arrange.strokes == StrokeScaling::Scale;
@@ -68,7 +62,7 @@ ActionInfo scaleStrokes()
 
 MenuInfo objectMenu()
 {
-    MenuInfo menu{.title = tr("&Object"), .rows = groupRows()};
+    MenuInfo menu{.title = ObjectMenu::tr("&Object"), .rows = groupRows()};
     const auto add = [&menu](const std::vector<ActionInfo>& rows) {
         menu.rows.insert(menu.rows.end(), rows.begin(), rows.end());
     };

@@ -4,16 +4,11 @@
 #include "ui/menus/object_rows.h"
 #include "ui/window/main_window.h"
 
-#include <QCoreApplication>
 #include <QMenu>
 
 namespace ui {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("ObjectMenu", text); }
-
-bool someSelected(const MainWindow& window) { return !window.session().selection().empty(); }
 
 ActionInfo stack(std::string_view key, const QString& text, const QKeySequence& shortcut,
                  app::Stacking how)
@@ -26,7 +21,7 @@ ActionInfo stack(std::string_view key, const QString& text, const QKeySequence& 
         .run = [how](MainWindow& w) { app::stackSelection(w.session(), how); },
         .enabled = someSelected,
         .needs = nothingSelected(),
-        .submenu = tr("&Order"),
+        .submenu = ObjectMenu::tr("&Order"),
     };
 }
 
@@ -41,7 +36,7 @@ ActionInfo moveBy(std::string_view key, const QString& text, const QKeySequence&
         .run = [layers](MainWindow& w) { app::moveSelectionBy(w.session(), layers); },
         .enabled = someSelected,
         .needs = nothingSelected(),
-        .submenu = tr("&Order"),
+        .submenu = ObjectMenu::tr("&Order"),
     };
 }
 
@@ -73,14 +68,14 @@ std::vector<ActionInfo> orderRows()
     using K = QKeySequence;
     using app::Stacking;
     return {
-        stack("to-front", tr("Bring to &front"), K("Home"), Stacking::ToFront),
-        stack("raise", tr("&Raise"), K("PgUp"), Stacking::Raise),
-        stack("lower", tr("&Lower"), K("PgDown"), Stacking::Lower),
-        stack("to-back", tr("Send to &back"), K("End"), Stacking::ToBack),
-        {.submenu = tr("&Order")},
-        moveBy("to-layer-above", tr("To the layer &above"), K("Shift+PgUp"), 1),
-        moveBy("to-layer-below", tr("To the layer b&elow"), K("Shift+PgDown"), -1),
-        {.text = tr("Move to la&yer"), .fill = fillLayers},
+        stack("to-front", ObjectMenu::tr("Bring to &front"), K("Home"), Stacking::ToFront),
+        stack("raise", ObjectMenu::tr("&Raise"), K("PgUp"), Stacking::Raise),
+        stack("lower", ObjectMenu::tr("&Lower"), K("PgDown"), Stacking::Lower),
+        stack("to-back", ObjectMenu::tr("Send to &back"), K("End"), Stacking::ToBack),
+        {.submenu = ObjectMenu::tr("&Order")},
+        moveBy("to-layer-above", ObjectMenu::tr("To the layer &above"), K("Shift+PgUp"), 1),
+        moveBy("to-layer-below", ObjectMenu::tr("To the layer b&elow"), K("Shift+PgDown"), -1),
+        {.text = ObjectMenu::tr("Move to la&yer"), .fill = fillLayers},
     };
 }
 

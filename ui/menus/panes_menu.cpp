@@ -9,7 +9,9 @@ namespace ui {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("PanesMenu", text); }
+struct PanesMenu {
+    Q_DECLARE_TR_FUNCTIONS(PanesMenu)
+};
 
 template <std::size_t count>
 void showPanes(MainWindow& window)
@@ -53,11 +55,11 @@ void closePane(MainWindow& window)
 // NOLINTNEXTLINE(readability-function-size): a table, a row for each entry
 std::vector<ActionInfo> panesRows()
 {
-    const QString panes = tr("Pan&es");
+    const QString panes = PanesMenu::tr("Pan&es");
     return {
         {
             .key = "panes-1",
-            .text = tr("&One pane"),
+            .text = PanesMenu::tr("&One pane"),
             .keys = {QKeySequence("Ctrl+1")},
             .run = showPanes<1>,
             .checked = showsPanes<1>,
@@ -66,7 +68,7 @@ std::vector<ActionInfo> panesRows()
         },
         {
             .key = "panes-2",
-            .text = tr("&Two panes"),
+            .text = PanesMenu::tr("&Two panes"),
             .keys = {QKeySequence("Ctrl+2")},
             .run = showPanes<2>,
             .checked = showsPanes<2>,
@@ -75,7 +77,7 @@ std::vector<ActionInfo> panesRows()
         },
         {
             .key = "panes-4",
-            .text = tr("&Four panes"),
+            .text = PanesMenu::tr("&Four panes"),
             .keys = {QKeySequence("Ctrl+4")},
             .icon = "panes",
             .run = showPanes<4>,
@@ -85,7 +87,7 @@ std::vector<ActionInfo> panesRows()
         },
         {
             .key = "panes-all",
-            .text = tr("A pane for &every algorithm"),
+            .text = PanesMenu::tr("A pane for &every algorithm"),
             .keys = {QKeySequence("Ctrl+9")},
             .run = showAllPanes,
             .checked = [](const MainWindow& w) { return w.canvas().panes().showsAll(); },
@@ -94,7 +96,7 @@ std::vector<ActionInfo> panesRows()
         },
         {
             .key = "next-pane",
-            .text = tr("&Next pane"),
+            .text = PanesMenu::tr("&Next pane"),
             .keys = {QKeySequence("F6")},
             .run = [](MainWindow& w) { activatePane(w, 1); },
             .enabled = severalPanes,
@@ -102,7 +104,7 @@ std::vector<ActionInfo> panesRows()
         },
         {
             .key = "previous-pane",
-            .text = tr("&Previous pane"),
+            .text = PanesMenu::tr("&Previous pane"),
             .keys = {QKeySequence("Shift+F6")},
             .run = [](MainWindow& w) { activatePane(w, w.canvas().panes().size() - 1); },
             .enabled = severalPanes,
@@ -110,7 +112,7 @@ std::vector<ActionInfo> panesRows()
         },
         {
             .key = "close-pane",
-            .text = tr("&Close pane"),
+            .text = PanesMenu::tr("&Close pane"),
             .keys = {QKeySequence("Ctrl+Shift+W")},
             .run = closePane,
             .enabled = severalPanes,

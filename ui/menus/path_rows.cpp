@@ -6,13 +6,9 @@
 #include "ui/menus/object_rows.h"
 #include "ui/window/main_window.h"
 
-#include <QCoreApplication>
-
 namespace ui {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("ObjectMenu", text); }
 
 constexpr std::size_t types = 3; // of nodes: the first steps, in the order of app::NodeType
 
@@ -49,7 +45,7 @@ ActionInfo nodeStep(std::size_t number, const QKeySequence& shortcut)
         .scope = ShortcutScope::Canvas,
         .icon = step.key,
         .run = [&step](MainWindow& w) { take(step, w); },
-        .submenu = tr("&Path"),
+        .submenu = ObjectMenu::tr("&Path"),
         .refusal = [&step](const MainWindow& w) { return w.session().nodes.refusal(step); },
         .made = [](MainWindow& w, QAction& action) { w.optionBar().addNodeStep(action); },
     };
@@ -77,20 +73,20 @@ std::vector<ActionInfo> pathRows()
     for (std::size_t i = 0; i < app::nodeSteps().size(); ++i) {
         const Row row = i < shortcuts.size() ? shortcuts[i] : Row{""};
         if (row.beginsGroup)
-            rows.push_back({.submenu = tr("&Path")}); // a separator
+            rows.push_back({.submenu = ObjectMenu::tr("&Path")}); // a separator
         rows.push_back(nodeStep(i, QKeySequence(row.shortcut)));
     }
-    rows.push_back({.submenu = tr("&Path")}); // a separator
+    rows.push_back({.submenu = ObjectMenu::tr("&Path")}); // a separator
     rows.push_back({
         .key = "convert-to-path",
-        .text = tr("Con&vert to path"),
+        .text = ObjectMenu::tr("Con&vert to path"),
         .keys = {QKeySequence("Ctrl+Shift+P")},
         .run =
             [](MainWindow& w) {
                 w.canvas().endGesture();
                 app::convertToPaths(w.session());
             },
-        .submenu = tr("&Path"),
+        .submenu = ObjectMenu::tr("&Path"),
         .refusal = [](const MainWindow& w) { return app::convertRefusal(w.session()); },
     });
     return rows;

@@ -2,17 +2,12 @@
 #include "app/session/select_alike.h"
 #include "ui/dialogs/find_dialog.h"
 #include "ui/menus/edit_rows.h"
+#include "ui/menus/needs.h"
 #include "ui/window/main_window.h"
-
-#include <QCoreApplication>
 
 namespace ui {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("EditMenu", text); }
-
-bool someSelected(const MainWindow& window) { return !window.session().selection().empty(); }
 
 bool someObjects(const MainWindow& window) { return !window.session().now().objects().empty(); }
 
@@ -23,8 +18,8 @@ ActionInfo alike(const app::Likeness& likeness)
         .text = likeness.name,
         .run = [&likeness](MainWindow& w) { app::selectAlike(w.session(), likeness); },
         .enabled = someSelected,
-        .needs = tr("Nothing is selected. Select an object first."),
-        .submenu = tr("Select sa&me"),
+        .needs = EditMenu::tr("Nothing is selected. Select an object first."),
+        .submenu = EditMenu::tr("Select sa&me"),
     };
 }
 
@@ -56,14 +51,14 @@ std::vector<ActionInfo> selectRows()
     std::vector<ActionInfo> rows{
         {
             .key = "select-layer",
-            .text = tr("Select all in the la&yer"),
+            .text = EditMenu::tr("Select all in the la&yer"),
             .keys = {K("Ctrl+Alt+A")},
             .run = [](MainWindow& w) { app::selectLayer(w.session(), w.session().pen.layer); },
             .enabled = someObjects,
         },
         {
             .key = "invert-selection",
-            .text = tr("In&vert selection"),
+            .text = EditMenu::tr("In&vert selection"),
             .keys = {K("Ctrl+I")},
             .run = [](MainWindow& w) { app::invertSelection(w.session()); },
             .enabled = someObjects,
@@ -73,7 +68,7 @@ std::vector<ActionInfo> selectRows()
         rows.push_back(alike(likeness));
     rows.push_back({
         .key = "find",
-        .text = tr("&Find…"),
+        .text = EditMenu::tr("&Find…"),
         .keys = keys(K::Find, {K("Ctrl+F")}),
         .run = showFind,
         .enabled = someObjects,

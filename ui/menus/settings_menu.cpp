@@ -16,7 +16,9 @@ namespace ui {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("SettingsMenu", text); }
+struct SettingsMenu {
+    Q_DECLARE_TR_FUNCTIONS(SettingsMenu)
+};
 
 /// Marks the first letter that no earlier entry has: p of pt, x of px.
 QString withLetter(QString name, QString& taken)
@@ -61,11 +63,11 @@ void addUndoMemories(MainWindow& window, QMenu& menu)
 {
     auto* group = new QActionGroup(&menu);
     for (const UndoMemory& memory : undoMemories) {
-        auto* action =
-            menu.addAction(tr(memory.text), &window, [&window, megabytes = memory.megabytes] {
-                setUndoMegabytes(megabytes);
-                window.session().history.setLimit(bytesOf(megabytes));
-            });
+        auto* action = menu.addAction(SettingsMenu::tr(memory.text), &window,
+                                      [&window, megabytes = memory.megabytes] {
+                                          setUndoMegabytes(megabytes);
+                                          window.session().history.setLimit(bytesOf(megabytes));
+                                      });
         action->setObjectName(QStringLiteral("undo-memory"));
         action->setCheckable(true);
         action->setChecked(undoMegabytes() == memory.megabytes);
@@ -78,15 +80,15 @@ void addUndoMemories(MainWindow& window, QMenu& menu)
 MenuInfo settingsMenu()
 {
     return {
-        .title = tr("&Settings"),
+        .title = SettingsMenu::tr("&Settings"),
         .rows =
             {
                 {
-                    .text = tr("&Units"),
+                    .text = SettingsMenu::tr("&Units"),
                     .fill = addUnits,
                 },
                 {
-                    .text = tr("&Memory for undo"),
+                    .text = SettingsMenu::tr("&Memory for undo"),
                     .fill = addUndoMemories,
                 },
             },

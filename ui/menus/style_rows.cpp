@@ -6,14 +6,11 @@
 #include "ui/window/main_window.h"
 
 #include <QAction>
-#include <QCoreApplication>
 #include <QStatusBar>
 
 namespace ui {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("ObjectMenu", text); }
 
 /// Goes to the panel, or opens it below its button.
 void openStyle(MainWindow& window)
@@ -35,7 +32,7 @@ ActionInfo takeColour(std::string_view key, const QString& text, const char* sho
         .keys = {QKeySequence(shortcut)},
         .scope = ShortcutScope::Canvas,
         .run = [part](MainWindow& w) { w.optionBar().takeColour(part); },
-        .submenu = tr("S&tyle"),
+        .submenu = ObjectMenu::tr("S&tyle"),
     };
 }
 
@@ -44,43 +41,45 @@ ActionInfo takeColour(std::string_view key, const QString& text, const char* sho
 std::vector<ActionInfo> styleRows()
 {
     using K = QKeySequence;
-    const QString submenu = tr("S&tyle");
+    const QString submenu = ObjectMenu::tr("S&tyle");
     return {
         {
             .key = "style",
-            .text = tr("&Style…"),
+            .text = ObjectMenu::tr("&Style…"),
             .keys = {K("Ctrl+Shift+F")},
             .icon = "style",
             .run = openStyle,
             .submenu = submenu,
             .made = [](MainWindow& w, QAction& action) { w.optionBar().setStyleCommand(action); },
         },
-        takeColour("take-stroke", tr("&Take stroke colour from the drawing"), "I",
+        takeColour("take-stroke", ObjectMenu::tr("&Take stroke colour from the drawing"), "I",
                    &app::Style::stroke),
-        takeColour("take-fill", tr("Take &fill colour from the drawing"), "Shift+I",
+        takeColour("take-fill", ObjectMenu::tr("Take &fill colour from the drawing"), "Shift+I",
                    &app::Style::fill),
         {.submenu = submenu}, // a separator
         {
             .key = "copy-style",
-            .text = tr("&Copy style"),
+            .text = ObjectMenu::tr("&Copy style"),
             .keys = {K("Ctrl+Shift+C")},
             .run =
                 [](MainWindow& w) {
                     copyStyle(w.session());
                     w.refreshActions();
-                    w.statusBar()->showMessage(tr("The style is copied. Select other objects and "
-                                                  "paste it (Ctrl+Shift+V)."),
-                                               MainWindow::messageMilliseconds);
+                    w.statusBar()->showMessage(
+                        ObjectMenu::tr("The style is copied. Select other objects and "
+                                       "paste it (Ctrl+Shift+V)."),
+                        MainWindow::messageMilliseconds);
                 },
             .submenu = submenu,
         },
         {
             .key = "paste-style",
-            .text = tr("&Paste style"),
+            .text = ObjectMenu::tr("&Paste style"),
             .keys = {K("Ctrl+Shift+V")},
             .run = [](MainWindow& w) { pasteStyle(w.session()); },
             .enabled = [](const MainWindow&) { return hasCopiedStyle(); },
-            .needs = tr("No style was copied. Select an object and copy its style first."),
+            .needs =
+                ObjectMenu::tr("No style was copied. Select an object and copy its style first."),
             .submenu = submenu,
         },
     };

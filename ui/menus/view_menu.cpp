@@ -17,7 +17,9 @@ namespace ui {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("ViewMenu", text); }
+struct ViewMenu {
+    Q_DECLARE_TR_FUNCTIONS(ViewMenu)
+};
 
 void toggle(MainWindow& window, bool app::Display::*member)
 {
@@ -49,9 +51,9 @@ void fitDrawing(MainWindow& window)
 void addThemes(MainWindow& window, QMenu& menu)
 {
     auto* group = new QActionGroup(&menu);
-    const std::pair<Theme, QString> themes[]{{Theme::System, tr("As the &desktop")},
-                                             {Theme::Light, tr("&Light")},
-                                             {Theme::Dark, tr("D&ark")}};
+    const std::pair<Theme, QString> themes[]{{Theme::System, ViewMenu::tr("As the &desktop")},
+                                             {Theme::Light, ViewMenu::tr("&Light")},
+                                             {Theme::Dark, ViewMenu::tr("D&ark")}};
     for (const auto& [theme, text] : themes) {
         QAction* action =
             menu.addAction(text, &window, [&window, theme = theme] { window.setTheme(theme); });
@@ -76,7 +78,7 @@ ActionInfo marksRow(std::string_view key, const QString& text)
         .run = [](MainWindow& w) { changeGrid(w, [](app::Grid& grid) { grid.marks = marks; }); },
         .checked = [](const MainWindow& w) { return w.session().display().grid.marks == marks; },
         .group = "grid-marks",
-        .submenu = tr("Gri&d looks")};
+        .submenu = ViewMenu::tr("Gri&d looks")};
 }
 
 template <app::Grid::Pattern pattern>
@@ -90,12 +92,13 @@ ActionInfo patternRow(std::string_view key, const QString& text)
         .checked =
             [](const MainWindow& w) { return w.session().display().grid.pattern == pattern; },
         .group = "grid-pattern",
-        .submenu = tr("Gri&d looks")};
+        .submenu = ViewMenu::tr("Gri&d looks")};
 }
 
 ActionInfo ownGridRow()
 {
-    ActionInfo row = patternRow<app::Grid::Pattern::Own>("grid-own", tr("Own an&gle and spacing…"));
+    ActionInfo row =
+        patternRow<app::Grid::Pattern::Own>("grid-own", ViewMenu::tr("Own an&gle and spacing…"));
     row.run = [](MainWindow& w) {
         changeGrid(w, [](app::Grid& grid) {
             grid.pattern = app::Grid::Pattern::Own;
@@ -119,7 +122,7 @@ std::vector<ActionInfo> workspaceRows()
             .run = [&workspace](MainWindow& w) { w.choose(workspace); },
             .checked = [&workspace](const MainWindow& w) { return &w.workspace() == &workspace; },
             .group = "workspace",
-            .submenu = tr("Wor&kspace"),
+            .submenu = ViewMenu::tr("Wor&kspace"),
         });
     }
     return rows;
@@ -134,37 +137,37 @@ MenuInfo viewMenu()
 {
     using K = QKeySequence;
     MenuInfo menu{
-        .title = tr("&View"),
+        .title = ViewMenu::tr("&View"),
         .rows =
             {
                 {
                     .key = "zoom-in",
-                    .text = tr("Zoom &in"),
+                    .text = ViewMenu::tr("Zoom &in"),
                     .keys = keys(K::ZoomIn, {K("Ctrl+=")}),
                     .run = zoom<5, 4>,
                 },
                 {
                     .key = "zoom-out",
-                    .text = tr("Zoom &out"),
+                    .text = ViewMenu::tr("Zoom &out"),
                     .keys = keys(K::ZoomOut),
                     .run = zoom<4, 5>,
                 },
                 {
                     .key = "zoom-100",
-                    .text = tr("Ac&tual size"),
+                    .text = ViewMenu::tr("Ac&tual size"),
                     .keys = {K("Ctrl+0")},
                     .run = [](MainWindow& w) { w.canvas().setZoom(1); },
                 },
                 {
                     .key = "fit-drawing",
-                    .text = tr("&Fit drawing"),
+                    .text = ViewMenu::tr("&Fit drawing"),
                     .keys = {K("Shift+1")},
                     .scope = ShortcutScope::Canvas,
                     .run = fitDrawing,
                 },
                 {
                     .key = "fit-selection",
-                    .text = tr("Fit &selection"),
+                    .text = ViewMenu::tr("Fit &selection"),
                     .keys = {K("Shift+2")},
                     .scope = ShortcutScope::Canvas,
                     .run = [](MainWindow& w) { w.canvas().fitSelection(); },
@@ -172,24 +175,24 @@ MenuInfo viewMenu()
                 },
                 {
                     .key = "fit-window",
-                    .text = tr("Fit clip &window"),
+                    .text = ViewMenu::tr("Fit clip &window"),
                     .keys = {K("Shift+3")},
                     .scope = ShortcutScope::Canvas,
                     .run = [](MainWindow& w) { w.canvas().fitWindow(); },
                     .enabled =
                         [](const MainWindow& w) { return w.session().clipWindow().has_value(); },
-                    .needs = tr("There is no clip window. Draw one first (W)."),
+                    .needs = ViewMenu::tr("There is no clip window. Draw one first (W)."),
                 },
                 {
                     .key = "previous-view",
-                    .text = tr("&Previous view"),
+                    .text = ViewMenu::tr("&Previous view"),
                     .keys = {K("`")},
                     .scope = ShortcutScope::Canvas,
                     .run = [](MainWindow& w) { w.canvas().previousView(); },
                 },
                 {
                     .key = "next-view",
-                    .text = tr("&Next view"),
+                    .text = ViewMenu::tr("&Next view"),
                     .keys = {K("~")},
                     .scope = ShortcutScope::Canvas,
                     .run = [](MainWindow& w) { w.canvas().nextView(); },
@@ -197,14 +200,14 @@ MenuInfo viewMenu()
                 {},
                 {
                     .key = "snap",
-                    .text = tr("Snappin&g"),
+                    .text = ViewMenu::tr("Snappin&g"),
                     .keys = {K("F5")},
                     .run = [](MainWindow& w) { w.canvas().switchSnapping(!w.canvas().snaps()); },
                     .checked = [](const MainWindow& w) { return w.canvas().snaps(); },
                 },
                 {
                     .key = "grid",
-                    .text = tr("Show g&rid"),
+                    .text = ViewMenu::tr("Show g&rid"),
                     .keys = {K("Shift+F5")},
                     .icon = "grid",
                     .run =
@@ -215,57 +218,59 @@ MenuInfo viewMenu()
                 },
                 {
                     .key = "guides",
-                    .text = tr("Show guides"),
+                    .text = ViewMenu::tr("Show guides"),
                     .keys = {K("Ctrl+F5")},
                     .run = [](MainWindow& w) { toggle(w, &app::Display::guides); },
                     .checked = [](const MainWindow& w) { return w.session().display().guides; },
                 },
                 {
                     .key = "remove-guides",
-                    .text = tr("Remove all guides"),
+                    .text = ViewMenu::tr("Remove all guides"),
                     .run =
                         [](MainWindow& w) {
-                            w.session().history.push(
-                                new app::SetGuides(w.session().document, {}, tr("Remove guides")));
+                            w.session().history.push(new app::SetGuides(
+                                w.session().document, {}, ViewMenu::tr("Remove guides")));
                         },
                     .enabled =
                         [](const MainWindow& w) {
                             return !w.session().now().page().guides.list.empty();
                         },
-                    .needs = tr("The page has no guides. Drag one from a ruler."),
+                    .needs = ViewMenu::tr("The page has no guides. Drag one from a ruler."),
                 },
-                marksRow<app::Grid::Marks::Lines>("grid-lines", tr("&Lines")),
-                marksRow<app::Grid::Marks::Dots>("grid-dots", tr("&Dots")),
-                patternRow<app::Grid::Pattern::Square>("grid-square", tr("&Square")),
-                patternRow<app::Grid::Pattern::Diagonal>("grid-diagonal", tr("Di&agonal, 45°")),
-                patternRow<app::Grid::Pattern::Isometric>("grid-isometric", tr("&Isometric, 30°")),
+                marksRow<app::Grid::Marks::Lines>("grid-lines", ViewMenu::tr("&Lines")),
+                marksRow<app::Grid::Marks::Dots>("grid-dots", ViewMenu::tr("&Dots")),
+                patternRow<app::Grid::Pattern::Square>("grid-square", ViewMenu::tr("&Square")),
+                patternRow<app::Grid::Pattern::Diagonal>("grid-diagonal",
+                                                         ViewMenu::tr("Di&agonal, 45°")),
+                patternRow<app::Grid::Pattern::Isometric>("grid-isometric",
+                                                          ViewMenu::tr("&Isometric, 30°")),
                 ownGridRow(),
                 {},
                 {
                     .key = "dark-paper",
-                    .text = tr("Dark p&aper"),
+                    .text = ViewMenu::tr("Dark p&aper"),
                     .run = [](MainWindow& w) { toggle(w, &app::Display::darkPaper); },
                     .checked = [](const MainWindow& w) { return w.session().display().darkPaper; },
                 },
                 {},
                 {
-                    .text = tr("T&heme"),
+                    .text = ViewMenu::tr("T&heme"),
                     .fill = addThemes,
                 },
                 {
-                    .text = tr("Pane&ls"),
+                    .text = ViewMenu::tr("Pane&ls"),
                     .fill = addPanels,
                 },
                 {
                     .key = "presentation",
-                    .text = tr("Pres&entation"),
+                    .text = ViewMenu::tr("Pres&entation"),
                     .keys = {K("F11")},
                     .run = [](MainWindow& w) { w.togglePresenting(); },
                     .checked = [](const MainWindow& w) { return w.isPresenting(); },
                 },
                 {
                     .key = "full-screen",
-                    .text = tr("F&ull screen"),
+                    .text = ViewMenu::tr("F&ull screen"),
                     .keys = {K("Shift+F11")},
                     .run =
                         [](MainWindow& w) {
@@ -275,7 +280,7 @@ MenuInfo viewMenu()
                 },
                 {
                     .key = "reset-layout",
-                    .text = tr("Reset la&yout"),
+                    .text = ViewMenu::tr("Reset la&yout"),
                     .run = [](MainWindow& w) { w.resetLayout(); },
                 },
             },

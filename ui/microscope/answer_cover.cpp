@@ -12,7 +12,7 @@ namespace ui {
 
 namespace {
 
-constexpr int eye = 16, gap = 6; // pixels
+constexpr int eye = 16, besideEye = 6; // pixels
 
 QString words() { return QCoreApplication::translate("AnswerCover", "covered until you answer"); }
 
@@ -50,12 +50,12 @@ void paintAnswerCover(QPainter& painter, const QRect& area, const QPalette& pale
     painter.setBrush(look.hover);
     painter.drawRoundedRect(area, space::radius, space::radius);
     const int text = painter.fontMetrics().horizontalAdvance(words());
-    const bool both = eye + gap + text + 2 * gap <= area.width();
-    const int left = area.center().x() - (both ? eye + gap + text : eye) / 2;
+    const bool both = eye + besideEye + text + 2 * besideEye <= area.width();
+    const int left = area.center().x() - (both ? eye + besideEye + text : eye) / 2;
     icon("eye-closed").paint(&painter, QRect(left, area.center().y() - eye / 2, eye, eye));
     painter.setPen(look.muted);
     if (both)
-        painter.drawText(QRect(left + eye + gap, area.top(), text + gap, area.height()),
+        painter.drawText(QRect(left + eye + besideEye, area.top(), text + besideEye, area.height()),
                          Qt::AlignLeft | Qt::AlignVCenter, words());
     painter.restore();
 }

@@ -13,7 +13,7 @@ namespace ui {
 
 namespace {
 
-constexpr int bar = 3, gap = 12, lineDistance = 4; // pixels
+constexpr int bar = 3, besideBar = 12, lineDistance = 4; // pixels
 
 QFont codeFont(const QFont& body)
 {
@@ -102,7 +102,7 @@ QRectF CodeView::rowOf(int line) const
 int CodeView::numbersWidth() const
 {
     const QString widest(std::max<qsizetype>(2, QString::number(code_.size()).size()), u'8');
-    return bar + gap + fontMetrics().horizontalAdvance(widest) + 4;
+    return bar + besideBar + fontMetrics().horizontalAdvance(widest) + 4;
 }
 
 void CodeView::placeNumbers()

@@ -10,7 +10,7 @@ namespace ui {
 
 namespace {
 
-constexpr int sign = 20, gap = 14; // pixels
+constexpr int sign = 20, betweenSigns = 14; // pixels
 
 } // namespace
 
@@ -39,7 +39,7 @@ QSize Legend::sizeHint() const
 {
     int width = 0;
     for (const app::Mark mark : marks_)
-        width += sign + fontMetrics().horizontalAdvance(markWord(mark)) + gap;
+        width += sign + fontMetrics().horizontalAdvance(markWord(mark)) + betweenSigns;
     return {width, std::max(18, fontMetrics().height())};
 }
 
@@ -54,7 +54,7 @@ void Legend::paintEvent(QPaintEvent*)
         painter.setPen(look.muted);
         painter.drawText(QRectF(x + sign, 0, 200, height()), Qt::AlignLeft | Qt::AlignVCenter,
                          word);
-        x += sign + fontMetrics().horizontalAdvance(word) + gap;
+        x += sign + fontMetrics().horizontalAdvance(word) + betweenSigns;
     }
 }
 

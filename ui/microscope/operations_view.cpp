@@ -22,7 +22,7 @@ QFont counterFont(const QFont& body)
     return font;
 }
 
-constexpr int gap = 12;
+constexpr int betweenCells = 12;
 
 } // namespace
 
@@ -83,9 +83,9 @@ std::vector<QPoint> OperationsView::places(int width) const
         if (x > 0 && x + widthOf(cell) > room)
             x = 0, y += cellHeight();
         places.push_back({x, y});
-        x += widthOf(cell) + gap;
+        x += widthOf(cell) + betweenCells;
     }
-    const int spare = std::max(0, room - x + gap) / int(cells_.size());
+    const int spare = std::max(0, room - x + betweenCells) / int(cells_.size());
     for (std::size_t i = 0; y == 0 && i < places.size(); ++i)
         places[i].rx() += int(i) * spare;
     return places;

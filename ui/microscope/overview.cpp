@@ -15,7 +15,7 @@ namespace ui {
 namespace {
 
 constexpr std::size_t mostLines = 20'000;
-constexpr double margin = 4, lineWidth = 0.5; // pixels
+constexpr double overviewMargin = 4, lineWidth = 0.5; // pixels
 // Maximum share of the picture that lines cover, so that it does not become a grey area.
 constexpr double mostCoverage = 0.7;
 
@@ -52,7 +52,7 @@ app::View Overview::view() const
     const app::Point corner = page.min + page.size;
     view.fit({{std::min(page.min.x, window.min.x), std::min(page.min.y, window.min.y)},
               {std::max(corner.x, window.max.x), std::max(corner.y, window.max.y)}},
-             margin);
+             overviewMargin);
     return view;
 }
 

@@ -12,13 +12,13 @@
 namespace ui {
 namespace {
 
-constexpr std::string_view kept = "arc";
+constexpr std::string_view keptArc = "arc";
 
 /// Draws an arc by its start, its end and a point on it; or by its centre, its start and its end.
 /// Numbers typed afterwards change it, until something else happens.
 class ArcTool final : public Tool {
 public:
-    void takeUp(Workbench& bench) override { arc_.byCentre = keptBy(kept, bench, {})[0] != 0; }
+    void takeUp(Workbench& bench) override { arc_.byCentre = keptBy(keptArc, bench, {})[0] != 0; }
     void press(const Pointer& pointer, Workbench& bench) override
     {
         const bool corrects = last_.isOpen();
@@ -31,7 +31,7 @@ public:
         last_.forget();
         if (arc_.points.empty())
             arc_.byCentre =
-                keptBy(kept, bench, {})[0] != 0 || (pointer.modifiers & Qt::AltModifier);
+                keptBy(keptArc, bench, {})[0] != 0 || (pointer.modifiers & Qt::AltModifier);
         pressed_ = pointer.screen;
         place(corrects ? pointer.steered : pointer.position, bench);
     }
@@ -54,7 +54,7 @@ public:
     {
         if (event.key() == Qt::Key_C && !event.modifiers() && arc_.points.size() < 2) {
             arc_.byCentre = !arc_.byCentre;
-            bench.kept[kept] = {arc_.byCentre ? 1.0 : 0.0};
+            bench.kept[keptArc] = {arc_.byCentre ? 1.0 : 0.0};
         } else if (takesBack(event.key()) && canTakeBack()) {
             takeBack(bench);
         } else {
@@ -69,7 +69,7 @@ public:
     void cancel(Workbench& bench) override
     {
         arc_.points.clear();
-        arc_.byCentre = keptBy(kept, bench, {})[0] != 0;
+        arc_.byCentre = keptBy(keptArc, bench, {})[0] != 0;
         pressed_.reset();
         last_.restore(bench);
     }

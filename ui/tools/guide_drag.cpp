@@ -15,7 +15,7 @@ namespace {
 
 constexpr double guideReach = 4; // pixels
 
-QString tr(const char* text) { return QCoreApplication::translate("Tools", text); }
+QString guideText(const char* text) { return QCoreApplication::translate("Tools", text); }
 
 const std::vector<app::Guide>& guidesOf(const Workbench& bench)
 {
@@ -91,7 +91,8 @@ void GuideDrag::put(double at, Workbench& bench)
     if (old_ && *old_ >= guides.list.size())
         return; // removed meanwhile
     if (!old_ && guides.list.size() == app::Guides::most) {
-        emit bench.session.refused(tr("The page has 1,000 guides already. Remove some first."));
+        emit bench.session.refused(
+            guideText("The page has 1,000 guides already. Remove some first."));
         return;
     }
     const std::size_t number = old_.value_or(guides.list.size());
@@ -102,7 +103,7 @@ void GuideDrag::put(double at, Workbench& bench)
         guides.list[*old_].at = at;
     else
         guides.list.push_back({axis, at});
-    push(std::move(guides), old_ ? tr("Move guide") : tr("Add guide"), bench);
+    push(std::move(guides), old_ ? guideText("Move guide") : guideText("Add guide"), bench);
     bench.session.guide = number;
 }
 
@@ -113,7 +114,7 @@ void GuideDrag::remove(std::size_t guide, Workbench& bench)
         return;
     guides.list.erase(guides.list.begin() + std::ptrdiff_t(guide));
     bench.session.guide.reset();
-    push(std::move(guides), tr("Remove guide"), bench);
+    push(std::move(guides), guideText("Remove guide"), bench);
 }
 
 std::optional<app::Gauge> GuideDrag::gauge(const Workbench& bench) const
@@ -140,9 +141,8 @@ QString GuideDrag::hint(const Workbench& bench) const
     const QString place = (guide->axis == 0 ? QStringLiteral("x ") : QStringLiteral("y "))
                           + app::lengthText(guide->at - start.origin[guide->axis], start.scale.unit,
                                             start.scale.millimetresPerUnit);
-    return tr("Guide at %1. Drag it, or press Enter and type another position. Delete, or dragging "
-              "it "
-              "out of the drawing, removes it.")
+    return guideText("Guide at %1. Drag it, or press Enter and type another position. Delete, or "
+                     "dragging it out of the drawing, removes it.")
         .arg(place);
 }
 

@@ -20,11 +20,11 @@ namespace {
 
 constexpr double nodeReach = 8; // pixels
 
-QString tr(const char* text) { return QCoreApplication::translate("NodesTool", text); }
-
 /// Shows the nodes of the selected objects; selects, moves and adds nodes, and moves handles. What
 /// else can be done with nodes are commands (app/nodes/node_steps.h).
 class NodesTool final : public Tool {
+    Q_DECLARE_TR_FUNCTIONS(NodesTool)
+
 public:
     void takeUp(Workbench& bench) override
     {

@@ -16,9 +16,9 @@
 namespace ui {
 namespace {
 
-constexpr std::string_view kept = "text"; // the size in millimetres
-constexpr double usualSize = 5;           // mm
-constexpr double baseline = 24;           // pixels of the mark
+constexpr std::string_view keptText = "text"; // the size in millimetres
+constexpr double usualSize = 5;               // mm
+constexpr double baseline = 24;               // pixels of the mark
 
 /// Writes a text of strokes or outlines, and edits one. The letters are typed in a field on the
 /// canvas.
@@ -109,7 +109,7 @@ private:
 void TextTool::begin(const app::Point& at, const Workbench& bench)
 {
     const double size =
-        keptBy(kept, bench, {usualSize})[0] / bench.session.now().page().millimetresPerUnit();
+        keptBy(keptText, bench, {usualSize})[0] / bench.session.now().page().millimetresPerUnit();
     const QString font =
         app::hasFont(bench.keptFont) ? bench.keptFont : app::strokeFonts().front().name;
     text_ = app::TextRecipe{{}, font, size, at};
@@ -218,7 +218,7 @@ void TextTool::typeText(const app::TextRecipe& text, Workbench& bench)
         text_->size = text.size;
     layOut();
     bench.keptFont = text_->font;
-    bench.kept[kept] = {text_->size * bench.session.now().page().millimetresPerUnit()};
+    bench.kept[keptText] = {text_->size * bench.session.now().page().millimetresPerUnit()};
 }
 
 QPainterPath onScreen(const Workbench& bench, std::vector<app::Subpath> paths, app::FillRule rule)

@@ -64,6 +64,12 @@ protected:
             emit dataChanged(index(0, 0), index(rows() - 1, columns() - 1), roles);
     }
 
+    /// Of a column: numbers are at the right.
+    static QVariant sideOf(bool number)
+    {
+        return int((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    }
+
     bool isCell(const QModelIndex& index) const
     {
         return index.model() == this && hasIndex(index.row(), index.column());

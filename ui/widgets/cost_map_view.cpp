@@ -17,7 +17,7 @@ namespace ui {
 
 namespace {
 
-constexpr int margin = 3, gap = 6;
+constexpr int mapMargin = 3, aboveLegend = 6;
 constexpr double cellPixels = 2;
 constexpr double usualLegend = 32;   // pixels
 constexpr double keyStep = 1. / 200; // fraction of the area's width
@@ -54,13 +54,14 @@ app::CostMapLook CostMapView::look() const
 
 QRectF CostMapView::room(double legend) const
 {
-    return rect().adjusted(margin, margin, -margin, -int(legend) - gap - margin);
+    return rect().adjusted(mapMargin, mapMargin, -mapMargin,
+                           -int(legend) - aboveLegend - mapMargin);
 }
 
 QRectF CostMapView::place() const
 {
     const double legend =
-        map_ ? app::legendHeight(*map_, width() - 2 * margin, look()) : usualLegend;
+        map_ ? app::legendHeight(*map_, width() - 2 * mapMargin, look()) : usualLegend;
     return app::mapPlace(plan_, room(legend));
 }
 
@@ -85,8 +86,9 @@ void CostMapView::paintEvent(QPaintEvent*)
     const auto labels = fine && !dragging_ ? app::RegionLabels::Shown : app::RegionLabels::None;
     painter.fillRect(map, lookOf(palette()).base);
     app::paintMap(painter, map, shown, look(), labels);
-    app::paintLegend(painter, QRectF(margin, map.bottom() + gap, width() - 2 * margin, height()),
-                     shown, look());
+    app::paintLegend(
+        painter, QRectF(mapMargin, map.bottom() + aboveLegend, width() - 2 * mapMargin, height()),
+        shown, look());
     if (!hasFocus())
         return;
     painter.setPen(QPen(lookOf(palette()).selection, 2));

@@ -13,7 +13,7 @@ namespace ui {
 
 namespace {
 
-constexpr int row = 18, gap = 8, barHeight = 11, leastBar = 2;
+constexpr int row = 18, besideBar = 8, barThickness = 11, leastBar = 2;
 
 } // namespace
 
@@ -53,7 +53,7 @@ void ErrorHistogram::paintEvent(QPaintEvent*)
         numbers = std::max(numbers, metrics.horizontalAdvance(app::countText(count(i))));
         most = std::max(most, count(i));
     }
-    const int left = names + gap, room = width() - left - gap - numbers;
+    const int left = names + besideBar, room = width() - left - besideBar - numbers;
     for (std::size_t i = 0; i < classes.size(); ++i) {
         const int top = int(i) * row;
         painter.setPen(count(i) > 0 ? look.text : look.muted);
@@ -61,10 +61,10 @@ void ErrorHistogram::paintEvent(QPaintEvent*)
                          classes[i].name);
         int bar = int(double(room) * double(count(i)) / double(most));
         bar = count(i) > 0 ? std::max(bar, leastBar) : 0;
-        const QRect place(left, top + (row - barHeight) / 2, std::max(bar, 1), barHeight);
+        const QRect place(left, top + (row - barThickness) / 2, std::max(bar, 1), barThickness);
         painter.fillRect(place, bar > 0 ? app::errorColour(i, groundOf(palette()), look.differs)
                                         : look.rule);
-        painter.drawText(QRect(left + bar + gap, top, numbers, row),
+        painter.drawText(QRect(left + bar + besideBar, top, numbers, row),
                          Qt::AlignLeft | Qt::AlignVCenter, app::countText(count(i)));
     }
 }

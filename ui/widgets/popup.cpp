@@ -13,16 +13,17 @@
 namespace ui {
 namespace {
 
-constexpr int gap = 2; // logical pixels
+constexpr int besideWidget = 2; // logical pixels
 
 QPoint placeBelow(const QWidget& widget, const QSize& size)
 {
     const QRect screen = widget.screen()->availableGeometry();
-    const QPoint below = widget.mapToGlobal(QPoint(0, widget.height() + gap));
+    const QPoint below = widget.mapToGlobal(QPoint(0, widget.height() + besideWidget));
     const int left = std::clamp(below.x(), screen.left(),
                                 std::max(screen.left(), screen.right() - size.width()));
     const bool fits = below.y() + size.height() <= screen.bottom();
-    const int top = fits ? below.y() : widget.mapToGlobal(QPoint(0, -gap)).y() - size.height();
+    const int top =
+        fits ? below.y() : widget.mapToGlobal(QPoint(0, -besideWidget)).y() - size.height();
     return {left, std::max(screen.top(), top)};
 }
 

@@ -4,14 +4,11 @@
 #include "app/view/visible_colour.h"
 
 namespace ui {
-namespace {
 
-app::Colour plain(const QColor& colour)
+app::Colour plainColour(const QColor& colour)
 {
     return {std::uint8_t(colour.red()), std::uint8_t(colour.green()), std::uint8_t(colour.blue())};
 }
-
-} // namespace
 
 void paintSwatch(QPainter& painter, const QRect& square, const std::optional<app::Colour>& colour,
                  const Look& look)
@@ -31,7 +28,8 @@ void paintSwatch(QPainter& painter, const QRect& square, const std::optional<app
     }
     constexpr double enough = 3.0;
     if (!colour || colour->alpha < 255
-        || app::contrast(plain(look.panel), {colour->red, colour->green, colour->blue}) < enough) {
+        || app::contrast(plainColour(look.panel), {colour->red, colour->green, colour->blue})
+               < enough) {
         painter.setPen(look.control);
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(square.adjusted(0, 0, -1, -1));
@@ -61,7 +59,7 @@ QIcon swatchIcon(const std::optional<app::Colour>& colour)
 QIcon windowSwatchIcon(const std::optional<app::Colour>& own)
 {
     return paintedIcon(iconSize, [own](QPainter& painter, const Look& look) {
-        paintSwatch(painter, inIcon, own.value_or(plain(look.accent)), look);
+        paintSwatch(painter, inIcon, own.value_or(plainColour(look.accent)), look);
     });
 }
 

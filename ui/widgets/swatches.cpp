@@ -14,8 +14,8 @@
 namespace ui {
 namespace {
 
-constexpr int pitch = 24, side = 18,
-              inset = (pitch - side) / 2; // logical pixels
+constexpr int pitch = 24, swatchSide = 18,
+              swatchInset = (pitch - swatchSide) / 2; // logical pixels
 
 } // namespace
 
@@ -62,7 +62,7 @@ bool Swatches::has(const app::Colour& colour) const
 QRect Swatches::squareOf(std::size_t colour) const
 {
     const int row = int(colour) / columns_, column = int(colour) % columns_;
-    return {column * pitch + inset, row * pitch + inset, side, side};
+    return {column * pitch + swatchInset, row * pitch + swatchInset, swatchSide, swatchSide};
 }
 
 QSize Swatches::sizeHint() const { return {columns_ * pitch, rows_ * pitch}; }

@@ -24,7 +24,7 @@ namespace ui {
 
 namespace {
 
-constexpr QSize smallest(1024, 640), usual(1280, 800);
+constexpr QSize smallest(1024, 640), usualSize(1280, 800);
 
 } // namespace
 
@@ -47,7 +47,7 @@ MainWindow::MainWindow(Backend backend, QWidget* parent)
     rememberGrid();
     rememberPaper();
     limitHistory();
-    restorePlace(*this, placeKey(), usual, minimumSize());
+    restorePlace(*this, placeKey(), usualSize, minimumSize());
     panelLayout_->restore();
     followWorkspace();
     showTitle();

@@ -21,7 +21,7 @@ namespace ui {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Panels", text); }
+QString dockTitle(const char* text) { return QCoreApplication::translate("Panels", text); }
 
 } // namespace
 
@@ -32,17 +32,19 @@ Panels::Panels(app::Session& session, Canvas& canvas)
       layers(new LayersPanel(session)), history(new HistoryPanel(session.history)),
       compare(new ComparePanel(session)), difference(new DifferencePanel(session)),
       costMap(new CostMapPanel(session)), exactness(new ExactnessPanel(session)),
-      docks{.start = new Dock("start", tr("Start"), start),
-            .algorithm = new Dock("algorithm", tr("Algorithm"), algorithm),
-            .narrow = {new Dock("window", tr("Clip windows"), withCutOptions(*window, session)),
-                       new Dock("selection", tr("Selection"), selection),
-                       new Dock("style", tr("Style"), style), new Dock("line", tr("Line"), line),
-                       new Dock("layers", tr("Layers"), layers),
-                       new Dock("history", tr("History"), history)},
-            .wide = {new Dock("compare", tr("Compare"), compare),
-                     new Dock("difference", tr("Differences"), difference),
-                     new Dock("cost-map", tr("Cost map"), costMap),
-                     new Dock("exactness", tr("Exactness"), exactness)}}
+      docks{.start = new Dock("start", dockTitle("Start"), start),
+            .algorithm = new Dock("algorithm", dockTitle("Algorithm"), algorithm),
+            .narrow = {new Dock("window", dockTitle("Clip windows"),
+                                withCutOptions(*window, session)),
+                       new Dock("selection", dockTitle("Selection"), selection),
+                       new Dock("style", dockTitle("Style"), style),
+                       new Dock("line", dockTitle("Line"), line),
+                       new Dock("layers", dockTitle("Layers"), layers),
+                       new Dock("history", dockTitle("History"), history)},
+            .wide = {new Dock("compare", dockTitle("Compare"), compare),
+                     new Dock("difference", dockTitle("Differences"), difference),
+                     new Dock("cost-map", dockTitle("Cost map"), costMap),
+                     new Dock("exactness", dockTitle("Exactness"), exactness)}}
 {
     Dock* const lineDock = docks.named({"line"}).front();
     QObject::connect(line, &LinePanel::titled, lineDock,

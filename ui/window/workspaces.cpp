@@ -10,7 +10,7 @@ namespace ui {
 
 namespace {
 
-constexpr std::size_t usual = 1; // Cut
+constexpr std::size_t usualWorkspace = 1; // Cut
 
 QString tr(const char* text) { return QCoreApplication::translate("Workspaces", text); }
 
@@ -47,7 +47,7 @@ const Workspace& findWorkspace(std::string_view key)
 {
     const auto all = workspaces();
     const auto found = std::ranges::find(all, key, &Workspace::key);
-    return found == all.end() ? all[usual] : *found;
+    return found == all.end() ? all[usualWorkspace] : *found;
 }
 
 } // namespace ui

@@ -16,7 +16,7 @@ clipping::Window around(const clipping::Window& a, const clipping::Window& b)
     return {glm::min(a.min, b.min), glm::max(a.max, b.max)};
 }
 
-bool isPoint(const clipping::Clipped& piece) { return piece.segment.a == piece.segment.b; }
+bool isPointPiece(const clipping::Clipped& piece) { return piece.segment.a == piece.segment.b; }
 
 } // namespace
 
@@ -46,7 +46,8 @@ void BlockCut::cut(const TableRows& rows)
         while (count < kept.size() && kept[count].source == line)
             ++count;
         const bool whole = count == 1 && kept.front().segment == lines[line];
-        const bool touches = !whole && count > 0 && std::ranges::all_of(kept.first(count), isPoint);
+        const bool touches =
+            !whole && count > 0 && std::ranges::all_of(kept.first(count), isPointPiece);
         const std::size_t written = writePieces(rows, line, kept.first(count));
         counts_.lines.whole += whole;
         counts_.lines.touching += touches;

@@ -10,7 +10,7 @@
 namespace app::csv {
 namespace {
 
-std::vector<std::string> unquoted(std::string_view record, std::size_t line, char separator)
+std::vector<std::string> unquotedFields(std::string_view record, std::size_t line, char separator)
 {
     QByteArray bytes = QByteArray::fromRawData(record.data(), qsizetype(record.size()));
     QBuffer buffer(&bytes);
@@ -34,7 +34,7 @@ std::span<const std::string_view> RecordFields::of(std::string_view record, std:
 {
     fields_.clear();
     if (record.find('"') != std::string_view::npos || record.size() > longestRecord) {
-        unquoted_ = unquoted(record, line, separator_);
+        unquoted_ = unquotedFields(record, line, separator_);
         fields_.assign(unquoted_.begin(), unquoted_.end());
     } else if (separator_ == anyBlanks) {
         splitAtBlanks(record);

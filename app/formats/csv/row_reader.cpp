@@ -10,7 +10,7 @@
 namespace app::csv {
 namespace {
 
-QString shown(std::string_view field)
+QString shownField(std::string_view field)
 {
     constexpr qsizetype most = 40;
     const QString text = QString::fromUtf8(field.data(), qsizetype(field.size())).simplified();
@@ -28,7 +28,7 @@ QString namesText(Fields fields)
     constexpr qsizetype most = 6;
     QStringList names;
     for (const auto field : fields) {
-        names << (names.size() < most ? shown(trimmed(field)) : QStringLiteral("…"));
+        names << (names.size() < most ? shownField(trimmed(field)) : QStringLiteral("…"));
         if (names.size() > most)
             break;
     }
@@ -52,7 +52,8 @@ void refuseUtf16(std::string_view record, std::size_t line)
 [[noreturn]] void refuseTooLarge(std::string_view number, std::size_t line)
 {
     throw Refused{
-        line, Words::tr("has %1, which is too large; numbers go up to 1e300.").arg(shown(number))};
+        line,
+        Words::tr("has %1, which is too large; numbers go up to 1e300.").arg(shownField(number))};
 }
 
 bool isNumber(std::string_view field, const Dialect& dialect)
@@ -93,12 +94,12 @@ void RowReader::readNames(Fields fields, std::size_t line)
     for (std::size_t i = 0; i < fields.size(); ++i) {
         const auto column = header.columnOf(fields[i]);
         if (!column) {
-            report_.push_back({Words::tr("column %1").arg(shown(trimmed(fields[i])))});
+            report_.push_back({Words::tr("column %1").arg(shownField(trimmed(fields[i])))});
             continue;
         }
         if (positions_[*column] != none)
-            throw Refused{line,
-                          Words::tr("names the column %1 twice.").arg(shown(trimmed(fields[i])))};
+            throw Refused{
+                line, Words::tr("names the column %1 twice.").arg(shownField(trimmed(fields[i])))};
         positions_[*column] = i;
     }
 }
@@ -137,7 +138,7 @@ void RowReader::refuseMixture(Fields fields, std::size_t line) const
     }
     if (!withComma.empty() && !withPoint.empty())
         throw Refused{line, Words::tr("has both decimal commas and points: %1 and %2.")
-                                .arg(shown(withComma), shown(withPoint))};
+                                .arg(shownField(withComma), shownField(withPoint))};
 }
 
 double RowReader::number(Fields fields, Column column, std::size_t line) const
@@ -151,7 +152,7 @@ double RowReader::number(Fields fields, Column column, std::size_t line) const
         return *value;
     if (isTooLarge(text))
         refuseTooLarge(text, line);
-    throw Refused{line, Words::tr("has %1 where a number is needed.").arg(shown(text))};
+    throw Refused{line, Words::tr("has %1 where a number is needed.").arg(shownField(text))};
 }
 
 Style styleOf(const Row& row, const RowReader& rows, std::size_t line)
@@ -161,7 +162,7 @@ Style styleOf(const Row& row, const RowReader& rows, std::size_t line)
         style.stroke = svg::parseColour(row.colour);
         if (!style.stroke)
             throw Refused{line, Words::tr("has the colour %1; write it as #rrggbb or #rrggbbaa.")
-                                    .arg(shown(row.colour))};
+                                    .arg(shownField(row.colour))};
     }
     if (!row.width.empty()) {
         if (isTooLarge(row.width))
@@ -169,7 +170,7 @@ Style styleOf(const Row& row, const RowReader& rows, std::size_t line)
         const auto number = coordinateOf(row.width, rows.dialect());
         if (!number || *number < 0)
             throw Refused{line, Words::tr("has the width %1; write a number that is not negative.")
-                                    .arg(shown(row.width))};
+                                    .arg(shownField(row.width))};
         style.width = *number;
     }
     return style;

@@ -18,11 +18,11 @@
 namespace app::csv {
 namespace {
 
-constexpr std::size_t bufferSize = 1 << 16;
+constexpr std::size_t tableBufferSize = 1 << 16;
 
-class Writer {
+class TableWriter {
 public:
-    Writer(const Document& document, QIODevice& out, const WriteOptions& options)
+    TableWriter(const Document& document, QIODevice& out, const WriteOptions& options)
         : document_(document), out_(out), options_(options),
           tolerance_(options.tolerance > 0 ? options.tolerance : usualTolerance(document.page()))
     {
@@ -68,7 +68,7 @@ private:
             text_ += ',';
             appendPoint(text_, line.b, ',', options_);
             text_ += rest;
-            if (text_.size() > bufferSize)
+            if (text_.size() > tableBufferSize)
                 flush();
         }
     }
@@ -149,7 +149,7 @@ private:
 
 std::optional<QString> write(const Document& document, QIODevice& out, const WriteOptions& options)
 {
-    return Writer(document, out, options).write();
+    return TableWriter(document, out, options).write();
 }
 
 } // namespace app::csv

@@ -11,7 +11,7 @@
 namespace app::pdf {
 namespace {
 
-std::string text(double value)
+std::string operand(double value)
 {
     std::string result;
     appendNumber(result, value);
@@ -34,7 +34,7 @@ std::string stateName(int alpha) { return "/A" + std::to_string(alpha); }
 
 // The dash operator with dashes and phase. PDF requires a positive phase. An odd pattern is
 // doubled, because poppler draws it wrongly. A pattern of total length 0 is a solid line.
-std::string dashes(const Style& style)
+std::string dashOperator(const Style& style)
 {
     std::vector<double> pattern = style.dashes;
     if (pattern.size() % 2 == 1)
@@ -44,9 +44,9 @@ std::string dashes(const Style& style)
         return "[] 0 d\n";
     std::string result = "[";
     for (const double dash : pattern)
-        result += text(dash) + ' ';
+        result += operand(dash) + ' ';
     const double phase = std::fmod(style.dashOffset, period);
-    return result + "] " + text(phase < 0 ? phase + period : phase) + " d\n";
+    return result + "] " + operand(phase < 0 ? phase + period : phase) + " d\n";
 }
 
 std::string colour(const Colour& c)
@@ -62,9 +62,9 @@ std::string colour(const Colour& c)
 // The operators for width, cap, join, miter limit and dashes.
 std::string pen(const Style& style)
 {
-    return text(style.width) + " w " + std::to_string(int(style.cap)) + " J "
-           + std::to_string(int(style.join)) + " j " + text(std::max(1.0, style.miterLimit)) + " M "
-           + dashes(style);
+    return operand(style.width) + " w " + std::to_string(int(style.cap)) + " J "
+           + std::to_string(int(style.join)) + " j " + operand(std::max(1.0, style.miterLimit))
+           + " M " + dashOperator(style);
 }
 static_assert(int(Cap::Butt) == 0 && int(Cap::Round) == 1 && int(Cap::Square) == 2);
 static_assert(int(Join::Miter) == 0 && int(Join::Round) == 1 && int(Join::Bevel) == 2);
@@ -79,8 +79,8 @@ void Content::set(std::string& last, const std::string& now)
 
 void Content::place(double scale, const Point& origin)
 {
-    text_ += text(scale) + " 0 0 " + text(-scale) + ' ' + text(origin.x) + ' ' + text(origin.y)
-             + " cm\n";
+    text_ += operand(scale) + " 0 0 " + operand(-scale) + ' ' + operand(origin.x) + ' '
+             + operand(origin.y) + " cm\n";
 }
 
 void Content::paint(const Object& object)
@@ -143,7 +143,7 @@ std::string Content::resources() const
 {
     std::string states;
     for (const int alpha : alphas_) {
-        const std::string value = text(std::round(alpha / 255.0 * 10'000) / 10'000);
+        const std::string value = operand(std::round(alpha / 255.0 * 10'000) / 10'000);
         states.append(stateName(alpha)).append("<</CA ").append(value);
         states.append("/ca ").append(value).append(">>");
     }

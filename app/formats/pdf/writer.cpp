@@ -18,7 +18,7 @@ namespace {
 constexpr double pointsPerMillimetre = 72 / 25.4;
 constexpr double largestPage = 14'400; // units; on larger pages the unit is larger
 
-std::string numberText(double number)
+std::string shortestNumber(double number)
 {
     std::string result;
     appendNumber(result, number);
@@ -26,9 +26,9 @@ std::string numberText(double number)
 }
 
 /// Writes the objects of a PDF file, numbered from 1 in the order in which they are added.
-class Objects {
+class ObjectWriter {
 public:
-    explicit Objects(QIODevice& out) : out_(out) { put("%PDF-1.6\n%\xe2\xe3\xcf\xd3\n"); }
+    explicit ObjectWriter(QIODevice& out) : out_(out) { put("%PDF-1.6\n%\xe2\xe3\xcf\xd3\n"); }
 
     void add(const std::string& body)
     {
@@ -78,11 +78,11 @@ std::string reference(std::size_t object) { return std::to_string(object) + " 0 
 std::string pageObject(const Point& size, double userUnit, std::size_t contents,
                        const std::string& resources)
 {
-    std::string page = "<</Type/Page/Parent 2 0 R/MediaBox[0 0 " + numberText(size.x) + ' '
-                       + numberText(size.y) + "]/Contents " + reference(contents) + "/Resources<<"
-                       + resources + ">>/Group<</S/Transparency/CS/DeviceRGB>>";
+    std::string page = "<</Type/Page/Parent 2 0 R/MediaBox[0 0 " + shortestNumber(size.x) + ' '
+                       + shortestNumber(size.y) + "]/Contents " + reference(contents)
+                       + "/Resources<<" + resources + ">>/Group<</S/Transparency/CS/DeviceRGB>>";
     if (userUnit > 1)
-        page += "/UserUnit " + numberText(userUnit);
+        page += "/UserUnit " + shortestNumber(userUnit);
     return page + ">>";
 }
 
@@ -102,7 +102,7 @@ std::optional<QString> faultOfPage(const Page& page)
 }
 
 // Adds a page as the object `number`, and its content as the next one.
-void addPage(Objects& objects, std::size_t number, const Document& document,
+void addPage(ObjectWriter& objects, std::size_t number, const Document& document,
              const WriteOptions& options)
 {
     const Paper paper = paperOf(document.page());
@@ -127,7 +127,7 @@ std::optional<QString> writePages(std::size_t count, const PageMaker& page, QIOD
     std::string kids;
     for (std::size_t i = 0; i < count; ++i)
         kids += reference(first + objectsOfPage * i) + ' ';
-    Objects objects(out);
+    ObjectWriter objects(out);
     objects.add("<</Type/Catalog/Pages 2 0 R>>");
     objects.add("<</Type/Pages/Kids[" + kids + "]/Count " + std::to_string(count) + ">>");
     for (std::size_t i = 0; i < count && !objects.failed(); ++i) {

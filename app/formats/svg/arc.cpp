@@ -44,7 +44,7 @@ EllipseArc ellipseOf(const Arc& arc)
     return {middle + axis1 * centre.x + axis2 * centre.y, axis1, axis2, begin, sweep};
 }
 
-bool finite(const EllipseArc& e)
+bool isFiniteArc(const EllipseArc& e)
 {
     return std::isfinite(e.centre.x + e.centre.y + e.axis1.x + e.axis1.y + e.axis2.x + e.axis2.y)
            && std::isfinite(e.angle + e.sweep);
@@ -58,7 +58,7 @@ void appendArc(std::vector<PathSegment>& segments, const Arc& arc)
         return;
     const bool flat = arc.radii.x == 0 || arc.radii.y == 0;
     const EllipseArc ellipse = flat ? EllipseArc{} : ellipseOf(arc);
-    if (flat || !finite(ellipse)) {
+    if (flat || !isFiniteArc(ellipse)) {
         segments.push_back({arc.to});
         return;
     }

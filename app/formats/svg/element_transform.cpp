@@ -10,7 +10,7 @@
 namespace app::svg {
 namespace {
 
-using Words = std::vector<std::string_view>;
+using TransformWords = std::vector<std::string_view>;
 
 bool isOne(std::string_view word, std::initializer_list<std::string_view> words)
 {
@@ -34,7 +34,7 @@ std::optional<double> placeOf(std::string_view word, const TransformUnits& units
 // "center", "left 3px", "bottom right", "10px 20px 0".
 std::optional<Point> originOf(std::string_view text, const TransformUnits& units)
 {
-    Words words = wordsOf(text);
+    TransformWords words = wordsOf(text);
     if (words.empty())
         return Point{};
     if (words.size() == 1)
@@ -50,7 +50,7 @@ std::optional<Point> originOf(std::string_view text, const TransformUnits& units
 
 std::optional<Matrix> translateOf(std::string_view text, const TransformUnits& units)
 {
-    const Words words = wordsOf(text);
+    const TransformWords words = wordsOf(text);
     if (isNone(text))
         return Matrix{};
     const auto x = transformLength(words[0], units, 0);
@@ -61,7 +61,7 @@ std::optional<Matrix> translateOf(std::string_view text, const TransformUnits& u
 // An angle, about the axis that points out of the page if any is named.
 std::optional<Matrix> rotateOf(std::string_view text, const TransformUnits& units)
 {
-    Words words = wordsOf(text);
+    TransformWords words = wordsOf(text);
     if (isNone(text))
         return Matrix{};
     if (words.size() == 2)
@@ -73,7 +73,7 @@ std::optional<Matrix> rotateOf(std::string_view text, const TransformUnits& unit
 
 std::optional<Matrix> scaleOf(std::string_view text, const TransformUnits& units)
 {
-    const Words words = wordsOf(text);
+    const TransformWords words = wordsOf(text);
     if (isNone(text))
         return Matrix{};
     if (words.size() > 2)

@@ -22,7 +22,7 @@ std::optional<Guide> guideOf(const Tree& tree, Node node)
                                                     : std::nullopt;
 }
 
-void read(const Tree& tree, Node node, Guides& guides, Report& report)
+void readGuide(const Tree& tree, Node node, Guides& guides, Report& report)
 {
     report.turnTo(tree.line(node));
     const auto guide = guideOf(tree, node);
@@ -57,7 +57,7 @@ Guides readGuides(const Tree& tree, Report& report)
             continue;
         for (const Node node : Children(tree, metadata))
             if (tree.name(node) == "clearcut:guide")
-                read(tree, node, guides, report);
+                readGuide(tree, node, guides, report);
     }
     return guides;
 }

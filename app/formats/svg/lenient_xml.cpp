@@ -13,7 +13,7 @@
 namespace app::svg {
 namespace {
 
-constexpr QByteArrayView byteOrderMark("\xef\xbb\xbf"), declaration("<?xml");
+constexpr QByteArrayView utf8Mark("\xef\xbb\xbf"), declaration("<?xml");
 
 struct UsualPrefix {
     QLatin1StringView prefix, uri;
@@ -87,12 +87,12 @@ Beginning skipBlankBeginning(QIODevice& in)
     const QByteArray head = in.peek(most);
     qsizetype i = 0;
     while (i < head.size()) {
-        const bool mark = head.sliced(i).startsWith(byteOrderMark);
+        const bool mark = head.sliced(i).startsWith(utf8Mark);
         if (!mark && QByteArrayView(" \t\r\n").indexOf(head[i]) < 0)
             break;
-        i += mark ? byteOrderMark.size() : 1;
+        i += mark ? utf8Mark.size() : 1;
     }
-    const bool usual = i == 0 || (i == byteOrderMark.size() && head.startsWith(byteOrderMark));
+    const bool usual = i == 0 || (i == utf8Mark.size() && head.startsWith(utf8Mark));
     if (usual || !head.sliced(i).startsWith(declaration))
         return {};
     in.skip(i);

@@ -50,7 +50,7 @@ private:
     bool damaged_ = false;
 };
 
-Subpath ellipse(const Point& centre, const Point& radii)
+Subpath ellipsePath(const Point& centre, const Point& radii)
 {
     const Point right{centre.x + radii.x, centre.y}, bottom{centre.x, centre.y + radii.y};
     const Point left{centre.x - radii.x, centre.y}, top{centre.x, centre.y - radii.y};
@@ -63,7 +63,7 @@ Subpath ellipse(const Point& centre, const Point& radii)
     return path;
 }
 
-Outline rectangle(const Tree& tree, Node node, const Properties& p, const Lengths& lengths)
+Outline rectangleOutline(const Tree& tree, Node node, const Properties& p, const Lengths& lengths)
 {
     ShapeLengths a(tree, node, p, lengths);
     const Point min{a.x("x").value_or(0), a.y("y").value_or(0)};
@@ -84,7 +84,7 @@ Outline round(ShapeLengths& a, const Point& radii)
     const Point centre{a.x("cx").value_or(0), a.y("cy").value_or(0)};
     if (!(radii.x > 0 && radii.y > 0))
         return a.nothing();
-    return a.outline({ellipse(centre, radii)});
+    return a.outline({ellipsePath(centre, radii)});
 }
 
 Outline circleElement(const Tree& tree, Node node, const Properties& p, const Lengths& lengths)
@@ -132,7 +132,7 @@ const OutlineKind* findOutlineKind(std::string_view element)
         OutlineKind{"line", line, true},
         OutlineKind{"polyline", polyline, true},
         OutlineKind{"polygon", polygon, true},
-        OutlineKind{"rect", rectangle, false},
+        OutlineKind{"rect", rectangleOutline, false},
         OutlineKind{"circle", circleElement, false},
         OutlineKind{"ellipse", ellipseElement, false},
     };

@@ -12,7 +12,7 @@
 namespace app::svg {
 namespace {
 
-constexpr Length everything{100, Unit::Percent}; // SVG's default for a missing size
+constexpr Length wholeWidth{100, Unit::Percent}; // SVG's default for a missing size
 
 Length readSize(std::string_view text)
 {
@@ -20,7 +20,7 @@ Length readSize(std::string_view text)
     if (length && length->value > 0)
         return length->unit == Unit::User ? Length{length->value, Unit::Px} : *length;
     const auto pixels = Lengths{}.parse(text, 0); // other units such as "30em"
-    return pixels && *pixels > 0 ? Length{*pixels, Unit::Px} : everything;
+    return pixels && *pixels > 0 ? Length{*pixels, Unit::Px} : wholeWidth;
 }
 
 // The difference between paper and view box that is ignored: sizes are written with few decimals.

@@ -315,7 +315,7 @@ constexpr Property shape(Value name, decltype(Property::set) set)
 constexpr auto same = Property::Attribute::Same, other = Property::Attribute::Other;
 using T = TransformTexts;
 
-constexpr std::array all{
+constexpr std::array allProperties{
     inherited<&P::colour>("color", setColour),
     inherited<&P::fill>("fill", setPaint<&P::fill>),
     inherited<&P::stroke>("stroke", setPaint<&P::stroke>),
@@ -366,13 +366,13 @@ constexpr std::array all{
 
 } // namespace
 
-std::span<const Property> properties() { return all; }
+std::span<const Property> properties() { return allProperties; }
 
 const Property* findProperty(std::string_view name)
 {
     static const auto index = [] {
         std::unordered_map<std::string_view, const Property*> map;
-        for (const Property& property : all)
+        for (const Property& property : allProperties)
             map.emplace(property.name, &property);
         return map;
     }();

@@ -38,7 +38,7 @@ constexpr std::array lost{
     LostProperty{"zoom", "1 100% normal"},
 };
 
-constexpr auto without = std::to_array<std::string_view>({
+constexpr auto withoutEffect = std::to_array<std::string_view>({
     // of text alone
     "alignment-baseline",
     "baseline-shift",
@@ -156,7 +156,7 @@ constexpr auto without = std::to_array<std::string_view>({
 } // namespace
 
 std::span<const LostProperty> lostProperties() { return lost; }
-std::span<const std::string_view> propertiesWithoutEffect() { return without; }
+std::span<const std::string_view> propertiesWithoutEffect() { return withoutEffect; }
 
 static const LostProperty* findLost(std::string_view name)
 {
@@ -177,7 +177,7 @@ bool isLost(std::string_view name, std::string_view value, bool isRoot)
 
 bool hasNoEffect(std::string_view name)
 {
-    return !findLost(name) && std::ranges::any_of(without, [&](std::string_view pattern) {
+    return !findLost(name) && std::ranges::any_of(withoutEffect, [&](std::string_view pattern) {
         return fits(name, pattern);
     });
 }

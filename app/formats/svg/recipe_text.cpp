@@ -23,7 +23,7 @@ constexpr char quote = '\'';
 constexpr std::size_t mostNumbers = 6;
 constexpr double mostPoints = 1000;
 
-std::string text(std::string_view kind, const std::vector<double>& numbers)
+std::string withNumbers(std::string_view kind, const std::vector<double>& numbers)
 {
     std::string all(kind);
     for (const double number : numbers)
@@ -68,7 +68,7 @@ QString quotedFont(const QString& font)
 {
     return quoted(font).replace(u'\'', QStringLiteral("\\q"));
 }
-QString unquoted(const QString& quoted)
+QString unquotedText(const QString& quoted)
 {
     QString text;
     for (qsizetype i = 0; i < quoted.size(); ++i) {
@@ -87,16 +87,17 @@ struct InWords {
     std::string operator()(const RectangleRecipe& r) const
     {
         const auto& [corner, size, radius] = r;
-        return radius == 0 ? text(rectangle, {corner.x, corner.y, size.x, size.y})
-                           : text(rectangle, {corner.x, corner.y, size.x, size.y, radius});
+        return radius == 0 ? withNumbers(rectangle, {corner.x, corner.y, size.x, size.y})
+                           : withNumbers(rectangle, {corner.x, corner.y, size.x, size.y, radius});
     }
     std::string operator()(const EllipseRecipe& e) const
     {
-        return text(ellipse, {e.centre.x, e.centre.y, e.radii.x, e.radii.y});
+        return withNumbers(ellipse, {e.centre.x, e.centre.y, e.radii.x, e.radii.y});
     }
     std::string operator()(const StarRecipe& s) const
     {
-        return text(star, {s.centre.x, s.centre.y, s.outer, s.inner, s.turn, double(s.points)});
+        return withNumbers(star,
+                           {s.centre.x, s.centre.y, s.outer, s.inner, s.turn, double(s.points)});
     }
     std::string operator()(const TextRecipe& t) const
     {
@@ -109,7 +110,7 @@ struct InWords {
         QString rest = QStringLiteral(" '") + quotedFont(t.font) + QStringLiteral("' ");
         if (!strokes)
             rest += checksum(path.subpaths()) + u' ';
-        return text(strokes ? words : outlines, numbers) + escaped(rest + quoted(t.text));
+        return withNumbers(strokes ? words : outlines, numbers) + escaped(rest + quoted(t.text));
     }
     std::string operator()(std::monostate) const { return {}; }
 };
@@ -135,8 +136,8 @@ std::optional<ReadText> readText(std::string_view text, bool hasChecksum)
         rest.remove(0, sum.size() + 1);
     }
     const auto font = QString::fromUtf8(text.substr(open + 1, close - open - 1));
-    return ReadText{{unquoted(rest),
-                     unquoted(font),
+    return ReadText{{unquotedText(rest),
+                     unquotedText(font),
                      v[2],
                      {v[0], v[1]},
                      v.size() > 3 ? v[3] : 0,

@@ -12,7 +12,7 @@ namespace {
 const QString others = QStringLiteral("…");
 
 // The text in quotation marks, shortened.
-QString shown(std::string_view text)
+QString shownExcerpt(std::string_view text)
 {
     constexpr qsizetype most = 40;
     const QString words = QString::fromUtf8(text.substr(0, 4 * most)).simplified();
@@ -52,7 +52,7 @@ void Report::add(const LossKind& kind, std::string_view text)
     constexpr qsizetype most = 3;
     if (silences_ > 0)
         return;
-    const QString one = shown(text);
+    const QString one = shownExcerpt(text);
     if (kind.each) {
         ++of(kind, one).count;
         return;

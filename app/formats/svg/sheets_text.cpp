@@ -42,7 +42,7 @@ std::string marksText(const SheetMarks& marks)
 }
 
 // Reads numbers with blanks or commas between them.
-std::optional<std::vector<double>> numbersOf(std::string_view text)
+std::optional<std::vector<double>> sheetNumbers(std::string_view text)
 {
     constexpr std::string_view between = " ,";
     std::vector<double> numbers;
@@ -68,7 +68,7 @@ bool takeInteger(std::string_view text, int& to)
 
 bool takeLeftOut(std::string_view text, std::vector<int>& to)
 {
-    const auto numbers = numbersOf(text);
+    const auto numbers = sheetNumbers(text);
     if (!numbers || numbers->size() > mostTiles)
         return false;
     for (const double number : *numbers)
@@ -88,7 +88,7 @@ bool takeDivision(const Tree& tree, Node node, PageSheets& sheets)
                && takeInteger(tree.attribute(node, "rows"), plan.rows);
     if (!tree.hasAttribute(node, "shift"))
         return true;
-    const auto shift = numbersOf(tree.attribute(node, "shift"));
+    const auto shift = sheetNumbers(tree.attribute(node, "shift"));
     if (shift && shift->size() == 2)
         plan.shift = {shift->front(), shift->back()};
     return shift && shift->size() == 2;

@@ -28,13 +28,13 @@ double sine(double degrees)
 double cosine(double degrees) { return sine(degrees + 90); }
 double tangent(double degrees) { return sine(degrees) / cosine(degrees); }
 
-Matrix rotation(Arguments v)
+Matrix rotationMatrix(Arguments v)
 {
     const double s = sine(v[0]), c = cosine(v[0]);
     return translation({v[1], v[2]}) * Matrix{c, s, -s, c, 0, 0} * translation({-v[1], -v[2]});
 }
 
-Matrix scaling(double x, double y) { return {x, 0, 0, y, 0, 0}; }
+Matrix scalingMatrix(double x, double y) { return {x, 0, 0, y, 0, 0}; }
 
 std::optional<double> asNumber(std::string_view text, const TransformUnits&)
 {
@@ -90,8 +90,9 @@ constexpr std::array functions{
              1,
              2,
              {asLength<0>, asLength<1>}},
-    Function{"scale", [](Arguments v) { return scaling(v[0], v[1]); }, 1, 2, {asFactor, asFactor}},
-    Function{"rotate", rotation, 1, 3, {asAngle, asLength<0>, asLength<1>}},
+    Function{
+        "scale", [](Arguments v) { return scalingMatrix(v[0], v[1]); }, 1, 2, {asFactor, asFactor}},
+    Function{"rotate", rotationMatrix, 1, 3, {asAngle, asLength<0>, asLength<1>}},
     Function{
         "skewX", [](Arguments v) { return Matrix{1, 0, tangent(v[0]), 1, 0, 0}; }, 1, 1, {asAngle}},
     Function{
@@ -115,9 +116,9 @@ constexpr std::array functions{
              1,
              1,
              {asLength<1>}},
-    Function{"scaleX", [](Arguments v) { return scaling(v[0], 1); }, 1, 1, {asFactor}},
-    Function{"scaleY", [](Arguments v) { return scaling(1, v[0]); }, 1, 1, {asFactor}},
-    Function{"rotateZ", rotation, 1, 1, {asAngle}},
+    Function{"scaleX", [](Arguments v) { return scalingMatrix(v[0], 1); }, 1, 1, {asFactor}},
+    Function{"scaleY", [](Arguments v) { return scalingMatrix(1, v[0]); }, 1, 1, {asFactor}},
+    Function{"rotateZ", rotationMatrix, 1, 1, {asAngle}},
 };
 
 // The number with its unit that begins here.

@@ -28,7 +28,7 @@ constexpr std::array namespaces{
     Namespace{QLatin1StringView("http://www.w3.org/1999/xhtml"), "html:"},
 };
 
-void append(std::string& text, QStringView added)
+void appendUtf8(std::string& text, QStringView added)
 {
     const auto ascii = std::ranges::all_of(added, [](QChar c) { return c.unicode() < 0x80; });
     if (ascii)
@@ -114,7 +114,7 @@ private:
         else if (token == QXmlStreamReader::EndElement)
             close();
         else if (token == QXmlStreamReader::Characters && inStyle_)
-            append(tree_.styleSheets_.back().text, xml_.text());
+            appendUtf8(tree_.styleSheets_.back().text, xml_.text());
         else if (token == QXmlStreamReader::ProcessingInstruction
                  && xml_.processingInstructionTarget() == QLatin1StringView("xml-stylesheet"))
             report_.add(losses::otherFile);
@@ -164,7 +164,7 @@ private:
         if (tree_.names_[name] == otherName)
             return;
         const auto offset = tree_.text_.size();
-        append(tree_.text_, attribute.value());
+        appendUtf8(tree_.text_, attribute.value());
         tree_.attributes_.push_back(
             {name, std::uint32_t(tree_.text_.size() - offset), std::uint32_t(offset)});
     }
@@ -196,7 +196,7 @@ private:
             prefix = found->prefix;
         }
         key_ = prefix;
-        append(key_, local);
+        appendUtf8(key_, local);
         return intern(key_);
     }
 

@@ -46,7 +46,7 @@ const Foreign* findForeign(std::string_view element)
     return found == foreigners.end() ? nullptr : &*found;
 }
 
-bool finite(const Subpath& path)
+bool isFinitePath(const Subpath& path)
 {
     const auto small = [](const Point& p) {
         return std::abs(p.x) <= largestCoordinate && std::abs(p.y) <= largestCoordinate;
@@ -71,7 +71,7 @@ bool namesEnglish(std::string_view languages)
     return false;
 }
 
-bool hasArea(const std::vector<Subpath>& paths)
+bool enclosesArea(const std::vector<Subpath>& paths)
 {
     return std::ranges::any_of(paths, [](const Subpath& path) {
         return path.segments.size() > 1
@@ -298,7 +298,7 @@ void TreeDrawer::drawOutline(Node node, const Place& around)
     }
     if (drawn.paths.empty())
         return;
-    if (!hasArea(drawn.paths))
+    if (!enclosesArea(drawn.paths))
         properties.fill = {}; // the writer leaves out such a fill, too
     reportEffects(properties, false);
     const double pixelsPerUnit = pixel / page_.millimetresPerUnit();
@@ -354,7 +354,7 @@ std::vector<Subpath> TreeDrawer::placed(Outline outline, const Matrix& matrix)
 {
     for (Subpath& path : outline.paths) {
         svg::transform(path, matrix);
-        if (!finite(path))
+        if (!isFinitePath(path))
             throw Refused{Text::tr("has a coordinate that is too large to be drawn.")};
     }
     return std::move(outline.paths);

@@ -9,7 +9,6 @@
 #include "app/formats/svg/path_data.h"
 #include "app/formats/svg/recipe_text.h"
 #include "app/formats/svg/refused.h"
-#include "app/formats/svg/scanner.h"
 #include "app/formats/svg/style_text.h"
 
 #include <algorithm>
@@ -85,38 +84,6 @@ std::optional<double> numberOf(std::string_view text)
     return number && std::abs(*number) <= largestCoordinate ? number : std::nullopt;
 }
 
-// Parses numbers separated by blanks; empty unless all are valid.
-std::optional<std::vector<double>> numbersOf(std::string_view text)
-{
-    std::vector<double> numbers;
-    for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
-        const std::string_view word = text.substr(0, text.find_first_of(blanks));
-        const auto number = numberOf(word);
-        if (!number)
-            return std::nullopt;
-        numbers.push_back(*number);
-        text.remove_prefix(word.size());
-    }
-    return numbers;
-}
-
-// The corners of a polygon, as older versions wrote them.
-std::optional<WindowShape> polygonOf(std::string_view text)
-{
-    const auto numbers = numbersOf(text);
-    if (!numbers || numbers->size() % 2 != 0)
-        return std::nullopt;
-    Subpath ring{{}, {}, true};
-    for (std::size_t i = 0; i < numbers->size(); i += 2) {
-        const Point corner((*numbers)[i], (*numbers)[i + 1]);
-        if (i == 0)
-            ring.start = corner;
-        else
-            ring.segments.push_back({corner});
-    }
-    return PathShape{numbers->empty() ? Path() : Path({&ring, 1})};
-}
-
 std::optional<WindowShape> pathOf(const Tree& tree, Node node)
 try {
     const auto outline = parsePathData(tree.attribute(node, "d"));
@@ -131,7 +98,7 @@ try {
     return std::nullopt;
 }
 
-std::optional<double> angleOf(std::string_view text)
+std::optional<double> windowAngle(std::string_view text)
 {
     if (text.empty())
         return 0;
@@ -143,13 +110,11 @@ std::optional<double> angleOf(std::string_view text)
 
 std::optional<WindowShape> shapeOf(const Tree& tree, Node node)
 {
-    if (tree.hasAttribute(node, "corners"))
-        return polygonOf(tree.attribute(node, "corners"));
     if (tree.hasAttribute(node, "d"))
         return pathOf(tree, node);
     const auto number = [&](std::string_view name) { return numberOf(tree.attribute(node, name)); };
     const std::array v{number("xmin"), number("ymin"), number("xmax"), number("ymax")};
-    const auto angle = angleOf(tree.attribute(node, "angle"));
+    const auto angle = windowAngle(tree.attribute(node, "angle"));
     if (!angle || !std::ranges::all_of(v, [](const auto& one) { return one.has_value(); }))
         return std::nullopt;
     return RectangleShape{{{*v[0], *v[1]}, {*v[2], *v[3]}}, *angle};
@@ -182,7 +147,7 @@ bool saysSecond(const Tree& tree, Node node, std::string_view attribute,
 }
 
 // Empty: the usual one.
-std::optional<Colour> colourOf(std::string_view text, Report& report)
+std::optional<Colour> windowColour(std::string_view text, Report& report)
 {
     const auto colour = text.empty() ? std::nullopt : parseColour(text);
     if (!text.empty() && !colour)
@@ -205,19 +170,19 @@ std::optional<ClipWindow> windowOf(const Tree& tree, Node node, Report& report)
         return ClipWindow{
             QString::fromUtf8(tree.attribute(node, "name")), std::move(*shape), *operation,
             !saysSecond(tree, node, "visible", {"yes", "no"}, losses::unknownVisible, report),
-            colourOf(tree.attribute(node, "colour"), report)};
+            windowColour(tree.attribute(node, "colour"), report)};
     return std::nullopt;
 }
 
 // Whether the element describes a window; without a shape it only holds values for all windows.
 bool hasShape(const Tree& tree, Node node)
 {
-    constexpr std::array<std::string_view, 6> parts{"xmin", "ymin", "xmax", "ymax", "corners", "d"};
+    constexpr std::array<std::string_view, 5> parts{"xmin", "ymin", "xmax", "ymax", "d"};
     return std::ranges::any_of(
         parts, [&](std::string_view part) { return tree.hasAttribute(node, part); });
 }
 
-void read(const Tree& tree, Node node, ClipWindows& windows, Report& report)
+void readWindow(const Tree& tree, Node node, ClipWindows& windows, Report& report)
 {
     report.turnTo(tree.line(node));
     if (saysSecond(tree, node, "keep", {"inside", "outside"}, losses::unknownKeep, report))
@@ -258,7 +223,7 @@ ClipWindows readWindows(const Tree& tree, Report& report)
             continue;
         for (const Node node : Children(tree, metadata))
             if (tree.name(node) == "clearcut:window")
-                read(tree, node, windows, report);
+                readWindow(tree, node, windows, report);
     }
     return windows;
 }

@@ -22,7 +22,7 @@
 namespace app::svg {
 namespace {
 
-constexpr std::size_t bufferSize = 1 << 16;
+constexpr std::size_t drawingBufferSize = 1 << 16;
 
 // Drawings of more objects share styles by <g>, which makes their files about half as large; other
 // programs show such a <g> as a group.
@@ -55,10 +55,11 @@ bool sameStyle(const ObjectView& a, const ObjectView& b)
     return writtenStyle(a) == writtenStyle(b);
 }
 
-class Writer {
+class DrawingWriter {
 public:
     /// The drawing is written `scale` times as large, by a group around everything.
-    Writer(const Document& document, QIODevice& out, const WriteOptions& options, double scale)
+    DrawingWriter(const Document& document, QIODevice& out, const WriteOptions& options,
+                  double scale)
         : document_(document), out_(out), outlines_(options), scale_(scale)
     {
     }
@@ -221,7 +222,7 @@ private:
                 .append("</")
                 .append(name)
                 .append(">\n");
-        if (text_.size() > bufferSize)
+        if (text_.size() > drawingBufferSize)
             flush();
     }
 
@@ -245,7 +246,7 @@ std::optional<QString> writeScaled(const Document& document, QIODevice& out,
     if (auto fault = faultOf(document.page()))
         return fault;
     const Document made = rounded(document, options).document;
-    return Writer(made, out, options, scale).write();
+    return DrawingWriter(made, out, options, scale).write();
 }
 
 } // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/lessons/question.h"
-
-#include <QCoreApplication>
+#include "app/lessons/questions/translated.h"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +8,6 @@
 namespace app {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("questions", text); }
 
 struct Operation {
     const char* word; ///< as written in lessons
@@ -25,8 +22,8 @@ constexpr std::array operations{
 
 /// "ask cheaper divisions cs nln": which of two algorithms needs fewer of these operations for the
 /// line.
-std::optional<Question> ask(const TracedLine& tracedLine, const Narration&, std::size_t,
-                            const QStringList& words)
+std::optional<Question> askCheaper(const TracedLine& tracedLine, const Narration&, std::size_t,
+                                   const QStringList& words)
 {
     if (words.size() != 3)
         return std::nullopt;
@@ -41,25 +38,26 @@ std::optional<Question> ask(const TracedLine& tracedLine, const Narration&, std:
                .*(operation->count);
     };
     const auto ofOne = count(*one), ofOther = count(*other);
-    const QString what = tr(operation->name);
-    return Question{tr("Which algorithm needs fewer %1 for this line?").arg(what),
-                    {nameOf(*one), nameOf(*other), tr("Both need the same number")},
-                    ofOne < ofOther   ? 0
-                    : ofOther < ofOne ? 1
-                                      : 2,
-                    tr("Number of %5: %1 %2, %3 %4.")
-                        .arg(nameOf(*one))
-                        .arg(ofOne)
-                        .arg(nameOf(*other))
-                        .arg(ofOther)
-                        .arg(what),
-                    tr("What must each algorithm compute before it can decide about this line? "
-                       "Count these operations.")};
+    const QString what = Questions::tr(operation->name);
+    return Question{
+        Questions::tr("Which algorithm needs fewer %1 for this line?").arg(what),
+        {nameOf(*one), nameOf(*other), Questions::tr("Both need the same number")},
+        ofOne < ofOther   ? 0
+        : ofOther < ofOne ? 1
+                          : 2,
+        Questions::tr("Number of %5: %1 %2, %3 %4.")
+            .arg(nameOf(*one))
+            .arg(ofOne)
+            .arg(nameOf(*other))
+            .arg(ofOther)
+            .arg(what),
+        Questions::tr("What must each algorithm compute before it can decide about this line? "
+                      "Count these operations.")};
 }
 
 } // namespace
 
 extern const QuestionKind cheaperQuestion;
-const QuestionKind cheaperQuestion{"cheaper", ask, Covered::AllSteps};
+const QuestionKind cheaperQuestion{"cheaper", askCheaper, Covered::AllSteps};
 
 } // namespace app

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/lessons/question.h"
-
-#include <QCoreApplication>
+#include "app/lessons/questions/translated.h"
 
 #include <algorithm>
 #include <array>
@@ -10,11 +9,9 @@ namespace app {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("questions", text); }
-
 /// "ask edge": at which edge the line is cut next.
-std::optional<Question> ask(const TracedLine& tracedLine, const Narration& narration,
-                            std::size_t step, const QStringList&)
+std::optional<Question> askEdge(const TracedLine& tracedLine, const Narration& narration,
+                                std::size_t step, const QStringList&)
 {
     const auto from =
         narration.steps.begin() + std::ptrdiff_t(std::min(step + 1, narration.steps.size()));
@@ -27,18 +24,19 @@ std::optional<Question> ask(const TracedLine& tracedLine, const Narration& narra
                                clipping::Edge::Top};
     QStringList choices;
     for (const clipping::Edge edge : edges)
-        choices << tr("At %1").arg(edgeWords(edge, tracedLine.y));
-    return Question{tr("At which edge is the line cut next?"), choices,
-                    int(std::ranges::find(edges, cut->edge) - edges.begin()),
-                    tr("Step %1: %2").arg(cut - narration.steps.begin() + 1).arg(cut->sentence),
-                    tr("Read the pseudo-code from line %1 on, with the values in the table. Which "
-                       "test is the first to be true?")
-                        .arg(narration.steps[step].line)};
+        choices << Questions::tr("At %1").arg(edgeWords(edge, tracedLine.y));
+    return Question{
+        Questions::tr("At which edge is the line cut next?"), choices,
+        int(std::ranges::find(edges, cut->edge) - edges.begin()),
+        Questions::tr("Step %1: %2").arg(cut - narration.steps.begin() + 1).arg(cut->sentence),
+        Questions::tr("Read the pseudo-code from line %1 on, with the values in the table. Which "
+                      "test is the first to be true?")
+            .arg(narration.steps[step].line)};
 }
 
 } // namespace
 
 extern const QuestionKind edgeQuestion;
-const QuestionKind edgeQuestion{"edge", ask, Covered::LaterSteps};
+const QuestionKind edgeQuestion{"edge", askEdge, Covered::LaterSteps};
 
 } // namespace app

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/lessons/question.h"
-
-#include <QCoreApplication>
+#include "app/lessons/questions/translated.h"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +8,6 @@
 namespace app {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("questions", text); }
 
 /// The kinds of next steps that can be asked for, in words: not steps that only look or compare.
 struct Event {
@@ -23,8 +20,8 @@ constexpr std::array events{Event{Mark::Cut, "It cuts the line"},
                             Event{Mark::Divide, "It divides to find where the line may be cut"}};
 
 /// "ask next": which step follows, not counting comparisons.
-std::optional<Question> ask(const TracedLine&, const Narration& narration, std::size_t step,
-                            const QStringList&)
+std::optional<Question> askNext(const TracedLine&, const Narration& narration, std::size_t step,
+                                const QStringList&)
 {
     for (std::size_t i = step + 1; i < narration.steps.size(); ++i) {
         const NarratedStep& narrated = narration.steps[i];
@@ -33,12 +30,13 @@ std::optional<Question> ask(const TracedLine&, const Narration& narration, std::
             continue;
         QStringList choices;
         for (const Event& other : events)
-            choices << tr(other.words);
-        return Question{tr("Which step follows, not counting comparisons?"), choices,
-                        int(event - events.begin()),
-                        tr("Step %1: %2").arg(i + 1).arg(narrated.sentence),
-                        tr("Read the pseudo-code from line %1 on, with the values in the table.")
-                            .arg(narration.steps[step].line)};
+            choices << Questions::tr(other.words);
+        return Question{
+            Questions::tr("Which step follows, not counting comparisons?"), choices,
+            int(event - events.begin()),
+            Questions::tr("Step %1: %2").arg(i + 1).arg(narrated.sentence),
+            Questions::tr("Read the pseudo-code from line %1 on, with the values in the table.")
+                .arg(narration.steps[step].line)};
     }
     return std::nullopt;
 }
@@ -46,6 +44,6 @@ std::optional<Question> ask(const TracedLine&, const Narration& narration, std::
 } // namespace
 
 extern const QuestionKind nextQuestion;
-const QuestionKind nextQuestion{"next", ask, Covered::LaterSteps};
+const QuestionKind nextQuestion{"next", askNext, Covered::LaterSteps};
 
 } // namespace app

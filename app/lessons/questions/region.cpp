@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/lessons/question.h"
+#include "app/lessons/questions/translated.h"
 #include "clipping/outcode.h"
-
-#include <QCoreApplication>
 
 namespace app {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("questions", text); }
 
 /// "beyond the top edge and the left edge"; "inside the window".
 QString whereabouts(unsigned code, YAxis y)
@@ -18,13 +15,13 @@ QString whereabouts(unsigned code, YAxis y)
          {clipping::Edge::Top, clipping::Edge::Bottom, clipping::Edge::Right, clipping::Edge::Left})
         if (code >> (unsigned(edge) - 1) & 1U)
             beyond << edgeWords(edge, y);
-    return beyond.isEmpty() ? tr("inside the window")
-                            : tr("beyond %1").arg(beyond.join(tr(" and ")));
+    return beyond.isEmpty() ? Questions::tr("inside the window")
+                            : Questions::tr("beyond %1").arg(beyond.join(Questions::tr(" and ")));
 }
 
 /// "ask region 2": which outcode End 2 has. Wrong choices swap left and right, or above and below.
-std::optional<Question> ask(const TracedLine& tracedLine, const Narration&, std::size_t,
-                            const QStringList& words)
+std::optional<Question> askRegion(const TracedLine& tracedLine, const Narration&, std::size_t,
+                                  const QStringList& words)
 {
     if (words.size() != 1 || (words[0] != u'1' && words[0] != u'2'))
         return std::nullopt;
@@ -37,16 +34,17 @@ std::optional<Question> ask(const TracedLine& tracedLine, const Narration&, std:
                                                      && !choices.contains(text)
                                                      && choices.size() < 4)
             choices << text;
-    return shuffled({tr("Which outcode does End %1 have?").arg(words[0]), choices, 0,
-                     tr("End %1 lies %2: %3.")
-                         .arg(words[0], whereabouts(code, tracedLine.y), outcodeText(code)),
-                     tr("Ask one question for each bit, in this order: %1. A yes is 1, a no is 0.")
-                         .arg(outcodeBits())});
+    return shuffled(
+        {Questions::tr("Which outcode does End %1 have?").arg(words[0]), choices, 0,
+         Questions::tr("End %1 lies %2: %3.")
+             .arg(words[0], whereabouts(code, tracedLine.y), outcodeText(code)),
+         Questions::tr("Ask one question for each bit, in this order: %1. A yes is 1, a no is 0.")
+             .arg(outcodeBits())});
 }
 
 } // namespace
 
 extern const QuestionKind regionQuestion;
-const QuestionKind regionQuestion{"region", ask, Covered::AllSteps};
+const QuestionKind regionQuestion{"region", askRegion, Covered::AllSteps};
 
 } // namespace app

@@ -2,16 +2,13 @@
 #include "app/base/latin.h"
 #include "app/comparison/difference.h"
 #include "app/lessons/question.h"
-
-#include <QCoreApplication>
+#include "app/lessons/questions/translated.h"
 
 #include <array>
 
 namespace app {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("questions", text); }
 
 /// One verdict on the result of a form: the text of the choice, and the reason.
 struct Verdict {
@@ -45,33 +42,34 @@ QString promptFor(const Variant& variant)
 {
     const QString name = latin(variant.algorithm->abbreviation);
     return variant.form == clipping::Form::Published
-               ? tr("Does the published %1 get this line right?").arg(name)
-               : tr("Does the corrected %1 get this line right?").arg(name);
+               ? Questions::tr("Does the published %1 get this line right?").arg(name)
+               : Questions::tr("Does the corrected %1 get this line right?").arg(name);
 }
 
 /// "ask right": whether the result of this form is correct within the ulps of its contract.
-std::optional<Question> ask(const TracedLine& tracedLine, const Narration& narration, std::size_t,
-                            const QStringList&)
+std::optional<Question> askRight(const TracedLine& tracedLine, const Narration& narration,
+                                 std::size_t, const QStringList&)
 {
     const Variant exact = exactVariant();
     const double ulps = contractUlps(tracedLine.variant, exact);
     const auto found =
         differences({&tracedLine.line, 1}, tracedLine.window, tracedLine.variant, exact, ulps);
     const int verdict = verdictOn(narration, found);
-    QString reason = tr(verdicts[std::size_t(verdict)].reason);
+    QString reason = Questions::tr(verdicts[std::size_t(verdict)].reason);
     if (!found.empty())
         reason.replace(QStringLiteral("%1"), shortText(found[0].ulps));
     QStringList choices;
     for (const Verdict& row : verdicts)
-        choices << tr(row.choice);
-    return Question{promptFor(tracedLine.variant), choices, verdict, reason,
-                    tr("Which decisions use a number that was rounded before? What happens "
-                       "if that number is slightly too large or too small?")};
+        choices << Questions::tr(row.choice);
+    return Question{
+        promptFor(tracedLine.variant), choices, verdict, reason,
+        Questions::tr("Which decisions use a number that was rounded before? What happens "
+                      "if that number is slightly too large or too small?")};
 }
 
 } // namespace
 
 extern const QuestionKind rightQuestion;
-const QuestionKind rightQuestion{"right", ask, Covered::AllSteps};
+const QuestionKind rightQuestion{"right", askRight, Covered::AllSteps};
 
 } // namespace app

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/lessons/question.h"
+#include "app/lessons/questions/translated.h"
 #include "app/teaching/line_text.h"
-
-#include <QCoreApplication>
 
 #include <glm/geometric.hpp>
 
@@ -10,35 +9,34 @@ namespace app {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("questions", text); }
-
 /// "ask visible": which of four results the line has, according to `exact`.
-std::optional<Question> ask(const TracedLine& tracedLine, const Narration&, std::size_t,
-                            const QStringList&)
+std::optional<Question> askVisible(const TracedLine& tracedLine, const Narration&, std::size_t,
+                                   const QStringList&)
 {
     const auto piece = clipped(exactVariant(), tracedLine.line, tracedLine.window);
     const QString reason =
-        !piece ? tr("No point of the line lies inside the window.")
+        !piece ? Questions::tr("No point of the line lies inside the window.")
         : *piece == tracedLine.line
-            ? tr("Both ends lie inside, and a window is convex, so the whole line is inside.")
-            : tr("The visible part runs from %1 to %2.")
+            ? Questions::tr(
+                "Both ends lie inside, and a window is convex, so the whole line is inside.")
+            : Questions::tr("The visible part runs from %1 to %2.")
                   .arg(pairText(shortText(piece->a.x), shortText(piece->a.y)),
                        pairText(shortText(piece->b.x), shortText(piece->b.y)));
     const int cutEnds =
         piece ? (piece->a != tracedLine.line.a) + (piece->b != tracedLine.line.b) : 3;
     return Question{
-        tr("How much of this line is visible in the window?"),
-        {tr("All of it"), tr("A part: one end is cut"), tr("A part: both ends are cut"),
-         tr("Nothing")},
+        Questions::tr("How much of this line is visible in the window?"),
+        {Questions::tr("All of it"), Questions::tr("A part: one end is cut"),
+         Questions::tr("A part: both ends are cut"), Questions::tr("Nothing")},
         cutEnds,
         reason,
-        tr("Follow the line from End 1 to End 2. Does it meet the orange rectangle? How "
-           "many of its ends lie outside?")};
+        Questions::tr("Follow the line from End 1 to End 2. Does it meet the orange rectangle? How "
+                      "many of its ends lie outside?")};
 }
 
 } // namespace
 
 extern const QuestionKind visibleQuestion;
-const QuestionKind visibleQuestion{"visible", ask, Covered::AllSteps};
+const QuestionKind visibleQuestion{"visible", askVisible, Covered::AllSteps};
 
 } // namespace app

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/overlays/family.h"
 #include "app/teaching/sentences/ends.h"
+#include "app/teaching/sentences/translated.h"
 #include "app/teaching/teaching.h"
-
-#include <QCoreApplication>
 
 #include <cmath>
 
@@ -13,9 +12,7 @@ using clipping::What;
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("sentences", text); }
-
-unsigned known(const SentenceContext& context, const char* name)
+unsigned cohenSutherlandKnown(const SentenceContext& context, const char* name)
 {
     return unsigned(context.known(name).value_or(0));
 }
@@ -24,15 +21,15 @@ unsigned known(const SentenceContext& context, const char* name)
 unsigned codeOf(const SentenceContext& context, int number)
 {
     if (words::isPublished(context))
-        return known(context, number == 1 ? "code1" : "code2");
-    return known(context, number == 1 ? "code[1]" : "code[2]");
+        return cohenSutherlandKnown(context, number == 1 ? "code1" : "code2");
+    return cohenSutherlandKnown(context, number == 1 ? "code[1]" : "code[2]");
 }
 
-QString codeText(const SentenceContext& context, int number)
+QString cohenSutherlandCodeText(const SentenceContext& context, int number)
 {
     return outcodeText(codeOf(context, number));
 }
-QString codeAndRegion(const SentenceContext& context, int number)
+QString cohenSutherlandCodeAndRegion(const SentenceContext& context, int number)
 {
     return words::codeAndRegion(codeOf(context, number), context.tracedLine.y);
 }
@@ -41,43 +38,49 @@ QString codeAndRegion(const SentenceContext& context, int number)
 int endOutside(const SentenceContext& context)
 {
     return words::isPublished(context) ? (codeOf(context, 1) != 0 ? 1 : 2)
-                                       : int(known(context, "i"));
+                                       : int(cohenSutherlandKnown(context, "i"));
 }
 
-QString outcodes(const SentenceContext& context)
+QString cohenSutherlandOutcodes(const SentenceContext& context)
 {
-    return tr("The outcodes say where the ends lie: End 1 has %1, End 2 has %2.")
-        .arg(codeAndRegion(context, 1), codeAndRegion(context, 2));
+    return Sentences::tr("The outcodes say where the ends lie: End 1 has %1, End 2 has %2.")
+        .arg(cohenSutherlandCodeAndRegion(context, 1), cohenSutherlandCodeAndRegion(context, 2));
 }
 
 /// Whether any end is outside.
 QString anyOutside(const SentenceContext& context, bool outside)
 {
     const unsigned either = codeOf(context, 1) | codeOf(context, 2);
-    return (outside ? tr("At least one end is outside, because %1 | %2 = %3 is not 0000: the line "
-                         "cannot be accepted yet.")
-                    : tr("Both ends are inside, because %1 | %2 = %3: the line can be accepted."))
-        .arg(codeText(context, 1), codeText(context, 2), outcodeText(either));
+    return (outside ? Sentences::tr(
+                "At least one end is outside, because %1 | %2 = %3 is not 0000: the line "
+                "cannot be accepted yet.")
+                    : Sentences::tr(
+                        "Both ends are inside, because %1 | %2 = %3: the line can be accepted."))
+        .arg(cohenSutherlandCodeText(context, 1), cohenSutherlandCodeText(context, 2),
+             outcodeText(either));
 }
 
 /// Whether both ends are beyond one edge.
-QString bothBeyond(const SentenceContext& context)
+QString cohenSutherlandBothBeyond(const SentenceContext& context)
 {
     const unsigned common = codeOf(context, 1) & codeOf(context, 2);
     if (!context.holds())
-        return tr("No edge has both ends beyond it, because %1 & %2 = %3: the line cannot be "
-                  "rejected yet.")
-            .arg(codeText(context, 1), codeText(context, 2), outcodeText(common));
-    return tr("Both ends lie %4, because %1 & %2 = %3 is not 0000.")
-        .arg(codeText(context, 1), codeText(context, 2), outcodeText(common),
-             words::beyond(words::edgeOf(common), context.tracedLine.y));
+        return Sentences::tr(
+                   "No edge has both ends beyond it, because %1 & %2 = %3: the line cannot be "
+                   "rejected yet.")
+            .arg(cohenSutherlandCodeText(context, 1), cohenSutherlandCodeText(context, 2),
+                 outcodeText(common));
+    return Sentences::tr("Both ends lie %4, because %1 & %2 = %3 is not 0000.")
+        .arg(cohenSutherlandCodeText(context, 1), cohenSutherlandCodeText(context, 2),
+             outcodeText(common), words::beyond(words::edgeOf(common), context.tracedLine.y));
 }
 
-QString rejected(const SentenceContext& context)
+QString cohenSutherlandRejected(const SentenceContext& context)
 {
     const unsigned common = codeOf(context, 1) & codeOf(context, 2);
-    return tr("Both ends lie %1, and so does every point between them: nothing of the line is "
-              "visible.")
+    return Sentences::tr(
+               "Both ends lie %1, and so does every point between them: nothing of the line is "
+               "visible.")
         .arg(words::beyond(words::edgeOf(common), context.tracedLine.y));
 }
 
@@ -85,21 +88,22 @@ QString rejected(const SentenceContext& context)
 QString chosen(const SentenceContext& context)
 {
     return codeOf(context, 1) != 0
-               ? tr("End 1 is outside, with the outcode %1, so End 1 is cut.")
-                     .arg(codeAndRegion(context, 1))
-               : tr("End 1 is inside and End 2 is outside, with the outcode %1, so End 2 is cut.")
-                     .arg(codeAndRegion(context, 2));
+               ? Sentences::tr("End 1 is outside, with the outcode %1, so End 1 is cut.")
+                     .arg(cohenSutherlandCodeAndRegion(context, 1))
+               : Sentences::tr(
+                     "End 1 is inside and End 2 is outside, with the outcode %1, so End 2 is cut.")
+                     .arg(cohenSutherlandCodeAndRegion(context, 2));
 }
 
 /// Whether the end is cut at the step's edge.
 QString cutThere(const SentenceContext& context)
 {
     const int number = endOutside(context);
-    const QString code = codeText(context, number), end = words::end(number);
+    const QString code = cohenSutherlandCodeText(context, number), end = words::end(number);
     if (!context.holds())
-        return tr("The bit of %1 is not set in %2: %3 is not cut at that edge.")
+        return Sentences::tr("The bit of %1 is not set in %2: %3 is not cut at that edge.")
             .arg(context.edgeText(), code, end);
-    return tr("The bit of %1 is set in %2: %3 lies %4 and is cut at that edge.")
+    return Sentences::tr("The bit of %1 is set in %2: %3 lies %4 and is cut at that edge.")
         .arg(context.edgeText(), code, end, words::beyond(context.edge(), context.tracedLine.y));
 }
 
@@ -111,10 +115,11 @@ QString meets(const SentenceContext& context)
     const double level = clipping::levelOf(context.edge(), window);
     const double there = context.value(along == 0 ? "y" : "x").value_or(0);
     if (!std::isfinite(there))
-        return tr("The numbers are too large: their product overflows, %1 becomes %2, and "
-                  "everything computed from it is meaningless.")
+        return Sentences::tr(
+                   "The numbers are too large: their product overflows, %1 becomes %2, and "
+                   "everything computed from it is meaningless.")
             .arg(along == 0 ? QStringLiteral("y") : QStringLiteral("x"), words::number(there));
-    return tr("From End 1 to %1, %3 changes by %2. There the line is at %4.")
+    return Sentences::tr("From End 1 to %1, %3 changes by %2. There the line is at %4.")
         .arg(context.edgeText(), words::number(level - context.step.segment.a[along]),
              words::axisName(context.edge()),
              words::point(along == 0 ? Point{level, there} : Point{there, level}));
@@ -135,7 +140,8 @@ QString moved(const SentenceContext& context)
         return words::moved(context, endOutside(context));
     const int number = context.value("code1") ? 1 : 2;
     return words::moved(context, number) + u' '
-           + tr("Its outcode is now %1.").arg(codeAndRegion(context, number));
+           + Sentences::tr("Its outcode is now %1.")
+                 .arg(cohenSutherlandCodeAndRegion(context, number));
 }
 
 /// The corrected form's new outcode, before and after the bits of edges that have cut the end are
@@ -144,13 +150,15 @@ QString newCode(const SentenceContext& context)
 {
     const int number = endOutside(context);
     if (context.edge() != clipping::Edge::NoEdge)
-        return tr("The distance that %1 has moved, compared with its distances to the other edges, "
-                  "gives the outcode %2.")
-            .arg(words::end(number), codeAndRegion(context, number));
-    const unsigned done = known(context, number == 1 ? "done[1]" : "done[2]");
-    return tr("An edge that has cut %1 does not cut it again. The bits of these edges, %2, are "
-              "cleared, so the outcode is %3.")
-        .arg(words::end(number), outcodeText(done), codeAndRegion(context, number));
+        return Sentences::
+            tr("The distance that %1 has moved, compared with its distances to the other edges, "
+               "gives the outcode %2.")
+                .arg(words::end(number), cohenSutherlandCodeAndRegion(context, number));
+    const unsigned done = cohenSutherlandKnown(context, number == 1 ? "done[1]" : "done[2]");
+    return Sentences::tr(
+               "An edge that has cut %1 does not cut it again. The bits of these edges, %2, are "
+               "cleared, so the outcode is %3.")
+        .arg(words::end(number), outcodeText(done), cohenSutherlandCodeAndRegion(context, number));
 }
 
 /// The tests without an edge.
@@ -163,38 +171,40 @@ QString decided(const SentenceContext& context)
     case 4:
         return anyOutside(context, context.holds());
     case 5:
-        return bothBeyond(context);
+        return cohenSutherlandBothBeyond(context);
     default:
-        return !published        ? chosen(context)
-               : context.holds() ? tr("The outcode is that of End 1, so End 1 is cut.")
-                                 : tr("The outcode is not that of End 1, so End 2 is cut.");
+        return !published ? chosen(context)
+               : context.holds()
+                   ? Sentences::tr("The outcode is that of End 1, so End 1 is cut.")
+                   : Sentences::tr("The outcode is not that of End 1, so End 2 is cut.");
     }
 }
 
-QString sentence(const SentenceContext& context)
+QString cohenSutherlandSentence(const SentenceContext& context)
 {
     const auto what = context.step.what;
     const auto& name = context.step.name;
     if (what == What::Accept)
         return words::acceptedIfInside(context);
     if (what == What::Reject)
-        return rejected(context) + words::lost(context);
+        return cohenSutherlandRejected(context) + words::lost(context);
     if (what == What::GiveUp)
-        return tr("After 64 cuts the loop still goes on: each cut clears one bit, and rounding "
-                  "sets another. The published form never ends on this line. It is stopped, and "
-                  "nothing is drawn.");
+        return Sentences::tr(
+            "After 64 cuts the loop still goes on: each cut clears one bit, and rounding "
+            "sets another. The published form never ends on this line. It is stopped, and "
+            "nothing is drawn.");
     if (what == What::Cut)
         return moved(context);
     if (what == What::Test)
         return context.edge() == clipping::Edge::NoEdge ? decided(context) : cutThere(context);
     if (context.step.line == 1)
-        return outcodes(context);
+        return cohenSutherlandOutcodes(context);
     if (name == "left")
         return words::held(context);
     if (name == "codeOut")
         return chosen(context);
     if (name == "i")
-        return tr("The cut starts from the original position of %1, %2.")
+        return Sentences::tr("The cut starts from the original position of %1, %2.")
             .arg(words::end(endOutside(context)),
                  words::point(endOutside(context) == 1 ? context.tracedLine.line.a
                                                        : context.tracedLine.line.b));
@@ -208,7 +218,7 @@ QString sentence(const SentenceContext& context)
 extern const Teaching cohenSutherlandTeaching;
 const Teaching cohenSutherlandTeaching{
     .key = "cohen-sutherland",
-    .sentence = sentence,
+    .sentence = cohenSutherlandSentence,
     .overlay = outcodeOverlay,
     .figure = {.line = {{-170, -120}, {130, 60}}}, // an end is cut twice
 };

@@ -2,9 +2,8 @@
 #include "app/overlays/family.h"
 #include "app/teaching/sentences/ends.h"
 #include "app/teaching/sentences/part.h"
+#include "app/teaching/sentences/translated.h"
 #include "app/teaching/teaching.h"
-
-#include <QCoreApplication>
 
 #include <array>
 
@@ -12,46 +11,49 @@ namespace app {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("sentences", text); }
-
 using words::knownCompared;
 using words::knownNumber;
 
 /// The corresponding line of the corrected form: in the published form, line 3 computes the normal.
-int lineOf(const SentenceContext& context)
+int cyrusBeckLineOf(const SentenceContext& context)
 {
     return context.step.line - (words::isPublished(context) ? 1 : 0);
 }
 
 /// Lines 5 to 12: the tests at one edge.
-QString asked(const SentenceContext& context)
+QString cyrusBeckAsked(const SentenceContext& context)
 {
     const QString edge = context.edgeText();
-    switch (lineOf(context)) {
+    switch (cyrusBeckLineOf(context)) {
     case 5:
-        return (context.holds() ? tr("D = %2: the line is parallel to %1 and never crosses it.")
-                                : tr("D = %2 is not 0: the infinite line through both ends crosses "
-                                     "the line of %1."))
+        return (context.holds()
+                    ? Sentences::tr("D = %2: the line is parallel to %1 and never crosses it.")
+                    : Sentences::tr("D = %2 is not 0: the infinite line through both ends crosses "
+                                    "the line of %1."))
             .arg(edge, knownNumber(context, "D"));
     case 6:
         return (context.holds()
-                    ? tr("The line is parallel to %1 and lies beyond it (N = %2 is less than 0).")
-                    : tr("End 1 is not beyond %1 (N = %2 is not less than 0), so no point of the "
-                         "line is: this edge cuts nothing off."))
+                    ? Sentences::tr(
+                        "The line is parallel to %1 and lies beyond it (N = %2 is less than 0).")
+                    : Sentences::tr(
+                        "End 1 is not beyond %1 (N = %2 is not less than 0), so no point of the "
+                        "line is: this edge cuts nothing off."))
             .arg(edge, knownNumber(context, "N"));
     case 9:
-        return (context.holds() ? tr("D = %1 is greater than 0: at %2 the line enters.")
-                                : tr("D = %1 is less than 0: at %2 the line leaves."))
+        return (context.holds() ? Sentences::tr("D = %1 is greater than 0: at %2 the line enters.")
+                                : Sentences::tr("D = %1 is less than 0: at %2 the line leaves."))
             .arg(knownNumber(context, "D"), edge);
     case 10:
-        return (context.holds() ? tr("Of all entries so far, the one at %1 is the last (%2).")
-                                : tr("The entry at %1 is not after the start of the remaining part "
-                                     "(%2): this edge cuts nothing off."))
+        return (context.holds()
+                    ? Sentences::tr("Of all entries so far, the one at %1 is the last (%2).")
+                    : Sentences::tr("The entry at %1 is not after the start of the remaining part "
+                                    "(%2): this edge cuts nothing off."))
             .arg(edge, knownCompared(context, "t", "tE"));
     default:
-        return (context.holds() ? tr("Of all exits so far, the one at %1 is the first (%2).")
-                                : tr("The exit at %1 is not before the end of the remaining part "
-                                     "(%2): this edge cuts nothing off."))
+        return (context.holds()
+                    ? Sentences::tr("Of all exits so far, the one at %1 is the first (%2).")
+                    : Sentences::tr("The exit at %1 is not before the end of the remaining part "
+                                    "(%2): this edge cuts nothing off."))
             .arg(edge, knownCompared(context, "t", "tL"));
     }
 }
@@ -60,15 +62,16 @@ QString asked(const SentenceContext& context)
 QString concluded(const SentenceContext& context)
 {
     if (context.holds())
-        return tr("The line leaves before it enters (tE > tL: %1).")
+        return Sentences::tr("The line leaves before it enters (tE > tL: %1).")
             .arg(knownCompared(context, "tE", "tL"));
-    return tr("The last entry comes no later than the first exit (tE = %1, tL = %2): the part "
-              "between them is visible.")
+    return Sentences::tr(
+               "The last entry comes no later than the first exit (tE = %1, tL = %2): the part "
+               "between them is visible.")
         .arg(knownNumber(context, "tE"), knownNumber(context, "tL"));
 }
 
 /// The assignment of a variable at an edge.
-QString given(const SentenceContext& context)
+QString cyrusBeckGiven(const SentenceContext& context)
 {
     const auto& name = context.step.name;
     const QString edge = context.edgeText();
@@ -76,51 +79,56 @@ QString given(const SentenceContext& context)
         return text.arg(edge, knownNumber(context, "nx"), knownNumber(context, "ny"));
     };
     if (name == "ny")
-        return normal(tr("The inner normal of %1 is (%2, %3). It is as long as that edge."));
+        return normal(
+            Sentences::tr("The inner normal of %1 is (%2, %3). It is as long as that edge."));
     if (name == "D")
-        return normal(tr("The inner normal of %1 is (%2, %3). Along it, the line advances by D = "
-                         "%4 from End 1 to End 2."))
+        return normal(Sentences::tr(
+                          "The inner normal of %1 is (%2, %3). Along it, the line advances by D = "
+                          "%4 from End 1 to End 2."))
             .arg(knownNumber(context, "D"));
     if (name == "N")
-        return tr("Along the same normal, End 1 lies N = %1 inside %2 (N < 0: beyond it).")
+        return Sentences::tr(
+                   "Along the same normal, End 1 lies N = %1 inside %2 (N < 0: beyond it).")
             .arg(knownNumber(context, "N"), edge);
     if (name == "t")
-        return tr("The line crosses %1 at t = −N/D = %2 (0 is End 1, 1 is End 2).")
+        return Sentences::tr("The line crosses %1 at t = −N/D = %2 (0 is End 1, 1 is End 2).")
             .arg(edge, knownNumber(context, "t"));
     if (name == "tE")
-        return tr("The remaining part begins at %1, at tE = %2.")
+        return Sentences::tr("The remaining part begins at %1, at tE = %2.")
             .arg(edge, knownNumber(context, "tE"));
-    return tr("The remaining part ends at %1, at tL = %2.").arg(edge, knownNumber(context, "tL"));
+    return Sentences::tr("The remaining part ends at %1, at tL = %2.")
+        .arg(edge, knownNumber(context, "tL"));
 }
 
-QString accepted(const SentenceContext& context)
+QString cyrusBeckAccepted(const SentenceContext& context)
 {
     const auto& [a, b] = context.step.segment;
     const auto& window = context.tracedLine.window;
     const bool flat = window.min.x == window.max.x || window.min.y == window.max.y;
     if (flat && (words::isOutside(a, window) || words::isOutside(b, window)))
-        return tr("The window has no area, so two of its normals are (0, 0) and cut nothing. The "
-                  "remaining part is accepted, and that is wrong: it reaches beyond the window.");
+        return Sentences::tr(
+            "The window has no area, so two of its normals are (0, 0) and cut nothing. The "
+            "remaining part is accepted, and that is wrong: it reaches beyond the window.");
     return words::acceptedIfInside(context);
 }
 
-QString sentence(const SentenceContext& context)
+QString cyrusBeckSentence(const SentenceContext& context)
 {
     const auto what = context.step.what;
     const words::PartNames names{"tE", "tL", words::isPublished(context) ? 16 : 15};
     if (what == clipping::What::Accept)
-        return accepted(context);
+        return cyrusBeckAccepted(context);
     if (what == clipping::What::Reject)
-        return tr("Nothing of the line is visible.") + words::lost(context);
+        return Sentences::tr("Nothing of the line is visible.") + words::lost(context);
     if (context.step.line >= names.line)
         return words::endsOfPart(context, names);
     if (what == clipping::What::Let)
         return context.edge() == clipping::Edge::NoEdge ? words::wholeLine(context, names)
-                                                        : given(context);
-    return lineOf(context) == 14 ? concluded(context) : asked(context);
+                                                        : cyrusBeckGiven(context);
+    return cyrusBeckLineOf(context) == 14 ? concluded(context) : cyrusBeckAsked(context);
 }
 
-constexpr auto variables = std::to_array<VariableUnit>({
+constexpr auto cyrusBeckVariables = std::to_array<VariableUnit>({
     {"D", ValueUnit::Length},
     {"N", ValueUnit::Length},
     {"nx", ValueUnit::Bare},
@@ -133,7 +141,7 @@ constexpr auto variables = std::to_array<VariableUnit>({
     {"yw", ValueUnit::Y},
 });
 /// The normals of the published form are as long as the edges.
-constexpr auto publishedVariables = std::to_array<VariableUnit>({
+constexpr auto cyrusBeckPublishedVariables = std::to_array<VariableUnit>({
     {"nx", ValueUnit::Length},
     {"ny", ValueUnit::Length},
     {"D", ValueUnit::Area},
@@ -145,11 +153,11 @@ constexpr auto publishedVariables = std::to_array<VariableUnit>({
 extern const Teaching cyrusBeckTeaching;
 const Teaching cyrusBeckTeaching{
     .key = "cyrus-beck",
-    .sentence = sentence,
+    .sentence = cyrusBeckSentence,
     .parameter = "t",
     .overlay = parameterOverlay,
-    .variables = variables,
-    .published = publishedVariables,
+    .variables = cyrusBeckVariables,
+    .published = cyrusBeckPublishedVariables,
 };
 
 } // namespace app

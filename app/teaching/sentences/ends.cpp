@@ -2,9 +2,8 @@
 #include "app/teaching/sentences/ends.h"
 
 #include "app/overlays/half_plane.h"
+#include "app/teaching/sentences/translated.h"
 #include "clipping/outcode.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <array>
@@ -15,8 +14,6 @@ namespace app::words {
 using clipping::Edge;
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("sentences", text); }
 
 /// The distance of a point outside a window; 0 if it is not outside.
 double outside(const Point& p, const clipping::Window& window)
@@ -61,8 +58,8 @@ QString whetherBeyond(const SentenceContext& context, int number)
     const QString relation =
         compared(endOf(number, context), context.edge(), context.tracedLine.window);
     return isBeyond(context, number, context.edge())
-               ? tr("%1 lies %2 (%3)").arg(end(number), side, relation)
-               : tr("%1 does not lie %2 (%3)").arg(end(number), side, relation);
+               ? Sentences::tr("%1 lies %2 (%3)").arg(end(number), side, relation)
+               : Sentences::tr("%1 does not lie %2 (%3)").arg(end(number), side, relation);
 }
 
 bool asksTheWay(const SentenceContext& context)
@@ -75,10 +72,11 @@ QString whetherPassed(const SentenceContext& context, int number)
     const double rise = context.known("rise").value_or(0);
     const double gap = clipping::levelOf(context.edge(), context.tracedLine.window)
                        - context.known("yi").value_or(0);
-    return (context.holds() ? tr("%1 has moved by %3 in y, and %2 was %4 away (%5): %1 has passed "
-                                 "that edge and lies %6.")
-                            : tr("%1 has moved by %3 in y, and %2 was %4 away (%5): %1 has not "
-                                 "passed that edge and does not lie %6."))
+    return (context.holds()
+                ? Sentences::tr("%1 has moved by %3 in y, and %2 was %4 away (%5): %1 has passed "
+                                "that edge and lies %6.")
+                : Sentences::tr("%1 has moved by %3 in y, and %2 was %4 away (%5): %1 has not "
+                                "passed that edge and does not lie %6."))
         .arg(end(number), context.edgeText(), words::number(rise), words::number(gap),
              compared(rise, gap), beyond(context.edge(), context.tracedLine.y));
 }
@@ -89,7 +87,7 @@ QString bothBeyond(const SentenceContext& context)
     const Edge edge =
         context.edge() != Edge::NoEdge ? context.edge() : commonEdge(context.tracedLine);
     const auto& window = context.tracedLine.window;
-    return tr("Both ends lie %1 (%2 and %3): no point of the line can be inside.")
+    return Sentences::tr("Both ends lie %1 (%2 and %3): no point of the line can be inside.")
         .arg(beyond(edge, context.tracedLine.y), compared(a, edge, window),
              compared(b, edge, window));
 }
@@ -104,7 +102,7 @@ QString corner(Edge one, Edge other, YAxis y)
     if (one == Edge::NoEdge || one > Edge::Right || other < Edge::Bottom)
         return {};
     const bool top = (other == Edge::Top) == (y == YAxis::Up);
-    return tr(corners[(top ? 2 : 0) + (one == Edge::Right ? 1 : 0)]);
+    return Sentences::tr(corners[(top ? 2 : 0) + (one == Edge::Right ? 1 : 0)]);
 }
 
 QString outcodes(const SentenceContext& context)
@@ -112,14 +110,15 @@ QString outcodes(const SentenceContext& context)
     const auto code = [&](const char* name) {
         return outcodeText(unsigned(context.value(name).value_or(0)));
     };
-    return tr("The outcode of End 1 is %1, that of End 2 is %2. Their bits mean %3.")
+    return Sentences::tr("The outcode of End 1 is %1, that of End 2 is %2. Their bits mean %3.")
         .arg(code("code1"), code("code2"), outcodeBits());
 }
 
 QString productsTooLarge(const QString& products, const QString& corner)
 {
-    return tr("The products overflow (%1): what they say about %2 is meaningless, but the "
-              "algorithm relies on it.")
+    return Sentences::tr(
+               "The products overflow (%1): what they say about %2 is meaningless, but the "
+               "algorithm relies on it.")
         .arg(products, corner);
 }
 
@@ -132,27 +131,30 @@ QString value(const SentenceContext& context, std::string_view name)
 QString held(const SentenceContext& context)
 {
     return context.before && context.before->segment != context.step.segment
-               ? tr(
+               ? Sentences::tr(
                    "Rounding had put an end just outside the window: it is moved back to the edge.")
-               : tr("Rounding has put no end outside the window, so both stay where they are.");
+               : Sentences::tr(
+                   "Rounding has put no end outside the window, so both stay where they are.");
 }
 
 QString acceptedIfInside(const SentenceContext& context)
 {
     for (const int end : {1, 2})
         if (const Point p = endOf(end, context); std::isnan(p.x) || std::isnan(p.y))
-            return tr("The remaining part is accepted, but %1 is no longer a point: %2.")
+            return Sentences::tr("The remaining part is accepted, but %1 is no longer a point: %2.")
                 .arg(words::end(end), point(p));
     for (const int end : {1, 2})
         if (const double far = outside(endOf(end, context), context.tracedLine.window); far > 0)
-            return (std::isfinite(far) ? tr("The remaining part is accepted, but rounding has left "
-                                            "%1 outside the window by %2.")
-                                       : tr("The remaining part is accepted, but an overflow has "
-                                            "left %1 outside the window by %2."))
+            return (std::isfinite(far)
+                        ? Sentences::tr("The remaining part is accepted, but rounding has left "
+                                        "%1 outside the window by %2.")
+                        : Sentences::tr("The remaining part is accepted, but an overflow has "
+                                        "left %1 outside the window by %2."))
                 .arg(words::end(end), words::number(far));
     if (!exactPiece(context.tracedLine))
         return accepted(context) + QStringLiteral(" ")
-               + tr("That is wrong: the line misses the window by less than a rounding error.");
+               + Sentences::tr(
+                   "That is wrong: the line misses the window by less than a rounding error.");
     return accepted(context);
 }
 
@@ -165,8 +167,9 @@ QString lost(const SentenceContext& context)
         return {};
     return QStringLiteral(" ")
            + (piece->a == piece->b
-                  ? tr("That is wrong: the line touches the window at %1.").arg(point(piece->a))
-                  : tr("That is wrong: from %1 to %2 the line is inside.")
+                  ? Sentences::tr("That is wrong: the line touches the window at %1.")
+                        .arg(point(piece->a))
+                  : Sentences::tr("That is wrong: from %1 to %2 the line is inside.")
                         .arg(point(piece->a), point(piece->b)));
 }
 

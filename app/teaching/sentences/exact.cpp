@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/overlays/family.h"
 #include "app/overlays/half_plane.h"
+#include "app/teaching/sentences/translated.h"
 #include "app/teaching/sentences/words.h"
 #include "app/teaching/teaching.h"
-
-#include <QCoreApplication>
 
 #include <array>
 
@@ -13,8 +12,6 @@ namespace app {
 using clipping::Edge;
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("sentences", text); }
 
 /// An end of the line, and the edges that the line crosses near it.
 struct Side {
@@ -40,47 +37,48 @@ Side exitOf(const TracedLine& tracedLine)
 }
 
 /// Lines 1 and 3: whether both ends are beyond the same edge of an axis.
-QString bothBeyond(const SentenceContext& context)
+QString exactBothBeyond(const SentenceContext& context)
 {
     const auto axis = context.step.line == 1 ? 0 : 1;
     const auto beyond = [&](Edge edge) { return words::beyond(edge, context.tracedLine.y); };
     if (context.holds())
-        return tr("Both ends lie %1, and so does every point between them.")
+        return Sentences::tr("Both ends lie %1, and so does every point between them.")
             .arg(beyond(context.edge()));
-    return tr("The ends lie neither both %1 nor both %2: the line may meet the window.")
+    return Sentences::tr("The ends lie neither both %1 nor both %2: the line may meet the window.")
         .arg(beyond(clipping::lowerEdge(axis)), beyond(clipping::upperEdge(axis)));
 }
 
 /// Line 6: the direction of the line.
-QString direction(const SentenceContext& context)
+QString exactDirection(const SentenceContext& context)
 {
     const auto& [a, b] = context.tracedLine.line;
     const auto grows = [&](const char* name) {
-        return context.value(name) == 1.0 ? tr("grows") : tr("does not grow");
+        return context.value(name) == 1.0 ? Sentences::tr("grows") : Sentences::tr("does not grow");
     };
-    return tr("From End 1 to End 2, x %1 (%2) and y %3 (%4).")
+    return Sentences::tr("From End 1 to End 2, x %1 (%2) and y %3 (%4).")
         .arg(grows("right"), words::compared(a.x, b.x), grows("up"), words::compared(a.y, b.y));
 }
 
 /// Lines 7 and 8: the near and the far edge of an axis.
-QString nearAndFar(const SentenceContext& context)
+QString exactNearAndFar(const SentenceContext& context)
 {
     const TracedLine& tracedLine = context.tracedLine;
     const Side in = entryOf(tracedLine), out = exitOf(tracedLine);
     const bool isX = context.step.name == "xfar";
-    return tr("So %1 is the near edge, where the line can enter, and %2 is the far edge, where it "
-              "can leave.")
+    return Sentences::tr(
+               "So %1 is the near edge, where the line can enter, and %2 is the far edge, where it "
+               "can leave.")
         .arg(edgeWords(isX ? in.x : in.y, tracedLine.y),
              edgeWords(isX ? out.x : out.y, tracedLine.y));
 }
 
 /// Lines 9 to 12: whether an end is beyond the near or the far edge of an axis.
-QString oneBeyond(const SentenceContext& context)
+QString exactOneBeyond(const SentenceContext& context)
 {
     const int number = context.step.line <= 10 ? 1 : 2;
     const auto& end = number == 1 ? context.tracedLine.line.a : context.tracedLine.line.b;
-    return (context.value(context.step.name) == 1.0 ? tr("%1 is beyond %2 (%3).")
-                                                    : tr("%1 is not beyond %2 (%3)."))
+    return (context.value(context.step.name) == 1.0 ? Sentences::tr("%1 is beyond %2 (%3).")
+                                                    : Sentences::tr("%1 is not beyond %2 (%3)."))
         .arg(words::end(number), context.edgeText(),
              words::compared(end, context.edge(), context.tracedLine.window));
 }
@@ -94,16 +92,19 @@ QString corner(const SentenceContext& context)
     const QString entry = edgeWords(first ? in.x : in.y, tracedLine.y);
     const QString exit = edgeWords(first ? out.y : out.x, tracedLine.y);
     if (context.holds())
-        return tr("The line passes %1 before it reaches %2, so it passes the corner between them "
-                  "on the outside. Rounding cannot change this decision.")
+        return Sentences::tr(
+                   "The line passes %1 before it reaches %2, so it passes the corner between them "
+                   "on the outside. Rounding cannot change this decision.")
             .arg(exit, entry);
     if (first ? in.beyondX && out.beyondY : in.beyondY && out.beyondX)
-        return tr("The line reaches %2 no later than %1, so it does not pass the corner between "
-                  "them on the outside. Rounding cannot change this decision.")
+        return Sentences::tr(
+                   "The line reaches %2 no later than %1, so it does not pass the corner between "
+                   "them on the outside. Rounding cannot change this decision.")
             .arg(exit, entry);
-    return tr("The line does not have to enter at %2 and leave at %1, so it cannot pass the corner "
-              "between them on the outside.")
-        .arg(exit, entry);
+    return Sentences::
+        tr("The line does not have to enter at %2 and leave at %1, so it cannot pass the corner "
+           "between them on the outside.")
+            .arg(exit, entry);
 }
 
 /// Lines 17, 19, 21 and 23: at which of two edges an end is cut.
@@ -116,34 +117,37 @@ QString cutWhere(const SentenceContext& context)
     const QString x = edgeWords(side.x, tracedLine.y), y = edgeWords(side.y, tracedLine.y);
     const bool asksX = context.step.line == 17 || context.step.line == 21;
     if (!asksX)
-        return context.holds() ? tr("%1 is beyond %2: it is cut there.").arg(end, y)
-                               : tr("%1 is inside and stays as it is, bit for bit.").arg(end);
+        return context.holds()
+                   ? Sentences::tr("%1 is beyond %2: it is cut there.").arg(end, y)
+                   : Sentences::tr("%1 is inside and stays as it is, bit for bit.").arg(end);
     if (!side.beyondX)
-        return tr("%1 is not beyond %2.").arg(end, x);
+        return Sentences::tr("%1 is not beyond %2.").arg(end, x);
     if (!side.beyondY)
-        return tr("%1 is beyond %2 and no other edge: it is cut there.").arg(end, x);
+        return Sentences::tr("%1 is beyond %2 and no other edge: it is cut there.").arg(end, x);
     if (entering)
-        return (context.holds() ? tr("Of the two edges where the line can enter, it passes %1 no "
-                                     "earlier than %2: End 1 is cut at %1.")
-                                : tr("Of the two edges where the line can enter, it passes %2 "
-                                     "later than %1: End 1 is not cut at %1."))
+        return (context.holds()
+                    ? Sentences::tr("Of the two edges where the line can enter, it passes %1 no "
+                                    "earlier than %2: End 1 is cut at %1.")
+                    : Sentences::tr("Of the two edges where the line can enter, it passes %2 "
+                                    "later than %1: End 1 is not cut at %1."))
             .arg(x, y);
-    return (context.holds() ? tr("Of the two edges where the line can leave, it passes %1 no later "
-                                 "than %2: End 2 is cut at %1.")
-                            : tr("Of the two edges where the line can leave, it passes %2 before "
-                                 "%1: End 2 is not cut at %1."))
+    return (context.holds()
+                ? Sentences::tr("Of the two edges where the line can leave, it passes %1 no later "
+                                "than %2: End 2 is cut at %1.")
+                : Sentences::tr("Of the two edges where the line can leave, it passes %2 before "
+                                "%1: End 2 is not cut at %1."))
         .arg(x, y);
 }
 
-QString given(const SentenceContext& context)
+QString exactGiven(const SentenceContext& context)
 {
     const auto& name = context.step.name;
-    return name == "up"                       ? direction(context)
-           : name == "xfar" || name == "yfar" ? nearAndFar(context)
-                                              : oneBeyond(context);
+    return name == "up"                       ? exactDirection(context)
+           : name == "xfar" || name == "yfar" ? exactNearAndFar(context)
+                                              : exactOneBeyond(context);
 }
 
-QString sentence(const SentenceContext& context)
+QString exactSentence(const SentenceContext& context)
 {
     const int line = context.step.line;
     const int end = line <= 20 ? 1 : 2;
@@ -151,19 +155,21 @@ QString sentence(const SentenceContext& context)
     case clipping::What::Accept:
         return words::accepted(context);
     case clipping::What::Reject:
-        return tr("Nothing of the line is visible, and that is certain.");
+        return Sentences::tr("Nothing of the line is visible, and that is certain.");
     case clipping::What::Cut:
-        return tr("%1 moves along the line to %2, to %3: the true point, rounded once.")
+        return Sentences::tr("%1 moves along the line to %2, to %3: the true point, rounded once.")
             .arg(words::end(end), context.edgeText(),
                  words::point(end == 1 ? context.step.segment.a : context.step.segment.b));
     case clipping::What::Test:
-        return line <= 3 ? bothBeyond(context) : line <= 15 ? corner(context) : cutWhere(context);
+        return line <= 3    ? exactBothBeyond(context)
+               : line <= 15 ? corner(context)
+                            : cutWhere(context);
     default:
-        return given(context);
+        return exactGiven(context);
     }
 }
 
-constexpr auto variables = std::to_array<VariableUnit>({
+constexpr auto exactVariables = std::to_array<VariableUnit>({
     {"xnear", ValueUnit::X},
     {"ynear", ValueUnit::Y},
     {"xfar", ValueUnit::X},
@@ -175,10 +181,10 @@ constexpr auto variables = std::to_array<VariableUnit>({
 extern const Teaching exactTeaching;
 const Teaching exactTeaching{
     .key = "exact",
-    .sentence = sentence,
+    .sentence = exactSentence,
     .overlay = turnOverlay,
     .figure = {.line = {{-160, 10}, {-20, 120}}}, // close to a corner
-    .variables = variables,
+    .variables = exactVariables,
 };
 
 } // namespace app

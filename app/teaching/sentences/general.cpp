@@ -4,8 +4,7 @@
 #include "app/teaching/page.h"
 #include "app/teaching/sentences/code_values.h"
 #include "app/teaching/sentences/ends.h"
-
-#include <QCoreApplication>
+#include "app/teaching/sentences/translated.h"
 
 #include <algorithm>
 
@@ -17,8 +16,6 @@ using clipping::What;
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("sentences", text); }
-
 QString evenly(const QString& formula)
 {
     return withTexts(formula, [](const QString& name) { return name; });
@@ -28,7 +25,7 @@ QString evenly(const QString& formula)
 QString atEdge(const SentenceContext& context, const QString& said)
 {
     const QString edge = context.edgeText();
-    return edge.isEmpty() ? said : tr("At %1, %2").arg(edge, said);
+    return edge.isEmpty() ? said : Sentences::tr("At %1, %2").arg(edge, said);
 }
 
 QString withCapital(QString sentence)
@@ -47,13 +44,14 @@ QString asked(const SentenceContext& context, const QStringList& code)
     const CodeValues values(context, {});
     const QString condition = chosen(conditionIn(lineOf(context, code)), values);
     if (condition.isEmpty())
-        return withCapital(
-            atEdge(context, context.holds() ? tr("the test holds.") : tr("the test fails.")));
+        return withCapital(atEdge(context, context.holds() ? Sentences::tr("the test holds.")
+                                                           : Sentences::tr("the test fails.")));
     const QString question = evenly(condition), numbers = filledIn(condition, values),
-                  answer = context.holds() ? tr("yes") : tr("no");
-    return withCapital(atEdge(context, numbers == question
-                                           ? tr("is %1? %2.").arg(question, answer)
-                                           : tr("is %1? %2: %3.").arg(question, numbers, answer)));
+                  answer = context.holds() ? Sentences::tr("yes") : Sentences::tr("no");
+    return withCapital(
+        atEdge(context, numbers == question
+                            ? Sentences::tr("is %1? %2.").arg(question, answer)
+                            : Sentences::tr("is %1? %2: %3.").arg(question, numbers, answer)));
 }
 
 /// "dx = x2 - x1 = 70 - (-160) = 230", without repetition.
@@ -109,8 +107,8 @@ QString whatIsLeft(const SentenceContext& context)
 {
     const auto& now = context.step.segment;
     return (now == leftBefore(context)
-                ? tr("The remaining part does not change: it runs from %1 to %2.")
-                : tr("The remaining part now runs from %1 to %2."))
+                ? Sentences::tr("The remaining part does not change: it runs from %1 to %2.")
+                : Sentences::tr("The remaining part now runs from %1 to %2."))
         .arg(words::point(now.a), words::point(now.b));
 }
 
@@ -120,15 +118,16 @@ QString cut(const SentenceContext& context)
     const auto& now = context.step.segment;
     const QString edge = context.edgeText(), a = words::point(now.a), b = words::point(now.b);
     if (before.a != now.a && before.b != now.b)
-        return tr("Both ends are cut: End 1 moves to %1, End 2 to %2.").arg(a, b);
+        return Sentences::tr("Both ends are cut: End 1 moves to %1, End 2 to %2.").arg(a, b);
     if (before == now)
         return edge.isEmpty()
-                   ? tr("The line is cut where an end already lies: nothing moves.")
-                   : tr("The line is cut at %1, where an end already lies: nothing moves.")
+                   ? Sentences::tr("The line is cut where an end already lies: nothing moves.")
+                   : Sentences::tr(
+                         "The line is cut at %1, where an end already lies: nothing moves.")
                          .arg(edge);
     const QString end = words::end(before.a != now.a ? 1 : 2), to = before.a != now.a ? a : b;
-    return edge.isEmpty() ? tr("%1 is cut: it moves to %2.").arg(end, to)
-                          : tr("%1 is cut at %2: it moves to %3.").arg(end, edge, to);
+    return edge.isEmpty() ? Sentences::tr("%1 is cut: it moves to %2.").arg(end, to)
+                          : Sentences::tr("%1 is cut at %2: it moves to %3.").arg(end, edge, to);
 }
 
 QString given(const SentenceContext& context, const QStringList& code)
@@ -156,9 +155,9 @@ QString generalSentence(const SentenceContext& context)
     case What::Accept:
         return words::acceptedIfInside(context);
     case What::Reject:
-        return tr("The line is rejected: nothing is visible.") + words::lost(context);
+        return Sentences::tr("The line is rejected: nothing is visible.") + words::lost(context);
     default:
-        return tr(
+        return Sentences::tr(
             "The algorithm does not end on this line: it is stopped, and nothing is visible.");
     }
 }

@@ -12,31 +12,38 @@ namespace app {
 
 namespace {
 
-QString tr(const char* text)
-{
-    return QCoreApplication::translate("kodituwakku-wijeweera-chamikara", text);
-}
+struct KodituwakkuText {
+    static QString tr(const char* text)
+    {
+        return QCoreApplication::translate("kodituwakku-wijeweera-chamikara", text);
+    }
+};
 
 /// Whether the line is vertical, horizontal, or a point.
-QString direction(const SentenceContext& context)
+QString kodituwakkuDirection(const SentenceContext& context)
 {
     const auto& [a, b] = context.tracedLine.line;
     if (context.step.line == 2)
-        return context.holds() ? tr("The line is not vertical (%1).").arg(words::compared(a.x, b.x))
-                               : tr("The line is vertical (x1 = x2 = %1): it has no slope.")
-                                     .arg(words::number(a.x));
-    if (context.step.line == 3)
         return context.holds()
-                   ? tr("The line is not horizontal (%1).").arg(words::compared(a.y, b.y))
-                   : tr("The line is horizontal (y1 = y2 = %1).").arg(words::number(a.y));
+                   ? KodituwakkuText::tr("The line is not vertical (%1).")
+                         .arg(words::compared(a.x, b.x))
+                   : KodituwakkuText::tr("The line is vertical (x1 = x2 = %1): it has no slope.")
+                         .arg(words::number(a.x));
+    if (context.step.line == 3)
+        return context.holds() ? KodituwakkuText::tr("The line is not horizontal (%1).")
+                                     .arg(words::compared(a.y, b.y))
+                               : KodituwakkuText::tr("The line is horizontal (y1 = y2 = %1).")
+                                     .arg(words::number(a.y));
     return context.holds()
-               ? tr("Both ends are the same point, %1.").arg(words::point(a))
-               : tr("The two ends are different points (%1).").arg(words::compared(a.y, b.y));
+               ? KodituwakkuText::tr("Both ends are the same point, %1.").arg(words::point(a))
+               : KodituwakkuText::tr("The two ends are different points (%1).")
+                     .arg(words::compared(a.y, b.y));
 }
 
 QString point(const SentenceContext& context)
 {
-    return (context.holds() ? tr("The point %1 counts as outside.") : tr("The point %1 is inside."))
+    return (context.holds() ? KodituwakkuText::tr("The point %1 counts as outside.")
+                            : KodituwakkuText::tr("The point %1 is inside."))
         .arg(words::point(context.tracedLine.line.a));
 }
 
@@ -46,16 +53,20 @@ QString between(const SentenceContext& context, glm::length_t axis)
 {
     const auto& a = context.tracedLine.line.a;
     const auto& [min, max] = context.tracedLine.window;
-    const QString ground =
-        axis == 0 ? tr("x1 = %1, xmin = %2, xmax = %3") : tr("y1 = %1, ymin = %2, ymax = %3");
+    const QString ground = axis == 0 ? KodituwakkuText::tr("x1 = %1, xmin = %2, xmax = %3")
+                                     : KodituwakkuText::tr("y1 = %1, ymin = %2, ymax = %3");
     const QString numbers =
         ground.arg(words::number(a[axis]), words::number(min[axis]), words::number(max[axis]));
     if (!context.holds())
-        return tr("The line lies between the two edges that are parallel to it (%1).").arg(numbers);
+        return KodituwakkuText::tr(
+                   "The line lies between the two edges that are parallel to it (%1).")
+            .arg(numbers);
     const bool onEdge = a[axis] == min[axis] || a[axis] == max[axis];
-    return onEdge ? tr("The line lies on an edge (%1). The published form counts that as outside.")
-                        .arg(numbers)
-                  : tr("The line lies outside, beside the window (%1).").arg(numbers);
+    return onEdge
+               ? KodituwakkuText::tr(
+                     "The line lies on an edge (%1). The published form counts that as outside.")
+                     .arg(numbers)
+               : KodituwakkuText::tr("The line lies outside, beside the window (%1).").arg(numbers);
 }
 
 QString tooShort(const SentenceContext& context, glm::length_t axis)
@@ -65,14 +76,17 @@ QString tooShort(const SentenceContext& context, glm::length_t axis)
     const QString name =
         axis == 0 ? QStringLiteral("|x1 \u2212 x2|") : QStringLiteral("|y1 \u2212 y2|");
     if (std::isnan(length))
-        return tr("Now %1 is NaN. Every comparison with NaN is false, so the line is drawn.")
+        return KodituwakkuText::tr(
+                   "Now %1 is NaN. Every comparison with NaN is false, so the line is drawn.")
             .arg(name);
     return context.holds()
-               ? tr("Now %1 = %2, less than 1. The published form concludes that the line has "
-                    "shrunk to a point and misses the window.")
+               ? KodituwakkuText::tr(
+                     "Now %1 = %2, less than 1. The published form concludes that the line has "
+                     "shrunk to a point and misses the window.")
                      .arg(name, words::number(length))
-               : tr("Now %1 = %2, not less than 1: the line has not shrunk to a point, so it meets "
-                    "the window.")
+               : KodituwakkuText::tr("Now %1 = %2, not less than 1: the line has not shrunk to a "
+                                     "point, so it meets "
+                                     "the window.")
                      .arg(name, words::number(length));
 }
 
@@ -81,27 +95,28 @@ QString push(const SentenceContext& context, int number)
 {
     if (words::asksTheWay(context))
         return words::whetherPassed(context, number);
-    return context.holds() ? tr("%1, so it is pushed to %2.")
+    return context.holds() ? KodituwakkuText::tr("%1, so it is pushed to %2.")
                                  .arg(words::whetherBeyond(context, number), context.edgeText())
-                           : tr("%1.").arg(words::whetherBeyond(context, number));
+                           : KodituwakkuText::tr("%1.").arg(words::whetherBeyond(context, number));
 }
 
 /// Whether the other end is beyond the same edge at its original place.
 QString other(const SentenceContext& context)
 {
     const QString where = words::beyond(context.edge(), context.tracedLine.y);
-    return context.holds() ? tr("The other end lies %1 too.").arg(where)
-                           : tr("The other end does not lie %1, so %2 does not rule the line out.")
+    return context.holds() ? KodituwakkuText::tr("The other end lies %1 too.").arg(where)
+                           : KodituwakkuText::tr(
+                                 "The other end does not lie %1, so %2 does not rule the line out.")
                                  .arg(where, context.edgeText());
 }
 
-QString publishedTest(const SentenceContext& context, int number)
+QString kodituwakkuPublishedTest(const SentenceContext& context, int number)
 {
     switch (context.step.line) {
     case 2:
     case 3:
     case 27:
-        return direction(context);
+        return kodituwakkuDirection(context);
     case 15:
     case 25:
         return tooShort(context, 0);
@@ -118,13 +133,13 @@ QString publishedTest(const SentenceContext& context, int number)
     }
 }
 
-QString correctedTest(const SentenceContext& context, int number)
+QString kodituwakkuCorrectedTest(const SentenceContext& context, int number)
 {
     switch (context.step.line) {
     case 2:
     case 3:
     case 12:
-        return direction(context);
+        return kodituwakkuDirection(context);
     case 9:
         return between(context, 1);
     case 15:
@@ -146,56 +161,59 @@ QString correctedTest(const SentenceContext& context, int number)
 }
 
 /// The new value of a variable.
-QString given(const SentenceContext& context, int number)
+QString kodituwakkuGiven(const SentenceContext& context, int number)
 {
     const auto& name = context.step.name;
     const auto& [a, b] = context.tracedLine.line;
     const Point& end = number == 1 ? a : b;
     if (name == "m")
-        return tr("The slope of the line is m = %1.").arg(words::value(context, "m"));
+        return KodituwakkuText::tr("The slope of the line is m = %1.")
+            .arg(words::value(context, "m"));
     if (name == "c")
-        return tr("The line meets the y axis at c = %1. From now on the line is y = mx + c.")
+        return KodituwakkuText::tr(
+                   "The line meets the y axis at c = %1. From now on the line is y = mx + c.")
             .arg(words::value(context, "c"));
     if (name == "dy")
-        return tr("The slope stays a fraction, dy = %2 over dx = %1, so that no quotient is "
-                  "rounded yet.")
+        return KodituwakkuText::tr(
+                   "The slope stays a fraction, dy = %2 over dx = %1, so that no quotient is "
+                   "rounded yet.")
             .arg(words::value(context, "dx"), words::value(context, "dy"));
     if (name == "left")
         return words::held(context);
     if (name == "rise" || name == "run")
         return words::way(context, words::end(number), end, context.value(name).value_or(0));
-    return tr("%1 is originally at %2, the other end at %3.")
+    return KodituwakkuText::tr("%1 is originally at %2, the other end at %3.")
         .arg(words::end(number), words::point(end), words::point(number == 1 ? b : a));
 }
 
-QString rejected(const SentenceContext& context)
+QString kodituwakkuRejected(const SentenceContext& context)
 {
     return words::isPublished(context)
-               ? tr("The line is rejected: the published form draws nothing.")
+               ? KodituwakkuText::tr("The line is rejected: the published form draws nothing.")
                      + words::lost(context)
                : words::bothBeyond(context);
 }
 
-QString sentence(const SentenceContext& context)
+QString kodituwakkuSentence(const SentenceContext& context)
 {
     const int number = int(context.known("i").value_or(1));
     switch (context.step.what) {
     case clipping::What::Test:
-        return words::isPublished(context) ? publishedTest(context, number)
-                                           : correctedTest(context, number);
+        return words::isPublished(context) ? kodituwakkuPublishedTest(context, number)
+                                           : kodituwakkuCorrectedTest(context, number);
     case clipping::What::Cut:
         return words::moved(context, number);
     case clipping::What::Reject:
-        return rejected(context);
+        return kodituwakkuRejected(context);
     case clipping::What::Accept:
         return words::acceptedIfInside(context);
     default:
-        return given(context, number);
+        return kodituwakkuGiven(context, number);
     }
 }
 
 /// The variables of the line y = mx + c.
-constexpr auto variables = std::to_array<VariableUnit>({
+constexpr auto kodituwakkuVariables = std::to_array<VariableUnit>({
     {"m", ValueUnit::Bare},
     {"c", ValueUnit::FixedLength},
 });
@@ -205,10 +223,10 @@ constexpr auto variables = std::to_array<VariableUnit>({
 extern const Teaching kodituwakkuWijeweeraChamikaraTeaching;
 const Teaching kodituwakkuWijeweeraChamikaraTeaching{
     .key = "kodituwakku-wijeweera-chamikara",
-    .sentence = sentence,
+    .sentence = kodituwakkuSentence,
     .overlay = pushOverlay,
     .figure = {.line = {{-150, -110}, {120, 100}}},
-    .variables = variables,
+    .variables = kodituwakkuVariables,
 };
 
 } // namespace app

@@ -2,17 +2,14 @@
 #include "app/overlays/family.h"
 #include "app/teaching/sentences/ends.h"
 #include "app/teaching/sentences/part.h"
+#include "app/teaching/sentences/translated.h"
 #include "app/teaching/teaching.h"
-
-#include <QCoreApplication>
 
 #include <array>
 
 namespace app {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("sentences", text); }
 
 using words::knownCompared;
 using words::knownNumber;
@@ -23,21 +20,25 @@ words::PartNames namesIn(const SentenceContext& context)
 }
 
 /// Lines 2, 7 and 12: the direction of the line at one edge.
-QString direction(const SentenceContext& context)
+QString liangBarskyDirection(const SentenceContext& context)
 {
     const QString edge = context.edgeText(), p = knownNumber(context, "p");
     if (context.step.line == 12)
         return (context.holds()
-                    ? tr("The line is parallel to %1 and lies beyond it (q = %2 is less than 0).")
-                    : tr("End 1 is not beyond %1 (q = %2 is not less than 0), so no point of the "
-                         "line is: this edge cuts nothing off."))
+                    ? Sentences::tr(
+                        "The line is parallel to %1 and lies beyond it (q = %2 is less than 0).")
+                    : Sentences::tr(
+                        "End 1 is not beyond %1 (q = %2 is not less than 0), so no point of the "
+                        "line is: this edge cuts nothing off."))
             .arg(edge, knownNumber(context, "q"));
     if (context.step.line == 7)
-        return (context.holds() ? tr("p = %1 is greater than 0: at %2 the line leaves.")
-                                : tr("p = %1: the line is parallel to %2 and never crosses it."))
+        return (context.holds()
+                    ? Sentences::tr("p = %1 is greater than 0: at %2 the line leaves.")
+                    : Sentences::tr("p = %1: the line is parallel to %2 and never crosses it."))
             .arg(p, edge);
-    return (context.holds() ? tr("p = %1 is less than 0: at %2 the line enters.")
-                            : tr("p = %1 is not less than 0: at %2 the line does not enter."))
+    return (context.holds()
+                ? Sentences::tr("p = %1 is less than 0: at %2 the line enters.")
+                : Sentences::tr("p = %1 is not less than 0: at %2 the line does not enter."))
         .arg(p, edge);
 }
 
@@ -50,64 +51,72 @@ QString crossing(const SentenceContext& context)
     switch (context.step.line) {
     case 4:
         return context.holds()
-                   ? tr("The entry at %1 comes after the end of the remaining part (%2).")
+                   ? Sentences::tr(
+                         "The entry at %1 comes after the end of the remaining part (%2).")
                          .arg(edge, toStop)
-                   : tr("The entry is not after the end of the remaining part (%1), so something "
-                        "may be visible.")
+                   : Sentences::tr(
+                         "The entry is not after the end of the remaining part (%1), so something "
+                         "may be visible.")
                          .arg(toStop);
     case 9:
         return context.holds()
-                   ? tr("The exit at %1 comes before the start of the remaining part (%2).")
+                   ? Sentences::tr(
+                         "The exit at %1 comes before the start of the remaining part (%2).")
                          .arg(edge, toStart)
-                   : tr("The exit is not before the start of the remaining part (%1), so something "
-                        "may be visible.")
+                   : Sentences::tr("The exit is not before the start of the remaining part (%1), "
+                                   "so something "
+                                   "may be visible.")
                          .arg(toStart);
     case 5:
-        return (context.holds() ? tr("Of all entries so far, the one at %1 is the last (%2).")
-                                : tr("The entry at %1 is not after the start of the remaining part "
-                                     "(%2): this edge cuts nothing off."))
+        return (context.holds()
+                    ? Sentences::tr("Of all entries so far, the one at %1 is the last (%2).")
+                    : Sentences::tr("The entry at %1 is not after the start of the remaining part "
+                                    "(%2): this edge cuts nothing off."))
             .arg(edge, toStart);
     default:
-        return (context.holds() ? tr("Of all exits so far, the one at %1 is the first (%2).")
-                                : tr("The exit at %1 is not before the end of the remaining part "
-                                     "(%2): this edge cuts nothing off."))
+        return (context.holds()
+                    ? Sentences::tr("Of all exits so far, the one at %1 is the first (%2).")
+                    : Sentences::tr("The exit at %1 is not before the end of the remaining part "
+                                    "(%2): this edge cuts nothing off."))
             .arg(edge, toStop);
     }
 }
 
 /// The meaning of the signs of p and q for the line at an edge.
-QString atEdge(const SentenceContext& context)
+QString liangBarskyAtEdge(const SentenceContext& context)
 {
     const double p = context.known("p").value_or(0), q = context.known("q").value_or(0);
-    const QString way = p < 0   ? tr("At %1, p = %2 < 0: the line enters.")
-                        : p > 0 ? tr("At %1, p = %2 > 0: the line leaves.")
-                                : tr("At %1, p = %2: the line is parallel to it.");
+    const QString way = p < 0   ? Sentences::tr("At %1, p = %2 < 0: the line enters.")
+                        : p > 0 ? Sentences::tr("At %1, p = %2 > 0: the line leaves.")
+                                : Sentences::tr("At %1, p = %2: the line is parallel to it.");
     return way.arg(context.edgeText(), words::number(p)) + u' '
-           + (q < 0 ? tr("q = %1 < 0: End 1 is beyond that edge.")
-                    : tr("q = %1: End 1 is not beyond that edge."))
+           + (q < 0 ? Sentences::tr("q = %1 < 0: End 1 is beyond that edge.")
+                    : Sentences::tr("q = %1: End 1 is not beyond that edge."))
                  .arg(words::number(q));
 }
 
 /// The assignment of a variable at an edge, on lines 1 to 12 or at the calls.
-QString given(const SentenceContext& context)
+QString liangBarskyGiven(const SentenceContext& context)
 {
     const auto& name = context.step.name;
     const QString edge = context.edgeText();
     if (name == "q")
-        return atEdge(context);
+        return liangBarskyAtEdge(context);
     if (name == "u0")
-        return tr("The remaining part begins at %1, at u0 = %2.")
+        return Sentences::tr("The remaining part begins at %1, at u0 = %2.")
             .arg(edge, knownNumber(context, "u0"));
     if (name == "u1")
-        return tr("The remaining part ends at %1, at u1 = %2.")
+        return Sentences::tr("The remaining part ends at %1, at u1 = %2.")
             .arg(edge, knownNumber(context, "u1"));
     return (context.step.line == 3
-                ? tr("The line enters across %1 at r = q/p = %2 (0 is End 1, 1 is End 2).")
-                : tr("The line leaves across %1 at r = q/p = %2 (0 is End 1, 1 is End 2)."))
+                ? Sentences::tr(
+                    "The line enters across %1 at r = q/p = %2 (0 is End 1, 1 is End 2).")
+                : Sentences::tr(
+                    "The line leaves across %1 at r = q/p = %2 (0 is End 1, 1 is End 2)."))
         .arg(edge, knownNumber(context, "r"));
 }
 
-QString sentence(const SentenceContext& context)
+QString liangBarskySentence(const SentenceContext& context)
 {
     const auto what = context.step.what;
     const int line = context.step.line;
@@ -115,16 +124,16 @@ QString sentence(const SentenceContext& context)
     if (what == clipping::What::Accept)
         return words::acceptedIfInside(context);
     if (what == clipping::What::Reject)
-        return tr("Nothing of the line is visible.") + words::lost(context);
+        return Sentences::tr("Nothing of the line is visible.") + words::lost(context);
     if (line >= names.line)
         return words::endsOfPart(context, names);
     if (what == clipping::What::Let)
         return context.edge() == clipping::Edge::NoEdge ? words::wholeLine(context, names)
-                                                        : given(context);
-    return line == 2 || line == 7 || line == 12 ? direction(context) : crossing(context);
+                                                        : liangBarskyGiven(context);
+    return line == 2 || line == 7 || line == 12 ? liangBarskyDirection(context) : crossing(context);
 }
 
-constexpr auto variables = std::to_array<VariableUnit>({
+constexpr auto liangBarskyVariables = std::to_array<VariableUnit>({
     {"p", ValueUnit::Length},
     {"q", ValueUnit::Length},
     {"r", ValueUnit::Bare},
@@ -137,11 +146,11 @@ constexpr auto variables = std::to_array<VariableUnit>({
 extern const Teaching liangBarskyTeaching;
 const Teaching liangBarskyTeaching{
     .key = "liang-barsky",
-    .sentence = sentence,
+    .sentence = liangBarskySentence,
     .parameter = "r",
     .overlay = parameterOverlay,
     .figure = {.mark = Mark::Divide}, // a parameter and its place on the line
-    .variables = variables,
+    .variables = liangBarskyVariables,
 };
 
 } // namespace app

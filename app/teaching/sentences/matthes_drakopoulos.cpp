@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/overlays/family.h"
 #include "app/teaching/sentences/ends.h"
+#include "app/teaching/sentences/translated.h"
 #include "app/teaching/teaching.h"
-
-#include <QCoreApplication>
 
 namespace app {
 
@@ -11,15 +10,13 @@ using clipping::Edge;
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("sentences", text); }
-
 /// Whether both ends are beyond the same edge of an axis.
-QString bothBeyond(const SentenceContext& context)
+QString matthesBothBeyond(const SentenceContext& context)
 {
     const auto &a = context.step.segment.a, &b = context.step.segment.b;
     const auto& window = context.tracedLine.window;
     if (context.holds())
-        return tr("Both ends lie %1: %2 and %3.")
+        return Sentences::tr("Both ends lie %1: %2 and %3.")
             .arg(words::beyond(context.edge(), context.tracedLine.y),
                  words::compared(a, context.edge(), window),
                  words::compared(b, context.edge(), window));
@@ -28,14 +25,16 @@ QString bothBeyond(const SentenceContext& context)
         return text.arg(words::number(a[axis]), words::number(b[axis]),
                         words::number(window.min[axis]), words::number(window.max[axis]));
     };
-    return axis == 0 ? numbers(tr("From x = %1 to x = %2 the line lies neither wholly left nor "
-                                  "wholly right of the window (%3 to %4): x does not rule it out."))
-                     : numbers(tr("From y = %1 to y = %2 the line lies neither wholly above nor "
-                                  "wholly below the window (%3 to %4): y does not rule it out."));
+    return axis == 0 ? numbers(
+               Sentences::tr("From x = %1 to x = %2 the line lies neither wholly left nor "
+                             "wholly right of the window (%3 to %4): x does not rule it out."))
+                     : numbers(Sentences::tr(
+                         "From y = %1 to y = %2 the line lies neither wholly above nor "
+                         "wholly below the window (%3 to %4): y does not rule it out."));
 }
 
 /// Whether one end is beyond an edge.
-QString oneBeyond(const SentenceContext& context, int number)
+QString matthesOneBeyond(const SentenceContext& context, int number)
 {
     const Edge edge = context.edge();
     const auto& p = number == 1 ? context.step.segment.a : context.step.segment.b;
@@ -43,8 +42,9 @@ QString oneBeyond(const SentenceContext& context, int number)
         return words::whetherPassed(context, number);
     const QString where = words::beyond(edge, context.tracedLine.y), end = words::end(number);
     const QString numbers = words::compared(p, edge, context.tracedLine.window);
-    return (context.holds() ? tr("%1 lies %2 (%3), so it has to move along the line to %4.")
-                            : tr("%1 does not lie %2 (%3), so %4 does not cut it."))
+    return (context.holds()
+                ? Sentences::tr("%1 lies %2 (%3), so it has to move along the line to %4.")
+                : Sentences::tr("%1 does not lie %2 (%3), so %4 does not cut it."))
         .arg(end, where, numbers, context.edgeText());
 }
 
@@ -66,13 +66,15 @@ QString stillBeyond(const SentenceContext& context)
     const auto &a = context.step.segment.a, &b = context.step.segment.b;
     const auto& window = context.tracedLine.window;
     if (context.holds())
-        return tr("Both ends now lie %1 (%2 and %3): the algorithm concludes that the line misses "
-                  "the window.")
+        return Sentences::tr(
+                   "Both ends now lie %1 (%2 and %3): the algorithm concludes that the line misses "
+                   "the window.")
             .arg(words::beyond(context.edge(), context.tracedLine.y),
                  words::compared(a, context.edge(), window),
                  words::compared(b, context.edge(), window));
-    return tr("The ends are now at x = %1 and x = %2, neither both left nor both right of the "
-              "window: the algorithm concludes that the line meets it.")
+    return Sentences::tr(
+               "The ends are now at x = %1 and x = %2, neither both left nor both right of the "
+               "window: the algorithm concludes that the line meets it.")
         .arg(words::number(a.x), words::number(b.x));
 }
 
@@ -82,44 +84,47 @@ bool isLastTest(const clipping::Step& step, const SentenceContext& context)
     return step.line == (words::isPublished(context) ? 19 : 20);
 }
 
-QString rejected(const SentenceContext& context)
+QString matthesRejected(const SentenceContext& context)
 {
     if (context.before && isLastTest(*context.before, context))
-        return tr("If the line met the window, its ends would lie in the window now. So nothing is "
-                  "visible.");
-    return tr("Both ends lie %1, and so does every point between them: nothing of the line is "
-              "visible.")
+        return Sentences::tr(
+            "If the line met the window, its ends would lie in the window now. So nothing is "
+            "visible.");
+    return Sentences::tr(
+               "Both ends lie %1, and so does every point between them: nothing of the line is "
+               "visible.")
         .arg(words::beyond(context.edge(), context.tracedLine.y));
 }
 
-QString accepted(const SentenceContext& context)
+QString matthesAccepted(const SentenceContext& context)
 {
     const auto& [a, b] = context.step.segment;
     const auto& window = context.tracedLine.window;
     if (words::isOutside(a, window) || words::isOutside(b, window))
-        return tr("%1 lies outside the window, at %2. The last test finds only ends that are both "
-                  "left or both right of the window, so the line is drawn: this is wrong.")
+        return Sentences::tr(
+                   "%1 lies outside the window, at %2. The last test finds only ends that are both "
+                   "left or both right of the window, so the line is drawn: this is wrong.")
             .arg(words::end(words::isOutside(a, window) ? 1 : 2),
                  words::point(words::isOutside(a, window) ? a : b));
     return words::acceptedIfInside(context);
 }
 
-QString sentence(const SentenceContext& context)
+QString matthesSentence(const SentenceContext& context)
 {
     const auto what = context.step.what;
     const auto& name = context.step.name;
     const int number = int(context.known("i").value_or(1));
     if (what == clipping::What::Accept)
-        return accepted(context);
+        return matthesAccepted(context);
     if (what == clipping::What::Reject)
-        return rejected(context) + words::lost(context);
+        return matthesRejected(context) + words::lost(context);
     if (what == clipping::What::Cut)
         return words::moved(context, number);
     if (name == "dy")
-        return tr("From End 1 to End 2, x changes by %1 and y by %2.")
+        return Sentences::tr("From End 1 to End 2, x changes by %1 and y by %2.")
             .arg(words::value(context, "dx"), words::value(context, "dy"));
     if (name == "moved")
-        return tr("%1 starts at its original place, %2: it has not been moved yet.")
+        return Sentences::tr("%1 starts at its original place, %2: it has not been moved yet.")
             .arg(words::end(number),
                  words::point(number == 1 ? context.step.segment.a : context.step.segment.b));
     if (name == "left")
@@ -127,8 +132,9 @@ QString sentence(const SentenceContext& context)
     if (name == "rise" || name == "run")
         return wayTo(context, number);
     if (context.step.line <= 3)
-        return bothBeyond(context);
-    return isLastTest(context.step, context) ? stillBeyond(context) : oneBeyond(context, number);
+        return matthesBothBeyond(context);
+    return isLastTest(context.step, context) ? stillBeyond(context)
+                                             : matthesOneBeyond(context, number);
 }
 
 } // namespace
@@ -136,7 +142,7 @@ QString sentence(const SentenceContext& context)
 extern const Teaching matthesDrakopoulosTeaching;
 const Teaching matthesDrakopoulosTeaching{
     .key = "matthes-drakopoulos",
-    .sentence = sentence,
+    .sentence = matthesSentence,
     .overlay = pushOverlay,
 };
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/overlays/family.h"
 #include "app/teaching/sentences/ends.h"
+#include "app/teaching/sentences/translated.h"
 #include "app/teaching/teaching.h"
-
-#include <QCoreApplication>
 
 #include <array>
 
@@ -13,17 +12,15 @@ using clipping::What;
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("sentences", text); }
-
 unsigned bitsOf(const SentenceContext& context, const char* name)
 {
     return unsigned(context.known(name).value_or(0));
 }
-QString codeText(const SentenceContext& context, const char* name)
+QString midpointCodeText(const SentenceContext& context, const char* name)
 {
     return outcodeText(bitsOf(context, name));
 }
-QString codeAndRegion(const SentenceContext& context, const char* name)
+QString midpointCodeAndRegion(const SentenceContext& context, const char* name)
 {
     return words::codeAndRegion(bitsOf(context, name), context.tracedLine.y);
 }
@@ -32,10 +29,10 @@ QString numberOf(const SentenceContext& context, const char* name)
     return words::number(context.known(name).value_or(0));
 }
 
-QString outcodes(const SentenceContext& context)
+QString midpointOutcodes(const SentenceContext& context)
 {
-    return tr("The outcodes say where the ends lie: End 1 has %1, End 2 has %2.")
-        .arg(codeAndRegion(context, "code1"), codeAndRegion(context, "code2"));
+    return Sentences::tr("The outcodes say where the ends lie: End 1 has %1, End 2 has %2.")
+        .arg(midpointCodeAndRegion(context, "code1"), midpointCodeAndRegion(context, "code2"));
 }
 
 /// A common bit of two outcodes, as an edge that both points lie beyond.
@@ -46,61 +43,70 @@ QString beyondBoth(const SentenceContext& context, const char* one, const char* 
 }
 
 /// Line 2: whether both ends are beyond the same edge.
-QString bothBeyond(const SentenceContext& context)
+QString midpointBothBeyond(const SentenceContext& context)
 {
-    const QString one = codeText(context, "code1"), two = codeText(context, "code2");
-    return context.holds() ? tr("Both ends lie %3, because %1 & %2 is not 0000.")
-                                 .arg(one, two, beyondBoth(context, "code1", "code2"))
-                           : tr("No edge has both ends beyond it, because %1 & %2 = 0000: the line "
-                                "may meet the window.")
-                                 .arg(one, two);
+    const QString one = midpointCodeText(context, "code1"),
+                  two = midpointCodeText(context, "code2");
+    return context.holds()
+               ? Sentences::tr("Both ends lie %3, because %1 & %2 is not 0000.")
+                     .arg(one, two, beyondBoth(context, "code1", "code2"))
+               : Sentences::tr("No edge has both ends beyond it, because %1 & %2 = 0000: the line "
+                               "may meet the window.")
+                     .arg(one, two);
 }
 
 /// Whether an end is outside, so that a search for it is needed.
 QString sought(const SentenceContext& context, int number)
 {
-    const QString code = codeText(context, number == 1 ? "code1" : "code2");
+    const QString code = midpointCodeText(context, number == 1 ? "code1" : "code2");
     if (context.holds())
-        return tr("%1 is outside (%2): halving searches for the visible point nearest to it.")
+        return Sentences::tr(
+                   "%1 is outside (%2): halving searches for the visible point nearest to it.")
             .arg(words::end(number), code);
     return number == 1 && context.known("contact") == 1.0
-               ? tr("The line meets the window in one point, which has been found.")
-               : tr("%1 is inside (%2) and stays.").arg(words::end(number), code);
+               ? Sentences::tr("The line meets the window in one point, which has been found.")
+               : Sentences::tr("%1 is inside (%2) and stays.").arg(words::end(number), code);
 }
 
 /// Whether the near and the far point share a bit.
-QString nearAndFar(const SentenceContext& context, bool share)
+QString midpointNearAndFar(const SentenceContext& context, bool share)
 {
-    const QString near = codeText(context, "near"), far = codeText(context, "far");
-    return share ? tr("The near point (%1) and the far point (%2) both lie %3.")
+    const QString near = midpointCodeText(context, "near"), far = midpointCodeText(context, "far");
+    return share ? Sentences::tr("The near point (%1) and the far point (%2) both lie %3.")
                        .arg(near, far, beyondBoth(context, "near", "far"))
-                 : tr("The near point (%1) and the far point (%2) have no bit in common: the end "
-                      "that is sought lies between them.")
+                 : Sentences::tr(
+                       "The near point (%1) and the far point (%2) have no bit in common: the end "
+                       "that is sought lies between them.")
                        .arg(near, far);
 }
 
 /// Which half is discarded.
 QString halved(const SentenceContext& context)
 {
-    const QString code = codeAndRegion(context, "M");
+    const QString code = midpointCodeAndRegion(context, "M");
     return (context.holds()
-                ? tr("The midpoint, with the outcode %1, and the far point lie beyond the same "
-                     "edge: the half between them is invisible and is dropped.")
-                : tr("The midpoint, with the outcode %1, has no bit in common with the far point: "
-                     "the end that is sought lies between them, in the far half."))
+                ? Sentences::tr(
+                    "The midpoint, with the outcode %1, and the far point lie beyond the same "
+                    "edge: the half between them is invisible and is dropped.")
+                : Sentences::tr(
+                    "The midpoint, with the outcode %1, has no bit in common with the far point: "
+                    "the end that is sought lies between them, in the far half."))
         .arg(code);
 }
 
-QString rejected(const SentenceContext& context)
+QString midpointRejected(const SentenceContext& context)
 {
     if (context.step.line == 3)
-        return tr("Both ends lie %1, and so does every point between them: nothing of the line is "
-                  "visible.")
+        return Sentences::tr(
+                   "Both ends lie %1, and so does every point between them: nothing of the line is "
+                   "visible.")
             .arg(beyondBoth(context, "code1", "code2"));
     if (words::isPublished(context) && context.step.line == 20)
-        return tr("There is nothing left to halve, and the near point is still outside: nothing is "
-                  "visible.");
-    return tr("Both points lie %1, and so does every point between them: nothing is visible.")
+        return Sentences::tr(
+            "There is nothing left to halve, and the near point is still outside: nothing is "
+            "visible.");
+    return Sentences::tr(
+               "Both points lie %1, and so does every point between them: nothing is visible.")
         .arg(beyondBoth(context, "near", "far"));
 }
 
@@ -111,143 +117,157 @@ QString found(const SentenceContext& context)
     const int line = context.step.line;
     const int number = published ? (line == 7 ? 2 : 1) : (line == 12 || line == 23 ? 2 : 1);
     if (!published && (line == 14 || line == 23))
-        return tr("%1 is at the same point.").arg(words::end(number));
-    return tr("There is nothing left to halve: %1 is found at %2, on %3.")
+        return Sentences::tr("%1 is at the same point.").arg(words::end(number));
+    return Sentences::tr("There is nothing left to halve: %1 is found at %2, on %3.")
         .arg(words::end(number), words::point(words::endOf(number, context)), context.edgeText());
 }
 
-QString publishedTest(const SentenceContext& context)
+QString midpointPublishedTest(const SentenceContext& context)
 {
     switch (context.step.line) {
     case 2:
-        return bothBeyond(context);
+        return midpointBothBeyond(context);
     case 5:
         return sought(context, 2);
     case 8:
         return sought(context, 1);
     case 14:
-        return nearAndFar(context, context.holds());
+        return midpointNearAndFar(context, context.holds());
     case 18:
         return context.holds()
-                   ? tr("The midpoint is one of the two points: there is nothing left to halve.")
-                   : tr("The midpoint lies between the two points and halves the line between "
-                        "them.");
+                   ? Sentences::tr(
+                       "The midpoint is one of the two points: there is nothing left to halve.")
+                   : Sentences::tr(
+                       "The midpoint lies between the two points and halves the line between "
+                       "them.");
     case 19:
-        return context.holds() ? tr("The near point is still outside, with the outcode %1.")
-                                     .arg(codeAndRegion(context, "near"))
-                               : tr("The near point is inside: it is the end that was sought.");
+        return context.holds()
+                   ? Sentences::tr("The near point is still outside, with the outcode %1.")
+                         .arg(midpointCodeAndRegion(context, "near"))
+                   : Sentences::tr("The near point is inside: it is the end that was sought.");
     default:
         return halved(context);
     }
 }
 
-QString correctedTest(const SentenceContext& context)
+QString midpointCorrectedTest(const SentenceContext& context)
 {
     switch (context.step.line) {
     case 2:
-        return bothBeyond(context);
+        return midpointBothBeyond(context);
     case 6:
-        return context.holds() ? tr("At least one end is outside: the line has to be halved.")
-                               : tr("Both ends are inside: there is nothing to search for.");
+        return context.holds()
+                   ? Sentences::tr("At least one end is outside: the line has to be halved.")
+                   : Sentences::tr("Both ends are inside: there is nothing to search for.");
     case 9:
         return sought(context, 2);
     case 13:
-        return context.holds() ? tr("The near point (%1) and the far point (%2) are both outside, "
-                                    "but beyond different edges: the window lies between them, and "
-                                    "the line meets it in one point.")
-                                     .arg(codeText(context, "near"), codeText(context, "far"))
-                               : tr("The near point is inside: it is the end that was sought.");
+        return context.holds()
+                   ? Sentences::tr("The near point (%1) and the far point (%2) are both outside, "
+                                   "but beyond different edges: the window lies between them, and "
+                                   "the line meets it in one point.")
+                         .arg(midpointCodeText(context, "near"), midpointCodeText(context, "far"))
+                   : Sentences::tr("The near point is inside: it is the end that was sought.");
     case 15:
         return sought(context, 1);
     case 18:
         return context.holds()
-                   ? tr("The two ends are at most 2⁻⁵³ of the line apart: they count as one point.")
-                   : tr("The two ends are different points: more than one point is visible.");
+                   ? Sentences::tr(
+                       "The two ends are at most 2⁻⁵³ of the line apart: they count as one point.")
+                   : Sentences::tr(
+                       "The two ends are different points: more than one point is visible.");
     case 22:
-        return context.holds() ? tr("The line meets the window in one point.")
-                               : tr("The line meets the window in more than one point.");
+        return context.holds() ? Sentences::tr("The line meets the window in one point.")
+                               : Sentences::tr("The line meets the window in more than one point.");
     case 27:
         return context.holds() || (bitsOf(context, "near") & bitsOf(context, "far")) != 0
-                   ? nearAndFar(context, !context.holds())
-                   : tr("After %1 halvings nothing is left to halve.")
+                   ? midpointNearAndFar(context, !context.holds())
+                   : Sentences::tr("After %1 halvings nothing is left to halve.")
                          .arg(numberOf(context, "halvings"));
     case 35:
-        return nearAndFar(context, context.holds());
+        return midpointNearAndFar(context, context.holds());
     default:
         return halved(context);
     }
 }
 
 /// The assignment of a variable.
-QString given(const SentenceContext& context)
+QString midpointGiven(const SentenceContext& context)
 {
     const auto& name = context.step.name;
     const int line = context.step.line;
     if (line == 1)
-        return outcodes(context);
+        return midpointOutcodes(context);
     if (name == "ym")
-        return tr("The midpoint between the near and the far point is %1.")
+        return Sentences::tr("The midpoint between the near and the far point is %1.")
             .arg(words::point({context.known("xm").value_or(0), context.known("ym").value_or(0)}));
     if (name == "M")
-        return tr("The outcode of the midpoint is %1.").arg(codeAndRegion(context, "M"));
+        return Sentences::tr("The outcode of the midpoint is %1.")
+            .arg(midpointCodeAndRegion(context, "M"));
     if (name == "contact")
-        return line == 5 ? tr("So far, the line is not known to meet the window in only one point.")
+        return line == 5 ? Sentences::tr(
+                   "So far, the line is not known to meet the window in only one point.")
                : context.known("contact") == 1.0
-                   ? tr(
+                   ? Sentences::tr(
                        "The near point is outside as well: the line meets the window in one point.")
-                   : tr("The near point is inside: it is the end that was sought.");
+                   : Sentences::tr("The near point is inside: it is the end that was sought.");
     if (name == "toRight" || name == "toTop")
         return name == "toRight"
-                   ? tr("Measured from End 1 in x, End 2 is at %1, xmin at %2 and xmax at %3.")
+                   ? Sentences::tr(
+                         "Measured from End 1 in x, End 2 is at %1, xmin at %2 and xmax at %3.")
                          .arg(numberOf(context, "dx"), numberOf(context, "toLeft"),
                               numberOf(context, "toRight"))
-                   : tr("Measured from End 1 in y, End 2 is at %1, ymin at %2 and ymax at %3.")
+                   : Sentences::tr(
+                         "Measured from End 1 in y, End 2 is at %1, ymin at %2 and ymax at %3.")
                          .arg(numberOf(context, "dy"), numberOf(context, "toBottom"),
                               numberOf(context, "toTop"));
     if (name == "halvings")
-        return context.value("t") ? tr("The midpoint lies at t = %1 (0 is End 1, 1 is End 2).")
-                                        .arg(numberOf(context, "t"))
-                                  : tr("Nothing has been halved yet.");
+        return context.value("t")
+                   ? Sentences::tr("The midpoint lies at t = %1 (0 is End 1, 1 is End 2).")
+                         .arg(numberOf(context, "t"))
+                   : Sentences::tr("Nothing has been halved yet.");
     if (name == "s")
-        return tr("The end lies at t = %1, on each edge whose bit is set in %2.")
-            .arg(numberOf(context, "t"), codeText(context, "s"));
+        return Sentences::tr("The end lies at t = %1, on each edge whose bit is set in %2.")
+            .arg(numberOf(context, "t"), midpointCodeText(context, "s"));
     if (name == "x" || name == "y")
         return context.value("x") && context.value("y")
-                   ? tr("There the line is at %1.")
+                   ? Sentences::tr("There the line is at %1.")
                          .arg(words::point(
                              {context.known("x").value_or(0), context.known("y").value_or(0)}))
-                   : tr("On its edge, or held inside the window, %1 is %2.")
+                   : Sentences::tr("On its edge, or held inside the window, %1 is %2.")
                          .arg(QLatin1StringView(name.data(), qsizetype(name.size())),
                               words::number(context.value(name).value_or(0)));
     if (context.value("near") && context.value("far"))
-        return tr("The near point has the outcode %1, the far point %2.")
-            .arg(codeAndRegion(context, "near"), codeAndRegion(context, "far"));
-    return name == "far" ? tr("The midpoint, with the outcode %1, becomes the far point.")
-                               .arg(codeAndRegion(context, "far"))
-                         : tr("The midpoint, with the outcode %1, becomes the near point.")
-                               .arg(codeAndRegion(context, "near"));
+        return Sentences::tr("The near point has the outcode %1, the far point %2.")
+            .arg(midpointCodeAndRegion(context, "near"), midpointCodeAndRegion(context, "far"));
+    return name == "far"
+               ? Sentences::tr("The midpoint, with the outcode %1, becomes the far point.")
+                     .arg(midpointCodeAndRegion(context, "far"))
+               : Sentences::tr("The midpoint, with the outcode %1, becomes the near point.")
+                     .arg(midpointCodeAndRegion(context, "near"));
 }
 
-QString sentence(const SentenceContext& context)
+QString midpointSentence(const SentenceContext& context)
 {
     switch (context.step.what) {
     case What::Accept:
         return words::acceptedIfInside(context);
     case What::Reject:
-        return rejected(context) + words::lost(context);
+        return midpointRejected(context) + words::lost(context);
     case What::GiveUp:
-        return tr(
+        return Sentences::tr(
             "The halving never ends with these numbers: it is stopped, and nothing is visible.");
     case What::Cut:
         return found(context);
     case What::Test:
-        return words::isPublished(context) ? publishedTest(context) : correctedTest(context);
+        return words::isPublished(context) ? midpointPublishedTest(context)
+                                           : midpointCorrectedTest(context);
     default:
-        return given(context);
+        return midpointGiven(context);
     }
 }
 
-constexpr auto variables = std::to_array<VariableUnit>({
+constexpr auto midpointVariables = std::to_array<VariableUnit>({
     {"f", ValueUnit::Bare},
     {"last", ValueUnit::Bare},
     {"n", ValueUnit::Bare},
@@ -269,12 +289,12 @@ constexpr auto variables = std::to_array<VariableUnit>({
 extern const Teaching midpointSubdivisionTeaching;
 const Teaching midpointSubdivisionTeaching{
     .key = "midpoint-subdivision",
-    .sentence = sentence,
+    .sentence = midpointSentence,
     .parameter = "t",
     .middle = {"xm", "ym"},
     .overlay = midpointOverlay,
     .figure = {.line = {{-40, -10}, {160, 110}}}, // halves without division
-    .variables = variables,
+    .variables = midpointVariables,
 };
 
 } // namespace app

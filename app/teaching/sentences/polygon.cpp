@@ -3,9 +3,8 @@
 
 #include "app/overlays/polygon_edges.h"
 #include "app/teaching/page.h"
+#include "app/teaching/sentences/translated.h"
 #include "app/teaching/sentences/words.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <array>
@@ -15,8 +14,6 @@ namespace app {
 using clipping::What;
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("sentences", text); }
 
 /// A step of the library by its line in the pseudo-code for windows, and how it is shown: a line
 /// of the code here, and a question or sentence in which %1 is the number of the edge that the
@@ -228,7 +225,7 @@ const PolygonStep* rowOf(const Variant& variant, const clipping::Step& step)
 QString filledIn(const SentenceContext& context, const PolygonStep& row)
 {
     const auto value = context.value(context.step.name);
-    return tr(row.text)
+    return Sentences::tr(row.text)
         .replace(QStringLiteral("%1"), QString::number(polygonEdgeOf(context)))
         .replace(QStringLiteral("%2"), words::number(value.value_or(0)));
 }
@@ -244,10 +241,10 @@ MovedEnd movedEnd(const SentenceContext& context)
     return before.a != now.a ? MovedEnd{1, now.a} : MovedEnd{2, now.b};
 }
 
-QString cut(const SentenceContext& context)
+QString polygonCut(const SentenceContext& context)
 {
     const auto [number, to] = movedEnd(context);
-    return tr("%1 is cut at edge %2: it moves to %3.")
+    return Sentences::tr("%1 is cut at edge %2: it moves to %3.")
         .arg(words::end(number))
         .arg(polygonEdgeOf(context))
         .arg(words::point(to));
@@ -272,15 +269,17 @@ QString polygonSentence(const SentenceContext& context)
     const PolygonStep* row = rowOf(context.tracedLine.variant, context.step);
     const What what = context.step.what;
     if (what == What::Cut)
-        return cut(context);
+        return polygonCut(context);
     if (what == What::Accept)
         return words::accepted(context);
     if (what == What::Reject)
-        return tr("The line is rejected: nothing is visible.");
+        return Sentences::tr("The line is rejected: nothing is visible.");
     if (!row || !row->text)
         return generalSentence(context);
     const QString text = filledIn(context, *row);
-    return what == What::Test ? text + u' ' + (context.holds() ? tr("Yes.") : tr("No.")) : text;
+    return what == What::Test
+               ? text + u' ' + (context.holds() ? Sentences::tr("Yes.") : Sentences::tr("No."))
+               : text;
 }
 
 std::size_t polygonEdgeOf(const SentenceContext& context)

@@ -3,9 +3,8 @@
 #include "app/overlays/family.h"
 #include "app/teaching/sentences/ends.h"
 #include "app/teaching/sentences/part.h"
+#include "app/teaching/sentences/translated.h"
 #include "app/teaching/teaching.h"
-
-#include <QCoreApplication>
 
 #include <glm/geometric.hpp>
 
@@ -19,15 +18,13 @@ using words::knownNumber;
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("sentences", text); }
-
-unsigned known(const SentenceContext& context, const char* name)
+unsigned skalaKnown(const SentenceContext& context, const char* name)
 {
     return unsigned(context.known(name).value_or(0));
 }
-QString codeText(const SentenceContext& context, const char* name)
+QString skalaCodeText(const SentenceContext& context, const char* name)
 {
-    return outcodeText(known(context, name));
+    return outcodeText(skalaKnown(context, name));
 }
 QString edgeOfTable(const SentenceContext& context, unsigned k)
 {
@@ -37,7 +34,8 @@ QString edgeOfTable(const SentenceContext& context, unsigned k)
 /// "left" or "right" of the line's direction; if y points down, the sides are swapped.
 QString sideOfLine(const SentenceContext& context, bool positive)
 {
-    return positive == (context.tracedLine.y == YAxis::Up) ? tr("left") : tr("right");
+    return positive == (context.tracedLine.y == YAxis::Up) ? Sentences::tr("left")
+                                                           : Sentences::tr("right");
 }
 
 /// The numbers that determine the side of a corner: positive if the first is greater.
@@ -63,51 +61,57 @@ QString cornerSide(const SentenceContext& context)
     const QString corner = cornerText(context, k);
     const auto [one, other] = numbersOf(context, k);
     const bool isSet = context.value(name) == 1;
-    const QString relation = words::isPublished(context) ? tr("F = %1").arg(words::number(one))
-                                                         : words::compared(one, other);
-    const QString all =
-        tr("%1, so c[%2] = %3").arg(relation, QString::number(k), QString::number(isSet ? 1 : 0));
+    const QString relation = words::isPublished(context)
+                                 ? Sentences::tr("F = %1").arg(words::number(one))
+                                 : words::compared(one, other);
+    const QString all = Sentences::tr("%1, so c[%2] = %3")
+                            .arg(relation, QString::number(k), QString::number(isSet ? 1 : 0));
     if (!std::isfinite(one) || !std::isfinite(other))
         return words::productsTooLarge(all, corner);
     if (one == other)
-        return (isSet ? tr("The line passes exactly through %1 (%2): that corner counts as %3 of "
-                           "the line.")
-                      : tr("The line passes exactly through %1 (%2): in the strict test that "
-                           "corner does not count as %3 of the line."))
+        return (isSet ? Sentences::tr(
+                    "The line passes exactly through %1 (%2): that corner counts as %3 of "
+                    "the line.")
+                      : Sentences::tr(
+                          "The line passes exactly through %1 (%2): in the strict test that "
+                          "corner does not count as %3 of the line."))
             .arg(corner, all, sideOfLine(context, true));
-    return tr("Seen along the line from End 1 to End 2, %1 lies on the %2 (%3).")
+    return Sentences::tr("Seen along the line from End 1 to End 2, %1 lies on the %2 (%3).")
         .arg(corner, sideOfLine(context, one > other), all);
 }
 
 /// The pattern of the corners.
-QString pattern(const SentenceContext& context)
+QString skalaPattern(const SentenceContext& context)
 {
-    const unsigned c = known(context, "c");
+    const unsigned c = skalaKnown(context, "c");
     const QString text = outcodeText(c);
     if (!words::isPublished(context) && context.step.line == 21)
-        return tr("The line runs along a window without area: its direction selects the row of the "
-                  "table, c = %1.")
-            .arg(text);
+        return Sentences::
+            tr("The line runs along a window without area: its direction selects the row of the "
+               "table, c = %1.")
+                .arg(text);
     QStringList crossed;
     for (const clipping::Edge edge : crossedEdges(c))
         crossed << edgeWords(edge, context.tracedLine.y);
     if (crossed.size() != 2)
-        return tr("The four answers make c = %1: no edge of the window has its corners on "
-                  "different sides of the line.")
+        return Sentences::tr(
+                   "The four answers make c = %1: no edge of the window has its corners on "
+                   "different sides of the line.")
             .arg(text);
-    return tr("The four answers make c = %1, row %2 of the table: the side changes along %3 and "
-              "%4. The infinite line crosses exactly these two edges.")
+    return Sentences::tr(
+               "The four answers make c = %1, row %2 of the table: the side changes along %3 and "
+               "%4. The infinite line crosses exactly these two edges.")
         .arg(text, QString::number(c), crossed[0], crossed[1]);
 }
 
 /// The edges in the table.
 QString named(const SentenceContext& context)
 {
-    const unsigned i = known(context, "i"), j = known(context, "j");
+    const unsigned i = skalaKnown(context, "i"), j = skalaKnown(context, "j");
     if (!words::isPublished(context))
-        return tr("By the table, the line enters at %1 and leaves at %2.")
+        return Sentences::tr("By the table, the line enters at %1 and leaves at %2.")
             .arg(edgeOfTable(context, i), edgeOfTable(context, j));
-    return tr("The table names the two edges: edge %1 is %2, edge %3 is %4.")
+    return Sentences::tr("The table names the two edges: edge %1 is %2, edge %3 is %4.")
         .arg(QString::number(i), edgeOfTable(context, i), QString::number(j),
              edgeOfTable(context, j));
 }
@@ -115,23 +119,25 @@ QString named(const SentenceContext& context)
 /// Published form: at which of the two edges an end is cut.
 QString masked(const SentenceContext& context, int end)
 {
-    const QString code = codeText(context, end == 1 ? "code1" : "code2");
-    const QString mask = codeText(context, "MASK[c]");
+    const QString code = skalaCodeText(context, end == 1 ? "code1" : "code2");
+    const QString mask = skalaCodeText(context, "MASK[c]");
     if (context.holds())
-        return tr("The outcode of %1, %2, has the bit of %3 (MASK = %4): %1 lies beyond that edge.")
-            .arg(words::end(end), code, context.edgeText(), mask);
-    return tr("The outcode of %1, %2, does not have the bit of %3 (MASK = %4): %1 lies beyond the "
-              "other edge, %5.")
+        return Sentences::
+            tr("The outcode of %1, %2, has the bit of %3 (MASK = %4): %1 lies beyond that edge.")
+                .arg(words::end(end), code, context.edgeText(), mask);
+    return Sentences::tr(
+               "The outcode of %1, %2, does not have the bit of %3 (MASK = %4): %1 lies beyond the "
+               "other edge, %5.")
         .arg(words::end(end), code, context.edgeText(), mask,
-             edgeOfTable(context, known(context, "j")));
+             edgeOfTable(context, skalaKnown(context, "j")));
 }
 
 /// Corrected form: whether an end has to move.
 QString isOutside(const SentenceContext& context, int end)
 {
-    const QString code = codeText(context, end == 1 ? "code1" : "code2");
-    return (context.holds() ? tr("%1 is outside, with the outcode %2, and has to move.")
-                            : tr("%1 is inside, with the outcode %2, and stays."))
+    const QString code = skalaCodeText(context, end == 1 ? "code1" : "code2");
+    return (context.holds() ? Sentences::tr("%1 is outside, with the outcode %2, and has to move.")
+                            : Sentences::tr("%1 is inside, with the outcode %2, and stays."))
         .arg(words::end(end), code);
 }
 
@@ -140,11 +146,12 @@ QString testOfPublished(const SentenceContext& context)
 {
     switch (context.step.line) {
     case 14:
-        return context.holds() ? tr("Both ends are outside, so both have to move.")
-                               : tr("One end is inside and stays.");
+        return context.holds() ? Sentences::tr("Both ends are outside, so both have to move.")
+                               : Sentences::tr("One end is inside and stays.");
     case 19:
-        return context.holds() ? tr("End 1 is inside, so it is End 2 that has to move.")
-                               : tr("End 1 is outside, so it is the one that has to move.");
+        return context.holds()
+                   ? Sentences::tr("End 1 is inside, so it is End 2 that has to move.")
+                   : Sentences::tr("End 1 is outside, so it is the one that has to move.");
     default:
         return masked(context, context.step.line == 20 ? 2 : 1);
     }
@@ -153,32 +160,39 @@ QString testOfCorrected(const SentenceContext& context)
 {
     switch (context.step.line) {
     case 14:
-        return context.holds() ? tr("All four bits are set. The line may pass through a corner, so "
-                                    "each corner is tested again, strictly.")
-                               : tr("Not all four bits are set: no corner is tested again.");
+        return context.holds()
+                   ? Sentences::tr("All four bits are set. The line may pass through a corner, so "
+                                   "each corner is tested again, strictly.")
+                   : Sentences::tr("Not all four bits are set: no corner is tested again.");
     case 20:
-        return context.holds() ? tr("All four corners lie on the line: the window has no area.")
-                               : tr("Not all four corners lie on the line.");
+        return context.holds()
+                   ? Sentences::tr("All four corners lie on the line: the window has no area.")
+                   : Sentences::tr("Not all four corners lie on the line.");
     default:
         return isOutside(context, context.step.line == 25 ? 2 : 1);
     }
 }
 
-QString test(const SentenceContext& context)
+QString skalaTest(const SentenceContext& context)
 {
     const bool published = words::isPublished(context);
     if (context.step.line == 2)
-        return context.holds() ? tr("Neither outcode has a bit set: both ends are inside.")
-                               : tr("At least one outcode has a bit set: that end is outside.");
+        return context.holds()
+                   ? Sentences::tr("Neither outcode has a bit set: both ends are inside.")
+                   : Sentences::tr("At least one outcode has a bit set: that end is outside.");
     if (context.step.line == 4)
         return context.holds()
-                   ? tr("The outcodes have a bit in common: both ends lie beyond one edge.")
-                   : tr("The outcodes have no bit in common: the line may meet the window.");
+                   ? Sentences::tr(
+                       "The outcodes have a bit in common: both ends lie beyond one edge.")
+                   : Sentences::tr(
+                       "The outcodes have no bit in common: the line may meet the window.");
     if (context.step.line == (published ? 11 : 22))
         return context.holds()
-                   ? tr("With c = %1 all corners count as lying on one side of the line.")
-                         .arg(codeText(context, "c"))
-                   : tr("The corners do not all lie on one side, so the line meets the window.");
+                   ? Sentences::tr(
+                         "With c = %1 all corners count as lying on one side of the line.")
+                         .arg(skalaCodeText(context, "c"))
+                   : Sentences::tr(
+                       "The corners do not all lie on one side, so the line meets the window.");
     return published ? testOfPublished(context) : testOfCorrected(context);
 }
 
@@ -186,12 +200,14 @@ QString test(const SentenceContext& context)
 QString line(const SentenceContext& context)
 {
     return words::isPublished(context)
-               ? tr("The cross product of both ends is the line as a vector: px = %1, py = %2, pw "
-                    "= %3. It tells on which side of the line a point lies.")
+               ? Sentences::tr(
+                     "The cross product of both ends is the line as a vector: px = %1, py = %2, pw "
+                     "= %3. It tells on which side of the line a point lies.")
                      .arg(knownNumber(context, "px"), knownNumber(context, "py"),
                           knownNumber(context, "pw"))
-               : tr("The line is measured from End 1, so it needs no third number, which could "
-                    "lose digits: dx = %1, dy = %2.")
+               : Sentences::tr(
+                     "The line is measured from End 1, so it needs no third number, which could "
+                     "lose digits: dx = %1, dy = %2.")
                      .arg(knownNumber(context, "dx"), knownNumber(context, "dy"));
 }
 
@@ -199,8 +215,9 @@ QString line(const SentenceContext& context)
 QString products(const SentenceContext& context)
 {
     const bool first = context.step.name == "f[1]";
-    return tr("Each edge has a product, and the test of a corner compares the products of its two "
-              "edges. The product of %1 is %2, that of %3 is %4.")
+    return Sentences::tr(
+               "Each edge has a product, and the test of a corner compares the products of its two "
+               "edges. The product of %1 is %2, that of %3 is %4.")
         .arg(edgeOfTable(context, first ? 0 : 2), knownNumber(context, first ? "f[0]" : "f[2]"),
              edgeOfTable(context, first ? 1 : 3), knownNumber(context, first ? "f[1]" : "f[3]"));
 }
@@ -210,23 +227,26 @@ QString meeting(const SentenceContext& context)
 {
     const auto& name = context.step.name;
     if (name == "n")
-        return tr("The next point to compute is where the line meets %1, edge %2 of the table.")
+        return Sentences::tr(
+                   "The next point to compute is where the line meets %1, edge %2 of the table.")
             .arg(context.edgeText(), knownNumber(context, "n"));
     if (name == "x")
-        return tr("The cross product of both vectors is the point where the line meets %1, times "
-                  "w. Its x is %2.")
+        return Sentences::tr(
+                   "The cross product of both vectors is the point where the line meets %1, times "
+                   "w. Its x is %2.")
             .arg(context.edgeText(), knownNumber(context, "x"));
     if (name == "y")
-        return tr("The y of the cross product is %1.").arg(knownNumber(context, "y"));
+        return Sentences::tr("The y of the cross product is %1.").arg(knownNumber(context, "y"));
     if (name == "w")
-        return tr("Its third component is w = %1. Dividing x and y by w gives the point.")
+        return Sentences::tr(
+                   "Its third component is w = %1. Dividing x and y by w gives the point.")
             .arg(knownNumber(context, "w"));
-    return tr("The line of %1 is a vector too: (%2, %3, %4).")
+    return Sentences::tr("The line of %1 is a vector too: (%2, %3, %4).")
         .arg(context.edgeText(), knownNumber(context, "ex[n]"), knownNumber(context, "ey[n]"),
              knownNumber(context, "ew[n]"));
 }
 
-QString cut(const SentenceContext& context)
+QString skalaCut(const SentenceContext& context)
 {
     const auto& step = context.step;
     const bool published = words::isPublished(context);
@@ -236,10 +256,11 @@ QString cut(const SentenceContext& context)
     const Point way = step.segment.b - step.segment.a;
     const Point given = context.tracedLine.line.b - context.tracedLine.line.a;
     if (published && step.line == 18 && glm::dot(way, given) < 0)
-        return tr("%1 moves to %2, to %3. The published table does not distinguish the edge where "
-                  "the line enters from the edge where it leaves, so the two ends are now swapped.")
-            .arg(words::end(end), context.edgeText(), at);
-    return tr("%1 is outside, so it becomes the point where the line crosses %2: %3.")
+        return Sentences::
+            tr("%1 moves to %2, to %3. The published table does not distinguish the edge where "
+               "the line enters from the edge where it leaves, so the two ends are now swapped.")
+                .arg(words::end(end), context.edgeText(), at);
+    return Sentences::tr("%1 is outside, so it becomes the point where the line crosses %2: %3.")
         .arg(words::end(end), context.edgeText(), at);
 }
 
@@ -247,10 +268,10 @@ QString reject(const SentenceContext& context)
 {
     if (context.step.line == 5)
         return words::bothBeyond(context);
-    return tr("The line misses the window: nothing is visible.") + words::lost(context);
+    return Sentences::tr("The line misses the window: nothing is visible.") + words::lost(context);
 }
 
-QString given(const SentenceContext& context)
+QString skalaGiven(const SentenceContext& context)
 {
     const auto& name = context.step.name;
     if (name == "code2")
@@ -258,26 +279,26 @@ QString given(const SentenceContext& context)
     if (name == "pw" || name == "dy")
         return line(context);
     if (name == "F")
-        return tr("At %1, F = %2.")
-            .arg(cornerText(context, known(context, "k")), knownNumber(context, "F"));
+        return Sentences::tr("At %1, F = %2.")
+            .arg(cornerText(context, skalaKnown(context, "k")), knownNumber(context, "F"));
     if (name.starts_with("c["))
         return cornerSide(context);
     if (name == "c")
-        return pattern(context);
+        return skalaPattern(context);
     if (name == "j")
         return named(context);
     return name.starts_with("f[") ? products(context) : meeting(context);
 }
 
-QString sentence(const SentenceContext& context)
+QString skalaSentence(const SentenceContext& context)
 {
     switch (context.step.what) {
     case What::Test:
-        return test(context);
+        return skalaTest(context);
     case What::Let:
-        return given(context);
+        return skalaGiven(context);
     case What::Cut:
-        return cut(context);
+        return skalaCut(context);
     case What::Reject:
         return reject(context);
     default:
@@ -285,7 +306,7 @@ QString sentence(const SentenceContext& context)
     }
 }
 
-constexpr auto variables = std::to_array<VariableUnit>({
+constexpr auto skalaVariables = std::to_array<VariableUnit>({
     {"F", ValueUnit::Area},
     {"f[0]", ValueUnit::Area},
     {"f[1]", ValueUnit::Area},
@@ -301,7 +322,7 @@ constexpr auto variables = std::to_array<VariableUnit>({
     {"Y[k]", ValueUnit::Y},
 });
 /// Lines and points of the published form are vectors of three: x, y and w.
-constexpr auto publishedVariables = std::to_array<VariableUnit>({
+constexpr auto skalaPublishedVariables = std::to_array<VariableUnit>({
     {"ex[n]", ValueUnit::Bare},
     {"ey[n]", ValueUnit::Bare},
     {"ew[n]", ValueUnit::FixedLength},
@@ -316,11 +337,11 @@ constexpr auto publishedVariables = std::to_array<VariableUnit>({
 extern const Teaching skalaTeaching;
 const Teaching skalaTeaching{
     .key = "skala",
-    .sentence = sentence,
+    .sentence = skalaSentence,
     .overlay = signOverlay,
     .figure = {.line = {{-170, -20}, {60, 140}}}, // two intersections at once
-    .variables = variables,
-    .published = publishedVariables,
+    .variables = skalaVariables,
+    .published = skalaPublishedVariables,
 };
 
 } // namespace app

@@ -14,7 +14,12 @@ using clipping::Edge;
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("slater-barsky", text); }
+struct SlaterBarskyText {
+    static QString tr(const char* text)
+    {
+        return QCoreApplication::translate("slater-barsky", text);
+    }
+};
 
 /// The walk goes to the right, from End a to End b.
 int first(const SentenceContext& context) { return int(context.known("a").value_or(1)); }
@@ -26,10 +31,12 @@ bool isUp(const SentenceContext& context) { return context.known("dy").value_or(
 QString order(const SentenceContext& context)
 {
     const auto& [a, b] = context.tracedLine.line;
-    return (context.holds() ? tr("End 2 lies further left than End 1 (%1). The walk goes to the "
-                                 "right, so it begins at End 2: a = 2 and b = 1.")
-                            : tr("End 1 does not lie right of End 2 (%1), so the walk begins at "
-                                 "End 1: a = 1 and b = 2."))
+    return (context.holds() ? SlaterBarskyText::tr(
+                "End 2 lies further left than End 1 (%1). The walk goes to the "
+                "right, so it begins at End 2: a = 2 and b = 1.")
+                            : SlaterBarskyText::tr(
+                                "End 1 does not lie right of End 2 (%1), so the walk begins at "
+                                "End 1: a = 1 and b = 2."))
         .arg(words::compared(a.x, b.x));
 }
 
@@ -37,37 +44,41 @@ QString order(const SentenceContext& context)
 QString besideTheWindow(const SentenceContext& context)
 {
     if (context.holds())
-        return tr("Both ends lie %1.").arg(words::beyond(context.edge(), context.tracedLine.y));
+        return SlaterBarskyText::tr("Both ends lie %1.")
+            .arg(words::beyond(context.edge(), context.tracedLine.y));
     const auto relation = [&](int end, Edge edge) {
         return words::compared(words::endOf(end, context), edge, context.tracedLine.window);
     };
-    return tr("%1 does not lie right of the window (%2), and %3 does not lie left of it (%4).")
+    return SlaterBarskyText::tr(
+               "%1 does not lie right of the window (%2), and %3 does not lie left of it (%4).")
         .arg(words::end(first(context)), relation(first(context), Edge::Right),
              words::end(last(context)), relation(last(context), Edge::Left));
 }
 
 /// The current cell as a place: "the middle cell, which is the window", "the cell left of the
 /// window".
-QString place(const SentenceContext& context)
+QString slaterBarskyPlace(const SentenceContext& context)
 {
     const int cell = cellOf(context);
     const int row = context.tracedLine.y == YAxis::Up ? cell / 3 : 2 - cell / 3;
     const bool left = cell % 3 == 0;
     if (cell == 4)
-        return tr("the middle cell, which is the window");
-    return row == 1   ? tr("the cell left of the window")
-           : row == 0 ? left ? tr("the cell below and left of the window")
-                             : tr("the cell below the window")
-           : left ? tr("the cell above and left of the window")
-                      : tr("the cell above the window");
+        return SlaterBarskyText::tr("the middle cell, which is the window");
+    return row == 1   ? SlaterBarskyText::tr("the cell left of the window")
+           : row == 0 ? left ? SlaterBarskyText::tr("the cell below and left of the window")
+                             : SlaterBarskyText::tr("the cell below the window")
+           : left ? SlaterBarskyText::tr("the cell above and left of the window")
+                      : SlaterBarskyText::tr("the cell above the window");
 }
 
 QString errorTerm(const SentenceContext& context)
 {
     if (std::isnan(context.known("e").value_or(0)))
-        return tr("The products overflow: the error term e is not a number (NaN).");
-    return tr("The error term e = %1 tells, without a division, on which side of the corner ahead "
-              "the line passes.")
+        return SlaterBarskyText::tr(
+            "The products overflow: the error term e is not a number (NaN).");
+    return SlaterBarskyText::tr(
+               "The error term e = %1 tells, without a division, on which side of the corner ahead "
+               "the line passes.")
         .arg(words::value(context, "e"));
 }
 
@@ -77,10 +88,10 @@ QString rising(const SentenceContext& context)
     const QString relation = words::compared(dy, 0);
     if (dy > 0 || dy < 0)
         return ((dy > 0) == (context.tracedLine.y == YAxis::Up)
-                    ? tr("The walk goes upwards (dy: %1).")
-                    : tr("The walk goes downwards (dy: %1)."))
+                    ? SlaterBarskyText::tr("The walk goes upwards (dy: %1).")
+                    : SlaterBarskyText::tr("The walk goes downwards (dy: %1)."))
             .arg(relation);
-    return tr("The walk goes neither up nor down (dy: %1).").arg(relation);
+    return SlaterBarskyText::tr("The walk goes neither up nor down (dy: %1).").arg(relation);
 }
 
 /// The edge whose infinite line contains the side at which the walk leaves its cell.
@@ -100,22 +111,27 @@ QString leaving(const SentenceContext& context)
     const QString relation = words::compared(e, 0);
     const QString edge = edgeWords(crossed(context), context.tracedLine.y);
     if (std::isnan(e))
-        return tr("The products overflow: e is not a number (NaN). The walk nevertheless crosses "
-                  "the line of %1.")
+        return SlaterBarskyText::tr(
+                   "The products overflow: e is not a number (NaN). The walk nevertheless crosses "
+                   "the line of %1.")
             .arg(edge);
     if (e == 0)
-        return tr("The line passes exactly through the corner ahead (e = 0): the walk crosses the "
-                  "line of %1.")
+        return SlaterBarskyText::tr(
+                   "The line passes exactly through the corner ahead (e = 0): the walk crosses the "
+                   "line of %1.")
             .arg(edge);
     if (!context.holds())
-        return tr("By the sign of e (%1), the line passes left of the corner ahead: the walk "
-                  "crosses the line of %2.")
+        return SlaterBarskyText::tr(
+                   "By the sign of e (%1), the line passes left of the corner ahead: the walk "
+                   "crosses the line of %2.")
             .arg(relation, edge);
     return (isUp(context) == (context.tracedLine.y == YAxis::Up)
-                ? tr("By the sign of e (%1), the line passes below the corner ahead: the walk goes "
-                     "right, across the line of %2.")
-                : tr("By the sign of e (%1), the line passes above the corner ahead: the walk goes "
-                     "right, across the line of %2."))
+                ? SlaterBarskyText::tr(
+                    "By the sign of e (%1), the line passes below the corner ahead: the walk goes "
+                    "right, across the line of %2.")
+                : SlaterBarskyText::tr(
+                    "By the sign of e (%1), the line passes above the corner ahead: the walk goes "
+                    "right, across the line of %2."))
         .arg(relation, edge);
 }
 
@@ -125,34 +141,42 @@ enum class Fate : std::uint8_t { Misses, Enters, Leaves };
 QString inCell(const SentenceContext& context, const char* cells, Fate fate)
 {
     if (!context.holds())
-        return (fate == Fate::Misses
-                    ? tr("The walk is not in cell %1, from where it would miss the window.")
+        return (fate == Fate::Misses ? SlaterBarskyText::tr(
+                    "The walk is not in cell %1, from where it would miss the window.")
                 : fate == Fate::Enters
-                    ? tr("The walk is not in cell %1, from where it would enter the window.")
-                    : tr("The walk is not in cell %1, from where it would leave the window."))
-            .arg(tr(cells));
-    return (fate == Fate::Misses
-                ? tr("The walk is in cell %1, %2: going on from there, it misses the window.")
+                    ? SlaterBarskyText::tr(
+                        "The walk is not in cell %1, from where it would enter the window.")
+                    : SlaterBarskyText::tr(
+                        "The walk is not in cell %1, from where it would leave the window."))
+            .arg(SlaterBarskyText::tr(cells));
+    return (fate == Fate::Misses ? SlaterBarskyText::tr(
+                "The walk is in cell %1, %2: going on from there, it misses the window.")
             : fate == Fate::Enters
-                ? tr("The walk is in cell %1, %2: from there it enters the window.")
-                : tr("The walk is in cell %1, %2: from there it leaves the window."))
+                ? SlaterBarskyText::tr(
+                    "The walk is in cell %1, %2: from there it enters the window.")
+                : SlaterBarskyText::tr(
+                    "The walk is in cell %1, %2: from there it leaves the window."))
         .arg(cellOf(context))
-        .arg(place(context));
+        .arg(slaterBarskyPlace(context));
 }
 
 QString insideTest(const SentenceContext& context)
 {
     if (context.step.line == 17)
         return context.holds()
-                   ? tr("The walk begins in the middle cell, and the other end is there too.")
-                   : tr("At least one end is outside the window: the walk finds the visible part.");
-    return context.holds() ? tr("%1 is inside: the walk is over.").arg(words::end(last(context)))
-                           : tr("%1 is not inside: the walk goes on, out of the window again.")
+                   ? SlaterBarskyText::tr(
+                       "The walk begins in the middle cell, and the other end is there too.")
+                   : SlaterBarskyText::tr(
+                       "At least one end is outside the window: the walk finds the visible part.");
+    return context.holds() ? SlaterBarskyText::tr("%1 is inside: the walk is over.")
+                                 .arg(words::end(last(context)))
+                           : SlaterBarskyText::tr(
+                                 "%1 is not inside: the walk goes on, out of the window again.")
                                  .arg(words::end(last(context)));
 }
 
 /// The tests of the published form only, from line 22 on.
-QString publishedTest(const SentenceContext& context)
+QString slaterBarskyPublishedTest(const SentenceContext& context)
 {
     switch (context.step.line) {
     case 22:
@@ -185,13 +209,14 @@ QString publishedTest(const SentenceContext& context)
 }
 
 /// The tests of the corrected form, from line 19 on.
-QString correctedTest(const SentenceContext& context)
+QString slaterBarskyCorrectedTest(const SentenceContext& context)
 {
     switch (context.step.line) {
     case 19:
         return context.holds()
-                   ? tr("The line is horizontal or vertical: no division is needed to clip it.")
-                   : tr("The line is neither horizontal nor vertical.");
+                   ? SlaterBarskyText::tr(
+                       "The line is horizontal or vertical: no division is needed to clip it.")
+                   : SlaterBarskyText::tr("The line is neither horizontal nor vertical.");
     case 27:
         return leaving(context);
     case 28:
@@ -210,7 +235,7 @@ QString correctedTest(const SentenceContext& context)
     }
 }
 
-QString test(const SentenceContext& context)
+QString slaterBarskyTest(const SentenceContext& context)
 {
     const int line = context.step.line;
     if (line == 3)
@@ -218,90 +243,98 @@ QString test(const SentenceContext& context)
     if (line == 5)
         return besideTheWindow(context);
     if (line < 17)
-        return tr("%1.").arg(words::whetherBeyond(
+        return SlaterBarskyText::tr("%1.").arg(words::whetherBeyond(
             context, line == 11 || line == 14 ? last(context) : first(context)));
     if (line == 17)
         return insideTest(context);
-    return words::isPublished(context) ? publishedTest(context) : correctedTest(context);
+    return words::isPublished(context) ? slaterBarskyPublishedTest(context)
+                                       : slaterBarskyCorrectedTest(context);
 }
 
-QString cut(const SentenceContext& context)
+QString slaterBarskyCut(const SentenceContext& context)
 {
     const bool leaves = cellOf(context) == 4;
     const int end = leaves ? last(context) : first(context);
-    return (leaves ? tr("Here the walk leaves the window: %1 moves to %2, to %3.")
-                   : tr("Here the walk enters the window: %1 moves to %2, to %3."))
+    return (leaves
+                ? SlaterBarskyText::tr("Here the walk leaves the window: %1 moves to %2, to %3.")
+                : SlaterBarskyText::tr("Here the walk enters the window: %1 moves to %2, to %3."))
         .arg(words::end(end), context.edgeText(), words::point(words::endOf(end, context)));
 }
 
-QString rejected(const SentenceContext& context)
+QString slaterBarskyRejected(const SentenceContext& context)
 {
     if (context.step.line < 17)
         return words::bothBeyond(context);
-    return tr("From here the walk can only go away from the window: nothing of the line is "
-              "visible.")
+    return SlaterBarskyText::tr(
+               "From here the walk can only go away from the window: nothing of the line is "
+               "visible.")
            + words::lost(context);
 }
 
 QString nextCorner(const SentenceContext& context)
 {
-    return tr("The next corner ahead gives e = %1.").arg(words::value(context, "e"));
+    return SlaterBarskyText::tr("The next corner ahead gives e = %1.")
+        .arg(words::value(context, "e"));
 }
 
 QString nextCell(const SentenceContext& context)
 {
-    const QString cell =
-        tr("The walk is in cell %1 now, %2.").arg(cellOf(context)).arg(place(context));
+    const QString cell = SlaterBarskyText::tr("The walk is in cell %1 now, %2.")
+                             .arg(cellOf(context))
+                             .arg(slaterBarskyPlace(context));
     return context.value("e") ? cell + u' ' + nextCorner(context) : cell;
 }
 
 /// The new value of a variable.
-QString given(const SentenceContext& context)
+QString slaterBarskyGiven(const SentenceContext& context)
 {
     const auto& name = context.step.name;
     const Edge in = isUp(context) ? Edge::Bottom : Edge::Top;
     const Edge out = isUp(context) ? Edge::Top : Edge::Bottom;
     if (name == "c")
-        return context.step.line == 16 ? tr("%1 is in cell %2, %3: the walk begins there.")
-                                             .arg(words::end(first(context)),
-                                                  words::value(context, "c"), place(context))
-                                       : nextCell(context);
+        return context.step.line == 16
+                   ? SlaterBarskyText::tr("%1 is in cell %2, %3: the walk begins there.")
+                         .arg(words::end(first(context)), words::value(context, "c"),
+                              slaterBarskyPlace(context))
+                   : nextCell(context);
     if (name == "dy")
-        return tr("From %1 to %2: dx = %3, dy = %4.")
+        return SlaterBarskyText::tr("From %1 to %2: dx = %3, dy = %4.")
             .arg(words::end(first(context)), words::end(last(context)), words::value(context, "dx"),
                  words::value(context, "dy"));
     if (name == "left")
-        return tr("Both ends are held inside the window: the remaining part runs from %1 to %2.")
+        return SlaterBarskyText::tr(
+                   "Both ends are held inside the window: the remaining part runs from %1 to %2.")
             .arg(words::point(context.step.segment.a), words::point(context.step.segment.b));
     if (name == "up")
         return rising(context);
     if (name == "yOut")
-        return tr("Such a line can enter the window at %1 or the left edge, and leave it at %2 or "
-                  "the right edge.")
+        return SlaterBarskyText::tr(
+                   "Such a line can enter the window at %1 or the left edge, and leave it at %2 or "
+                   "the right edge.")
             .arg(edgeWords(in, context.tracedLine.y), edgeWords(out, context.tracedLine.y));
     if (name == "Y")
-        return tr("The corner ahead is at %1.")
+        return SlaterBarskyText::tr("The corner ahead is at %1.")
             .arg(words::point({context.known("X").value_or(0), context.known("Y").value_or(0)}));
     return context.step.line == 44 ? nextCorner(context) : errorTerm(context);
 }
 
-QString sentence(const SentenceContext& context)
+QString slaterBarskySentence(const SentenceContext& context)
 {
     switch (context.step.what) {
     case clipping::What::Test:
-        return test(context);
+        return slaterBarskyTest(context);
     case clipping::What::Cut:
-        return cut(context);
+        return slaterBarskyCut(context);
     case clipping::What::Reject:
-        return rejected(context);
+        return slaterBarskyRejected(context);
     case clipping::What::Accept:
         return words::acceptedIfInside(context);
     default:
-        return given(context);
+        return slaterBarskyGiven(context);
     }
 }
 
-constexpr auto variables = std::to_array<VariableUnit>({
+constexpr auto slaterBarskyVariables = std::to_array<VariableUnit>({
     {"e", ValueUnit::Area},
     {"X", ValueUnit::X},
     {"Y", ValueUnit::Y},
@@ -314,10 +347,10 @@ constexpr auto variables = std::to_array<VariableUnit>({
 extern const Teaching slaterBarskyTeaching;
 const Teaching slaterBarskyTeaching{
     .key = "slater-barsky",
-    .sentence = sentence,
+    .sentence = slaterBarskySentence,
     .overlay = cellOverlay,
     .figure = {.line = {{-150, 20}, {140, -40}}},
-    .variables = variables,
+    .variables = slaterBarskyVariables,
 };
 
 } // namespace app

@@ -12,7 +12,12 @@ namespace app {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("sobkow-pospisil-yang", text); }
+struct SobkowText {
+    static QString tr(const char* text)
+    {
+        return QCoreApplication::translate("sobkow-pospisil-yang", text);
+    }
+};
 
 int endNamed(const SentenceContext& context) { return context.known("i") == 2.0 ? 2 : 1; }
 
@@ -20,13 +25,15 @@ int endNamed(const SentenceContext& context) { return context.known("i") == 2.0 
 QString script(const SentenceContext& context)
 {
     const QString code = words::value(context, "code");
-    return tr("Both outcodes together are the number %1, the code of this pair of regions. The "
-              "table has a script for each of the 81 pairs.")
+    return SobkowText::tr(
+               "Both outcodes together are the number %1, the code of this pair of regions. The "
+               "table has a script for each of the 81 pairs.")
                .arg(code)
            + u' '
            + (context.value("code") == 0.0
-                  ? tr("The script of this pair is empty: both ends are inside.")
-                  : tr("The script of this pair has only the cuts and tests that the pair needs."));
+                  ? SobkowText::tr("The script of this pair is empty: both ends are inside.")
+                  : SobkowText::tr(
+                      "The script of this pair has only the cuts and tests that the pair needs."));
 }
 
 /// A test of the script. If the rounded end is on the edge, the distance that it moved decides.
@@ -36,25 +43,28 @@ QString question(const SentenceContext& context)
     const bool mayReject = context.step.line <= (words::isPublished(context) ? 17 : 31);
     QString found = words::whetherBeyond(context, end);
     if (context.holds() && !words::isBeyond(context, end, context.edge()))
-        found = tr("%1 lies on %2 after rounding, but the distance that it has moved leads beyond "
-                   "that edge")
+        found = SobkowText::tr(
+                    "%1 lies on %2 after rounding, but the distance that it has moved leads beyond "
+                    "that edge")
                     .arg(words::end(end), context.edgeText());
     if (mayReject)
-        return context.holds() ? tr("%1, so the line misses the window.").arg(found)
-                               : tr("%1: here the line does not miss the window.").arg(found);
-    return context.holds() ? tr("%1: it has to move once more.").arg(found)
-                           : tr("%1, so it need not move again.").arg(found);
+        return context.holds()
+                   ? SobkowText::tr("%1, so the line misses the window.").arg(found)
+                   : SobkowText::tr("%1: here the line does not miss the window.").arg(found);
+    return context.holds() ? SobkowText::tr("%1: it has to move once more.").arg(found)
+                           : SobkowText::tr("%1, so it need not move again.").arg(found);
 }
 
 QString tested(const SentenceContext& context)
 {
     if (context.step.line == 3)
-        return context.holds() ? tr("The table has × for this pair: both ends lie beyond one edge.")
-                               : tr("The table has no × for this pair: the line may meet the "
+        return context.holds()
+                   ? SobkowText::tr("The table has × for this pair: both ends lie beyond one edge.")
+                   : SobkowText::tr("The table has no × for this pair: the line may meet the "
                                     "window.");
     if (!words::isPublished(context) && context.step.line == 6)
-        return context.holds() ? tr("The script is not empty: it moves an end.")
-                               : tr("The script is empty: no end has to move.");
+        return context.holds() ? SobkowText::tr("The script is not empty: it moves an end.")
+                               : SobkowText::tr("The script is empty: no end has to move.");
     return question(context);
 }
 
@@ -66,11 +76,12 @@ QString arrival(const SentenceContext& context)
     const QString name = context.step.name == "x" ? QStringLiteral("x") : QStringLiteral("y");
     return words::way(context, words::end(end), end == 1 ? line.a : line.b,
                       context.value(end == 1 ? "way[1]" : "way[2]").value_or(0))
-           + u' ' + tr("There %1 = %2.").arg(name, words::value(context, context.step.name));
+           + u' '
+           + SobkowText::tr("There %1 = %2.").arg(name, words::value(context, context.step.name));
 }
 
 /// Whether rounding has put an end beyond an edge of the other axis.
-QString held(const SentenceContext& context)
+QString sobkowHeld(const SentenceContext& context)
 {
     const bool isLow = context.step.line % 4 == 1; // the second line of a procedure
     const auto axis = 1 - clipping::axisOf(context.edge());
@@ -79,13 +90,13 @@ QString held(const SentenceContext& context)
     const auto& values = context.before->values;
     const auto before = std::ranges::find(values, name, &clipping::NamedValue::name);
     const bool stays = before != values.end() && before->value == context.value(name);
-    return (stays ? tr("Rounding does not put %1 %2: %3 stays.")
-                  : tr("Rounding would put %1 %2: %3 is held at the edge."))
+    return (stays ? SobkowText::tr("Rounding does not put %1 %2: %3 stays.")
+                  : SobkowText::tr("Rounding would put %1 %2: %3 is held at the edge."))
         .arg(words::end(endNamed(context)), words::beyond(side, context.tracedLine.y),
              name == "x" ? QStringLiteral("x") : QStringLiteral("y"));
 }
 
-QString given(const SentenceContext& context)
+QString sobkowGiven(const SentenceContext& context)
 {
     const auto& name = context.step.name;
     if (name == "code2")
@@ -93,38 +104,39 @@ QString given(const SentenceContext& context)
     if (name == "code")
         return script(context);
     if (name == "dy")
-        return tr("From End 1 to End 2, x changes by %1 and y by %2.")
+        return SobkowText::tr("From End 1 to End 2, x changes by %1 and y by %2.")
             .arg(words::value(context, "dx"), words::value(context, "dy"));
-    return context.step.line % 4 == 0 ? arrival(context) : held(context);
+    return context.step.line % 4 == 0 ? arrival(context) : sobkowHeld(context);
 }
 
-QString cut(const SentenceContext& context)
+QString sobkowCut(const SentenceContext& context)
 {
     const int end = endNamed(context);
-    return tr("%1 is beyond %2, so it moves along the line to that edge, to %3.")
+    return SobkowText::tr("%1 is beyond %2, so it moves along the line to that edge, to %3.")
         .arg(words::end(end), context.edgeText(), words::point(words::endOf(end, context)));
 }
 
-QString sentence(const SentenceContext& context)
+QString sobkowSentence(const SentenceContext& context)
 {
     switch (context.step.what) {
     case clipping::What::Test:
         return tested(context);
     case clipping::What::Cut:
-        return cut(context);
+        return sobkowCut(context);
     case clipping::What::Reject:
         return context.step.line == 4
                    ? words::bothBeyond(context)
-                   : tr("The line passes a corner outside the window: nothing is visible.")
+                   : SobkowText::tr(
+                         "The line passes a corner outside the window: nothing is visible.")
                          + words::lost(context);
     case clipping::What::Accept:
         return words::acceptedIfInside(context);
     default:
-        return given(context);
+        return sobkowGiven(context);
     }
 }
 
-constexpr auto variables = std::to_array<VariableUnit>({
+constexpr auto sobkowVariables = std::to_array<VariableUnit>({
     {"way[1]", ValueUnit::Length},
     {"way[2]", ValueUnit::Length},
 });
@@ -134,10 +146,10 @@ constexpr auto variables = std::to_array<VariableUnit>({
 extern const Teaching sobkowPospisilYangTeaching;
 const Teaching sobkowPospisilYangTeaching{
     .key = "sobkow-pospisil-yang",
-    .sentence = sentence,
+    .sentence = sobkowSentence,
     .overlay = scriptOverlay,
     .figure = {.line = {{-150, 40}, {20, -120}}},
-    .variables = variables,
+    .variables = sobkowVariables,
 };
 
 } // namespace app

@@ -2,8 +2,7 @@
 #include "app/teaching/sentences/words.h"
 
 #include "app/teaching/line_text.h"
-
-#include <QCoreApplication>
+#include "app/teaching/sentences/translated.h"
 
 #include <bit>
 #include <cmath>
@@ -11,8 +10,6 @@
 namespace app::words {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("sentences", text); }
 
 /// The edge that is seen in the place of this edge, with y up.
 std::size_t asSeen(clipping::Edge edge, YAxis y)
@@ -30,7 +27,7 @@ QString beyond(clipping::Edge edge, YAxis y)
     static constexpr std::array<const char*, 5> words{"outside the window", "left of the window",
                                                       "right of the window", "below the window",
                                                       "above the window"};
-    return tr(words.at(asSeen(edge, y)));
+    return Sentences::tr(words.at(asSeen(edge, y)));
 }
 
 QString axisName(clipping::Edge edge)
@@ -38,16 +35,16 @@ QString axisName(clipping::Edge edge)
     return clipping::axisOf(edge) == 0 ? QStringLiteral("x") : QStringLiteral("y");
 }
 
-QString end(int number) { return tr("End %1").arg(number); }
+QString end(int number) { return Sentences::tr("End %1").arg(number); }
 
 QString point(const Point& p) { return pairText(number(p.x), number(p.y)); }
 
 QString number(double value)
 {
     if (std::isnan(value))
-        return tr("NaN");
+        return Sentences::tr("NaN");
     if (std::isinf(value))
-        return value > 0 ? tr("infinity") : tr("minus infinity");
+        return value > 0 ? Sentences::tr("infinity") : Sentences::tr("minus infinity");
     return shortText(value);
 }
 
@@ -74,7 +71,7 @@ QString region(unsigned code, YAxis y)
          {"above left", "above", "above right"}}};
     const unsigned high = y == YAxis::Up ? code >> 3 & 1U : code >> 2 & 1U;
     const unsigned low = y == YAxis::Up ? code >> 2 & 1U : code >> 3 & 1U;
-    return tr(names.at(1 + high - low).at(1 + (code >> 1 & 1U) - (code & 1U)));
+    return Sentences::tr(names.at(1 + high - low).at(1 + (code >> 1 & 1U) - (code & 1U)));
 }
 
 clipping::Edge edgeOf(unsigned code)
@@ -100,23 +97,28 @@ QString way(const SentenceContext& context, const QString& from, const Point& st
     const QString x = axisName(context.edge()),
                   y = along == 0 ? QStringLiteral("y") : QStringLiteral("x");
     if (!std::isfinite(gone))
-        return slope ? tr("The slope overflows (%1): every product with it is meaningless.")
-                           .arg(number(*slope))
-                     : tr("The numbers are too large: their product overflows (%1), and everything "
-                          "computed from it is meaningless.")
-                           .arg(number(gone));
-    const QString text =
-        tr("From %1 to %2, %4 changes by %3.").arg(from, context.edgeText(), number(away), x);
+        return slope
+                   ? Sentences::tr(
+                         "The slope overflows (%1): every product with it is meaningless.")
+                         .arg(number(*slope))
+                   : Sentences::tr(
+                         "The numbers are too large: their product overflows (%1), and everything "
+                         "computed from it is meaningless.")
+                         .arg(number(gone));
+    const QString text = Sentences::tr("From %1 to %2, %4 changes by %3.")
+                             .arg(from, context.edgeText(), number(away), x);
     return text + u' '
-           + (slope ? tr("For each unit of %1, %3 changes by %2; in all, %3 changes by %4.")
+           + (slope ? Sentences::tr(
+                          "For each unit of %1, %3 changes by %2; in all, %3 changes by %4.")
                           .arg(x, number(*slope), y, number(gone))
-                    : tr("Meanwhile %2 changes by %1.").arg(number(gone), y));
+                    : Sentences::tr("Meanwhile %2 changes by %1.").arg(number(gone), y));
 }
 
 QString moved(const SentenceContext& context, int number)
 {
     const auto& p = number == 1 ? context.step.segment.a : context.step.segment.b;
-    return tr("%1 moves along the line to %2, to %3. The part beyond that edge is removed.")
+    return Sentences::tr(
+               "%1 moves along the line to %2, to %3. The part beyond that edge is removed.")
         .arg(end(number), context.edgeText(), point(p));
 }
 
@@ -125,11 +127,13 @@ QString accepted(const SentenceContext& context)
     const auto& [a, b] = context.step.segment;
     const auto& line = context.tracedLine.line;
     if (a == line.a && b == line.b)
-        return tr("Both ends lie inside the window, so all of the line is visible.");
+        return Sentences::tr("Both ends lie inside the window, so all of the line is visible.");
     if (a == b)
-        return tr("The line meets the window in a single point, %1: that point is visible.")
+        return Sentences::tr(
+                   "The line meets the window in a single point, %1: that point is visible.")
             .arg(point(a));
-    return tr("The remaining part, from %1 to %2, lies inside the window: it is visible.")
+    return Sentences::tr(
+               "The remaining part, from %1 to %2, lies inside the window: it is visible.")
         .arg(point(a), point(b));
 }
 

@@ -33,7 +33,7 @@ std::optional<Match> match(const Window& box, const Window& other, int axis, dou
 }
 
 /// The room between the boxes along the other axis; negative: they overlap.
-double gap(const Window& box, const Window& other, int along)
+double distanceAlong(const Window& box, const Window& other, int along)
 {
     return std::max(other.min[along] - box.max[along], box.min[along] - other.max[along]);
 }
@@ -43,7 +43,7 @@ AlignmentLine lineAt(const Window& box, const Window& other, int axis, double at
     const int along = 1 - axis;
     AlignmentLine line{axis, at, std::min(box.min[along], other.min[along]),
                        std::max(box.max[along], other.max[along])};
-    if (gap(box, other, along) > 0) {
+    if (distanceAlong(box, other, along) > 0) {
         line.gapFrom = std::min(box.max[along], other.max[along]);
         line.gapTo = std::max(box.min[along], other.min[along]);
     }
@@ -77,7 +77,9 @@ Alignment align(const Window& box, std::span<const Window> others, double radius
         const auto isOn = [&](double edge) { return std::abs(edge - *place) <= same; };
         for (const Window& other : others)
             if (std::ranges::any_of(edgesAndMiddle(other, axis), isOn)
-                && (!nearest || gap(moved, other, 1 - axis) < gap(moved, *nearest, 1 - axis)))
+                && (!nearest
+                    || distanceAlong(moved, other, 1 - axis)
+                           < distanceAlong(moved, *nearest, 1 - axis)))
                 nearest = &other;
         if (nearest)
             alignment.lines.push_back(lineAt(moved, *nearest, axis, *place));

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t mostLooked = 4000;
 
-void addLine(const clipping::Segment& line, std::vector<Point>& points)
+void addLinePoints(const clipping::Segment& line, std::vector<Point>& points)
 {
     if (points.empty() || points.back() != line.a)
         points.push_back(line.a);
@@ -70,7 +70,7 @@ OwnPoints ownPointsOf(const Document& document, const SceneLines& lines,
         else
             for (std::size_t i = lines.firstLineOf(object); i < end && points.size() < mostLooked;
                  ++i)
-                addLine(lines[i], points);
+                addLinePoints(lines[i], points);
     }
     OwnPoints own{cornersAndCentre(bounds), bounds};
     const std::size_t room = OwnPoints::most - own.points.size();

@@ -13,7 +13,7 @@ constexpr int samples = 32, halvings = 50;
 constexpr double arcTolerance = 1e-3; // of the radius; the usual quarter of a circle has 0.00027
 
 // u.x * v.y - u.y * v.x with less than two roundings (Kahan).
-double cross(const Point& u, const Point& v)
+double preciseCross(const Point& u, const Point& v)
 {
     const double product = u.y * v.x;
     return std::fma(u.x, v.y, -product) + std::fma(-u.y, v.x, product);
@@ -107,8 +107,8 @@ std::vector<Point> feetOn(const Bezier& curve, const Point& from)
 std::optional<Point> crossing(const clipping::Segment& one, const clipping::Segment& two)
 {
     const Point r = one.b - one.a, s = two.b - two.a, between = two.a - one.a;
-    const double parallel = cross(r, s);
-    const double t = cross(between, s) / parallel, u = cross(between, r) / parallel;
+    const double parallel = preciseCross(r, s);
+    const double t = preciseCross(between, s) / parallel, u = preciseCross(between, r) / parallel;
     if (!(t >= 0 && t <= 1 && u >= 0 && u <= 1))
         return std::nullopt;
     Point shared = pointAt(one, t);

@@ -22,7 +22,7 @@ bool isNear(const SnapSurroundings& near, const Point& min, const Point& max)
     return min.x <= most.x && min.y <= most.y && max.x >= least.x && max.y >= least.y;
 }
 
-void addLine(const clipping::Segment& line, SnapSurroundings& near)
+void addSnapLine(const clipping::Segment& line, SnapSurroundings& near)
 {
     if (isNear(near, glm::min(line.a, line.b), glm::max(line.a, line.b)))
         near.lines.push_back(line);
@@ -44,11 +44,11 @@ void addSubpath(const Subpath& subpath, SnapSurroundings& near)
         if (segment.curved)
             addCurve({from, segment.control1, segment.control2, segment.to}, near);
         else
-            addLine({from, segment.to}, near);
+            addSnapLine({from, segment.to}, near);
         from = segment.to;
     }
     if (subpath.closed && from != subpath.start)
-        addLine({from, subpath.start}, near);
+        addSnapLine({from, subpath.start}, near);
 }
 
 clipping::Window boxOf(const Subpath& part)
