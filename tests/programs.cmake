@@ -1,84 +1,104 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The programs of the tests. Each *_test.cpp is a QtTest with a `main` of its own (QTEST_MAIN). The tests of a room of app/ or
-# ui/ are compiled into one program, because reading headers and linking take most of the time of a build: where
-# headers are precompiled, six tests a file. Each is in a namespace of its own, so their names cannot clash.
-include(${CMAKE_CURRENT_LIST_DIR}/test_names.cmake)
+# The programs of the tests: one for each room of app/ and ui/, one for all of clipping/, one for resources/, and one for
+# the tests that read the sources alone. A test has a program of its own only if it is listed here.
+set(own_programs
+  # They replace functions of the C library or of the standard library.
+  app/document/edited_document_test app/formats/full_disk_test app/formats/svg/writer_test app/recovery/journal_full_disk_test
+  app/recovery/journal_thread_test app/recovery/too_little_memory_test app/recovery/unsaved_work_test
+  app/settings/settings_test app/view/picking_test ui/dialogs/questions_test ui/files/files_busy_test
+  ui/files/slow_save_test
+  # They start themselves as another process, or their QApplication is not the usual one.
+  app/recovery/kill_test ui/canvas/painting_test ui/editor/recovery_test ui/editor/start_test ui/first_light_test
+  # OpenGL: each in an X server of its own.
+  app/experiment/opengl_target_gl_test ui/canvas/canvas_gl_test ui/canvas/panes_gl_test
+  # oneTBB has functions that are called as Qt's `emit`.
+  clipping/parallel/clip_all_test)
 
-# The headers of tests that replace functions of the C library, or that include one of these: `a.h|b.h`, as a pattern.
-function(find_replacing_headers root result)
-  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${root}/*.h)
-  set(pattern "\nextern \"C\" ")
-  set(found)
-  set(before none)
-  while(NOT found STREQUAL before)
-    set(before "${found}")
-    foreach(header IN LISTS headers)
-      file(READ ${header} text)
-      file(RELATIVE_PATH path ${root} ${header})
-      if(text MATCHES "${pattern}")
-        list(APPEND found ${path})
-      endif()
-    endforeach()
-    list(REMOVE_DUPLICATES found)
-    list(JOIN found "|" joined)
-    string(REPLACE "." "[.]" joined "${joined}")
-    set(pattern "\nextern \"C\" |\"tests/(${joined})\"")
-  endwhile()
-  set(${result} "${joined}" PARENT_SCOPE)
+# test_main.cpp, compiled once for the programs without widgets and once for those with them.
+foreach(kind IN ITEMS gui widgets)
+  add_library(test_main_${kind} OBJECT test_main.cpp)
+  target_compile_definitions(test_main_${kind} PRIVATE SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  target_include_directories(test_main_${kind} PRIVATE ${PROJECT_SOURCE_DIR})
+endforeach()
+target_link_libraries(test_main_gui PRIVATE Qt6::Gui Qt6::Test)
+target_link_libraries(test_main_widgets PRIVATE Qt6::Widgets Qt6::Test)
+
+# name_of_test(SOURCE RESULT): tests/app/cut/cut_test.cpp is app.cut.cut_test; a drawing task is tasks.NAME.
+function(name_of_test source result)
+  file(RELATIVE_PATH name ${CMAKE_CURRENT_SOURCE_DIR} ${source})
+  string(REGEX REPLACE "\\.cpp$" "" name ${name})
+  string(REPLACE "/" "." name ${name})
+  string(REGEX REPLACE "^ui\\.tasks" "tasks" name ${name})
+  set(${result} ${name} PARENT_SCOPE)
 endfunction()
-find_replacing_headers(${CMAKE_CURRENT_LIST_DIR} replacing_headers)
 
-# Alone in its program is what a namespace does not bear: a function that replaces one of the standard library's, a
-# specialisation of somebody else's template, a `main` that is written out, a header that is not for all machines.
-function(is_alone source path result)
-  file(READ ${source} text)
-  set(alone FALSE)
-  if(NOT path MATCHES "^(app|ui)/[^/]+/" OR path MATCHES "_gl_test.cpp$" OR text MATCHES "\"tests/(${replacing_headers})\""
-      OR text MATCHES "\n(int main|namespace [a-z]|extern \"C\"|Q_DECLARE_METATYPE|void\\* operator new)|\n#if[^\n]*\n#include")
-    set(alone TRUE)
+function(program_of_test source result)
+  file(RELATIVE_PATH path ${CMAKE_CURRENT_SOURCE_DIR} ${source})
+  string(REGEX REPLACE "\\.cpp$" "" stem ${path})
+  if(stem IN_LIST own_programs)
+    name_of_test(${source} program)
+  elseif(path MATCHES "^(app|ui)/[^/]+/")
+    string(REGEX REPLACE "^([a-z]+)/([^/]+)/.*" "\\1.\\2" program ${path})
+  elseif(path MATCHES "^([a-z]+)/")
+    set(program ${CMAKE_MATCH_1}.tests)
+  else()
+    set(program sources.tests)
   endif()
-  set(${result} ${alone} PARENT_SCOPE)
+  set(${result} ${program} PARENT_SCOPE)
 endfunction()
 
-# What every program of tests needs, whichever tests are in it.
-function(add_test_program program path)
-  cmake_parse_arguments(PARSE_ARGV 2 of "" "" "SOURCES;TESTS")
-  set(folder ${CMAKE_CURRENT_BINARY_DIR}/moc/${program})
-  file(MAKE_DIRECTORY ${folder})
-  foreach(test IN LISTS of_TESTS)
-    get_filename_component(stem ${test} NAME_WE)
-    qt_generate_moc(${test} ${folder}/${stem}.moc)
-    list(APPEND of_SOURCES ${folder}/${stem}.moc)
+# add_program_of_tests(PROGRAM TEST...). Sets own_main_of_PROGRAM if its test has a `main` of its own, which takes no
+# name of a class.
+function(add_program_of_tests program)
+  set(sources ${ARGN})
+  foreach(source IN LISTS ARGN)
+    file(RELATIVE_PATH path ${PROJECT_SOURCE_DIR} ${source})
+    string(REGEX REPLACE "cpp$" "moc" moc ${CMAKE_CURRENT_BINARY_DIR}/moc/${path})
+    qt_generate_moc(${source} ${moc})
+    list(APPEND sources ${moc})
   endforeach()
-  qt_add_executable(${program} ${of_SOURCES})
-  target_include_directories(${program} PRIVATE ${folder} ${PROJECT_SOURCE_DIR})
+  list(GET ARGN 0 first)
+  file(STRINGS ${first} own_main REGEX "^int main\\(")
+  if(own_main)
+    set(own_main_of_${program} TRUE PARENT_SCOPE)
+  endif()
+  qt_add_executable(${program} ${sources})
+  target_include_directories(${program} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/moc ${PROJECT_SOURCE_DIR})
   target_compile_definitions(${program} PRIVATE SOURCE_DIR="${PROJECT_SOURCE_DIR}" CLEARCUT_BINARY="$<TARGET_FILE:clearcut>")
-  link_tests(${program} ${path})
-  precompile_headers_of_tests(${program} ${path})
-  if(build STREQUAL optimised AND path MATCHES "^(app|ui)/") # they call the program; what they compute is little
+  string(REGEX MATCH "^[a-z]+" layer ${program})
+  link_tests(${program} ${layer})
+  if(NOT own_main)
+    set(main test_main_gui)
+    if(layer MATCHES "^(ui|resources)$")
+      set(main test_main_widgets)
+    endif()
+    target_link_libraries(${program} PRIVATE ${main})
+  endif()
+  if(CLEARCUT_PRECOMPILE AND NOT program MATCHES "^clipping[.]parallel")
+    precompile_headers_of_tests(${program} ${layer})
+    set_target_properties(${program} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
+    target_compile_options(${program} PRIVATE ${compiled_together})
+  endif()
+  if(build STREQUAL optimised AND layer MATCHES "^(app|ui)$") # they call the program; what they compute is little
     target_compile_options(${program} PRIVATE -Og -Wno-maybe-uninitialized) # it warns of std::stop_token, wrongly
   endif()
 endfunction()
 
-function(link_tests program path)
-  if(path MATCHES "^clipping/parallel/")
+function(link_tests program layer)
+  if(program MATCHES "^clipping[.]parallel")
     target_link_libraries(${program} PRIVATE clipping_parallel TBB::tbb)
-  elseif(path MATCHES "^clipping/")
+  elseif(layer STREQUAL clipping)
     target_link_libraries(${program} PRIVATE clipping oracle)
-  elseif(path MATCHES "^app/")
+  elseif(layer STREQUAL app)
     target_link_libraries(${program} PRIVATE app oracle)
-  elseif(path MATCHES "/") # without a folder: reads the sources, whether they compile or not
+  elseif(NOT layer STREQUAL sources) # which are read, whether they compile or not
     target_link_libraries(${program} PRIVATE ui)
   endif()
-  target_link_libraries(${program} PRIVATE Qt6::Test)
+  target_link_libraries(${program} PRIVATE Qt6::Gui Qt6::Test)
 endfunction()
 
-# Once for all tests of a layer, which are compiled alike; oneTBB does not bear Qt's `emit`.
-function(precompile_headers_of_tests program path)
-  if(NOT CLEARCUT_PRECOMPILE OR path MATCHES "^clipping/parallel/")
-    return()
-  endif()
-  string(REGEX MATCH "^[a-z]*" layer ${path})
+# Once for all tests of a layer, which are compiled alike.
+function(precompile_headers_of_tests program layer)
   get_property(first DIRECTORY PROPERTY first_tests_of_${layer})
   if(first)
     target_precompile_headers(${program} REUSE_FROM ${first})
@@ -86,37 +106,4 @@ function(precompile_headers_of_tests program path)
     set_property(DIRECTORY PROPERTY first_tests_of_${layer} ${program})
     target_precompile_headers(${program} PRIVATE <QTest> ${headers_of_${layer}})
   endif()
-endfunction()
-
-# add_program_of_tests(PROGRAM PATH TEST...): several tests; the program's first argument names the one to run.
-function(add_program_of_tests program path)
-  set(folder ${CMAKE_CURRENT_BINARY_DIR}/together/${program})
-  set(batch 1)
-  if(CLEARCUT_PRECOMPILE)
-    set(batch 16)
-  endif()
-  set(declared)
-  set(listed)
-  set(sources ${folder}/main.cpp)
-  list(LENGTH ARGN count)
-  math(EXPR last "${count} - 1")
-  foreach(begin RANGE 0 ${last} ${batch})
-    list(SUBLIST ARGN ${begin} ${batch} tests)
-    list(LENGTH sources number)
-    list(JOIN tests "|" joined)
-    add_custom_command(OUTPUT ${folder}/tests_${number}.cpp VERBATIM
-      COMMAND ${CMAKE_COMMAND} "-DTESTS=${joined}" -DROOT=${CMAKE_CURRENT_SOURCE_DIR} -DTO=${folder}/tests_${number}.cpp
-        -P ${CMAKE_CURRENT_SOURCE_DIR}/together.cmake
-      DEPENDS ${tests} together.cmake test_names.cmake)
-    list(APPEND sources ${folder}/tests_${number}.cpp)
-    foreach(test IN LISTS tests)
-      name_of_test(${test} ${CMAKE_CURRENT_SOURCE_DIR} name)
-      string(MAKE_C_IDENTIFIER ${name} space)
-      string(APPEND declared "namespace ${space} {\nint mainOfTest(int, char**);\n}\n")
-      string(APPEND listed "    {\"${name}\", ${space}::mainOfTest},\n")
-    endforeach()
-  endforeach()
-  configure_file(program_of_tests.cpp.in ${folder}/main.cpp @ONLY)
-  add_test_program(${program} ${path} SOURCES ${sources} TESTS ${ARGN})
-  target_compile_options(${program} PRIVATE ${compiled_together})
 endfunction()

@@ -4,6 +4,10 @@
 #include <QRegularExpression>
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace public_headers_test {
+
 // app/ and ui/ use the clipping library as any other program does: by the public headers that
 // clipping/CMakeLists.txt lists.
 
@@ -96,5 +100,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(PublicHeadersTest)
-#include "public_headers_test.moc"
+} // namespace public_headers_test
+
+TEST_CLASS(public_headers_test::PublicHeadersTest, Core)
+#include "tests/public_headers_test.moc"

@@ -7,6 +7,9 @@
 #include <set>
 
 #include "tests/not_empty.h"
+#include "tests/test_class.h"
+
+namespace names_test {
 
 // Two types of one name in one namespace: neither compiler nor linker has to say a word, and of
 // their inline functions the linker keeps those of one for both.
@@ -64,5 +67,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(NamesTest)
-#include "names_test.moc"
+} // namespace names_test
+
+TEST_CLASS(names_test::NamesTest, Core)
+#include "tests/app/names_test.moc"

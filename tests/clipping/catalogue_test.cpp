@@ -4,6 +4,10 @@
 #include <QDir>
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace catalogue_test {
+
 class CatalogueTest : public QObject {
     Q_OBJECT
 
@@ -28,5 +32,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CatalogueTest)
-#include "catalogue_test.moc"
+} // namespace catalogue_test
+
+TEST_CLASS(catalogue_test::CatalogueTest, None)
+#include "tests/clipping/catalogue_test.moc"

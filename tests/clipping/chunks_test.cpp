@@ -7,6 +7,9 @@
 #include <cstring>
 
 #include "tests/benchmarks/scenes.h"
+#include "tests/test_class.h"
+
+namespace chunks_test {
 
 using namespace clipping;
 
@@ -93,5 +96,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ChunksTest)
-#include "chunks_test.moc"
+} // namespace chunks_test
+
+TEST_CLASS(chunks_test::ChunksTest, None)
+#include "tests/clipping/chunks_test.moc"

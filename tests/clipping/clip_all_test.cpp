@@ -8,6 +8,9 @@
 
 #include "tests/clipping/random.h"
 #include "tests/clipping/same_bits.h"
+#include "tests/test_class.h"
+
+namespace clip_all_test {
 
 using namespace clearcut;
 
@@ -216,5 +219,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ClipAllTest)
-#include "clip_all_test.moc"
+} // namespace clip_all_test
+
+TEST_CLASS(clip_all_test::ClipAllTest, None)
+#include "tests/clipping/clip_all_test.moc"

@@ -9,7 +9,10 @@
 
 #include "tests/clipping/contract.h"
 #include "tests/clipping/line_or_ray_contract.h"
+#include "tests/test_class.h"
 #include "tests/verify.h"
+
+namespace clip_test {
 
 using namespace clearcut;
 
@@ -183,5 +186,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ClipTest)
-#include "clip_test.moc"
+} // namespace clip_test
+
+TEST_CLASS(clip_test::ClipTest, None)
+#include "tests/clipping/clip_test.moc"

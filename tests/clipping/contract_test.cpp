@@ -9,7 +9,10 @@
 #include "tests/clipping/random.h"
 #include "tests/clipping/rows.h"
 #include "tests/not_empty.h"
+#include "tests/test_class.h"
 #include "tests/verify.h"
+
+namespace contract_test {
 
 using namespace clipping;
 
@@ -209,5 +212,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ContractTest)
-#include "contract_test.moc"
+} // namespace contract_test
+
+TEST_CLASS(contract_test::ContractTest, None)
+#include "tests/clipping/contract_test.moc"

@@ -3,6 +3,10 @@
 
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace describe_test {
+
 using namespace clipping;
 
 namespace {
@@ -52,5 +56,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(DescribeTest)
-#include "describe_test.moc"
+} // namespace describe_test
+
+TEST_CLASS(describe_test::DescribeTest, None)
+#include "tests/clipping/describe_test.moc"

@@ -11,6 +11,9 @@
 #include <algorithm>
 
 #include "tests/clipping/fingerprint.h"
+#include "tests/test_class.h"
+
+namespace fingerprints_test {
 
 namespace {
 
@@ -83,5 +86,7 @@ private:
     QMap<QString, QString> found_;
 };
 
-QTEST_GUILESS_MAIN(FingerprintsTest)
-#include "fingerprints_test.moc"
+} // namespace fingerprints_test
+
+TEST_CLASS(fingerprints_test::FingerprintsTest, Core)
+#include "tests/clipping/fingerprints_test.moc"

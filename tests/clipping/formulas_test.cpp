@@ -12,11 +12,13 @@
 #include "tests/clipping/formulas/checker.h"
 #include "tests/clipping/formulas/exceptions.h"
 #include "tests/clipping/formulas/lines.h"
+#include "tests/test_class.h"
+
+namespace formulas_test {
 
 using namespace clipping;
 using formulas::comparesLess, formulas::notEvaluated, formulas::notObservable;
 
-Q_DECLARE_METATYPE(const Algorithm*)
 
 namespace {
 
@@ -215,5 +217,7 @@ private:
     static Form form() { return Form(*static_cast<int*>(QTest::qData("form", QMetaType::Int))); }
 };
 
-QTEST_GUILESS_MAIN(FormulasTest)
-#include "formulas_test.moc"
+} // namespace formulas_test
+
+TEST_CLASS(formulas_test::FormulasTest, Core)
+#include "tests/clipping/formulas_test.moc"

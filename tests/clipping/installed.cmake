@@ -23,20 +23,6 @@ endif()
 run(${CXX} -std=c++20 -DNone=0L -Wall -Wextra -Werror -fsyntax-only -I${WORK}/moved/include -x c++ -include clearcut/clip.h
   -include clipping/algorithm.h -include clipping/turned_window.h -include clipping/chunks.h /dev/null)
 
-# Old names still compile, each with a note that says what to write.
-file(WRITE ${WORK}/old_names.cpp "#include <clipping/algorithm.h>
-  using namespace clipping;
-  const Uses<Segment, Window>* old = usesOf(exactAlgorithm(), Form::Corrected);
-  const void *floats = exactAlgorithm().single, *search = exactAlgorithm().searchedPolygon;
-  Edge none = Edge::None;")
-execute_process(COMMAND ${CXX} -std=c++20 -fsyntax-only -I${WORK}/moved/include ${WORK}/old_names.cpp
-  COMMAND_ERROR_IS_FATAL ANY ERROR_VARIABLE notes)
-foreach(name IN ITEMS Functions functionsOf floats polygonBySearch NoEdge)
-  if(NOT notes MATCHES "deprecated: write ${name}")
-    message(FATAL_ERROR "No note says \"write ${name}\":\n${notes}")
-  endif()
-endforeach()
-
 build_programs_of_page(${WORK}/moved)
 
 # The same by pkg-config instead of CMake, once more with other containers than the library was compiled with.

@@ -6,7 +6,10 @@
 
 #include "tests/clipping/line_or_ray_contract.h"
 #include "tests/clipping/rows.h"
+#include "tests/test_class.h"
 #include "tests/verify.h"
+
+namespace lines_and_rays_test {
 
 using namespace clipping;
 
@@ -142,5 +145,7 @@ private slots:
     void nonFiniteRaysGiveNothing() { compareWithoutNumbers<Ray>(); }
 };
 
-QTEST_APPLESS_MAIN(LinesAndRaysTest)
-#include "lines_and_rays_test.moc"
+} // namespace lines_and_rays_test
+
+TEST_CLASS(lines_and_rays_test::LinesAndRaysTest, None)
+#include "tests/clipping/lines_and_rays_test.moc"

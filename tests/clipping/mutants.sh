@@ -43,15 +43,13 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 cmake --preset release -S "$root" >"$work/log" || { cat "$work/log"; exit 1; }
-for test in "${tests[@]}"; do
-    cmake --build "$build" --target "clipping.${test}_test" >"$work/log" || { cat "$work/log"; exit 1; }
-done
+cmake --build "$build" --target clipping.tests >"$work/log" || { cat "$work/log"; exit 1; }
 # A test that fails by itself would seem to kill everything; one that takes three times as long with
 # a mutant as without is taken for one that never ends.
 declare -A limit
 for test in "${tests[@]}"; do
     begun=$SECONDS
-    timeout 900 "$build/tests/clipping.${test}_test" >"$work/log" 2>&1 || {
+    timeout 900 "$build/tests/clipping.tests" "clipping.${test}_test" >"$work/log" 2>&1 || {
         echo "clipping.${test}_test fails without a mutant, or takes more than 15 minutes."
         exit 1
     }
@@ -86,25 +84,25 @@ compile() { # FILE
     done
 }
 
-# Links a test with the mutant before the library, which then keeps its own objects to itself.
-link() { # TEST
+# Links the tests with the mutant before the library, which then keeps its own objects to itself.
+link() {
     local line
-    line=$(ninja -C "$build" -t commands "clipping.${1}_test" | tail -n 1)
-    line=${line/" -o tests/clipping.${1}_test "/" $work/mutant*.o -o $work/$1 "}
+    line=$(ninja -C "$build" -t commands clipping.tests | tail -n 1)
+    line=${line/" -o tests/clipping.tests "/" $work/mutant*.o -o $work/tests "}
     (cd "$build" && eval "$line")
 }
 
 # The first test that fails, or nothing.
 killer() { # KEY
     local test found
+    link || { echo "does not link: $1" >&2; exit 1; }
     for test in $(testsOf "$1"); do
-        link "$test" || { echo "does not link: $1" >&2; exit 1; }
         # grep stops at the first failure, and the test dies of the closed pipe: no report of that as a crash.
-        found=$(timeout "${limit[$test]}" "$work/$test" -nocrashhandler 2>&1 | grep -m 1 -o 'FAIL! *: [^(]*([^)]*)' || true)
+        found=$(timeout "${limit[$test]}" "$work/tests" "clipping.${test}_test" -nocrashhandler 2>&1 | grep -m 1 -o 'FAIL! *: [^(]*([^)]*)' || true)
         if [[ $found ]]; then
             echo "${found#*: }"
             return
-        elif ! timeout "${limit[$test]}" "$work/$test" -nocrashhandler >/dev/null 2>&1; then
+        elif ! timeout "${limit[$test]}" "$work/tests" "clipping.${test}_test" -nocrashhandler >/dev/null 2>&1; then
             echo "$test: crashed, or did not end"
             return
         fi

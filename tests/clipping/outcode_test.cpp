@@ -6,6 +6,10 @@
 
 #include <limits>
 
+#include "tests/test_class.h"
+
+namespace outcode_test {
+
 using namespace clipping;
 
 class OutcodeTest : public QObject {
@@ -55,5 +59,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(OutcodeTest)
-#include "outcode_test.moc"
+} // namespace outcode_test
+
+TEST_CLASS(outcode_test::OutcodeTest, None)
+#include "tests/clipping/outcode_test.moc"

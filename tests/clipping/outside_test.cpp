@@ -7,6 +7,10 @@
 
 #include <random>
 
+#include "tests/test_class.h"
+
+namespace outside_test {
+
 using namespace clipping;
 
 namespace {
@@ -136,5 +140,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(OutsideTest)
-#include "outside_test.moc"
+} // namespace outside_test
+
+TEST_CLASS(outside_test::OutsideTest, None)
+#include "tests/clipping/outside_test.moc"

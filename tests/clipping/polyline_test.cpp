@@ -10,6 +10,9 @@
 
 #include "tests/clipping/contract.h"
 #include "tests/clipping/random.h"
+#include "tests/test_class.h"
+
+namespace polyline_test {
 
 using namespace clipping;
 using glm::dvec2;
@@ -290,5 +293,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PolylineTest)
-#include "polyline_test.moc"
+} // namespace polyline_test
+
+TEST_CLASS(polyline_test::PolylineTest, None)
+#include "tests/clipping/polyline_test.moc"

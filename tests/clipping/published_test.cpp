@@ -7,7 +7,10 @@
 
 #include "tests/clipping/contract.h"
 #include "tests/clipping/rows.h"
+#include "tests/test_class.h"
 #include "tests/verify.h"
+
+namespace published_test {
 
 using namespace clipping;
 
@@ -262,5 +265,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PublishedTest)
-#include "published_test.moc"
+} // namespace published_test
+
+TEST_CLASS(published_test::PublishedTest, None)
+#include "tests/clipping/published_test.moc"

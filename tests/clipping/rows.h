@@ -5,8 +5,6 @@
 
 #include <QTest>
 
-Q_DECLARE_METATYPE(const clipping::Algorithm*)
-
 /// Data of a test function: every row of the catalogue, as `algorithm`.
 inline void everyAlgorithm()
 {

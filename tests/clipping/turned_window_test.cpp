@@ -12,7 +12,10 @@
 #include "tests/clipping/same_bits.h"
 #include "tests/clipping/scenes.h"
 #include "tests/clipping/turned_contract.h"
+#include "tests/test_class.h"
 #include "tests/verify.h"
+
+namespace turned_window_test {
 
 using namespace clipping;
 
@@ -209,5 +212,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TurnedWindowTest)
-#include "turned_window_test.moc"
+} // namespace turned_window_test
+
+TEST_CLASS(turned_window_test::TurnedWindowTest, None)
+#include "tests/clipping/turned_window_test.moc"

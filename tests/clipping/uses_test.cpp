@@ -9,7 +9,10 @@
 #include "tests/clipping/contract.h"
 #include "tests/clipping/rows.h"
 #include "tests/not_empty.h"
+#include "tests/test_class.h"
 #include "tests/verify.h"
+
+namespace uses_test {
 
 using namespace clipping;
 
@@ -281,5 +284,7 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(UsesTest)
-#include "uses_test.moc"
+} // namespace uses_test
+
+TEST_CLASS(uses_test::UsesTest, None)
+#include "tests/clipping/uses_test.moc"

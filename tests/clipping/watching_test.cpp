@@ -13,6 +13,9 @@
 #include <utility>
 
 #include "tests/not_empty.h"
+#include "tests/test_class.h"
+
+namespace watching_test {
 
 namespace {
 
@@ -176,5 +179,7 @@ private:
     Functions library_;
 };
 
-QTEST_GUILESS_MAIN(WatchingTest)
-#include "watching_test.moc"
+} // namespace watching_test
+
+TEST_CLASS(watching_test::WatchingTest, Core)
+#include "tests/clipping/watching_test.moc"

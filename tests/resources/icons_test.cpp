@@ -3,6 +3,10 @@
 #include <QTest>
 #include <QXmlStreamReader>
 
+#include "tests/test_class.h"
+
+namespace icons_test {
+
 namespace {
 
 const QString folder = QStringLiteral(SOURCE_DIR "/resources/icons/");
@@ -50,5 +54,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(IconsTest)
-#include "icons_test.moc"
+} // namespace icons_test
+
+TEST_CLASS(icons_test::IconsTest, None)
+#include "tests/resources/icons_test.moc"

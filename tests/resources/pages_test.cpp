@@ -12,6 +12,9 @@
 #include "tests/app/command_line/program.h"
 #include "tests/clipping/rows.h"
 #include "tests/resources/page_claims.h"
+#include "tests/test_class.h"
+
+namespace pages_test {
 
 namespace {
 
@@ -274,5 +277,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(PagesTest)
-#include "pages_test.moc"
+} // namespace pages_test
+
+TEST_CLASS(pages_test::PagesTest, Core)
+#include "tests/resources/pages_test.moc"

@@ -8,6 +8,9 @@
 #include <QTest>
 
 #include "tests/app/document/sheet.h"
+#include "tests/test_class.h"
+
+namespace samples_test {
 
 namespace {
 
@@ -97,5 +100,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SamplesTest)
-#include "samples_test.moc"
+} // namespace samples_test
+
+TEST_CLASS(samples_test::SamplesTest, None)
+#include "tests/resources/samples_test.moc"

@@ -186,4 +186,4 @@ int main(int argc, char** argv)
     FirstLightTest test;
     return QTest::qExec(&test, argc, argv);
 }
-#include "first_light_test.moc"
+#include "tests/ui/first_light_test.moc"

@@ -9,8 +9,11 @@
 #include <QLineEdit>
 
 #include "tests/app/document/sheet_edits.h"
+#include "tests/test_class.h"
 #include "tests/ui/canvas/stage.h"
 #include "tests/ui/test_window.h"
+
+namespace first_use_test {
 
 using namespace ui;
 
@@ -246,5 +249,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(FirstUseTest)
-#include "first_use_test.moc"
+} // namespace first_use_test
+
+TEST_CLASS(first_use_test::FirstUseTest, Widgets)
+#include "tests/ui/first_use_test.moc"

@@ -8,10 +8,13 @@
 #include <QDirIterator>
 #include <QRegularExpression>
 
+#include "tests/test_class.h"
 #include "tests/ui/fresh/changes.h"
 #include "tests/ui/fresh/makers.h"
 #include "tests/ui/fresh/settled.h"
 #include "tests/ui/fresh/shown_by.h"
+
+namespace focus_test {
 
 using namespace ui;
 
@@ -195,5 +198,7 @@ private:
     }
 };
 
-QTEST_MAIN(FocusTest)
-#include "focus_test.moc"
+} // namespace focus_test
+
+TEST_CLASS(focus_test::FocusTest, Widgets)
+#include "tests/ui/focus_test.moc"

@@ -6,8 +6,11 @@
 #include <QMenuBar>
 #include <QRegularExpression>
 
+#include "tests/test_class.h"
 #include "tests/ui/fresh/changes.h"
 #include "tests/ui/fresh/lived.h"
+
+namespace fresh_test {
 
 using namespace ui;
 
@@ -200,5 +203,7 @@ private:
     const QLocale usual_;
 };
 
-QTEST_MAIN(FreshTest)
-#include "fresh_test.moc"
+} // namespace fresh_test
+
+TEST_CLASS(fresh_test::FreshTest, Widgets)
+#include "tests/ui/fresh_test.moc"

@@ -9,11 +9,12 @@
 
 #include <random>
 
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
 
 // The settings are a file that any program may have written.
 
-namespace ui {
+namespace ui::hostile_settings_test {
 
 class HostileSettingsTest : public QObject {
     Q_OBJECT
@@ -153,8 +154,7 @@ private slots:
     }
 };
 
-} // namespace ui
+} // namespace ui::hostile_settings_test
 
-using ui::HostileSettingsTest;
-QTEST_MAIN(HostileSettingsTest)
-#include "hostile_settings_test.moc"
+TEST_CLASS(ui::hostile_settings_test::HostileSettingsTest, Widgets)
+#include "tests/ui/hostile_settings_test.moc"

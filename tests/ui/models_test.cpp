@@ -22,8 +22,11 @@
 #include <QTreeView>
 
 #include "tests/app/document/sheet_edits.h"
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
 #include "tests/verify.h"
+
+namespace models_test {
 
 using namespace ui;
 
@@ -311,5 +314,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ModelsTest)
-#include "models_test.moc"
+} // namespace models_test
+
+TEST_CLASS(models_test::ModelsTest, Widgets)
+#include "tests/ui/models_test.moc"

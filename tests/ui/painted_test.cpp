@@ -19,10 +19,13 @@
 #include <set>
 
 #include "tests/painted_texts.h"
+#include "tests/test_class.h"
 #include "tests/ui/fresh/changes.h"
 #include "tests/ui/fresh/makers.h"
 #include "tests/ui/fresh/settled.h"
 #include "tests/ui/fresh/shown_by.h"
+
+namespace painted_test {
 
 using namespace ui;
 
@@ -287,5 +290,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(PaintedTest)
-#include "painted_test.moc"
+} // namespace painted_test
+
+TEST_CLASS(painted_test::PaintedTest, Widgets)
+#include "tests/ui/painted_test.moc"

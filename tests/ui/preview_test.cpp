@@ -13,7 +13,10 @@
 #include "tests/app/document/one_window.h"
 #include "tests/app/document/sheet_edits.h"
 #include "tests/app/scene/block_scene.h"
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace preview_test {
 
 using namespace ui;
 
@@ -288,5 +291,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(PreviewTest)
-#include "preview_test.moc"
+} // namespace preview_test
+
+TEST_CLASS(preview_test::PreviewTest, Widgets)
+#include "tests/ui/preview_test.moc"

@@ -18,7 +18,10 @@
 #include <random>
 
 #include "tests/app/document/sheet_edits.h"
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace random_test {
 
 using namespace ui;
 
@@ -468,5 +471,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(RandomTest)
-#include "random_test.moc"
+} // namespace random_test
+
+TEST_CLASS(random_test::RandomTest, Widgets)
+#include "tests/ui/random_test.moc"

@@ -4,10 +4,13 @@
 #include <QButtonGroup>
 #include <QMetaMethod>
 
+#include "tests/test_class.h"
 #include "tests/ui/fresh/changes.h"
 #include "tests/ui/fresh/makers.h"
 #include "tests/ui/fresh/settled.h"
 #include "tests/ui/fresh/shown_by.h"
+
+namespace signals_test {
 
 using namespace ui;
 
@@ -170,5 +173,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(SignalsTest)
-#include "signals_test.moc"
+} // namespace signals_test
+
+TEST_CLASS(signals_test::SignalsTest, Widgets)
+#include "tests/ui/signals_test.moc"

@@ -8,7 +8,10 @@
 #include <QDockWidget>
 #include <QToolBar>
 
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace teaching_test {
 
 namespace {
 
@@ -151,5 +154,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TeachingTest)
-#include "teaching_test.moc"
+} // namespace teaching_test
+
+TEST_CLASS(teaching_test::TeachingTest, Widgets)
+#include "tests/ui/teaching_test.moc"

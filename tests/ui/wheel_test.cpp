@@ -11,10 +11,13 @@
 #include <QTabBar>
 #include <QWheelEvent>
 
+#include "tests/test_class.h"
 #include "tests/ui/fresh/changes.h"
 #include "tests/ui/fresh/makers.h"
 #include "tests/ui/fresh/settled.h"
 #include "tests/ui/fresh/shown_by.h"
+
+namespace wheel_test {
 
 using namespace ui;
 
@@ -225,5 +228,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(WheelTest)
-#include "wheel_test.moc"
+} // namespace wheel_test
+
+TEST_CLASS(wheel_test::WheelTest, Widgets)
+#include "tests/ui/wheel_test.moc"

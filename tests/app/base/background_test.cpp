@@ -11,6 +11,10 @@
 #include <atomic>
 #include <vector>
 
+#include "tests/test_class.h"
+
+namespace base_background_test {
+
 using app::Background;
 using app::Follower;
 using namespace std::chrono_literals;
@@ -274,5 +278,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(BackgroundTest)
-#include "background_test.moc"
+} // namespace base_background_test
+
+TEST_CLASS(base_background_test::BackgroundTest, Core)
+#include "tests/app/base/background_test.moc"

@@ -6,6 +6,10 @@
 #include <cmath>
 #include <random>
 
+#include "tests/test_class.h"
+
+namespace base_expression_test {
+
 using namespace app;
 
 class ExpressionTest : public QObject {
@@ -119,5 +123,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ExpressionTest)
-#include "expression_test.moc"
+} // namespace base_expression_test
+
+TEST_CLASS(base_expression_test::ExpressionTest, Gui)
+#include "tests/app/base/expression_test.moc"

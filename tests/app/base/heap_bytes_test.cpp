@@ -3,6 +3,10 @@
 
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace base_heap_bytes_test {
+
 class HeapBytesTest : public QObject {
     Q_OBJECT
 
@@ -28,5 +32,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(HeapBytesTest)
-#include "heap_bytes_test.moc"
+} // namespace base_heap_bytes_test
+
+TEST_CLASS(base_heap_bytes_test::HeapBytesTest, None)
+#include "tests/app/base/heap_bytes_test.moc"

@@ -7,6 +7,10 @@
 #include <chrono>
 #include <semaphore>
 
+#include "tests/test_class.h"
+
+namespace base_in_turn_test {
+
 class InTurnTest : public QObject {
     Q_OBJECT
 
@@ -106,5 +110,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(InTurnTest)
-#include "in_turn_test.moc"
+} // namespace base_in_turn_test
+
+TEST_CLASS(base_in_turn_test::InTurnTest, Core)
+#include "tests/app/base/in_turn_test.moc"

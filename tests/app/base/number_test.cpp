@@ -8,6 +8,10 @@
 #include <cmath>
 #include <random>
 
+#include "tests/test_class.h"
+
+namespace base_number_test {
+
 namespace {
 
 constexpr double all = std::numeric_limits<double>::infinity();
@@ -132,5 +136,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(NumberTest)
-#include "number_test.moc"
+} // namespace base_number_test
+
+TEST_CLASS(base_number_test::NumberTest, None)
+#include "tests/app/base/number_test.moc"

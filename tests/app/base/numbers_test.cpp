@@ -4,6 +4,11 @@
 #include <QLocale>
 #include <QTest>
 
+#include "tests/deep.h"
+#include "tests/test_class.h"
+
+namespace base_numbers_test {
+
 class NumbersTest : public QObject {
     Q_OBJECT
 
@@ -56,7 +61,7 @@ private slots:
     }
     void pixelsAreExactWhereAUnitIsOne()
     {
-        for (int size = 1; size <= 5000; ++size) {
+        for (int size = 1; size <= 5000; size += tests::caseStep()) {
             QCOMPARE(app::fromUnit(size, app::Unit::Px, 25.4 / 96), double(size));
             QCOMPARE(app::inUnit(size, app::Unit::Px, 25.4 / 96), double(size));
         }
@@ -70,5 +75,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(NumbersTest)
-#include "numbers_test.moc"
+} // namespace base_numbers_test
+
+TEST_CLASS(base_numbers_test::NumbersTest, None)
+#include "tests/app/base/numbers_test.moc"

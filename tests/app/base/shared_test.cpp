@@ -6,6 +6,10 @@
 #include <thread>
 #include <vector>
 
+#include "tests/test_class.h"
+
+namespace base_shared_test {
+
 using app::Shared;
 
 class SharedTest : public QObject {
@@ -82,5 +86,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SharedTest)
-#include "shared_test.moc"
+} // namespace base_shared_test
+
+TEST_CLASS(base_shared_test::SharedTest, None)
+#include "tests/app/base/shared_test.moc"

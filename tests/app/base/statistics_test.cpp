@@ -8,6 +8,10 @@
 #include <limits>
 #include <random>
 
+#include "tests/test_class.h"
+
+namespace base_statistics_test {
+
 using app::Summary;
 
 class StatisticsTest : public QObject {
@@ -90,5 +94,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(StatisticsTest)
-#include "statistics_test.moc"
+} // namespace base_statistics_test
+
+TEST_CLASS(base_statistics_test::StatisticsTest, None)
+#include "tests/app/base/statistics_test.moc"

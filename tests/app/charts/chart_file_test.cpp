@@ -7,6 +7,9 @@
 
 #include "tests/app/charts/sample_charts.h"
 #include "tests/app/command_line/program.h"
+#include "tests/test_class.h"
+
+namespace charts_chart_file_test {
 
 using namespace app;
 
@@ -118,5 +121,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ChartFileTest)
-#include "chart_file_test.moc"
+} // namespace charts_chart_file_test
+
+TEST_CLASS(charts_chart_file_test::ChartFileTest, Gui)
+#include "tests/app/charts/chart_file_test.moc"

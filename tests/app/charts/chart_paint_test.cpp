@@ -8,6 +8,9 @@
 #include <cmath>
 
 #include "tests/app/charts/sample_charts.h"
+#include "tests/test_class.h"
+
+namespace charts_chart_paint_test {
 
 using namespace app;
 
@@ -359,5 +362,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ChartPaintTest)
-#include "chart_paint_test.moc"
+} // namespace charts_chart_paint_test
+
+TEST_CLASS(charts_chart_paint_test::ChartPaintTest, Gui)
+#include "tests/app/charts/chart_paint_test.moc"

@@ -8,6 +8,9 @@
 
 #include "tests/app/charts/sample_charts.h"
 #include "tests/not_empty.h"
+#include "tests/test_class.h"
+
+namespace charts_chart_test {
 
 using namespace app;
 
@@ -209,5 +212,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ChartTest)
-#include "chart_test.moc"
+} // namespace charts_chart_test
+
+TEST_CLASS(charts_chart_test::ChartTest, Gui)
+#include "tests/app/charts/chart_test.moc"

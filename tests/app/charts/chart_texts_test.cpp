@@ -7,6 +7,9 @@
 
 #include "tests/app/charts/sample_charts.h"
 #include "tests/painted_texts.h"
+#include "tests/test_class.h"
+
+namespace charts_chart_texts_test {
 
 using namespace app;
 
@@ -115,5 +118,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ChartTextsTest)
-#include "chart_texts_test.moc"
+} // namespace charts_chart_texts_test
+
+TEST_CLASS(charts_chart_texts_test::ChartTextsTest, Gui)
+#include "tests/app/charts/chart_texts_test.moc"

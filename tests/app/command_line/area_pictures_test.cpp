@@ -7,6 +7,9 @@
 #include <cmath>
 
 #include "tests/app/command_line/program.h"
+#include "tests/test_class.h"
+
+namespace command_line_area_pictures_test {
 
 // A filled ring with a stroke, cut by the program, beside librsvg's picture of the same ring with
 // an SVG clipPath.
@@ -124,5 +127,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(AreaPicturesTest)
-#include "area_pictures_test.moc"
+} // namespace command_line_area_pictures_test
+
+TEST_CLASS(command_line_area_pictures_test::AreaPicturesTest, Core)
+#include "tests/app/command_line/area_pictures_test.moc"

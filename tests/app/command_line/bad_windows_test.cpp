@@ -6,6 +6,9 @@
 #include <numbers>
 
 #include "tests/app/command_line/program.h"
+#include "tests/test_class.h"
+
+namespace command_line_bad_windows_test {
 
 // Windows that no person means: each gives a defined result, or one sentence, and quickly.
 
@@ -134,5 +137,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(BadWindowsTest)
-#include "bad_windows_test.moc"
+} // namespace command_line_bad_windows_test
+
+TEST_CLASS(command_line_bad_windows_test::BadWindowsTest, Core)
+#include "tests/app/command_line/bad_windows_test.moc"

@@ -7,6 +7,9 @@
 
 #include "tests/app/command_line/program.h"
 #include "tests/not_empty.h"
+#include "tests/test_class.h"
+
+namespace command_line_bench_test {
 
 class BenchTest : public QObject {
     Q_OBJECT
@@ -178,5 +181,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(BenchTest)
-#include "bench_test.moc"
+} // namespace command_line_bench_test
+
+TEST_CLASS(command_line_bench_test::BenchTest, Core)
+#include "tests/app/command_line/bench_test.moc"

@@ -4,6 +4,9 @@
 #include <QTest>
 
 #include "tests/app/command_line/program.h"
+#include "tests/test_class.h"
+
+namespace command_line_clip_tiles_test {
 
 // `clearcut clip --tiles`: the files, read back by other programs.
 
@@ -289,5 +292,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ClipTilesTest)
-#include "clip_tiles_test.moc"
+} // namespace command_line_clip_tiles_test
+
+TEST_CLASS(command_line_clip_tiles_test::ClipTilesTest, Core)
+#include "tests/app/command_line/clip_tiles_test.moc"

@@ -2,6 +2,9 @@
 #include <QTest>
 
 #include "tests/app/command_line/program.h"
+#include "tests/test_class.h"
+
+namespace command_line_compare_test {
 
 namespace {
 
@@ -120,5 +123,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CompareTest)
-#include "compare_test.moc"
+} // namespace command_line_compare_test
+
+TEST_CLASS(command_line_compare_test::CompareTest, None)
+#include "tests/app/command_line/compare_test.moc"

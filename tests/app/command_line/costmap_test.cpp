@@ -6,6 +6,9 @@
 #include <QTest>
 
 #include "tests/app/command_line/program.h"
+#include "tests/test_class.h"
+
+namespace command_line_costmap_test {
 
 /// `clearcut costmap`, as people call it.
 class CostmapTest : public QObject {
@@ -86,5 +89,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(CostmapTest)
-#include "costmap_test.moc"
+} // namespace command_line_costmap_test
+
+TEST_CLASS(command_line_costmap_test::CostmapTest, Core)
+#include "tests/app/command_line/costmap_test.moc"

@@ -3,6 +3,9 @@
 #include <QTest>
 
 #include "tests/app/command_line/program.h"
+#include "tests/test_class.h"
+
+namespace command_line_cut_options_test {
 
 namespace {
 
@@ -104,5 +107,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(CutOptionsTest)
-#include "cut_options_test.moc"
+} // namespace command_line_cut_options_test
+
+TEST_CLASS(command_line_cut_options_test::CutOptionsTest, Core)
+#include "tests/app/command_line/cut_options_test.moc"

@@ -10,6 +10,9 @@
 #include <vector>
 
 #include "tests/app/command_line/program.h"
+#include "tests/test_class.h"
+
+namespace command_line_interrupt_test {
 
 namespace {
 
@@ -92,5 +95,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(InterruptTest)
-#include "interrupt_test.moc"
+} // namespace command_line_interrupt_test
+
+TEST_CLASS(command_line_interrupt_test::InterruptTest, Core)
+#include "tests/app/command_line/interrupt_test.moc"

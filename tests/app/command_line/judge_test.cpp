@@ -8,6 +8,9 @@
 #include <QTest>
 
 #include "tests/app/command_line/program.h"
+#include "tests/test_class.h"
+
+namespace command_line_judge_test {
 
 /// `clearcut judge`, as people call it.
 class JudgeCommandTest : public QObject {
@@ -153,5 +156,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(JudgeCommandTest)
-#include "judge_test.moc"
+} // namespace command_line_judge_test
+
+TEST_CLASS(command_line_judge_test::JudgeCommandTest, Gui)
+#include "tests/app/command_line/judge_test.moc"

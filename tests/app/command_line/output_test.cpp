@@ -9,6 +9,9 @@
 #include <unistd.h>
 
 #include "tests/app/command_line/program.h"
+#include "tests/test_class.h"
+
+namespace command_line_output_test {
 
 // Where the output of commands goes when the disk is full, a pipe has no reader, or a stream is
 // closed.
@@ -276,5 +279,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(OutputTest)
-#include "output_test.moc"
+} // namespace command_line_output_test
+
+TEST_CLASS(command_line_output_test::OutputTest, Core)
+#include "tests/app/command_line/output_test.moc"

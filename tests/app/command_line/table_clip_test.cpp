@@ -10,6 +10,9 @@
 #include "tests/app/command_line/running.h"
 #include "tests/app/command_line/silent_input.h"
 #include "tests/sanitizer.h"
+#include "tests/test_class.h"
+
+namespace command_line_table_clip_test {
 
 namespace {
 
@@ -301,5 +304,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TableClipTest)
-#include "table_clip_test.moc"
+} // namespace command_line_table_clip_test
+
+TEST_CLASS(command_line_table_clip_test::TableClipTest, Core)
+#include "tests/app/command_line/table_clip_test.moc"

@@ -10,6 +10,9 @@
 #include "tests/app/command_line/running.h"
 #include "tests/app/command_line/silent_input.h"
 #include "tests/sanitizer.h"
+#include "tests/test_class.h"
+
+namespace command_line_table_compare_test {
 
 namespace {
 
@@ -253,5 +256,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TableCompareTest)
-#include "table_compare_test.moc"
+} // namespace command_line_table_compare_test
+
+TEST_CLASS(command_line_table_compare_test::TableCompareTest, Core)
+#include "tests/app/command_line/table_compare_test.moc"

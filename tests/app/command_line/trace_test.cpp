@@ -6,6 +6,9 @@
 #include <QTest>
 
 #include "tests/app/command_line/program.h"
+#include "tests/test_class.h"
+
+namespace command_line_trace_test {
 
 /// `clearcut trace`, as people call it.
 class TraceTest : public QObject {
@@ -211,5 +214,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TraceTest)
-#include "trace_test.moc"
+} // namespace command_line_trace_test
+
+TEST_CLASS(command_line_trace_test::TraceTest, Core)
+#include "tests/app/command_line/trace_test.moc"

@@ -21,6 +21,9 @@
 
 #include "tests/app/command_line/program.h"
 #include "tests/sanitizer.h"
+#include "tests/test_class.h"
+
+namespace command_line_usage_test {
 
 namespace {
 
@@ -725,5 +728,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(UsageTest)
-#include "usage_test.moc"
+} // namespace command_line_usage_test
+
+TEST_CLASS(command_line_usage_test::UsageTest, Core)
+#include "tests/app/command_line/usage_test.moc"

@@ -10,6 +10,9 @@
 #include <numbers>
 
 #include "tests/app/command_line/program.h"
+#include "tests/test_class.h"
+
+namespace command_line_window_forms_test {
 
 namespace {
 
@@ -232,5 +235,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(WindowFormsTest)
-#include "window_forms_test.moc"
+} // namespace command_line_window_forms_test
+
+TEST_CLASS(command_line_window_forms_test::WindowFormsTest, Core)
+#include "tests/app/command_line/window_forms_test.moc"

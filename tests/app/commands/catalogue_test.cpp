@@ -9,6 +9,10 @@
 #include <algorithm>
 #include <set>
 
+#include "tests/test_class.h"
+
+namespace commands_catalogue_test {
+
 class CatalogueTest : public QObject {
     Q_OBJECT
 
@@ -52,5 +56,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CatalogueTest)
-#include "catalogue_test.moc"
+} // namespace commands_catalogue_test
+
+TEST_CLASS(commands_catalogue_test::CatalogueTest, None)
+#include "tests/app/commands/catalogue_test.moc"

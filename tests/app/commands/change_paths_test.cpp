@@ -4,6 +4,10 @@
 
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace commands_change_paths_test {
+
 class ChangePathsTest : public QObject {
     Q_OBJECT
 
@@ -80,5 +84,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ChangePathsTest)
-#include "change_paths_test.moc"
+} // namespace commands_change_paths_test
+
+TEST_CLASS(commands_change_paths_test::ChangePathsTest, None)
+#include "tests/app/commands/change_paths_test.moc"

@@ -7,6 +7,9 @@
 #include "tests/app/commands/random_commands.h"
 #include "tests/app/document/one_window.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/test_class.h"
+
+namespace commands_commands_test {
 
 namespace {
 
@@ -195,5 +198,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CommandsTest)
-#include "commands_test.moc"
+} // namespace commands_commands_test
+
+TEST_CLASS(commands_commands_test::CommandsTest, None)
+#include "tests/app/commands/commands_test.moc"

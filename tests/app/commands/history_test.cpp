@@ -4,6 +4,10 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace commands_history_test {
+
 using namespace app;
 using namespace std::chrono_literals;
 
@@ -308,5 +312,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(HistoryTest)
-#include "history_test.moc"
+} // namespace commands_history_test
+
+TEST_CLASS(commands_history_test::HistoryTest, None)
+#include "tests/app/commands/history_test.moc"

@@ -10,6 +10,9 @@
 #include <malloc.h>
 
 #include "tests/sanitizer.h"
+#include "tests/test_class.h"
+
+namespace commands_memory_test {
 
 namespace {
 
@@ -106,5 +109,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(MemoryTest)
-#include "memory_test.moc"
+} // namespace commands_memory_test
+
+TEST_CLASS(commands_memory_test::MemoryTest, None)
+#include "tests/app/commands/memory_test.moc"

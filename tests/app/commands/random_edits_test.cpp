@@ -9,6 +9,9 @@
 
 #include "tests/app/commands/random_commands.h"
 #include "tests/app/formats/svg/text.h"
+#include "tests/test_class.h"
+
+namespace commands_random_edits_test {
 
 using namespace app;
 
@@ -84,5 +87,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(RandomEditsTest)
-#include "random_edits_test.moc"
+} // namespace commands_random_edits_test
+
+TEST_CLASS(commands_random_edits_test::RandomEditsTest, Core)
+#include "tests/app/commands/random_edits_test.moc"

@@ -8,6 +8,10 @@
 
 #include <glm/geometric.hpp>
 
+#include "tests/test_class.h"
+
+namespace commands_transform_objects_test {
+
 using namespace app;
 
 class TransformObjectsTest : public QObject {
@@ -114,5 +118,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TransformObjectsTest)
-#include "transform_objects_test.moc"
+} // namespace commands_transform_objects_test
+
+TEST_CLASS(commands_transform_objects_test::TransformObjectsTest, None)
+#include "tests/app/commands/transform_objects_test.moc"

@@ -6,6 +6,9 @@
 #include <random>
 
 #include "tests/app/scene/scene_lines_of.h"
+#include "tests/test_class.h"
+
+namespace comparison_agreement_test {
 
 using namespace clipping;
 
@@ -74,5 +77,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(AgreementTest)
-#include "agreement_test.moc"
+} // namespace comparison_agreement_test
+
+TEST_CLASS(comparison_agreement_test::AgreementTest, None)
+#include "tests/app/comparison/agreement_test.moc"

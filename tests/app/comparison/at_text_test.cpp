@@ -7,6 +7,9 @@
 #include "tests/app/document/first_window.h"
 #include "tests/app/document/one_window.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/test_class.h"
+
+namespace comparison_at_text_test {
 
 using clipping::Window;
 
@@ -46,5 +49,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(AtTextTest)
-#include "at_text_test.moc"
+} // namespace comparison_at_text_test
+
+TEST_CLASS(comparison_at_text_test::AtTextTest, Core)
+#include "tests/app/comparison/at_text_test.moc"

@@ -6,6 +6,10 @@
 #include <cmath>
 #include <random>
 
+#include "tests/test_class.h"
+
+namespace comparison_difference_test {
+
 using namespace clipping;
 using app::Difference;
 using app::Ends;
@@ -241,5 +245,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(DifferenceTest)
-#include "difference_test.moc"
+} // namespace comparison_difference_test
+
+TEST_CLASS(comparison_difference_test::DifferenceTest, None)
+#include "tests/app/comparison/difference_test.moc"

@@ -12,6 +12,9 @@
 #include "tests/app/document/one_window.h"
 #include "tests/app/document/sheet_edits.h"
 #include "tests/app/scene/scene_lines_of.h"
+#include "tests/test_class.h"
+
+namespace comparison_live_differences_test {
 
 using namespace clipping;
 using app::Comparison;
@@ -263,5 +266,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(LiveDifferencesTest)
-#include "live_differences_test.moc"
+} // namespace comparison_live_differences_test
+
+TEST_CLASS(comparison_live_differences_test::LiveDifferencesTest, Core)
+#include "tests/app/comparison/live_differences_test.moc"

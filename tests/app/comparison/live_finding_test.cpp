@@ -7,6 +7,9 @@
 #include <QThreadPool>
 
 #include "tests/app/document/sheet_edits.h"
+#include "tests/test_class.h"
+
+namespace comparison_live_finding_test {
 
 using clipping::Window;
 
@@ -282,5 +285,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(LiveFindingTest)
-#include "live_finding_test.moc"
+} // namespace comparison_live_finding_test
+
+TEST_CLASS(comparison_live_finding_test::LiveFindingTest, Core)
+#include "tests/app/comparison/live_finding_test.moc"

@@ -7,6 +7,10 @@
 #include <random>
 #include <set>
 
+#include "tests/test_class.h"
+
+namespace comparison_panes_test {
+
 using app::Panes;
 using app::Variant;
 
@@ -241,5 +245,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(PanesTest)
-#include "panes_test.moc"
+} // namespace comparison_panes_test
+
+TEST_CLASS(comparison_panes_test::PanesTest, Gui)
+#include "tests/app/comparison/panes_test.moc"

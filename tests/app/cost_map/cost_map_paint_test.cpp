@@ -10,6 +10,9 @@
 #include <map>
 
 #include "tests/painted_texts.h"
+#include "tests/test_class.h"
+
+namespace cost_map_cost_map_paint_test {
 
 using namespace app;
 
@@ -121,5 +124,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(CostMapPaintTest)
-#include "cost_map_paint_test.moc"
+} // namespace cost_map_cost_map_paint_test
+
+TEST_CLASS(cost_map_cost_map_paint_test::CostMapPaintTest, Gui)
+#include "tests/app/cost_map/cost_map_paint_test.moc"

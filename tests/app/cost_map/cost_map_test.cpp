@@ -16,6 +16,9 @@
 #include <cmath>
 
 #include "tests/not_empty.h"
+#include "tests/test_class.h"
+
+namespace cost_map_cost_map_test {
 
 using namespace clipping;
 using namespace app;
@@ -277,5 +280,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(CostMapTest)
-#include "cost_map_test.moc"
+} // namespace cost_map_cost_map_test
+
+TEST_CLASS(cost_map_cost_map_test::CostMapTest, Gui)
+#include "tests/app/cost_map/cost_map_test.moc"

@@ -5,6 +5,10 @@
 #include <QTest>
 #include <QThreadPool>
 
+#include "tests/test_class.h"
+
+namespace cost_map_live_cost_map_test {
+
 using app::CostPlan;
 using app::LiveCostMap;
 
@@ -73,5 +77,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(LiveCostMapTest)
-#include "live_cost_map_test.moc"
+} // namespace cost_map_live_cost_map_test
+
+TEST_CLASS(cost_map_live_cost_map_test::LiveCostMapTest, Core)
+#include "tests/app/cost_map/live_cost_map_test.moc"

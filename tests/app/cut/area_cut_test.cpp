@@ -9,6 +9,10 @@
 #include <numbers>
 #include <random>
 
+#include "tests/test_class.h"
+
+namespace cut_area_cut_test {
+
 using namespace app;
 
 namespace {
@@ -179,5 +183,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(AreaCutTest)
-#include "area_cut_test.moc"
+} // namespace cut_area_cut_test
+
+TEST_CLASS(cut_area_cut_test::AreaCutTest, Core)
+#include "tests/app/cut/area_cut_test.moc"

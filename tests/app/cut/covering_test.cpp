@@ -5,6 +5,10 @@
 
 #include <random>
 
+#include "tests/test_class.h"
+
+namespace cut_covering_test {
+
 using namespace app;
 
 namespace {
@@ -200,5 +204,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(CoveringTest)
-#include "covering_test.moc"
+} // namespace cut_covering_test
+
+TEST_CLASS(cut_covering_test::CoveringTest, Core)
+#include "tests/app/cut/covering_test.moc"

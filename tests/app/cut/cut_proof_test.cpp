@@ -10,6 +10,10 @@
 #include <numbers>
 #include <random>
 
+#include "tests/test_class.h"
+
+namespace cut_cut_proof_test {
+
 // What any cut must keep to, at windows of any shape: lengths, areas, curves, and that a second cut
 // changes nothing.
 
@@ -335,5 +339,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(CutProofTest)
-#include "cut_proof_test.moc"
+} // namespace cut_cut_proof_test
+
+TEST_CLASS(cut_cut_proof_test::CutProofTest, Core)
+#include "tests/app/cut/cut_proof_test.moc"

@@ -10,6 +10,9 @@
 #include <random>
 
 #include "tests/app/document/sheet.h"
+#include "tests/test_class.h"
+
+namespace cut_cut_test {
 
 using app::Keep;
 using app::Point;
@@ -493,5 +496,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CutTest)
-#include "cut_test.moc"
+} // namespace cut_cut_test
+
+TEST_CLASS(cut_cut_test::CutTest, None)
+#include "tests/app/cut/cut_test.moc"

@@ -7,6 +7,9 @@
 #include <random>
 
 #include "tests/app/document/sheet.h"
+#include "tests/test_class.h"
+
+namespace cut_occlude_test {
 
 using namespace app;
 
@@ -233,5 +236,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(OccludeTest)
-#include "occlude_test.moc"
+} // namespace cut_occlude_test
+
+TEST_CLASS(cut_occlude_test::OccludeTest, Core)
+#include "tests/app/cut/occlude_test.moc"

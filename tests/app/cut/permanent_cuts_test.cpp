@@ -5,6 +5,9 @@
 #include <QTest>
 
 #include "tests/app/document/sheet.h"
+#include "tests/test_class.h"
+
+namespace cut_permanent_cuts_test {
 
 using app::Point;
 using app::Sheet;
@@ -222,5 +225,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(PermanentCutsTest)
-#include "permanent_cuts_test.moc"
+} // namespace cut_permanent_cuts_test
+
+TEST_CLASS(cut_permanent_cuts_test::PermanentCutsTest, Core)
+#include "tests/app/cut/permanent_cuts_test.moc"

@@ -9,6 +9,10 @@
 
 #include <limits>
 
+#include "tests/test_class.h"
+
+namespace document_affine_map_test {
+
 using namespace app;
 
 class AffineMapTest : public QObject {
@@ -86,5 +90,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(AffineMapTest)
-#include "affine_map_test.moc"
+} // namespace document_affine_map_test
+
+TEST_CLASS(document_affine_map_test::AffineMapTest, None)
+#include "tests/app/document/affine_map_test.moc"

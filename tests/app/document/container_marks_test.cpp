@@ -6,6 +6,9 @@
 #include <algorithm>
 
 #include "tests/clipping/random.h"
+#include "tests/test_class.h"
+
+namespace document_container_marks_test {
 
 using namespace app;
 using At = ContainerMarks::At;
@@ -73,5 +76,7 @@ private:
     }
 };
 
-QTEST_MAIN(ContainerMarksTest)
-#include "container_marks_test.moc"
+} // namespace document_container_marks_test
+
+TEST_CLASS(document_container_marks_test::ContainerMarksTest, Gui)
+#include "tests/app/document/container_marks_test.moc"

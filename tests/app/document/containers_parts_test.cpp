@@ -4,6 +4,9 @@
 #include <QTest>
 
 #include "tests/app/document/random_documents.h"
+#include "tests/test_class.h"
+
+namespace document_containers_parts_test {
 
 using namespace app;
 
@@ -62,5 +65,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ContainersPartsTest)
-#include "containers_parts_test.moc"
+} // namespace document_containers_parts_test
+
+TEST_CLASS(document_containers_parts_test::ContainersPartsTest, None)
+#include "tests/app/document/containers_parts_test.moc"

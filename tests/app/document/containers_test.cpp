@@ -8,6 +8,9 @@
 
 #include "tests/app/document/nested_containers.h"
 #include "tests/clipping/random.h"
+#include "tests/test_class.h"
+
+namespace document_containers_test {
 
 using namespace app;
 using Kind = Container::Kind;
@@ -544,5 +547,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ContainersTest)
-#include "containers_test.moc"
+} // namespace document_containers_test
+
+TEST_CLASS(document_containers_test::ContainersTest, Gui)
+#include "tests/app/document/containers_test.moc"

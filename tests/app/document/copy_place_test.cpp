@@ -4,6 +4,10 @@
 
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace document_copy_place_test {
+
 using namespace app;
 
 namespace {
@@ -75,5 +79,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(CopyPlaceTest)
-#include "copy_place_test.moc"
+} // namespace document_copy_place_test
+
+TEST_CLASS(document_copy_place_test::CopyPlaceTest, Gui)
+#include "tests/app/document/copy_place_test.moc"

@@ -4,6 +4,9 @@
 #include <QTest>
 
 #include "tests/app/document/random_documents.h"
+#include "tests/test_class.h"
+
+namespace document_document_test {
 
 using namespace app;
 
@@ -230,5 +233,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(DocumentTest)
-#include "document_test.moc"
+} // namespace document_document_test
+
+TEST_CLASS(document_document_test::DocumentTest, None)
+#include "tests/app/document/document_test.moc"

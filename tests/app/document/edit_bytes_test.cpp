@@ -8,6 +8,9 @@
 #include <random>
 
 #include "tests/sanitizer.h"
+#include "tests/test_class.h"
+
+namespace document_edit_bytes_test {
 
 using namespace app;
 
@@ -226,5 +229,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(EditBytesTest)
-#include "edit_bytes_test.moc"
+} // namespace document_edit_bytes_test
+
+TEST_CLASS(document_edit_bytes_test::EditBytesTest, None)
+#include "tests/app/document/edit_bytes_test.moc"

@@ -11,6 +11,9 @@
 #include <set>
 
 #include "tests/sanitizer.h"
+#include "tests/test_class.h"
+
+namespace document_edit_memory_test {
 
 using namespace app;
 
@@ -150,5 +153,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(EditMemoryTest)
-#include "edit_memory_test.moc"
+} // namespace document_edit_memory_test
+
+TEST_CLASS(document_edit_memory_test::EditMemoryTest, None)
+#include "tests/app/document/edit_memory_test.moc"

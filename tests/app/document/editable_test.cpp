@@ -7,6 +7,9 @@
 
 #include "tests/app/document/sheet.h"
 #include "tests/app/document/three_layers.h"
+#include "tests/test_class.h"
+
+namespace document_editable_test {
 
 class EditableTest : public QObject {
     Q_OBJECT
@@ -42,5 +45,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(EditableTest)
-#include "editable_test.moc"
+} // namespace document_editable_test
+
+TEST_CLASS(document_editable_test::EditableTest, None)
+#include "tests/app/document/editable_test.moc"

@@ -8,6 +8,7 @@
 #include <new>
 
 #include "tests/app/document/random_documents.h"
+#include "tests/test_class.h"
 
 namespace {
 
@@ -201,5 +202,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(EditedDocumentTest)
-#include "edited_document_test.moc"
+TEST_CLASS(EditedDocumentTest, None)
+#include "tests/app/document/edited_document_test.moc"

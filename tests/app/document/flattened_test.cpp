@@ -4,6 +4,10 @@
 
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace document_flattened_test {
+
 using namespace app;
 
 class FlattenedTest : public QObject {
@@ -36,5 +40,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FlattenedTest)
-#include "flattened_test.moc"
+} // namespace document_flattened_test
+
+TEST_CLASS(document_flattened_test::FlattenedTest, None)
+#include "tests/app/document/flattened_test.moc"

@@ -5,6 +5,10 @@
 
 #include <random>
 
+#include "tests/test_class.h"
+
+namespace document_followed_ranges_test {
+
 using namespace app;
 
 class FollowedRangesTest : public QObject {
@@ -50,5 +54,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FollowedRangesTest)
-#include "followed_ranges_test.moc"
+} // namespace document_followed_ranges_test
+
+TEST_CLASS(document_followed_ranges_test::FollowedRangesTest, None)
+#include "tests/app/document/followed_ranges_test.moc"

@@ -4,6 +4,10 @@
 
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace document_hidden_objects_test {
+
 using namespace app;
 
 namespace {
@@ -86,5 +90,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(HiddenObjectsTest)
-#include "hidden_objects_test.moc"
+} // namespace document_hidden_objects_test
+
+TEST_CLASS(document_hidden_objects_test::HiddenObjectsTest, None)
+#include "tests/app/document/hidden_objects_test.moc"

@@ -9,6 +9,9 @@
 #include "tests/app/document/sheet.h"
 #include "tests/app/formats/svg/text.h"
 #include "tests/not_empty.h"
+#include "tests/test_class.h"
+
+namespace document_legacy_test {
 
 using namespace app;
 
@@ -169,5 +172,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(LegacyTest)
-#include "legacy_test.moc"
+} // namespace document_legacy_test
+
+TEST_CLASS(document_legacy_test::LegacyTest, None)
+#include "tests/app/document/legacy_test.moc"

@@ -4,6 +4,10 @@
 
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace document_new_groups_test {
+
 using namespace app;
 
 namespace {
@@ -79,5 +83,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(NewGroupsTest)
-#include "new_groups_test.moc"
+} // namespace document_new_groups_test
+
+TEST_CLASS(document_new_groups_test::NewGroupsTest, Core)
+#include "tests/app/document/new_groups_test.moc"

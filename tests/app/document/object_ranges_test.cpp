@@ -7,6 +7,10 @@
 #include <random>
 #include <set>
 
+#include "tests/test_class.h"
+
+namespace document_object_ranges_test {
+
 namespace {
 
 using Set = std::set<std::size_t>;
@@ -158,5 +162,7 @@ private:
     std::mt19937_64 random_{13};
 };
 
-QTEST_APPLESS_MAIN(ObjectRangesTest)
-#include "object_ranges_test.moc"
+} // namespace document_object_ranges_test
+
+TEST_CLASS(document_object_ranges_test::ObjectRangesTest, None)
+#include "tests/app/document/object_ranges_test.moc"

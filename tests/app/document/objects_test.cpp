@@ -6,6 +6,9 @@
 #include <algorithm>
 
 #include "tests/app/document/random_objects.h"
+#include "tests/test_class.h"
+
+namespace document_objects_test {
 
 using namespace app;
 
@@ -380,5 +383,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ObjectsTest)
-#include "objects_test.moc"
+} // namespace document_objects_test
+
+TEST_CLASS(document_objects_test::ObjectsTest, None)
+#include "tests/app/document/objects_test.moc"

@@ -6,6 +6,9 @@
 #include <thread>
 
 #include "tests/app/document/random_objects.h"
+#include "tests/test_class.h"
+
+namespace document_objects_threads_test {
 
 using namespace app;
 
@@ -34,5 +37,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ObjectsThreadsTest)
-#include "objects_threads_test.moc"
+} // namespace document_objects_threads_test
+
+TEST_CLASS(document_objects_threads_test::ObjectsThreadsTest, None)
+#include "tests/app/document/objects_threads_test.moc"

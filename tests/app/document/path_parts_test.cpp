@@ -6,6 +6,9 @@
 #include <cstring>
 
 #include "tests/app/document/random_documents.h"
+#include "tests/test_class.h"
+
+namespace document_path_parts_test {
 
 using namespace app;
 
@@ -68,5 +71,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PathPartsTest)
-#include "path_parts_test.moc"
+} // namespace document_path_parts_test
+
+TEST_CLASS(document_path_parts_test::PathPartsTest, None)
+#include "tests/app/document/path_parts_test.moc"

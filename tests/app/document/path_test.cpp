@@ -9,6 +9,9 @@
 #include <tuple>
 
 #include "tests/app/document/random_paths.h"
+#include "tests/test_class.h"
+
+namespace document_path_test {
 
 using namespace app;
 
@@ -261,5 +264,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PathTest)
-#include "path_test.moc"
+} // namespace document_path_test
+
+TEST_CLASS(document_path_test::PathTest, None)
+#include "tests/app/document/path_test.moc"

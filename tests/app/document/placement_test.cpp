@@ -9,6 +9,9 @@
 #include <cstdint>
 
 #include "tests/clipping/random.h"
+#include "tests/test_class.h"
+
+namespace document_placement_test {
 
 using namespace app;
 
@@ -110,5 +113,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PlacementTest)
-#include "placement_test.moc"
+} // namespace document_placement_test
+
+TEST_CLASS(document_placement_test::PlacementTest, None)
+#include "tests/app/document/placement_test.moc"

@@ -8,6 +8,10 @@
 #include <numbers>
 #include <vector>
 
+#include "tests/test_class.h"
+
+namespace document_recipe_test {
+
 using namespace app;
 
 namespace {
@@ -81,5 +85,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(RecipeTest)
-#include "recipe_test.moc"
+} // namespace document_recipe_test
+
+TEST_CLASS(document_recipe_test::RecipeTest, None)
+#include "tests/app/document/recipe_test.moc"

@@ -9,6 +9,9 @@
 #include "tests/app/document/plain_drawing.h"
 #include "tests/app/document/random_sheets.h"
 #include "tests/app/document/sheet.h"
+#include "tests/test_class.h"
+
+namespace document_same_edits_test {
 
 using namespace app;
 
@@ -223,5 +226,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SameEditsTest)
-#include "same_edits_test.moc"
+} // namespace document_same_edits_test
+
+TEST_CLASS(document_same_edits_test::SameEditsTest, None)
+#include "tests/app/document/same_edits_test.moc"

@@ -15,6 +15,9 @@
 #include "tests/app/document/sheet.h"
 #include "tests/app/document/sheet_edits.h"
 #include "tests/app/document/three_layers.h"
+#include "tests/test_class.h"
+
+namespace document_selection_test {
 
 namespace {
 
@@ -130,5 +133,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SelectionTest)
-#include "selection_test.moc"
+} // namespace document_selection_test
+
+TEST_CLASS(document_selection_test::SelectionTest, None)
+#include "tests/app/document/selection_test.moc"

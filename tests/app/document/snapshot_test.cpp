@@ -9,6 +9,9 @@
 #include <thread>
 
 #include "tests/app/document/random_documents.h"
+#include "tests/test_class.h"
+
+namespace document_snapshot_test {
 
 using namespace app;
 
@@ -119,5 +122,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SnapshotTest)
-#include "snapshot_test.moc"
+} // namespace document_snapshot_test
+
+TEST_CLASS(document_snapshot_test::SnapshotTest, None)
+#include "tests/app/document/snapshot_test.moc"

@@ -7,6 +7,10 @@
 #include <thread>
 #include <vector>
 
+#include "tests/test_class.h"
+
+namespace document_style_table_test {
+
 using namespace app;
 
 namespace {
@@ -114,5 +118,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(StyleTableTest)
-#include "style_table_test.moc"
+} // namespace document_style_table_test
+
+TEST_CLASS(document_style_table_test::StyleTableTest, None)
+#include "tests/app/document/style_table_test.moc"

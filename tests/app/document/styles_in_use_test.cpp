@@ -3,6 +3,10 @@
 
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace document_styles_in_use_test {
+
 using app::Colour;
 
 class StylesInUseTest : public QObject {
@@ -62,5 +66,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(StylesInUseTest)
-#include "styles_in_use_test.moc"
+} // namespace document_styles_in_use_test
+
+TEST_CLASS(document_styles_in_use_test::StylesInUseTest, None)
+#include "tests/app/document/styles_in_use_test.moc"

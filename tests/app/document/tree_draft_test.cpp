@@ -8,6 +8,9 @@
 #include <QTest>
 
 #include "tests/app/document/random_documents.h"
+#include "tests/test_class.h"
+
+namespace document_tree_draft_test {
 
 using namespace app;
 
@@ -124,5 +127,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TreeDraftTest)
-#include "tree_draft_test.moc"
+} // namespace document_tree_draft_test
+
+TEST_CLASS(document_tree_draft_test::TreeDraftTest, None)
+#include "tests/app/document/tree_draft_test.moc"

@@ -11,6 +11,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/test_class.h"
+
+namespace document_window_outline_test {
+
 using namespace app;
 
 namespace {
@@ -89,5 +93,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(WindowOutlineTest)
-#include "window_outline_test.moc"
+} // namespace document_window_outline_test
+
+TEST_CLASS(document_window_outline_test::WindowOutlineTest, None)
+#include "tests/app/document/window_outline_test.moc"

@@ -11,6 +11,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/test_class.h"
+
+namespace document_window_shape_test {
+
 using namespace app;
 
 namespace {
@@ -135,5 +139,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(WindowShapeTest)
-#include "window_shape_test.moc"
+} // namespace document_window_shape_test
+
+TEST_CLASS(document_window_shape_test::WindowShapeTest, None)
+#include "tests/app/document/window_shape_test.moc"

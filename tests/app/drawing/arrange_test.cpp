@@ -5,6 +5,10 @@
 
 #include <glm/geometric.hpp>
 
+#include "tests/test_class.h"
+
+namespace drawing_arrange_test {
+
 using namespace app;
 using clipping::Window;
 
@@ -70,5 +74,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ArrangeTest)
-#include "arrange_test.moc"
+} // namespace drawing_arrange_test
+
+TEST_CLASS(drawing_arrange_test::ArrangeTest, None)
+#include "tests/app/drawing/arrange_test.moc"

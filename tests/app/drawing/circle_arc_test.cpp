@@ -10,6 +10,10 @@
 
 #include <random>
 
+#include "tests/test_class.h"
+
+namespace drawing_circle_arc_test {
+
 using namespace app;
 
 class CircleArcTest : public QObject {
@@ -136,5 +140,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CircleArcTest)
-#include "circle_arc_test.moc"
+} // namespace drawing_circle_arc_test
+
+TEST_CLASS(drawing_circle_arc_test::CircleArcTest, None)
+#include "tests/app/drawing/circle_arc_test.moc"

@@ -3,6 +3,10 @@
 
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace drawing_dash_patterns_test {
+
 class DashPatternsTest : public QObject {
     Q_OBJECT
 
@@ -67,5 +71,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(DashPatternsTest)
-#include "dash_patterns_test.moc"
+} // namespace drawing_dash_patterns_test
+
+TEST_CLASS(drawing_dash_patterns_test::DashPatternsTest, None)
+#include "tests/app/drawing/dash_patterns_test.moc"

@@ -6,6 +6,10 @@
 
 #include <glm/geometric.hpp>
 
+#include "tests/test_class.h"
+
+namespace drawing_frame_measures_test {
+
 using namespace app;
 
 namespace {
@@ -45,5 +49,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(FrameMeasuresTest)
-#include "frame_measures_test.moc"
+} // namespace drawing_frame_measures_test
+
+TEST_CLASS(drawing_frame_measures_test::FrameMeasuresTest, Core)
+#include "tests/app/drawing/frame_measures_test.moc"

@@ -12,6 +12,10 @@
 #include <cmath>
 #include <random>
 
+#include "tests/test_class.h"
+
+namespace drawing_freehand_test {
+
 using namespace app;
 
 class FreehandTest : public QObject {
@@ -147,5 +151,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FreehandTest)
-#include "freehand_test.moc"
+} // namespace drawing_freehand_test
+
+TEST_CLASS(drawing_freehand_test::FreehandTest, None)
+#include "tests/app/drawing/freehand_test.moc"

@@ -6,6 +6,10 @@
 
 #include <glm/geometric.hpp>
 
+#include "tests/test_class.h"
+
+namespace drawing_readout_test {
+
 using namespace app;
 
 class ReadoutTest : public QObject {
@@ -257,5 +261,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ReadoutTest)
-#include "readout_test.moc"
+} // namespace drawing_readout_test
+
+TEST_CLASS(drawing_readout_test::ReadoutTest, Core)
+#include "tests/app/drawing/readout_test.moc"

@@ -7,6 +7,10 @@
 
 #include <set>
 
+#include "tests/test_class.h"
+
+namespace drawing_transformation_test {
+
 using namespace app;
 
 class TransformationTest : public QObject {
@@ -144,5 +148,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TransformationTest)
-#include "transformation_test.moc"
+} // namespace drawing_transformation_test
+
+TEST_CLASS(drawing_transformation_test::TransformationTest, None)
+#include "tests/app/drawing/transformation_test.moc"

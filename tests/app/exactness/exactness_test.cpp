@@ -11,6 +11,9 @@
 
 #include "tests/app/scene/scene_lines_of.h"
 #include "tests/clipping/oracle.h"
+#include "tests/test_class.h"
+
+namespace exactness_exactness_test {
 
 using namespace clipping;
 using namespace app;
@@ -314,5 +317,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ExactnessTest)
-#include "exactness_test.moc"
+} // namespace exactness_exactness_test
+
+TEST_CLASS(exactness_exactness_test::ExactnessTest, Gui)
+#include "tests/app/exactness/exactness_test.moc"

@@ -10,6 +10,9 @@
 #include "tests/app/document/one_window.h"
 #include "tests/app/document/sheet_edits.h"
 #include "tests/app/scene/scene_lines_of.h"
+#include "tests/test_class.h"
+
+namespace exactness_live_exactness_test {
 
 using namespace clipping;
 using app::LiveExactness;
@@ -131,5 +134,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(LiveExactnessTest)
-#include "live_exactness_test.moc"
+} // namespace exactness_live_exactness_test
+
+TEST_CLASS(exactness_live_exactness_test::LiveExactnessTest, Core)
+#include "tests/app/exactness/live_exactness_test.moc"

@@ -9,6 +9,10 @@
 
 #include <cmath>
 
+#include "tests/test_class.h"
+
+namespace exactness_magnified_test {
+
 using namespace clipping;
 using namespace app;
 
@@ -148,5 +152,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(MagnifiedTest)
-#include "magnified_test.moc"
+} // namespace exactness_magnified_test
+
+TEST_CLASS(exactness_magnified_test::MagnifiedTest, Gui)
+#include "tests/app/exactness/magnified_test.moc"

@@ -9,6 +9,9 @@
 #include <cmath>
 
 #include "tests/painted_texts.h"
+#include "tests/test_class.h"
+
+namespace exactness_magnifier_paint_test {
 
 using namespace app;
 
@@ -108,5 +111,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(MagnifierPaintTest)
-#include "magnifier_paint_test.moc"
+} // namespace exactness_magnifier_paint_test
+
+TEST_CLASS(exactness_magnifier_paint_test::MagnifierPaintTest, Gui)
+#include "tests/app/exactness/magnifier_paint_test.moc"

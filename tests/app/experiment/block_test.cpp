@@ -6,6 +6,10 @@
 
 #include <algorithm>
 
+#include "tests/test_class.h"
+
+namespace experiment_block_test {
+
 namespace {
 
 using Single = clipping::BasicSegment<float>;
@@ -130,5 +134,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(BlockTest)
-#include "block_test.moc"
+} // namespace experiment_block_test
+
+TEST_CLASS(experiment_block_test::BlockTest, None)
+#include "tests/app/experiment/block_test.moc"

@@ -6,6 +6,10 @@
 
 #include <algorithm>
 
+#include "tests/test_class.h"
+
+namespace experiment_experiment_test {
+
 namespace {
 
 std::vector<const clipping::Algorithm*> everyAlgorithm()
@@ -192,5 +196,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ExperimentTest)
-#include "experiment_test.moc"
+} // namespace experiment_experiment_test
+
+TEST_CLASS(experiment_experiment_test::ExperimentTest, None)
+#include "tests/app/experiment/experiment_test.moc"

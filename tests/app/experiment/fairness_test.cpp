@@ -9,6 +9,10 @@
 #include <cpuid.h>
 #endif
 
+#include "tests/test_class.h"
+
+namespace experiment_fairness_test {
+
 // The same function under two names must come out equal, and a slower one must not. The clock is
 // the test's: each call takes what the test says, with noise, with a machine that gets slower and
 // slower, and with a cold start for whoever goes first.
@@ -209,5 +213,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FairnessTest)
-#include "fairness_test.moc"
+} // namespace experiment_fairness_test
+
+TEST_CLASS(experiment_fairness_test::FairnessTest, None)
+#include "tests/app/experiment/fairness_test.moc"

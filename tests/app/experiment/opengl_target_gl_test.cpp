@@ -5,6 +5,10 @@
 #include <QTest>
 #include <QThread>
 
+#include "tests/test_class.h"
+
+namespace experiment_opengl_target_gl_test {
+
 namespace {
 
 const clipping::Clipped line{{{-50, 0}, {50, 20}}, 0, 0}, other{{{-50, 0}, {50, 30}}, 0, 0};
@@ -114,5 +118,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(OpenGlTargetGlTest)
-#include "opengl_target_gl_test.moc"
+} // namespace experiment_opengl_target_gl_test
+
+TEST_CLASS(experiment_opengl_target_gl_test::OpenGlTargetGlTest, Gui)
+#include "tests/app/experiment/opengl_target_gl_test.moc"

@@ -7,6 +7,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "tests/test_class.h"
+
+namespace experiment_paper_tables_test {
+
 namespace {
 
 double mean(const std::vector<double>& numbers)
@@ -211,5 +215,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(PaperTablesTest)
-#include "paper_tables_test.moc"
+} // namespace experiment_paper_tables_test
+
+TEST_CLASS(experiment_paper_tables_test::PaperTablesTest, Core)
+#include "tests/app/experiment/paper_tables_test.moc"

@@ -8,6 +8,9 @@
 #include <cmath>
 
 #include "tests/clipping/oracle.h"
+#include "tests/test_class.h"
+
+namespace experiment_profiles_test {
 
 using app::Variant;
 using clipping::Form;
@@ -306,5 +309,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ProfilesTest)
-#include "profiles_test.moc"
+} // namespace experiment_profiles_test
+
+TEST_CLASS(experiment_profiles_test::ProfilesTest, None)
+#include "tests/app/experiment/profiles_test.moc"

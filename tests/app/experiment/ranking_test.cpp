@@ -11,6 +11,10 @@
 #include <random>
 #include <set>
 
+#include "tests/test_class.h"
+
+namespace experiment_ranking_test {
+
 using app::Outcome;
 using app::Ranking;
 
@@ -288,5 +292,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(RankingTest)
-#include "ranking_test.moc"
+} // namespace experiment_ranking_test
+
+TEST_CLASS(experiment_ranking_test::RankingTest, None)
+#include "tests/app/experiment/ranking_test.moc"

@@ -6,6 +6,10 @@
 #include <cmath>
 #include <random>
 
+#include "tests/test_class.h"
+
+namespace experiment_signed_rank_test {
+
 namespace {
 
 /// The ranks by their definition, doubled: of each number, how many sizes are smaller, and half of
@@ -182,5 +186,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SignedRankTest)
-#include "signed_rank_test.moc"
+} // namespace experiment_signed_rank_test
+
+TEST_CLASS(experiment_signed_rank_test::SignedRankTest, None)
+#include "tests/app/experiment/signed_rank_test.moc"

@@ -15,6 +15,9 @@
 #include <thread>
 
 #include "tests/app/document/sheet_edits.h"
+#include "tests/test_class.h"
+
+namespace experiment_study_test {
 
 using clipping::Form;
 
@@ -533,5 +536,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(StudyTest)
-#include "study_test.moc"
+} // namespace experiment_study_test
+
+TEST_CLASS(experiment_study_test::StudyTest, Gui)
+#include "tests/app/experiment/study_test.moc"

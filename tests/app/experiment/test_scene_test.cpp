@@ -14,6 +14,9 @@
 
 #include "tests/app/scene/scene_lines_of.h"
 #include "tests/clipping/oracle.h"
+#include "tests/test_class.h"
+
+namespace experiment_test_scene_test {
 
 using app::LineClass;
 using clipping::Segment;
@@ -212,5 +215,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSceneTest)
-#include "test_scene_test.moc"
+} // namespace experiment_test_scene_test
+
+TEST_CLASS(experiment_test_scene_test::TestSceneTest, None)
+#include "tests/app/experiment/test_scene_test.moc"

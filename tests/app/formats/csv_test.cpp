@@ -7,6 +7,9 @@
 #include <random>
 
 #include "tests/app/document/sheet.h"
+#include "tests/test_class.h"
+
+namespace formats_csv_test {
 
 namespace {
 
@@ -358,5 +361,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(CsvTest)
-#include "csv_test.moc"
+} // namespace formats_csv_test
+
+TEST_CLASS(formats_csv_test::CsvTest, Core)
+#include "tests/app/formats/csv_test.moc"

@@ -18,6 +18,9 @@
 #include <QTest>
 
 #include "tests/app/command_line/program.h"
+#include "tests/test_class.h"
+
+namespace formats_earlier_test {
 
 namespace {
 
@@ -111,5 +114,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(EarlierTest)
-#include "earlier_test.moc"
+} // namespace formats_earlier_test
+
+TEST_CLASS(formats_earlier_test::EarlierTest, Core)
+#include "tests/app/formats/earlier_test.moc"

@@ -7,6 +7,9 @@
 #include <QTest>
 
 #include "tests/app/document/sheet.h"
+#include "tests/test_class.h"
+
+namespace formats_export_cut_test {
 
 using namespace app;
 
@@ -72,5 +75,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ExportCutTest)
-#include "export_cut_test.moc"
+} // namespace formats_export_cut_test
+
+TEST_CLASS(formats_export_cut_test::ExportCutTest, Core)
+#include "tests/app/formats/export_cut_test.moc"

@@ -13,7 +13,10 @@
 #include <random>
 
 #include "tests/app/formats/svg/text.h"
+#include "tests/test_class.h"
 #include "tests/verify.h"
+
+namespace formats_extreme_pages_test {
 
 namespace {
 
@@ -215,5 +218,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ExtremePagesTest)
-#include "extreme_pages_test.moc"
+} // namespace formats_extreme_pages_test
+
+TEST_CLASS(formats_extreme_pages_test::ExtremePagesTest, Core)
+#include "tests/app/formats/extreme_pages_test.moc"

@@ -28,6 +28,9 @@
 #include "tests/app/command_line/program.h"
 #include "tests/app/document/sheet.h"
 #include "tests/app/formats/failing_disk.h"
+#include "tests/test_class.h"
+
+namespace formats_full_disk_test {
 
 using namespace app;
 
@@ -339,5 +342,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(FullDiskTest)
-#include "full_disk_test.moc"
+} // namespace formats_full_disk_test
+
+TEST_CLASS(formats_full_disk_test::FullDiskTest, Gui)
+#include "tests/app/formats/full_disk_test.moc"

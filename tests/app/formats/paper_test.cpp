@@ -10,6 +10,9 @@
 
 #include "tests/app/command_line/program.h"
 #include "tests/app/document/sheet.h"
+#include "tests/test_class.h"
+
+namespace formats_paper_test {
 
 // PDF and PNG, against what poppler and librsvg make of the same drawing.
 
@@ -218,5 +221,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(PaperTest)
-#include "paper_test.moc"
+} // namespace formats_paper_test
+
+TEST_CLASS(formats_paper_test::PaperTest, Core)
+#include "tests/app/formats/paper_test.moc"

@@ -6,7 +6,10 @@
 #include <random>
 
 #include "tests/app/formats/svg/text.h"
+#include "tests/test_class.h"
 #include "tests/verify.h"
+
+namespace formats_rounded_test {
 
 namespace {
 
@@ -114,5 +117,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(RoundedTest)
-#include "rounded_test.moc"
+} // namespace formats_rounded_test
+
+TEST_CLASS(formats_rounded_test::RoundedTest, Core)
+#include "tests/app/formats/rounded_test.moc"

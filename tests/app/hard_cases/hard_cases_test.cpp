@@ -12,6 +12,9 @@
 #include <cmath>
 
 #include "tests/clipping/contract.h"
+#include "tests/test_class.h"
+
+namespace hard_cases_hard_cases_test {
 
 using namespace app;
 using clipping::Form;
@@ -236,5 +239,7 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(HardCasesTest)
-#include "hard_cases_test.moc"
+} // namespace hard_cases_hard_cases_test
+
+TEST_CLASS(hard_cases_hard_cases_test::HardCasesTest, None)
+#include "tests/app/hard_cases/hard_cases_test.moc"

@@ -8,6 +8,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "tests/test_class.h"
+
+namespace judge_children_test {
+
 using namespace app::plug_in;
 
 namespace {
@@ -86,5 +90,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ChildrenTest)
-#include "children_test.moc"
+} // namespace judge_children_test
+
+TEST_CLASS(judge_children_test::ChildrenTest, None)
+#include "tests/app/judge/children_test.moc"

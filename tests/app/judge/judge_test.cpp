@@ -19,6 +19,9 @@
 #include <unistd.h>
 
 #include "tests/sanitizer.h"
+#include "tests/test_class.h"
+
+namespace judge_judge_test {
 
 using namespace app::plug_in;
 using app::Table;
@@ -619,5 +622,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(JudgeTest)
-#include "judge_test.moc"
+} // namespace judge_judge_test
+
+TEST_CLASS(judge_judge_test::JudgeTest, Gui)
+#include "tests/app/judge/judge_test.moc"

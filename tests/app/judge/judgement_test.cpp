@@ -9,6 +9,9 @@
 #include <set>
 
 #include "tests/clipping/oracle.h"
+#include "tests/test_class.h"
+
+namespace judge_judgement_test {
 
 using namespace app::plug_in;
 using clipping::Segment;
@@ -138,5 +141,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(JudgementTest)
-#include "judgement_test.moc"
+} // namespace judge_judgement_test
+
+TEST_CLASS(judge_judgement_test::JudgementTest, Gui)
+#include "tests/app/judge/judgement_test.moc"

@@ -5,6 +5,10 @@
 
 #include <random>
 
+#include "tests/test_class.h"
+
+namespace judge_points_test {
+
 using namespace app::plug_in;
 
 namespace {
@@ -83,5 +87,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(PointsTest)
-#include "points_test.moc"
+} // namespace judge_points_test
+
+TEST_CLASS(judge_points_test::PointsTest, Gui)
+#include "tests/app/judge/points_test.moc"

@@ -11,7 +11,10 @@
 #include <functional>
 #include <random>
 
+#include "tests/test_class.h"
 #include "tests/verify.h"
+
+namespace lessons_lesson_test {
 
 using app::Course;
 using app::Lesson;
@@ -514,5 +517,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(LessonTest)
-#include "lesson_test.moc"
+} // namespace lessons_lesson_test
+
+TEST_CLASS(lessons_lesson_test::LessonTest, None)
+#include "tests/app/lessons/lesson_test.moc"

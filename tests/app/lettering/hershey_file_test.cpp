@@ -4,6 +4,10 @@
 #include <QDirIterator>
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace lettering_hershey_file_test {
+
 using namespace app;
 
 class HersheyFileTest : public QObject {
@@ -74,5 +78,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(HersheyFileTest)
-#include "hershey_file_test.moc"
+} // namespace lettering_hershey_file_test
+
+TEST_CLASS(lettering_hershey_file_test::HersheyFileTest, Core)
+#include "tests/app/lettering/hershey_file_test.moc"

@@ -9,6 +9,10 @@
 #include <numbers>
 #include <set>
 
+#include "tests/test_class.h"
+
+namespace lettering_lettering_test {
+
 using namespace app;
 
 class LetteringTest : public QObject {
@@ -142,5 +146,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(LetteringTest)
-#include "lettering_test.moc"
+} // namespace lettering_lettering_test
+
+TEST_CLASS(lettering_lettering_test::LetteringTest, Core)
+#include "tests/app/lettering/lettering_test.moc"

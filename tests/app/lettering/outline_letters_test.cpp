@@ -10,6 +10,10 @@
 
 #include <algorithm>
 
+#include "tests/test_class.h"
+
+namespace lettering_outline_letters_test {
+
 using namespace app;
 
 // Any font that is installed will do.
@@ -136,5 +140,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(OutlineLettersTest)
-#include "outline_letters_test.moc"
+} // namespace lettering_outline_letters_test
+
+TEST_CLASS(lettering_outline_letters_test::OutlineLettersTest, Gui)
+#include "tests/app/lettering/outline_letters_test.moc"

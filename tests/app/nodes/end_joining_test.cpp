@@ -9,6 +9,9 @@
 #include <set>
 
 #include "tests/app/nodes/shapes.h"
+#include "tests/test_class.h"
+
+namespace nodes_end_joining_test {
 
 class EndJoiningTest : public QObject {
     Q_OBJECT
@@ -245,5 +248,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(EndJoiningTest)
-#include "end_joining_test.moc"
+} // namespace nodes_end_joining_test
+
+TEST_CLASS(nodes_end_joining_test::EndJoiningTest, None)
+#include "tests/app/nodes/end_joining_test.moc"

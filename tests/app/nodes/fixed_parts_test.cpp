@@ -3,6 +3,10 @@
 
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace nodes_fixed_parts_test {
+
 class FixedPartsTest : public QObject {
     Q_OBJECT
 
@@ -45,5 +49,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FixedPartsTest)
-#include "fixed_parts_test.moc"
+} // namespace nodes_fixed_parts_test
+
+TEST_CLASS(nodes_fixed_parts_test::FixedPartsTest, None)
+#include "tests/app/nodes/fixed_parts_test.moc"

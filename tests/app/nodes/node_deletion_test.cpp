@@ -7,6 +7,9 @@
 #include <QTest>
 
 #include "tests/app/nodes/shapes.h"
+#include "tests/test_class.h"
+
+namespace nodes_node_deletion_test {
 
 class NodeDeletionTest : public QObject {
     Q_OBJECT
@@ -138,5 +141,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(NodeDeletionTest)
-#include "node_deletion_test.moc"
+} // namespace nodes_node_deletion_test
+
+TEST_CLASS(nodes_node_deletion_test::NodeDeletionTest, None)
+#include "tests/app/nodes/node_deletion_test.moc"

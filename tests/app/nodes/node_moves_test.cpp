@@ -6,6 +6,9 @@
 #include <limits>
 
 #include "tests/app/nodes/shapes.h"
+#include "tests/test_class.h"
+
+namespace nodes_node_moves_test {
 
 class NodeMovesTest : public QObject {
     Q_OBJECT
@@ -108,5 +111,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(NodeMovesTest)
-#include "node_moves_test.moc"
+} // namespace nodes_node_moves_test
+
+TEST_CLASS(nodes_node_moves_test::NodeMovesTest, None)
+#include "tests/app/nodes/node_moves_test.moc"

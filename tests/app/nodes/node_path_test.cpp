@@ -4,6 +4,9 @@
 #include <QTest>
 
 #include "tests/app/nodes/shapes.h"
+#include "tests/test_class.h"
+
+namespace nodes_node_path_test {
 
 class NodePathTest : public QObject {
     Q_OBJECT
@@ -76,5 +79,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(NodePathTest)
-#include "node_path_test.moc"
+} // namespace nodes_node_path_test
+
+TEST_CLASS(nodes_node_path_test::NodePathTest, None)
+#include "tests/app/nodes/node_path_test.moc"

@@ -4,6 +4,9 @@
 #include <QTest>
 
 #include "tests/app/nodes/shapes.h"
+#include "tests/test_class.h"
+
+namespace nodes_node_picking_test {
 
 class NodePickingTest : public QObject {
     Q_OBJECT
@@ -71,5 +74,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(NodePickingTest)
-#include "node_picking_test.moc"
+} // namespace nodes_node_picking_test
+
+TEST_CLASS(nodes_node_picking_test::NodePickingTest, None)
+#include "tests/app/nodes/node_picking_test.moc"

@@ -4,6 +4,9 @@
 #include <QTest>
 
 #include "tests/app/nodes/shapes.h"
+#include "tests/test_class.h"
+
+namespace nodes_node_segments_test {
 
 class NodeSegmentsTest : public QObject {
     Q_OBJECT
@@ -78,5 +81,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(NodeSegmentsTest)
-#include "node_segments_test.moc"
+} // namespace nodes_node_segments_test
+
+TEST_CLASS(nodes_node_segments_test::NodeSegmentsTest, None)
+#include "tests/app/nodes/node_segments_test.moc"

@@ -7,6 +7,9 @@
 
 #include "tests/app/nodes/shapes.h"
 #include "tests/not_empty.h"
+#include "tests/test_class.h"
+
+namespace nodes_node_steps_test {
 
 class NodeStepsTest : public QObject {
     Q_OBJECT
@@ -109,5 +112,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(NodeStepsTest)
-#include "node_steps_test.moc"
+} // namespace nodes_node_steps_test
+
+TEST_CLASS(nodes_node_steps_test::NodeStepsTest, None)
+#include "tests/app/nodes/node_steps_test.moc"

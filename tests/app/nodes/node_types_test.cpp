@@ -4,6 +4,9 @@
 #include <QTest>
 
 #include "tests/app/nodes/shapes.h"
+#include "tests/test_class.h"
+
+namespace nodes_node_types_test {
 
 class NodeTypesTest : public QObject {
     Q_OBJECT
@@ -102,5 +105,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(NodeTypesTest)
-#include "node_types_test.moc"
+} // namespace nodes_node_types_test
+
+TEST_CLASS(nodes_node_types_test::NodeTypesTest, None)
+#include "tests/app/nodes/node_types_test.moc"

@@ -4,6 +4,9 @@
 #include <QTest>
 
 #include "tests/app/nodes/shapes.h"
+#include "tests/test_class.h"
+
+namespace nodes_subpath_edits_test {
 
 class SubpathEditsTest : public QObject {
     Q_OBJECT
@@ -93,5 +96,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SubpathEditsTest)
-#include "subpath_edits_test.moc"
+} // namespace nodes_subpath_edits_test
+
+TEST_CLASS(nodes_subpath_edits_test::SubpathEditsTest, None)
+#include "tests/app/nodes/subpath_edits_test.moc"

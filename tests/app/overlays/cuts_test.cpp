@@ -4,6 +4,9 @@
 #include "app/teaching/teaching.h"
 
 #include "tests/app/overlays/overlay_cases.h"
+#include "tests/test_class.h"
+
+namespace overlays_cuts_test {
 
 using app::Emphasis;
 using app::Overlay;
@@ -119,5 +122,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(CutsTest)
-#include "cuts_test.moc"
+} // namespace overlays_cuts_test
+
+TEST_CLASS(overlays_cuts_test::CutsTest, Core)
+#include "tests/app/overlays/cuts_test.moc"

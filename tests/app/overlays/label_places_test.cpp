@@ -4,6 +4,9 @@
 #include <QTest>
 
 #include "tests/clipping/random.h"
+#include "tests/test_class.h"
+
+namespace overlays_label_places_test {
 
 namespace {
 
@@ -109,5 +112,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(LabelPlacesTest)
-#include "label_places_test.moc"
+} // namespace overlays_label_places_test
+
+TEST_CLASS(overlays_label_places_test::LabelPlacesTest, Core)
+#include "tests/app/overlays/label_places_test.moc"

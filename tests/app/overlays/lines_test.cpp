@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/overlays/overlay_cases.h"
+#include "tests/test_class.h"
+
+namespace overlays_lines_test {
 
 using app::Emphasis;
 using app::Overlay;
@@ -341,5 +344,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(LinesTest)
-#include "lines_test.moc"
+} // namespace overlays_lines_test
+
+TEST_CLASS(overlays_lines_test::LinesTest, Core)
+#include "tests/app/overlays/lines_test.moc"

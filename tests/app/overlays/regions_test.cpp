@@ -3,6 +3,9 @@
 #include "app/overlays/midpoints.h"
 
 #include "tests/app/overlays/overlay_cases.h"
+#include "tests/test_class.h"
+
+namespace overlays_regions_test {
 
 using app::Emphasis;
 using app::Overlay;
@@ -261,5 +264,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(RegionsTest)
-#include "regions_test.moc"
+} // namespace overlays_regions_test
+
+TEST_CLASS(overlays_regions_test::RegionsTest, Core)
+#include "tests/app/overlays/regions_test.moc"

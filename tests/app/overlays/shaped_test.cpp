@@ -4,6 +4,9 @@
 #include <glm/geometric.hpp>
 
 #include "tests/app/overlays/overlay_cases.h"
+#include "tests/test_class.h"
+
+namespace overlays_shaped_test {
 
 using app::Overlay;
 using app::OverlayMark;
@@ -65,5 +68,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ShapedTest)
-#include "shaped_test.moc"
+} // namespace overlays_shaped_test
+
+TEST_CLASS(overlays_shaped_test::ShapedTest, Gui)
+#include "tests/app/overlays/shaped_test.moc"

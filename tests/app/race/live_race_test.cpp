@@ -11,6 +11,9 @@
 #include "tests/app/document/sheet.h"
 #include "tests/app/scene/block_scene.h"
 #include "tests/app/session/concave_window.h"
+#include "tests/test_class.h"
+
+namespace race_live_race_test {
 
 using namespace clipping;
 
@@ -255,5 +258,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(LiveRaceTest)
-#include "live_race_test.moc"
+} // namespace race_live_race_test
+
+TEST_CLASS(race_live_race_test::LiveRaceTest, Core)
+#include "tests/app/race/live_race_test.moc"

@@ -14,6 +14,9 @@
 #include "tests/app/scene/scene_lines_of.h"
 #include "tests/not_empty.h"
 #include "tests/sanitizer.h"
+#include "tests/test_class.h"
+
+namespace race_race_test {
 
 using namespace clipping;
 
@@ -311,5 +314,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(RaceTest)
-#include "race_test.moc"
+} // namespace race_race_test
+
+TEST_CLASS(race_race_test::RaceTest, None)
+#include "tests/app/race/race_test.moc"

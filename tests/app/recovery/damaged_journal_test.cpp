@@ -14,6 +14,9 @@
 #include "tests/app/commands/random_commands.h"
 #include "tests/app/recovery/recorded_drawing.h"
 #include "tests/content_of.h"
+#include "tests/test_class.h"
+
+namespace recovery_damaged_journal_test {
 
 using namespace app;
 
@@ -248,5 +251,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(DamagedJournalTest)
-#include "damaged_journal_test.moc"
+} // namespace recovery_damaged_journal_test
+
+TEST_CLASS(recovery_damaged_journal_test::DamagedJournalTest, Core)
+#include "tests/app/recovery/damaged_journal_test.moc"

@@ -3,6 +3,10 @@
 
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace recovery_frames_test {
+
 using namespace app;
 
 namespace {
@@ -82,5 +86,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FramesTest)
-#include "frames_test.moc"
+} // namespace recovery_frames_test
+
+TEST_CLASS(recovery_frames_test::FramesTest, None)
+#include "tests/app/recovery/frames_test.moc"

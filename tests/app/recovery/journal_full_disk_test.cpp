@@ -10,6 +10,9 @@
 #include "tests/app/commands/random_commands.h"
 #include "tests/app/formats/failing_disk.h"
 #include "tests/app/recovery/recorded_drawing.h"
+#include "tests/test_class.h"
+
+namespace recovery_journal_full_disk_test {
 
 using namespace app;
 
@@ -186,5 +189,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(JournalFullDiskTest)
-#include "journal_full_disk_test.moc"
+} // namespace recovery_journal_full_disk_test
+
+TEST_CLASS(recovery_journal_full_disk_test::JournalFullDiskTest, Core)
+#include "tests/app/recovery/journal_full_disk_test.moc"

@@ -11,6 +11,9 @@
 
 #include "tests/app/commands/random_commands.h"
 #include "tests/app/recovery/recorded_drawing.h"
+#include "tests/test_class.h"
+
+namespace recovery_journal_leftover_test {
 
 using namespace app;
 
@@ -299,5 +302,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(JournalLeftoverTest)
-#include "journal_leftover_test.moc"
+} // namespace recovery_journal_leftover_test
+
+TEST_CLASS(recovery_journal_leftover_test::JournalLeftoverTest, Core)
+#include "tests/app/recovery/journal_leftover_test.moc"

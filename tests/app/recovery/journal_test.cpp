@@ -11,6 +11,9 @@
 
 #include "tests/app/commands/random_commands.h"
 #include "tests/app/recovery/recorded_drawing.h"
+#include "tests/test_class.h"
+
+namespace recovery_journal_test {
 
 using namespace app;
 
@@ -337,5 +340,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(JournalTest)
-#include "journal_test.moc"
+} // namespace recovery_journal_test
+
+TEST_CLASS(recovery_journal_test::JournalTest, Core)
+#include "tests/app/recovery/journal_test.moc"

@@ -13,6 +13,10 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include "tests/test_class.h"
+
+namespace recovery_journal_thread_test {
+
 using namespace app;
 
 static_assert(LogSync::within <= std::chrono::milliseconds(500),
@@ -110,5 +114,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(JournalThreadTest)
-#include "journal_thread_test.moc"
+} // namespace recovery_journal_thread_test
+
+TEST_CLASS(recovery_journal_thread_test::JournalThreadTest, None)
+#include "tests/app/recovery/journal_thread_test.moc"

@@ -165,4 +165,4 @@ int main(int argc, char** argv)
     KillTest test;
     return QTest::qExec(&test, argc, argv);
 }
-#include "kill_test.moc"
+#include "tests/app/recovery/kill_test.moc"

@@ -13,6 +13,9 @@
 #include <unistd.h>
 
 #include "tests/app/document/sheet.h"
+#include "tests/test_class.h"
+
+namespace recovery_leftover_test {
 
 using namespace app;
 
@@ -178,5 +181,7 @@ private:
     int files_ = 0;
 };
 
-QTEST_GUILESS_MAIN(LeftoverTest)
-#include "leftover_test.moc"
+} // namespace recovery_leftover_test
+
+TEST_CLASS(recovery_leftover_test::LeftoverTest, Core)
+#include "tests/app/recovery/leftover_test.moc"

@@ -7,6 +7,9 @@
 
 #include "tests/app/commands/random_commands.h"
 #include "tests/app/recovery/recorded_drawing.h"
+#include "tests/test_class.h"
+
+namespace recovery_random_journals_test {
 
 using namespace app;
 
@@ -161,5 +164,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(RandomJournalsTest)
-#include "random_journals_test.moc"
+} // namespace recovery_random_journals_test
+
+TEST_CLASS(recovery_random_journals_test::RandomJournalsTest, Core)
+#include "tests/app/recovery/random_journals_test.moc"

@@ -5,6 +5,9 @@
 #include <QTest>
 
 #include "tests/app/commands/random_commands.h"
+#include "tests/test_class.h"
+
+namespace recovery_recorded_history_test {
 
 using namespace app;
 
@@ -66,5 +69,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(RecordedHistoryTest)
-#include "recorded_history_test.moc"
+} // namespace recovery_recorded_history_test
+
+TEST_CLASS(recovery_recorded_history_test::RecordedHistoryTest, Core)
+#include "tests/app/recovery/recorded_history_test.moc"

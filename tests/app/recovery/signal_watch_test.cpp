@@ -13,6 +13,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "tests/test_class.h"
+
+namespace recovery_signal_watch_test {
+
 using app::SignalWatch;
 
 namespace {
@@ -133,5 +137,7 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(SignalWatchTest)
-#include "signal_watch_test.moc"
+} // namespace recovery_signal_watch_test
+
+TEST_CLASS(recovery_signal_watch_test::SignalWatchTest, Core)
+#include "tests/app/recovery/signal_watch_test.moc"

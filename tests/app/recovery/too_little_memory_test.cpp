@@ -12,6 +12,7 @@
 
 #include "tests/app/commands/random_commands.h"
 #include "tests/app/recovery/recorded_drawing.h"
+#include "tests/test_class.h"
 #include "tests/verify.h"
 
 namespace {
@@ -208,5 +209,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TooLittleMemoryTest)
-#include "too_little_memory_test.moc"
+TEST_CLASS(TooLittleMemoryTest, Core)
+#include "tests/app/recovery/too_little_memory_test.moc"

@@ -13,6 +13,7 @@
 
 #include "tests/app/document/sheet.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/test_class.h"
 
 namespace {
 
@@ -143,5 +144,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(UnsavedWorkTest)
-#include "unsaved_work_test.moc"
+TEST_CLASS(UnsavedWorkTest, Core)
+#include "tests/app/recovery/unsaved_work_test.moc"

@@ -18,6 +18,9 @@
 #include <QXmlStreamReader>
 
 #include "tests/not_empty.h"
+#include "tests/test_class.h"
+
+namespace report_report_test {
 
 namespace {
 
@@ -236,5 +239,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ReportTest)
-#include "report_test.moc"
+} // namespace report_report_test
+
+TEST_CLASS(report_report_test::ReportTest, Gui)
+#include "tests/app/report/report_test.moc"

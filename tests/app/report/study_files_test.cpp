@@ -7,6 +7,9 @@
 #include <QTest>
 
 #include "tests/not_empty.h"
+#include "tests/test_class.h"
+
+namespace report_study_files_test {
 
 namespace {
 
@@ -56,5 +59,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(StudyFilesTest)
-#include "study_files_test.moc"
+} // namespace report_study_files_test
+
+TEST_CLASS(report_study_files_test::StudyFilesTest, Gui)
+#include "tests/app/report/study_files_test.moc"

@@ -8,6 +8,10 @@
 
 #include <algorithm>
 
+#include "tests/test_class.h"
+
+namespace report_study_report_test {
+
 namespace {
 
 /// What `clearcut bench` makes of these arguments.
@@ -132,5 +136,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(StudyReportTest)
-#include "study_report_test.moc"
+} // namespace report_study_report_test
+
+TEST_CLASS(report_study_report_test::StudyReportTest, Gui)
+#include "tests/app/report/study_report_test.moc"

@@ -10,6 +10,10 @@
 #include <limits>
 #include <random>
 
+#include "tests/test_class.h"
+
+namespace scene_bounds_test {
+
 namespace {
 
 using app::Point;
@@ -102,5 +106,7 @@ private:
     std::mt19937_64 random_{7};
 };
 
-QTEST_APPLESS_MAIN(BoundsTest)
-#include "bounds_test.moc"
+} // namespace scene_bounds_test
+
+TEST_CLASS(scene_bounds_test::BoundsTest, None)
+#include "tests/app/scene/bounds_test.moc"

@@ -16,6 +16,9 @@
 #include "tests/app/scene/block_scene.h"
 #include "tests/app/scene/mixed_windows.h"
 #include "tests/clipping/region/contract.h"
+#include "tests/test_class.h"
+
+namespace scene_mixed_windows_test {
 
 using namespace app;
 using clipping::Clipped;
@@ -279,5 +282,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(MixedWindowsTest)
-#include "mixed_windows_test.moc"
+} // namespace scene_mixed_windows_test
+
+TEST_CLASS(scene_mixed_windows_test::MixedWindowsTest, None)
+#include "tests/app/scene/mixed_windows_test.moc"

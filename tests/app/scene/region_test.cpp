@@ -13,6 +13,9 @@
 
 #include "tests/app/scene/region_truth.h"
 #include "tests/clipping/random.h"
+#include "tests/test_class.h"
+
+namespace scene_region_test {
 
 using namespace app;
 using clipping::Clipped;
@@ -462,5 +465,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(RegionTest)
-#include "region_test.moc"
+} // namespace scene_region_test
+
+TEST_CLASS(scene_region_test::RegionTest, Gui)
+#include "tests/app/scene/region_test.moc"

@@ -14,6 +14,9 @@
 #include "tests/app/document/kept_in.h"
 #include "tests/app/document/twin_document.h"
 #include "tests/app/scene/block_scene.h"
+#include "tests/test_class.h"
+
+namespace scene_scene_clipping_test {
 
 namespace {
 
@@ -315,5 +318,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SceneClippingTest)
-#include "scene_clipping_test.moc"
+} // namespace scene_scene_clipping_test
+
+TEST_CLASS(scene_scene_clipping_test::SceneClippingTest, None)
+#include "tests/app/scene/scene_clipping_test.moc"

@@ -8,6 +8,9 @@
 #include <limits>
 
 #include "tests/app/document/twin_document.h"
+#include "tests/test_class.h"
+
+namespace scene_scene_lines_test {
 
 namespace {
 
@@ -405,5 +408,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SceneLinesTest)
-#include "scene_lines_test.moc"
+} // namespace scene_scene_lines_test
+
+TEST_CLASS(scene_scene_lines_test::SceneLinesTest, None)
+#include "tests/app/scene/scene_lines_test.moc"

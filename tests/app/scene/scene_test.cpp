@@ -10,6 +10,9 @@
 #include "tests/app/document/kept_in.h"
 #include "tests/app/document/sheet_edits.h"
 #include "tests/app/scene/block_scene.h"
+#include "tests/test_class.h"
+
+namespace scene_scene_test {
 
 namespace {
 
@@ -137,5 +140,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SceneTest)
-#include "scene_test.moc"
+} // namespace scene_scene_test
+
+TEST_CLASS(scene_scene_test::SceneTest, None)
+#include "tests/app/scene/scene_test.moc"

@@ -6,6 +6,9 @@
 #include <thread>
 
 #include "tests/app/document/sheet_edits.h"
+#include "tests/test_class.h"
+
+namespace scene_scene_threads_test {
 
 using namespace app;
 
@@ -40,5 +43,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SceneThreadsTest)
-#include "scene_threads_test.moc"
+} // namespace scene_scene_threads_test
+
+TEST_CLASS(scene_scene_threads_test::SceneThreadsTest, None)
+#include "tests/app/scene/scene_threads_test.moc"

@@ -15,6 +15,9 @@
 #include <random>
 
 #include "tests/app/scene/block_scene.h"
+#include "tests/test_class.h"
+
+namespace scene_shaped_region_test {
 
 using namespace app;
 using clipping::Clipped;
@@ -229,5 +232,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ShapedRegionTest)
-#include "shaped_region_test.moc"
+} // namespace scene_shaped_region_test
+
+TEST_CLASS(scene_shaped_region_test::ShapedRegionTest, None)
+#include "tests/app/scene/shaped_region_test.moc"

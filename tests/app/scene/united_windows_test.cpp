@@ -7,6 +7,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/test_class.h"
+
+namespace scene_united_windows_test {
+
 using namespace app;
 
 namespace {
@@ -72,5 +76,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(UnitedWindowsTest)
-#include "united_windows_test.moc"
+} // namespace scene_united_windows_test
+
+TEST_CLASS(scene_united_windows_test::UnitedWindowsTest, Core)
+#include "tests/app/scene/united_windows_test.moc"

@@ -6,6 +6,9 @@
 #include <QTest>
 
 #include "tests/app/scene/mixed_windows.h"
+#include "tests/test_class.h"
+
+namespace scene_window_needs_test {
 
 using namespace app;
 using clipping::Form;
@@ -98,5 +101,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(WindowNeedsTest)
-#include "window_needs_test.moc"
+} // namespace scene_window_needs_test
+
+TEST_CLASS(scene_window_needs_test::WindowNeedsTest, None)
+#include "tests/app/scene/window_needs_test.moc"

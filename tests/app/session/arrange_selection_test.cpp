@@ -8,6 +8,9 @@
 #include <QTest>
 
 #include "tests/app/document/one_window.h"
+#include "tests/test_class.h"
+
+namespace session_arrange_selection_test {
 
 using namespace app;
 
@@ -185,6 +188,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ArrangeSelectionTest)
-#include "arrange_selection_test.moc"
+} // namespace session_arrange_selection_test
+
+TEST_CLASS(session_arrange_selection_test::ArrangeSelectionTest, Core)
+#include "tests/app/session/arrange_selection_test.moc"
 #include "tests/app/document/one_window.h"

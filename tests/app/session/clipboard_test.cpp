@@ -12,6 +12,10 @@
 
 #include <glm/geometric.hpp>
 
+#include "tests/test_class.h"
+
+namespace session_clipboard_test {
+
 namespace {
 
 // Three objects with numbers that have no short decimals.
@@ -175,5 +179,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ClipboardTest)
-#include "clipboard_test.moc"
+} // namespace session_clipboard_test
+
+TEST_CLASS(session_clipboard_test::ClipboardTest, Core)
+#include "tests/app/session/clipboard_test.moc"

@@ -5,6 +5,9 @@
 
 #include "tests/app/document/sheet_edits.h"
 #include "tests/app/session/concave_window.h"
+#include "tests/test_class.h"
+
+namespace session_compared_text_test {
 
 using clipping::Window;
 
@@ -125,5 +128,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ComparedTextTest)
-#include "compared_text_test.moc"
+} // namespace session_compared_text_test
+
+TEST_CLASS(session_compared_text_test::ComparedTextTest, Core)
+#include "tests/app/session/compared_text_test.moc"

@@ -6,6 +6,10 @@
 #include <QElapsedTimer>
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace session_convert_selection_test {
+
 using namespace app;
 
 class ConvertSelectionTest : public QObject {
@@ -56,5 +60,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ConvertSelectionTest)
-#include "convert_selection_test.moc"
+} // namespace session_convert_selection_test
+
+TEST_CLASS(session_convert_selection_test::ConvertSelectionTest, None)
+#include "tests/app/session/convert_selection_test.moc"

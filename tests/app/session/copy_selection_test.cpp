@@ -7,6 +7,9 @@
 #include <QTest>
 
 #include "tests/app/document/random_documents.h"
+#include "tests/test_class.h"
+
+namespace session_copy_selection_test {
 
 using namespace app;
 
@@ -91,5 +94,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(CopySelectionTest)
-#include "copy_selection_test.moc"
+} // namespace session_copy_selection_test
+
+TEST_CLASS(session_copy_selection_test::CopySelectionTest, Core)
+#include "tests/app/session/copy_selection_test.moc"

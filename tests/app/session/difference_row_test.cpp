@@ -7,6 +7,9 @@
 #include <limits>
 
 #include "tests/app/document/sheet_edits.h"
+#include "tests/test_class.h"
+
+namespace session_difference_row_test {
 
 class DifferenceRowTest : public QObject {
     Q_OBJECT
@@ -113,5 +116,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(DifferenceRowTest)
-#include "difference_row_test.moc"
+} // namespace session_difference_row_test
+
+TEST_CLASS(session_difference_row_test::DifferenceRowTest, Core)
+#include "tests/app/session/difference_row_test.moc"

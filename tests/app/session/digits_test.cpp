@@ -5,7 +5,10 @@
 #include <QTest>
 
 #include "tests/app/document/sheet_edits.h"
+#include "tests/test_class.h"
 #include "tests/verify.h"
+
+namespace session_digits_test {
 
 using app::DigitPlace, app::DigitUse;
 
@@ -74,5 +77,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(DigitsTest)
-#include "digits_test.moc"
+} // namespace session_digits_test
+
+TEST_CLASS(session_digits_test::DigitsTest, Core)
+#include "tests/app/session/digits_test.moc"

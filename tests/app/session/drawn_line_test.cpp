@@ -9,6 +9,9 @@
 
 #include "tests/app/document/one_window.h"
 #include "tests/app/document/sheet.h"
+#include "tests/test_class.h"
+
+namespace session_drawn_line_test {
 
 namespace {
 
@@ -215,5 +218,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(DrawnLineTest)
-#include "drawn_line_test.moc"
+} // namespace session_drawn_line_test
+
+TEST_CLASS(session_drawn_line_test::DrawnLineTest, Core)
+#include "tests/app/session/drawn_line_test.moc"

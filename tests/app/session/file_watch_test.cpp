@@ -8,6 +8,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace session_file_watch_test {
+
 using namespace app;
 
 namespace {
@@ -123,5 +127,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(FileWatchTest)
-#include "file_watch_test.moc"
+} // namespace session_file_watch_test
+
+TEST_CLASS(session_file_watch_test::FileWatchTest, Core)
+#include "tests/app/session/file_watch_test.moc"

@@ -4,6 +4,9 @@
 #include <QTest>
 
 #include "tests/app/document/sheet.h"
+#include "tests/test_class.h"
+
+namespace session_inspection_test {
 
 namespace {
 
@@ -213,5 +216,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(InspectionTest)
-#include "inspection_test.moc"
+} // namespace session_inspection_test
+
+TEST_CLASS(session_inspection_test::InspectionTest, None)
+#include "tests/app/session/inspection_test.moc"

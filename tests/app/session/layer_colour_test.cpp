@@ -7,6 +7,9 @@
 #include <QTest>
 
 #include "tests/app/recovery/recorded_drawing.h"
+#include "tests/test_class.h"
+
+namespace session_layer_colour_test {
 
 using namespace app;
 
@@ -66,5 +69,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(LayerColourTest)
-#include "layer_colour_test.moc"
+} // namespace session_layer_colour_test
+
+TEST_CLASS(session_layer_colour_test::LayerColourTest, Core)
+#include "tests/app/session/layer_colour_test.moc"

@@ -7,6 +7,10 @@
 
 #include <random>
 
+#include "tests/test_class.h"
+
+namespace session_layer_report_test {
+
 using namespace app;
 
 namespace {
@@ -110,5 +114,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(LayerReportTest)
-#include "layer_report_test.moc"
+} // namespace session_layer_report_test
+
+TEST_CLASS(session_layer_report_test::LayerReportTest, Core)
+#include "tests/app/session/layer_report_test.moc"

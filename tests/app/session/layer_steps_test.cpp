@@ -5,6 +5,10 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace session_layer_steps_test {
+
 using namespace app;
 
 class LayerStepsTest : public QObject {
@@ -120,5 +124,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(LayerStepsTest)
-#include "layer_steps_test.moc"
+} // namespace session_layer_steps_test
+
+TEST_CLASS(session_layer_steps_test::LayerStepsTest, Core)
+#include "tests/app/session/layer_steps_test.moc"

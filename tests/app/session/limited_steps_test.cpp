@@ -5,6 +5,10 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace session_limited_steps_test {
+
 using namespace app;
 
 namespace {
@@ -71,5 +75,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(LimitedStepsTest)
-#include "limited_steps_test.moc"
+} // namespace session_limited_steps_test
+
+TEST_CLASS(session_limited_steps_test::LimitedStepsTest, Core)
+#include "tests/app/session/limited_steps_test.moc"

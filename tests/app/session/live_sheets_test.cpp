@@ -7,6 +7,10 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace session_live_sheets_test {
+
 using namespace app;
 
 namespace {
@@ -235,5 +239,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(LiveSheetsTest)
-#include "live_sheets_test.moc"
+} // namespace session_live_sheets_test
+
+TEST_CLASS(session_live_sheets_test::LiveSheetsTest, Core)
+#include "tests/app/session/live_sheets_test.moc"

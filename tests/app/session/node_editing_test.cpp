@@ -10,6 +10,9 @@
 
 #include "tests/app/document/sheet.h"
 #include "tests/app/nodes/shapes.h"
+#include "tests/test_class.h"
+
+namespace session_node_editing_test {
 
 class NodeEditingTest : public QObject {
     Q_OBJECT
@@ -278,5 +281,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(NodeEditingTest)
-#include "node_editing_test.moc"
+} // namespace session_node_editing_test
+
+TEST_CLASS(session_node_editing_test::NodeEditingTest, Core)
+#include "tests/app/session/node_editing_test.moc"

@@ -5,6 +5,10 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace session_node_numbers_test {
+
 using namespace app;
 
 class NodeNumbersTest : public QObject {
@@ -125,5 +129,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(NodeNumbersTest)
-#include "node_numbers_test.moc"
+} // namespace session_node_numbers_test
+
+TEST_CLASS(session_node_numbers_test::NodeNumbersTest, Core)
+#include "tests/app/session/node_numbers_test.moc"

@@ -9,6 +9,10 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace session_rearrange_selection_test {
+
 using namespace app;
 
 namespace {
@@ -330,5 +334,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(RearrangeSelectionTest)
-#include "rearrange_selection_test.moc"
+} // namespace session_rearrange_selection_test
+
+TEST_CLASS(session_rearrange_selection_test::RearrangeSelectionTest, Core)
+#include "tests/app/session/rearrange_selection_test.moc"

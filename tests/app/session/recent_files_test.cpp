@@ -4,6 +4,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace session_recent_files_test {
+
 class RecentFilesTest : public QObject {
     Q_OBJECT
 
@@ -35,5 +39,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(RecentFilesTest)
-#include "recent_files_test.moc"
+} // namespace session_recent_files_test
+
+TEST_CLASS(session_recent_files_test::RecentFilesTest, None)
+#include "tests/app/session/recent_files_test.moc"

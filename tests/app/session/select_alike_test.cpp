@@ -6,6 +6,10 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace session_select_alike_test {
+
 using namespace app;
 
 class SelectAlikeTest : public QObject {
@@ -140,5 +144,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SelectAlikeTest)
-#include "select_alike_test.moc"
+} // namespace session_select_alike_test
+
+TEST_CLASS(session_select_alike_test::SelectAlikeTest, Core)
+#include "tests/app/session/select_alike_test.moc"

@@ -5,6 +5,10 @@
 
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace session_selection_memory_test {
+
 using namespace app;
 
 // Which objects are selected after undo and redo.
@@ -90,5 +94,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SelectionMemoryTest)
-#include "selection_memory_test.moc"
+} // namespace session_selection_memory_test
+
+TEST_CLASS(session_selection_memory_test::SelectionMemoryTest, Core)
+#include "tests/app/session/selection_memory_test.moc"

@@ -6,6 +6,10 @@
 
 #include <glm/geometric.hpp>
 
+#include "tests/test_class.h"
+
+namespace session_selection_numbers_test {
+
 using namespace app;
 
 class SelectionNumbersTest : public QObject {
@@ -136,5 +140,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SelectionNumbersTest)
-#include "selection_numbers_test.moc"
+} // namespace session_selection_numbers_test
+
+TEST_CLASS(session_selection_numbers_test::SelectionNumbersTest, Core)
+#include "tests/app/session/selection_numbers_test.moc"

@@ -5,6 +5,9 @@
 #include <QTest>
 
 #include "tests/app/document/sheet.h"
+#include "tests/test_class.h"
+
+namespace session_selection_style_test {
 
 using app::Colour;
 using app::Style;
@@ -152,5 +155,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SelectionStyleTest)
-#include "selection_style_test.moc"
+} // namespace session_selection_style_test
+
+TEST_CLASS(session_selection_style_test::SelectionStyleTest, Core)
+#include "tests/app/session/selection_style_test.moc"

@@ -7,6 +7,9 @@
 #include "tests/app/document/first_window.h"
 #include "tests/app/document/one_window.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/test_class.h"
+
+namespace session_session_test {
 
 using app::ClipWindows;
 
@@ -154,5 +157,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SessionTest)
-#include "session_test.moc"
+} // namespace session_session_test
+
+TEST_CLASS(session_session_test::SessionTest, Core)
+#include "tests/app/session/session_test.moc"

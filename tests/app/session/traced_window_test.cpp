@@ -12,6 +12,9 @@
 #include <numbers>
 
 #include "tests/benchmarks/short_lines.h"
+#include "tests/test_class.h"
+
+namespace session_traced_window_test {
 
 using namespace app;
 
@@ -127,5 +130,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TracedWindowTest)
-#include "traced_window_test.moc"
+} // namespace session_traced_window_test
+
+TEST_CLASS(session_traced_window_test::TracedWindowTest, Gui)
+#include "tests/app/session/traced_window_test.moc"

@@ -6,6 +6,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace session_typed_colour_test {
+
 using app::Colour;
 
 // Colours as people type them, and those that they picked last.
@@ -68,5 +72,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TypedColourTest)
-#include "typed_colour_test.moc"
+} // namespace session_typed_colour_test
+
+TEST_CLASS(session_typed_colour_test::TypedColourTest, None)
+#include "tests/app/session/typed_colour_test.moc"

@@ -5,6 +5,10 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace session_window_places_test {
+
 using namespace app;
 
 namespace {
@@ -95,5 +99,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(WindowPlacesTest)
-#include "window_places_test.moc"
+} // namespace session_window_places_test
+
+TEST_CLASS(session_window_places_test::WindowPlacesTest, Core)
+#include "tests/app/session/window_places_test.moc"

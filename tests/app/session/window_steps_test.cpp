@@ -8,6 +8,10 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace session_window_steps_test {
+
 using namespace app;
 
 namespace {
@@ -224,5 +228,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(WindowStepsTest)
-#include "window_steps_test.moc"
+} // namespace session_window_steps_test
+
+TEST_CLASS(session_window_steps_test::WindowStepsTest, Core)
+#include "tests/app/session/window_steps_test.moc"

@@ -4,6 +4,10 @@
 
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace session_window_words_test {
+
 using namespace app;
 
 namespace {
@@ -49,5 +53,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(WindowWordsTest)
-#include "window_words_test.moc"
+} // namespace session_window_words_test
+
+TEST_CLASS(session_window_words_test::WindowWordsTest, Core)
+#include "tests/app/session/window_words_test.moc"

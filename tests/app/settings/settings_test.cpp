@@ -19,6 +19,9 @@
 
 #include "tests/app/command_line/program.h"
 #include "tests/app/formats/failing_disk.h"
+#include "tests/test_class.h"
+
+namespace settings_settings_test {
 
 using namespace app;
 
@@ -86,93 +89,6 @@ private slots:
         useSafeSettings(); // the next start
         QVERIFY(isMine());
         QCOMPARE(QSettings().value("recent").toStringList(), QStringList{"/home/me/other.svg"});
-    }
-
-    void anEarlierVersionsFileIsRead()
-    {
-        const QString old = folder_.filePath("old");
-        {
-            QSettings ini(old, QSettings::IniFormat);
-            ini.setValue("theme", 2);
-            ini.setValue("recent", QStringList{"a b", "c"});
-            ini.setValue("layout", QByteArray("\0\1\2", 3));
-        }
-        const QSettings read(old, QSettings().defaultFormat());
-        QCOMPARE(read.value("theme").toInt(), 2);
-        QCOMPARE(read.value("recent").toStringList(), (QStringList{"a b", "c"}));
-        QCOMPARE(read.value("layout").toByteArray(), QByteArray("\0\1\2", 3));
-    }
-
-    // What Qt's own parser reads of what it wrote is the truth.
-    void everyIniValueIsReadAsQtReadsIt()
-    {
-        std::vector<QVariant> values{QString(),
-                                     "",
-                                     " ",
-                                     "a b",
-                                     " a ",
-                                     "a;b",
-                                     "a,b",
-                                     "a=b",
-                                     "@",
-                                     "@@",
-                                     "@Variant(x)",
-                                     "@DateTime(x)",
-                                     "\"",
-                                     "\\",
-                                     "\n\r\t\a\v\b\f",
-                                     "é → 😀",
-                                     "é\n1",
-                                     "?'",
-                                     "[General]",
-                                     "%20",
-                                     -7,
-                                     0.1,
-                                     1e300,
-                                     true,
-                                     false,
-                                     QByteArray(),
-                                     QByteArray("a,b\";)"),
-                                     QStringList{"", "a, b", " c ", "@d", "@Variant(e)", "\"é"}};
-        QByteArray all;
-        for (int c = 0; c < 256; ++c) {
-            all += char(c);
-            values.emplace_back(QByteArray(1, char(c)) + "7f" + char(c));
-            if (c > 0)
-                values.emplace_back(QString(QChar(c)) + "7f" + QChar(c));
-        }
-        values.emplace_back(all);
-        const QString old = folder_.filePath("oracle");
-        const auto key = [](std::size_t i) {
-            return QStringLiteral("%1%2").arg(i % 2 ? "lessons/deep/v" : "v").arg(i);
-        };
-        {
-            QSettings ini(old, QSettings::IniFormat);
-            for (std::size_t i = 0; i < values.size(); ++i)
-                ini.setValue(key(i), values[i]);
-        }
-        const QSettings truth(old, QSettings::IniFormat), read(old, QSettings().defaultFormat());
-        QCOMPARE(read.allKeys(), truth.allKeys());
-        for (std::size_t i = 0; i < values.size(); ++i)
-            QVERIFY2(read.value(key(i)) == truth.value(key(i)),
-                     qPrintable(key(i) + ": " + values[i].toString()));
-    }
-
-    // Qt decodes a value of any type that a text names, and recurses for one within another.
-    void noTextOfAnIniFileNamesAType()
-    {
-        const QByteArray nested = QByteArray("\\0\\0\\0\\t\\0\\0\\0\\0\\x1").repeated(40'000);
-        for (const QByteArray name : {"@DateTime(", "\\x40Variant(", "\\100Variant(", "@Variant("})
-            for (const QByteArray list : {"", "a, "}) {
-                const QString path = folder_.filePath("named");
-                writeText(path,
-                          "[General]\na=b\ntheme=" + list + '"' + name + nested + ")\"\nc=d\n");
-                const QSettings read(path, QSettings().defaultFormat());
-                QVERIFY2(!read.contains("theme"), name);
-                QCOMPARE(read.value("a").toString(), "b");
-                QCOMPARE(read.value("c").toString(), "d");
-                QFile::remove(path);
-            }
     }
 
     void garbageIsNoSettings()
@@ -336,5 +252,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SettingsTest)
-#include "settings_test.moc"
+} // namespace settings_settings_test
+
+TEST_CLASS(settings_settings_test::SettingsTest, Core)
+#include "tests/app/settings/settings_test.moc"

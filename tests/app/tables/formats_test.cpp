@@ -15,6 +15,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace tables_formats_test {
+
 namespace {
 
 /// All that could be taken for markup.
@@ -365,5 +369,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(FormatsTest)
-#include "formats_test.moc"
+} // namespace tables_formats_test
+
+TEST_CLASS(tables_formats_test::FormatsTest, Core)
+#include "tests/app/tables/formats_test.moc"

@@ -4,6 +4,10 @@
 
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace teaching_code_line_test {
+
 namespace {
 
 QStringList assignments(const char* line, const QStringList& code = {})
@@ -73,5 +77,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CodeLineTest)
-#include "code_line_test.moc"
+} // namespace teaching_code_line_test
+
+TEST_CLASS(teaching_code_line_test::CodeLineTest, None)
+#include "tests/app/teaching/code_line_test.moc"

@@ -11,6 +11,10 @@
 #include <random>
 #include <span>
 
+#include "tests/test_class.h"
+
+namespace teaching_figure_test {
+
 using namespace app;
 
 namespace {
@@ -445,5 +449,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(FigureTest)
-#include "figure_test.moc"
+} // namespace teaching_figure_test
+
+TEST_CLASS(teaching_figure_test::FigureTest, Gui)
+#include "tests/app/teaching/figure_test.moc"

@@ -7,6 +7,10 @@
 #include <QLocale>
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace teaching_general_test {
+
 namespace {
 
 constexpr clipping::Window window{{-100, -75}, {100, 75}};
@@ -145,5 +149,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(GeneralTest)
-#include "general_test.moc"
+} // namespace teaching_general_test
+
+TEST_CLASS(teaching_general_test::GeneralTest, None)
+#include "tests/app/teaching/general_test.moc"

@@ -7,6 +7,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/test_class.h"
+
+namespace teaching_line_text_test {
+
 class LineTextTest : public QObject {
     Q_OBJECT
 
@@ -76,5 +80,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(LineTextTest)
-#include "line_text_test.moc"
+} // namespace teaching_line_text_test
+
+TEST_CLASS(teaching_line_text_test::LineTextTest, None)
+#include "tests/app/teaching/line_text_test.moc"

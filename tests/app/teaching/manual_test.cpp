@@ -5,6 +5,10 @@
 #include <QRegularExpression>
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace teaching_manual_test {
+
 class ManualTest : public QObject {
     Q_OBJECT
 
@@ -93,5 +97,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ManualTest)
-#include "manual_test.moc"
+} // namespace teaching_manual_test
+
+TEST_CLASS(teaching_manual_test::ManualTest, None)
+#include "tests/app/teaching/manual_test.moc"

@@ -7,6 +7,10 @@
 #include <bit>
 #include <random>
 
+#include "tests/test_class.h"
+
+namespace teaching_narration_test {
+
 namespace {
 
 using clipping::Outcome;
@@ -170,5 +174,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(NarrationTest)
-#include "narration_test.moc"
+} // namespace teaching_narration_test
+
+TEST_CLASS(teaching_narration_test::NarrationTest, None)
+#include "tests/app/teaching/narration_test.moc"

@@ -9,6 +9,10 @@
 
 #include <array>
 
+#include "tests/test_class.h"
+
+namespace teaching_outcode_test {
+
 using app::Point;
 using clipping::Window;
 
@@ -194,5 +198,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(OutcodeTest)
-#include "outcode_test.moc"
+} // namespace teaching_outcode_test
+
+TEST_CLASS(teaching_outcode_test::OutcodeTest, None)
+#include "tests/app/teaching/outcode_test.moc"

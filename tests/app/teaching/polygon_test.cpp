@@ -12,6 +12,9 @@
 
 #include "tests/clipping/random.h"
 #include "tests/not_empty.h"
+#include "tests/test_class.h"
+
+namespace teaching_polygon_test {
 
 using namespace app;
 
@@ -96,5 +99,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(PolygonTest)
-#include "polygon_test.moc"
+} // namespace teaching_polygon_test
+
+TEST_CLASS(teaching_polygon_test::PolygonTest, Gui)
+#include "tests/app/teaching/polygon_test.moc"

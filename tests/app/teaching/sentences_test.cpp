@@ -12,6 +12,9 @@
 
 #include "tests/clipping/inputs.h"
 #include "tests/not_empty.h"
+#include "tests/test_class.h"
+
+namespace teaching_sentences_test {
 
 namespace {
 
@@ -618,5 +621,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SentencesTest)
-#include "sentences_test.moc"
+} // namespace teaching_sentences_test
+
+TEST_CLASS(teaching_sentences_test::SentencesTest, None)
+#include "tests/app/teaching/sentences_test.moc"

@@ -8,6 +8,10 @@
 #include <QTest>
 #include <QXmlStreamReader>
 
+#include "tests/test_class.h"
+
+namespace teaching_slide_test {
+
 using namespace app;
 
 namespace {
@@ -102,5 +106,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(SlideTest)
-#include "slide_test.moc"
+} // namespace teaching_slide_test
+
+TEST_CLASS(teaching_slide_test::SlideTest, Gui)
+#include "tests/app/teaching/slide_test.moc"

@@ -6,6 +6,10 @@
 #include <QLocale>
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace teaching_told_steps_test {
+
 namespace {
 
 constexpr clipping::Window window{{-100, -75}, {100, 75}};
@@ -478,5 +482,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ToldStepsTest)
-#include "told_steps_test.moc"
+} // namespace teaching_told_steps_test
+
+TEST_CLASS(teaching_told_steps_test::ToldStepsTest, None)
+#include "tests/app/teaching/told_steps_test.moc"

@@ -11,6 +11,9 @@
 #include <QThread>
 
 #include "tests/app/command_line/program.h"
+#include "tests/test_class.h"
+
+namespace teaching_trace_file_test {
 
 using namespace app;
 
@@ -253,5 +256,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TraceFileTest)
-#include "trace_file_test.moc"
+} // namespace teaching_trace_file_test
+
+TEST_CLASS(teaching_trace_file_test::TraceFileTest, Gui)
+#include "tests/app/teaching/trace_file_test.moc"

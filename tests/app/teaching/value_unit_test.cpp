@@ -10,6 +10,10 @@
 #include <random>
 #include <set>
 
+#include "tests/test_class.h"
+
+namespace teaching_value_unit_test {
+
 namespace {
 
 using app::Variant;
@@ -133,5 +137,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ValueUnitTest)
-#include "value_unit_test.moc"
+} // namespace teaching_value_unit_test
+
+TEST_CLASS(teaching_value_unit_test::ValueUnitTest, None)
+#include "tests/app/teaching/value_unit_test.moc"

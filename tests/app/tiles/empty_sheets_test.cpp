@@ -10,6 +10,10 @@
 
 #include <random>
 
+#include "tests/test_class.h"
+
+namespace tiles_empty_sheets_test {
+
 using namespace app;
 
 namespace {
@@ -134,5 +138,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(EmptySheetsTest)
-#include "empty_sheets_test.moc"
+} // namespace tiles_empty_sheets_test
+
+TEST_CLASS(tiles_empty_sheets_test::EmptySheetsTest, Core)
+#include "tests/app/tiles/empty_sheets_test.moc"

@@ -7,6 +7,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace tiles_sheet_export_test {
+
 using namespace app;
 
 namespace {
@@ -120,5 +124,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SheetExportTest)
-#include "sheet_export_test.moc"
+} // namespace tiles_sheet_export_test
+
+TEST_CLASS(tiles_sheet_export_test::SheetExportTest, Core)
+#include "tests/app/tiles/sheet_export_test.moc"

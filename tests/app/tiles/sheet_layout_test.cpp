@@ -5,6 +5,10 @@
 
 #include <glm/geometric.hpp>
 
+#include "tests/test_class.h"
+
+namespace tiles_sheet_layout_test {
+
 using namespace app;
 
 namespace {
@@ -69,5 +73,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SheetLayoutTest)
-#include "sheet_layout_test.moc"
+} // namespace tiles_sheet_layout_test
+
+TEST_CLASS(tiles_sheet_layout_test::SheetLayoutTest, Core)
+#include "tests/app/tiles/sheet_layout_test.moc"

@@ -11,6 +11,9 @@
 #include <glm/geometric.hpp>
 
 #include "tests/app/command_line/program.h"
+#include "tests/test_class.h"
+
+namespace tiles_sheets_test {
 
 using namespace app;
 
@@ -233,5 +236,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SheetsTest)
-#include "sheets_test.moc"
+} // namespace tiles_sheets_test
+
+TEST_CLASS(tiles_sheets_test::SheetsTest, Core)
+#include "tests/app/tiles/sheets_test.moc"

@@ -3,6 +3,10 @@
 
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace tiles_tiling_test {
+
 using namespace app;
 
 namespace {
@@ -136,5 +140,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TilingTest)
-#include "tiling_test.moc"
+} // namespace tiles_tiling_test
+
+TEST_CLASS(tiles_tiling_test::TilingTest, Core)
+#include "tests/app/tiles/tiling_test.moc"

@@ -9,6 +9,10 @@
 #include <array>
 #include <set>
 
+#include "tests/test_class.h"
+
+namespace view_algorithm_mark_test {
+
 using namespace app;
 using clipping::Form;
 
@@ -116,5 +120,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(AlgorithmMarkTest)
-#include "algorithm_mark_test.moc"
+} // namespace view_algorithm_mark_test
+
+TEST_CLASS(view_algorithm_mark_test::AlgorithmMarkTest, Gui)
+#include "tests/app/view/algorithm_mark_test.moc"

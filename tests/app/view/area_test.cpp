@@ -5,6 +5,10 @@
 
 #include <random>
 
+#include "tests/test_class.h"
+
+namespace view_area_test {
+
 namespace {
 
 double areaOf(const std::vector<app::Point>& p)
@@ -57,5 +61,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(AreaTest)
-#include "area_test.moc"
+} // namespace view_area_test
+
+TEST_CLASS(view_area_test::AreaTest, None)
+#include "tests/app/view/area_test.moc"

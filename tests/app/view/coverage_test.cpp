@@ -8,6 +8,9 @@
 #include <random>
 
 #include "tests/app/view/compare_images.h"
+#include "tests/test_class.h"
+
+namespace view_coverage_test {
 
 namespace {
 
@@ -107,5 +110,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(CoverageTest)
-#include "coverage_test.moc"
+} // namespace view_coverage_test
+
+TEST_CLASS(view_coverage_test::CoverageTest, Core)
+#include "tests/app/view/coverage_test.moc"

@@ -4,6 +4,10 @@
 #include <QLineF>
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace view_dashes_test {
+
 class DashesTest : public QObject {
     Q_OBJECT
 
@@ -54,5 +58,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(DashesTest)
-#include "dashes_test.moc"
+} // namespace view_dashes_test
+
+TEST_CLASS(view_dashes_test::DashesTest, None)
+#include "tests/app/view/dashes_test.moc"

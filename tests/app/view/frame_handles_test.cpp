@@ -10,6 +10,10 @@
 
 #include <cmath>
 
+#include "tests/test_class.h"
+
+namespace view_frame_handles_test {
+
 using namespace app;
 
 namespace {
@@ -86,5 +90,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FrameHandlesTest)
-#include "frame_handles_test.moc"
+} // namespace view_frame_handles_test
+
+TEST_CLASS(view_frame_handles_test::FrameHandlesTest, None)
+#include "tests/app/view/frame_handles_test.moc"

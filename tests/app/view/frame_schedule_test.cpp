@@ -5,7 +5,10 @@
 
 #include <random>
 
+#include "tests/test_class.h"
 #include "tests/verify.h"
+
+namespace view_frame_schedule_test {
 
 using app::FrameKey;
 using app::FrameSchedule;
@@ -185,5 +188,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FrameScheduleTest)
-#include "frame_schedule_test.moc"
+} // namespace view_frame_schedule_test
+
+TEST_CLASS(view_frame_schedule_test::FrameScheduleTest, None)
+#include "tests/app/view/frame_schedule_test.moc"

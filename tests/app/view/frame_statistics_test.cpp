@@ -3,6 +3,10 @@
 
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace view_frame_statistics_test {
+
 using app::FrameStatistics;
 
 namespace {
@@ -83,5 +87,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FrameStatisticsTest)
-#include "frame_statistics_test.moc"
+} // namespace view_frame_statistics_test
+
+TEST_CLASS(view_frame_statistics_test::FrameStatisticsTest, None)
+#include "tests/app/view/frame_statistics_test.moc"

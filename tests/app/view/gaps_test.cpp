@@ -3,6 +3,10 @@
 
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace view_gaps_test {
+
 using clipping::Clipped;
 using clipping::cutAt;
 using clipping::Edge;
@@ -59,5 +63,7 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(GapsTest)
-#include "gaps_test.moc"
+} // namespace view_gaps_test
+
+TEST_CLASS(view_gaps_test::GapsTest, None)
+#include "tests/app/view/gaps_test.moc"

@@ -8,6 +8,10 @@
 #include <cmath>
 #include <random>
 
+#include "tests/test_class.h"
+
+namespace view_grid_test {
+
 using app::Grid;
 using app::Point;
 
@@ -129,5 +133,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(GridTest)
-#include "grid_test.moc"
+} // namespace view_grid_test
+
+TEST_CLASS(view_grid_test::GridTest, None)
+#include "tests/app/view/grid_test.moc"

@@ -3,6 +3,10 @@
 
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace view_handles_test {
+
 namespace {
 
 app::View unitView()
@@ -92,5 +96,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(HandlesTest)
-#include "handles_test.moc"
+} // namespace view_handles_test
+
+TEST_CLASS(view_handles_test::HandlesTest, None)
+#include "tests/app/view/handles_test.moc"

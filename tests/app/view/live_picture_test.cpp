@@ -13,6 +13,10 @@
 #include <random>
 #include <set>
 
+#include "tests/test_class.h"
+
+namespace view_live_picture_test {
+
 using namespace std::chrono_literals;
 
 namespace {
@@ -36,7 +40,7 @@ app::Document longLines(int count)
 
 app::FrameWish wishFor(const app::Document& document)
 {
-    app::FrameWish wish{.document = document, .lines = app::linesOf(document)};
+    app::FrameWish wish{.key = {}, .document = document, .lines = app::linesOf(document)};
     wish.key = {.lines = wish.lines.revision(),
                 .view = {.size = {400, 300}, .centre = {200, 150}},
                 .region = regionOf(document.windows(), document.page()),
@@ -239,5 +243,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(LivePictureTest)
-#include "live_picture_test.moc"
+} // namespace view_live_picture_test
+
+TEST_CLASS(view_live_picture_test::LivePictureTest, Gui)
+#include "tests/app/view/live_picture_test.moc"

@@ -10,6 +10,9 @@
 
 #include "tests/app/scene/block_scene.h"
 #include "tests/clipping/random.h"
+#include "tests/test_class.h"
+
+namespace view_long_pieces_test {
 
 using namespace app;
 
@@ -132,5 +135,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(LongPiecesTest)
-#include "long_pieces_test.moc"
+} // namespace view_long_pieces_test
+
+TEST_CLASS(view_long_pieces_test::LongPiecesTest, Gui)
+#include "tests/app/view/long_pieces_test.moc"

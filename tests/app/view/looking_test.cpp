@@ -3,6 +3,10 @@
 
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace view_looking_test {
+
 using clipping::Window;
 
 namespace {
@@ -77,5 +81,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(LookingTest)
-#include "looking_test.moc"
+} // namespace view_looking_test
+
+TEST_CLASS(view_looking_test::LookingTest, Core)
+#include "tests/app/view/looking_test.moc"

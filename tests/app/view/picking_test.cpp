@@ -10,6 +10,7 @@
 #include <new>
 
 #include "tests/app/view/random_drawing.h"
+#include "tests/test_class.h"
 
 namespace {
 
@@ -291,5 +292,5 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(PickingTest)
-#include "picking_test.moc"
+TEST_CLASS(PickingTest, Core)
+#include "tests/app/view/picking_test.moc"

@@ -12,6 +12,9 @@
 #include <cmath>
 
 #include "tests/app/view/compare_images.h"
+#include "tests/test_class.h"
+
+namespace view_picture_test {
 
 namespace {
 
@@ -339,5 +342,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(PictureTest)
-#include "picture_test.moc"
+} // namespace view_picture_test
+
+TEST_CLASS(view_picture_test::PictureTest, Core)
+#include "tests/app/view/picture_test.moc"

@@ -10,6 +10,9 @@
 #include <random>
 
 #include "tests/app/view/compare_images.h"
+#include "tests/test_class.h"
+
+namespace view_raster_test {
 
 namespace {
 
@@ -169,5 +172,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(RasterTest)
-#include "raster_test.moc"
+} // namespace view_raster_test
+
+TEST_CLASS(view_raster_test::RasterTest, Gui)
+#include "tests/app/view/raster_test.moc"

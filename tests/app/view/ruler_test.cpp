@@ -5,6 +5,10 @@
 
 #include <cmath>
 
+#include "tests/test_class.h"
+
+namespace view_ruler_test {
+
 class RulerTest : public QObject {
     Q_OBJECT
 
@@ -51,5 +55,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(RulerTest)
-#include "ruler_test.moc"
+} // namespace view_ruler_test
+
+TEST_CLASS(view_ruler_test::RulerTest, None)
+#include "tests/app/view/ruler_test.moc"

@@ -12,6 +12,9 @@
 
 #include "tests/app/view/plain_picture.h"
 #include "tests/app/view/random_drawing.h"
+#include "tests/test_class.h"
+
+namespace view_scene_picture_test {
 
 namespace {
 
@@ -189,5 +192,7 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(ScenePictureTest)
-#include "scene_picture_test.moc"
+} // namespace view_scene_picture_test
+
+TEST_CLASS(view_scene_picture_test::ScenePictureTest, None)
+#include "tests/app/view/scene_picture_test.moc"

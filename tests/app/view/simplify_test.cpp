@@ -6,6 +6,10 @@
 
 #include <cmath>
 
+#include "tests/test_class.h"
+
+namespace view_simplify_test {
+
 class SimplifyTest : public QObject {
     Q_OBJECT
 
@@ -34,5 +38,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SimplifyTest)
-#include "simplify_test.moc"
+} // namespace view_simplify_test
+
+TEST_CLASS(view_simplify_test::SimplifyTest, None)
+#include "tests/app/view/simplify_test.moc"

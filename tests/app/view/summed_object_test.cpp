@@ -9,6 +9,9 @@
 #include <random>
 
 #include "tests/app/view/compare_images.h"
+#include "tests/test_class.h"
+
+namespace view_summed_object_test {
 
 namespace {
 
@@ -175,5 +178,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SummedObjectTest)
-#include "summed_object_test.moc"
+} // namespace view_summed_object_test
+
+TEST_CLASS(view_summed_object_test::SummedObjectTest, Core)
+#include "tests/app/view/summed_object_test.moc"

@@ -7,6 +7,10 @@
 
 #include <glm/geometric.hpp>
 
+#include "tests/test_class.h"
+
+namespace view_view_test {
+
 namespace {
 
 app::View someView()
@@ -137,5 +141,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ViewTest)
-#include "view_test.moc"
+} // namespace view_view_test
+
+TEST_CLASS(view_view_test::ViewTest, None)
+#include "tests/app/view/view_test.moc"

@@ -4,6 +4,10 @@
 #include <QColor>
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace view_visible_colour_test {
+
 class VisibleColourTest : public QObject {
     Q_OBJECT
 
@@ -52,5 +56,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(VisibleColourTest)
-#include "visible_colour_test.moc"
+} // namespace view_visible_colour_test
+
+TEST_CLASS(view_visible_colour_test::VisibleColourTest, None)
+#include "tests/app/view/visible_colour_test.moc"

@@ -10,7 +10,10 @@
 #include "tests/clipping/rational.h"
 #include "tests/clipping/same_bits.h"
 #include "tests/clipping/scenes.h"
+#include "tests/test_class.h"
 #include "tests/verify.h"
+
+namespace algorithms_exact_test {
 
 using namespace clipping;
 
@@ -178,5 +181,7 @@ private slots:
     void hasNoPublishedForm() { QVERIFY(!exact_.published && exact_.floats); }
 };
 
-QTEST_APPLESS_MAIN(ExactTest)
-#include "exact_test.moc"
+} // namespace algorithms_exact_test
+
+TEST_CLASS(algorithms_exact_test::ExactTest, None)
+#include "tests/clipping/algorithms/exact_test.moc"

@@ -5,7 +5,10 @@
 #include "tests/clipping/contract.h"
 #include "tests/clipping/random.h"
 #include "tests/clipping/rows.h"
+#include "tests/test_class.h"
 #include "tests/verify.h"
+
+namespace algorithms_midpoint_subdivision_test {
 
 using namespace clipping;
 
@@ -96,5 +99,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(MidpointSubdivisionTest)
-#include "midpoint_subdivision_test.moc"
+} // namespace algorithms_midpoint_subdivision_test
+
+TEST_CLASS(algorithms_midpoint_subdivision_test::MidpointSubdivisionTest, None)
+#include "tests/clipping/algorithms/midpoint_subdivision_test.moc"

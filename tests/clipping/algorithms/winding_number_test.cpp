@@ -10,7 +10,10 @@
 #include "tests/clipping/random.h"
 #include "tests/clipping/region/contract.h"
 #include "tests/clipping/region/shapes.h"
+#include "tests/test_class.h"
 #include "tests/verify.h"
+
+namespace algorithms_winding_number_test {
 
 using namespace clipping;
 
@@ -120,5 +123,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(WindingNumberTest)
-#include "winding_number_test.moc"
+} // namespace algorithms_winding_number_test
+
+TEST_CLASS(algorithms_winding_number_test::WindingNumberTest, Core)
+#include "tests/clipping/algorithms/winding_number_test.moc"

@@ -8,6 +8,9 @@
 
 #include "tests/clipping/area/contract.h"
 #include "tests/clipping/random.h"
+#include "tests/test_class.h"
+
+namespace area_clip_area_test {
 
 using namespace clipping;
 using namespace area_contract;
@@ -196,5 +199,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ClipAreaTest)
-#include "clip_area_test.moc"
+} // namespace area_clip_area_test
+
+TEST_CLASS(area_clip_area_test::ClipAreaTest, Core)
+#include "tests/clipping/area/clip_area_test.moc"

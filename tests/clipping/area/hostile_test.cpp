@@ -7,7 +7,10 @@
 #include "tests/clipping/area/shapes.h"
 #include "tests/clipping/area/truth.h"
 #include "tests/clipping/region/contract.h"
+#include "tests/test_class.h"
 #include "tests/verify.h"
+
+namespace area_hostile_test {
 
 using namespace clipping;
 using namespace area_contract;
@@ -155,5 +158,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(HostileTest)
-#include "hostile_test.moc"
+} // namespace area_hostile_test
+
+TEST_CLASS(area_hostile_test::HostileTest, Core)
+#include "tests/clipping/area/hostile_test.moc"

@@ -7,7 +7,10 @@
 #include "tests/clipping/area/shapes.h"
 #include "tests/clipping/area/truth.h"
 #include "tests/clipping/region/contract.h"
+#include "tests/test_class.h"
 #include "tests/verify.h"
+
+namespace area_random_test {
 
 using namespace clipping;
 using namespace area_contract;
@@ -133,5 +136,7 @@ private:
     const Region everything_;
 };
 
-QTEST_GUILESS_MAIN(RandomTest)
-#include "random_test.moc"
+} // namespace area_random_test
+
+TEST_CLASS(area_random_test::RandomTest, Core)
+#include "tests/clipping/area/random_test.moc"

@@ -11,6 +11,9 @@
 
 #include "tests/clipping/same_bits.h"
 #include "tests/clipping/scenes.h"
+#include "tests/test_class.h"
+
+namespace batch_kernels_test {
 
 using namespace clipping;
 
@@ -307,5 +310,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(KernelsTest)
-#include "kernels_test.moc"
+} // namespace batch_kernels_test
+
+TEST_CLASS(batch_kernels_test::KernelsTest, None)
+#include "tests/clipping/batch/kernels_test.moc"

@@ -12,7 +12,10 @@
 #include "tests/clipping/contract.h"
 #include "tests/clipping/rows.h"
 #include "tests/not_empty.h"
+#include "tests/test_class.h"
 #include "tests/verify.h"
+
+namespace box_box_test {
 
 using namespace clipping;
 
@@ -242,5 +245,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(BoxTest)
-#include "box_test.moc"
+} // namespace box_box_test
+
+TEST_CLASS(box_box_test::BoxTest, None)
+#include "tests/clipping/box/box_test.moc"

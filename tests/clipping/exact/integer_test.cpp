@@ -11,6 +11,10 @@
 #include <random>
 #include <vector>
 
+#include "tests/test_class.h"
+
+namespace exact_integer_test {
+
 using boost::multiprecision::cpp_int;
 using clipping::ExactInteger;
 
@@ -119,5 +123,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(IntegerTest)
-#include "integer_test.moc"
+} // namespace exact_integer_test
+
+TEST_CLASS(exact_integer_test::IntegerTest, None)
+#include "tests/clipping/exact/integer_test.moc"

@@ -5,6 +5,9 @@
 #include <functional>
 
 #include "tests/clipping/formulas/checker.h"
+#include "tests/test_class.h"
+
+namespace formulas_checker_test {
 
 using namespace formulas;
 using clipping::Edge;
@@ -227,5 +230,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(CheckerTest)
-#include "checker_test.moc"
+} // namespace formulas_checker_test
+
+TEST_CLASS(formulas_checker_test::CheckerTest, Core)
+#include "tests/clipping/formulas/checker_test.moc"

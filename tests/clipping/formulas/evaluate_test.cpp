@@ -4,6 +4,9 @@
 
 #include "tests/clipping/formulas/checker.h"
 #include "tests/clipping/formulas/reader.h"
+#include "tests/test_class.h"
+
+namespace formulas_evaluate_test {
 
 using namespace formulas;
 
@@ -180,5 +183,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(EvaluateTest)
-#include "evaluate_test.moc"
+} // namespace formulas_evaluate_test
+
+TEST_CLASS(formulas_evaluate_test::EvaluateTest, Core)
+#include "tests/clipping/formulas/evaluate_test.moc"

@@ -77,16 +77,16 @@ void tryRow(const clipping::Algorithm& row)
     if (row.published) {
         const auto piece = row.published->clip(crossing, window);
         expect(piece.has_value(), row.key, "published");
-        expect(clipping::usesOf(row, clipping::Form::Published) == row.published, row.key,
-               "usesOf");
+        expect(clipping::functionsOf(row, clipping::Form::Published) == row.published, row.key,
+               "functionsOf");
     }
-    expect(clipping::usesOf(row, clipping::Form::Corrected) == &row.corrected, row.key, "usesOf");
+    expect(clipping::functionsOf(row, clipping::Form::Corrected) == &row.corrected, row.key, "functionsOf");
 
     using Single = clipping::BasicSegment<float>;
-    tryUses(*row.single, row.key, Single{{-2, 0}, {2, 0}}, Single{{5, 5}, {6, 6}},
+    tryUses(*row.floats, row.key, Single{{-2, 0}, {2, 0}}, Single{{5, 5}, {6, 6}},
             clipping::BasicWindow<float>{{-1, -1}, {1, 1}}, Single{{-1, 0}, {1, 0}});
     const clipping::ConvexPolygon square{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
-    for (const auto* uses : {row.polygon, row.searchedPolygon})
+    for (const auto* uses : {row.polygon, row.polygonBySearch})
         if (uses)
             tryUses(*uses, row.key, crossing, missing, square, visible);
     if (row.box)

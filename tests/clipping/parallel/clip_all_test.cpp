@@ -12,6 +12,9 @@
 #include <tbb/task_arena.h>
 
 #include "tests/benchmarks/scenes.h"
+#include "tests/test_class.h"
+
+namespace parallel_clip_all_test {
 
 using namespace clipping;
 
@@ -52,5 +55,7 @@ private slots:
     void anyNumberOfThreadsGivesTheSameResultInFloat() { compareThreads<float>(); }
 };
 
-QTEST_APPLESS_MAIN(ClipAllTest)
-#include "clip_all_test.moc"
+} // namespace parallel_clip_all_test
+
+TEST_CLASS(parallel_clip_all_test::ClipAllTest, None)
+#include "tests/clipping/parallel/clip_all_test.moc"

@@ -9,6 +9,9 @@
 
 #include "tests/clipping/random.h"
 #include "tests/clipping/same_bits.h"
+#include "tests/test_class.h"
+
+namespace polygon_convex_window_test {
 
 using namespace clearcut;
 using glm::dvec2;
@@ -118,5 +121,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ConvexWindowTest)
-#include "convex_window_test.moc"
+} // namespace polygon_convex_window_test
+
+TEST_CLASS(polygon_convex_window_test::ConvexWindowTest, None)
+#include "tests/clipping/polygon/convex_window_test.moc"

@@ -14,7 +14,10 @@
 
 #include "tests/clipping/polygon/contract.h"
 #include "tests/clipping/polygon/shapes.h"
+#include "tests/test_class.h"
 #include "tests/verify.h"
+
+namespace polygon_exact_test {
 
 using namespace clipping;
 
@@ -378,5 +381,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ExactPolygonTest)
-#include "exact_test.moc"
+} // namespace polygon_exact_test
+
+TEST_CLASS(polygon_exact_test::ExactPolygonTest, None)
+#include "tests/clipping/polygon/exact_test.moc"

@@ -8,6 +8,9 @@
 
 #include "tests/clipping/polygon/shapes.h"
 #include "tests/clipping/same_bits.h"
+#include "tests/test_class.h"
+
+namespace polygon_line_or_ray_test {
 
 using namespace clearcut;
 
@@ -143,5 +146,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(LineOrRayTest)
-#include "line_or_ray_test.moc"
+} // namespace polygon_line_or_ray_test
+
+TEST_CLASS(polygon_line_or_ray_test::LineOrRayTest, None)
+#include "tests/clipping/polygon/line_or_ray_test.moc"

@@ -10,7 +10,10 @@
 
 #include "tests/clipping/region/contract.h"
 #include "tests/clipping/region/shapes.h"
+#include "tests/test_class.h"
 #include "tests/verify.h"
+
+namespace region_box_part_test {
 
 using namespace clipping;
 
@@ -74,5 +77,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(BoxPartTest)
-#include "box_part_test.moc"
+} // namespace region_box_part_test
+
+TEST_CLASS(region_box_part_test::BoxPartTest, Core)
+#include "tests/clipping/region/box_part_test.moc"

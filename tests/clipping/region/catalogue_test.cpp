@@ -4,6 +4,10 @@
 
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace region_catalogue_test {
+
 using namespace clipping;
 
 class CatalogueTest : public QObject {
@@ -38,5 +42,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(CatalogueTest)
-#include "catalogue_test.moc"
+} // namespace region_catalogue_test
+
+TEST_CLASS(region_catalogue_test::CatalogueTest, Core)
+#include "tests/clipping/region/catalogue_test.moc"

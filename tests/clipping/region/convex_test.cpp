@@ -10,6 +10,9 @@
 #include "tests/clipping/polygon/shapes.h"
 #include "tests/clipping/region/contract.h"
 #include "tests/clipping/region/shapes.h"
+#include "tests/test_class.h"
+
+namespace region_convex_test {
 
 using namespace clipping;
 
@@ -160,5 +163,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ConvexTest)
-#include "convex_test.moc"
+} // namespace region_convex_test
+
+TEST_CLASS(region_convex_test::ConvexTest, Core)
+#include "tests/clipping/region/convex_test.moc"

@@ -7,6 +7,9 @@
 
 #include "tests/clipping/random.h"
 #include "tests/clipping/region/contract.h"
+#include "tests/test_class.h"
+
+namespace region_grid_test {
 
 using namespace clipping;
 
@@ -149,5 +152,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(GridTest)
-#include "grid_test.moc"
+} // namespace region_grid_test
+
+TEST_CLASS(region_grid_test::GridTest, Core)
+#include "tests/clipping/region/grid_test.moc"

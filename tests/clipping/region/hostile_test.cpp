@@ -9,7 +9,10 @@
 
 #include "tests/clipping/region/contract.h"
 #include "tests/clipping/region/shapes.h"
+#include "tests/test_class.h"
 #include "tests/verify.h"
+
+namespace region_hostile_test {
 
 using namespace clipping;
 
@@ -230,5 +233,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(HostileTest)
-#include "hostile_test.moc"
+} // namespace region_hostile_test
+
+TEST_CLASS(region_hostile_test::HostileTest, Core)
+#include "tests/clipping/region/hostile_test.moc"

@@ -8,6 +8,9 @@
 #include <cstring>
 
 #include "tests/clipping/region/shapes.h"
+#include "tests/test_class.h"
+
+namespace region_many_segments_test {
 
 using namespace clipping;
 
@@ -96,5 +99,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(ManySegmentsTest)
-#include "many_segments_test.moc"
+} // namespace region_many_segments_test
+
+TEST_CLASS(region_many_segments_test::ManySegmentsTest, Core)
+#include "tests/clipping/region/many_segments_test.moc"

@@ -13,7 +13,10 @@
 #include "tests/clipping/random.h"
 #include "tests/clipping/region/contract.h"
 #include "tests/clipping/scenes.h"
+#include "tests/test_class.h"
 #include "tests/verify.h"
+
+namespace region_region_test {
 
 using namespace clipping;
 using enum AreaOperation;
@@ -193,5 +196,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(RegionTest)
-#include "region_test.moc"
+} // namespace region_region_test
+
+TEST_CLASS(region_region_test::RegionTest, Core)
+#include "tests/clipping/region/region_test.moc"

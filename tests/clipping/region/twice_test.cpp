@@ -24,11 +24,13 @@
 #include "tests/clipping/random.h"
 #include "tests/clipping/region/contract.h"
 #include "tests/clipping/scenes.h"
+#include "tests/test_class.h"
 #include "tests/verify.h"
+
+namespace region_twice_test {
 
 using namespace clipping;
 
-Q_DECLARE_METATYPE(const RegionAlgorithm*)
 
 namespace {
 
@@ -172,5 +174,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TwiceTest)
-#include "twice_test.moc"
+} // namespace region_twice_test
+
+TEST_CLASS(region_twice_test::TwiceTest, Core)
+#include "tests/clipping/region/twice_test.moc"

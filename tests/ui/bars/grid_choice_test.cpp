@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QToolButton>
 
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
 
-namespace ui {
+namespace ui::bars_grid_choice_test {
 
 // The grid in the bar across the top, by mouse and keys.
 class GridChoiceTest : public QObject {
@@ -66,7 +67,7 @@ private slots:
     }
 };
 
-} // namespace ui
+} // namespace ui::bars_grid_choice_test
 
-QTEST_MAIN(ui::GridChoiceTest)
-#include "grid_choice_test.moc"
+TEST_CLASS(ui::bars_grid_choice_test::GridChoiceTest, Widgets)
+#include "tests/ui/bars/grid_choice_test.moc"

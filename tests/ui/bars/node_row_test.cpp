@@ -7,7 +7,10 @@
 #include <QToolButton>
 #include <QToolTip>
 
+#include "tests/test_class.h"
 #include "tests/ui/tools/hand.h"
+
+namespace bars_node_row_test {
 
 using namespace ui;
 
@@ -78,5 +81,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(NodeRowTest)
-#include "node_row_test.moc"
+} // namespace bars_node_row_test
+
+TEST_CLASS(bars_node_row_test::NodeRowTest, Widgets)
+#include "tests/ui/bars/node_row_test.moc"

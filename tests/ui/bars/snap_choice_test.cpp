@@ -2,9 +2,10 @@
 #include <QMenu>
 #include <QToolButton>
 
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
 
-namespace ui {
+namespace ui::bars_snap_choice_test {
 
 // Snapping in the bar across the top, by mouse and keys.
 class SnapChoiceTest : public QObject {
@@ -90,7 +91,7 @@ private slots:
     }
 };
 
-} // namespace ui
+} // namespace ui::bars_snap_choice_test
 
-QTEST_MAIN(ui::SnapChoiceTest)
-#include "snap_choice_test.moc"
+TEST_CLASS(ui::bars_snap_choice_test::SnapChoiceTest, Widgets)
+#include "tests/ui/bars/snap_choice_test.moc"

@@ -8,7 +8,10 @@
 
 #include <QStatusBar>
 
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace bars_status_bar_test {
 
 using namespace ui;
 
@@ -77,5 +80,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(StatusBarTest)
-#include "status_bar_test.moc"
+} // namespace bars_status_bar_test
+
+TEST_CLASS(bars_status_bar_test::StatusBarTest, Widgets)
+#include "tests/ui/bars/status_bar_test.moc"

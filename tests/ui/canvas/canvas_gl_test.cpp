@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/test_class.h"
 #include "tests/ui/canvas/canvas_cases.h"
+
+namespace canvas_canvas_gl_test {
 
 class CanvasGlTest : public QObject {
     Q_OBJECT
@@ -79,5 +82,7 @@ private:
     static constexpr ui::Backend backend = ui::Backend::OpenGL;
 };
 
-QTEST_MAIN(CanvasGlTest)
-#include "canvas_gl_test.moc"
+} // namespace canvas_canvas_gl_test
+
+TEST_CLASS(canvas_canvas_gl_test::CanvasGlTest, Widgets)
+#include "tests/ui/canvas/canvas_gl_test.moc"

@@ -6,7 +6,10 @@
 
 #include "tests/app/document/sheet.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/test_class.h"
 #include "tests/ui/canvas/canvas_cases.h"
+
+namespace canvas_canvas_test {
 
 class CanvasTest : public QObject {
     Q_OBJECT
@@ -150,5 +153,7 @@ private:
     static constexpr ui::Backend backend = ui::Backend::Raster;
 };
 
-QTEST_MAIN(CanvasTest)
-#include "canvas_test.moc"
+} // namespace canvas_canvas_test
+
+TEST_CLASS(canvas_canvas_test::CanvasTest, Widgets)
+#include "tests/ui/canvas/canvas_test.moc"

@@ -5,7 +5,10 @@
 
 #include <cmath>
 
+#include "tests/test_class.h"
 #include "tests/ui/canvas/stage.h"
+
+namespace canvas_extreme_zoom_test {
 
 // The canvas at the smallest and the largest zoom: everything is painted in time, and every number
 // stays finite.
@@ -111,5 +114,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ExtremeZoomTest)
-#include "extreme_zoom_test.moc"
+} // namespace canvas_extreme_zoom_test
+
+TEST_CLASS(canvas_extreme_zoom_test::ExtremeZoomTest, Widgets)
+#include "tests/ui/canvas/extreme_zoom_test.moc"

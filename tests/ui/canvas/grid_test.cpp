@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/look/look.h"
 
+#include "tests/test_class.h"
 #include "tests/ui/canvas/stage.h"
+
+namespace canvas_grid_test {
 
 // The grid under the drawing; a unit is a CSS pixel, and 25.4 mm are 96 units.
 class GridTest : public QObject {
@@ -69,5 +72,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(GridTest)
-#include "grid_test.moc"
+} // namespace canvas_grid_test
+
+TEST_CLASS(canvas_grid_test::GridTest, Widgets)
+#include "tests/ui/canvas/grid_test.moc"

@@ -6,7 +6,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace canvas_large_window_test {
 
 using namespace ui;
 
@@ -65,5 +68,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(LargeWindowTest)
-#include "large_window_test.moc"
+} // namespace canvas_large_window_test
+
+TEST_CLASS(canvas_large_window_test::LargeWindowTest, Widgets)
+#include "tests/ui/canvas/large_window_test.moc"

@@ -149,4 +149,4 @@ int main(int argc, char** argv)
     PaintingTest test;
     return QTest::qExec(&test, argc, argv);
 }
-#include "painting_test.moc"
+#include "tests/ui/canvas/painting_test.moc"

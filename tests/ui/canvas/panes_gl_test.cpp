@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each pane is an OpenGL widget of its own; panes share only the main window.
+#include "tests/test_class.h"
 #include "tests/ui/canvas/pane_stage.h"
+
+namespace canvas_panes_gl_test {
 
 class PanesGlTest : public QObject {
     Q_OBJECT
@@ -39,5 +42,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(PanesGlTest)
-#include "panes_gl_test.moc"
+} // namespace canvas_panes_gl_test
+
+TEST_CLASS(canvas_panes_gl_test::PanesGlTest, Widgets)
+#include "tests/ui/canvas/panes_gl_test.moc"

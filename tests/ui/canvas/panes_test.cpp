@@ -5,7 +5,10 @@
 
 #include "tests/app/document/sheet_edits.h"
 #include "tests/app/session/concave_window.h"
+#include "tests/test_class.h"
 #include "tests/ui/canvas/pane_stage.h"
+
+namespace canvas_panes_test {
 
 class PanesTest : public QObject {
     Q_OBJECT
@@ -311,5 +314,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(PanesTest)
-#include "panes_test.moc"
+} // namespace canvas_panes_test
+
+TEST_CLASS(canvas_panes_test::PanesTest, Widgets)
+#include "tests/ui/canvas/panes_test.moc"

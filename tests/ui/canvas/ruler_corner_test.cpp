@@ -3,9 +3,10 @@
 
 #include <QMenu>
 
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
 
-namespace ui {
+namespace ui::canvas_ruler_corner_test {
 
 // The unit where the rulers meet.
 class RulerCornerTest : public QObject {
@@ -38,7 +39,7 @@ private slots:
     }
 };
 
-} // namespace ui
+} // namespace ui::canvas_ruler_corner_test
 
-QTEST_MAIN(ui::RulerCornerTest)
-#include "ruler_corner_test.moc"
+TEST_CLASS(ui::canvas_ruler_corner_test::RulerCornerTest, Widgets)
+#include "tests/ui/canvas/ruler_corner_test.moc"

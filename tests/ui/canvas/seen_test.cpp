@@ -2,7 +2,10 @@
 #include "app/formats/format.h"
 
 #include "tests/app/document/sheet_edits.h"
+#include "tests/test_class.h"
 #include "tests/ui/canvas/stage.h"
+
+namespace canvas_seen_test {
 
 namespace {
 
@@ -171,5 +174,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(SeenTest)
-#include "seen_test.moc"
+} // namespace canvas_seen_test
+
+TEST_CLASS(canvas_seen_test::SeenTest, Widgets)
+#include "tests/ui/canvas/seen_test.moc"

@@ -3,7 +3,10 @@
 
 #include <QFrame>
 
+#include "tests/test_class.h"
 #include "tests/ui/canvas/stage.h"
+
+namespace canvas_snap_marker_test {
 
 // The marker where the pointer snaps, as it is painted.
 class SnapMarkerTest : public QObject {
@@ -85,5 +88,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(SnapMarkerTest)
-#include "snap_marker_test.moc"
+} // namespace canvas_snap_marker_test
+
+TEST_CLASS(canvas_snap_marker_test::SnapMarkerTest, Widgets)
+#include "tests/ui/canvas/snap_marker_test.moc"

@@ -4,7 +4,10 @@
 
 #include <QLabel>
 
+#include "tests/test_class.h"
 #include "tests/ui/tools/hand.h"
+
+namespace dialogs_grid_dialog_test {
 
 using namespace ui;
 
@@ -81,5 +84,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(GridDialogTest)
-#include "grid_dialog_test.moc"
+} // namespace dialogs_grid_dialog_test
+
+TEST_CLASS(dialogs_grid_dialog_test::GridDialogTest, Widgets)
+#include "tests/ui/dialogs/grid_dialog_test.moc"

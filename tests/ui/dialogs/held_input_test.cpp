@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/test_class.h"
 #include "tests/ui/dialogs/waiting_desk.h"
+
+namespace dialogs_held_input_test {
 
 class HeldInputTest : public QObject {
     Q_OBJECT
@@ -54,5 +57,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(HeldInputTest)
-#include "held_input_test.moc"
+} // namespace dialogs_held_input_test
+
+TEST_CLASS(dialogs_held_input_test::HeldInputTest, Widgets)
+#include "tests/ui/dialogs/held_input_test.moc"

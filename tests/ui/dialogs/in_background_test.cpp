@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QProgressBar>
 
+#include "tests/test_class.h"
 #include "tests/ui/dialogs/waiting_desk.h"
+
+namespace dialogs_in_background_test {
 
 class InBackgroundTest : public QObject {
     Q_OBJECT
@@ -147,5 +150,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(InBackgroundTest)
-#include "in_background_test.moc"
+} // namespace dialogs_in_background_test
+
+TEST_CLASS(dialogs_in_background_test::InBackgroundTest, Widgets)
+#include "tests/ui/dialogs/in_background_test.moc"

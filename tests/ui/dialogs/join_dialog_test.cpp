@@ -4,7 +4,10 @@
 
 #include <QLabel>
 
+#include "tests/test_class.h"
 #include "tests/ui/tools/hand.h"
+
+namespace dialogs_join_dialog_test {
 
 using namespace ui;
 
@@ -91,5 +94,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(JoinDialogTest)
-#include "join_dialog_test.moc"
+} // namespace dialogs_join_dialog_test
+
+TEST_CLASS(dialogs_join_dialog_test::JoinDialogTest, Widgets)
+#include "tests/ui/dialogs/join_dialog_test.moc"

@@ -10,7 +10,10 @@
 #include "tests/app/document/sheet_edits.h"
 #include "tests/app/formats/failing_disk.h"
 #include "tests/content_of.h"
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace dialogs_questions_test {
 
 using namespace ui;
 
@@ -103,5 +106,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(QuestionsTest)
-#include "questions_test.moc"
+} // namespace dialogs_questions_test
+
+TEST_CLASS(dialogs_questions_test::QuestionsTest, Widgets)
+#include "tests/ui/dialogs/questions_test.moc"

@@ -3,7 +3,10 @@
 
 #include <QAbstractButton>
 
+#include "tests/test_class.h"
 #include "tests/ui/tools/hand.h"
+
+namespace dialogs_repeat_dialog_test {
 
 using namespace ui;
 
@@ -96,5 +99,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(RepeatDialogTest)
-#include "repeat_dialog_test.moc"
+} // namespace dialogs_repeat_dialog_test
+
+TEST_CLASS(dialogs_repeat_dialog_test::RepeatDialogTest, Widgets)
+#include "tests/ui/dialogs/repeat_dialog_test.moc"

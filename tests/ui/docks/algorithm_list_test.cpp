@@ -9,7 +9,10 @@
 
 #include <QRadioButton>
 
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace docks_algorithm_list_test {
 
 using namespace ui;
 
@@ -127,5 +130,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(AlgorithmListTest)
-#include "algorithm_list_test.moc"
+} // namespace docks_algorithm_list_test
+
+TEST_CLASS(docks_algorithm_list_test::AlgorithmListTest, Widgets)
+#include "tests/ui/docks/algorithm_list_test.moc"

@@ -12,7 +12,10 @@
 #include "tests/app/document/sheet_edits.h"
 #include "tests/app/scene/block_scene.h"
 #include "tests/app/session/concave_window.h"
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace docks_compare_test {
 
 using namespace ui;
 
@@ -327,5 +330,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(CompareTest)
-#include "compare_test.moc"
+} // namespace docks_compare_test
+
+TEST_CLASS(docks_compare_test::CompareTest, Widgets)
+#include "tests/ui/docks/compare_test.moc"

@@ -6,7 +6,10 @@
 
 #include "tests/app/document/one_window.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace docks_cost_map_panel_test {
 
 using namespace ui;
 
@@ -207,5 +210,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(CostMapPanelTest)
-#include "cost_map_panel_test.moc"
+} // namespace docks_cost_map_panel_test
+
+TEST_CLASS(docks_cost_map_panel_test::CostMapPanelTest, Widgets)
+#include "tests/ui/docks/cost_map_panel_test.moc"

@@ -6,7 +6,10 @@
 #include <QAction>
 #include <QCheckBox>
 
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace docks_cut_options_test {
 
 using namespace ui;
 
@@ -107,5 +110,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(CutOptionsTest)
-#include "cut_options_test.moc"
+} // namespace docks_cut_options_test
+
+TEST_CLASS(docks_cut_options_test::CutOptionsTest, Widgets)
+#include "tests/ui/docks/cut_options_test.moc"

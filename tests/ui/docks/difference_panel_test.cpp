@@ -11,7 +11,10 @@
 
 #include "tests/app/document/one_window.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace docks_difference_panel_test {
 
 using namespace ui;
 using clipping::Segment;
@@ -388,5 +391,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(DifferencePanelTest)
-#include "difference_panel_test.moc"
+} // namespace docks_difference_panel_test
+
+TEST_CLASS(docks_difference_panel_test::DifferencePanelTest, Widgets)
+#include "tests/ui/docks/difference_panel_test.moc"

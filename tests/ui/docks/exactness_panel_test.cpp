@@ -13,7 +13,10 @@
 #include <set>
 
 #include "tests/app/document/sheet_edits.h"
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace docks_exactness_panel_test {
 
 using namespace ui;
 
@@ -246,5 +249,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ExactnessPanelTest)
-#include "exactness_panel_test.moc"
+} // namespace docks_exactness_panel_test
+
+TEST_CLASS(docks_exactness_panel_test::ExactnessPanelTest, Widgets)
+#include "tests/ui/docks/exactness_panel_test.moc"

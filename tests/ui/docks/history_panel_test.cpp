@@ -6,6 +6,9 @@
 #include <QTest>
 
 #include "tests/app/document/one_window.h"
+#include "tests/test_class.h"
+
+namespace docks_history_panel_test {
 
 using namespace ui;
 
@@ -82,6 +85,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(HistoryPanelTest)
-#include "history_panel_test.moc"
+} // namespace docks_history_panel_test
+
+TEST_CLASS(docks_history_panel_test::HistoryPanelTest, Widgets)
+#include "tests/ui/docks/history_panel_test.moc"
 #include "tests/app/document/one_window.h"

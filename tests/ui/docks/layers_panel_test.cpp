@@ -8,7 +8,10 @@
 #include <QMenu>
 #include <QToolButton>
 
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace docks_layers_panel_test {
 
 using namespace ui;
 
@@ -218,5 +221,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(LayersPanelTest)
-#include "layers_panel_test.moc"
+} // namespace docks_layers_panel_test
+
+TEST_CLASS(docks_layers_panel_test::LayersPanelTest, Widgets)
+#include "tests/ui/docks/layers_panel_test.moc"

@@ -7,7 +7,10 @@
 #include <QLineEdit>
 #include <QSignalSpy>
 
+#include "tests/test_class.h"
 #include "tests/ui/tools/hand.h"
+
+namespace docks_node_fields_test {
 
 using namespace ui;
 
@@ -153,5 +156,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(NodeFieldsTest)
-#include "node_fields_test.moc"
+} // namespace docks_node_fields_test
+
+TEST_CLASS(docks_node_fields_test::NodeFieldsTest, Widgets)
+#include "tests/ui/docks/node_fields_test.moc"

@@ -21,7 +21,10 @@
 
 #include "tests/app/document/one_window.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace docks_panels_test {
 
 using namespace ui;
 
@@ -481,5 +484,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(PanelsTest)
-#include "panels_test.moc"
+} // namespace docks_panels_test
+
+TEST_CLASS(docks_panels_test::PanelsTest, Widgets)
+#include "tests/ui/docks/panels_test.moc"

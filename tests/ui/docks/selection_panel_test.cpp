@@ -10,7 +10,10 @@
 #include <QMenu>
 #include <QSignalSpy>
 
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace docks_selection_panel_test {
 
 using namespace ui;
 
@@ -222,5 +225,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(SelectionPanelTest)
-#include "selection_panel_test.moc"
+} // namespace docks_selection_panel_test
+
+TEST_CLASS(docks_selection_panel_test::SelectionPanelTest, Widgets)
+#include "tests/ui/docks/selection_panel_test.moc"

@@ -9,6 +9,10 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace editing_editing_test {
+
 using namespace ui;
 
 namespace {
@@ -154,5 +158,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(EditingTest)
-#include "editing_test.moc"
+} // namespace editing_editing_test
+
+TEST_CLASS(editing_editing_test::EditingTest, Widgets)
+#include "tests/ui/editing/editing_test.moc"

@@ -4,7 +4,10 @@
 #include "ui/editor/recovery.h"
 #include "ui/widgets/warning_button.h"
 
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace editor_protection_test {
 
 using namespace ui;
 
@@ -87,5 +90,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ProtectionTest)
-#include "protection_test.moc"
+} // namespace editor_protection_test
+
+TEST_CLASS(editor_protection_test::ProtectionTest, Widgets)
+#include "tests/ui/editor/protection_test.moc"

@@ -683,4 +683,4 @@ int main(int argc, char** argv)
     RecoveryTest test;
     return QTest::qExec(&test, argc, argv);
 }
-#include "recovery_test.moc"
+#include "tests/ui/editor/recovery_test.moc"

@@ -186,4 +186,4 @@ int main(int argc, char** argv)
     StartTest test;
     return QTest::qExec(&test, argc, argv);
 }
-#include "start_test.moc"
+#include "tests/ui/editor/start_test.moc"

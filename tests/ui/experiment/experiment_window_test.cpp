@@ -21,7 +21,10 @@
 
 #include "tests/app/document/sheet_edits.h"
 #include "tests/content_of.h"
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace experiment_experiment_window_test {
 
 using namespace ui;
 
@@ -566,5 +569,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ExperimentWindowTest)
-#include "experiment_window_test.moc"
+} // namespace experiment_experiment_window_test
+
+TEST_CLASS(experiment_experiment_window_test::ExperimentWindowTest, Widgets)
+#include "tests/ui/experiment/experiment_window_test.moc"

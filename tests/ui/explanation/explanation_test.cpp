@@ -21,7 +21,10 @@
 #include <cmath>
 
 #include "tests/not_empty.h"
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace explanation_explanation_test {
 
 using namespace ui;
 
@@ -429,5 +432,7 @@ private:
     }
 };
 
-QTEST_MAIN(ExplanationTest)
-#include "explanation_test.moc"
+} // namespace explanation_explanation_test
+
+TEST_CLASS(explanation_explanation_test::ExplanationTest, Widgets)
+#include "tests/ui/explanation/explanation_test.moc"

@@ -7,7 +7,10 @@
 
 #include "tests/app/document/sheet_edits.h"
 #include "tests/content_of.h"
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace files_changed_file_test {
 
 using namespace ui;
 
@@ -158,5 +161,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ChangedFileTest)
-#include "changed_file_test.moc"
+} // namespace files_changed_file_test
+
+TEST_CLASS(files_changed_file_test::ChangedFileTest, Widgets)
+#include "tests/ui/files/changed_file_test.moc"

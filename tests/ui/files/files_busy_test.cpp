@@ -4,7 +4,10 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 
+#include "tests/test_class.h"
 #include "tests/ui/files/busy_desk.h"
+
+namespace files_files_busy_test {
 
 using namespace ui;
 
@@ -108,5 +111,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(FilesBusyTest)
-#include "files_busy_test.moc"
+} // namespace files_files_busy_test
+
+TEST_CLASS(files_files_busy_test::FilesBusyTest, Widgets)
+#include "tests/ui/files/files_busy_test.moc"

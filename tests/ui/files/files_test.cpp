@@ -4,7 +4,10 @@
 
 #include <QTest>
 
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace files_files_test {
 
 using namespace ui;
 
@@ -58,5 +61,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(FilesTest)
-#include "files_test.moc"
+} // namespace files_files_test
+
+TEST_CLASS(files_files_test::FilesTest, Widgets)
+#include "tests/ui/files/files_test.moc"

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/content_of.h"
+#include "tests/test_class.h"
 #include "tests/ui/files/busy_desk.h"
+
+namespace files_slow_save_test {
 
 using namespace ui;
 
@@ -123,5 +126,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(SlowSaveTest)
-#include "slow_save_test.moc"
+} // namespace files_slow_save_test
+
+TEST_CLASS(files_slow_save_test::SlowSaveTest, Widgets)
+#include "tests/ui/files/slow_save_test.moc"

@@ -10,7 +10,10 @@
 
 #include "tests/app/document/sheet_edits.h"
 #include "tests/not_empty.h"
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace hard_cases_hard_cases_window_test {
 
 using namespace ui;
 
@@ -198,5 +201,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(HardCasesWindowTest)
-#include "hard_cases_window_test.moc"
+} // namespace hard_cases_hard_cases_window_test
+
+TEST_CLASS(hard_cases_hard_cases_window_test::HardCasesWindowTest, Widgets)
+#include "tests/ui/hard_cases/hard_cases_window_test.moc"

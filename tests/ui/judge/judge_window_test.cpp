@@ -8,7 +8,10 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace judge_judge_window_test {
 
 using namespace ui;
 
@@ -219,5 +222,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(JudgeWindowTest)
-#include "judge_window_test.moc"
+} // namespace judge_judge_window_test
+
+TEST_CLASS(judge_judge_window_test::JudgeWindowTest, Widgets)
+#include "tests/ui/judge/judge_window_test.moc"

@@ -9,7 +9,10 @@
 
 #include <QRegularExpression>
 
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace lessons_covered_test {
 
 namespace {
 
@@ -156,5 +159,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(CoveredTest)
-#include "covered_test.moc"
+} // namespace lessons_covered_test
+
+TEST_CLASS(lessons_covered_test::CoveredTest, Widgets)
+#include "tests/ui/lessons/covered_test.moc"

@@ -6,7 +6,10 @@
 
 #include <QAbstractButton>
 
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace lessons_lesson_panel_test {
 
 namespace {
 
@@ -179,5 +182,7 @@ private:
     QTemporaryDir folder_;
 };
 
-QTEST_MAIN(LessonPanelTest)
-#include "lesson_panel_test.moc"
+} // namespace lessons_lesson_panel_test
+
+TEST_CLASS(lessons_lesson_panel_test::LessonPanelTest, Widgets)
+#include "tests/ui/lessons/lesson_panel_test.moc"

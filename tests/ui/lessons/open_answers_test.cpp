@@ -10,7 +10,10 @@
 #include <QTimer>
 #include <QToolButton>
 
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace lessons_open_answers_test {
 
 using namespace ui;
 
@@ -146,5 +149,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(OpenAnswersTest)
-#include "open_answers_test.moc"
+} // namespace lessons_open_answers_test
+
+TEST_CLASS(lessons_open_answers_test::OpenAnswersTest, Widgets)
+#include "tests/ui/lessons/open_answers_test.moc"

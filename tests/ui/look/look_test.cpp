@@ -9,7 +9,10 @@
 
 #include <set>
 
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace look_look_test {
 
 using namespace ui;
 
@@ -116,5 +119,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(LookTest)
-#include "look_test.moc"
+} // namespace look_look_test
+
+TEST_CLASS(look_look_test::LookTest, Widgets)
+#include "tests/ui/look/look_test.moc"

@@ -5,7 +5,10 @@
 #include <QToolButton>
 
 #include "tests/app/document/sheet_edits.h"
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace look_paper_test {
 
 using namespace ui;
 
@@ -149,5 +152,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(PaperTest)
-#include "paper_test.moc"
+} // namespace look_paper_test
+
+TEST_CLASS(look_paper_test::PaperTest, Widgets)
+#include "tests/ui/look/paper_test.moc"

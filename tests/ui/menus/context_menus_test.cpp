@@ -6,7 +6,10 @@
 #include <QContextMenuEvent>
 #include <QMenu>
 
+#include "tests/test_class.h"
 #include "tests/ui/tools/hand.h"
+
+namespace menus_context_menus_test {
 
 using namespace ui;
 
@@ -139,5 +142,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ContextMenusTest)
-#include "context_menus_test.moc"
+} // namespace menus_context_menus_test
+
+TEST_CLASS(menus_context_menus_test::ContextMenusTest, Widgets)
+#include "tests/ui/menus/context_menus_test.moc"

@@ -8,7 +8,10 @@
 #include <QMenuBar>
 #include <QRegularExpression>
 
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace menus_manual_test {
 
 // The manual's keys and menus against those of the window.
 
@@ -135,5 +138,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ManualTest)
-#include "manual_test.moc"
+} // namespace menus_manual_test
+
+TEST_CLASS(menus_manual_test::ManualTest, Widgets)
+#include "tests/ui/menus/manual_test.moc"

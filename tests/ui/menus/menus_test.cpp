@@ -9,11 +9,12 @@
 #include <QTextTable>
 
 #include "tests/not_empty.h"
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
 
 // The menus of the window against the rows of their catalogues.
 
-namespace ui {
+namespace ui::menus_menus_test {
 
 class MenusTest : public QObject {
     Q_OBJECT
@@ -171,7 +172,7 @@ private slots:
     }
 };
 
-} // namespace ui
+} // namespace ui::menus_menus_test
 
-QTEST_MAIN(ui::MenusTest)
-#include "menus_test.moc"
+TEST_CLASS(ui::menus_menus_test::MenusTest, Widgets)
+#include "tests/ui/menus/menus_test.moc"

@@ -10,7 +10,10 @@
 #include <QSignalSpy>
 #include <QToolButton>
 
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace menus_other_windows_test {
 
 using namespace ui;
 
@@ -77,5 +80,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(OtherWindowsTest)
-#include "other_windows_test.moc"
+} // namespace menus_other_windows_test
+
+TEST_CLASS(menus_other_windows_test::OtherWindowsTest, Widgets)
+#include "tests/ui/menus/other_windows_test.moc"

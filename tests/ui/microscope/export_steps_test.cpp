@@ -8,7 +8,10 @@
 #include <QPushButton>
 #include <QSignalSpy>
 
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace microscope_export_steps_test {
 
 using namespace ui;
 
@@ -135,5 +138,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ExportStepsTest)
-#include "export_steps_test.moc"
+} // namespace microscope_export_steps_test
+
+TEST_CLASS(microscope_export_steps_test::ExportStepsTest, Widgets)
+#include "tests/ui/microscope/export_steps_test.moc"

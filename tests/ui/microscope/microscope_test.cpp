@@ -18,7 +18,10 @@
 
 #include "tests/app/document/one_window.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace microscope_microscope_test {
 
 using namespace ui;
 
@@ -474,5 +477,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(MicroscopeTest)
-#include "microscope_test.moc"
+} // namespace microscope_microscope_test
+
+TEST_CLASS(microscope_microscope_test::MicroscopeTest, Widgets)
+#include "tests/ui/microscope/microscope_test.moc"

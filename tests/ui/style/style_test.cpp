@@ -11,12 +11,13 @@
 #include <QLineEdit>
 #include <QStatusBar>
 
+#include "tests/test_class.h"
 #include "tests/ui/tools/hand.h"
 
 using app::Colour;
 using app::Style;
 
-namespace ui {
+namespace ui::style_style_test {
 
 // Style by mouse and keys: colours, stroke, fill, eyedropper, copy and paste.
 class StyleTest : public QObject {
@@ -379,7 +380,7 @@ private slots:
     }
 };
 
-} // namespace ui
+} // namespace ui::style_style_test
 
-QTEST_MAIN(ui::StyleTest)
-#include "style_test.moc"
+TEST_CLASS(ui::style_style_test::StyleTest, Widgets)
+#include "tests/ui/style/style_test.moc"

@@ -3,6 +3,10 @@
 #include <QRegularExpression>
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace tasks_events_only_test {
+
 // The tasks use the mouse and the keyboard alone, and each is one of the forty.
 class EventsOnlyTest : public QObject {
     Q_OBJECT
@@ -108,5 +112,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(EventsOnlyTest)
-#include "events_only_test.moc"
+} // namespace tasks_events_only_test
+
+TEST_CLASS(tasks_events_only_test::EventsOnlyTest, None)
+#include "tests/ui/tasks/events_only_test.moc"

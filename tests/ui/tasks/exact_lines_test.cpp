@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/test_class.h"
 #include "tests/ui/tasks/player.h"
+
+namespace tasks_exact_lines_test {
 
 using namespace tasks;
 
@@ -103,5 +106,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ExactLinesTest)
-#include "exact_lines_test.moc"
+} // namespace tasks_exact_lines_test
+
+TEST_CLASS(tasks_exact_lines_test::ExactLinesTest, Widgets)
+#include "tests/ui/tasks/exact_lines_test.moc"

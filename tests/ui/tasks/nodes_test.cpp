@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/test_class.h"
 #include "tests/ui/tasks/player.h"
+
+namespace tasks_nodes_test {
 
 using namespace tasks;
 
@@ -82,5 +85,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(NodesTest)
-#include "nodes_test.moc"
+} // namespace tasks_nodes_test
+
+TEST_CLASS(tasks_nodes_test::NodesTest, Widgets)
+#include "tests/ui/tasks/nodes_test.moc"

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/test_class.h"
 #include "tests/ui/tasks/player.h"
+
+namespace tasks_objects_test {
 
 using namespace tasks;
 
@@ -110,5 +113,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ObjectsTest)
-#include "objects_test.moc"
+} // namespace tasks_objects_test
+
+TEST_CLASS(tasks_objects_test::ObjectsTest, Widgets)
+#include "tests/ui/tasks/objects_test.moc"

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/test_class.h"
 #include "tests/ui/tasks/player.h"
+
+namespace tasks_shapes_test {
 
 using namespace tasks;
 
@@ -179,5 +182,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ShapesTest)
-#include "shapes_test.moc"
+} // namespace tasks_shapes_test
+
+TEST_CLASS(tasks_shapes_test::ShapesTest, Widgets)
+#include "tests/ui/tasks/shapes_test.moc"

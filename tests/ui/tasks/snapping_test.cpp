@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/test_class.h"
 #include "tests/ui/tasks/player.h"
+
+namespace tasks_snapping_test {
 
 using namespace tasks;
 
@@ -54,5 +57,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(SnappingTest)
-#include "snapping_test.moc"
+} // namespace tasks_snapping_test
+
+TEST_CLASS(tasks_snapping_test::SnappingTest, Widgets)
+#include "tests/ui/tasks/snapping_test.moc"

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/test_class.h"
 #include "tests/ui/tasks/player.h"
+
+namespace tasks_transforms_test {
 
 using namespace tasks;
 
@@ -174,5 +177,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TransformsTest)
-#include "transforms_test.moc"
+} // namespace tasks_transforms_test
+
+TEST_CLASS(tasks_transforms_test::TransformsTest, Widgets)
+#include "tests/ui/tasks/transforms_test.moc"

@@ -21,7 +21,10 @@
 #include <QSpinBox>
 
 #include "tests/app/command_line/program.h"
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace tiles_tiles_test {
 
 using namespace ui;
 
@@ -409,5 +412,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TilesTest)
-#include "tiles_test.moc"
+} // namespace tiles_tiles_test
+
+TEST_CLASS(tiles_tiles_test::TilesTest, Widgets)
+#include "tests/ui/tiles/tiles_test.moc"

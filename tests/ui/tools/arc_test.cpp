@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/drawing/circle_arc.h"
 
+#include "tests/test_class.h"
 #include "tests/ui/tools/hand.h"
+
+namespace tools_arc_test {
 
 // Arcs with mouse and keys.
 class ArcTest : public QObject {
@@ -178,5 +181,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ArcTest)
-#include "arc_test.moc"
+} // namespace tools_arc_test
+
+TEST_CLASS(tools_arc_test::ArcTest, Widgets)
+#include "tests/ui/tools/arc_test.moc"

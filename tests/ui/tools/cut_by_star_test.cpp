@@ -17,7 +17,10 @@
 
 #include "tests/app/command_line/program.h"
 #include "tests/app/scene/block_scene.h"
+#include "tests/test_class.h"
 #include "tests/ui/tools/hand.h"
+
+namespace tools_cut_by_star_test {
 
 namespace {
 
@@ -227,5 +230,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(CutByStarTest)
-#include "cut_by_star_test.moc"
+} // namespace tools_cut_by_star_test
+
+TEST_CLASS(tools_cut_by_star_test::CutByStarTest, Widgets)
+#include "tests/ui/tools/cut_by_star_test.moc"

@@ -5,7 +5,10 @@
 #include <QLineEdit>
 #include <QStatusBar>
 
+#include "tests/test_class.h"
 #include "tests/ui/tools/hand.h"
+
+namespace tools_digits_test {
 
 // Outside gestures and fields digits choose the algorithm whenever a clip window is chosen or the
 // workspace is not Draw; a digit never does so during a gesture, whatever the tool.
@@ -247,5 +250,7 @@ private:
     }
 };
 
-QTEST_MAIN(DigitsTest)
-#include "digits_test.moc"
+} // namespace tools_digits_test
+
+TEST_CLASS(tools_digits_test::DigitsTest, Widgets)
+#include "tests/ui/tools/digits_test.moc"

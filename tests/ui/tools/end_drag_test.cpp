@@ -3,7 +3,10 @@
 
 #include <numbers>
 
+#include "tests/test_class.h"
 #include "tests/ui/tools/hand.h"
+
+namespace tools_end_drag_test {
 
 // The round ends of a line that was clicked with the tool Select.
 class EndDragTest : public QObject {
@@ -190,5 +193,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(EndDragTest)
-#include "end_drag_test.moc"
+} // namespace tools_end_drag_test
+
+TEST_CLASS(tools_end_drag_test::EndDragTest, Widgets)
+#include "tests/ui/tools/end_drag_test.moc"

@@ -8,7 +8,10 @@
 #include <QMenu>
 #include <QSignalSpy>
 
+#include "tests/test_class.h"
 #include "tests/ui/tools/hand.h"
+
+namespace tools_groups_test {
 
 namespace {
 
@@ -316,5 +319,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(GroupsTest)
-#include "groups_test.moc"
+} // namespace tools_groups_test
+
+TEST_CLASS(tools_groups_test::GroupsTest, Widgets)
+#include "tests/ui/tools/groups_test.moc"

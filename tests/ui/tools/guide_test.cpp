@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/guide_drag.h"
 
+#include "tests/test_class.h"
 #include "tests/ui/tools/hand.h"
+
+namespace tools_guide_test {
 
 // Guides, dragged from the rulers and on the page.
 class GuideTest : public QObject {
@@ -182,5 +185,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(GuideTest)
-#include "guide_test.moc"
+} // namespace tools_guide_test
+
+TEST_CLASS(tools_guide_test::GuideTest, Widgets)
+#include "tests/ui/tools/guide_test.moc"

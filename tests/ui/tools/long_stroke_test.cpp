@@ -10,7 +10,10 @@
 #include <cmath>
 #include <ctime>
 
+#include "tests/test_class.h"
 #include "tests/ui/canvas/stage.h"
+
+namespace tools_long_stroke_test {
 
 // A freehand line of a million points, with the journal on.
 class LongStrokeTest : public QObject {
@@ -83,5 +86,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(LongStrokeTest)
-#include "long_stroke_test.moc"
+} // namespace tools_long_stroke_test
+
+TEST_CLASS(tools_long_stroke_test::LongStrokeTest, Widgets)
+#include "tests/ui/tools/long_stroke_test.moc"

@@ -6,7 +6,10 @@
 #include <QMenu>
 #include <QSignalSpy>
 
+#include "tests/test_class.h"
 #include "tests/ui/tools/hand.h"
+
+namespace tools_nodes_test {
 
 // The tool Nodes, with mouse and keys only.
 class NodesTest : public QObject {
@@ -468,5 +471,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(NodesTest)
-#include "nodes_test.moc"
+} // namespace tools_nodes_test
+
+TEST_CLASS(tools_nodes_test::NodesTest, Widgets)
+#include "tests/ui/tools/nodes_test.moc"

@@ -3,7 +3,10 @@
 #include <QSignalSpy>
 #include <QStatusBar>
 
+#include "tests/test_class.h"
 #include "tests/ui/tools/hand.h"
+
+namespace tools_pen_test {
 
 // The Bézier pen, with mouse and keys.
 class PenTest : public QObject {
@@ -197,5 +200,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(PenTest)
-#include "pen_test.moc"
+} // namespace tools_pen_test
+
+TEST_CLASS(tools_pen_test::PenTest, Widgets)
+#include "tests/ui/tools/pen_test.moc"

@@ -6,7 +6,10 @@
 #include <QDialog>
 #include <QPushButton>
 
+#include "tests/test_class.h"
 #include "tests/ui/tools/hand.h"
+
+namespace tools_pivot_test {
 
 // The cross about which the selection is turned, with mouse and keys only.
 class PivotTest : public QObject {
@@ -122,5 +125,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(PivotTest)
-#include "pivot_test.moc"
+} // namespace tools_pivot_test
+
+TEST_CLASS(tools_pivot_test::PivotTest, Widgets)
+#include "tests/ui/tools/pivot_test.moc"

@@ -7,8 +7,11 @@
 
 #include "tests/app/document/sheet.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/test_class.h"
 #include "tests/ui/canvas/stage.h"
 #include "tests/ui/test_window.h"
+
+namespace tools_polyline_test {
 
 // While a polyline is drawn, Undo and Redo go by corners, and no way of ending it loses corners.
 class PolylineTest : public QObject {
@@ -301,5 +304,7 @@ private:
     }
 };
 
-QTEST_MAIN(PolylineTest)
-#include "polyline_test.moc"
+} // namespace tools_polyline_test
+
+TEST_CLASS(tools_polyline_test::PolylineTest, Widgets)
+#include "tests/ui/tools/polyline_test.moc"

@@ -4,7 +4,10 @@
 #include <QSignalSpy>
 
 #include "tests/app/document/sheet_edits.h"
+#include "tests/test_class.h"
 #include "tests/ui/canvas/stage.h"
+
+namespace tools_refusals_test {
 
 // What cannot be drawn is refused with one sentence, and nothing is lost or added.
 class RefusalsTest : public QObject {
@@ -126,5 +129,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(RefusalsTest)
-#include "refusals_test.moc"
+} // namespace tools_refusals_test
+
+TEST_CLASS(tools_refusals_test::RefusalsTest, Widgets)
+#include "tests/ui/tools/refusals_test.moc"

@@ -5,7 +5,10 @@
 
 #include <glm/geometric.hpp>
 
+#include "tests/test_class.h"
 #include "tests/ui/canvas/stage.h"
+
+namespace tools_resize_test {
 
 // The handles of the selection's box: they snap by their own place, and numbers change the last
 // resizing.
@@ -155,5 +158,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ResizeTest)
-#include "resize_test.moc"
+} // namespace tools_resize_test
+
+TEST_CLASS(tools_resize_test::ResizeTest, Widgets)
+#include "tests/ui/tools/resize_test.moc"

@@ -6,7 +6,10 @@
 #include <QLineEdit>
 #include <QStatusBar>
 
+#include "tests/test_class.h"
 #include "tests/ui/tools/hand.h"
+
+namespace tools_shapes_test {
 
 // Polygons, stars, rounded rectangles and freehand lines, with mouse and keys.
 class ShapesTest : public QObject {
@@ -238,5 +241,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ShapesTest)
-#include "shapes_test.moc"
+} // namespace tools_shapes_test
+
+TEST_CLASS(tools_shapes_test::ShapesTest, Widgets)
+#include "tests/ui/tools/shapes_test.moc"

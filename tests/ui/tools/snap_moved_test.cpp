@@ -3,7 +3,10 @@
 
 #include <glm/geometric.hpp>
 
+#include "tests/test_class.h"
 #include "tests/ui/canvas/stage.h"
+
+namespace tools_snap_moved_test {
 
 // Objects and windows that are dragged snap by their own points.
 class SnapMovedTest : public QObject {
@@ -94,5 +97,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(SnapMovedTest)
-#include "snap_moved_test.moc"
+} // namespace tools_snap_moved_test
+
+TEST_CLASS(tools_snap_moved_test::SnapMovedTest, Widgets)
+#include "tests/ui/tools/snap_moved_test.moc"

@@ -14,7 +14,10 @@
 #include <algorithm>
 #include <numbers>
 
+#include "tests/test_class.h"
 #include "tests/ui/tools/hand.h"
+
+namespace tools_text_test {
 
 // Texts are typed on the canvas, edited and converted, with mouse and keys.
 class TextTest : public QObject {
@@ -396,5 +399,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TextTest)
-#include "text_test.moc"
+} // namespace tools_text_test
+
+TEST_CLASS(tools_text_test::TextTest, Widgets)
+#include "tests/ui/tools/text_test.moc"

@@ -9,7 +9,10 @@
 #include <set>
 
 #include "tests/app/document/sheet_edits.h"
+#include "tests/test_class.h"
 #include "tests/ui/canvas/stage.h"
+
+namespace tools_tools_test {
 
 // Every tool with real events, and its effect on the drawing and the undo list.
 class ToolsTest : public QObject {
@@ -459,5 +462,7 @@ private:
     }
 };
 
-QTEST_MAIN(ToolsTest)
-#include "tools_test.moc"
+} // namespace tools_tools_test
+
+TEST_CLASS(tools_tools_test::ToolsTest, Widgets)
+#include "tests/ui/tools/tools_test.moc"

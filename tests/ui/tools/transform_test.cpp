@@ -8,7 +8,10 @@
 
 #include <numbers>
 
+#include "tests/test_class.h"
 #include "tests/ui/canvas/stage.h"
+
+namespace tools_transform_test {
 
 // Moving, rotating and scaling the selection, with mouse and keys only.
 class TransformTest : public QObject {
@@ -316,5 +319,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TransformTest)
-#include "transform_test.moc"
+} // namespace tools_transform_test
+
+TEST_CLASS(tools_transform_test::TransformTest, Widgets)
+#include "tests/ui/tools/transform_test.moc"

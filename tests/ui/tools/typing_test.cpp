@@ -6,7 +6,10 @@
 
 #include <glm/geometric.hpp>
 
+#include "tests/test_class.h"
 #include "tests/ui/canvas/stage.h"
+
+namespace tools_typing_test {
 
 // Numbers typed during a gesture, with mouse and keys only.
 class TypingTest : public QObject {
@@ -418,5 +421,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TypingTest)
-#include "typing_test.moc"
+} // namespace tools_typing_test
+
+TEST_CLASS(tools_typing_test::TypingTest, Widgets)
+#include "tests/ui/tools/typing_test.moc"

@@ -8,7 +8,10 @@
 #include <QAbstractButton>
 
 #include "tests/app/scene/block_scene.h"
+#include "tests/test_class.h"
 #include "tests/ui/tools/hand.h"
+
+namespace tools_window_drawing_test {
 
 namespace {
 
@@ -287,5 +290,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(WindowDrawingTest)
-#include "window_drawing_test.moc"
+} // namespace tools_window_drawing_test
+
+TEST_CLASS(tools_window_drawing_test::WindowDrawingTest, Widgets)
+#include "tests/ui/tools/window_drawing_test.moc"

@@ -20,7 +20,10 @@
 #include <QToolButton>
 
 #include "tests/app/scene/block_scene.h"
+#include "tests/test_class.h"
 #include "tests/ui/tools/hand.h"
+
+namespace tools_window_shapes_test {
 
 namespace {
 
@@ -300,5 +303,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(WindowShapesTest)
-#include "window_shapes_test.moc"
+} // namespace tools_window_shapes_test
+
+TEST_CLASS(tools_window_shapes_test::WindowShapesTest, Widgets)
+#include "tests/ui/tools/window_shapes_test.moc"

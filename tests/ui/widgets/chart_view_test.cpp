@@ -10,6 +10,9 @@
 #include <QToolTip>
 
 #include "tests/app/charts/sample_charts.h"
+#include "tests/test_class.h"
+
+namespace widgets_chart_view_test {
 
 using namespace ui;
 
@@ -104,5 +107,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ChartViewTest)
-#include "chart_view_test.moc"
+} // namespace widgets_chart_view_test
+
+TEST_CLASS(widgets_chart_view_test::ChartViewTest, Widgets)
+#include "tests/ui/widgets/chart_view_test.moc"

@@ -7,6 +7,10 @@
 #include <QTest>
 #include <QToolTip>
 
+#include "tests/test_class.h"
+
+namespace widgets_length_field_test {
+
 using namespace ui;
 
 // Typed lengths are accepted, or the field says why not.
@@ -173,5 +177,7 @@ private:
     };
 };
 
-QTEST_MAIN(LengthFieldTest)
-#include "length_field_test.moc"
+} // namespace widgets_length_field_test
+
+TEST_CLASS(widgets_length_field_test::LengthFieldTest, Widgets)
+#include "tests/ui/widgets/length_field_test.moc"

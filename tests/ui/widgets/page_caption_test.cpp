@@ -12,6 +12,9 @@
 #include "tests/app/document/first_window.h"
 #include "tests/app/document/sheet_edits.h"
 #include "tests/app/session/concave_window.h"
+#include "tests/test_class.h"
+
+namespace widgets_page_caption_test {
 
 using namespace ui;
 
@@ -81,5 +84,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(PageCaptionTest)
-#include "page_caption_test.moc"
+} // namespace widgets_page_caption_test
+
+TEST_CLASS(widgets_page_caption_test::PageCaptionTest, Widgets)
+#include "tests/ui/widgets/page_caption_test.moc"

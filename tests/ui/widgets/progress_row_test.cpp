@@ -6,6 +6,10 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace widgets_progress_row_test {
+
 using namespace ui;
 
 class ProgressRowTest : public QObject {
@@ -56,5 +60,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ProgressRowTest)
-#include "progress_row_test.moc"
+} // namespace widgets_progress_row_test
+
+TEST_CLASS(widgets_progress_row_test::ProgressRowTest, Widgets)
+#include "tests/ui/widgets/progress_row_test.moc"

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/keyboard.h"
 
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace window_keyboard_test {
 
 namespace {
 
@@ -54,5 +57,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(KeyboardTest)
-#include "keyboard_test.moc"
+} // namespace window_keyboard_test
+
+TEST_CLASS(window_keyboard_test::KeyboardTest, Widgets)
+#include "tests/ui/window/keyboard_test.moc"

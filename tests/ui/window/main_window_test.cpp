@@ -23,7 +23,10 @@
 #include "tests/app/document/one_window.h"
 #include "tests/app/document/sheet.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace window_main_window_test {
 
 using namespace ui;
 
@@ -776,5 +779,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(MainWindowTest)
-#include "main_window_test.moc"
+} // namespace window_main_window_test
+
+TEST_CLASS(window_main_window_test::MainWindowTest, Widgets)
+#include "tests/ui/window/main_window_test.moc"

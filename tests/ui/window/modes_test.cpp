@@ -13,7 +13,10 @@
 #include <QSignalSpy>
 #include <QToolBar>
 
+#include "tests/test_class.h"
 #include "tests/ui/window/plain_panels.h"
+
+namespace window_modes_test {
 
 using namespace ui;
 
@@ -248,5 +251,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(ModesTest)
-#include "modes_test.moc"
+} // namespace window_modes_test
+
+TEST_CLASS(window_modes_test::ModesTest, Widgets)
+#include "tests/ui/window/modes_test.moc"

@@ -5,7 +5,10 @@
 #include <QSignalSpy>
 #include <QToolButton>
 
+#include "tests/test_class.h"
 #include "tests/ui/window/plain_panels.h"
+
+namespace window_panel_layout_test {
 
 using namespace ui;
 
@@ -323,5 +326,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(PanelLayoutTest)
-#include "panel_layout_test.moc"
+} // namespace window_panel_layout_test
+
+TEST_CLASS(window_panel_layout_test::PanelLayoutTest, Widgets)
+#include "tests/ui/window/panel_layout_test.moc"

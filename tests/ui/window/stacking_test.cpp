@@ -5,6 +5,10 @@
 
 #include <vector>
 
+#include "tests/test_class.h"
+
+namespace window_stacking_test {
+
 class StackingTest : public QObject {
     Q_OBJECT
 
@@ -34,5 +38,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(StackingTest)
-#include "stacking_test.moc"
+} // namespace window_stacking_test
+
+TEST_CLASS(window_stacking_test::StackingTest, None)
+#include "tests/ui/window/stacking_test.moc"

@@ -11,7 +11,10 @@
 
 #include <algorithm>
 
+#include "tests/test_class.h"
 #include "tests/ui/test_window.h"
+
+namespace window_workspaces_test {
 
 using namespace ui;
 
@@ -159,5 +162,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(WorkspacesTest)
-#include "workspaces_test.moc"
+} // namespace window_workspaces_test
+
+TEST_CLASS(window_workspaces_test::WorkspacesTest, Widgets)
+#include "tests/ui/window/workspaces_test.moc"

@@ -9,6 +9,10 @@
 
 #include <random>
 
+#include "tests/test_class.h"
+
+namespace formats_csv_record_blocks_test {
+
 using namespace app::csv;
 
 namespace {
@@ -189,5 +193,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(RecordBlocksTest)
-#include "record_blocks_test.moc"
+} // namespace formats_csv_record_blocks_test
+
+TEST_CLASS(formats_csv_record_blocks_test::RecordBlocksTest, Core)
+#include "tests/app/formats/csv/record_blocks_test.moc"

@@ -4,6 +4,9 @@
 #include <QTest>
 
 #include "tests/app/formats/svg/text.h"
+#include "tests/test_class.h"
+
+namespace formats_svg_container_stack_test {
 
 namespace {
 
@@ -208,5 +211,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ContainerStackTest)
-#include "container_stack_test.moc"
+} // namespace formats_svg_container_stack_test
+
+TEST_CLASS(formats_svg_container_stack_test::ContainerStackTest, None)
+#include "tests/app/formats/svg/container_stack_test.moc"

@@ -6,6 +6,9 @@
 #include <QTest>
 
 #include "tests/app/document/random_documents.h"
+#include "tests/test_class.h"
+
+namespace formats_svg_declarations_test {
 
 using app::Colour;
 using app::Style;
@@ -65,5 +68,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(DeclarationsTest)
-#include "declarations_test.moc"
+} // namespace formats_svg_declarations_test
+
+TEST_CLASS(formats_svg_declarations_test::DeclarationsTest, Core)
+#include "tests/app/formats/svg/declarations_test.moc"

@@ -8,6 +8,9 @@
 
 #include "tests/app/formats/svg/text.h"
 #include "tests/not_empty.h"
+#include "tests/test_class.h"
+
+namespace formats_svg_fuzz_test {
 
 namespace {
 
@@ -100,5 +103,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FuzzTest)
-#include "fuzz_test.moc"
+} // namespace formats_svg_fuzz_test
+
+TEST_CLASS(formats_svg_fuzz_test::FuzzTest, None)
+#include "tests/app/formats/svg/fuzz_test.moc"

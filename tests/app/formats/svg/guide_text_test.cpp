@@ -5,6 +5,9 @@
 #include <limits>
 
 #include "tests/app/formats/svg/text.h"
+#include "tests/test_class.h"
+
+namespace formats_svg_guide_text_test {
 
 namespace {
 
@@ -61,5 +64,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(GuideTextTest)
-#include "guide_text_test.moc"
+} // namespace formats_svg_guide_text_test
+
+TEST_CLASS(formats_svg_guide_text_test::GuideTextTest, Core)
+#include "tests/app/formats/svg/guide_text_test.moc"

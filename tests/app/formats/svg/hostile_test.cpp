@@ -10,6 +10,9 @@
 
 #include "tests/app/formats/svg/text.h"
 #include "tests/sanitizer.h"
+#include "tests/test_class.h"
+
+namespace formats_svg_hostile_test {
 
 namespace {
 
@@ -382,5 +385,7 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(HostileTest)
-#include "hostile_test.moc"
+} // namespace formats_svg_hostile_test
+
+TEST_CLASS(formats_svg_hostile_test::HostileTest, None)
+#include "tests/app/formats/svg/hostile_test.moc"

@@ -5,6 +5,9 @@
 #include <QTest>
 
 #include "tests/app/formats/svg/text.h"
+#include "tests/test_class.h"
+
+namespace formats_svg_lenient_xml_test {
 
 namespace {
 
@@ -123,5 +126,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(LenientXmlTest)
-#include "lenient_xml_test.moc"
+} // namespace formats_svg_lenient_xml_test
+
+TEST_CLASS(formats_svg_lenient_xml_test::LenientXmlTest, Core)
+#include "tests/app/formats/svg/lenient_xml_test.moc"

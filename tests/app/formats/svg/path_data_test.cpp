@@ -5,6 +5,10 @@
 
 #include <cmath>
 
+#include "tests/test_class.h"
+
+namespace formats_svg_path_data_test {
+
 namespace {
 
 // Compact text of an outline: "M0,0 L1,1 C... Z".
@@ -168,5 +172,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PathDataTest)
-#include "path_data_test.moc"
+} // namespace formats_svg_path_data_test
+
+TEST_CLASS(formats_svg_path_data_test::PathDataTest, None)
+#include "tests/app/formats/svg/path_data_test.moc"

@@ -7,6 +7,9 @@
 
 #include "tests/app/formats/svg/text.h"
 #include "tests/not_empty.h"
+#include "tests/test_class.h"
+
+namespace formats_svg_picture_test {
 
 namespace {
 
@@ -95,5 +98,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(PictureTest)
-#include "picture_test.moc"
+} // namespace formats_svg_picture_test
+
+TEST_CLASS(formats_svg_picture_test::PictureTest, Core)
+#include "tests/app/formats/svg/picture_test.moc"

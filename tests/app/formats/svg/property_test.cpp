@@ -7,7 +7,10 @@
 #include <map>
 
 #include "tests/app/formats/svg/text.h"
+#include "tests/test_class.h"
 #include "tests/verify.h"
+
+namespace formats_svg_property_test {
 
 using namespace app::svg;
 
@@ -228,5 +231,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(PropertyTest)
-#include "property_test.moc"
+} // namespace formats_svg_property_test
+
+TEST_CLASS(formats_svg_property_test::PropertyTest, Core)
+#include "tests/app/formats/svg/property_test.moc"

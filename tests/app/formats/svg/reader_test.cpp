@@ -3,6 +3,10 @@
 #include <QTest>
 
 #include "tests/app/formats/svg/text.h"
+#include "tests/deep.h"
+#include "tests/test_class.h"
+
+namespace formats_svg_reader_test {
 
 namespace {
 
@@ -117,7 +121,7 @@ private slots:
 
     void pagesInPixelsAreExact()
     {
-        for (int size = 1; size <= 5000; ++size) {
+        for (int size = 1; size <= 5000; size += tests::caseStep()) {
             const QByteArray n = QByteArray::number(size);
             const double pixels = size;
             const app::Page bare = page("width='" + n + "' height='" + n + "'");
@@ -703,5 +707,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ReaderTest)
-#include "reader_test.moc"
+} // namespace formats_svg_reader_test
+
+TEST_CLASS(formats_svg_reader_test::ReaderTest, None)
+#include "tests/app/formats/svg/reader_test.moc"

@@ -8,6 +8,10 @@
 #include <QBuffer>
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace formats_svg_recipe_test {
+
 using namespace app;
 
 class RecipeTest : public QObject {
@@ -135,5 +139,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(RecipeTest)
-#include "recipe_test.moc"
+} // namespace formats_svg_recipe_test
+
+TEST_CLASS(formats_svg_recipe_test::RecipeTest, None)
+#include "tests/app/formats/svg/recipe_test.moc"

@@ -7,6 +7,9 @@
 #include "tests/app/formats/svg/canonical.h"
 #include "tests/app/formats/svg/text.h"
 #include "tests/not_empty.h"
+#include "tests/test_class.h"
+
+namespace formats_svg_round_trip_test {
 
 class RoundTripTest : public QObject {
     Q_OBJECT
@@ -53,5 +56,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(RoundTripTest)
-#include "round_trip_test.moc"
+} // namespace formats_svg_round_trip_test
+
+TEST_CLASS(formats_svg_round_trip_test::RoundTripTest, None)
+#include "tests/app/formats/svg/round_trip_test.moc"

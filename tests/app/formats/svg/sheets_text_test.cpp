@@ -3,6 +3,9 @@
 #include <QTest>
 
 #include "tests/app/formats/svg/text.h"
+#include "tests/test_class.h"
+
+namespace formats_svg_sheets_text_test {
 
 namespace {
 
@@ -75,5 +78,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SheetsTextTest)
-#include "sheets_text_test.moc"
+} // namespace formats_svg_sheets_text_test
+
+TEST_CLASS(formats_svg_sheets_text_test::SheetsTextTest, None)
+#include "tests/app/formats/svg/sheets_text_test.moc"

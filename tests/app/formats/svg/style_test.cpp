@@ -6,6 +6,9 @@
 #include <QTest>
 
 #include "tests/app/formats/svg/text.h"
+#include "tests/test_class.h"
+
+namespace formats_svg_style_test {
 
 namespace {
 
@@ -353,5 +356,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(StyleTest)
-#include "style_test.moc"
+} // namespace formats_svg_style_test
+
+TEST_CLASS(formats_svg_style_test::StyleTest, None)
+#include "tests/app/formats/svg/style_test.moc"

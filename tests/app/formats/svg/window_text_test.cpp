@@ -8,6 +8,9 @@
 #include <limits>
 
 #include "tests/app/formats/svg/text.h"
+#include "tests/test_class.h"
+
+namespace formats_svg_window_text_test {
 
 namespace {
 
@@ -100,13 +103,6 @@ private slots:
         const auto lie = read("<c:window d='M0 0H9V9Z' recipe='ellipse 5 6 2 2'/>");
         QVERIFY(lie.list[0].shape == app::WindowShape(polygon({{0, 0}, {9, 0}, {9, 9}})));
     }
-    void theCornersThatOlderVersionsWroteAreRead()
-    {
-        const auto windows = read("<c:window corners='0 0 9 0.1 5 1'/><c:window corners=''/>");
-        QCOMPARE(windows.list.size(), 2u);
-        QVERIFY(windows.list[0].shape == app::WindowShape(polygon({{0, 0}, {9, 0.1}, {5, 1}})));
-        QVERIFY(windows.list[1].shape == app::WindowShape(app::PathShape{}));
-    }
     void whatIsKeptIsKnownWithoutAWindowToo()
     {
         const app::ClipWindows outside{{}, app::Keep::Outside};
@@ -153,8 +149,7 @@ private slots:
         for (const QByteArray bad :
              {"xmin='-1e308' ymin='0' xmax='1e308' ymax='9'", "xmin='x' ymin='0' xmax='1' ymax='9'",
               "xmin='0' ymin='0' xmax='1e400' ymax='9'", "xmin='0' ymin='0' xmax='nan' ymax='9'",
-              "xmin='0'", "corners='0 0 1'", "corners='0 0 1 inf'", "corners='0 0 x 0'",
-              "d='M0 0L1 x'", "d='M0 0L1e400 0'", "d='M0 0L1 1' xmin='0' corners='0'",
+              "xmin='0'", "d='M0 0L1 x'", "d='M0 0L1e400 0'",
               "xmin='0' ymin='0' xmax='1' ymax='1' angle='90'"})
             isLeftOut(bad, "1 clip window with a missing or invalid number",
                       "2 clip windows with a missing or invalid number");
@@ -227,5 +222,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(WindowTextTest)
-#include "window_text_test.moc"
+} // namespace formats_svg_window_text_test
+
+TEST_CLASS(formats_svg_window_text_test::WindowTextTest, None)
+#include "tests/app/formats/svg/window_text_test.moc"

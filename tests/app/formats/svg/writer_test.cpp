@@ -7,6 +7,9 @@
 
 #include "tests/app/formats/failing_disk.h"
 #include "tests/app/formats/svg/text.h"
+#include "tests/test_class.h"
+
+namespace formats_svg_writer_test {
 
 namespace {
 
@@ -157,5 +160,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(WriterTest)
-#include "writer_test.moc"
+} // namespace formats_svg_writer_test
+
+TEST_CLASS(formats_svg_writer_test::WriterTest, None)
+#include "tests/app/formats/svg/writer_test.moc"

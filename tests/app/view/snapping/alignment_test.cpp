@@ -3,6 +3,10 @@
 
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace view_snapping_alignment_test {
+
 using app::Point;
 using clipping::Window;
 
@@ -59,5 +63,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(AlignmentTest)
-#include "alignment_test.moc"
+} // namespace view_snapping_alignment_test
+
+TEST_CLASS(view_snapping_alignment_test::AlignmentTest, None)
+#include "tests/app/view/snapping/alignment_test.moc"

@@ -3,6 +3,10 @@
 
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace view_snapping_handle_snap_test {
+
 // A box from (10, 10) to (30, 20), whose handles snap.
 class HandleSnapTest : public QObject {
     Q_OBJECT
@@ -43,5 +47,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(HandleSnapTest)
-#include "handle_snap_test.moc"
+} // namespace view_snapping_handle_snap_test
+
+TEST_CLASS(view_snapping_handle_snap_test::HandleSnapTest, None)
+#include "tests/app/view/snapping/handle_snap_test.moc"

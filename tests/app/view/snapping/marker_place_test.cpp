@@ -3,6 +3,10 @@
 
 #include <QTest>
 
+#include "tests/test_class.h"
+
+namespace view_snapping_marker_place_test {
+
 class MarkerPlaceTest : public QObject {
     Q_OBJECT
 
@@ -29,5 +33,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(MarkerPlaceTest)
-#include "marker_place_test.moc"
+} // namespace view_snapping_marker_place_test
+
+TEST_CLASS(view_snapping_marker_place_test::MarkerPlaceTest, None)
+#include "tests/app/view/snapping/marker_place_test.moc"

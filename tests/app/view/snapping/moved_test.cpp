@@ -4,6 +4,9 @@
 #include <random>
 
 #include "tests/app/view/snapping/snap_stage.h"
+#include "tests/test_class.h"
+
+namespace view_snapping_moved_test {
 
 using app::OwnPoints;
 using app::Point;
@@ -147,5 +150,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(MovedTest)
-#include "moved_test.moc"
+} // namespace view_snapping_moved_test
+
+TEST_CLASS(view_snapping_moved_test::MovedTest, None)
+#include "tests/app/view/snapping/moved_test.moc"

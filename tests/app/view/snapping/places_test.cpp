@@ -8,6 +8,10 @@
 #include <cmath>
 #include <random>
 
+#include "tests/test_class.h"
+
+namespace view_snapping_places_test {
+
 using app::Point;
 using clipping::Segment;
 
@@ -126,5 +130,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PlacesTest)
-#include "places_test.moc"
+} // namespace view_snapping_places_test
+
+TEST_CLASS(view_snapping_places_test::PlacesTest, None)
+#include "tests/app/view/snapping/places_test.moc"

@@ -5,6 +5,10 @@
 
 #include <set>
 
+#include "tests/test_class.h"
+
+namespace view_snapping_snap_to_test {
+
 using app::SnapTo;
 
 class SnapToTest : public QObject {
@@ -48,5 +52,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SnapToTest)
-#include "snap_to_test.moc"
+} // namespace view_snapping_snap_to_test
+
+TEST_CLASS(view_snapping_snap_to_test::SnapToTest, None)
+#include "tests/app/view/snapping/snap_to_test.moc"

@@ -6,6 +6,9 @@
 #include <random>
 
 #include "tests/app/view/snapping/snap_stage.h"
+#include "tests/test_class.h"
+
+namespace view_snapping_snapper_test {
 
 using app::Point;
 
@@ -203,5 +206,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SnapperTest)
-#include "snapper_test.moc"
+} // namespace view_snapping_snapper_test
+
+TEST_CLASS(view_snapping_snapper_test::SnapperTest, None)
+#include "tests/app/view/snapping/snapper_test.moc"

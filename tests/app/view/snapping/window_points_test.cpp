@@ -8,6 +8,9 @@
 #include <numbers>
 
 #include "tests/app/view/snapping/snap_stage.h"
+#include "tests/test_class.h"
+
+namespace view_snapping_window_points_test {
 
 using app::Point;
 
@@ -71,5 +74,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(WindowPointsTest)
-#include "window_points_test.moc"
+} // namespace view_snapping_window_points_test
+
+TEST_CLASS(view_snapping_window_points_test::WindowPointsTest, Core)
+#include "tests/app/view/snapping/window_points_test.moc"
