@@ -28,3 +28,7 @@ runtime=$(mktemp -d)
 trap 'rm -rf "$runtime"' EXIT
 chmod 700 "$runtime"
 XDG_RUNTIME_DIR=$runtime XDG_CONFIG_HOME=$runtime/config XDG_STATE_HOME=$runtime/state ctest --preset "$preset" -j "$(nproc)" "$@"
+if [[ $preset == deep ]]; then # once without unity builds and precompiled headers, which hide a missing #include
+    cmake --preset debug
+    time cmake --build --preset debug
+fi
