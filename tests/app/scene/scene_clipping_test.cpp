@@ -70,7 +70,7 @@ std::vector<app::Variant> variants()
     return all;
 }
 
-const char* nameOf(const app::Variant& variant) { return variant.algorithm->key.data(); }
+const char* keyText(const app::Variant& variant) { return variant.algorithm->key.data(); }
 
 /// What one call on all lines, and `fold` line by line, keep.
 Pieces folded(std::span<const Segment> lines, const ClipRegion& region, app::ClipAll clipAll)
@@ -189,7 +189,7 @@ private slots:
             scenes.follow();
             const Window window = scenes.randomWindow();
             for (const app::Variant& variant : variants())
-                QVERIFY2(scenes.agree(window, variant), nameOf(variant));
+                QVERIFY2(scenes.agree(window, variant), keyText(variant));
             seen += scenes.blocks.lines().size();
         }
         QVERIFY(seen > 30'000);
@@ -209,7 +209,7 @@ private slots:
                 const Pieces all = keptIn(frame);
                 if (!region.single()) // fold drops what is not finite
                     QVERIFY2(same(all, keptOf(scenes.scene.segments(), region, variant)),
-                             nameOf(variant));
+                             keyText(variant));
                 QCOMPARE(frame.visible, linesOf(all));
                 QVERIFY(settled(frame));
             }
@@ -233,10 +233,10 @@ private slots:
                 round % 2 ? Window{{any(), any()}, {any(), any()}} : scenes.randomWindow();
             const ClipRegion several = scenes.randomRegion(3);
             for (const app::Variant& variant : variants()) {
-                QVERIFY2(scenes.agree(window, variant), nameOf(variant));
+                QVERIFY2(scenes.agree(window, variant), keyText(variant));
                 QVERIFY2(same(keptIn(scenes.blocks.clip(several, variant)),
                               keptOf(scenes.scene.segments(), several, variant)),
-                         nameOf(variant));
+                         keyText(variant));
             }
             scenes.document.splice(0, scenes.document.size(), {});
         }
@@ -279,7 +279,7 @@ private slots:
         for (const app::Variant& variant : variants())
             for (const ClipRegion& region : {inside, outside, ring}) {
                 const auto frame = scene.clip(region, variant);
-                QVERIFY2(listed(frame) <= 4 * app::SceneBlock::mostInChunk, nameOf(variant));
+                QVERIFY2(listed(frame) <= 4 * app::SceneBlock::mostInChunk, keyText(variant));
                 if (variant.form == Form::Corrected)
                     QVERIFY(frame.visible >= 30'000 && frame.visible <= 50'002);
             }
