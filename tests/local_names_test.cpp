@@ -3,10 +3,10 @@
 // same name of their own, in an unnamed namespace or static: a new file would bring two others
 // together that never were.
 #include <QDirIterator>
-#include <QFile>
 #include <QRegularExpression>
 #include <QTest>
 
+#include "tests/content_of.h"
 #include "tests/test_class.h"
 
 namespace local_names_test {
@@ -111,16 +111,10 @@ QSet<QString> localNames(const QString& text)
     return names;
 }
 
-/// The rooms of a layer.
+/// The rooms of a layer: its folders.
 QStringList roomsOf(const QDir& layer)
 {
-    static const QRegularExpression room = pattern(R"(\broom\((\w+))");
-    QFile list(layer.filePath(QStringLiteral("CMakeLists.txt")));
-    QStringList rooms;
-    if (list.open(QIODevice::ReadOnly))
-        for (auto found = room.globalMatch(QString::fromUtf8(list.readAll())); found.hasNext();)
-            rooms << found.next().captured(1);
-    return rooms;
+    return layer.entryList(QDir::Dirs | QDir::NoDotAndDotDot);
 }
 
 /// Of each room, each name that several files of one have: one sentence each.
@@ -133,10 +127,9 @@ QStringList clashesIn(const QString& layer)
         for (QDirIterator it(folder.filePath(room), {"*.cpp"}, QDir::Files,
                              QDirIterator::Subdirectories);
              it.hasNext();) {
-            QFile file(it.next());
-            if (file.open(QIODevice::ReadOnly))
-                for (const QString& name : localNames(QString::fromUtf8(file.readAll())))
-                    filesOf[name] << folder.relativeFilePath(file.fileName());
+            const QString file = it.next();
+            for (const QString& name : localNames(QString::fromUtf8(contentOf(file))))
+                filesOf[name] << folder.relativeFilePath(file);
         }
         for (auto it = filesOf.cbegin(); it != filesOf.cend(); ++it)
             if (it->size() > 1)

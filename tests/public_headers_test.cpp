@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QDirIterator>
-#include <QFile>
 #include <QRegularExpression>
 #include <QTest>
 
+#include "tests/content_of.h"
 #include "tests/test_class.h"
 
 namespace public_headers_test {
@@ -12,12 +12,6 @@ namespace public_headers_test {
 // clipping/CMakeLists.txt lists.
 
 namespace {
-
-QString contentOf(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
-}
 
 /// The public headers of the library and of its part with threads.
 QStringList publicHeadersIn(const QString& cmake)

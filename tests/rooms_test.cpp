@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QDirIterator>
-#include <QFile>
 #include <QRegularExpression>
 #include <QTest>
 
+#include "tests/content_of.h"
 #include "tests/test_class.h"
 
 namespace rooms_test {
@@ -13,12 +13,6 @@ namespace rooms_test {
 // sentence.
 
 namespace {
-
-QString contentOf(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
-}
 
 /// Of each room, all that it stands on, itself included. In `order` from the ground up.
 struct Rooms {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/ulps.h"
 
+#include "app/base/finite.h"
 #include "app/base/numbers.h"
 
 #include <glm/common.hpp>
@@ -31,7 +32,7 @@ double largest(const glm::dvec2& p) { return std::max(std::abs(p.x), std::abs(p.
 double apart(const glm::dvec2& p, const glm::dvec2& q)
 {
     const glm::dvec2 d = p - q;
-    return std::isfinite(d.x) && std::isfinite(d.y) ? largest(d) : infinity;
+    return isFinite(d) ? largest(d) : infinity;
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/affine_map.h"
 
+#include "app/base/finite.h"
 #include "app/document/direction.h"
 
 #include <glm/trigonometric.hpp>
@@ -21,8 +22,7 @@ double AffineMap::scale() const { return std::sqrt(std::abs(x.x * y.y - x.y * y.
 
 bool AffineMap::isFinite() const
 {
-    const auto finite = [](const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); };
-    return finite(x) && finite(y) && finite(from) && finite(to);
+    return app::isFinite(x) && app::isFinite(y) && app::isFinite(from) && app::isFinite(to);
 }
 
 AffineMap translation(const Point& by) { return {.to = by}; }

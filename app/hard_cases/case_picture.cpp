@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/hard_cases/case_picture.h"
 
+#include "app/base/finite.h"
 #include "app/hard_cases/case_scale.h"
 
 #include <QPainter>
@@ -104,9 +105,8 @@ private:
 
     void paintPiece(const clipping::Segment& piece, const QColor& colour, double width)
     {
-        for (const auto& p : {piece.a, piece.b})
-            if (!std::isfinite(p.x) || !std::isfinite(p.y))
-                return;
+        if (!isFinite(piece))
+            return;
         painter_.setPen(QPen(colour, width * unit_, Qt::SolidLine, Qt::RoundCap));
         painter_.drawLine(at(piece.a), at(piece.b));
         painter_.setPen(Qt::NoPen);

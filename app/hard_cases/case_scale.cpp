@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/hard_cases/case_scale.h"
 
+#include "app/base/finite.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,7 +20,6 @@ constexpr Real mostSpan = 12;       // the largest extent of a true scale, in wi
 constexpr Real leastGap = 1 / 1e4L; // share of the extent: smaller gaps cannot be seen
 
 Place placeOf(const glm::dvec2& p) { return {p.x, p.y}; }
-bool isSomewhere(const glm::dvec2& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 /// One end may be infinitely far away; it then lies beyond all other numbers.
 bool isAnywhere(const glm::dvec2& p) { return !std::isnan(p.x) && !std::isnan(p.y); }
 
@@ -52,7 +53,7 @@ std::vector<Place> wayOf(const HardCase& hard)
     if (hard.visible) {
         way.push_back(placeOf(hard.visible->a));
         way.push_back(placeOf(hard.visible->b));
-    } else if (isSomewhere(a) && isSomewhere(b)) {
+    } else if (isFinite(a) && isFinite(b)) {
         addCrossings(way, hard.line, hard.window);
     }
     way.push_back(placeOf(b));
@@ -70,7 +71,7 @@ CaseScale::CaseScale(const HardCase& hard, const CaseAnswer* answer)
             all.push_back(placeOf(p));
     if (answer && answer->visible)
         for (const auto& p : {answer->visible->a, answer->visible->b})
-            if (isSomewhere(p))
+            if (isFinite(p))
                 all.push_back(placeOf(p));
     for (const Place& place : all) {
         x_.levels.push_back(place.x);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/overlays/half_plane.h"
 #include "app/overlays/parts.h"
-#include "app/overlays/translated.h"
 
 #include <algorithm>
 

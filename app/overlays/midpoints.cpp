@@ -3,7 +3,6 @@
 
 #include "app/comparison/outcode_text.h"
 #include "app/overlays/parts.h"
-#include "app/overlays/translated.h"
 #include "clipping/outcode.h"
 
 namespace app {

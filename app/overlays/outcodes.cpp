@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/outcode_text.h"
 #include "app/overlays/parts.h"
-#include "app/overlays/translated.h"
 
 namespace app {
 

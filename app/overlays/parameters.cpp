@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/overlays/half_plane.h"
+#include "app/base/finite.h"
 #include "app/overlays/parts.h"
-#include "app/overlays/translated.h"
 
 #include <algorithm>
 
@@ -42,7 +42,7 @@ std::optional<Crossing> crossing(Edge edge, const OverlayContext& context)
     Point at = a + t * d;
     at[axis] = level;
     const bool low = edge == clipping::lowerEdge(axis);
-    if (!std::isfinite(t) || !std::isfinite(at.x) || !std::isfinite(at.y))
+    if (!std::isfinite(t) || !isFinite(at))
         return std::nullopt;
     return Crossing{edge, t, low == (d[axis] > 0), at};
 }

@@ -2,7 +2,6 @@
 #include "app/base/latin.h"
 #include "app/overlays/parts.h"
 #include "app/overlays/polygon_edges.h"
-#include "app/overlays/translated.h"
 
 // The overlay of every algorithm at a convex polygon: the lines of its edges, and where they cut.
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/overlays/parts.h"
-#include "app/overlays/translated.h"
 
 #include <algorithm>
 

@@ -2,7 +2,6 @@
 #include "app/comparison/outcode_text.h"
 #include "app/overlays/half_plane.h"
 #include "app/overlays/parts.h"
-#include "app/overlays/translated.h"
 #include "clipping/outcode.h"
 
 #include <glm/common.hpp>

@@ -2,7 +2,6 @@
 #include "app/comparison/outcode_text.h"
 #include "app/overlays/corner_signs.h"
 #include "app/overlays/parts.h"
-#include "app/overlays/translated.h"
 
 namespace app {
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scene/area_windows.h"
 
-#include <cmath>
+#include "app/base/finite.h"
+
 
 namespace app {
 
@@ -11,8 +12,7 @@ static_assert(int(clipping::Keep::Outside) == int(Keep::Outside));
 
 bool isProper(const clipping::Window& box)
 {
-    return std::isfinite(box.min.x) && std::isfinite(box.min.y) && std::isfinite(box.max.x)
-           && std::isfinite(box.max.y) && box.min.x <= box.max.x && box.min.y <= box.max.y;
+    return isFinite(box) && box.min.x <= box.max.x && box.min.y <= box.max.y;
 }
 
 clipping::Area areaOf(const ClipRegion::Step& step)

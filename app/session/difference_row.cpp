@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/difference_row.h"
 
+#include "app/base/finite.h"
 #include "app/base/number.h"
 #include "app/base/numbers.h"
 
@@ -170,7 +171,7 @@ Key byPiece(const Session& session, const Difference& difference)
 {
     const auto piece =
         isThere(session, difference) ? pieceOf(session, difference, side) : std::nullopt;
-    if (piece && std::isfinite(piece->a.x) && std::isfinite(piece->a.y))
+    if (piece && isFinite(piece->a))
         return {piece->a.x, piece->a.y};
     return {std::numeric_limits<double>::infinity(), 0};
 }

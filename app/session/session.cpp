@@ -131,6 +131,7 @@ void Session::load(Imported imported, const QString& path, std::optional<SceneBl
     path_ = path;
     changeDisplay([this](Display& display) { display.unit = now().page().usualUnit(); });
     emit fileChanged();
+    microscope.close(); // its line was of the drawing before
     emit loaded();
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/teaching/figure_marks.h"
 
+#include "app/base/finite.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -72,7 +74,7 @@ void addEnds(std::vector<FigureMark>& marks, const TracedLine& tracedLine, const
 {
     const auto& [a, b] = tracedLine.line;
     for (const auto& [point, other, end] : {std::tuple(a, b, 1), std::tuple(b, a, 2)}) {
-        if (!std::isfinite(point.x) || !std::isfinite(point.y))
+        if (!isFinite(point))
             continue;
         FigureMark mark{.shape = Form::End,
                         .tone = toneOfEnd(scene, end),

@@ -5,7 +5,6 @@
 #include "app/base/numbers.h"
 #include "app/scene/window_needs.h"
 #include "app/view/place.h"
-#include "ui/look/caption.h"
 #include "ui/look/look.h"
 #include "ui/widgets/elided_label.h"
 #include "ui/widgets/status_cell.h"
@@ -137,8 +136,6 @@ void StatusBar::forgetFrames()
         cell->setText({});
         cell->setToolTip({});
     }
-    if (session_.microscope.isOpen())
-        showStep();
 }
 
 void StatusBar::showTimes()

@@ -104,7 +104,7 @@ QVariant AnswerModel::cell(int row, int column, int role) const
         return tr("%1: %2\n%3")
             .arg(app::titleOf(answer.variant), app::words(answer), app::pieceText(answer.visible));
     if (role == Qt::TextAlignmentRole)
-        return int((column == Error ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+        return sideOf(column == Error);
     return {};
 }
 
@@ -114,7 +114,7 @@ QVariant AnswerModel::heading(int column, int role) const
     if (role == Qt::DisplayRole)
         return names[column];
     if (role == Qt::TextAlignmentRole)
-        return int((column == Error ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+        return sideOf(column == Error);
     if (role == Qt::ToolTipRole && column == Error)
         return tr("Error of the ends in ulps: units in the last place of the largest coordinate");
     return {};

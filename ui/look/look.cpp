@@ -3,6 +3,9 @@
 
 #include "ui/look/error_colour.h"
 
+#include <QApplication>
+#include <QEvent>
+
 namespace ui {
 
 namespace {
@@ -88,6 +91,38 @@ QFont captionFont(const QFont& body)
         font.setPointSizeF(body.pointSizeF() * 0.92);
     return font;
 }
+
+namespace {
+
+class Caption : public QObject {
+public:
+    explicit Caption(QWidget& widget) : QObject(&widget), widget_(widget)
+    {
+        widget.installEventFilter(this);
+        wear();
+    }
+
+protected:
+    bool eventFilter(QObject*, QEvent* event) override
+    {
+        if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+            wear();
+        return false;
+    }
+
+private:
+    void wear()
+    {
+        if (const QFont caption = captionFont(QApplication::font()); widget_.font() != caption)
+            widget_.setFont(caption);
+    }
+
+    QWidget& widget_;
+};
+
+} // namespace
+
+void wearCaption(QWidget& widget) { new Caption(widget); }
 
 QFont semiBold(QFont font)
 {

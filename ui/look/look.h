@@ -53,6 +53,9 @@ constexpr int optionsHeight = 40, dockTitleHeight = 28, rowHeight = 26, denseRow
 
 /// Table, status and caption text is 0.92 times the body font's size.
 QFont captionFont(const QFont& body);
+/// Gives the widget the caption font of the program's font, and keeps it so: a font that is only
+/// set is lost when a widget without a parent gets one, or the style sheet changes (Qt 6.4).
+void wearCaption(QWidget& widget);
 QFont semiBold(QFont font);
 
 } // namespace ui

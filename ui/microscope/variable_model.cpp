@@ -67,8 +67,7 @@ QVariant VariableModel::cell(int row, int column, int role) const
 QVariant VariableModel::heading(int column, int role) const
 {
     if (role == Qt::TextAlignmentRole)
-        return int((column == Value || column == Before ? Qt::AlignRight : Qt::AlignLeft)
-                   | Qt::AlignVCenter);
+        return sideOf(column == Value || column == Before);
     if (role != Qt::DisplayRole)
         return {};
     const QString names[ColumnCount]{tr("name"), tr("value"), tr("before"), QString()};

@@ -79,7 +79,7 @@ QVariant TableModel::cell(int row, int column, int role) const
     case Qt::DisplayRole:
         return shown(row, column);
     case Qt::TextAlignmentRole:
-        return int(Qt::AlignVCenter | (numeric ? Qt::AlignRight : Qt::AlignLeft));
+        return sideOf(numeric);
     case Qt::ToolTipRole:
         if (const auto* algorithm =
                 variant(row, column).isValid() ? app::timedAlgorithm(field(row, column)) : nullptr)

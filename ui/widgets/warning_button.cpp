@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/warning_button.h"
 
-#include "ui/look/caption.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 

@@ -25,7 +25,6 @@ Modes::Modes(app::Session& session, app::DrawnLine& drawn, Canvas& canvas, Parts
       tiles_(session, parts_.sheets, canvas, parts_.centre), presenting_(parts_.window)
 {
     connect(&session.microscope, &app::Microscope::openChanged, this, &Modes::followMicroscope);
-    connect(&session, &app::Session::loaded, &session.microscope, &app::Microscope::close);
     connect(&parts_.sheets, &app::LiveSheets::openChanged, this, &Modes::followSheets);
     connect(&microscope_, &MicroscopeMode::lessonsToggled, this, &Modes::changed);
 }

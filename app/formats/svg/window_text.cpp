@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/window_text.h"
 
+#include "app/base/finite.h"
 #include "app/base/number.h"
 #include "app/formats/svg/attribute_text.h"
 #include "app/formats/svg/colour.h"
@@ -51,14 +52,13 @@ void appendShape(std::string& text, const PathShape& shape)
 
 bool isFinite(const WindowShape& shape)
 {
-    const auto finite = [](const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); };
     if (const auto* own = std::get_if<PathShape>(&shape)) {
         bool all = true;
-        own->path.forEachPoint([&](const Point& p) { all = all && finite(p); });
+        own->path.forEachPoint([&](const Point& p) { all = all && app::isFinite(p); });
         return all;
     }
     const auto& [box, angle] = std::get<RectangleShape>(shape);
-    return finite(box.min) && finite(box.max) && std::isfinite(angle);
+    return app::isFinite(box) && std::isfinite(angle);
 }
 
 void appendWindow(std::string& text, const ClipWindow& window, Keep keep)

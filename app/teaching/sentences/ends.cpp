@@ -2,7 +2,7 @@
 #include "app/teaching/sentences/ends.h"
 
 #include "app/overlays/half_plane.h"
-#include "app/teaching/sentences/translated.h"
+#include "app/teaching/sentences/words.h"
 #include "clipping/outcode.h"
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/overlays/family.h"
 #include "app/overlays/half_plane.h"
-#include "app/teaching/sentences/translated.h"
 #include "app/teaching/sentences/words.h"
 #include "app/teaching/teaching.h"
 

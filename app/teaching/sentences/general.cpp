@@ -4,7 +4,7 @@
 #include "app/teaching/page.h"
 #include "app/teaching/sentences/code_values.h"
 #include "app/teaching/sentences/ends.h"
-#include "app/teaching/sentences/translated.h"
+#include "app/teaching/sentences/words.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #include "app/overlays/family.h"
 #include "app/teaching/sentences/ends.h"
 #include "app/teaching/sentences/part.h"
-#include "app/teaching/sentences/translated.h"
+#include "app/teaching/sentences/words.h"
 #include "app/teaching/teaching.h"
 
 #include <array>

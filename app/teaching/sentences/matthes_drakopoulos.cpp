@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/overlays/family.h"
 #include "app/teaching/sentences/ends.h"
-#include "app/teaching/sentences/translated.h"
+#include "app/teaching/sentences/words.h"
 #include "app/teaching/teaching.h"
 
 namespace app {

@@ -3,7 +3,6 @@
 
 #include "app/overlays/polygon_edges.h"
 #include "app/teaching/page.h"
-#include "app/teaching/sentences/translated.h"
 #include "app/teaching/sentences/words.h"
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 #include "app/teaching/sentences/words.h"
 
 #include "app/teaching/line_text.h"
-#include "app/teaching/sentences/translated.h"
 
 #include <bit>
 #include <cmath>

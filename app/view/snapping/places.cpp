@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/snapping/places.h"
 
+#include "app/base/finite.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -133,8 +135,8 @@ std::optional<Point> arcCentre(const Bezier& c)
     const auto onCircle = [&](double t) {
         return std::abs(glm::distance(c.at(t), centre) - radius) <= arcTolerance * radius;
     };
-    const bool finite = std::isfinite(centre.x) && std::isfinite(centre.y);
-    return finite && radius > 0 && onCircle(0.25) && onCircle(0.5) && onCircle(0.75) && onCircle(1)
+    return isFinite(centre) && radius > 0 && onCircle(0.25) && onCircle(0.5) && onCircle(0.75)
+                   && onCircle(1)
                ? std::optional(centre)
                : std::nullopt;
 }
