@@ -37,7 +37,7 @@ void expect(bool holds, std::string_view row, const char* what)
 
 /// What one form of a row does, by all four functions.
 template <class S, class W, class Piece>
-void tryUses(const clipping::Uses<S, W, Piece>& uses, std::string_view row, const S& crossing,
+void tryUses(const clipping::Functions<S, W, Piece>& uses, std::string_view row, const S& crossing,
              const S& missing, const W& window, const Piece& visible)
 {
     const auto piece = uses.clip(crossing, window);
