@@ -94,7 +94,7 @@ app::Document longLines(std::size_t count)
     scene.fill(lines);
     app::DocumentBuilder builder;
     builder.open({.name = "Lines"});
-    const app::StyleIndex style = builder.style({.stroke = app::Colour{}, .width = 1});
+    const app::StyleEntry style = builder.style({.stroke = app::Colour{}, .width = 1});
     for (const clipping::Segment& line : lines)
         builder.addLine(line, style);
     builder.close();
