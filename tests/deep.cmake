@@ -35,7 +35,11 @@ if(NOT CLEARCUT_SANITIZE AND NOT CLEARCUT_SANITIZE_THREADS AND NOT BUILD_SHARED_
   set_tests_properties(resources.packages PROPERTIES TIMEOUT 300 SKIP_REGULAR_EXPRESSION "Skipped:")
 endif()
 
-set(deep_tests clipping.outside_project clipping.library_alone clipping.folder_alone clipping.watching_test
+# lupdate: of qt6-l10n-tools, which tests/run.sh installs for the presets with these tests.
+find_program(LUPDATE lupdate HINTS ${QT6_INSTALL_PREFIX}/${QT6_INSTALL_BINS} REQUIRED)
+add_test(NAME texts COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/texts.py ${LUPDATE} ${PROJECT_SOURCE_DIR})
+
+set(deep_tests texts clipping.outside_project clipping.library_alone clipping.folder_alone clipping.watching_test
   clipping.installed_from_library_alone clipping.installed_from_folder_alone)
 if(TEST resources.packages)
   list(APPEND deep_tests resources.packages)

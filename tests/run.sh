@@ -16,6 +16,7 @@ shift || true
 case $preset in
 tidy) more=(clang-tidy) ;;
 fuzz) more=(clang "?libclang-rt-14-dev") ;; # the latter: libFuzzer on Debian 12
+deep | coverage) more=(qt6-l10n-tools) ;; # the test of texts
 *) more=() ;;
 esac
 bash "$root/app/install_packages.sh" "${more[@]}" g++ cmake ninja-build qt6-base-dev "?libqt6opengl6-dev" libqt6svg6-dev libgif-dev hershey-fonts-data libglm-dev \

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/background.h"
 
-#include <QCoreApplication>
 #include <QThreadPool>
 
 namespace app {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/csv_text.h"
 
-#include <QCoreApplication>
+#include "app/base/text.h"
 
 #include <algorithm>
 #include <utility>
@@ -17,14 +17,14 @@ bool endsLine(int c) { return c == end || c == '\n' || c == '\r'; }
 
 } // namespace
 
-int Text::peek()
+int Records::peek()
 {
     if (at_ == buffer_.size())
         fill();
     return at_ < buffer_.size() ? static_cast<unsigned char>(buffer_.at(at_)) : end;
 }
 
-void Text::fill()
+void Records::fill()
 {
     buffer_ = in_.read(chunk);
     at_ = 0;
@@ -38,7 +38,7 @@ void Text::fill()
         at_ = byteOrderMark.size();
 }
 
-int Text::get()
+int Records::get()
 {
     const int c = peek();
     at_ += c != end;
@@ -46,7 +46,7 @@ int Text::get()
     return c;
 }
 
-void Text::skipLine()
+void Records::skipLine()
 {
     while (!endsLine(peek()))
         get();
@@ -54,7 +54,7 @@ void Text::skipLine()
 }
 
 // Accepts CR LF, LF and a lone CR.
-void Text::endRecord()
+void Records::endRecord()
 {
     if (peek() == '\r') {
         get();
@@ -64,10 +64,10 @@ void Text::endRecord()
         get();
 }
 
-bool Text::endsField(int c) const { return endsLine(c) || separates(char(c), separator_); }
+bool Records::endsField(int c) const { return endsLine(c) || separates(char(c), separator_); }
 
 // Whether a field follows. Blanks at the end of a record separate nothing.
-bool Text::takeSeparator()
+bool Records::takeSeparator()
 {
     if (endsLine(peek()) || !endsField(peek()))
         return false;
@@ -79,7 +79,7 @@ bool Text::takeSeparator()
     return !endsLine(peek());
 }
 
-bool Text::next(Record& record)
+bool Records::next(Record& record)
 {
     while (endsLine(peek()) || (comments_ && peek() == '#')) {
         if (peek() == end)
@@ -92,7 +92,7 @@ bool Text::next(Record& record)
         takeSeparator(); // before the first field
     do {
         if (++size > longestRecord)
-            throw Refused{line_, QCoreApplication::translate("csv", "is too long for CSV.")};
+            throw Refused{line_, Text::tr("is too long for CSV.")};
         if (count == record.fields.size())
             record.fields.emplace_back();
         readField(record.fields[count++], size);
@@ -102,7 +102,7 @@ bool Text::next(Record& record)
     return true;
 }
 
-void Text::readField(std::string& field, std::size_t& size)
+void Records::readField(std::string& field, std::size_t& size)
 {
     field.clear();
     if (peek() == '"')
@@ -114,21 +114,20 @@ void Text::readField(std::string& field, std::size_t& size)
                                                   [&](unsigned char c) { return endsField(c); });
             size += std::size_t(stop - begin);
             if (size > longestRecord)
-                throw Refused{line_, QCoreApplication::translate("csv", "is too long for CSV.")};
+                throw Refused{line_, Text::tr("is too long for CSV.")};
             field.append(begin, stop);
             at_ += stop - begin;
         }
 }
 
-void Text::readQuoted(std::string& field, std::size_t& size)
+void Records::readQuoted(std::string& field, std::size_t& size)
 {
     const std::size_t begin = line_;
     get();
     for (;;) {
         const int c = get();
         if (c == end || ++size > longestRecord)
-            throw Refused{begin, QCoreApplication::translate(
-                                     "csv", "opens a quotation mark that is never closed.")};
+            throw Refused{begin, Text::tr("opens a quotation mark that is never closed.")};
         if (c == '"') {
             if (peek() != '"')
                 break;
@@ -137,8 +136,7 @@ void Text::readQuoted(std::string& field, std::size_t& size)
         field += char(c);
     }
     if (!endsField(peek()))
-        throw Refused{
-            line_, QCoreApplication::translate("csv", "has text after a closing quotation mark.")};
+        throw Refused{line_, Text::tr("has text after a closing quotation mark.")};
 }
 
 void appendField(std::string& text, std::string_view field)

@@ -34,9 +34,9 @@ constexpr bool separates(char c, char separator)
 
 /// Reads comma-separated text record by record: quoted fields, LF or CR LF, a byte order mark.
 /// Blank lines and lines that begin with # are skipped. The memory used is bounded by one record.
-class Text {
+class Records {
 public:
-    explicit Text(QIODevice& in, char separator = ',') : in_(in), separator_(separator) {}
+    explicit Records(QIODevice& in, char separator = ',') : in_(in), separator_(separator) {}
 
     /// Reads the next record; false at the end. Reuses the memory of `record`.
     bool next(Record& record);

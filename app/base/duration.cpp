@@ -2,17 +2,12 @@
 #include "app/base/duration.h"
 
 #include "app/base/numbers.h"
-
-#include <QCoreApplication>
+#include "app/base/text.h"
 
 #include <cmath>
 
 namespace app {
 namespace {
-
-struct Durations {
-    Q_DECLARE_TR_FUNCTIONS(Experiments)
-};
 
 QString count(double number) { return countText(std::size_t(number)); }
 
@@ -22,18 +17,18 @@ QString durationText(double seconds)
 {
     constexpr double minute = 60, hour = 3600;
     if (seconds < 2 * minute)
-        return Durations::tr("%1 s").arg(count(std::ceil(seconds)));
+        return Text::tr("%1 s").arg(count(std::ceil(seconds)));
     if (seconds < 2 * hour)
-        return Durations::tr("%1 minutes").arg(count(std::round(seconds / minute)));
-    return Durations::tr("%1 hours").arg(count(std::round(seconds / hour)));
+        return Text::tr("%1 minutes").arg(count(std::round(seconds / minute)));
+    return Text::tr("%1 hours").arg(count(std::round(seconds / hour)));
 }
 
 QString progressText(const Progress& progress)
 {
     const QString share = count(std::floor(100 * progress.share));
     if (progress.share < 0.02) // too early for an estimate
-        return Durations::tr("%1 %").arg(share);
-    return Durations::tr("%1 %, %2 left").arg(share, durationText(progress.secondsLeft));
+        return Text::tr("%1 %").arg(share);
+    return Text::tr("%1 %, %2 left").arg(share, durationText(progress.secondsLeft));
 }
 
 } // namespace app

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/expression.h"
 
-#include <QCoreApplication>
+#include "app/base/text.h"
 
 #include <algorithm>
 #include <charconv>
@@ -11,10 +11,6 @@ namespace app {
 namespace {
 
 constexpr std::size_t longest = 200; // characters; also limits the nesting of brackets
-
-struct ExpressionText {
-    Q_DECLARE_TR_FUNCTIONS(expression)
-};
 
 /// A plain number, or a number of units.
 struct Quantity {
@@ -35,7 +31,7 @@ public:
     {
         const Quantity value = sum();
         if (!skipBlank().empty())
-            refuse(ExpressionText::tr("“%1” is not expected there").arg(next()));
+            refuse(Text::tr("“%1” is not expected there").arg(next()));
         return value;
     }
     const QString& error() const { return error_; }
@@ -99,13 +95,13 @@ private:
     Quantity product(const Quantity& a, const Quantity& b)
     {
         if (a.unit && b.unit)
-            refuse(ExpressionText::tr("a length times a length is an area"));
+            refuse(Text::tr("a length times a length is an area"));
         return {a.number * b.number, a.unit ? a.unit : b.unit};
     }
     Quantity quotient(const Quantity& a, const Quantity& b)
     {
         if (b.number == 0)
-            refuse(ExpressionText::tr("division by zero"));
+            refuse(Text::tr("division by zero"));
         if (a.unit && b.unit)
             return {a.length() / b.length()};
         return {a.number / b.number, a.unit ? a.unit : b.unit}; // 1/2in: half a unit
@@ -122,7 +118,7 @@ private:
         if (take('(')) {
             const Quantity value = sum();
             if (!take(')'))
-                refuse(ExpressionText::tr("a “)” is missing"));
+                refuse(Text::tr("a “)” is missing"));
             return value;
         }
         return number();
@@ -131,7 +127,7 @@ private:
     {
         const std::string_view rest = skipBlank();
         if (rest.empty()) {
-            refuse(ExpressionText::tr("the sum ends without a number"));
+            refuse(Text::tr("the sum ends without a number"));
             return {};
         }
         Quantity value;
@@ -139,9 +135,9 @@ private:
         const auto [end, wrong] =
             std::from_chars(rest.data(), rest.data() + rest.size(), value.number);
         if (!digits || wrong == std::errc::invalid_argument)
-            refuse(ExpressionText::tr("“%1” is not a number").arg(next()));
+            refuse(Text::tr("“%1” is not a number").arg(next()));
         else if (wrong == std::errc::result_out_of_range)
-            refuse(ExpressionText::tr("a number is too large"));
+            refuse(Text::tr("a number is too large"));
         else
             text_.remove_prefix(std::size_t(end - rest.data()));
         value.unit = unit();
@@ -155,7 +151,7 @@ private:
         const auto word = next().toStdString();
         const auto found = std::ranges::find(units(), word, &UnitInfo::suffix);
         if (found == units().end() || found->unit == Unit::Percent) {
-            refuse(ExpressionText::tr("“%1” is not a unit of length here").arg(next()));
+            refuse(Text::tr("“%1” is not a unit of length here").arg(next()));
             return std::nullopt;
         }
         text_.remove_prefix(word.size());
@@ -177,14 +173,13 @@ private:
 Result<double> evaluated(std::string_view text, const Scale& scale)
 {
     if (text.size() > longest)
-        return Result<double>::failure(
-            ExpressionText::tr("it is longer than %1 characters").arg(longest));
+        return Result<double>::failure(Text::tr("it is longer than %1 characters").arg(longest));
     Reader reader(text, scale);
     const double length = reader.read().length();
     if (!reader.error().isEmpty())
         return Result<double>::failure(reader.error());
     if (!std::isfinite(length))
-        return Result<double>::failure(ExpressionText::tr("its result is too large"));
+        return Result<double>::failure(Text::tr("its result is too large"));
     return Result<double>::of(length);
 }
 

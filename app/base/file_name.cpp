@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/file_name.h"
 
-#include <QCoreApplication>
+#include "app/base/text.h"
+
 #include <QFileInfo>
 
 namespace app {
@@ -12,7 +13,7 @@ std::optional<QString> faultOfName(const QString& path)
     // name.
     if (!path.contains(QChar::ReplacementCharacter) || QFileInfo::exists(path))
         return std::nullopt;
-    return QCoreApplication::translate("formats", "its name is not UTF-8. Give it another name.");
+    return Text::tr("its name is not UTF-8. Give it another name.");
 }
 
 } // namespace app

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/numbers.h"
 
-#include <QCoreApplication>
+#include "app/base/text.h"
+
 #include <QLocale>
 
 #include <algorithm>
@@ -43,8 +44,7 @@ QString countText(std::size_t count) { return QLocale().toString(qulonglong(coun
 
 QString linesText(std::size_t count)
 {
-    return count == 1 ? QCoreApplication::translate("numbers", "1 line")
-                      : QCoreApplication::translate("numbers", "%1 lines").arg(countText(count));
+    return count == 1 ? Text::tr("1 line") : Text::tr("%1 lines").arg(countText(count));
 }
 
 double inUnit(double userUnits, Unit unit, double millimetresPerUnit)
@@ -78,14 +78,11 @@ QString sizeText(const glm::dvec2& size, Unit unit, double millimetresPerUnit)
 QString millisecondsText(double milliseconds)
 {
     if (milliseconds < 0.01)
-        return QCoreApplication::translate("numbers", "< %1 ms").arg(numberText(0.01, 2));
+        return Text::tr("< %1 ms").arg(numberText(0.01, 2));
     const int decimals = milliseconds < 10 ? 2 : milliseconds < 100 ? 1 : 0;
-    return QCoreApplication::translate("numbers", "%1 ms").arg(numberText(milliseconds, decimals));
+    return Text::tr("%1 ms").arg(numberText(milliseconds, decimals));
 }
 
-QString percentText(double share)
-{
-    return QCoreApplication::translate("numbers", "%1 %").arg(numberText(share * 100, 1));
-}
+QString percentText(double share) { return Text::tr("%1 %").arg(numberText(share * 100, 1)); }
 
 } // namespace app

@@ -2,8 +2,8 @@
 #include "app/base/replace_file.h"
 
 #include "app/base/file_name.h"
+#include "app/base/text.h"
 
-#include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
 #include <QSaveFile>
@@ -123,8 +123,7 @@ std::optional<QString> replaceFile(const QString& path, const Filling& write)
     if (auto fault = faultOfName(path))
         return fault;
     if (isLinkToItself(path))
-        return QCoreApplication::translate(
-            "formats", "it is a link that leads to itself. Remove it, or give another name.");
+        return Text::tr("it is a link that leads to itself. Remove it, or give another name.");
     const QFileInfo info(path);
     if (info.exists() && !info.isFile() && !info.isDir()) { // never replace a device by a file
         QFile device(path);

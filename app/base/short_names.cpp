@@ -3,17 +3,12 @@
 
 #include "app/base/latin.h"
 #include "app/base/numbers.h"
-
-#include <QCoreApplication>
+#include "app/base/text.h"
 
 #include <algorithm>
 
 namespace app {
 namespace {
-
-struct ShortNames {
-    Q_DECLARE_TR_FUNCTIONS(Experiments)
-};
 
 QString abbreviation(const Variant& variant)
 {
@@ -26,7 +21,7 @@ QString abbreviation(const Variant& variant)
 QString shortNameOf(const Variant& variant)
 {
     return variant.form == clipping::Form::Published
-               ? ShortNames::tr("%1 as published").arg(abbreviation(variant))
+               ? Text::tr("%1 as published").arg(abbreviation(variant))
                : abbreviation(variant);
 }
 
@@ -42,15 +37,15 @@ QString introducedName(const clipping::Algorithm& algorithm)
     const auto name = latin(algorithm.name);
     return algorithm.name == algorithm.abbreviation
                ? name
-               : ShortNames::tr("%1 (%2)").arg(
-                   name, abbreviation({&algorithm, clipping::Form::Corrected}));
+               : Text::tr("%1 (%2)").arg(name,
+                                         abbreviation({&algorithm, clipping::Form::Corrected}));
 }
 
 QString listText(const QStringList& names)
 {
     if (names.size() < 2)
         return names.join(QString());
-    return ShortNames::tr("%1 and %2")
+    return Text::tr("%1 and %2")
         .arg(names.sliced(0, names.size() - 1).join(QStringLiteral(", ")), names.back());
 }
 
@@ -59,12 +54,12 @@ QString briefListText(const QStringList& names)
     constexpr qsizetype mostNamed = 7, named = 3;
     if (names.size() <= mostNamed)
         return listText(names);
-    return listText(names.first(named) << ShortNames::tr("%1 others").arg(names.size() - named));
+    return listText(names.first(named) << Text::tr("%1 others").arg(names.size() - named));
 }
 
 QString timeText(double nanoseconds)
 {
-    return ShortNames::tr("%1 ns per line").arg(numberText(nanoseconds, nanoseconds < 100 ? 2 : 0));
+    return Text::tr("%1 ns per line").arg(numberText(nanoseconds, nanoseconds < 100 ? 2 : 0));
 }
 
 } // namespace app

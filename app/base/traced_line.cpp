@@ -2,18 +2,13 @@
 #include "app/base/traced_line.h"
 
 #include "app/base/latin.h"
-
-#include <QCoreApplication>
+#include "app/base/text.h"
 
 #include <cmath>
 
 namespace app {
 
 namespace {
-
-struct TracedLineText {
-    Q_DECLARE_TR_FUNCTIONS(narration)
-};
 
 /// "Cyrus-Beck, Skala and Exact": the rows that clip at convex polygons.
 QString polygonNames()
@@ -23,20 +18,18 @@ QString polygonNames()
         if (algorithm.polygon)
             names << latin(algorithm.name);
     const QString last = names.takeLast();
-    return names.isEmpty()
-               ? last
-               : TracedLineText::tr("%1 or %2").arg(names.join(QStringLiteral(", ")), last);
+    return names.isEmpty() ? last
+                           : Text::tr("%1 or %2").arg(names.join(QStringLiteral(", ")), last);
 }
 
 QString polygonRefusal(const Variant& variant)
 {
     const QString name = latin(variant.algorithm->name);
     return variant.algorithm->polygon
-               ? TracedLineText::tr("The published form of %1 clips at rectangles only. Choose the "
-                                    "corrected form.")
+               ? Text::tr("The published form of %1 clips at rectangles only. Choose the "
+                          "corrected form.")
                      .arg(name)
-               : TracedLineText::tr("%1 clips at rectangles only. Choose %2.")
-                     .arg(name, polygonNames());
+               : Text::tr("%1 clips at rectangles only. Choose %2.").arg(name, polygonNames());
 }
 
 } // namespace
@@ -52,7 +45,7 @@ polygonUsesOf(const Variant& variant)
 QString refusalOf(const TracedLine& tracedLine)
 {
     if (tracedLine.variant.misprint)
-        return TracedLineText::tr("This is a known misprint: its steps are not recorded.");
+        return Text::tr("This is a known misprint: its steps are not recorded.");
     if (!tracedLine.corners.empty() && !polygonUsesOf(tracedLine.variant))
         return polygonRefusal(tracedLine.variant);
     const auto& [a, b] = tracedLine.line;
@@ -65,11 +58,10 @@ QString refusalOf(const TracedLine& tracedLine)
          {Row{"x1", a.x}, Row{"y1", a.y}, Row{"x2", b.x}, Row{"y2", b.y}, Row{"xmin", min.x},
           Row{"ymin", min.y}, Row{"xmax", max.x}, Row{"ymax", max.y}})
         if (!std::isfinite(row.value))
-            return TracedLineText::tr(
-                       "%1 is not a finite number: nothing is clipped. Give it another value.")
+            return Text::tr("%1 is not a finite number: nothing is clipped. Give it another value.")
                 .arg(latin(row.name));
     if (min.x > max.x || min.y > max.y)
-        return TracedLineText::tr(
+        return Text::tr(
             "The window's minimum lies beyond its maximum: nothing is clipped. Swap them.");
     return {};
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/charts/chart.h"
 
-#include <QCoreApplication>
+#include "app/base/text.h"
 
 #include <algorithm>
 #include <cassert>
@@ -46,9 +46,8 @@ QString textOf(const Chart& chart)
         QStringList names;
         for (const std::size_t i : group.rows)
             names << chart.rows[i].name;
-        lines << QCoreApplication::translate("Charts",
-                                             "Bracket %1: %2 do not differ significantly by 1 % "
-                                             "or more.")
+        lines << Text::tr("Bracket %1: %2 do not differ significantly by 1 % "
+                          "or more.")
                      .arg(group.letter, names.join(QStringLiteral(", ")));
     }
     return (lines + chart.notes).join(u'\n');

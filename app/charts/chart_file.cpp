@@ -3,6 +3,7 @@
 
 #include "app/base/latin.h"
 #include "app/base/replace_file.h"
+#include "app/base/text.h"
 #include "app/base/write_all.h"
 #include "app/charts/chart_layout.h"
 #include "app/charts/chart_paint.h"
@@ -62,7 +63,7 @@ std::optional<QString> writePng(const Chart& chart, const ChartLook& look, const
     constexpr double scale = 2; // high resolution
     const QByteArray bytes = pngOf(pageOf(chart, look, size), captionOf(chart), scale);
     if (bytes.isEmpty())
-        return Charts::tr("there is not enough memory for the picture.");
+        return Text::tr("there is not enough memory for the picture.");
     return written(out, bytes);
 }
 
@@ -78,9 +79,9 @@ QString keysText()
 
 std::span<const ChartFormat> chartFormats()
 {
-    static const std::array all{ChartFormat{"svg", Charts::tr("SVG drawing"), writeSvg},
-                                ChartFormat{"pdf", Charts::tr("PDF document"), writePdf},
-                                ChartFormat{"png", Charts::tr("PNG picture"), writePng}};
+    static const std::array all{ChartFormat{"svg", Text::tr("SVG drawing"), writeSvg},
+                                ChartFormat{"pdf", Text::tr("PDF document"), writePdf},
+                                ChartFormat{"png", Text::tr("PNG picture"), writePng}};
     return all;
 }
 
@@ -112,12 +113,12 @@ std::optional<QString> writeChart(const Chart& chart, const QString& path, const
 {
     const ChartFormat* format = findChartFormat(QFileInfo(path).suffix());
     if (!format)
-        return Charts::tr("%1: a chart is written as %2; give the file one of these endings.")
+        return Text::tr("%1: a chart is written as %2; give the file one of these endings.")
             .arg(path, keysText());
     const auto error = replaceFile(path, [&](QIODevice& out) {
         return format->write(chart, look, usualSize(chart, look), out);
     });
-    return error ? std::optional(Charts::tr("Cannot write %1: %2").arg(path, *error)) : error;
+    return error ? std::optional(Text::tr("Cannot write %1: %2").arg(path, *error)) : error;
 }
 
 } // namespace app

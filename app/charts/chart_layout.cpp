@@ -2,9 +2,9 @@
 #include "app/charts/chart_layout.h"
 
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/experiment/record.h"
 
-#include <QCoreApplication>
 #include <QFontMetricsF>
 
 #include <algorithm>
@@ -324,8 +324,7 @@ QStringList sentencesOf(const Chart& chart)
 {
     QStringList sentences = chart.notes;
     if (isBroken(chart))
-        sentences << QCoreApplication::translate("Charts",
-                                                 "A bar with a gap is longer than the axis.");
+        sentences << Text::tr("A bar with a gap is longer than the axis.");
     return sentences;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/charts/record_chart.h"
 #include "app/charts/words.h"
 #include "app/experiment/paper_tables.h"
@@ -18,8 +19,8 @@ ChartRow paperRow(const PaperColumn& column, const Summary& runs, double lowest)
     row.figures = {Bar{{average}, runs.confidence}};
     row.numbers = {numberText(average, 3), numberText(average / lowest, 2)};
     row.detail = QStringList{fullName({column.algorithm, clipping::Form::Corrected}),
-                             Charts::tr("average %1 s").arg(numberText(average, 3)),
-                             Charts::tr("median of its runs, with 95 % confidence: %1 to %2 s")
+                             Text::tr("average %1 s").arg(numberText(average, 3)),
+                             Text::tr("median of its runs, with 95 % confidence: %1 to %2 s")
                                  .arg(numberText(runs.confidence.low, 3),
                                       numberText(runs.confidence.high, 3))}
                      .join(u'\n');
@@ -43,11 +44,11 @@ Chart chartOf(const PaperTable& paper)
                              [&](std::size_t i) { return paper.columns[i].printedAverage; });
     Chart chart{
         .key = paper.key + QStringLiteral("-paper"),
-        .title = Charts::tr("The paper's %1").arg(numberOf(paper)),
-        .subtitle = Charts::tr("%1 lines generated, clipped and drawn").arg(countText(paper.lines)),
-        .legend = {{LegendBar{0, clipping::Form::Published}, Charts::tr("the paper's averages")}},
-        .panels = {{{}, Charts::tr("seconds")}},
-        .columns = {Charts::tr("seconds"), Charts::tr("lowest = 1")},
+        .title = Text::tr("The paper's %1").arg(numberOf(paper)),
+        .subtitle = Text::tr("%1 lines generated, clipped and drawn").arg(countText(paper.lines)),
+        .legend = {{LegendBar{0, clipping::Form::Published}, Text::tr("the paper's averages")}},
+        .panels = {{{}, Text::tr("seconds")}},
+        .columns = {Text::tr("seconds"), Text::tr("lowest = 1")},
         .rows = {},
         .groups = groupsOf(ranking, order),
         .notes = groupNotes(ranking) << paperPairingText()};

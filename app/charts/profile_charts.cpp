@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/charts/record_chart.h"
 #include "app/charts/words.h"
 #include "app/experiment/one_by_one.h"
@@ -18,10 +19,10 @@ struct Kind {
     std::uint64_t OperationCounts::*count;
 };
 constexpr std::array kinds{
-    Kind{QT_TRANSLATE_NOOP("Charts", "comparisons"), &OperationCounts::comparisons},
-    Kind{QT_TRANSLATE_NOOP("Charts", "additions"), &OperationCounts::additions},
-    Kind{QT_TRANSLATE_NOOP("Charts", "multiplications"), &OperationCounts::multiplications},
-    Kind{QT_TRANSLATE_NOOP("Charts", "divisions"), &OperationCounts::divisions},
+    Kind{QT_TRANSLATE_NOOP("Text", "comparisons"), &OperationCounts::comparisons},
+    Kind{QT_TRANSLATE_NOOP("Text", "additions"), &OperationCounts::additions},
+    Kind{QT_TRANSLATE_NOOP("Text", "multiplications"), &OperationCounts::multiplications},
+    Kind{QT_TRANSLATE_NOOP("Text", "divisions"), &OperationCounts::divisions},
 };
 
 ChartRow operationsRow(const VariantOperations& operations, std::uint64_t lines)
@@ -32,10 +33,10 @@ ChartRow operationsRow(const VariantOperations& operations, std::uint64_t lines)
     Bar bar;
     for (const Kind& kind : kinds) {
         bar.parts.push_back(double(scene.*kind.count) / double(lines));
-        detail << Charts::tr("%1 %2 per line")
-                      .arg(numberText(bar.parts.back(), 2), Charts::tr(kind.name));
+        detail
+            << Text::tr("%1 %2 per line").arg(numberText(bar.parts.back(), 2), Text::tr(kind.name));
     }
-    detail << Charts::tr("not counted: %1 negations per line")
+    detail << Text::tr("not counted: %1 negations per line")
                   .arg(numberText(double(scene.negations) / double(lines), 2));
     row.numbers = {numberText(bar.length(), 1)};
     row.detail = detail.join(u'\n');
@@ -56,7 +57,7 @@ void add(ClassRow& so, const ClassTimes& one, std::size_t variant, const Measure
     const QString name = words(one.of.lineClass);
     if (one.record.timings.empty()) {
         so.row.figures.push_back({});
-        so.row.detail += u'\n' + Charts::tr("%1: none in this scene").arg(name);
+        so.row.detail += u'\n' + Text::tr("%1: none in this scene").arg(name);
         return;
     }
     const Summary times = summaryOf(measure.times(one.record.timings[variant]));
@@ -78,12 +79,12 @@ std::vector<Variant> variantsOf(const ClassProfile& profile)
 
 QStringList notesOf(const ClassProfile& profile)
 {
-    QStringList notes(Charts::tr("Weighted: the mean cost of a line of the scene, if each line "
-                                 "cost as much as its class does alone."));
+    QStringList notes(Text::tr("Weighted: the mean cost of a line of the scene, if each line "
+                               "cost as much as its class does alone."));
     for (const ClassTimes& one : profile.classes)
         if (!one.of.standIn.isEmpty())
-            notes << Charts::tr("Lines of class “%1” are too rare in the scene: lines of the scene "
-                                "“%2” were measured instead.")
+            notes << Text::tr("Lines of class “%1” are too rare in the scene: lines of the scene "
+                              "“%2” were measured instead.")
                          .arg(words(one.of.lineClass), one.of.standIn);
     if (const QString batches = batchText(variantsOf(profile)); !batches.isEmpty())
         notes << batches;
@@ -96,15 +97,15 @@ Chart chartOf(const OperationProfile& profile)
 {
     Chart chart{
         .key = QStringLiteral("%1-operations").arg(profile.options.scene.key),
-        .title = Charts::tr("Operations per line"),
+        .title = Text::tr("Operations per line"),
         .subtitle = sceneText(profile.options),
-        .panels = {{{}, Charts::tr("operations per line")}},
-        .columns = {Charts::tr("all")},
+        .panels = {{{}, Text::tr("operations per line")}},
+        .columns = {Text::tr("all")},
         .rows = {},
-        .notes = {Charts::tr(
+        .notes = {Text::tr(
             "Additions include subtractions. Negations and operations on bits are not counted.")}};
     for (std::size_t k = 0; k < kinds.size(); ++k)
-        chart.legend.push_back({LegendBar{k}, Charts::tr(kinds[k].name)});
+        chart.legend.push_back({LegendBar{k}, Text::tr(kinds[k].name)});
     for (const VariantOperations& operations : profile.rows)
         chart.rows.push_back(operationsRow(operations, profile.options.lines));
     std::ranges::stable_sort(chart.rows, {}, lengthOf);
@@ -115,18 +116,17 @@ Chart chartOf(const ClassProfile& profile)
 {
     Chart chart{
         .key = QStringLiteral("%1-classes").arg(profile.options.scene.key),
-        .title = Charts::tr("Nanoseconds per line, by class of line"),
+        .title = Text::tr("Nanoseconds per line, by class of line"),
         .subtitle =
-            Charts::tr(
-                "Scene “%1”: the share of each class of line, and its cost when clipped alone")
+            Text::tr("Scene “%1”: the share of each class of line, and its cost when clipped alone")
                 .arg(profile.options.scene.name),
         .panels = {},
-        .columns = {Charts::tr("weighted")},
+        .columns = {Text::tr("weighted")},
         .rows = {},
         .notes = notesOf(profile)};
     for (const ClassTimes& one : profile.classes)
         chart.panels.push_back({words(one.of.lineClass) + u'\n' + percentText(one.of.share),
-                                Charts::tr("nanoseconds per line")});
+                                Text::tr("nanoseconds per line")});
     const Measure clip = measures().front();
     std::vector<ClassRow> rows;
     for (const Variant& variant : variantsOf(profile)) {

@@ -2,6 +2,7 @@
 #include "app/charts/record_chart.h"
 
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/charts/words.h"
 #include "app/experiment/one_by_one.h"
 #include "app/experiment/paper_tables.h"
@@ -49,12 +50,12 @@ std::size_t unitTiming(const Record& record, std::span<const std::size_t> order,
 QString detailOf(const Variant& variant, const Summary& times)
 {
     QStringList lines{fullName(variant),
-                      Charts::tr("median %1 per line").arg(nanosecondsText(times.median))};
+                      Text::tr("median %1 per line").arg(nanosecondsText(times.median))};
     if (std::isfinite(times.confidence.low) && std::isfinite(times.confidence.high))
-        lines << Charts::tr("with 95 % confidence: %1 to %2")
+        lines << Text::tr("with 95 % confidence: %1 to %2")
                      .arg(nanosecondsText(times.confidence.low),
                           nanosecondsText(times.confidence.high));
-    lines << Charts::tr("spread %1, mean %2")
+    lines << Text::tr("spread %1, mean %2")
                  .arg(nanosecondsText(times.spread), nanosecondsText(times.mean));
     return lines.join(u'\n');
 }
@@ -76,7 +77,7 @@ QString testText(const Ranking& ranking, std::size_t thing)
         return {};
     const PairTest& test = ranking.fastest[thing];
     return u'\n'
-           + Charts::tr("%1 times the lowest median, p = %2")
+           + Text::tr("%1 times the lowest median, p = %2")
                  .arg(numberText(test.ratio, 3), pText(test.p));
 }
 
@@ -96,7 +97,7 @@ void compare(ChartRow& row, const PaperTable& paper)
     row.other = column->printedAverage / lowestOf(paper);
     row.numbers << ratioText(*row.other);
     row.detail += u'\n'
-                  + Charts::tr("in the paper: %1 s, %2 times the paper's lowest")
+                  + Text::tr("in the paper: %1 s, %2 times the paper's lowest")
                         .arg(numberText(column->printedAverage, 3), ratioText(*row.other));
 }
 
@@ -114,13 +115,13 @@ std::vector<LegendEntry> legendOf(const Record& record)
         return std::ranges::any_of(
             record.timings, [&](const Timing& timing) { return timing.variant.form == form; });
     };
-    const QString here = Charts::tr("here, median of %1").arg(countText(record.options.runs));
+    const QString here = Text::tr("here, median of %1").arg(countText(record.options.runs));
     std::vector<LegendEntry> legend;
     if (has(clipping::Form::Corrected))
         legend.push_back({LegendBar{}, here});
     if (has(clipping::Form::Published))
         legend.push_back({LegendBar{0, clipping::Form::Published},
-                          legend.empty() ? here : Charts::tr("as published")});
+                          legend.empty() ? here : Text::tr("as published")});
     return legend;
 }
 
@@ -140,12 +141,12 @@ Chart chartOf(const Record& record, const Measure& measure, const std::optional<
     const Ranking ranking = rankingOf(record, measure);
     Chart chart{.key = QStringLiteral("%1-%2").arg(record.options.scene.key, measure.key),
                 .title = (one == order.front()
-                              ? Charts::tr("%1, lowest median = 1")
-                              : Charts::tr("%1, lowest median of the paper's algorithms = 1"))
+                              ? Text::tr("%1, lowest median = 1")
+                              : Text::tr("%1, lowest median of the paper's algorithms = 1"))
                              .arg(measure.name),
                 .subtitle = sceneText(record.options),
                 .legend = legendOf(record),
-                .columns = {Charts::tr("here")},
+                .columns = {Text::tr("here")},
                 .rows = {},
                 .groups = groupsOf(ranking, order),
                 .reference = 1,
@@ -158,9 +159,9 @@ Chart chartOf(const Record& record, const Measure& measure, const std::optional<
     }
     if (paper) {
         chart.key = QStringLiteral("%1-%2").arg(paper->key, measure.key);
-        chart.columns << Charts::tr("paper");
+        chart.columns << Text::tr("paper");
         chart.legend.push_back(
-            {LegendMark{}, Charts::tr("hollow: the paper's %1, total time of %2 lines")
+            {LegendMark{}, Text::tr("hollow: the paper's %1, total time of %2 lines")
                                .arg(numberOf(*paper), countText(paper->lines))});
         if (const QString other = otherWorkText(*paper, record.options, measure); !other.isEmpty())
             chart.notes << other;
@@ -175,15 +176,15 @@ Chart boxPlotOf(const Record& record, const Measure& measure)
     const auto order = sortedByMedian(times);
     const Ranking ranking = rankingOf(record, measure);
     Chart chart{.key = QStringLiteral("%1-%2-runs").arg(record.options.scene.key, measure.key),
-                .title = Charts::tr("%1, run by run").arg(measure.name),
+                .title = Text::tr("%1, run by run").arg(measure.name),
                 .subtitle = sceneText(record.options),
-                .legend = {{LegendBox{}, Charts::tr("quartiles and median of %1 runs; circles: "
-                                                    "outliers")
+                .legend = {{LegendBox{}, Text::tr("quartiles and median of %1 runs; circles: "
+                                                  "outliers")
                                              .arg(countText(record.options.runs))}},
-                .panels = {{{}, Charts::tr("nanoseconds per line"), false},
-                           {{}, Charts::tr("deviation from its median in %"), false}},
+                .panels = {{{}, Text::tr("nanoseconds per line"), false},
+                           {{}, Text::tr("deviation from its median in %"), false}},
                 .oneScale = false,
-                .columns = {Charts::tr("median")},
+                .columns = {Text::tr("median")},
                 .rows = {},
                 .groups = groupsOf(ranking, order),
                 .notes = groupNotes(ranking)};

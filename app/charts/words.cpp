@@ -3,6 +3,7 @@
 
 #include "app/base/latin.h"
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/experiment/ranking_text.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ ChartRow rowFor(const Variant& variant)
     const bool published = variant.form == clipping::Form::Published;
     return {.variant = variant,
             .name = latin(name),
-            .note = published ? Charts::tr("as published") : QString(),
+            .note = published ? Text::tr("as published") : QString(),
             .figures = {}};
 }
 
@@ -23,7 +24,7 @@ QString fullName(const Variant& variant)
 {
     const std::string_view name = variant.algorithm->name;
     const QString text = latin(name);
-    return variant.form == clipping::Form::Published ? Charts::tr("%1, as published").arg(text)
+    return variant.form == clipping::Form::Published ? Text::tr("%1, as published").arg(text)
                                                      : text;
 }
 
@@ -35,19 +36,19 @@ Chart withSharedNote(Chart chart)
         return chart;
     for (ChartRow& row : chart.rows)
         row.note.clear();
-    chart.subtitle = Charts::tr("%1; algorithms %2").arg(chart.subtitle, note);
+    chart.subtitle = Text::tr("%1; algorithms %2").arg(chart.subtitle, note);
     return chart;
 }
 
 QString nanosecondsText(double nanoseconds)
 {
     const int decimals = nanoseconds < 10 ? 2 : nanoseconds < 100 ? 1 : 0;
-    return Charts::tr("%1 ns").arg(numberText(nanoseconds, decimals));
+    return Text::tr("%1 ns").arg(numberText(nanoseconds, decimals));
 }
 
 QString sceneText(const ExperimentOptions& options)
 {
-    return Charts::tr("Scene “%1”, %2 lines").arg(options.scene.name, countText(options.lines));
+    return Text::tr("Scene “%1”, %2 lines").arg(options.scene.name, countText(options.lines));
 }
 
 std::vector<RowGroup> groupsOf(const Ranking& ranking, std::span<const std::size_t> order)
@@ -70,8 +71,8 @@ QStringList groupNotes(const Ranking& ranking)
         return {tooFewRunsText(ranking)};
     const bool brackets =
         std::ranges::any_of(ranking.groups, [](const auto& group) { return group.size() > 1; });
-    return brackets ? QStringList(Charts::tr("A bracket joins algorithms that do not differ "
-                                             "significantly by 1 % or more."))
+    return brackets ? QStringList(Text::tr("A bracket joins algorithms that do not differ "
+                                           "significantly by 1 % or more."))
                     : QStringList();
 }
 

@@ -6,14 +6,7 @@
 #include "app/experiment/paper_runs.h"
 #include "app/experiment/ranking.h"
 
-#include <QCoreApplication>
-
 namespace app {
-
-/// The translation context of charts.
-struct Charts {
-    Q_DECLARE_TR_FUNCTIONS(Charts)
-};
 
 /// A row without figures: name, marker and form of a variant.
 ChartRow rowFor(const Variant& variant);

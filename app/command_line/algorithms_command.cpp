@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/command_line/parsed_arguments.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/table.h"
@@ -29,7 +30,7 @@ Command algorithmsCommand()
 {
     return {"algorithms",
             "[OPTIONS]",
-            Commands::tr("Lists the algorithms that clip."),
+            Text::tr("Lists the algorithms that clip."),
             tableOptions(),
             {"clearcut algorithms --format csv"},
             0,

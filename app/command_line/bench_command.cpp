@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/command_line/bench_files.h"
 #include "app/command_line/bench_plan.h"
 #include "app/command_line/progress_line.h"
@@ -80,7 +81,7 @@ void bench(const ParsedArguments& arguments)
     parsedAgainst(arguments); // throws before the work
     Wanted wanted = parsedWanted(arguments, usualMeasures(arguments, !files.empty()));
     if (wanted.measures.empty() && !files.empty())
-        throw WrongUsage{Commands::tr("Reports and charts need clip, draw or total in --measure.")};
+        throw WrongUsage{Text::tr("Reports and charts need clip, draw or total in --measure.")};
     Plan plan = parsedPlan(arguments, wanted);
     if (plan.trials.front().options.field.shape)
         wanted.analyses.clear(); // they explain rectangles only
@@ -108,7 +109,7 @@ std::vector<Option> benchOptions()
         std::ranges::move(more, std::back_inserter(all));
     };
     add(experimentOptions());
-    add({{{eachRun}, {}, Commands::tr("One row for each run instead of a summary.")}});
+    add({{{eachRun}, {}, Text::tr("One row for each run instead of a summary.")}});
     add(tableOptions());
     add(fileOptions());
     return all;
@@ -118,29 +119,29 @@ std::vector<Option> benchOptions()
 
 Command benchCommand()
 {
-    return {"bench",
-            "[OPTIONS]",
-            Commands::tr(
-                "Repeats the paper's experiment: random lines in (-960,-720)–(960,720) clipped at "
-                "(-100,-75)–(100,75), or other scenes. Prints for each algorithm the nanoseconds "
-                "per line (median, spread between the quartiles, mean, and the 95 % confidence "
-                "interval of the median), its rank if it differs significantly from every other, "
-                "letters (algorithms that share none differ significantly, by 1 % or more), and "
-                "the numbers of lines that are visible and lost. Exact clips many lines at once "
-                "with the processor's vector instructions; exact-one-by-one is the same algorithm "
-                "called line by line, like the others."),
-            benchOptions(),
-            {"clearcut bench --paper all --against-paper",
-             "clearcut bench --paper all --report paper.html",
-             "clearcut bench --lines 10000000 --each-run --format csv > times.csv",
-             "clearcut bench -a cs,lb,md --measure clip,draw,total",
-             "clearcut bench --quick --scene near-miss --order sorted",
-             "clearcut bench --measure classes,operations,accuracy"},
-            0,
-            bench,
-            true,
-            {Commands::tr("At most %1 lines and %2 runs; threads: at most %3 here.")
-                 .arg(countText(mostLines), countText(mostRuns), countText(mostThreads()))}};
+    return {
+        "bench",
+        "[OPTIONS]",
+        Text::tr("Repeats the paper's experiment: random lines in (-960,-720)–(960,720) clipped at "
+                 "(-100,-75)–(100,75), or other scenes. Prints for each algorithm the nanoseconds "
+                 "per line (median, spread between the quartiles, mean, and the 95 % confidence "
+                 "interval of the median), its rank if it differs significantly from every other, "
+                 "letters (algorithms that share none differ significantly, by 1 % or more), and "
+                 "the numbers of lines that are visible and lost. Exact clips many lines at once "
+                 "with the processor's vector instructions; exact-one-by-one is the same algorithm "
+                 "called line by line, like the others."),
+        benchOptions(),
+        {"clearcut bench --paper all --against-paper",
+         "clearcut bench --paper all --report paper.html",
+         "clearcut bench --lines 10000000 --each-run --format csv > times.csv",
+         "clearcut bench -a cs,lb,md --measure clip,draw,total",
+         "clearcut bench --quick --scene near-miss --order sorted",
+         "clearcut bench --measure classes,operations,accuracy"},
+        0,
+        bench,
+        true,
+        {Text::tr("At most %1 lines and %2 runs; threads: at most %3 here.")
+             .arg(countText(mostLines), countText(mostRuns), countText(mostThreads()))}};
 }
 
 } // namespace app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/bench_files.h"
 
+#include "app/base/text.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
 
@@ -32,8 +33,8 @@ BenchFile fileFor(const QString& option, const QString& path, StudyFile::Group g
     for (StudyFile& kind : studyFiles())
         if (kind.group == group && kind.ending == ending)
             return {std::move(kind), path};
-    throw WrongUsage{Commands::tr("--%1 %2: give a name that ends with %3.")
-                         .arg(option, path, endingsOf(group).join(Commands::tr(" or ")))};
+    throw WrongUsage{Text::tr("--%1 %2: give a name that ends with %3.")
+                         .arg(option, path, endingsOf(group).join(Text::tr(" or ")))};
 }
 
 } // namespace
@@ -43,11 +44,11 @@ std::vector<Option> fileOptions()
     return {
         {{"report"},
          namesOf(StudyFile::Group::Report),
-         Commands::tr("Also write a report: results, charts, tables, times by class, operations, "
-                      "accuracy, and how it was measured.")},
+         Text::tr("Also write a report: results, charts, tables, times by class, operations, "
+                  "accuracy, and how it was measured.")},
         {{"charts"},
          namesOf(StudyFile::Group::Charts),
-         Commands::tr("Also write the charts: FILE-table1-clip-published.svg and so on.")},
+         Text::tr("Also write the charts: FILE-table1-clip-published.svg and so on.")},
     };
 }
 
@@ -62,7 +63,7 @@ std::vector<BenchFile> parsedFiles(const ParsedArguments& arguments)
     for (const BenchFile& file : files)
         if (const QString folder = QFileInfo(file.path).path(); !QFileInfo(folder).isDir())
             throw Failure{
-                Commands::tr("Cannot write %1: there is no folder %2.").arg(file.path, folder)};
+                Text::tr("Cannot write %1: there is no folder %2.").arg(file.path, folder)};
     return files;
 }
 
@@ -73,7 +74,7 @@ void writeFiles(const std::vector<BenchFile>& files, const Study& study)
         if (!written)
             throw Failure{written.error};
         for (const QString& path : *written.value)
-            say(Commands::tr("Wrote %1").arg(path));
+            say(Text::tr("Wrote %1").arg(path));
     }
 }
 

@@ -2,6 +2,7 @@
 #include "app/command_line/bench_options.h"
 
 #include "app/base/latin.h"
+#include "app/base/text.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
 #include "app/command_line/window_forms.h"
@@ -48,7 +49,7 @@ std::optional<clipping::Window> plainRectangle(const ParsedArguments& arguments,
         return std::nullopt;
     for (const Length& length : *lengths)
         if (length.unit != Unit::User)
-            throw WrongUsage{Commands::tr("--%1 %2: give four numbers without units.")
+            throw WrongUsage{Text::tr("--%1 %2: give four numbers without units.")
                                  .arg(option, *arguments.text(option))};
     const auto& l = *lengths;
     return clipping::Window{{l[0].value, l[1].value}, {l[2].value, l[3].value}};
@@ -60,10 +61,10 @@ void sayWindow(const Imported& imported, const Field& field)
     const bool saved =
         field.shape
         || !comparedWindow(imported.document.windows(), imported.document.page()).isPage;
-    const QString source = saved            ? Commands::tr("saved in the drawing")
-                           : imported.paged ? Commands::tr("the page")
-                                            : Commands::tr("the bounds of all objects");
-    say(Commands::tr("Window (%1): %2.")
+    const QString source = saved            ? Text::tr("saved in the drawing")
+                           : imported.paged ? Text::tr("the page")
+                                            : Text::tr("the bounds of all objects");
+    say(Text::tr("Window (%1): %2.")
             .arg(source, field.shape ? field.shape->text : placeText(field.window, imported)));
 }
 
@@ -78,7 +79,7 @@ Imported takeDrawing(const ParsedArguments& arguments, const QString& path,
     const Scene scene(document);
     const auto subject = drawingSubject(QFileInfo(path).fileName(), scene.lines(), document.now());
     if (!subject)
-        throw Failure{Commands::tr("%1 shows no lines.").arg(path)};
+        throw Failure{Text::tr("%1 shows no lines.").arg(path)};
     options = subject->options;
     if (!arguments.has(QStringLiteral("window")))
         sayWindow(*imported.value, options.field);
@@ -105,8 +106,8 @@ void takeShape(const GivenValue& value, const Imported& imported, Field& field)
 {
     const auto windows = windowsOf(value, imported);
     if (windows.size() > 1)
-        throw WrongUsage{Commands::tr("--window %1: algorithms are timed at one window, and these "
-                                      "are %2: give one.")
+        throw WrongUsage{Text::tr("--window %1: algorithms are timed at one window, and these "
+                                  "are %2: give one.")
                              .arg(value.text)
                              .arg(windows.size())};
     field.shape = shapedWindow(windows.front(), imported.document.page(), value.text);
@@ -115,7 +116,7 @@ void takeShape(const GivenValue& value, const Imported& imported, Field& field)
         return;
     field.window = field.shape->step().box;
     if (const QString refusal = refusalOf(*field.shape); !refusal.isEmpty())
-        throw WrongUsage{Commands::tr("--window %1: ").arg(value.text) + refusal};
+        throw WrongUsage{Text::tr("--window %1: ").arg(value.text) + refusal};
 }
 
 void takeFieldWindow(const ParsedArguments& arguments, const Imported& imported, Field& field)
@@ -136,8 +137,8 @@ void refuseAtShape(const ParsedArguments& arguments, const ExperimentOptions& op
                    const Wanted& wanted)
 {
     const auto refuse = [](const QString& option) {
-        throw WrongUsage{Commands::tr("--%1 needs a window that is a rectangle along the axes: "
-                                      "give XMIN,YMIN,XMAX,YMAX for --window, or leave out --%1.")
+        throw WrongUsage{Text::tr("--%1 needs a window that is a rectangle along the axes: "
+                                  "give XMIN,YMIN,XMAX,YMAX for --window, or leave out --%1.")
                              .arg(option)};
     };
     if (!options.scene.anyShape)
@@ -151,8 +152,8 @@ void refuseAtShape(const ParsedArguments& arguments, const ExperimentOptions& op
     if (options.threads > 1)
         refuse(QStringLiteral("threads"));
     if (!wanted.analyses.empty() && arguments.has(QStringLiteral("measure")))
-        throw WrongUsage{Commands::tr("--measure %1 needs a window that is a rectangle along the "
-                                      "axes: measure only times at others.")
+        throw WrongUsage{Text::tr("--measure %1 needs a window that is a rectangle along the "
+                                  "axes: measure only times at others.")
                              .arg(wanted.analyses.front().key)};
 }
 
@@ -163,8 +164,8 @@ void takeField(const ParsedArguments& arguments, const Imported& imported,
         options.field.space = *space;
     takeFieldWindow(arguments, imported, options.field);
     if (options.scene.lines == 0 && !hasRoom(options.field))
-        throw WrongUsage{Commands::tr("The window must have an area, and the space must extend "
-                                      "beyond it on all four sides: see --space and --window.")};
+        throw WrongUsage{Text::tr("The window must have an area, and the space must extend "
+                                  "beyond it on all four sides: see --space and --window.")};
 }
 
 QStringList drawTargetWords()
@@ -182,8 +183,8 @@ DrawTargetMaker parsedDrawTarget(const ParsedArguments& arguments, bool draws)
     const DrawTargetKind kind = drawTargetKinds()[choice - 1];
     if (DrawTargetMaker maker = kind.maker())
         return maker;
-    throw Failure{Commands::tr("%1 cannot draw here: it needs a display. Leave out --draw-with.")
-                      .arg(kind.name)};
+    throw Failure{
+        Text::tr("%1 cannot draw here: it needs a display. Leave out --draw-with.").arg(kind.name)};
 }
 
 /// Only the wall clock measures the work of several threads and cores.
@@ -192,8 +193,8 @@ void takeThreads(const ParsedArguments& arguments, ExperimentOptions& options)
     if (!arguments.has(QStringLiteral("threads")))
         return;
     if (mostThreads() == 1)
-        throw Failure{Commands::tr("--threads: this machine has one core, or Clearcut was built "
-                                   "without oneTBB.")};
+        throw Failure{Text::tr("--threads: this machine has one core, or Clearcut was built "
+                               "without oneTBB.")};
     options.threads = *arguments.count(QStringLiteral("threads"), 1, mostThreads());
     if (options.threads > 1)
         options.clock = wallClock();
@@ -206,51 +207,51 @@ std::vector<Option> experimentOptions()
     return {
         {{"n", "lines"},
          "N",
-         Commands::tr("Number of lines in a run (1000000; for a drawing: its own).")},
+         Text::tr("Number of lines in a run (1000000; for a drawing: its own).")},
         {{"r", "runs"},
          "N",
-         Commands::tr("Number of runs (10, or as many as are needed to tell which algorithms "
-                      "differ: 12 for 12 algorithms).")},
+         Text::tr("Number of runs (10, or as many as are needed to tell which algorithms "
+                  "differ: 12 for 12 algorithms).")},
         {{"warmup"},
          "N",
-         Commands::tr("Number of runs before the measured ones, which do not count (1).")},
-        {{"quick"}, {}, Commands::tr("Take only 100000 lines.")},
-        {{"s", "seed"}, "N", Commands::tr("Seed of the random lines (1).")},
+         Text::tr("Number of runs before the measured ones, which do not count (1).")},
+        {{"quick"}, {}, Text::tr("Take only 100000 lines.")},
+        {{"s", "seed"}, "N", Text::tr("Seed of the random lines (1).")},
         {{"scene"},
          "SCENE",
-         Commands::tr("%1, or file:PATH for the lines of a drawing (paper).")
+         Text::tr("%1, or file:PATH for the lines of a drawing (paper).")
              .arg(keysOf(testScenes()).join(QStringLiteral(", ")))},
         {{"order"},
          "as-they-come|shuffled|sorted",
-         Commands::tr(
+         Text::tr(
              "Order of the lines. as-they-come: the scene's or the drawing's own order; shuffled: "
              "a random order, so that neighbours no longer resemble each other; sorted: by class "
              "(inside, rejected, cut, missed), which the processor predicts best (as-they-come).")},
-        {{"space"}, "XMIN,YMIN,XMAX,YMAX", Commands::tr("The space of the lines (the paper's).")},
+        {{"space"}, "XMIN,YMIN,XMAX,YMAX", Text::tr("The space of the lines (the paper's).")},
         {{"w", "window"},
          "WINDOW",
-         Commands::tr("The clip window (the paper's): XMIN,YMIN,XMAX,YMAX, with @DEGREES to rotate "
-                      "it, or a convex one, such as circle:X,Y,R or “polygon:X,Y X,Y …”. "
-                      "Algorithms that cannot clip there are left out.")},
+         Text::tr("The clip window (the paper's): XMIN,YMIN,XMAX,YMAX, with @DEGREES to rotate "
+                  "it, or a convex one, such as circle:X,Y,R or “polygon:X,Y X,Y …”. "
+                  "Algorithms that cannot clip there are left out.")},
         {{"a", "algorithms"},
          "LIST",
-         Commands::tr("Keys or abbreviations with commas between them (all).")},
+         Text::tr("Keys or abbreviations with commas between them (all).")},
         {{"form"},
          "both|corrected|published",
-         Commands::tr("Which forms of the algorithms take part (both).")},
+         Text::tr("Which forms of the algorithms take part (both).")},
         {{"precision"},
          precisions.join(u'|'),
-         Commands::tr("Precision of the numbers; single: corrected forms only (double).")},
+         Text::tr("Precision of the numbers; single: corrected forms only (double).")},
         {{"threads"},
          "N",
-         Commands::tr("Threads for each algorithm; several are timed by wall clock (1).")},
+         Text::tr("Threads for each algorithm; several are timed by wall clock (1).")},
         {{"draw-with"},
          drawTargetWords().join(u'|'),
-         Commands::tr("What draws; auto: off-screen OpenGL if there is a display (auto).")},
+         Text::tr("What draws; auto: off-screen OpenGL if there is a display (auto).")},
         {{"measure"},
          "LIST",
-         Commands::tr("What to measure, with commas between: %1 (clip; with --paper: all times; "
-                      "with --report or --charts: everything).")
+         Text::tr("What to measure, with commas between: %1 (clip; with --paper: all times; "
+                  "with --report or --charts: everything).")
              .arg(allMeasures())},
     };
 }
@@ -290,7 +291,7 @@ Precision parsedPrecision(const ParsedArguments& arguments)
     for (const char* option : {"paper", "form"})
         if (arguments.has(QLatin1StringView(option)))
             throw WrongUsage{
-                Commands::tr("--precision single has only the corrected forms: leave out --%1.")
+                Text::tr("--precision single has only the corrected forms: leave out --%1.")
                     .arg(QLatin1StringView(option))};
     return Precision::Single;
 }
@@ -334,10 +335,10 @@ Wanted parsedWanted(const ParsedArguments& arguments, const QString& otherwise)
                  other != rest.end())
             wanted.analyses.push_back(*other);
         else
-            throw WrongUsage{Commands::tr("--measure %1: give %2.").arg(*text, allMeasures())};
+            throw WrongUsage{Text::tr("--measure %1: give %2.").arg(*text, allMeasures())};
     }
     if (!wanted.analyses.empty() && parsedPrecision(arguments) == Precision::Single)
-        throw WrongUsage{Commands::tr("--precision single has only times: leave out “%1”.")
+        throw WrongUsage{Text::tr("--precision single has only times: leave out “%1”.")
                              .arg(wanted.analyses[0].key)};
     return wanted;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/bench_plan.h"
 
+#include "app/base/text.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
 
@@ -13,7 +14,7 @@ namespace {
 std::vector<PaperTable> parsedPapers(const ParsedArguments& arguments)
 {
     if (arguments.has(QStringLiteral("algorithms")))
-        throw WrongUsage{Commands::tr("--paper chooses the algorithms itself: leave out -a.")};
+        throw WrongUsage{Text::tr("--paper chooses the algorithms itself: leave out -a.")};
     auto tables = paperTables();
     QStringList words;
     for (const PaperTable& table : tables)
@@ -46,7 +47,7 @@ std::vector<Variant> ableVariants(const ShapedWindow& window, std::vector<Varian
     variants = withoutUnable(window, std::move(variants));
     if (variants.empty())
         throw WrongUsage{unable + QStringLiteral(" ")
-                         + Commands::tr("Nothing is left to time: give others with -a.")};
+                         + Text::tr("Nothing is left to time: give others with -a.")};
     if (!unable.isEmpty())
         say(unable);
     return variants;
@@ -56,7 +57,7 @@ PlannedTrial sceneTrial(const ParsedArguments& arguments, const ExperimentOption
 {
     auto variants = parsedVariants(arguments);
     if (variants.empty())
-        throw WrongUsage{Commands::tr("None of these algorithms has a published form.")};
+        throw WrongUsage{Text::tr("None of these algorithms has a published form.")};
     if (const auto& shape = options.field.shape)
         variants = ableVariants(*shape, std::move(variants));
     return {std::nullopt, options, std::move(variants)};
@@ -74,11 +75,11 @@ std::vector<Option> paperOptions()
     return {
         {{"paper"},
          "table1|table2|all",
-         Commands::tr("Tables 1 and 2 in the paper's layout: its seven algorithms as published, "
-                      "1000000 and 10000000 lines, 10 runs; clip, draw and total separately.")},
+         Text::tr("Tables 1 and 2 in the paper's layout: its seven algorithms as published, "
+                  "1000000 and 10000000 lines, 10 runs; clip, draw and total separately.")},
         {{"against-paper"},
          {},
-         Commands::tr("With --paper: show the paper's own numbers beside ours.")},
+         Text::tr("With --paper: show the paper's own numbers beside ours.")},
     };
 }
 
@@ -95,7 +96,7 @@ Against parsedAgainst(const ParsedArguments& arguments)
     if (!arguments.has(QStringLiteral("against-paper")))
         return Against::Nothing;
     if (!repeatsPaper(arguments))
-        throw WrongUsage{Commands::tr("--against-paper needs --paper table1, table2 or all.")};
+        throw WrongUsage{Text::tr("--against-paper needs --paper table1, table2 or all.")};
     return Against::Paper;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/file_name.h"
+#include "app/base/text.h"
 #include "app/command_line/command.h"
 #include "app/command_line/parsed_arguments.h"
 #include "app/command_line/refusal.h"
@@ -69,24 +70,24 @@ QString commandOverview()
     std::vector<std::pair<QString, QString>> rows;
     for (const Command& command : commands())
         rows.emplace_back(QLatin1StringView(command.key), command.summary);
-    return Commands::tr("Usage: clearcut [FILE]                 opens the editor\n"
-                        "       clearcut COMMAND [OPTIONS]      works without a display\n"
-                        "       clearcut COMMAND --help         shows the help of a command\n"
-                        "       clearcut --version\n\nOptions of the editor:\n")
+    return Text::tr("Usage: clearcut [FILE]                 opens the editor\n"
+                    "       clearcut COMMAND [OPTIONS]      works without a display\n"
+                    "       clearcut COMMAND --help         shows the help of a command\n"
+                    "       clearcut --version\n\nOptions of the editor:\n")
            + aligned(
-               {{"--renderer auto|opengl|raster", Commands::tr("What draws the canvas.")},
-                {"--theme system|light|dark", Commands::tr("The theme of the window.")},
-                {"--size WIDTHxHEIGHT", Commands::tr("The size of the window.")},
-                {"--panes 1|2|4|all", Commands::tr("How many algorithms are shown side by side.")},
-                {"--algorithm KEY", Commands::tr("The algorithm that clips, such as LB.")},
+               {{"--renderer auto|opengl|raster", Text::tr("What draws the canvas.")},
+                {"--theme system|light|dark", Text::tr("The theme of the window.")},
+                {"--size WIDTHxHEIGHT", Text::tr("The size of the window.")},
+                {"--panes 1|2|4|all", Text::tr("How many algorithms are shown side by side.")},
+                {"--algorithm KEY", Text::tr("The algorithm that clips, such as LB.")},
                 {"--microscope LINE|first",
-                 Commands::tr("Open the microscope at \"10, 20 -> 70, 130\", or at the first line.")},
-                {"--step N", Commands::tr("The step that the microscope shows.")},
-                {"--verbose", Commands::tr("Print when the first frame was shown.")},
-                {"--screenshot FILE.png", Commands::tr("Save a picture of the window and end.")}})
-           + Commands::tr("\nCommands:\n") + aligned(rows) + u'\n'
-           + wrapped(Commands::tr("Exit codes: 0 done, 1 failed, 2 wrong usage, 3 something "
-                                  "differs, 130 interrupted."),
+                 Text::tr("Open the microscope at \"10, 20 -> 70, 130\", or at the first line.")},
+                {"--step N", Text::tr("The step that the microscope shows.")},
+                {"--verbose", Text::tr("Print when the first frame was shown.")},
+                {"--screenshot FILE.png", Text::tr("Save a picture of the window and end.")}})
+           + Text::tr("\nCommands:\n") + aligned(rows) + u'\n'
+           + wrapped(Text::tr("Exit codes: 0 done, 1 failed, 2 wrong usage, 3 something "
+                              "differs, 130 interrupted."),
                      0);
 }
 
@@ -95,7 +96,7 @@ void refuseLostNames(const QStringList& arguments)
 {
     for (const QString& argument : arguments)
         if (const auto fault = faultOfName(argument))
-            throw Failure{Commands::tr("Cannot use %1: %2").arg(argument, *fault)};
+            throw Failure{Text::tr("Cannot use %1: %2").arg(argument, *fault)};
 }
 
 void run(const Command& command, const QStringList& arguments)
@@ -131,7 +132,7 @@ int runCommandLine(const QStringList& arguments)
         return int(Exit::Done);
     } catch (const WrongUsage& wrong) {
         say(QStringLiteral("clearcut %1: %2").arg(name, wrong.sentence));
-        say(Commands::tr("“clearcut %1 --help” says more.").arg(name));
+        say(Text::tr("“clearcut %1 --help” says more.").arg(name));
         return int(Exit::Usage);
     } catch (const Failure& failure) {
         say(QStringLiteral("clearcut %1: %2").arg(name, failure.sentence));
@@ -139,7 +140,7 @@ int runCommandLine(const QStringList& arguments)
     } catch (const CheckFailed&) {
         return int(Exit::CheckFailed);
     } catch (const std::bad_alloc&) {
-        say(Commands::tr("clearcut %1: There is not enough memory for this.").arg(name));
+        say(Text::tr("clearcut %1: There is not enough memory for this.").arg(name));
         return int(Exit::Failed);
     }
 }

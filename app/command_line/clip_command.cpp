@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/base/usual_algorithm.h"
 #include "app/command_line/cut_options.h"
 #include "app/command_line/drawing_files.h"
@@ -26,14 +27,14 @@ usesOf(const ParsedArguments& arguments)
 {
     const auto named = arguments.algorithms(QStringLiteral("algorithm"));
     if (named.size() > 1)
-        throw WrongUsage{Commands::tr("A drawing is cut with one algorithm. Name it with -a.")};
+        throw WrongUsage{Text::tr("A drawing is cut with one algorithm. Name it with -a.")};
     const auto& algorithm = named.empty() ? usualAlgorithm() : *named.front();
     const bool published =
         arguments.choice(QStringLiteral("form"), {"corrected", "published"}) == 1;
     const auto* uses = clipping::functionsOf(algorithm, published ? clipping::Form::Published
                                                                   : clipping::Form::Corrected);
     if (!uses)
-        throw WrongUsage{Commands::tr("“%1” has no published form. Name another algorithm with -a.")
+        throw WrongUsage{Text::tr("“%1” has no published form. Name another algorithm with -a.")
                              .arg(QLatin1StringView(algorithm.name))};
     return *uses;
 }
@@ -61,16 +62,16 @@ void sayNothingIsLeft(const Imported& imported, const Document& before, const Do
     const bool allGone = after.objects().empty();
     const auto bounds = contentsOf(allGone ? before : withoutHidden(before)).bounds;
     if (!bounds)
-        return say(allGone ? Commands::tr("The drawing is empty: there is nothing to cut.")
-                           : Commands::tr("Nothing visible is left: every shape is hidden."));
+        return say(allGone ? Text::tr("The drawing is empty: there is nothing to cut.")
+                           : Text::tr("Nothing visible is left: every shape is hidden."));
     const QString place = placeText(*bounds, imported);
     if (allGone)
         return say(nothingLeftText(keep, place, counts));
     say((keep == Keep::Inside
-             ? Commands::tr("Nothing visible is left: every visible shape is outside the window. "
-                            "These shapes are in %1.")
-             : Commands::tr("Nothing visible is left: every visible shape is inside the window. "
-                            "These shapes are in %1."))
+             ? Text::tr("Nothing visible is left: every visible shape is outside the window. "
+                        "These shapes are in %1.")
+             : Text::tr("Nothing visible is left: every visible shape is inside the window. "
+                        "These shapes are in %1."))
             .arg(place));
 }
 
@@ -81,13 +82,13 @@ void reportCut(const Imported& imported, const Document& before, const CutCounts
     sayLosses(imported.report);
     QString text = shapesText(counts, keepsContacts);
     if (counts.opened > 0)
-        text += Commands::tr("; closed paths opened: %1").arg(counts.opened);
+        text += Text::tr("; closed paths opened: %1").arg(counts.opened);
     say(text + u'.');
     if (counts.leftHidden > 0)
-        say(Commands::tr("Hidden shapes are left whole: %1.").arg(counts.leftHidden));
+        say(Text::tr("Hidden shapes are left whole: %1.").arg(counts.leftHidden));
     else if (hidden > 0)
-        say(Commands::tr("Hidden shapes are cut like the others: %1 left and still hidden, %2 "
-                         "removed. --drop-hidden leaves out all of them.")
+        say(Text::tr("Hidden shapes are cut like the others: %1 left and still hidden, %2 "
+                     "removed. --drop-hidden leaves out all of them.")
                 .arg(counts.hidden)
                 .arg(hidden - counts.hidden));
 }
@@ -107,7 +108,7 @@ void sayDropped(const ParsedArguments& arguments, const Output& output, std::siz
     if (!arguments.has(QStringLiteral("drop-hidden")))
         sayHiddenLeftOut(dropped, *output.format);
     else if (dropped > 0)
-        say(Commands::tr("Hidden shapes: %1 left out.").arg(dropped));
+        say(Text::tr("Hidden shapes: %1 left out.").arg(dropped));
 }
 
 /// Reports the duration of each part of the work, if requested.
@@ -116,7 +117,7 @@ public:
     void lap(const QString& what)
     {
         const auto now = std::chrono::steady_clock::now();
-        laps_ << Commands::tr("%1 %2 ms")
+        laps_ << Text::tr("%1 %2 ms")
                      .arg(what)
                      .arg(std::chrono::duration<double, std::milli>(now - last_).count(), 0, 'f',
                           1);
@@ -151,7 +152,7 @@ void clip(const ParsedArguments& arguments)
     Laps laps;
     const Imported imported = readDrawing(arguments, input);
     refuseLossInPlace(arguments, imported, input, output);
-    laps.lap(Commands::tr("read"));
+    laps.lap(Text::tr("read"));
 
     const CutOptions options = cutOptionsOf(arguments, imported, output);
     const auto plan = tilePlanOf(arguments, imported.document.page());
@@ -164,7 +165,7 @@ void clip(const ParsedArguments& arguments)
     result.edit.windows = ClipWindows(); // it is cut already
     Document after = before;
     after.apply(result.edit);
-    laps.lap(Commands::tr("cut"));
+    laps.lap(Text::tr("cut"));
 
     output.options.tolerance = options.tolerance;
     output.options.sources = sourceRows(imported, before, result);
@@ -174,7 +175,7 @@ void clip(const ParsedArguments& arguments)
         writeTiles(arguments, *plan, after, options, output);
     else
         writeDrawing(after, output);
-    laps.lap(Commands::tr("write"));
+    laps.lap(Text::tr("write"));
 
     if (!arguments.has(QStringLiteral("quiet"))) {
         if (covered)
@@ -189,7 +190,7 @@ void clip(const ParsedArguments& arguments)
             sayNothingIsLeft(imported, before, after, options.region.keep, result.counts);
     }
     if (arguments.has(QStringLiteral("stats")))
-        say(Commands::tr("Lines: %1 before, %2 after; %3.")
+        say(Text::tr("Lines: %1 before, %2 after; %3.")
                 .arg(result.counts.segmentsBefore)
                 .arg(result.counts.segmentsAfter)
                 .arg(laps.text()));
@@ -203,31 +204,30 @@ Command clipCommand()
     const std::vector<Option> further{
         {{"k", "keep"},
          "inside|outside",
-         Commands::tr("Which part to keep (inside, or as the drawing says).")},
+         Text::tr("Which part to keep (inside, or as the drawing says).")},
         {{"a", "algorithm"},
          "ALGORITHM",
-         Commands::tr("Key or abbreviation of the algorithm (%1).")
+         Text::tr("Key or abbreviation of the algorithm (%1).")
              .arg(QLatin1StringView(usualAlgorithm().key))},
         {{"form"},
          "corrected|published",
-         Commands::tr("The corrected form, or the published one (corrected).")},
+         Text::tr("The corrected form, or the published one (corrected).")},
         toleranceOption(),
         {{"drop-hidden"},
          {},
-         Commands::tr("Leave out hidden shapes and layers. Otherwise they are cut like the others, "
-                      "and stay hidden if the type of the output can hide them (svg). Locked "
-                      "layers are always cut.")},
+         Text::tr("Leave out hidden shapes and layers. Otherwise they are cut like the others, "
+                  "and stay hidden if the type of the output can hide them (svg). Locked "
+                  "layers are always cut.")},
     };
     for (const auto& more : {further, cuttingOptions(), tileOptions(), tableClipOptions(),
                              writingOptions(), readingOptions()})
         options.insert(options.end(), more.begin(), more.end());
-    options.push_back(
-        {{"q", "quiet"}, {}, Commands::tr("Do not report windows, counts and losses.")});
-    options.push_back({{"stats"}, {}, Commands::tr("Report the number of lines and the times.")});
+    options.push_back({{"q", "quiet"}, {}, Text::tr("Do not report windows, counts and losses.")});
+    options.push_back({{"stats"}, {}, Text::tr("Report the number of lines and the times.")});
     return {"clip",
             "INPUT -o OUTPUT [OPTIONS]",
-            Commands::tr("Cuts a drawing at a window, or at all its clip windows: lines and curves "
-                         "really end there."),
+            Text::tr("Cuts a drawing at a window, or at all its clip windows: lines and curves "
+                     "really end there."),
             std::move(options),
             {"clearcut clip plan.svg --page --margin 10mm -o plan-cut.svg",
              "clearcut clip map.svg -w 0,0,210mm,297mm --keep outside -a nln -o hole.pdf",

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/table_compare.h"
 #include "app/command_line/terminal.h"
@@ -15,13 +16,13 @@ constexpr quint64 mostUlps = 1'000'000'000;
 Comparison comparisonOf(const ParsedArguments& arguments)
 {
     if (!arguments.has(QStringLiteral("algorithm")))
-        throw WrongUsage{Commands::tr("Name the algorithm to compare with -a.")};
+        throw WrongUsage{Text::tr("Name the algorithm to compare with -a.")};
     Comparison comparison{*arguments.variant(QStringLiteral("algorithm")),
                           arguments.variant(QStringLiteral("with")).value_or(exactVariant())};
     if (const auto ulps = arguments.count(QStringLiteral("ulps"), 0, mostUlps))
         comparison.ulps = double(*ulps);
     if (comparison.a == comparison.b)
-        throw WrongUsage{Commands::tr("-a and -b are the same: choose two different ones.")};
+        throw WrongUsage{Text::tr("-a and -b are the same: choose two different ones.")};
     return comparison;
 }
 
@@ -115,25 +116,25 @@ Command compareCommand()
     std::vector<Option> options{
         {{"a", "algorithm"},
          "A",
-         Commands::tr("Key or abbreviation of the algorithm; KEY:published is the form that its "
-                      "authors printed, md-step-2 the paper's misprint.")},
-        {{"b", "with"}, "B", Commands::tr("The algorithm to compare with (exact).")},
+         Text::tr("Key or abbreviation of the algorithm; KEY:published is the form that its "
+                  "authors printed, md-step-2 the paper's misprint.")},
+        {{"b", "with"}, "B", Text::tr("The algorithm to compare with (exact).")},
         {{"ulps"},
          "N",
-         Commands::tr("How far apart ends may be, in ulps (units in the last place) of the largest "
-                      "coordinate of line and window, 0 to %1 (what the contracts of both allow).")
+         Text::tr("How far apart ends may be, in ulps (units in the last place) of the largest "
+                  "coordinate of line and window, 0 to %1 (what the contracts of both allow).")
              .arg(mostUlps)},
     };
     const std::vector<Option> last{
-        {{"summary"}, {}, Commands::tr("Print only a summary of the lines that differ.")},
-        {{"q", "quiet"}, {}, Commands::tr("Do not report the window and the number of lines.")}};
+        {{"summary"}, {}, Text::tr("Print only a summary of the lines that differ.")},
+        {{"q", "quiet"}, {}, Text::tr("Do not report the window and the number of lines.")}};
     for (const auto& more :
          {comparedWindowOptions(), tableOptions(), readingOptions(), tableCompareOptions(), last})
         options.insert(options.end(), more.begin(), more.end());
     return {"compare",
             "INPUT -a A [-b B] [OPTIONS]",
-            Commands::tr("Lists the lines that two algorithms clip differently. The exit code is 3 "
-                         "if there are any."),
+            Text::tr("Lists the lines that two algorithms clip differently. The exit code is 3 "
+                     "if there are any."),
             std::move(options),
             {"clearcut compare plan.svg -a kwc:published",
              "clearcut compare map.svg -w 0,0,210mm,297mm -a md -b lb --ulps 0 --format csv",

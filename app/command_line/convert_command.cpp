@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/command_line/drawing_files.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
@@ -33,10 +34,10 @@ Command convertCommand()
     for (Option& more : readingOptions())
         options.push_back(std::move(more));
     options.push_back(toleranceOption());
-    options.push_back({{"q", "quiet"}, {}, Commands::tr("Do not report losses.")});
+    options.push_back({{"q", "quiet"}, {}, Text::tr("Do not report losses.")});
     return {"convert",
             "INPUT -o OUTPUT [OPTIONS]",
-            Commands::tr("Writes a drawing as another type of file, without cutting it."),
+            Text::tr("Writes a drawing as another type of file, without cutting it."),
             std::move(options),
             {"clearcut convert drawing.svg -o drawing.pdf"},
             1,

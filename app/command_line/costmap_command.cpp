@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/latin.h"
 #include "app/base/number.h"
+#include "app/base/text.h"
 #include "app/command_line/parsed_arguments.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
@@ -38,8 +39,8 @@ std::optional<clipping::Window> rectangleOf(const ParsedArguments& arguments, co
         return std::nullopt;
     const auto n = numbersOf(*text, u',', 4);
     if (!n || (*n)[0] > (*n)[2] || (*n)[1] > (*n)[3])
-        throw WrongUsage{Commands::tr("--%1 %2: give four numbers XMIN,YMIN,XMAX,YMAX such as "
-                                      "-100,-75,100,75, the lesser ones first.")
+        throw WrongUsage{Text::tr("--%1 %2: give four numbers XMIN,YMIN,XMAX,YMAX such as "
+                                  "-100,-75,100,75, the lesser ones first.")
                              .arg(option, *text)};
     return clipping::Window{{(*n)[0], (*n)[1]}, {(*n)[2], (*n)[3]}};
 }
@@ -52,7 +53,7 @@ std::optional<Point> pointOf(const ParsedArguments& arguments, const QString& op
     const auto n = numbersOf(*text, u',', 2);
     if (!n)
         throw WrongUsage{
-            Commands::tr("--%1 %2: give two numbers X,Y such as -150,20.").arg(option, *text)};
+            Text::tr("--%1 %2: give two numbers X,Y such as -150,20.").arg(option, *text)};
     return Point((*n)[0], (*n)[1]);
 }
 
@@ -63,8 +64,8 @@ void setSize(CostPlan& plan, const QString& text)
         return side >= 1 && side <= mostSide && side == std::floor(side);
     };
     if (!n || !fits((*n)[0]) || !fits((*n)[1]))
-        throw WrongUsage{Commands::tr("--size %1: give two whole numbers from 1 to %2, such as "
-                                      "240x180.")
+        throw WrongUsage{Text::tr("--size %1: give two whole numbers from 1 to %2, such as "
+                                  "240x180.")
                              .arg(text)
                              .arg(mostSide)};
     plan.columns = int((*n)[0]);
@@ -77,7 +78,7 @@ void setAlgorithms(CostPlan& plan, const ParsedArguments& arguments)
     const bool cheapest = arguments.has(QStringLiteral("cheapest"));
     const auto key = arguments.text(QStringLiteral("algorithm"));
     if (cheapest == key.has_value())
-        throw WrongUsage{Commands::tr("Give either -a ALGORITHM or --cheapest.")};
+        throw WrongUsage{Text::tr("Give either -a ALGORITHM or --cheapest.")};
     const bool published =
         arguments.choice(QStringLiteral("form"), {"corrected", "published"}) == 1;
     plan.variants = costVariants(published ? clipping::Form::Published : clipping::Form::Corrected);
@@ -87,13 +88,12 @@ void setAlgorithms(CostPlan& plan, const ParsedArguments& arguments)
     plan.shown = findVariant(*key);
     if (!plan.shown)
         throw WrongUsage{
-            Commands::tr("There is no algorithm “%1”. Give a key or abbreviation from the list of "
-                         "“clearcut algorithms”; add :published for the published form.")
+            Text::tr("There is no algorithm “%1”. Give a key or abbreviation from the list of "
+                     "“clearcut algorithms”; add :published for the published form.")
                 .arg(*key)};
     if (!canMeasure(*plan.shown, *plan.measure))
         throw WrongUsage{
-            Commands::tr("The operations of “%1” are not counted. Choose --measure time.")
-                .arg(*key)};
+            Text::tr("The operations of “%1” are not counted. Choose --measure time.").arg(*key)};
 }
 
 const CostMeasure& measureOf(const ParsedArguments& arguments)
@@ -113,13 +113,13 @@ CostPlan planOf(const ParsedArguments& arguments)
     const auto from = pointOf(arguments, QStringLiteral("from")),
                to = pointOf(arguments, QStringLiteral("to"));
     if (from && to)
-        throw WrongUsage{Commands::tr("Fix one end: give either --from or --to.")};
+        throw WrongUsage{Text::tr("Fix one end: give either --from or --to.")};
     plan.fixed = to ? *to : from.value_or(plan.fixed);
     plan.end = to ? FixedEnd::End2 : FixedEnd::End1;
     plan.area = rectangleOf(arguments, QStringLiteral("area")).value_or(plan.area);
     if (plan.area.min.x == plan.area.max.x || plan.area.min.y == plan.area.max.y)
-        throw WrongUsage{Commands::tr("The area is empty: its XMIN,YMIN must be less than its "
-                                      "XMAX,YMAX.")};
+        throw WrongUsage{Text::tr("The area is empty: its XMIN,YMIN must be less than its "
+                                  "XMAX,YMAX.")};
     if (const auto size = arguments.text(QStringLiteral("size")))
         setSize(plan, *size);
     return plan;
@@ -129,13 +129,13 @@ void printCostMap(const ParsedArguments& arguments)
 {
     const auto path = arguments.text(QStringLiteral("output"));
     if (!path)
-        throw WrongUsage{Commands::tr("Say with -o where to write: a file whose name ends with %1, "
-                                      "or - for a CSV table on standard output.")
+        throw WrongUsage{Text::tr("Say with -o where to write: a file whose name ends with %1, "
+                                  "or - for a CSV table on standard output.")
                              .arg(costMapEndings())};
     const bool toOutput = *path == QStringLiteral("-");
     if (!toOutput && !findCostMapFormat(QFileInfo(*path).suffix()))
-        throw WrongUsage{Commands::tr("-o %1: a cost map is written as %2; give the file one of "
-                                      "these endings.")
+        throw WrongUsage{Text::tr("-o %1: a cost map is written as %2; give the file one of "
+                                  "these endings.")
                              .arg(*path, costMapEndings())};
     const bool dark = arguments.choice(QStringLiteral("theme"), {"light", "dark"}) == 1;
     const CostMap map = costMap(planOf(arguments));
@@ -161,43 +161,43 @@ Command costmapCommand()
     std::vector<Option> options{
         {{"a", "algorithm"},
          "ALGORITHM",
-         Commands::tr("Key or abbreviation of the algorithm; KEY:published is the form that its "
-                      "authors printed.")},
+         Text::tr("Key or abbreviation of the algorithm; KEY:published is the form that its "
+                  "authors printed.")},
         {{"cheapest"},
          {},
-         Commands::tr("Show which algorithm is cheapest for each cell (or which are, in a tie), "
-                      "instead of the cost of one algorithm.")},
+         Text::tr("Show which algorithm is cheapest for each cell (or which are, in a tie), "
+                  "instead of the cost of one algorithm.")},
         {{"form"},
          "corrected|published",
-         Commands::tr("With --cheapest: which forms take part (corrected).")},
+         Text::tr("With --cheapest: which forms take part (corrected).")},
         {{"from"},
          "X,Y",
-         Commands::tr("Fix End 1 of every line here; End 2 sweeps the area (left of the window).")},
+         Text::tr("Fix End 1 of every line here; End 2 sweeps the area (left of the window).")},
         {{"to"},
          "X,Y",
-         Commands::tr("Instead of --from: fix End 2 of every line here; End 1 sweeps the area.")},
+         Text::tr("Instead of --from: fix End 2 of every line here; End 1 sweeps the area.")},
         {{"w", "window"},
          "XMIN,YMIN,XMAX,YMAX",
-         Commands::tr("The clip window (-100,-75,100,75, as in the paper).")},
+         Text::tr("The clip window (-100,-75,100,75, as in the paper).")},
         {{"area"},
          "XMIN,YMIN,XMAX,YMAX",
-         Commands::tr("Which part of the plane (three windows wide and high).")},
+         Text::tr("Which part of the plane (three windows wide and high).")},
         {{"size"},
          "COLUMNSxROWS",
-         Commands::tr("Number of cells, up to %1 a side (240x180).").arg(mostSide)},
+         Text::tr("Number of cells, up to %1 a side (240x180).").arg(mostSide)},
         {{"measure"},
          measures.join(u'|'),
-         Commands::tr("What is counted for each line, or its time, which is noisy (operations).")},
+         Text::tr("What is counted for each line, or its time, which is noisy (operations).")},
         {{"o", "output"},
          "FILE",
-         Commands::tr("A picture with legend and caption, or a table with a row for each cell, by "
-                      "its ending: %1; - is standard output, as CSV.")
+         Text::tr("A picture with legend and caption, or a table with a row for each cell, by "
+                  "its ending: %1; - is standard output, as CSV.")
              .arg(costMapEndings())},
-        {{"theme"}, "light|dark", Commands::tr("The background of the picture (light).")},
+        {{"theme"}, "light|dark", Text::tr("The background of the picture (light).")},
     };
     return {"costmap",
             "-a ALGORITHM | --cheapest -o FILE [OPTIONS]",
-            Commands::tr(
+            Text::tr(
                 "Maps the cost of a line with one fixed end, for every position of its other end."),
             std::move(options),
             {"clearcut costmap -a md --from -150,20 -o md.png",
@@ -206,7 +206,7 @@ Command costmapCommand()
             0,
             printCostMap,
             true,
-            {Commands::tr("Coordinates: at most 1e150.")}};
+            {Text::tr("Coordinates: at most 1e150.")}};
 }
 
 } // namespace app

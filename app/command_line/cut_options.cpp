@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/cut_options.h"
 
+#include "app/base/text.h"
 #include "app/command_line/progress_line.h"
 #include "app/command_line/refusal.h"
 #include "app/cut/occlude.h"
@@ -19,18 +20,14 @@ std::vector<Option> cuttingOptions()
     return {
         {{"close"},
          {},
-         Commands::tr(
-             "Let the stroke of a filled shape follow the cut. Otherwise the shape becomes "
-             "a group of its area and its lines, without a stroke along the cut.")},
-        {{"min-length"},
-         "LENGTH",
-         Commands::tr("Leave out pieces of cut lines that are shorter (0).")},
-        {{"leave-hidden"}, {}, Commands::tr("Leave hidden shapes and layers whole.")},
+         Text::tr("Let the stroke of a filled shape follow the cut. Otherwise the shape becomes "
+                  "a group of its area and its lines, without a stroke along the cut.")},
+        {{"min-length"}, "LENGTH", Text::tr("Leave out pieces of cut lines that are shorter (0).")},
+        {{"leave-hidden"}, {}, Text::tr("Leave hidden shapes and layers whole.")},
         {{"occlude"},
          {},
-         Commands::tr(
-             "First remove the lines below filled shapes, then all fills, as plotters need "
-             "it. White fills cover lines, too; transparent ones do not.")},
+         Text::tr("First remove the lines below filled shapes, then all fills, as plotters need "
+                  "it. White fills cover lines, too; transparent ones do not.")},
     };
 }
 
@@ -39,11 +36,11 @@ void takeCuttingOptions(const ParsedArguments& arguments, const Page& page, CutO
     options.closeAreas = arguments.has(key("close"));
     options.leaveHidden = arguments.has(key("leave-hidden"));
     if (options.leaveHidden && arguments.has(key("drop-hidden")))
-        throw WrongUsage{Commands::tr("Give either --leave-hidden or --drop-hidden, not both.")};
+        throw WrongUsage{Text::tr("Give either --leave-hidden or --drop-hidden, not both.")};
     if (const auto length = arguments.length(key("min-length")))
         options.leastLength = toUserUnits(*length, page.millimetresPerUnit());
     if (!(options.leastLength >= 0 && std::isfinite(options.leastLength)))
-        throw WrongUsage{Commands::tr("--min-length %1: give a length of 0 or more.")
+        throw WrongUsage{Text::tr("--min-length %1: give a length of 0 or more.")
                              .arg(*arguments.text(key("min-length")))};
 }
 
@@ -60,7 +57,7 @@ std::optional<CutCounts> occludeIfWanted(const ParsedArguments& arguments,
 
 QString occlusionText(const CutCounts& counts)
 {
-    return Commands::tr("Shapes with covered lines: %1 cut, %2 removed; fills removed: %3.")
+    return Text::tr("Shapes with covered lines: %1 cut, %2 removed; fills removed: %3.")
         .arg(counts.cut)
         .arg(counts.gone)
         .arg(counts.fillsRemoved);
@@ -68,29 +65,29 @@ QString occlusionText(const CutCounts& counts)
 
 QString shapesText(const CutCounts& counts, bool keepsContacts)
 {
-    const QString text = Commands::tr("Shapes: %1 kept whole, %2 cut, %3 removed")
+    const QString text = Text::tr("Shapes: %1 kept whole, %2 cut, %3 removed")
                              .arg(counts.whole)
                              .arg(counts.cut)
                              .arg(counts.gone);
     if (counts.touching == 0)
         return text;
     return text
-           + (keepsContacts ? Commands::tr("; only touching the window, and kept as points: %1")
-                            : Commands::tr("; only touching the window, and left out: %1"))
+           + (keepsContacts ? Text::tr("; only touching the window, and kept as points: %1")
+                            : Text::tr("; only touching the window, and left out: %1"))
                  .arg(counts.touching);
 }
 
 QString nothingLeftText(Keep keep, const QString& place, const CutCounts& counts)
 {
     if (counts.touching > 0)
-        return Commands::tr("Nothing is left: no line of the drawing is in the window, but some "
-                            "touch it. The drawing is in %1.")
+        return Text::tr("Nothing is left: no line of the drawing is in the window, but some "
+                        "touch it. The drawing is in %1.")
             .arg(place);
     return (keep == Keep::Inside
-                ? Commands::tr("Nothing is left: all of the drawing is outside the window. The "
-                               "drawing is in %1.")
-                : Commands::tr("Nothing is left: all of the drawing is inside the window. The "
-                               "drawing is in %1."))
+                ? Text::tr("Nothing is left: all of the drawing is outside the window. The "
+                           "drawing is in %1.")
+                : Text::tr("Nothing is left: all of the drawing is inside the window. The "
+                           "drawing is in %1."))
         .arg(place);
 }
 
@@ -98,12 +95,10 @@ QString furtherCountsText(const CutCounts& counts)
 {
     QStringList sentences;
     if (counts.dropped > 0)
-        sentences
-            << Commands::tr("Pieces shorter than --min-length left out: %1.").arg(counts.dropped);
+        sentences << Text::tr("Pieces shorter than --min-length left out: %1.").arg(counts.dropped);
     if (counts.cutLocked > 0)
         sentences
-            << Commands::tr(
-                   "Locked layers are cut like the others; shapes cut or removed on them: %1.")
+            << Text::tr("Locked layers are cut like the others; shapes cut or removed on them: %1.")
                    .arg(counts.cutLocked);
     return sentences.join(u'\n');
 }

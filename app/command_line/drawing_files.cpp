@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/drawing_files.h"
 
+#include "app/base/text.h"
 #include "app/base/unfinished.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
@@ -48,22 +49,22 @@ const Format& drawingFormat(const ParsedArguments& arguments, const QString& opt
         return *format;
     const bool writes = option == QStringLiteral("to");
     const QString stream =
-        writes ? Commands::tr("-o - (standard output)") : Commands::tr("- (standard input)");
+        writes ? Text::tr("-o - (standard output)") : Text::tr("- (standard input)");
     const QString type = asked
                              ? QString::fromLatin1(asked->key.data(), qsizetype(asked->key.size()))
                              : QFileInfo(path).suffix();
     const QString types = typesWith(can);
     if (path == standardStream && !asked)
         throw WrongUsage{
-            Commands::tr("%1: give its type with --%2 and one of %3.").arg(stream, option, types)};
+            Text::tr("%1: give its type with --%2 and one of %3.").arg(stream, option, types)};
     if (type.isEmpty())
-        throw WrongUsage{Commands::tr("%1: its name does not show its type. Give it with --%2 and "
-                                      "one of %3.")
+        throw WrongUsage{Text::tr("%1: its name does not show its type. Give it with --%2 and "
+                                  "one of %3.")
                              .arg(path, option, types)};
-    throw WrongUsage{(writes ? Commands::tr("%1: Clearcut does not write files of the type %2. It "
-                                            "writes %3; --to says which if the name does not.")
-                             : Commands::tr("%1: Clearcut does not read files of the type %2. It "
-                                            "reads %3; --from says which if the name does not."))
+    throw WrongUsage{(writes ? Text::tr("%1: Clearcut does not write files of the type %2. It "
+                                        "writes %3; --to says which if the name does not.")
+                             : Text::tr("%1: Clearcut does not read files of the type %2. It "
+                                        "reads %3; --from says which if the name does not."))
                          .arg(path == standardStream ? stream : path, type, types)};
 }
 
@@ -82,36 +83,35 @@ std::vector<Option> readingOptions()
 {
     return {{{"from"},
              "TYPE",
-             Commands::tr("Type of the input (%1), if its name does not show it.")
+             Text::tr("Type of the input (%1), if its name does not show it.")
                  .arg(typesWith(&Format::read))}};
 }
 
 std::vector<Option> writingOptions()
 {
     return {
-        {{"o", "output"}, "FILE", Commands::tr("Where to write; - is standard output.")},
+        {{"o", "output"}, "FILE", Text::tr("Where to write; - is standard output.")},
         {{"to"},
          "TYPE",
-         Commands::tr("Type of the output (%1), if its name does not show it.")
+         Text::tr("Type of the output (%1), if its name does not show it.")
              .arg(typesWith(&Format::write))},
-        {{"in-place"}, {}, Commands::tr("Overwrite the input.")},
+        {{"in-place"}, {}, Text::tr("Overwrite the input.")},
         {{"precision"},
          "N",
-         Commands::tr(
+         Text::tr(
              "Decimals of written coordinates, 0 to %1 (as many as are needed to read the same "
              "number back). Coordinates that rounding puts outside the window are moved into it; "
              "lines that it makes points are left out.")
              .arg(mostDecimals)},
-        {{"dpi"}, "N", Commands::tr("Pixels per inch of a picture (96).")},
+        {{"dpi"}, "N", Text::tr("Pixels per inch of a picture (96).")},
     };
 }
 
 Option toleranceOption()
 {
-    return {
-        {"tolerance"},
-        "LENGTH",
-        Commands::tr("Largest distance between a curve and the lines that replace it (0.05mm).")};
+    return {{"tolerance"},
+            "LENGTH",
+            Text::tr("Largest distance between a curve and the lines that replace it (0.05mm).")};
 }
 
 double toleranceOf(const ParsedArguments& arguments, const Page& page)
@@ -121,14 +121,14 @@ double toleranceOf(const ParsedArguments& arguments, const Page& page)
         return usualTolerance(page);
     const double tolerance = toUserUnits(*length, page.millimetresPerUnit());
     if (!(tolerance > 0))
-        throw WrongUsage{Commands::tr("--tolerance must be greater than 0.")};
+        throw WrongUsage{Text::tr("--tolerance must be greater than 0.")};
     return tolerance;
 }
 
 void sayHiddenLeftOut(std::size_t count, const Format& format)
 {
     if (count > 0)
-        say(Commands::tr("Hidden shapes: %1 left out; a file of type %2 cannot hide them.")
+        say(Text::tr("Hidden shapes: %1 left out; a file of type %2 cannot hide them.")
                 .arg(count)
                 .arg(QLatin1StringView(format.key)));
 }
@@ -141,8 +141,8 @@ QStringList limitsOf(Chosen chosen)
     QStringList sentences;
     for (const Format& format : formats())
         if (!format.limits.isEmpty() && chosen(format))
-            sentences << Commands::tr("%1: at most %2.")
-                             .arg(QLatin1StringView(format.key), format.limits);
+            sentences
+                << Text::tr("%1: at most %2.").arg(QLatin1StringView(format.key), format.limits);
     return sentences;
 }
 
@@ -179,10 +179,10 @@ Imported readDrawing(const ParsedArguments& arguments, const QString& path)
         return readAs(path, format);
     QFile in;
     if (!in.open(stdin, QIODevice::ReadOnly))
-        throw Failure{Commands::tr("Cannot read standard input: %1.").arg(in.errorString())};
+        throw Failure{Text::tr("Cannot read standard input: %1.").arg(in.errorString())};
     auto imported = readOpenFile(in, format);
     if (!imported)
-        throw Failure{Commands::tr("Cannot read standard input: %1").arg(imported.error)};
+        throw Failure{Text::tr("Cannot read standard input: %1").arg(imported.error)};
     return std::move(*imported.value);
 }
 
@@ -192,10 +192,10 @@ Output outputOf(const ParsedArguments& arguments, const QString& input)
     Output output{
         arguments.text(QStringLiteral("output")).value_or(inPlace ? input : QString()), {}, {}};
     if (output.path.isEmpty())
-        throw WrongUsage{Commands::tr("Name the output: -o FILE, or -o - for standard output.")};
+        throw WrongUsage{Text::tr("Name the output: -o FILE, or -o - for standard output.")};
     if (!inPlace && sameFile(output.path, input))
         throw WrongUsage{
-            Commands::tr("%1 is also the input. Give another name, or --in-place to overwrite it.")
+            Text::tr("%1 is also the input. Give another name, or --in-place to overwrite it.")
                 .arg(output.path)};
     output.format = &drawingFormat(arguments, QStringLiteral("to"), output.path, &Format::write,
                                    formatOfFile(output.path));
@@ -208,7 +208,7 @@ Output outputOf(const ParsedArguments& arguments, const QString& input)
 void sayPoints(std::size_t count)
 {
     if (count > 0)
-        say(Commands::tr("Lines that --precision would make points are left out: %1.").arg(count));
+        say(Text::tr("Lines that --precision would make points are left out: %1.").arg(count));
 }
 
 void writeDrawing(const Document& document, const Output& output)
@@ -228,7 +228,7 @@ void writeWith(const Filling& write, const QString& path)
         return printAtOnce(write);
     const Unfinished guard(path);
     if (const auto error = replaceFile(path, write))
-        throw Failure{Commands::tr("Cannot write %1: %2").arg(path, *error)};
+        throw Failure{Text::tr("Cannot write %1: %2").arg(path, *error)};
 }
 
 QStringList losses(const std::vector<Loss>& report)
@@ -237,14 +237,12 @@ QStringList losses(const std::vector<Loss>& report)
     for (const Loss& loss : report) {
         QStringList more;
         if (!loss.remark)
-            more << Commands::tr("not kept");
+            more << Text::tr("not kept");
         for (const QString& text : {loss.remark ? QString() : loss.instead, whereText(loss)})
             if (!text.isEmpty())
                 more << text;
         const QString text = QStringLiteral("%1 × %2").arg(loss.count).arg(loss.what);
-        lines << (more.isEmpty()
-                      ? text
-                      : Commands::tr("%1 (%2)").arg(text, more.join(Commands::tr("; "))));
+        lines << (more.isEmpty() ? text : Text::tr("%1 (%2)").arg(text, more.join(Text::tr("; "))));
     }
     return lines;
 }
@@ -254,8 +252,8 @@ void refuseLossInPlace(const ParsedArguments& arguments, const Imported& importe
 {
     if (imported.lossy() && arguments.has(QStringLiteral("in-place"))
         && sameFile(output.path, input))
-        throw Failure{Commands::tr("Cannot overwrite %1: it has content that would be lost (%2). "
-                                   "Give another name with -o.")
+        throw Failure{Text::tr("Cannot overwrite %1: it has content that would be lost (%2). "
+                               "Give another name with -o.")
                           .arg(input, losses(imported.report).join(QStringLiteral(", ")))};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/drawing_numbers.h"
 
+#include "app/base/text.h"
 #include "app/command_line/refusal.h"
 
 #include <algorithm>
@@ -17,18 +18,18 @@ void refuseMixture(const GivenValue& value, const std::vector<Length>& lengths)
     const bool four = lengths.size() == 4;
     if (std::ranges::any_of(lengths, isBare) && !std::ranges::all_of(lengths, isBare))
         throw WrongUsage{
-            Commands::tr("--%1 %2: give all %3 with a unit, counted from the paper's top left "
-                         "corner, or all %4 without a unit, in the drawing's own coordinates.")
+            Text::tr("--%1 %2: give all %3 with a unit, counted from the paper's top left "
+                     "corner, or all %4 without a unit, in the drawing's own coordinates.")
                 .arg(value.option, value.text,
-                     four ? Commands::tr("four numbers") : Commands::tr("numbers"),
-                     four ? Commands::tr("four") : Commands::tr("numbers"))};
+                     four ? Text::tr("four numbers") : Text::tr("numbers"),
+                     four ? Text::tr("four") : Text::tr("numbers"))};
 }
 
 double finite(double number)
 {
     if (!std::isfinite(number))
-        throw WrongUsage{Commands::tr("The window is too large for this drawing's unit: give "
-                                      "smaller lengths.")};
+        throw WrongUsage{Text::tr("The window is too large for this drawing's unit: give "
+                                  "smaller lengths.")};
     return number;
 }
 

@@ -2,6 +2,7 @@
 #include "app/command_line/given_value.h"
 
 #include "app/base/number.h"
+#include "app/base/text.h"
 #include "app/command_line/refusal.h"
 
 #include <algorithm>
@@ -29,7 +30,7 @@ bool isTooLarge(const QString& text)
 
 void refuse(const GivenValue& value, const QString& expected)
 {
-    throw WrongUsage{Commands::tr("--%1 %2: give %3.").arg(value.option, value.text, expected)};
+    throw WrongUsage{Text::tr("--%1 %2: give %3.").arg(value.option, value.text, expected)};
 }
 
 void refuseNumbers(const GivenValue& value, const QString& expected)
@@ -38,7 +39,7 @@ void refuseNumbers(const GivenValue& value, const QString& expected)
     const auto found = std::ranges::find_if(parts, isTooLarge);
     if (found == parts.end())
         refuse(value, expected);
-    throw WrongUsage{Commands::tr("--%1 %2: “%3” is too large; numbers go up to 1.79e308.")
+    throw WrongUsage{Text::tr("--%1 %2: “%3” is too large; numbers go up to 1.79e308.")
                          .arg(value.option, value.text, found->trimmed())};
 }
 
@@ -54,7 +55,7 @@ std::array<double, 4> fourNumbers(const GivenValue& value, const QString& number
         all[std::size_t(i)] = number.value_or(0);
     }
     if (!fits)
-        refuseNumbers(value, Commands::tr("four numbers %1 such as -100,-75,100,75").arg(names));
+        refuseNumbers(value, Text::tr("four numbers %1 such as -100,-75,100,75").arg(names));
     return all;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/command_line/nearest.h"
 #include "app/command_line/parsed_arguments.h"
 #include "app/command_line/refusal.h"
@@ -15,7 +16,7 @@ QString topicOverview()
     for (const QString& topic : manualTopics())
         if (const auto page = manualPage(topic); page && topic != manualIndex)
             rows.emplace_back(topic, page->title);
-    return Commands::tr("Usage: clearcut help TOPIC\n\nTopics:\n") + aligned(rows);
+    return Text::tr("Usage: clearcut help TOPIC\n\nTopics:\n") + aligned(rows);
 }
 
 void help(const ParsedArguments& arguments)
@@ -26,8 +27,8 @@ void help(const ParsedArguments& arguments)
     const auto page = manualPage(topic);
     if (!page) {
         const auto meant = nearestTo(topic, manualTopics());
-        const QString nothing = Commands::tr("There is no page on “%1”.").arg(topic);
-        throw WrongUsage{meant ? nothing + u' ' + Commands::tr("Did you mean “%1”?").arg(*meant)
+        const QString nothing = Text::tr("There is no page on “%1”.").arg(topic);
+        throw WrongUsage{meant ? nothing + u' ' + Text::tr("Did you mean “%1”?").arg(*meant)
                                : nothing};
     }
     print(plainText(*page));
@@ -39,7 +40,7 @@ Command helpCommand()
 {
     return {.key = "help",
             .usage = "[TOPIC]",
-            .summary = Commands::tr("Prints a page of the manual, or the list of its topics."),
+            .summary = Text::tr("Prints a page of the manual, or the list of its topics."),
             .options = {},
             .examples = {"clearcut help", "clearcut help snapping"},
             .operands = 1,

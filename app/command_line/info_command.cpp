@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/number.h"
+#include "app/base/text.h"
 #include "app/command_line/drawing_files.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
@@ -57,21 +58,20 @@ QString paperText(const Page& page)
         return !(infoOf(length.unit).millimetres > 0 && length.value > 0);
     };
     if (isOpen(page.width) && isOpen(page.height))
-        return Commands::tr("without a size on paper: a unit counts as a pixel");
+        return Text::tr("without a size on paper: a unit counts as a pixel");
     const Point paper = paperOf(page).millimetres;
     const auto side = [&](const Length& length, double millimetres) {
         return isOpen(length) ? rounded(millimetres) + QStringLiteral("mm") : text(length);
     };
-    return Commands::tr("on paper %1 × %2")
-        .arg(side(page.width, paper.x), side(page.height, paper.y));
+    return Text::tr("on paper %1 × %2").arg(side(page.width, paper.x), side(page.height, paper.y));
 }
 
 using Rows = std::vector<std::pair<QString, QString>>;
 
 QString stateOf(const Container& container)
 {
-    return (container.visible ? QString() : Commands::tr(", hidden"))
-           + (container.locked ? Commands::tr(", locked") : QString());
+    return (container.visible ? QString() : Text::tr(", hidden"))
+           + (container.locked ? Text::tr(", locked") : QString());
 }
 
 // Groups from other programs may have no name.
@@ -102,10 +102,10 @@ Rows containerRows(const Containers& containers, std::span<const std::size_t> li
         const Container& container = containers[id];
         const ObjectRange range = containers.rangeOf(id);
         const QString indent(qsizetype{2} * (containers.depthOf(id) - 1), u' ');
-        rows.emplace_back(container.kind == Container::Kind::Layer ? Commands::tr("layer")
-                                                                   : Commands::tr("group"),
+        rows.emplace_back(container.kind == Container::Kind::Layer ? Text::tr("layer")
+                                                                   : Text::tr("group"),
                           indent
-                              + Commands::tr("“%1”: shapes %2, lines %3%4")
+                              + Text::tr("“%1”: shapes %2, lines %3%4")
                                     .arg(nameOf(container))
                                     .arg(range.size())
                                     .arg(linesBefore[range.end] - linesBefore[range.first])
@@ -118,7 +118,7 @@ QString pathText(const PathShape& shape)
 {
     if (const auto* ellipse = std::get_if<EllipseRecipe>(&shape.recipe)) {
         const auto& [centre, radii] = *ellipse;
-        return Commands::tr("ellipse about (%1, %2) with the radii %3 and %4")
+        return Text::tr("ellipse about (%1, %2) with the radii %3 and %4")
             .arg(shortestText(centre.x), shortestText(centre.y), shortestText(radii.x),
                  shortestText(radii.y));
     }
@@ -126,7 +126,7 @@ QString pathText(const PathShape& shape)
     std::size_t segments = 0;
     for (const Subpath& part : parts)
         segments += part.segments.size();
-    return Commands::tr("path of %1 segments in %2 parts").arg(segments).arg(parts.size());
+    return Text::tr("path of %1 segments in %2 parts").arg(segments).arg(parts.size());
 }
 
 QString shapeText(const WindowShape& shape)
@@ -135,37 +135,37 @@ QString shapeText(const WindowShape& shape)
         return pathText(*own);
     const auto& [box, angle] = std::get<RectangleShape>(shape);
     return angle == 0 ? rectangleText(box)
-                      : Commands::tr("%1 turned by %2°")
+                      : Text::tr("%1 turned by %2°")
                             .arg(rectangleText(box),
                                  shortestText(withoutNoise(angle * 180 / std::numbers::pi)));
 }
 
 QString operationText(WindowOperation operation)
 {
-    return operation == WindowOperation::Add      ? Commands::tr("adds")
-           : operation == WindowOperation::CutOut ? Commands::tr("cuts out")
-                                                  : Commands::tr("intersects");
+    return operation == WindowOperation::Add      ? Text::tr("adds")
+           : operation == WindowOperation::CutOut ? Text::tr("cuts out")
+                                                  : Text::tr("intersects");
 }
 
 // A window that is only a rectangle is described by its numbers alone.
 QString windowText(const ClipWindow& window, bool only)
 {
-    QString text = window.name.isEmpty() ? QString() : Commands::tr("“%1”: ").arg(window.name);
+    QString text = window.name.isEmpty() ? QString() : Text::tr("“%1”: ").arg(window.name);
     text += shapeText(window.shape);
     if (!only || window.operation != WindowOperation::Add)
         text += QStringLiteral(", ") + operationText(window.operation);
-    return window.visible ? text : text + Commands::tr(", hidden");
+    return window.visible ? text : text + Text::tr(", hidden");
 }
 
 Rows windowRows(const ClipWindows& windows)
 {
     if (windows.list.empty())
-        return {{Commands::tr("window"), Commands::tr("none")}};
+        return {{Text::tr("window"), Text::tr("none")}};
     Rows rows;
     for (const ClipWindow& window : windows.list)
-        rows.emplace_back(Commands::tr("window"), windowText(window, windows.list.size() == 1));
+        rows.emplace_back(Text::tr("window"), windowText(window, windows.list.size() == 1));
     if (windows.keep == Keep::Outside)
-        rows.emplace_back(Commands::tr("keep"), Commands::tr("outside"));
+        rows.emplace_back(Text::tr("keep"), Text::tr("outside"));
     return rows;
 }
 
@@ -177,32 +177,30 @@ Rows infoRows(const Imported& imported)
     const std::vector<std::size_t> lines = linesBefore(document, all);
     const double unit = page.millimetresPerUnit();
     Rows rows{
-        {Commands::tr("lines"), QString::number(all.lines)},
-        {Commands::tr("length"),
-         Commands::tr("%1, on paper %2mm").arg(rounded(all.length), rounded(all.length * unit))},
-        {Commands::tr("shapes"),
-         Commands::tr("%1, hidden %2").arg(all.objects).arg(hiddenObjects(document).size())},
-        {Commands::tr("paths"), Commands::tr("%1, closed %2, curves %3")
-                                    .arg(all.subpaths)
-                                    .arg(all.closedSubpaths)
-                                    .arg(all.curves)},
-        {Commands::tr("bounds"), all.bounds ? calculated(*all.bounds) : Commands::tr("none")},
-        {Commands::tr("in mm"),
-         all.bounds ? millimetreText(*all.bounds, imported) : Commands::tr("none")},
+        {Text::tr("lines"), QString::number(all.lines)},
+        {Text::tr("length"),
+         Text::tr("%1, on paper %2mm").arg(rounded(all.length), rounded(all.length * unit))},
+        {Text::tr("shapes"),
+         Text::tr("%1, hidden %2").arg(all.objects).arg(hiddenObjects(document).size())},
+        {Text::tr("paths"), Text::tr("%1, closed %2, curves %3")
+                                .arg(all.subpaths)
+                                .arg(all.closedSubpaths)
+                                .arg(all.curves)},
+        {Text::tr("bounds"), all.bounds ? calculated(*all.bounds) : Text::tr("none")},
+        {Text::tr("in mm"), all.bounds ? millimetreText(*all.bounds, imported) : Text::tr("none")},
     };
     for (auto& row : windowRows(document.windows()))
         rows.push_back(std::move(row));
     const Rows paper{
-        {Commands::tr("page"),
-         Commands::tr("%1, %2").arg(calculated(page.rectangle()), paperText(page))},
-        {Commands::tr("unit"),
+        {Text::tr("page"), Text::tr("%1, %2").arg(calculated(page.rectangle()), paperText(page))},
+        {Text::tr("unit"),
          shortestText(withoutNoise(page.millimetresPerUnit())) + QStringLiteral("mm")},
     };
     for (const Rows& more : {paper, containerRows(document.containers(), lines)})
         rows.insert(rows.end(), more.begin(), more.end());
     const QStringList lost = losses(imported.report);
     for (const QString& line : lost)
-        rows.emplace_back(Commands::tr("import"), line);
+        rows.emplace_back(Text::tr("import"), line);
     return rows;
 }
 
@@ -217,9 +215,9 @@ Command infoCommand()
 {
     return {"info",
             "INPUT [OPTIONS]",
-            Commands::tr("Lists the content of a drawing: lines and their length, shapes, paths "
-                         "and curves, bounds (also in millimetres), clip windows, page, unit, "
-                         "layers and groups, and the contents that cannot be kept."),
+            Text::tr("Lists the content of a drawing: lines and their length, shapes, paths "
+                     "and curves, bounds (also in millimetres), clip windows, page, unit, "
+                     "layers and groups, and the contents that cannot be kept."),
             readingOptions(),
             {"clearcut info drawing.svg"},
             1,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/input_bytes.h"
 
+#include "app/base/text.h"
 #include "app/command_line/refusal.h"
 #include "app/formats/read_open_file.h"
 
@@ -33,7 +34,7 @@ std::size_t InputBytes::read(char* bytes, std::size_t size)
         if (count < 0 && (errno == EINTR || errno == EAGAIN)) // another process may have read them
             continue;
         if (count < 0)
-            fail(Commands::tr("it cannot be read to its end. %1.").arg(qt_error_string(errno)));
+            fail(Text::tr("it cannot be read to its end. %1.").arg(qt_error_string(errno)));
         if (count == 0)
             break;
         done += std::size_t(count);
@@ -62,10 +63,9 @@ std::optional<std::size_t> InputBytes::size() const
 void InputBytes::fail(const QString& why) const
 {
     if (path_ == QStringLiteral("-"))
-        throw Failure{Commands::tr("Cannot read standard input: %1").arg(why)};
-    throw Failure{
-        (file_.isOpen() ? Commands::tr("Cannot read %1: %2") : Commands::tr("Cannot open %1: %2"))
-            .arg(path_, why)};
+        throw Failure{Text::tr("Cannot read standard input: %1").arg(why)};
+    throw Failure{(file_.isOpen() ? Text::tr("Cannot read %1: %2") : Text::tr("Cannot open %1: %2"))
+                      .arg(path_, why)};
 }
 
 } // namespace app

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/command_line/progress_line.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/table.h"
@@ -19,9 +20,9 @@ void writeExample(const QString& folder)
     if (!result)
         throw Failure{result.error};
     for (const QString& path : result.value->written)
-        say(Commands::tr("%1 was written.").arg(path));
+        say(Text::tr("%1 was written.").arg(path));
     for (const QString& path : result.value->kept)
-        say(Commands::tr("%1 was kept, because it differs from the file that would replace it.")
+        say(Text::tr("%1 was kept, because it differs from the file that would replace it.")
                 .arg(path));
 }
 
@@ -72,27 +73,27 @@ Command judgeCommand()
     std::vector<Option> options{
         {{"strict"},
          {},
-         Commands::tr("Apply the contract of Clearcut's own algorithms: no end outside the window, "
-                      "not even by rounding.")},
-        {{"seed"}, "N", Commands::tr("Seed of the random lines (1).")},
-        {{"no-race"}, {}, Commands::tr("Do not time the algorithm.")},
+         Text::tr("Apply the contract of Clearcut's own algorithms: no end outside the window, "
+                  "not even by rounding.")},
+        {{"seed"}, "N", Text::tr("Seed of the random lines (1).")},
+        {{"no-race"}, {}, Text::tr("Do not time the algorithm.")},
         {{"seconds"},
          "N",
-         Commands::tr(
+         Text::tr(
              "Limit of the processor time for the tests (30 s); the limit by wall clock is three "
              "times as long. At the limit, the verdict covers the tests so far.")},
         {{"save-example"},
          {},
-         Commands::tr(
+         Text::tr(
              "Instead of judging, write the header, a skeleton to fill in and examples to compile "
              "into the folder LIBRARY. Files that you have changed there are kept.")}};
     const auto more = tableOptions();
     options.insert(options.end(), more.begin(), more.end());
     return {"judge",
             "LIBRARY [OPTIONS]",
-            Commands::tr("Judges your own algorithm, a shared library with one function, and times "
-                         "it beside every other algorithm. The exit code is 3 if it is wrong. A "
-                         "library is a program: it runs with your rights, in a separate process."),
+            Text::tr("Judges your own algorithm, a shared library with one function, and times "
+                     "it beside every other algorithm. The exit code is 3 if it is wrong. A "
+                     "library is a program: it runs with your rights, in a separate process."),
             std::move(options),
             {"clearcut judge --save-example .", "clearcut judge ./example.so",
              "clearcut judge ./mine.so --strict --no-race --format json"},

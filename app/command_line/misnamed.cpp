@@ -2,6 +2,7 @@
 #include "app/command_line/misnamed.h"
 
 #include "app/base/file_name.h"
+#include "app/base/text.h"
 #include "app/command_line/nearest.h"
 #include "app/command_line/refusal.h"
 
@@ -30,22 +31,21 @@ std::optional<Refusal> misnamed(const QString& argument)
     if (QFileInfo::exists(argument))
         return std::nullopt;
     if (const auto fault = faultOfName(argument))
-        return Refusal{Commands::tr("Cannot open %1: %2").arg(argument, *fault), Exit::Failed};
+        return Refusal{Text::tr("Cannot open %1: %2").arg(argument, *fault), Exit::Failed};
     if (looksLikeFile(argument))
-        return Refusal{Commands::tr("Cannot open %1: there is no such file.").arg(argument),
+        return Refusal{Text::tr("Cannot open %1: there is no such file.").arg(argument),
                        Exit::Failed};
     const auto nearest = nearestCommand(argument.toLower());
     if (nearest == argument)
         return Refusal{
-            Commands::tr("The command “%1” must come first. Try clearcut --help.").arg(argument),
+            Text::tr("The command “%1” must come first. Try clearcut --help.").arg(argument),
             Exit::Usage};
-    const QString nothing = Commands::tr("There is no file or command “%1”.").arg(argument);
-    const QString list = Commands::tr("clearcut --help lists all commands.");
-    return Refusal{
-        nothing + u' '
-            + (nearest ? Commands::tr("Did you mean “%1”?").arg(*nearest) + u' ' : QString())
-            + list,
-        Exit::Usage};
+    const QString nothing = Text::tr("There is no file or command “%1”.").arg(argument);
+    const QString list = Text::tr("clearcut --help lists all commands.");
+    return Refusal{nothing + u' '
+                       + (nearest ? Text::tr("Did you mean “%1”?").arg(*nearest) + u' ' : QString())
+                       + list,
+                   Exit::Usage};
 }
 
 } // namespace app

@@ -2,6 +2,7 @@
 #include "app/command_line/parsed_arguments.h"
 
 #include "app/base/number.h"
+#include "app/base/text.h"
 #include "app/command_line/given_value.h"
 #include "app/command_line/nearest.h"
 #include "app/command_line/refusal.h"
@@ -18,7 +19,7 @@ namespace {
 std::vector<Option> optionsOf(const Command& command)
 {
     auto options = command.options;
-    options.push_back({{"h", "help"}, {}, Commands::tr("Show this help.")});
+    options.push_back({{"h", "help"}, {}, Text::tr("Show this help.")});
     return options;
 }
 
@@ -39,9 +40,9 @@ QString refusalOf(const QCommandLineParser& parser, const Command& command)
     QStringList names;
     for (const Option& option : optionsOf(command))
         names << option.names.last();
-    const QString nothing = Commands::tr("There is no option “%1”.").arg(dashed(unknown.front()));
+    const QString nothing = Text::tr("There is no option “%1”.").arg(dashed(unknown.front()));
     const auto nearest = nearestTo(unknown.front().toLower(), names);
-    return nearest ? nothing + u' ' + Commands::tr("Did you mean “%1”?").arg(dashed(*nearest))
+    return nearest ? nothing + u' ' + Text::tr("Did you mean “%1”?").arg(dashed(*nearest))
                    : nothing;
 }
 
@@ -73,11 +74,11 @@ ParsedArguments::ParsedArguments(const Command& command, const QStringList& argu
     if (helpWanted())
         return;
     if (operands().size() < command.operands - (command.lastIsOptional ? 1 : 0))
-        throw WrongUsage{Commands::tr("An argument is missing: %1 %2.")
+        throw WrongUsage{Text::tr("An argument is missing: %1 %2.")
                              .arg(QLatin1StringView(command.key), command.usage)};
     if (operands().size() > command.operands)
         throw WrongUsage{
-            Commands::tr("The argument “%1” is one too many.").arg(operands()[command.operands])};
+            Text::tr("The argument “%1” is one too many.").arg(operands()[command.operands])};
 }
 
 std::optional<QString> ParsedArguments::text(const QString& option) const
@@ -108,7 +109,7 @@ std::optional<quint64> ParsedArguments::count(const QString& option, quint64 lea
         return std::nullopt;
     const auto number = wholeNumber(*value);
     if (!number || *number < least || *number > most)
-        refuse(option, Commands::tr("a whole number from %1 to %2").arg(least).arg(most));
+        refuse(option, Text::tr("a whole number from %1 to %2").arg(least).arg(most));
     return number;
 }
 
@@ -119,7 +120,7 @@ std::optional<double> ParsedArguments::positive(const QString& option) const
         return std::nullopt;
     const auto number = parseNumber(trimmed(*value));
     if (!number || *number <= 0)
-        refuse(option, Commands::tr("a number greater than 0"));
+        refuse(option, Text::tr("a number greater than 0"));
     return number;
 }
 
@@ -130,7 +131,7 @@ std::optional<Length> ParsedArguments::length(const QString& option) const
         return std::nullopt;
     const auto length = parseLength(value->toStdString());
     if (!length || length->unit == Unit::Percent)
-        refuse(option, Commands::tr("a length such as 0.5 or 10mm"));
+        refuse(option, Text::tr("a length such as 0.5 or 10mm"));
     return length;
 }
 
@@ -139,8 +140,8 @@ std::optional<std::array<Length, 4>> ParsedArguments::rectangle(const QString& o
     const auto value = text(option);
     if (!value)
         return std::nullopt;
-    const QString expected = Commands::tr("four lengths XMIN,YMIN,XMAX,YMAX such as "
-                                          "-100,-75,100,75 or 0,0,10cm,70mm");
+    const QString expected = Text::tr("four lengths XMIN,YMIN,XMAX,YMAX such as "
+                                      "-100,-75,100,75 or 0,0,10cm,70mm");
     const auto given = lengthsOf({option, *value}, *value, expected);
     if (given.size() != 4)
         app::refuse({option, *value}, expected);
@@ -163,8 +164,8 @@ std::vector<const clipping::Algorithm*> ParsedArguments::algorithms(const QStrin
         else if (const auto* algorithm = clipping::findAlgorithm(trimmed(name)))
             found.push_back(algorithm);
         else
-            throw WrongUsage{Commands::tr("There is no algorithm “%1”. “clearcut algorithms” lists "
-                                          "them all.")
+            throw WrongUsage{Text::tr("There is no algorithm “%1”. “clearcut algorithms” lists "
+                                      "them all.")
                                  .arg(name)};
     }
     return found;
@@ -181,9 +182,9 @@ std::optional<Variant> ParsedArguments::variant(const QString& option) const
     for (const Misprint& misprint : misprints())
         more << misprint.key;
     throw WrongUsage{
-        Commands::tr("There is no algorithm “%1”. Give a key or abbreviation from the list of "
-                     "“clearcut algorithms”, with :published for the published form, or %2.")
-            .arg(*key, more.join(Commands::tr(", ")))};
+        Text::tr("There is no algorithm “%1”. Give a key or abbreviation from the list of "
+                 "“clearcut algorithms”, with :published for the published form, or %2.")
+            .arg(*key, more.join(Text::tr(", ")))};
 }
 
 std::optional<std::array<double, 4>> ParsedArguments::numbers(const QString& option,
@@ -215,7 +216,7 @@ std::size_t ParsedArguments::choice(const QString& option, const QStringList& wo
         return 0;
     const auto index = words.indexOf(value->toLower());
     if (index < 0)
-        refuse(option, words.join(Commands::tr(" or ")));
+        refuse(option, words.join(Text::tr(" or ")));
     return std::size_t(index);
 }
 
@@ -309,7 +310,7 @@ QString inColumns(const std::vector<std::pair<QString, QString>>& rows)
 QString helpOf(const Command& command)
 {
     QString text =
-        Commands::tr("Usage: clearcut %1 %2\n\n%3\nOptions:\n")
+        Text::tr("Usage: clearcut %1 %2\n\n%3\nOptions:\n")
             .arg(QLatin1StringView(command.key), command.usage, wrapped(command.summary, 0));
     std::vector<std::pair<QString, QString>> rows;
     for (const Option& option : optionsOf(command)) {
@@ -320,9 +321,9 @@ QString helpOf(const Command& command)
         rows.emplace_back(option.value.isEmpty() ? names : names + u' ' + option.value,
                           option.meaning);
     }
-    text += aligned(rows) + listed(Commands::tr("Limits:"), command.limits);
+    text += aligned(rows) + listed(Text::tr("Limits:"), command.limits);
     if (!command.examples.isEmpty())
-        text += u'\n' + Commands::tr("Examples:") + u'\n';
+        text += u'\n' + Text::tr("Examples:") + u'\n';
     for (const QString& example : command.examples)
         text += brokenExample(example);
     return text;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/progress_line.h"
 
+#include "app/base/text.h"
 #include "app/command_line/refusal.h"
 
 #include <atomic>
@@ -40,7 +41,7 @@ void ProgressLine::show(const Progress& progress)
         return;
     shown_ = percent;
     const QString text =
-        Commands::tr("%1 %, %2 s left").arg(percent).arg(qint64(std::ceil(progress.secondsLeft)));
+        Text::tr("%1 %, %2 s left").arg(percent).arg(qint64(std::ceil(progress.secondsLeft)));
     isShown = true;
     std::fputs((QLatin1StringView(empty) + text).toUtf8().constData(), stderr);
 }

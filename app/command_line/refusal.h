@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QCoreApplication>
 #include <QString>
 
 // Exceptions of commands; runCommandLine prints the sentence and ends the program.
@@ -20,10 +19,5 @@ struct Failure {
 
 /// The command ran, but its check failed: exit code 3. The result has been printed.
 struct CheckFailed {};
-
-/// The translation context of the command line: Commands::tr("...").
-struct Commands {
-    Q_DECLARE_TR_FUNCTIONS(Commands)
-};
 
 } // namespace app

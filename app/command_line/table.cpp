@@ -2,6 +2,7 @@
 #include "app/command_line/table.h"
 
 #include "app/base/replace_file.h"
+#include "app/base/text.h"
 #include "app/base/write_all.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
@@ -28,8 +29,8 @@ std::vector<Option> tableOptions()
     return {
         {{"f", "format"},
          keys().join(u'|'),
-         Commands::tr("Format of tables (text, or by the ending of FILE).")},
-        {{"o", "output"}, "FILE", Commands::tr("Where to write tables (standard output).")},
+         Text::tr("Format of tables (text, or by the ending of FILE).")},
+        {{"o", "output"}, "FILE", Text::tr("Where to write tables (standard output).")},
     };
 }
 
@@ -55,7 +56,7 @@ void writeTables(const TableOutput& output, std::span<const Table> tables)
         return all ? std::nullopt : std::optional(out.errorString() + u'.');
     });
     if (error)
-        throw Failure{Commands::tr("Cannot write %1: %2").arg(output.path, *error)};
+        throw Failure{Text::tr("Cannot write %1: %2").arg(output.path, *error)};
 }
 
 } // namespace app

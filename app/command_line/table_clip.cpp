@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/table_clip.h"
 
+#include "app/base/text.h"
 #include "app/base/write_all.h"
 #include "app/command_line/cut_options.h"
 #include "app/command_line/refusal.h"
@@ -30,7 +31,7 @@ void reportTableCut(const ParsedArguments& arguments, const csv::TableCut& made,
         return;
     say(counts.bounds
             ? nothingLeftText(options.region.keep, placeText(*counts.bounds, table), counts.lines)
-            : Commands::tr("The drawing is empty: there is nothing to cut."));
+            : Text::tr("The drawing is empty: there is nothing to cut."));
 }
 
 csv::TableCut clipRows(InputBytes& in, const ParsedArguments& arguments, const Output& output,
@@ -56,18 +57,18 @@ csv::TableCut clipRows(InputBytes& in, const ParsedArguments& arguments, const O
 std::vector<Option> tableClipOptions()
 {
     return {skipBadOption(
-                Commands::tr("From csv to csv: skip rows that are not lines, and report the first "
-                             "ones and their number. Otherwise such a row ends the command.")),
+                Text::tr("From csv to csv: skip rows that are not lines, and report the first "
+                         "ones and their number. Otherwise such a row ends the command.")),
             {{"rows-only"},
              {},
-             Commands::tr("From csv to csv: write neither the header nor the column source, so "
-                          "that several outputs can be joined.")}};
+             Text::tr("From csv to csv: write neither the header nor the column source, so "
+                      "that several outputs can be joined.")}};
 }
 
 QString tableLimit()
 {
-    return Commands::tr("From csv to csv with windows that need no drawing (a rectangle, circle, "
-                        "polygon or file): any number of lines, cut as they are read.");
+    return Text::tr("From csv to csv with windows that need no drawing (a rectangle, circle, "
+                    "polygon or file): any number of lines, cut as they are read.");
 }
 
 bool clipsTable(const ParsedArguments& arguments, const QString& input, const Output& output)
@@ -80,9 +81,9 @@ bool clipsTable(const ParsedArguments& arguments, const QString& input, const Ou
     for (const Option& option : tableClipOptions())
         if (wholeDrawing && arguments.has(option.names.back()))
             throw WrongUsage{
-                Commands::tr("--%1 needs a table as input and output (csv), a window such as -w "
-                             "0,0,100,50, and no option that needs all lines at once (--occlude, "
-                             "--tiles, --in-place).")
+                Text::tr("--%1 needs a table as input and output (csv), a window such as -w "
+                         "0,0,100,50, and no option that needs all lines at once (--occlude, "
+                         "--tiles, --in-place).")
                     .arg(option.names.back())};
     return !wholeDrawing;
 }
@@ -103,7 +104,7 @@ void clipTable(const ParsedArguments& arguments, const QString& input, const Out
     if (!arguments.has(QStringLiteral("quiet")))
         reportTableCut(arguments, made, options);
     if (arguments.has(QStringLiteral("stats")))
-        say(Commands::tr("Lines: %1 before, %2 after; %3 ms.")
+        say(Text::tr("Lines: %1 before, %2 after; %3 ms.")
                 .arg(made.counts.lines.segmentsBefore)
                 .arg(made.counts.lines.segmentsAfter)
                 .arg(timer.elapsed()));

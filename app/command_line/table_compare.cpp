@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/table_compare.h"
 
+#include "app/base/text.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/window_options.h"
 
@@ -34,15 +35,15 @@ private:
 std::vector<Option> tableCompareOptions()
 {
     return {skipBadOption(
-        Commands::tr("From csv: skip rows that are not lines, and report the first ones and their "
-                     "number. Otherwise such a row ends the command. The window must be given."))};
+        Text::tr("From csv: skip rows that are not lines, and report the first ones and their "
+                 "number. Otherwise such a row ends the command. The window must be given."))};
 }
 
 QString tableCompareLimit()
 {
-    return Commands::tr("From csv with a given window (-w): any number of lines, compared as they "
-                        "are read. --format csv prints each row at once; the other formats keep "
-                        "the rows that differ in memory until the end.");
+    return Text::tr("From csv with a given window (-w): any number of lines, compared as they "
+                    "are read. --format csv prints each row at once; the other formats keep "
+                    "the rows that differ in memory until the end.");
 }
 
 bool comparesTable(const ParsedArguments& arguments, const QString& input)
@@ -50,8 +51,8 @@ bool comparesTable(const ParsedArguments& arguments, const QString& input)
     const bool table =
         windowsNeedNoDrawing(arguments) && readFormatOf(arguments, input).key == "csv";
     if (!table && arguments.has(QStringLiteral("skip-bad")))
-        throw WrongUsage{Commands::tr("--skip-bad needs a table as input (csv) and a window such "
-                                      "as -w 0,0,100,50.")};
+        throw WrongUsage{Text::tr("--skip-bad needs a table as input (csv) and a window such "
+                                  "as -w 0,0,100,50.")};
     return table;
 }
 

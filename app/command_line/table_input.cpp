@@ -2,6 +2,7 @@
 #include "app/command_line/table_input.h"
 
 #include "app/base/csv_text.h"
+#include "app/base/text.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
 #include "app/document/document_builder.h"
@@ -23,7 +24,7 @@ std::size_t threadsFor(const InputBytes& in)
 
 void sayBad(const csv::BadRow& row)
 {
-    say(Commands::tr("Skipped: line %1 %2").arg(row.line).arg(row.why));
+    say(Text::tr("Skipped: line %1 %2").arg(row.line).arg(row.why));
 }
 
 } // namespace
@@ -54,14 +55,14 @@ csv::TableStreamed streamed(InputBytes& in, const ParsedArguments& arguments,
     try {
         return stream([&](char* bytes, std::size_t size) { return in.read(bytes, size); }, options);
     } catch (const csv::Refused& refused) {
-        in.fail(Commands::tr("line %1 %2").arg(refused.line).arg(refused.why));
+        in.fail(Text::tr("line %1 %2").arg(refused.line).arg(refused.why));
     }
 }
 
 void sayBadRows(const csv::TableStreamed& streamed)
 {
     if (streamed.badRows > 0)
-        say(Commands::tr("Bad rows skipped: %1.").arg(streamed.badRows));
+        say(Text::tr("Bad rows skipped: %1.").arg(streamed.badRows));
 }
 
 } // namespace app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/terminal.h"
 
+#include "app/base/text.h"
 #include "app/base/unfinished.h"
 #include "app/command_line/command.h"
 #include "app/command_line/progress_line.h"
@@ -28,7 +29,7 @@ static void printInto(const Filling& write, QIODevice::OpenMode mode)
     QFile out;
     const bool open = out.open(STDOUT_FILENO, mode);
     if (const auto error = open ? fill(out, write) : out.errorString() + u'.')
-        throw Failure{Commands::tr("Cannot write standard output: %1").arg(*error)};
+        throw Failure{Text::tr("Cannot write standard output: %1").arg(*error)};
 }
 
 void printWith(const Filling& write) { printInto(write, QIODevice::WriteOnly); }

@@ -2,6 +2,7 @@
 #include "app/command_line/tile_options.h"
 
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
 #include "app/tiles/empty_sheets.h"
@@ -77,7 +78,7 @@ double scaleOf(const ParsedArguments& arguments)
     const double scale = !given ? 0 : percent ? given->value / 100 : given->value;
     if (!(scale > 0) || (!percent && given->unit != Unit::User))
         refuse({option, *text},
-               Commands::tr("a positive percentage such as 150%, or a factor such as 1.5"));
+               Text::tr("a positive percentage such as 150%, or a factor such as 1.5"));
     return scale;
 }
 
@@ -86,7 +87,7 @@ void refuseWithoutTiles(const ParsedArguments& arguments)
     for (const char* option :
          {"overlap", "sheet-margin", "marks", "scale", "overview", "empty-sheets"})
         if (arguments.has(QString::fromLatin1(option)))
-            throw WrongUsage{Commands::tr("--%1 needs --tiles.").arg(QLatin1StringView(option))};
+            throw WrongUsage{Text::tr("--%1 needs --tiles.").arg(QLatin1StringView(option))};
 }
 
 Tiling withoutEmpty(const Tiling& tiling, const TilePlan& plan, const Document& drawing,
@@ -110,34 +111,32 @@ std::vector<Option> tileOptions()
     return {
         {{optionName},
          "COLUMNSxROWS|SIZE|PAPER",
-         Commands::tr(
+         Text::tr(
              "Divide the page among sheets. COLUMNSxROWS: so many of equal size, columns first: "
              "3x2 makes 3 columns side by side in 2 rows, 6 sheets. SIZE: as many sheets of this "
              "width and height as are needed, with their units (45mmx48mm). PAPER: the same with "
              "a size of paper (a4, a3, letter …; a4-landscape). The name of the output holds "
              "{row} and {column}, or {n}, which counts row by row; a PDF file without them gets a "
              "page for each sheet.")},
-        {{"overlap"},
-         "LENGTH",
-         Commands::tr("The strip that neighbouring sheets have in common (0).")},
+        {{"overlap"}, "LENGTH", Text::tr("The strip that neighbouring sheets have in common (0).")},
         {{"sheet-margin"},
          "LENGTH",
-         Commands::tr("The margin of each sheet (10mm for PAPER, or with --marks; otherwise 0).")},
+         Text::tr("The margin of each sheet (10mm for PAPER, or with --marks; otherwise 0).")},
         {{"marks"},
          {},
-         Commands::tr("Draw registration marks, corner lines and a label in the margins.")},
+         Text::tr("Draw registration marks, corner lines and a label in the margins.")},
         {{"scale"},
          "PERCENT",
-         Commands::tr("The size of the drawing on the sheets: 200% is twice as large, strokes "
-                      "included (100%). Overlap and margin are lengths on paper.")},
+         Text::tr("The size of the drawing on the sheets: 200% is twice as large, strokes "
+                  "included (100%). Overlap and margin are lengths on paper.")},
         {{"overview"},
          {},
-         Commands::tr("Add a sheet with the whole drawing, the edges of all sheets and their "
-                      "numbers: the first page of a PDF file, or a file with “overview” in place "
-                      "of {row} and {column}.")},
+         Text::tr("Add a sheet with the whole drawing, the edges of all sheets and their "
+                  "numbers: the first page of a PDF file, or a file with “overview” in place "
+                  "of {row} and {column}.")},
         {{"empty-sheets"},
          {},
-         Commands::tr("Write sheets without any part of the drawing, too (they are left out).")},
+         Text::tr("Write sheets without any part of the drawing, too (they are left out).")},
     };
 }
 
@@ -156,8 +155,8 @@ std::optional<TilePlan> tilePlanOf(const ParsedArguments& arguments, const Page&
     const bool isPaper = takePaper(*text, plan);
     if (!isPaper && !takeNumbers(*text, plan) && !takeSize(*text, plan))
         refuse({optionName, *text},
-               Commands::tr("columns and rows such as 3x2, a size such as 45mmx48mm, or a paper "
-                            "such as a4 or a4-landscape"));
+               Text::tr("columns and rows such as 3x2, a size such as 45mmx48mm, or a paper "
+                        "such as a4 or a4-landscape"));
     const double usual = isPaper || plan.marks.any() ? plan.margin : 0;
     plan.margin = millimetres(arguments, QStringLiteral("sheet-margin"), usual, page);
     plan.overlap = millimetres(arguments, QStringLiteral("overlap"), 0, page);
@@ -178,16 +177,16 @@ void writeTiles(const ParsedArguments& arguments, const TilePlan& plan, const Do
                         arguments.has(QStringLiteral("overview")) ? OverviewSheet::Yes
                                                                   : OverviewSheet::No};
     if (output.path == QLatin1StringView("-"))
-        throw WrongUsage{Commands::tr("--tiles writes files: name them with -o.")};
+        throw WrongUsage{Text::tr("--tiles writes files: name them with -o.")};
     if (sheets.tiling.written() == 0)
-        throw Failure{Commands::tr("All sheets are empty. --empty-sheets writes them.")};
+        throw Failure{Text::tr("All sheets are empty. --empty-sheets writes them.")};
     if (const auto error = writeSheets(sheets, output.path, *output.format, output.options))
         throw Failure{*error};
-    say(Commands::tr("Sheets: %1 of %2 × %3 mm: %4.")
+    say(Text::tr("Sheets: %1 of %2 × %3 mm: %4.")
             .arg(gridText(*tiling.value), numberText(tiling.value->sheet.x, 1),
                  numberText(tiling.value->sheet.y, 1), filesText(filesOf(sheets, output.path))));
     if (const QString empty = emptySheetsText(sheets.tiling); !empty.isEmpty())
-        say(empty + u' ' + Commands::tr("--empty-sheets writes them."));
+        say(empty + u' ' + Text::tr("--empty-sheets writes them."));
 }
 
 } // namespace app

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/latin.h"
+#include "app/base/text.h"
 #include "app/base/usual_algorithm.h"
 #include "app/command_line/parsed_arguments.h"
 #include "app/command_line/refusal.h"
@@ -37,14 +38,14 @@ void takePolygon(const GivenValue& value, TracedLine& tracedLine)
 {
     const QString form = value.text.section(u':', 0, 0);
     if (form != u"circle" && form != u"polygon")
-        throw WrongUsage{Commands::tr("--window %1: steps are shown at rectangles, circle:… and "
-                                      "polygon:… only.")
+        throw WrongUsage{Text::tr("--window %1: steps are shown at rectangles, circle:… and "
+                                  "polygon:… only.")
                              .arg(value.text)};
     const ClipRegion region = regionOf({windowsOf(value, {})}, Page{});
     const ClipRegion::Step& step = region.steps.front();
     if (step.polygon.corners.empty())
-        throw WrongUsage{Commands::tr("--window %1: this polygon is not convex. Steps are shown at "
-                                      "rectangles and convex polygons only.")
+        throw WrongUsage{Text::tr("--window %1: this polygon is not convex. Steps are shown at "
+                                  "rectangles and convex polygons only.")
                              .arg(value.text)};
     tracedLine.corners = step.polygon.corners;
     tracedLine.window = step.box;
@@ -58,8 +59,7 @@ WindowFrame frameOf(const GivenValue& value, YAxis y)
     bool isAngle = true;
     const double degrees = parts.size() < 2 ? 0 : parts[1].trimmed().toDouble(&isAngle);
     if (parts.size() > 2 || !isAngle || !std::isfinite(degrees))
-        refuse(value,
-               Commands::tr("a rectangle %1, and @DEGREES after it to rotate it").arg(edges));
+        refuse(value, Text::tr("a rectangle %1, and @DEGREES after it to rotate it").arg(edges));
     const auto [xmin, ymin, xmax, ymax] = fourNumbers(value, parts.front(), edges);
     const double angle = glm::radians(std::remainder(degrees, 360));
     const RectangleShape box{{{xmin, ymin}, {xmax, ymax}}};
@@ -74,15 +74,15 @@ void takeTracedWindow(const GivenValue& value, TracedLine& tracedLine)
     tracedLine.window = frame.box;
     tracedLine.line = {intoFrame(frame, tracedLine.line.a), intoFrame(frame, tracedLine.line.b)};
     if (frame.angle != 0)
-        say(Commands::tr("The window is rotated: the line and its steps are in the window's own "
-                         "directions, turned about its centre."));
+        say(Text::tr("The window is rotated: the line and its steps are in the window's own "
+                     "directions, turned about its centre."));
 }
 
 TracedLine tracedLineOf(const ParsedArguments& arguments)
 {
     const auto line = arguments.numbers(QStringLiteral("line"), QStringLiteral("X1,Y1,X2,Y2"));
     if (!line)
-        throw WrongUsage{Commands::tr("Give the line with --line X1,Y1,X2,Y2.")};
+        throw WrongUsage{Text::tr("Give the line with --line X1,Y1,X2,Y2.")};
     const auto& [x1, y1, x2, y2] = *line;
     TracedLine tracedLine{
         .variant =
@@ -124,7 +124,7 @@ const TraceFormat& traceFormat(const ParsedArguments& arguments, const QString& 
     if (const TraceFormat* format = findTraceFormat(ending))
         return *format;
     if (!output.isEmpty() && output != QStringLiteral("-"))
-        throw WrongUsage{Commands::tr("%1: give the format with --format: %2.")
+        throw WrongUsage{Text::tr("%1: give the format with --format: %2.")
                              .arg(output, formatKeys().join(QStringLiteral(", ")))};
     return *findTraceFormat(u"text");
 }
@@ -133,8 +133,8 @@ std::vector<QByteArray> bytesOf(const TraceExport& trace, const TraceFormat& for
 {
     auto bytes = traceBytes(trace, format);
     if (!bytes)
-        throw Failure{Commands::tr("There is not enough memory for the pictures; give a smaller "
-                                   "--width.")};
+        throw Failure{Text::tr("There is not enough memory for the pictures; give a smaller "
+                               "--width.")};
     return *std::move(bytes);
 }
 
@@ -145,14 +145,14 @@ void refuseOverwriting(const ParsedArguments& arguments, const QStringList& path
     if (paths.size() < 2 || existing.isEmpty() || arguments.has(QStringLiteral("overwrite")))
         return;
     throw Failure{existing.size() == 1
-                      ? Commands::tr("%1 already exists. Give another name, or --overwrite.")
+                      ? Text::tr("%1 already exists. Give another name, or --overwrite.")
                             .arg(existing.front())
                   : existing.size() == 2
-                      ? Commands::tr("%1 and 1 more file already exist. Give another name, or "
-                                     "--overwrite.")
+                      ? Text::tr("%1 and 1 more file already exist. Give another name, or "
+                                 "--overwrite.")
                             .arg(existing.front())
-                      : Commands::tr("%1 and %2 more files already exist. Give another name, or "
-                                     "--overwrite.")
+                      : Text::tr("%1 and %2 more files already exist. Give another name, or "
+                                 "--overwrite.")
                             .arg(existing.front())
                             .arg(existing.size() - 1)};
 }
@@ -161,19 +161,19 @@ void write(const ParsedArguments& arguments, const TraceExport& trace, const Tra
            const QString& output)
 {
     if (output.endsWith(u'/') && !QDir().mkpath(output))
-        throw Failure{Commands::tr("Cannot make the folder %1.").arg(output)};
+        throw Failure{Text::tr("Cannot make the folder %1.").arg(output)};
     const QStringList paths = tracePaths(trace, format, output);
     const QString folder = QFileInfo(paths.front()).path();
     if (!QFileInfo(folder).isDir())
-        throw Failure{Commands::tr("Cannot write %1: there is no folder %2; a name that ends with "
-                                   "/ makes one.")
+        throw Failure{Text::tr("Cannot write %1: there is no folder %2; a name that ends with "
+                               "/ makes one.")
                           .arg(paths.front(), folder)};
     refuseOverwriting(arguments, paths);
     if (const auto error = writeTrace(paths, bytesOf(trace, format)))
         throw Failure{*error};
     if (!arguments.has(QStringLiteral("quiet")))
-        say(paths.size() == 1 ? Commands::tr("Wrote %1").arg(paths.front())
-                              : Commands::tr("Wrote %1 to %2, %3 files")
+        say(paths.size() == 1 ? Text::tr("Wrote %1").arg(paths.front())
+                              : Text::tr("Wrote %1 to %2, %3 files")
                                     .arg(paths.front(), paths.back())
                                     .arg(paths.size()));
 }
@@ -184,7 +184,7 @@ void trace(const ParsedArguments& arguments)
     const TraceFormat& format = traceFormat(arguments, output);
     const bool toTerminal = output.isEmpty() || output == QStringLiteral("-");
     if (toTerminal && format.forPeople)
-        throw WrongUsage{Commands::tr("Name a file or a folder for the pictures with -o.")};
+        throw WrongUsage{Text::tr("Name a file or a folder for the pictures with -o.")};
     const TraceExport trace = exportOf(arguments);
     if (toTerminal)
         print(QString::fromUtf8(bytesOf(trace, format).front()));
@@ -199,42 +199,40 @@ Command traceCommand()
     return {
         "trace",
         "--line X1,Y1,X2,Y2 [OPTIONS]",
-        Commands::tr("Shows step by step how an algorithm clips one line: as text, as data, as "
-                     "slides or as an animated picture."),
+        Text::tr("Shows step by step how an algorithm clips one line: as text, as data, as "
+                 "slides or as an animated picture."),
         {{{"a", "algorithm"},
           "A",
-          Commands::tr("Key or abbreviation of the algorithm; KEY:published is the form that "
-                       "its authors printed (%1).")
+          Text::tr("Key or abbreviation of the algorithm; KEY:published is the form that "
+                   "its authors printed (%1).")
               .arg(latin(usualAlgorithm().key))},
-         {{"line"}, "X1,Y1,X2,Y2", Commands::tr("The line, from End 1 to End 2.")},
+         {{"line"}, "X1,Y1,X2,Y2", Text::tr("The line, from End 1 to End 2.")},
          {{"w", "window"},
           "WINDOW",
-          Commands::tr("The window (-100,-75,100,75, the paper's): XMIN,YMIN,XMAX,YMAX, with "
-                       "@DEGREES to rotate it counterclockwise about its centre; the steps are "
-                       "then in its own directions. Or a convex window, for algorithms that clip "
-                       "there: “polygon:X,Y X,Y …” or circle:X,Y,R.")},
+          Text::tr("The window (-100,-75,100,75, the paper's): XMIN,YMIN,XMAX,YMAX, with "
+                   "@DEGREES to rotate it counterclockwise about its centre; the steps are "
+                   "then in its own directions. Or a convex window, for algorithms that clip "
+                   "there: “polygon:X,Y X,Y …” or circle:X,Y,R.")},
          {{"f", "format"},
           formatKeys().join(u'|'),
-          Commands::tr("Format of the output (by the ending of the name in -o, otherwise text).")},
+          Text::tr("Format of the output (by the ending of the name in -o, otherwise text).")},
          {{"o", "output"},
           "FILE|FOLDER/",
-          Commands::tr("Where to write. For svg and png there is a file for each step: "
-                       "FILE-01.svg and so on.")},
-         {{"step"}, "N", Commands::tr("Write only this step.")},
+          Text::tr("Where to write. For svg and png there is a file for each step: "
+                   "FILE-01.svg and so on.")},
+         {{"step"}, "N", Text::tr("Write only this step.")},
          {{"y", "y-axis"},
           "up|down",
-          Commands::tr("Direction in which y grows, in pictures and sentences (up).")},
-         {{"theme"}, "light|dark", Commands::tr("Theme of the pictures (light).")},
-         {{"picture-only"},
-          {},
-          Commands::tr("Pictures without sentence, pseudo-code and variables.")},
+          Text::tr("Direction in which y grows, in pictures and sentences (up).")},
+         {{"theme"}, "light|dark", Text::tr("Theme of the pictures (light).")},
+         {{"picture-only"}, {}, Text::tr("Pictures without sentence, pseudo-code and variables.")},
          {{"width"},
           "PIXELS",
-          Commands::tr("Width of png and gif in pixels, %1 to %2; they are 16:9 (1280).")
+          Text::tr("Width of png and gif in pixels, %1 to %2; they are 16:9 (1280).")
               .arg(leastWidth)
               .arg(mostWidth)},
-         {{"overwrite"}, {}, Commands::tr("Replace numbered files that exist.")},
-         {{"q", "quiet"}, {}, Commands::tr("Do not report the files written.")}},
+         {{"overwrite"}, {}, Text::tr("Replace numbered files that exist.")},
+         {{"q", "quiet"}, {}, Text::tr("Do not report the files written.")}},
         {"clearcut trace -a md --line -160,-30,70,130",
          "clearcut trace -a cb --line -160,-30,70,130 -w 'polygon:-100,-75 100,-75 0,90'",
          "clearcut trace -a cs:published --line 1,1,-1,-1 -w 0.1,0.1,3,3 -f json",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/window_forms.h"
 
+#include "app/base/text.h"
 #include "app/command_line/drawing_files.h"
 #include "app/command_line/drawing_numbers.h"
 #include "app/command_line/nearest.h"
@@ -29,16 +30,16 @@ void refuseInverted(const clipping::Window& window)
     const bool beyond = window.min.x > window.max.x, below = window.min.y > window.max.y;
     if (beyond || below)
         throw WrongUsage{
-            beyond ? Commands::tr("The window is inverted: its left edge is beyond its right edge. "
-                                  "Give XMIN,YMIN,XMAX,YMAX.")
-                   : Commands::tr("The window is inverted: its top edge is beyond its bottom edge. "
-                                  "Give XMIN,YMIN,XMAX,YMAX.")};
+            beyond ? Text::tr("The window is inverted: its left edge is beyond its right edge. "
+                              "Give XMIN,YMIN,XMAX,YMAX.")
+                   : Text::tr("The window is inverted: its top edge is beyond its bottom edge. "
+                              "Give XMIN,YMIN,XMAX,YMAX.")};
 }
 
 // XMIN,YMIN,XMAX,YMAX[@DEGREES], counterclockwise about its centre.
 Windows rectangle(const GivenValue& value, const QString& text, const Imported& imported)
 {
-    const QString expected = Commands::tr(
+    const QString expected = Text::tr(
         "four lengths XMIN,YMIN,XMAX,YMAX such as -100,-75,100,75 or 0,0,10cm,70mm, and @DEGREES "
         "after them to rotate the window");
     const QStringList parts = text.split(u'@');
@@ -67,7 +68,7 @@ WindowShape ellipse(const Point& centre, const Point& radii)
 Windows circle(const GivenValue& value, const QString& text, const Imported& imported)
 {
     const QString expected =
-        Commands::tr("the centre and a radius greater than 0 such as circle:50mm,50mm,20mm");
+        Text::tr("the centre and a radius greater than 0 such as circle:50mm,50mm,20mm");
     const DrawingNumbers numbers(value, text, expected, imported);
     if (numbers.size() != 3 || !(numbers.length(2) > 0))
         refuse(value, expected);
@@ -76,7 +77,7 @@ Windows circle(const GivenValue& value, const QString& text, const Imported& imp
 
 Windows polygon(const GivenValue& value, const QString& text, const Imported& imported)
 {
-    const QString expected = Commands::tr("three or more corners such as “polygon:0,0 10,0 5,8”");
+    const QString expected = Text::tr("three or more corners such as “polygon:0,0 10,0 5,8”");
     static const QRegularExpression afterComma(QStringLiteral("\\s*,\\s*")),
         between(QStringLiteral("[\\s;]+"));
     const QStringList corners =
@@ -105,8 +106,8 @@ Windows windowsOf(const Document& drawing, const ObjectRange& range)
 void refuseNothing(const GivenValue& value, const Windows& windows)
 {
     if (windows.empty())
-        throw WrongUsage{Commands::tr("--%1 %2: nothing there encloses an area. Choose a closed "
-                                      "shape, or a path of several lines.")
+        throw WrongUsage{Text::tr("--%1 %2: nothing there encloses an area. Choose a closed "
+                                  "shape, or a path of several lines.")
                              .arg(value.option, value.text)};
 }
 
@@ -118,21 +119,21 @@ QString firstNames(const QStringList& names)
     for (const QString& name : names.first(std::min(most, names.size())))
         quoted << u'“' + name + u'”';
     if (names.size() > most)
-        quoted << Commands::tr("%1 more").arg(names.size() - most);
-    return quoted.join(Commands::tr(", "));
+        quoted << Text::tr("%1 more").arg(names.size() - most);
+    return quoted.join(Text::tr(", "));
 }
 
 [[noreturn]] void refuseName(const GivenValue& value, const QString& name, const QStringList& names,
                              const QString& nothing)
 {
     const auto nearest = nearestTo(name, names);
-    throw WrongUsage{Commands::tr("--%1 %2: ").arg(value.option, value.text)
-                     + (names.isEmpty() ? nothing
-                        : nearest
-                            ? Commands::tr("there is no “%1” in the drawing. Did you mean “%2”?")
-                                  .arg(name, *nearest)
-                            : Commands::tr("there is no “%1” in the drawing, which has %2.")
-                                  .arg(name, firstNames(names)))};
+    throw WrongUsage{
+        Text::tr("--%1 %2: ").arg(value.option, value.text)
+        + (names.isEmpty() ? nothing
+           : nearest
+               ? Text::tr("there is no “%1” in the drawing. Did you mean “%2”?").arg(name, *nearest)
+               : Text::tr("there is no “%1” in the drawing, which has %2.")
+                     .arg(name, firstNames(names)))};
 }
 
 Windows shapesOfObjects(const GivenValue& value, const Document& drawing, const ObjectRange& range)
@@ -161,7 +162,7 @@ Windows shape(const GivenValue& value, const QString& id, const Imported& import
         if (!here.isEmpty())
             ids << here;
     }
-    refuseName(value, id, ids, Commands::tr("no shape of the drawing has an id."));
+    refuseName(value, id, ids, Text::tr("no shape of the drawing has an id."));
 }
 
 Windows layer(const GivenValue& value, const QString& name, const Imported& imported)
@@ -175,7 +176,7 @@ Windows layer(const GivenValue& value, const QString& name, const Imported& impo
             return shapesOfObjects(value, imported.document, tree.rangeOf(id));
         names << tree[id].name;
     }
-    refuseName(value, name, names, Commands::tr("the drawing has no layer."));
+    refuseName(value, name, names, Text::tr("the drawing has no layer."));
 }
 
 // A mask is laid on the drawing with the corners of both papers together, at its size in

@@ -2,6 +2,7 @@
 #include "app/command_line/window_options.h"
 
 #include "app/base/number.h"
+#include "app/base/text.h"
 #include "app/command_line/drawing_numbers.h"
 #include "app/command_line/refusal.h"
 #include "app/command_line/window_forms.h"
@@ -42,10 +43,10 @@ clipping::Window pageOf(const ParsedArguments& arguments, const Imported& import
     const clipping::Window window{page.min + less, page.min + page.size - less};
     for (const double number : {window.min.x, window.min.y, window.max.x, window.max.y})
         if (!std::isfinite(number))
-            throw WrongUsage{Commands::tr("The window is too large for this drawing's unit: give "
-                                          "smaller lengths.")};
+            throw WrongUsage{Text::tr("The window is too large for this drawing's unit: give "
+                                      "smaller lengths.")};
     if (window.min.x > window.max.x || window.min.y > window.max.y)
-        throw WrongUsage{Commands::tr("--margin %1 is too large: nothing of the page is left.")
+        throw WrongUsage{Text::tr("--margin %1 is too large: nothing of the page is left.")
                              .arg(*arguments.text(QStringLiteral("margin")))};
     return window;
 }
@@ -54,11 +55,10 @@ void refuseContradictions(const ParsedArguments& arguments)
 {
     const bool page = arguments.has(QStringLiteral("page"));
     if (arguments.has(QStringLiteral("margin")) && !page)
-        throw WrongUsage{Commands::tr("--margin needs --page: it makes the page smaller.")};
+        throw WrongUsage{Text::tr("--margin needs --page: it makes the page smaller.")};
     if (arguments.has(QStringLiteral("window")) && page)
-        throw WrongUsage{
-            Commands::tr("Give either --window or --page, not both. To add the page to "
-                         "other windows, write --window page.")};
+        throw WrongUsage{Text::tr("Give either --window or --page, not both. To add the page to "
+                                  "other windows, write --window page.")};
 }
 
 // A list of windows has no brackets: each of several shapes would intersect the others.
@@ -95,7 +95,7 @@ ClipWindows givenWindows(const ParsedArguments& arguments, const Imported& impor
         }
     }
     if (windows.list.size() > ClipWindows::most)
-        throw WrongUsage{Commands::tr("There are %1 clip windows. A drawing can have %2.")
+        throw WrongUsage{Text::tr("There are %1 clip windows. A drawing can have %2.")
                              .arg(windows.list.size())
                              .arg(ClipWindows::most)};
     return windows;
@@ -108,13 +108,13 @@ std::vector<Option> windowOptions()
     return {
         {{"w", "window"},
          "XMIN,YMIN,XMAX,YMAX",
-         Commands::tr("The clip window. Bare numbers are the drawing's own coordinates; lengths "
-                      "with a unit, such as 10mm, count from the paper's top left corner. The two "
-                      "cannot be mixed (the drawing's clip windows, otherwise its page).")},
-        {{"page"}, {}, Commands::tr("Use the drawing's page as the clip window.")},
+         Text::tr("The clip window. Bare numbers are the drawing's own coordinates; lengths "
+                  "with a unit, such as 10mm, count from the paper's top left corner. The two "
+                  "cannot be mixed (the drawing's clip windows, otherwise its page).")},
+        {{"page"}, {}, Text::tr("Use the drawing's page as the clip window.")},
         {{"margin"},
          "LENGTH",
-         Commands::tr("With --page: make the window this much smaller on each side.")},
+         Text::tr("With --page: make the window this much smaller on each side.")},
     };
 }
 
@@ -126,16 +126,16 @@ std::vector<Option> shapedWindowOptions()
         forms << QString::fromUtf8(form.usage.data(), qsizetype(form.usage.size()));
     options.front().value = QStringLiteral("WINDOW");
     options.front().meaning =
-        Commands::tr("A clip window: %1. Bare numbers are the drawing's own coordinates; lengths "
-                     "with a unit, such as 10mm, count from the paper's top left corner. May be "
-                     "given several times: each adds to what those before it keep (the drawing's "
-                     "clip windows, otherwise its page).")
+        Text::tr("A clip window: %1. Bare numbers are the drawing's own coordinates; lengths "
+                 "with a unit, such as 10mm, count from the paper's top left corner. May be "
+                 "given several times: each adds to what those before it keep (the drawing's "
+                 "clip windows, otherwise its page).")
             .arg(forms.join(QStringLiteral(", ")));
     const std::vector<Option> more{
-        {{"cut-out"}, "WINDOW", Commands::tr("Cut this window out of what those before it keep.")},
+        {{"cut-out"}, "WINDOW", Text::tr("Cut this window out of what those before it keep.")},
         {{"intersect"},
          "WINDOW",
-         Commands::tr("Keep only what this window and those before it have in common.")}};
+         Text::tr("Keep only what this window and those before it have in common.")}};
     options.insert(options.begin() + 1, more.begin(), more.end());
     return options;
 }
@@ -145,10 +145,10 @@ std::vector<Option> comparedWindowOptions()
     std::vector<Option> options = windowOptions();
     options.front().value = QStringLiteral("WINDOW");
     options.front().meaning =
-        Commands::tr("The clip window: a rectangle XMIN,YMIN,XMAX,YMAX, with @DEGREES to rotate "
-                     "it, or a convex polygon, such as circle:CX,CY,R or polygon:X,Y X,Y ..., as "
-                     "for clip (the first clip window of the drawing that is a rectangle along the "
-                     "axes, otherwise its page).");
+        Text::tr("The clip window: a rectangle XMIN,YMIN,XMAX,YMAX, with @DEGREES to rotate "
+                 "it, or a convex polygon, such as circle:CX,CY,R or polygon:X,Y X,Y ..., as "
+                 "for clip (the first clip window of the drawing that is a rectangle along the "
+                 "axes, otherwise its page).");
     return options;
 }
 
@@ -173,8 +173,8 @@ ClipWindows comparedWindowsOf(const ParsedArguments& arguments, const Imported& 
     if (windows.list.empty())
         return {{{.shape = RectangleShape{windowOf(imported)}}}};
     if (windows.list.size() > 1)
-        throw WrongUsage{Commands::tr("Algorithms are compared at one window, and these are %1: "
-                                      "give one.")
+        throw WrongUsage{Text::tr("Algorithms are compared at one window, and these are %1: "
+                                  "give one.")
                              .arg(windows.list.size())};
     return windows;
 }
@@ -193,17 +193,17 @@ namespace {
 
 QString stepPhrase(WindowOperation operation)
 {
-    return operation == WindowOperation::Add      ? Commands::tr("add %1")
-           : operation == WindowOperation::CutOut ? Commands::tr("cut out %1")
-                                                  : Commands::tr("intersect %1");
+    return operation == WindowOperation::Add      ? Text::tr("add %1")
+           : operation == WindowOperation::CutOut ? Text::tr("cut out %1")
+                                                  : Text::tr("intersect %1");
 }
 
 QString stepText(const ClipRegion::Step& step, const Imported& imported)
 {
     if (!(step.box.min.x <= step.box.max.x))
-        return Commands::tr("a window without area, which contains nothing");
+        return Text::tr("a window without area, which contains nothing");
     const QString place = placeText(step.box, imported);
-    return step.rings.empty() ? place : Commands::tr("a shape within %1").arg(place);
+    return step.rings.empty() ? place : Text::tr("a shape within %1").arg(place);
 }
 
 QString sourceText(const ParsedArguments& arguments, const Imported& imported)
@@ -211,17 +211,17 @@ QString sourceText(const ParsedArguments& arguments, const Imported& imported)
     const auto margin = arguments.text(QStringLiteral("margin"));
     const auto all = given(arguments);
     if (std::ranges::any_of(all, [](const auto& v) { return v.option != u"page"; }))
-        return Commands::tr("given");
+        return Text::tr("given");
     if (margin)
-        return Commands::tr("the page, margin %1").arg(*margin);
+        return Text::tr("the page, margin %1").arg(*margin);
     if (arguments.has(QStringLiteral("page")))
-        return Commands::tr("the page");
+        return Text::tr("the page");
     if (cuts(imported.document.windows()))
-        return Commands::tr("saved in the drawing");
+        return Text::tr("saved in the drawing");
     if (!imported.paged && imported.document.objects().empty())
-        return Commands::tr("the default page, because the drawing is empty");
-    return imported.drawn || !imported.paged ? Commands::tr("the bounds of all objects")
-                                             : Commands::tr("the page");
+        return Text::tr("the default page, because the drawing is empty");
+    return imported.drawn || !imported.paged ? Text::tr("the bounds of all objects")
+                                             : Text::tr("the page");
 }
 
 } // namespace
@@ -231,21 +231,20 @@ QString windowText(const ParsedArguments& arguments, const Imported& imported,
 {
     const QString source = sourceText(arguments, imported);
     const QString keeps = region.keep == Keep::Outside
-                              ? QStringLiteral("; ") + Commands::tr("keeps the outside")
+                              ? QStringLiteral("; ") + Text::tr("keeps the outside")
                               : QString();
     if (region.single())
-        return Commands::tr("Window (%1): %2%3.")
+        return Text::tr("Window (%1): %2%3.")
             .arg(source, stepText(region.steps.front(), imported), keeps);
     QStringList steps;
     for (const ClipRegion::Step& step : region.steps)
         steps << stepPhrase(step.operation).arg(stepText(step, imported));
-    return Commands::tr("Windows (%1): %2%3.").arg(source, steps.join(QStringLiteral("; ")), keeps);
+    return Text::tr("Windows (%1): %2%3.").arg(source, steps.join(QStringLiteral("; ")), keeps);
 }
 
 QString placeText(const clipping::Window& rectangle, const Imported& imported)
 {
-    const QString text =
-        Commands::tr("%1 in the drawing's coordinates").arg(rectangleText(rectangle));
+    const QString text = Text::tr("%1 in the drawing's coordinates").arg(rectangleText(rectangle));
     const bool inMillimetres =
         imported.document.page().millimetresPerUnit() == 1 && cornerOf(imported) == Point{};
     return inMillimetres ? text : text + QStringLiteral(", ") + millimetreText(rectangle, imported);
@@ -264,8 +263,8 @@ QString millimetreText(const clipping::Window& rectangle, const Imported& import
         numbers += "mm,";
     }
     numbers.pop_back();
-    return (imported.paged ? Commands::tr("%1 from the paper's top left corner")
-                           : Commands::tr("%1 from the origin"))
+    return (imported.paged ? Text::tr("%1 from the paper's top left corner")
+                           : Text::tr("%1 from the origin"))
         .arg(QString::fromStdString(numbers));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/crop_to_window.h"
 
-#include <QCoreApplication>
+#include "app/base/text.h"
 
 namespace app {
 
@@ -11,8 +11,8 @@ CropToWindow::CropToWindow(EditedDocument& document, const CutOptions& options)
 }
 
 CropToWindow::CropToWindow(EditedDocument& document, Cut cut, const PermanentCut& kind)
-    : EditCommand(row, document, cut.edit, QCoreApplication::translate("PermanentCuts", kind.name)),
-      counts_(cut.counts), changes_(!cut.edit.splices.empty())
+    : EditCommand(row, document, cut.edit, Text::tr(kind.name)), counts_(cut.counts),
+      changes_(!cut.edit.splices.empty())
 {
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/move_objects.h"
 
-#include <QCoreApplication>
+#include "app/base/text.h"
 
 namespace app {
 
@@ -19,8 +19,7 @@ MoveObjects::MoveObjects(EditedDocument& document, const ObjectRanges& objects, 
                           [&](ObjectRow& object, StyleTable&) {
                               place(object, {{1, 1}, by});
                           }),
-                  QCoreApplication::translate("Commands", "Move selection"), merging,
-                  {Derivation::How::Placed, {{1, 1}, by}})
+                  Text::tr("Move selection"), merging, {Derivation::How::Placed, {{1, 1}, by}})
 {
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/remove_objects.h"
 
-#include <QCoreApplication>
+#include "app/base/text.h"
 
 namespace app {
 namespace {
@@ -24,7 +24,7 @@ RemoveObjects::RemoveObjects(EditedDocument& document, const ObjectRanges& objec
 }
 
 RemoveObjects::RemoveObjects(EditedDocument& document, const ObjectRanges& objects)
-    : RemoveObjects(document, objects, QCoreApplication::translate("Commands", "Delete selection"))
+    : RemoveObjects(document, objects, Text::tr("Delete selection"))
 {
 }
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/resize_objects.h"
 
+#include "app/base/text.h"
 #include "app/commands/move_objects.h"
 #include "app/commands/scale_stroke.h"
 #include "app/commands/set_style.h"
 #include "app/document/path_points.h"
-
-#include <QCoreApplication>
 
 #include <cmath>
 
@@ -70,8 +69,7 @@ ResizeObjects::ResizeObjects(EditedDocument& document, const ObjectRanges& objec
                              const clipping::Window& from, const clipping::Window& to,
                              StrokeScaling strokes)
     : EditCommand(row, document, resized(document.now(), objects, from, to, strokes),
-                  QCoreApplication::translate("Commands", "Resize selection"), Merging::Never,
-                  derivationOf(from, to, strokes))
+                  Text::tr("Resize selection"), Merging::Never, derivationOf(from, to, strokes))
 {
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/set_containers.h"
 
-#include <QCoreApplication>
+#include "app/base/text.h"
 
 namespace app {
 namespace {
@@ -31,8 +31,7 @@ SetContainers::SetContainers(EditedDocument& document, Containers containers, co
 
 RemoveLayer::RemoveLayer(EditedDocument& document, ContainerId layer)
     : EditCommand(row, document, without(document.now(), layer),
-                  QCoreApplication::translate("Commands", "Remove layer %1")
-                      .arg(document.now().containers()[layer].name))
+                  Text::tr("Remove layer %1").arg(document.now().containers()[layer].name))
 {
 }
 

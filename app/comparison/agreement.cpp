@@ -2,9 +2,9 @@
 #include "app/comparison/agreement.h"
 
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/comparison/difference.h"
 
-#include <QCoreApplication>
 #include <QStringList>
 
 #include <algorithm>
@@ -77,24 +77,25 @@ void judge(std::vector<Disagreement>& all, const SceneLines::Run& run, const Win
 
 QString counted(const char* one, const char* many, std::size_t count)
 {
-    return count == 1 ? QCoreApplication::translate("agreement", one)
-                      : QCoreApplication::translate("agreement", many).arg(countText(count));
+    return count == 1 ? Text::tr(one) : Text::tr(many).arg(countText(count));
 }
 
 QString sentence(const Disagreement& disagreement)
 {
     QStringList faults;
     if (disagreement.lost)
-        faults << counted("loses 1 line that is visible", "loses %1 lines that are visible",
+        faults << counted(QT_TRANSLATE_NOOP("Text", "loses 1 line that is visible"),
+                          QT_TRANSLATE_NOOP("Text", "loses %1 lines that are visible"),
                           disagreement.lost);
     if (disagreement.shown)
-        faults << counted("keeps 1 line that is not visible", "keeps %1 lines that are not visible",
+        faults << counted(QT_TRANSLATE_NOOP("Text", "keeps 1 line that is not visible"),
+                          QT_TRANSLATE_NOOP("Text", "keeps %1 lines that are not visible"),
                           disagreement.shown);
     if (disagreement.moved)
-        faults << counted("misplaces the ends of 1 line", "misplaces the ends of %1 lines",
+        faults << counted(QT_TRANSLATE_NOOP("Text", "misplaces the ends of 1 line"),
+                          QT_TRANSLATE_NOOP("Text", "misplaces the ends of %1 lines"),
                           disagreement.moved);
-    return nameOf(disagreement.variant) + u' '
-           + faults.join(QCoreApplication::translate("agreement", ", "));
+    return nameOf(disagreement.variant) + u' ' + faults.join(Text::tr(", "));
 }
 
 } // namespace
@@ -114,7 +115,7 @@ std::vector<Disagreement> disagreements(const SceneLines& lines, const Window& w
 QString sentence(std::span<const Disagreement> disagreements)
 {
     if (disagreements.empty())
-        return QCoreApplication::translate("agreement", "All corrected algorithms agree here");
+        return Text::tr("All corrected algorithms agree here");
     QStringList sentences;
     for (const Disagreement& disagreement : disagreements)
         sentences << sentence(disagreement);

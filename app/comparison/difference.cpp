@@ -2,8 +2,8 @@
 #include "app/comparison/difference.h"
 
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 
-#include <QCoreApplication>
 #include <QStringList>
 
 namespace app {
@@ -12,14 +12,6 @@ using clipping::Clipped;
 using clipping::Segment;
 using clipping::Window;
 using Kind = Difference::Kind;
-
-namespace {
-
-struct DifferenceText {
-    Q_DECLARE_TR_FUNCTIONS(Difference)
-};
-
-} // namespace
 
 std::vector<Difference> differences(std::span<const Segment> lines, const Window& window,
                                     std::span<const Clipped> a, std::span<const Clipped> b,
@@ -72,7 +64,6 @@ DifferenceCounts counted(std::span<const Difference> differences)
 QString sentence(const Variant& a, const Variant& b, const DifferenceCounts& counts,
                  std::size_t lines)
 {
-    using Text = DifferenceText;
     if (a == b)
         return Text::tr("A and B are the same: choose two different ones");
     if (lines == 0)

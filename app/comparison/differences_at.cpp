@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/differences_at.h"
 
+#include "app/base/text.h"
 #include "app/scene/region_clipping.h"
 #include "app/scene/window_needs.h"
-
-#include <QCoreApplication>
 
 namespace app {
 
 namespace {
-
-struct DifferencesAt {
-    Q_DECLARE_TR_FUNCTIONS(DifferencesAt)
-};
 
 ClipAll functionOf(const Variant& variant)
 {
@@ -35,13 +30,13 @@ QString refusalAt(const ClipRegion::Step& step, const Variant& variant)
 {
     const WindowNeeds needs = needsOf(step);
     if (needs == WindowNeeds::AnyArea)
-        return DifferencesAt::tr("Algorithms are compared at rectangles and convex polygons; this "
-                                 "window is %1.")
+        return Text::tr("Algorithms are compared at rectangles and convex polygons; this "
+                        "window is %1.")
             .arg(shapeText(step));
     const bool rotatable = needs <= WindowNeeds::RotatedRectangle;
     if (rotatable || (!variant.misprint && usedAt(needs, variant) == variant))
         return {};
-    return DifferencesAt::tr("%1 clips at rectangles only; this window is %2.")
+    return Text::tr("%1 clips at rectangles only; this window is %2.")
         .arg(nameOf(variant), shapeText(step));
 }
 

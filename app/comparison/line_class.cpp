@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/line_class.h"
 
+#include "app/base/text.h"
 #include "clipping/algorithm.h"
 #include "clipping/outcode.h"
-
-#include <QCoreApplication>
 
 namespace app {
 
@@ -25,18 +24,15 @@ LineClass lineClassOf(const clipping::Segment& line, const clipping::Window& win
 
 QString words(LineClass lineClass)
 {
-    struct Words {
-        Q_DECLARE_TR_FUNCTIONS(inspection)
-    };
     switch (lineClass) {
     case LineClass::Inside:
-        return Words::tr("wholly inside");
+        return Text::tr("wholly inside");
     case LineClass::Rejected:
-        return Words::tr("rejected at once");
+        return Text::tr("rejected at once");
     case LineClass::Cut:
-        return Words::tr("cut");
+        return Text::tr("cut");
     case LineClass::Missed:
-        return Words::tr("misses the window");
+        return Text::tr("misses the window");
     }
     return {};
 }

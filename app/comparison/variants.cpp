@@ -2,8 +2,7 @@
 #include "app/comparison/variants.h"
 
 #include "app/base/latin.h"
-
-#include <QCoreApplication>
+#include "app/base/text.h"
 
 namespace app {
 
@@ -32,9 +31,7 @@ QString nameOf(const Variant& variant)
         return variant.misprint->name;
     const clipping::Algorithm& row = *variant.algorithm;
     const QString name = latin(variant == exactVariant() ? row.key : row.abbreviation);
-    return variant.form == Form::Corrected
-               ? name
-               : QCoreApplication::translate("Variant", "%1 as published").arg(name);
+    return variant.form == Form::Corrected ? name : Text::tr("%1 as published").arg(name);
 }
 
 QString titleOf(const Variant& variant)
@@ -43,9 +40,7 @@ QString titleOf(const Variant& variant)
         return variant.misprint->name;
     const QString both = latin(variant.algorithm->abbreviation) + QStringLiteral("  ")
                          + latin(variant.algorithm->name);
-    return variant.form == Form::Corrected
-               ? both
-               : QCoreApplication::translate("Variant", "%1, as published").arg(both);
+    return variant.form == Form::Corrected ? both : Text::tr("%1, as published").arg(both);
 }
 
 static const QString publishedSuffix = QStringLiteral(":published");

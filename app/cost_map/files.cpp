@@ -4,8 +4,8 @@
 #include "app/base/latin.h"
 #include "app/base/number.h"
 #include "app/base/replace_file.h"
+#include "app/base/text.h"
 #include "app/base/write_all.h"
-#include "app/cost_map/translation.h"
 #include "app/cost_map/words.h"
 
 #include <QBuffer>
@@ -46,7 +46,7 @@ std::optional<QString> writePng(const CostMap& map, const CostMapLook& look, QIO
     const QImage image = costPicture(map, look);
     QBuffer buffer;
     if (image.isNull() || !image.save(&buffer, "png"))
-        return CostMaps::tr("there is not enough memory for the picture.");
+        return Text::tr("there is not enough memory for the picture.");
     return written(out, buffer.data());
 }
 
@@ -131,8 +131,8 @@ QImage costPicture(const CostMap& map, const CostMapLook& look)
 
 std::span<const CostMapFormat> costMapFormats()
 {
-    static const std::array all{CostMapFormat{"png", CostMaps::tr("PNG picture"), true, writePng},
-                                CostMapFormat{"csv", CostMaps::tr("CSV table"), false, writeCsv}};
+    static const std::array all{CostMapFormat{"png", Text::tr("PNG picture"), true, writePng},
+                                CostMapFormat{"csv", Text::tr("CSV table"), false, writeCsv}};
     return all;
 }
 
@@ -141,7 +141,7 @@ QString costMapEndings()
     QStringList endings;
     for (const CostMapFormat& format : costMapFormats())
         endings << u'.' + latin(format.key);
-    return endings.join(CostMaps::tr(" or "));
+    return endings.join(Text::tr(" or "));
 }
 
 const CostMapFormat* findCostMapFormat(const QString& key)
@@ -157,11 +157,11 @@ std::optional<QString> writeCostMap(const CostMap& map, const QString& path,
 {
     const CostMapFormat* format = findCostMapFormat(QFileInfo(path).suffix());
     if (!format)
-        return CostMaps::tr("%1: a cost map is written as %2; give the file one of these endings.")
+        return Text::tr("%1: a cost map is written as %2; give the file one of these endings.")
             .arg(path, costMapEndings());
     const auto error =
         replaceFile(path, [&](QIODevice& out) { return format->write(map, look, out); });
-    return error ? std::optional(CostMaps::tr("Cannot write %1: %2").arg(path, *error)) : error;
+    return error ? std::optional(Text::tr("Cannot write %1: %2").arg(path, *error)) : error;
 }
 
 } // namespace app

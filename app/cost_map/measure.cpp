@@ -3,7 +3,7 @@
 
 #include "app/base/numbers.h"
 #include "app/base/promised_operations.h"
-#include "app/cost_map/translation.h"
+#include "app/base/text.h"
 
 #include <array>
 
@@ -13,22 +13,22 @@ using clipping::OperationCounts;
 
 std::span<const CostMeasure> costMeasures()
 {
-    using C = CostMaps;
     static const std::array all{
-        CostMeasure{"operations", C::tr("Operations"), C::tr("1 operation"), C::tr("%1 operations"),
-                    promisedOf},
-        CostMeasure{"comparisons", C::tr("Comparisons"), C::tr("1 comparison"),
-                    C::tr("%1 comparisons"),
+        CostMeasure{"operations", Text::tr("Operations"), Text::tr("1 operation"),
+                    Text::tr("%1 operations"), promisedOf},
+        CostMeasure{"comparisons", Text::tr("Comparisons"), Text::tr("1 comparison"),
+                    Text::tr("%1 comparisons"),
                     [](const OperationCounts& counts) { return counts.comparisons; }},
-        CostMeasure{"additions", C::tr("Additions and subtractions"), C::tr("1 addition"),
-                    C::tr("%1 additions"),
+        CostMeasure{"additions", Text::tr("Additions and subtractions"), Text::tr("1 addition"),
+                    Text::tr("%1 additions"),
                     [](const OperationCounts& counts) { return counts.additions; }},
-        CostMeasure{"multiplications", C::tr("Multiplications"), C::tr("1 multiplication"),
-                    C::tr("%1 multiplications"),
+        CostMeasure{"multiplications", Text::tr("Multiplications"), Text::tr("1 multiplication"),
+                    Text::tr("%1 multiplications"),
                     [](const OperationCounts& counts) { return counts.multiplications; }},
-        CostMeasure{"divisions", C::tr("Divisions"), C::tr("1 division"), C::tr("%1 divisions"),
+        CostMeasure{"divisions", Text::tr("Divisions"), Text::tr("1 division"),
+                    Text::tr("%1 divisions"),
                     [](const OperationCounts& counts) { return counts.divisions; }},
-        CostMeasure{"time", C::tr("Time (noisy)"), {}, C::tr("%1 ns"), nullptr}};
+        CostMeasure{"time", Text::tr("Time (noisy)"), {}, Text::tr("%1 ns"), nullptr}};
     return all;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/cost_map/paint.h"
-#include "app/cost_map/translation.h"
 #include "app/cost_map/words.h"
 #include "app/view/sequential_scale.h"
 
@@ -20,7 +20,7 @@ constexpr double barHeight = 12, gap = 6, markerSize = 12, betweenEntries = 18;
 
 QString shareText(const CostMap& map, const CostLegend::Share& share)
 {
-    return CostMaps::tr("%1  %2", "algorithms, and their share of the map")
+    return Text::tr("%1  %2", "algorithms, and their share of the map")
         .arg(namesOf(map.plan, share.cheapest),
              percentText(double(share.cells) / double(map.values.size())));
 }

@@ -2,7 +2,7 @@
 #include "app/cost_map/words.h"
 
 #include "app/base/numbers.h"
-#include "app/cost_map/translation.h"
+#include "app/base/text.h"
 
 #include <QLocale>
 
@@ -18,7 +18,7 @@ QString bareCost(const CostMeasure& measure, double cost)
 
 QString endName(FixedEnd end)
 {
-    return end == FixedEnd::End1 ? CostMaps::tr("End 1") : CostMaps::tr("End 2");
+    return end == FixedEnd::End1 ? Text::tr("End 1") : Text::tr("End 2");
 }
 
 FixedEnd other(FixedEnd end) { return end == FixedEnd::End1 ? FixedEnd::End2 : FixedEnd::End1; }
@@ -26,7 +26,7 @@ FixedEnd other(FixedEnd end) { return end == FixedEnd::End1 ? FixedEnd::End2 : F
 QString coordinatesText(const Point& point)
 {
     const auto number = [](double x) { return QLocale().toString(x, 'g', 6).replace(u'-', u'−'); };
-    return CostMaps::tr("%1; %2", "coordinates").arg(number(point.x), number(point.y));
+    return Text::tr("%1; %2", "coordinates").arg(number(point.x), number(point.y));
 }
 
 } // namespace
@@ -43,9 +43,9 @@ QString namesOf(const CostPlan& plan, std::uint32_t cheapest)
 QString titleOf(const CostPlan& plan)
 {
     const QString moving = endName(other(plan.end)), measure = plan.measure->name;
-    return plan.shown ? CostMaps::tr("%1: %2 for each position of %3")
+    return plan.shown ? Text::tr("%1: %2 for each position of %3")
                             .arg(nameOf(*plan.shown), measure.toLower(), moving)
-                      : CostMaps::tr("Cheapest algorithm for each position of %2, by %1")
+                      : Text::tr("Cheapest algorithm for each position of %2, by %1")
                             .arg(measure.toLower(), moving);
 }
 
@@ -53,18 +53,18 @@ QString costWords(const CostPlan& plan, const Point& end)
 {
     const clipping::Segment line = plan.lineTo(end);
     const Cheapest best = cheapestOf(plan, line);
-    const QString winner = CostMaps::tr("%1 %2", "algorithm and its cost")
+    const QString winner = Text::tr("%1 %2", "algorithm and its cost")
                                .arg(namesOf(plan, best.which), bareCost(*plan.measure, best.cost));
     if (plan.shown)
-        return CostMaps::tr("%1 here; cheapest: %2")
+        return Text::tr("%1 here; cheapest: %2")
             .arg(costText(*plan.measure, costOf(*plan.shown, *plan.measure, line, plan.window)),
                  winner);
-    return CostMaps::tr("Cheapest here: %1").arg(winner);
+    return Text::tr("Cheapest here: %1").arg(winner);
 }
 
 QString placesOf(const CostPlan& plan)
 {
-    return CostMaps::tr("%1 is fixed at %2; the clip window is (%3) to (%4).")
+    return Text::tr("%1 is fixed at %2; the clip window is (%3) to (%4).")
         .arg(endName(plan.end), coordinatesText(plan.fixed), coordinatesText(plan.window.min),
              coordinatesText(plan.window.max));
 }
@@ -72,13 +72,13 @@ QString placesOf(const CostPlan& plan)
 QString noteOf(const CostMeasure& measure)
 {
     if (measure.isTime())
-        return CostMaps::tr(
+        return Text::tr(
             "The median processor time of 5 rounds, each of which clips the same line 64 times. It "
             "is noisy, and shorter than among other lines, because the processor predicts the "
             "branches. Differences within 10 % count as ties.");
     if (&measure == &costMeasures().front())
-        return CostMaps::tr("Operations: comparisons, additions and subtractions, "
-                            "multiplications, divisions.");
+        return Text::tr("Operations: comparisons, additions and subtractions, "
+                        "multiplications, divisions.");
     return {};
 }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cut/outside_layers.h"
 
+#include "app/base/text.h"
 #include "app/cut/fresh_ids.h"
-
-#include <QCoreApplication>
 
 #include <unordered_map>
 
@@ -81,8 +80,7 @@ private:
             Container container = outside_.containers()[id];
             container.id = parts_.nextId++;
             if (container.kind == Container::Kind::Layer)
-                container.name =
-                    QCoreApplication::translate("PermanentCuts", "%1, outside").arg(container.name);
+                container.name = Text::tr("%1, outside").arg(container.name);
             if (insideIds_.contains(container.svgId))
                 container.svgId = ids_.next(container.svgId);
             parts_.containers.push_back(std::move(container));

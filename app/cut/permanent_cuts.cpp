@@ -20,27 +20,24 @@ Cut cutOut(const Document& document, const CutOptions& options, const Follower& 
 }
 
 constexpr std::array kinds{
-    PermanentCut{"crop", QT_TRANSLATE_NOOP("PermanentCuts", "Crop to windows"),
-                 QT_TRANSLATE_NOOP("PermanentCuts", "Cropped: %1"),
-                 QT_TRANSLATE_NOOP("PermanentCuts", "Nothing was cropped"),
-                 QT_TRANSLATE_NOOP("PermanentCuts", "the clip window keeps all of the drawing."),
-                 cut},
-    PermanentCut{"cut-out", QT_TRANSLATE_NOOP("PermanentCuts", "Cut out windows"),
-                 QT_TRANSLATE_NOOP("PermanentCuts", "Cut out: %1"),
-                 QT_TRANSLATE_NOOP("PermanentCuts", "Nothing was cut out"),
-                 QT_TRANSLATE_NOOP("PermanentCuts", "no object is inside the clip windows."),
-                 cutOut},
-    PermanentCut{
-        "split", QT_TRANSLATE_NOOP("PermanentCuts", "Split at windows"),
-        QT_TRANSLATE_NOOP("PermanentCuts",
-                          "Split: %1 What is outside the clip windows is on layers of its own, "
-                          "named “…, outside”."),
-        QT_TRANSLATE_NOOP("PermanentCuts", "Nothing was split"),
-        QT_TRANSLATE_NOOP("PermanentCuts", "no object is outside the clip windows."), split},
-    PermanentCut{"occlude", QT_TRANSLATE_NOOP("PermanentCuts", "Remove covered lines"),
-                 QT_TRANSLATE_NOOP("PermanentCuts", "Covered lines removed: %1"),
-                 QT_TRANSLATE_NOOP("PermanentCuts", "No covered lines were removed"),
-                 QT_TRANSLATE_NOOP("PermanentCuts", "no object is filled."), occlude},
+    PermanentCut{"crop", QT_TRANSLATE_NOOP("Text", "Crop to windows"),
+                 QT_TRANSLATE_NOOP("Text", "Cropped: %1"),
+                 QT_TRANSLATE_NOOP("Text", "Nothing was cropped"),
+                 QT_TRANSLATE_NOOP("Text", "the clip window keeps all of the drawing."), cut},
+    PermanentCut{"cut-out", QT_TRANSLATE_NOOP("Text", "Cut out windows"),
+                 QT_TRANSLATE_NOOP("Text", "Cut out: %1"),
+                 QT_TRANSLATE_NOOP("Text", "Nothing was cut out"),
+                 QT_TRANSLATE_NOOP("Text", "no object is inside the clip windows."), cutOut},
+    PermanentCut{"split", QT_TRANSLATE_NOOP("Text", "Split at windows"),
+                 QT_TRANSLATE_NOOP(
+                     "Text", "Split: %1 What is outside the clip windows is on layers of its own, "
+                             "named “…, outside”."),
+                 QT_TRANSLATE_NOOP("Text", "Nothing was split"),
+                 QT_TRANSLATE_NOOP("Text", "no object is outside the clip windows."), split},
+    PermanentCut{"occlude", QT_TRANSLATE_NOOP("Text", "Remove covered lines"),
+                 QT_TRANSLATE_NOOP("Text", "Covered lines removed: %1"),
+                 QT_TRANSLATE_NOOP("Text", "No covered lines were removed"),
+                 QT_TRANSLATE_NOOP("Text", "no object is filled."), occlude},
 };
 
 } // namespace

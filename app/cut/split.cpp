@@ -2,11 +2,10 @@
 #include "app/cut/split.h"
 
 #include "app/base/phased_progress.h"
+#include "app/base/text.h"
 #include "app/cut/fresh_ids.h"
 #include "app/cut/layer_above.h"
 #include "app/cut/outside_layers.h"
-
-#include <QCoreApplication>
 
 namespace app {
 namespace {
@@ -57,8 +56,7 @@ Edit withOneLayer(const Document& document, Edit inside, const Document& outside
 {
     Document inner = document;
     inner.apply(inside);
-    const auto [tree, layer] =
-        withLayerAbove(inner, QCoreApplication::translate("PermanentCuts", "Outside"));
+    const auto [tree, layer] = withLayerAbove(inner, Text::tr("Outside"));
     inside.splices.push_back(
         {std::uint32_t(document.objects().size()), 0, std::uint32_t(outside.objects().size())});
     inside.objects.append(outside.objects());

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/drawing/arc_measures.h"
 
+#include "app/base/text.h"
 #include "app/document/direction.h"
 #include "app/drawing/circle_arc.h"
-#include "app/drawing/translated.h"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -60,9 +60,8 @@ Point endOfArc(const GestureStart& start, const Point& pointer, const Held& held
 QString refusalOfArc(const GestureStart& start, const Held& held)
 {
     if (held[0] && *held[0] < chordOf(start) / 2 * (1 - rounding))
-        return GestureMeasures::tr(
-            "The radius must be at least half the distance between the ends.");
-    return held[1] == 0 ? GestureMeasures::tr("The angle must not be 0.") : QString();
+        return Text::tr("The radius must be at least half the distance between the ends.");
+    return held[1] == 0 ? Text::tr("The angle must not be 0.") : QString();
 }
 
 template <Turn turn>
@@ -77,7 +76,7 @@ double sweepOf(const GestureStart& start, const Point& to)
 template <Turn turn>
 GestureMeasure sweep()
 {
-    return {{{GestureMeasures::tr("Angle"), Quantity::Angle, whole}},
+    return {{{Text::tr("Angle"), Quantity::Angle, whole}},
             [](const GestureStart& start, const Point& to) -> Numbers {
                 return {sweepOf<turn>(start, to)};
             },
@@ -91,7 +90,7 @@ GestureMeasure sweep()
             },
             false,
             [](const GestureStart&, const Held& held) {
-                return held[0] == 0 ? GestureMeasures::tr("The angle must not be 0.") : QString();
+                return held[0] == 0 ? Text::tr("The angle must not be 0.") : QString();
             }};
 }
 
@@ -100,8 +99,7 @@ GestureMeasure sweep()
 const GestureMeasure& arcMeasure()
 {
     static const GestureMeasure measure{
-        {{GestureMeasures::tr("Radius"), Quantity::Length},
-         {GestureMeasures::tr("Angle"), Quantity::Angle, most}},
+        {{Text::tr("Radius"), Quantity::Length}, {Text::tr("Angle"), Quantity::Angle, most}},
         arcValues,
         endOfArc,
         GestureMeasure::Points::Relative,

@@ -3,9 +3,8 @@
 
 #include "app/base/latin.h"
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/base/typed_number.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <array>
@@ -16,10 +15,6 @@ namespace {
 
 constexpr double longestDash = 1e9; // as in the fields of the panels
 constexpr qsizetype mostDashes = 32;
-
-struct DashPatternsText {
-    Q_DECLARE_TR_FUNCTIONS(Dashes)
-};
 
 /// The lengths in a text; a unit after a space belongs to the number before it.
 QStringList lengthsIn(QString text, const QLocale& locale)
@@ -41,10 +36,10 @@ Result<double> typedDash(const QString& text, const Scale& scale, const QLocale&
     const auto length = typedLength(text, scale, locale);
     if (!length)
         return Result<double>::failure(
-            DashPatternsText::tr("“%1” is not a length: %2.").arg(text, length.error));
+            Text::tr("“%1” is not a length: %2.").arg(text, length.error));
     if (*length.value < 0 || *length.value > longestDash)
         return Result<double>::failure(
-            DashPatternsText::tr("“%1” cannot be the length of a dash: type 0 or more.").arg(text));
+            Text::tr("“%1” cannot be the length of a dash: type 0 or more.").arg(text));
     return Result<double>::of(fromUnit(*length.value, scale.unit, scale.millimetresPerUnit));
 }
 
@@ -54,12 +49,12 @@ std::span<const DashPattern> dashPatterns()
 {
     // THE CATALOGUE. To add a pattern, add its row.
     static const std::array all{
-        DashPattern{DashPatternsText::tr("Solid"), {}},
-        DashPattern{DashPatternsText::tr("Dashed"), {6, 3}},
-        DashPattern{DashPatternsText::tr("Dotted"), {1, 2}},
-        DashPattern{DashPatternsText::tr("Dash and dot"), {8, 3, 1, 3}},
-        DashPattern{DashPatternsText::tr("Dash and two dots"), {8, 2, 1, 2, 1, 2}},
-        DashPattern{DashPatternsText::tr("Long dashes"), {14, 4}},
+        DashPattern{Text::tr("Solid"), {}},
+        DashPattern{Text::tr("Dashed"), {6, 3}},
+        DashPattern{Text::tr("Dotted"), {1, 2}},
+        DashPattern{Text::tr("Dash and dot"), {8, 3, 1, 3}},
+        DashPattern{Text::tr("Dash and two dots"), {8, 2, 1, 2, 1, 2}},
+        DashPattern{Text::tr("Long dashes"), {14, 4}},
     };
     return all;
 }
@@ -96,8 +91,7 @@ Result<std::vector<double>> typedDashes(const QString& text, const Scale& scale,
     std::vector<double> dashes;
     const QStringList lengths = lengthsIn(text, locale);
     if (lengths.size() > mostDashes)
-        return Dashes::failure(
-            DashPatternsText::tr("A dash pattern has at most %1 lengths.").arg(mostDashes));
+        return Dashes::failure(Text::tr("A dash pattern has at most %1 lengths.").arg(mostDashes));
     for (const QString& length : lengths) {
         const auto dash = typedDash(length, scale, locale);
         if (!dash)
@@ -105,8 +99,7 @@ Result<std::vector<double>> typedDashes(const QString& text, const Scale& scale,
         dashes.push_back(*dash.value);
     }
     if (!dashes.empty() && std::ranges::all_of(dashes, [](double dash) { return dash == 0; }))
-        return Dashes::failure(
-            DashPatternsText::tr("A dash pattern needs a length greater than 0."));
+        return Dashes::failure(Text::tr("A dash pattern needs a length greater than 0."));
     return Dashes::of(std::move(dashes));
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/drawing/gesture_measure.h"
 
+#include "app/base/text.h"
 #include "app/document/affine_map.h"
 #include "app/document/direction.h"
-#include "app/drawing/translated.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -65,8 +65,7 @@ Point endOfBox(const GestureStart& start, const Point& pointer, const Held& held
 
 std::vector<GestureMeasure::Field> sides()
 {
-    return {{GestureMeasures::tr("Width"), Quantity::Length},
-            {GestureMeasures::tr("Height"), Quantity::Length}};
+    return {{Text::tr("Width"), Quantity::Length}, {Text::tr("Height"), Quantity::Length}};
 }
 
 std::vector<GestureMeasure::Field> with(std::vector<GestureMeasure::Field> fields,
@@ -95,8 +94,7 @@ template <int axis, bool centre>
 GestureMeasure sideMeasure()
 {
     constexpr double share = centre ? 0.5 : 1;
-    return {{{axis == 0 ? GestureMeasures::tr("Width") : GestureMeasures::tr("Height"),
-              Quantity::Length}},
+    return {{{axis == 0 ? Text::tr("Width") : Text::tr("Height"), Quantity::Length}},
             [](const GestureStart& start, const Point& to) -> Numbers {
                 return {std::abs(to[axis] - start.from[axis]) / share, 0};
             },
@@ -125,8 +123,7 @@ GestureMeasure polar(std::vector<GestureMeasure::Field> fields)
 
 std::vector<GestureMeasure::Field> radius()
 {
-    return {{GestureMeasures::tr("Radius"), Quantity::Length},
-            {GestureMeasures::tr("Angle"), Quantity::Angle}};
+    return {{Text::tr("Radius"), Quantity::Length}, {Text::tr("Angle"), Quantity::Angle}};
 }
 
 using Boxes = std::array<GestureMeasure, 4>;
@@ -154,9 +151,8 @@ const GestureMeasure& sideLength(int axis, Anchor anchor)
 
 const GestureMeasure& lengthAndAngle(Anchor anchor)
 {
-    static const std::vector<GestureMeasure::Field> fields{
-        {GestureMeasures::tr("Length"), Quantity::Length},
-        {GestureMeasures::tr("Angle"), Quantity::Angle}};
+    static const std::vector<GestureMeasure::Field> fields{{Text::tr("Length"), Quantity::Length},
+                                                           {Text::tr("Angle"), Quantity::Angle}};
     static const GestureMeasure fromEnd = polar(fields), fromMiddle = polar<true>(fields);
     return anchor == Anchor::Centre ? fromMiddle : fromEnd;
 }
@@ -170,15 +166,15 @@ const GestureMeasure& radiusAndAngle()
 const GestureMeasure& polygonMeasure()
 {
     static const GestureMeasure measure =
-        polar(with(radius(), {GestureMeasures::tr("Corners"), Quantity::Count}));
+        polar(with(radius(), {Text::tr("Corners"), Quantity::Count}));
     return measure;
 }
 
 const GestureMeasure& starMeasure()
 {
     static const GestureMeasure measure =
-        polar(with(with(radius(), {GestureMeasures::tr("Points"), Quantity::Count}),
-                   {GestureMeasures::tr("Inner"), Quantity::Share, 1}));
+        polar(with(with(radius(), {Text::tr("Points"), Quantity::Count}),
+                   {Text::tr("Inner"), Quantity::Share, 1}));
     return measure;
 }
 
@@ -190,16 +186,14 @@ const GestureMeasure& widthAndHeight(Proportion proportion, Anchor anchor)
 
 const GestureMeasure& widthHeightAndRadius(Proportion proportion, Anchor anchor)
 {
-    static const Boxes boxes =
-        boxMeasures(with(sides(), {GestureMeasures::tr("Radius"), Quantity::Length}));
+    static const Boxes boxes = boxMeasures(with(sides(), {Text::tr("Radius"), Quantity::Length}));
     return chosen(boxes, proportion, anchor);
 }
 
 const GestureMeasure& position()
 {
     static const GestureMeasure measure{
-        {{GestureMeasures::tr("X"), Quantity::Coordinate},
-         {GestureMeasures::tr("Y"), Quantity::Coordinate}},
+        {{Text::tr("X"), Quantity::Coordinate}, {Text::tr("Y"), Quantity::Coordinate}},
         [](const GestureStart& start, const Point& to) -> Numbers {
             return {to.x - start.from.x, to.y - start.from.y};
         },

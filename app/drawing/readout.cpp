@@ -2,34 +2,25 @@
 #include "app/drawing/readout.h"
 
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/document/direction.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
 
 namespace app {
-namespace {
-
-struct ReadoutText {
-    Q_DECLARE_TR_FUNCTIONS(Readout)
-};
-
-} // namespace
-
 QString Readout::number(std::size_t field, const Point& end) const
 {
     const double value = valueOf(field, end);
     const Quantity quantity = gauge_.measure->fields[field].quantity;
     if (quantity == Quantity::Angle)
-        return ReadoutText::tr("%1°").arg(numberText(value, 1));
+        return Text::tr("%1°").arg(numberText(value, 1));
     if (quantity == Quantity::Factor || quantity == Quantity::Share)
-        return ReadoutText::tr("%1 %").arg(numberText(value * 100, 1));
+        return Text::tr("%1 %").arg(numberText(value * 100, 1));
     if (quantity == Quantity::Count)
         return numberText(value, 0);
     if (!std::isfinite(value))
-        return ReadoutText::tr("∞");
+        return Text::tr("∞");
     return lengthText(value, gauge_.scale.unit, gauge_.scale.millimetresPerUnit);
 }
 
@@ -147,12 +138,12 @@ bool Readout::hold(const Entry& entry)
         return hold(number->value);
     if (const auto* repeat = std::get_if<RepeatEntry>(&entry)) {
         if (!gauge_.repeats)
-            return refuse(ReadoutText::tr("There are no copies to repeat here. Type a number."));
+            return refuse(Text::tr("There are no copies to repeat here. Type a number."));
         repeat_ = *repeat;
         return true;
     }
     if (gauge_.measure->points == GestureMeasure::Points::Refused)
-        return refuse(ReadoutText::tr("A point has no meaning here. Type one number."));
+        return refuse(Text::tr("A point has no meaning here. Type one number."));
     if (const auto* point = std::get_if<PointEntry>(&entry))
         return holdPoint(*point);
     return holdPolar(std::get<PolarEntry>(entry));
@@ -162,10 +153,10 @@ bool Readout::hold(double number)
 {
     const GestureMeasure::Field& field = gauge_.measure->fields[active_];
     if (std::abs(number) > field.most)
-        return refuse(ReadoutText::tr("%1 must be from −%2 to %2.")
-                          .arg(field.name, numberText(field.most, 0)));
+        return refuse(
+            Text::tr("%1 must be from −%2 to %2.").arg(field.name, numberText(field.most, 0)));
     if (const auto other = decider())
-        return refuse(ReadoutText::tr("%1 is locked and determines this number. Unlock it first.")
+        return refuse(Text::tr("%1 is locked and determines this number. Unlock it first.")
                           .arg(gauge_.measure->fields[*other].name));
     if (gauge_.measure->equal && !field.kept)
         for (std::size_t i = 0; i < count(); ++i)
@@ -209,7 +200,7 @@ bool Readout::holdPolar(const PolarEntry& entry)
     const bool hasAngle = fields.size() > 1 && fields[1].quantity == Quantity::Angle;
     if (!entry.length && !hasAngle)
         return refuse(
-            ReadoutText::tr("An angle alone has no meaning here. Type a length before it: 30<45."));
+            Text::tr("An angle alone has no meaning here. Type a length before it: 30<45."));
     if (!hasAngle || (entry.length && gauge_.measure->equal)) {
         target_ = gauge_.relativeTo.value_or(gauge_.start.from)
                   + directionOf(entry.angle) * *entry.length;
@@ -271,7 +262,7 @@ bool Readout::take()
 
 bool Readout::refuseZero(std::size_t field)
 {
-    return refuse(ReadoutText::tr("%1 must not be 0.").arg(gauge_.measure->fields[field].name));
+    return refuse(Text::tr("%1 must not be 0.").arg(gauge_.measure->fields[field].name));
 }
 
 Point Readout::end(const Point& pointer) const

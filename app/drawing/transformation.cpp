@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/drawing/transformation.h"
 
+#include "app/base/text.h"
 #include "app/drawing/transformation_measures.h"
-
-#include <QCoreApplication>
 
 #include <array>
 #include <cmath>
 
 namespace app {
 namespace {
-
-struct TransformationText {
-    Q_DECLARE_TR_FUNCTIONS(Transformation)
-};
 
 AffineMap move(const GestureStart& start, const GestureEnd& end, Along, double times)
 {
@@ -43,24 +38,18 @@ AffineMap skew(const GestureStart& start, const GestureEnd& end, Along axis, dou
 std::span<const Transformation> transformations()
 {
     static const std::array all{
-        Transformation{
-            "move", u'G', TransformationText::tr("&Move"), TransformationText::tr("Move selection"),
-            TransformationText::tr("Select what to move first, with the Select tool (V)."),
-            moveMeasure, move, true},
-        Transformation{
-            "rotate", u'O', TransformationText::tr("&Rotate"),
-            TransformationText::tr("Rotate selection"),
-            TransformationText::tr("Select what to rotate first, with the Select tool (V)."),
-            rotationMeasure, rotate},
-        Transformation{
-            "scale", u'K', TransformationText::tr("&Scale"),
-            TransformationText::tr("Scale selection"),
-            TransformationText::tr("Select what to scale first, with the Select tool (V)."),
-            scalingMeasure, scale},
-        Transformation{
-            "skew", u'J', TransformationText::tr("S&kew"), TransformationText::tr("Skew selection"),
-            TransformationText::tr("Select what to skew first, with the Select tool (V)."),
-            skewMeasure, skew},
+        Transformation{"move", u'G', Text::tr("&Move"), Text::tr("Move selection"),
+                       Text::tr("Select what to move first, with the Select tool (V)."),
+                       moveMeasure, move, true},
+        Transformation{"rotate", u'O', Text::tr("&Rotate"), Text::tr("Rotate selection"),
+                       Text::tr("Select what to rotate first, with the Select tool (V)."),
+                       rotationMeasure, rotate},
+        Transformation{"scale", u'K', Text::tr("&Scale"), Text::tr("Scale selection"),
+                       Text::tr("Select what to scale first, with the Select tool (V)."),
+                       scalingMeasure, scale},
+        Transformation{"skew", u'J', Text::tr("S&kew"), Text::tr("Skew selection"),
+                       Text::tr("Select what to skew first, with the Select tool (V)."),
+                       skewMeasure, skew},
     };
     return all;
 }

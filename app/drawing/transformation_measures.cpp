@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/drawing/transformation_measures.h"
 
+#include "app/base/text.h"
 #include "app/document/direction.h"
-#include "app/drawing/translated.h"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -57,9 +57,9 @@ GestureMeasure scalingAlong()
     const auto end = [](const GestureStart& start, const Point& pointer, const Held& held) {
         return held[0] ? start.from + (start.pointer - start.from) * *held[0] : pointer;
     };
-    const QString name = axis == Along::X   ? GestureMeasures::tr("Scale X")
-                         : axis == Along::Y ? GestureMeasures::tr("Scale Y")
-                                            : GestureMeasures::tr("Scale");
+    const QString name = axis == Along::X   ? Text::tr("Scale X")
+                         : axis == Along::Y ? Text::tr("Scale Y")
+                                            : Text::tr("Scale");
     return {{{name, Quantity::Factor}}, values, end, Points::Refused};
 }
 
@@ -103,15 +103,14 @@ GestureMeasure skewAlong(const QString& name)
 
 const GestureMeasure& moveMeasure(Along axis)
 {
-    static const GestureMeasure x = wayAlong<0>(GestureMeasures::tr("X")),
-                                y = wayAlong<1>(GestureMeasures::tr("Y"));
+    static const GestureMeasure x = wayAlong<0>(Text::tr("X")), y = wayAlong<1>(Text::tr("Y"));
     return axis == Along::X ? x : axis == Along::Y ? y : lengthAndAngle();
 }
 
 const GestureMeasure& rotationMeasure(Along)
 {
     static const GestureMeasure measure{
-        {{GestureMeasures::tr("Angle"), Quantity::Angle}},
+        {{Text::tr("Angle"), Quantity::Angle}},
         [](const GestureStart& start, const Point& to) -> Numbers {
             return {angleBetween(start, to), 0};
         },
@@ -135,8 +134,8 @@ const GestureMeasure& scalingMeasure(Along axis)
 
 const GestureMeasure& skewMeasure(Along axis)
 {
-    static const GestureMeasure x = skewAlong<0>(GestureMeasures::tr("Skew X")),
-                                y = skewAlong<1>(GestureMeasures::tr("Skew Y"));
+    static const GestureMeasure x = skewAlong<0>(Text::tr("Skew X")),
+                                y = skewAlong<1>(Text::tr("Skew Y"));
     return axis == Along::Y ? y : x;
 }
 

@@ -2,19 +2,14 @@
 #include "app/drawing/typed_entry.h"
 
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/document/direction.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
 
 namespace app {
 namespace {
-
-struct TypedEntryText {
-    Q_DECLARE_TR_FUNCTIONS(Entry)
-};
 
 constexpr double largestTyped = 1e9; // as in the fields of the panels
 
@@ -26,11 +21,10 @@ public:
     {
         const auto length = typedLength(text, scale_, locale_);
         if (!length)
-            return refuse(
-                TypedEntryText::tr("“%1” is not a length: %2.").arg(text.trimmed(), length.error));
+            return refuse(Text::tr("“%1” is not a length: %2.").arg(text.trimmed(), length.error));
         const double units = fromUnit(*length.value, scale_.unit, scale_.millimetresPerUnit);
         if (!(std::abs(units) <= largestTyped))
-            return refuse(TypedEntryText::tr("“%1” is too large.").arg(text.trimmed()));
+            return refuse(Text::tr("“%1” is too large.").arg(text.trimmed()));
         return units;
     }
     std::optional<double> angle(QString text)
@@ -39,10 +33,9 @@ public:
         text.remove(u'°');
         const auto degrees = plainNumber(text);
         if (!degrees)
-            return refuse(
-                TypedEntryText::tr("“%1” is not an angle: %2.").arg(typed, degrees.error));
+            return refuse(Text::tr("“%1” is not an angle: %2.").arg(typed, degrees.error));
         if (!(std::abs(*degrees.value) <= largestTyped))
-            return refuse(TypedEntryText::tr("“%1” is too large.").arg(typed));
+            return refuse(Text::tr("“%1” is too large.").arg(typed));
         return *degrees.value;
     }
     std::optional<double> factor(QString text)
@@ -51,9 +44,9 @@ public:
         const bool percent = typed.endsWith(u'%');
         const auto factor = plainNumber(text.remove(u'%'));
         if (!factor)
-            return refuse(TypedEntryText::tr("“%1” is not a factor: %2.").arg(typed, factor.error));
+            return refuse(Text::tr("“%1” is not a factor: %2.").arg(typed, factor.error));
         if (!(std::abs(*factor.value) <= largestTyped))
-            return refuse(TypedEntryText::tr("“%1” is too large.").arg(typed));
+            return refuse(Text::tr("“%1” is too large.").arg(typed));
         return *factor.value / (percent ? 100 : 1);
     }
     std::optional<double> count(const QString& text)
@@ -63,8 +56,7 @@ public:
         if (!count || *count.value < least || *count.value > most
             || *count.value != std::floor(*count.value))
             return refuse(
-                TypedEntryText::tr(
-                    "“%1” is not a number of corners: type a whole number from %2 to %3.")
+                Text::tr("“%1” is not a number of corners: type a whole number from %2 to %3.")
                     .arg(text.trimmed(), locale_.toString(least), locale_.toString(most)));
         return *count.value;
     }
@@ -76,8 +68,7 @@ public:
         const double value = share ? *share.value / (percent || *share.value > 1 ? 100 : 1) : 0;
         if (!(value > 0 && value <= 1))
             return refuse(
-                TypedEntryText::tr("“%1” is not a share: type a percentage from 1 to 100.")
-                    .arg(typed));
+                Text::tr("“%1” is not a share: type a percentage from 1 to 100.").arg(typed));
         return value;
     }
     std::optional<double> number(const QString& text, Quantity quantity)
@@ -104,10 +95,10 @@ public:
         bool whole = false;
         const int count = locale_.toInt(text.chopped(1).trimmed(), &whole);
         if (!whole || count < 1 || count > mostCopies) {
-            refuse(TypedEntryText::tr(
-                       "“%1” is not a number of copies: type a whole number from 1 to %2 before "
-                       "the %3.")
-                       .arg(text, locale_.toString(mostCopies), text.right(1)));
+            refuse(
+                Text::tr("“%1” is not a number of copies: type a whole number from 1 to %2 before "
+                         "the %3.")
+                    .arg(text, locale_.toString(mostCopies), text.right(1)));
             return std::nullopt;
         }
         return RepeatEntry{count,
@@ -133,7 +124,7 @@ public:
     {
         const QStringList parts = text.split(separator);
         if (parts.size() != 2) {
-            refuse(TypedEntryText::tr("“%1” is not a point: type two numbers, such as 10%2 20.")
+            refuse(Text::tr("“%1” is not a point: type two numbers, such as 10%2 20.")
                        .arg(text, QString(separator)));
             return std::nullopt;
         }
@@ -156,7 +147,7 @@ private:
     Result<double> plainNumber(const QString& text) const
     {
         if (std::ranges::any_of(text, [](QChar c) { return c.isLetter(); }))
-            return Result<double>::failure(TypedEntryText::tr("type a number without a unit"));
+            return Result<double>::failure(Text::tr("type a number without a unit"));
         return typedLength(text, {}, locale_);
     }
     std::nullopt_t refuse(const QString& sentence)

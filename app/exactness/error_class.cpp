@@ -2,10 +2,9 @@
 #include "app/exactness/error_class.h"
 
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/comparison/ulps.h"
 #include "app/view/sequential_scale.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
@@ -15,10 +14,6 @@
 namespace app {
 
 namespace {
-
-struct Exactness {
-    Q_DECLARE_TR_FUNCTIONS(Exactness)
-};
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
@@ -34,11 +29,11 @@ QString rightText(const Variant& variant, const ErrorCounts& counts)
 {
     const std::size_t wrong = counts.classes.back(), all = counts.all();
     if (wrong == 0 && all == 1)
-        return Exactness::tr("%1 is right about the only visible line").arg(nameOf(variant));
+        return Text::tr("%1 is right about the only visible line").arg(nameOf(variant));
     if (wrong == 0)
-        return Exactness::tr("%1 is right about all %2 visible lines")
+        return Text::tr("%1 is right about all %2 visible lines")
             .arg(nameOf(variant), countText(all));
-    return Exactness::tr("%1 is wrong about %2 of %3 visible lines")
+    return Text::tr("%1 is wrong about %2 of %3 visible lines")
         .arg(nameOf(variant), countText(wrong), countText(all));
 }
 
@@ -49,10 +44,10 @@ QStringList wrongTexts(const ErrorCounts& counts)
         if (count > 0)
             texts << text.arg(countText(count));
     };
-    add(counts.lost, Exactness::tr("%1 lost"));
-    add(counts.invented, Exactness::tr("%1 shown but not visible"));
-    add(counts.notFinite, Exactness::tr("%1 with an end that is not a number"));
-    add(counts.outside, Exactness::tr("%1 with an end outside the window"));
+    add(counts.lost, Text::tr("%1 lost"));
+    add(counts.invented, Text::tr("%1 shown but not visible"));
+    add(counts.notFinite, Text::tr("%1 with an end that is not a number"));
+    add(counts.outside, Text::tr("%1 with an end outside the window"));
     return texts;
 }
 
@@ -60,12 +55,14 @@ QStringList wrongTexts(const ErrorCounts& counts)
 
 std::span<const ErrorClass> errorClasses()
 {
-    using E = Exactness;
-    static const std::array all{
-        ErrorClass{0, E::tr("exact"), false},        ErrorClass{0.5, E::tr("≤ ½ ulp"), false},
-        ErrorClass{1, E::tr("≤ 1 ulp"), false},      ErrorClass{4, E::tr("≤ 4 ulps"), false},
-        ErrorClass{16, E::tr("≤ 16 ulps"), false},   ErrorClass{64, E::tr("≤ 64 ulps"), false},
-        ErrorClass{unlimited, E::tr("more"), false}, ErrorClass{unlimited, E::tr("wrong"), true}};
+    static const std::array all{ErrorClass{0, Text::tr("exact"), false},
+                                ErrorClass{0.5, Text::tr("≤ ½ ulp"), false},
+                                ErrorClass{1, Text::tr("≤ 1 ulp"), false},
+                                ErrorClass{4, Text::tr("≤ 4 ulps"), false},
+                                ErrorClass{16, Text::tr("≤ 16 ulps"), false},
+                                ErrorClass{64, Text::tr("≤ 64 ulps"), false},
+                                ErrorClass{unlimited, Text::tr("more"), false},
+                                ErrorClass{unlimited, Text::tr("wrong"), true}};
     return all;
 }
 
@@ -114,23 +111,23 @@ ErrorCounts counted(const ExactnessResults& results, ErrorUnit errorUnit)
 
 QString errorText(double ulps)
 {
-    return ulps == 1 ? Exactness::tr("1 ulp") : Exactness::tr("%1 ulps").arg(number(ulps));
+    return ulps == 1 ? Text::tr("1 ulp") : Text::tr("%1 ulps").arg(number(ulps));
 }
 
 QString sentence(const Variant& variant, const ErrorCounts& counts, ErrorUnit errorUnit)
 {
     if (counts.all() == 0)
-        return Exactness::tr("Nothing is visible here.");
+        return Text::tr("Nothing is visible here.");
     QString text = rightText(variant, counts);
     if (const QStringList wrong = wrongTexts(counts); !wrong.isEmpty())
-        text += QStringLiteral(": ") + wrong.join(Exactness::tr(", "));
-    text += Exactness::tr(". The worst end is off by %1 of %2")
+        text += QStringLiteral(": ") + wrong.join(Text::tr(", "));
+    text += Text::tr(". The worst end is off by %1 of %2")
                 .arg(errorText(counts.worst), errorUnit == ErrorUnit::Largest
-                                                  ? Exactness::tr("the largest coordinate")
-                                                  : Exactness::tr("its own coordinate"));
+                                                  ? Text::tr("the largest coordinate")
+                                                  : Text::tr("its own coordinate"));
     text += counts.orderMatters == 0
-                ? Exactness::tr("; no result depends on the order of the ends.")
-                : Exactness::tr("; results that depend on the order of the ends: %1.")
+                ? Text::tr("; no result depends on the order of the ends.")
+                : Text::tr("; results that depend on the order of the ends: %1.")
                       .arg(countText(counts.orderMatters));
     return text;
 }
@@ -140,25 +137,24 @@ QString verdictText(const LineExactness& line)
     QStringList texts;
     switch (line.fault) {
     case Fault::Lost:
-        texts << (line.lost == 0 ? Exactness::tr("lost: a point")
-                                 : Exactness::tr("lost: %1").arg(errorText(line.lost)));
+        texts << (line.lost == 0 ? Text::tr("lost: a point")
+                                 : Text::tr("lost: %1").arg(errorText(line.lost)));
         break;
     case Fault::Invented:
-        texts << (line.lost == 0
-                      ? Exactness::tr("shown but not visible: a point")
-                      : Exactness::tr("shown but not visible: %1").arg(errorText(line.lost)));
+        texts << (line.lost == 0 ? Text::tr("shown but not visible: a point")
+                                 : Text::tr("shown but not visible: %1").arg(errorText(line.lost)));
         break;
     case Fault::NotFinite:
-        texts << Exactness::tr("an end is not a number");
+        texts << Text::tr("an end is not a number");
         break;
     case Fault::None:
         break;
     }
     if (line.outside())
-        texts << Exactness::tr("outside the window");
+        texts << Text::tr("outside the window");
     if (line.orderMatters)
-        texts << Exactness::tr("depends on the order of the ends");
-    return texts.isEmpty() ? Exactness::tr("right") : texts.join(Exactness::tr(", "));
+        texts << Text::tr("depends on the order of the ends");
+    return texts.isEmpty() ? Text::tr("right") : texts.join(Text::tr(", "));
 }
 
 } // namespace app

@@ -2,8 +2,7 @@
 #include "app/exactness/exactness_columns.h"
 
 #include "app/base/numbers.h"
-
-#include <QCoreApplication>
+#include "app/base/text.h"
 
 #include <algorithm>
 #include <array>
@@ -13,10 +12,6 @@
 namespace app {
 
 namespace {
-
-struct Rows {
-    Q_DECLARE_TR_FUNCTIONS(Exactness)
-};
 
 template <ErrorUnit errorUnit>
 QString errorCell(const LineExactness& line)
@@ -50,21 +45,21 @@ std::span<const ExactnessColumn> exactnessColumns()
 {
     static const std::array columns{
         ExactnessColumn{
-            Rows::tr("Line"), Rows::tr("The line's number"),
+            Text::tr("Line"), Text::tr("The line's number"),
             [](const LineExactness& line) { return countText(line.source + std::size_t(1)); },
             [](const LineExactness& line) { return double(line.source); }, true},
         ExactnessColumn{
-            Rows::tr("Verdict"),
-            Rows::tr(
+            Text::tr("Verdict"),
+            Text::tr(
                 "What is wrong with the result, and whether it depends on the order of the ends"),
             verdictText, verdictKey, false},
-        ExactnessColumn{Rows::tr("Error"),
-                        Rows::tr("How far the worse end is from the true one, in units in the last "
+        ExactnessColumn{Text::tr("Error"),
+                        Text::tr("How far the worse end is from the true one, in units in the last "
                                  "place of the largest coordinate of line and window (ulps)"),
                         errorCell<ErrorUnit::Largest>, errorKey<ErrorUnit::Largest>, true},
         ExactnessColumn{
-            Rows::tr("Own ulps"),
-            Rows::tr("The same distance in units in the last place of the end's own coordinate"),
+            Text::tr("Own ulps"),
+            Text::tr("The same distance in units in the last place of the end's own coordinate"),
             errorCell<ErrorUnit::Own>, errorKey<ErrorUnit::Own>, true}};
     return columns;
 }

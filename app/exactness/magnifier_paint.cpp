@@ -2,9 +2,9 @@
 #include "app/exactness/magnifier_paint.h"
 
 #include "app/base/number.h"
+#include "app/base/text.h"
 #include "app/exactness/error_class.h"
 
-#include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QLocale>
 #include <QPainter>
@@ -17,10 +17,6 @@
 namespace app {
 
 namespace {
-
-struct Magnifier {
-    Q_DECLARE_TR_FUNCTIONS(Magnifier)
-};
 
 constexpr double roomy = 56;        // initial distance between two numbers in pixels
 constexpr double leastDistance = 5; // pixels; closer numbers are not drawn separately
@@ -84,12 +80,10 @@ public:
     void paintEdges()
     {
         const auto& [min, max] = seen_.window;
-        edge({at(min).x(), area_.top()}, {at(min).x(), area_.bottom()}, Magnifier::tr("left edge"));
-        edge({at(max).x(), area_.top()}, {at(max).x(), area_.bottom()},
-             Magnifier::tr("right edge"));
-        edge({area_.left(), at(min).y()}, {area_.right(), at(min).y()}, Magnifier::tr("top edge"));
-        edge({area_.left(), at(max).y()}, {area_.right(), at(max).y()},
-             Magnifier::tr("bottom edge"));
+        edge({at(min).x(), area_.top()}, {at(min).x(), area_.bottom()}, Text::tr("left edge"));
+        edge({at(max).x(), area_.top()}, {at(max).x(), area_.bottom()}, Text::tr("right edge"));
+        edge({area_.left(), at(min).y()}, {area_.right(), at(min).y()}, Text::tr("top edge"));
+        edge({area_.left(), at(max).y()}, {area_.right(), at(max).y()}, Text::tr("bottom edge"));
     }
 
     void paintLine()
@@ -118,11 +112,11 @@ public:
         painter_.drawLine(left - QPointF(0, 4), left + QPointF(0, 4));
         painter_.drawLine(left + QPointF(shown, -4), left + QPointF(shown, 4));
         const QString size = QLocale().toString(std::max(seen_.ulp.x, seen_.ulp.y) * ulps, 'g', 3);
-        QString text = Magnifier::tr("%1 = %2").arg(errorText(ulps), size);
+        QString text = Text::tr("%1 = %2").arg(errorText(ulps), size);
         if (!latticeSeen)
             text += view_.lattice == Lattice::Double
-                        ? Magnifier::tr("; doubles are too dense here to be drawn one by one")
-                        : Magnifier::tr("; floats are too dense or too sparse here to be drawn");
+                        ? Text::tr("; doubles are too dense here to be drawn one by one")
+                        : Text::tr("; floats are too dense or too sparse here to be drawn");
         painter_.setPen(look_.chart.text);
         painter_.drawText(left + QPointF(0, 20), text);
     }
@@ -136,13 +130,13 @@ public:
             painter_.drawEllipse(exactness, 6, 6);
             painter_.drawLine(exactness - QPointF(10, 0), exactness + QPointF(10, 0));
             painter_.drawLine(exactness - QPointF(0, 10), exactness + QPointF(0, 10));
-            label(exactness + QPointF(labelGap, labelGap + 12), Magnifier::tr("true end"),
+            label(exactness + QPointF(labelGap, labelGap + 12), Text::tr("true end"),
                   look_.chart.text);
             if (seen_.nearest != glm::dvec2{} || !seen_.returned) {
                 const QPointF nearest = at(seen_.nearest);
                 painter_.setPen(QPen(look_.chart.muted, 1.5, Qt::DotLine));
                 painter_.drawRect(QRectF(nearest - QPointF(7, 7), QSizeF(14, 14)));
-                const QString text = Magnifier::tr("nearest double");
+                const QString text = Text::tr("nearest double");
                 label(nearest + QPointF(-labelGap - width(text), labelGap + 12), text,
                       look_.chart.muted);
             }
@@ -275,16 +269,16 @@ void paintMagnified(QPainter& painter, const QRectF& area, const NamedEnd& end,
 QString magnifiedText(const Magnified& seen, const QString& name)
 {
     const auto point = [](const glm::dvec2& p) {
-        return Magnifier::tr("%1; %2", "coordinates").arg(inFull(p.x), inFull(p.y));
+        return Text::tr("%1; %2", "coordinates").arg(inFull(p.x), inFull(p.y));
     };
     if (!seen.exactness)
-        return Magnifier::tr("%1 ends at %2, but nothing of the line is visible.")
+        return Text::tr("%1 ends at %2, but nothing of the line is visible.")
             .arg(name, point(seen.centre));
     if (!seen.returned)
-        return Magnifier::tr("%1 shows nothing; the double nearest to the true end is %2.")
+        return Text::tr("%1 shows nothing; the double nearest to the true end is %2.")
             .arg(name, point(seen.centre));
     const glm::dvec2 off = glm::abs(*seen.exactness);
-    return Magnifier::
+    return Text::
         tr("%1 ends at %2, off by %3 in x and %4 in y. The doubles nearest to the true end are %5.")
             .arg(name, point(seen.centre), errorText(off.x / seen.ulp.x),
                  errorText(off.y / seen.ulp.y), point(seen.centre + seen.nearest));

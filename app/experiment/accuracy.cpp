@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/accuracy.h"
 
+#include "app/base/text.h"
 #include "app/base/turn_progress.h"
 #include "app/comparison/variants.h"
-#include "app/experiment/translated.h"
 
 #include <algorithm>
 #include <cmath>
@@ -117,10 +117,10 @@ Table accuracyTable(std::span<const Accuracy> accuracies, const ExperimentOption
     Table table{
         .names = {"algorithm", "form", "visible", "lost", "shown", "outside", "mean_ulps",
                   "most_ulps"},
-        .title = Experiments::tr("Accuracy against exact arithmetic"),
+        .title = Text::tr("Accuracy against exact arithmetic"),
         .key = QStringLiteral("accuracy"),
         .facts = factsOf(options),
-        .notes = {Experiments::tr(
+        .notes = {Text::tr(
             "Lost: visible lines that the algorithm drops. Shown: invisible lines that it keeps. "
             "Outside: lines with an end that it leaves outside the window. Ulps: how far ends are "
             "off, in units in the last place of the largest coordinate of line and window.")}};

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/analysis.h"
 
+#include "app/base/text.h"
 #include "app/experiment/accuracy.h"
 #include "app/experiment/class_profile.h"
 #include "app/experiment/one_by_one.h"
 #include "app/experiment/operation_profile.h"
-#include "app/experiment/translated.h"
 
 namespace app {
 namespace {
@@ -38,15 +38,13 @@ std::optional<Table> accuracy(const ExperimentOptions& options, Variants variant
 std::vector<Analysis> analyses()
 {
     return {
-        {"classes", Experiments::tr("Times by class"),
-         Experiments::tr(
-             "The cost of lines that are inside, rejected at once, cut, or miss the window."),
+        {"classes", Text::tr("Times by class"),
+         Text::tr("The cost of lines that are inside, rejected at once, cut, or miss the window."),
          classes},
-        {"operations", Experiments::tr("Operations"),
-         Experiments::tr("Comparisons, additions, multiplications and divisions per line."),
-         operations},
-        {"accuracy", Experiments::tr("Accuracy"),
-         Experiments::tr("Lost lines, ends outside the window, and errors of the ends."), accuracy},
+        {"operations", Text::tr("Operations"),
+         Text::tr("Comparisons, additions, multiplications and divisions per line."), operations},
+        {"accuracy", Text::tr("Accuracy"),
+         Text::tr("Lost lines, ends outside the window, and errors of the ends."), accuracy},
     };
 }
 

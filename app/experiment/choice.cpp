@@ -4,8 +4,8 @@
 #include "app/base/duration.h"
 #include "app/base/numbers.h"
 #include "app/base/short_names.h"
+#include "app/base/text.h"
 #include "app/experiment/one_by_one.h"
-#include "app/experiment/translated.h"
 #include "app/scene/compared_window.h"
 #include "app/scene/window_needs.h"
 
@@ -60,19 +60,19 @@ std::vector<Measure> measuresOf(const Choice& choice)
 std::optional<QString> missing(const Choice& choice)
 {
     if (choice.subject.papers.empty() && choice.algorithms.empty())
-        return Experiments::tr("Choose at least one algorithm.");
+        return Text::tr("Choose at least one algorithm.");
     if (choice.forms.empty() || chosenVariants(choice).empty())
         return choice.subject.options.field.shape
-                   ? Experiments::tr("None of these algorithms clips at this window in this form. "
-                                     "Choose “Corrected” or other algorithms.")
-                   : Experiments::tr("None of these algorithms has a published form. Choose "
-                                     "“Corrected” or other algorithms.");
+                   ? Text::tr("None of these algorithms clips at this window in this form. "
+                              "Choose “Corrected” or other algorithms.")
+                   : Text::tr("None of these algorithms has a published form. Choose "
+                              "“Corrected” or other algorithms.");
     if (choice.subject.options.field.shape && choice.order == Order::ByClass)
-        return Experiments::tr("Lines are sorted by class at rectangles only. Choose another "
-                               "order.");
+        return Text::tr("Lines are sorted by class at rectangles only. Choose another "
+                        "order.");
     const std::uint64_t runs = choice.runs.value_or(1), lines = choice.lines.value_or(1);
     if (runs < 1 || runs > mostRuns || lines < 1 || lines > mostLines)
-        return Experiments::tr("Choose 1 to %1 lines and 1 to %2 runs.")
+        return Text::tr("Choose 1 to %1 lines and 1 to %2 runs.")
             .arg(countText(mostLines), countText(mostRuns));
     return std::nullopt;
 }
@@ -83,20 +83,20 @@ std::vector<Subject> subjects()
 {
     const auto papers = paperTables();
     std::vector<Subject> all{
-        {"all", Experiments::tr("Tables 1 and 2 of the paper"),
-         Experiments::tr("The paper's seven algorithms clip one million, then ten million random "
-                         "lines with both ends anywhere in an area of 1,920 × 1,440 units."),
+        {"all", Text::tr("Tables 1 and 2 of the paper"),
+         Text::tr("The paper's seven algorithms clip one million, then ten million random "
+                  "lines with both ends anywhere in an area of 1,920 × 1,440 units."),
          papers}};
     for (const PaperTable& paper : papers)
         all.push_back({paper.key,
-                       Experiments::tr("%1 of the paper").arg(numberOf(paper)),
-                       Experiments::tr("The paper's seven algorithms clip %1 random lines with "
-                                       "both ends anywhere in an area of 1,920 × 1,440 units.")
+                       Text::tr("%1 of the paper").arg(numberOf(paper)),
+                       Text::tr("The paper's seven algorithms clip %1 random lines with "
+                                "both ends anywhere in an area of 1,920 × 1,440 units.")
                            .arg(countText(paper.lines)),
                        {paper}});
     for (const TestScene& scene : testScenes())
         all.push_back({scene.key,
-                       Experiments::tr("Lines: %1").arg(scene.name.toLower()),
+                       Text::tr("Lines: %1").arg(scene.name.toLower()),
                        scene.meaning,
                        {},
                        {.scene = scene}});
@@ -119,14 +119,14 @@ std::shared_ptr<const ShapedWindow> firstShape(const Document& document)
 QString whereText(const Field& field, bool atPage)
 {
     if (field.shape)
-        return Experiments::tr("Its lines: %1. They are clipped at its window: %2. For a larger "
-                               "number of lines they are repeated.")
+        return Text::tr("Its lines: %1. They are clipped at its window: %2. For a larger "
+                        "number of lines they are repeated.")
             .arg(QStringLiteral("%1"), shapeText(field.shape->step()));
-    return atPage ? Experiments::tr("Its lines: %1. They are clipped at its page, because it has "
-                                    "no clip window that is a rectangle or convex. For a larger "
-                                    "number of lines they are repeated.")
-                  : Experiments::tr("Its lines: %1. They are clipped at its window. For a larger "
-                                    "number of lines they are repeated.");
+    return atPage ? Text::tr("Its lines: %1. They are clipped at its page, because it has "
+                             "no clip window that is a rectangle or convex. For a larger "
+                             "number of lines they are repeated.")
+                  : Text::tr("Its lines: %1. They are clipped at its window. For a larger "
+                             "number of lines they are repeated.");
 }
 
 } // namespace
@@ -144,7 +144,7 @@ std::optional<Subject> drawingSubject(const QString& name, const SceneLines& lin
     if (field.shape)
         field.window = field.shape->step().box;
     return Subject{"drawing",
-                   Experiments::tr("Lines of %1").arg(name),
+                   Text::tr("Lines of %1").arg(name),
                    whereText(field, at.isPage).arg(countText(lines.size())),
                    {},
                    {.scene = drawingScene(name, lines), .field = field, .lines = lines.size()}};
@@ -167,8 +167,7 @@ QString leftOutText(const Choice& choice)
     }
     if (!choice.subject.papers.empty() || names.isEmpty())
         return {};
-    return Experiments::tr("Left out, because they have no published form: %1.")
-        .arg(briefListText(names));
+    return Text::tr("Left out, because they have no published form: %1.").arg(briefListText(names));
 }
 
 Result<Plan> planOf(const Choice& choice)
@@ -199,14 +198,14 @@ QString effortText(const Plan& plan, double durationRatio)
     std::uint64_t lines = 0;
     for (const PlannedTrial& trial : plan.trials)
         lines += trial.options.lines * trial.options.runs * trial.variants.size();
-    return Experiments::tr("Run: %1 to clip, about %2.")
+    return Text::tr("Run: %1 to clip, about %2.")
         .arg(linesText(lines), durationText(durationRatio * roughSeconds(plan)));
 }
 
 QString quickEffortText(const Choice& choice, double durationRatio)
 {
     const auto plan = planOf(quick(choice));
-    return plan ? Experiments::tr("Quick run: about %1.")
+    return plan ? Text::tr("Quick run: about %1.")
                       .arg(durationText(durationRatio * roughSeconds(*plan.value)))
                 : QString();
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/circumstances.h"
 
-#include "app/experiment/translated.h"
+#include "app/base/text.h"
 
 #include <QFile>
 #include <QSysInfo>
@@ -28,7 +28,7 @@ QString processor()
     QString name = fromKernel(QStringLiteral("/proc/cpuinfo"), "model name");
     if (name.isEmpty())
         name = QSysInfo::currentCpuArchitecture();
-    return Experiments::tr("%1, %n core(s)", nullptr, QThread::idealThreadCount()).arg(name);
+    return Text::tr("%1, %n core(s)", nullptr, QThread::idealThreadCount()).arg(name);
 }
 
 QString compiler()
@@ -38,7 +38,7 @@ QString compiler()
 #elif defined(__GNUC__)
     return QStringLiteral("GCC " __VERSION__);
 #else
-    return Experiments::tr("unknown");
+    return Text::tr("unknown");
 #endif
 }
 

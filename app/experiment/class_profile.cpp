@@ -2,8 +2,8 @@
 #include "app/experiment/class_profile.h"
 
 #include "app/base/phased_progress.h"
+#include "app/base/text.h"
 #include "app/experiment/one_by_one.h"
-#include "app/experiment/translated.h"
 
 #include <algorithm>
 
@@ -32,24 +32,22 @@ QString mixText(const ClassProfile& profile)
 {
     QStringList parts;
     for (const ClassTimes& one : profile.classes)
-        parts << Experiments::tr("%1 %2 %").arg(words(one.of.lineClass),
-                                                shortPercentText(one.of.share));
+        parts << Text::tr("%1 %2 %").arg(words(one.of.lineClass), shortPercentText(one.of.share));
     return parts.join(QStringLiteral(", "));
 }
 
 QStringList notesOf(const ClassProfile& profile)
 {
     QStringList notes{
-        Experiments::tr(
-            "Lines of one class at a time, median nanoseconds per line. The scene is %1.")
+        Text::tr("Lines of one class at a time, median nanoseconds per line. The scene is %1.")
             .arg(mixText(profile)),
-        Experiments::tr("Weighted: the mean cost of a line of the scene, if each line cost as much "
-                        "as its class does alone. In a mixed scene a line costs more, because the "
-                        "processor cannot predict which class comes next.")};
+        Text::tr("Weighted: the mean cost of a line of the scene, if each line cost as much "
+                 "as its class does alone. In a mixed scene a line costs more, because the "
+                 "processor cannot predict which class comes next.")};
     for (const ClassTimes& one : profile.classes)
         if (!one.of.standIn.isEmpty())
-            notes << Experiments::tr("Lines of class “%1” are too rare in the scene: lines of the "
-                                     "scene “%2” were measured instead.")
+            notes << Text::tr("Lines of class “%1” are too rare in the scene: lines of the "
+                              "scene “%2” were measured instead.")
                          .arg(words(one.of.lineClass), one.of.standIn);
     for (const ClassTimes& one : profile.classes)
         if (const QString batches = batchText(variantsOf(one.record)); !batches.isEmpty()) {
@@ -111,7 +109,7 @@ Table classTable(const ClassProfile& profile)
 {
     Table table{.names = {"algorithm", "form", "inside_ns", "rejected_ns", "cut_ns", "missed_ns",
                           "weighted_ns"},
-                .title = Experiments::tr("Clipping by class of line: nanoseconds per line"),
+                .title = Text::tr("Clipping by class of line: nanoseconds per line"),
                 .key = QStringLiteral("classes"),
                 .notes = notesOf(profile)};
     const auto measured = std::ranges::find_if(

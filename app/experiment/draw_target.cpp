@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/draw_target.h"
 
-#include "app/experiment/translated.h"
+#include "app/base/text.h"
 
 #include <QtMath>
 
@@ -11,8 +11,8 @@ namespace app {
 std::vector<DrawTargetKind> drawTargetKinds()
 {
     return {
-        {"opengl", Experiments::tr("OpenGL"), openGlTarget},
-        {"raster", Experiments::tr("Raster"), [] { return DrawTargetMaker(rasterTarget); }},
+        {"opengl", Text::tr("OpenGL"), openGlTarget},
+        {"raster", Text::tr("Raster"), [] { return DrawTargetMaker(rasterTarget); }},
     };
 }
 

@@ -3,10 +3,10 @@
 
 #include "app/base/checksum.h"
 #include "app/base/random.h"
+#include "app/base/text.h"
 #include "app/base/turn_progress.h"
 #include "app/base/vector_registers.h"
 #include "app/comparison/line_class.h"
-#include "app/experiment/translated.h"
 
 #include <algorithm>
 #include <array>
@@ -202,15 +202,12 @@ Clock drawClock(const ExperimentOptions& options, const DrawTarget& target)
 std::vector<Measure> measures()
 {
     return {
-        {"clip", Experiments::tr("Clipping only"),
-         Experiments::tr("The time of the algorithm itself."),
+        {"clip", Text::tr("Clipping only"), Text::tr("The time of the algorithm itself."),
          [](const Timing& timing) { return timing.clip; }, false},
-        {"draw", Experiments::tr("Drawing only"),
-         Experiments::tr("The time of drawing the visible parts."),
+        {"draw", Text::tr("Drawing only"), Text::tr("The time of drawing the visible parts."),
          [](const Timing& timing) { return timing.draw; }, true},
-        {"total", Experiments::tr("Total"),
-         Experiments::tr(
-             "Generating, clipping and drawing the lines together, as the paper timed them."),
+        {"total", Text::tr("Total"),
+         Text::tr("Generating, clipping and drawing the lines together, as the paper timed them."),
          [](const Timing& timing) {
              std::vector<double> times = timing.generate;
              for (std::size_t i = 0; i < times.size(); ++i)

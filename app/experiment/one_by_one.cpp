@@ -2,8 +2,8 @@
 #include "app/experiment/one_by_one.h"
 
 #include "app/base/latin.h"
+#include "app/base/text.h"
 #include "app/experiment/paper_runs.h"
-#include "app/experiment/translated.h"
 
 #include <algorithm>
 
@@ -79,14 +79,14 @@ QString batchText(std::span<const Variant> variants)
 {
     if (std::ranges::none_of(variants, isExact))
         return {};
-    const QString batches = Experiments::tr(
+    const QString batches = Text::tr(
         "Exact (EX) is timed in batches: it clips many lines at once with the processor's vector "
         "instructions. The other algorithms clip one line after another.");
     return std::ranges::none_of(variants, isOneByOne)
                ? batches
                : batches
-                     + Experiments::tr(" “EX one by one” is the same algorithm, called line "
-                                       "by line.");
+                     + Text::tr(" “EX one by one” is the same algorithm, called line "
+                                "by line.");
 }
 
 } // namespace app

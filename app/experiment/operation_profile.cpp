@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/operation_profile.h"
 
+#include "app/base/text.h"
 #include "app/base/turn_progress.h"
-#include "app/experiment/translated.h"
 
 #include <algorithm>
 #include <numeric>
@@ -96,18 +96,18 @@ Table operationTable(const OperationProfile& profile)
     Table table{
         .names = {"algorithm", "form", "class", "lines_of_class", "comparisons", "additions",
                   "multiplications", "divisions", "all"},
-        .title = Experiments::tr("Operations per line, by class of line"),
+        .title = Text::tr("Operations per line, by class of line"),
         .key = QStringLiteral("operations"),
         .facts = factsOf(profile.options),
-        .notes = {Experiments::tr(
+        .notes = {Text::tr(
             "Additions include subtractions. Negations and operations on bits are not counted.")}};
     for (const VariantOperations& row : profile.rows) {
         for (std::size_t c = 0; c < profile.mix.size(); ++c)
             if (profile.mix[c] > 0)
                 table.rows.push_back(operationRow(row.variant, words(lineClasses[c]),
                                                   profile.mix[c], row.byClass[c]));
-        table.rows.push_back(operationRow(row.variant, Experiments::tr("whole scene"),
-                                          profile.options.lines, row.scene()));
+        table.rows.push_back(
+            operationRow(row.variant, Text::tr("whole scene"), profile.options.lines, row.scene()));
     }
     return table;
 }

@@ -15,7 +15,7 @@ std::vector<std::vector<std::string>> recordsOf(const QString& name)
     QFile file(QStringLiteral(":/paper/%1.csv").arg(name));
     file.open(QIODevice::ReadOnly);
     std::vector<std::vector<std::string>> records;
-    csv::Text text(file);
+    csv::Records text(file);
     for (csv::Record record; text.next(record);)
         records.push_back(record.fields);
     return records;

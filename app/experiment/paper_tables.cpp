@@ -2,9 +2,9 @@
 #include "app/experiment/paper_tables.h"
 
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/experiment/paper_scene.h"
 #include "app/experiment/ranking_text.h"
-#include "app/experiment/translated.h"
 #include "app/formats/rectangle_text.h"
 
 #include <algorithm>
@@ -62,14 +62,14 @@ Table layout(const PaperTable& paper, const Columns& columns)
 {
     const auto summaries = summariesOf(columns);
     const int decimals = decimalsFor(summaries);
-    Table table{.names = QStringList(Experiments::tr("Exec.")) + namesOf(paper), .key = paper.key};
+    Table table{.names = QStringList(Text::tr("Exec.")) + namesOf(paper), .key = paper.key};
     for (std::size_t r = 0; r < columns[0].size(); ++r) {
         QStringList row(QString::number(r + 1));
         for (const auto& column : columns)
             row << QString::number(column[r], 'f', decimals);
         table.rows.push_back(row);
     }
-    QStringList averages(Experiments::tr("Avg:"));
+    QStringList averages(Text::tr("Avg:"));
     for (const Summary& summary : summaries)
         averages << QString::number(summary.mean, 'f', decimals);
     table.rows.push_back(averages);
@@ -81,12 +81,12 @@ Table layout(const PaperTable& paper, const Columns& columns)
 QString linesText(const ExperimentOptions& options)
 {
     const QString count = countText(options.lines), other = otherLinesText(options);
-    return other.isEmpty() ? Experiments::tr("%1 lines").arg(count) : count + u' ' + other;
+    return other.isEmpty() ? Text::tr("%1 lines").arg(count) : count + u' ' + other;
 }
 
 QString titleOf(const PaperTable& paper, const Record& record, const Measure& measure)
 {
-    return Experiments::tr("%1, %2: seconds for %3, algorithms %4")
+    return Text::tr("%1, %2: seconds for %3, algorithms %4")
         .arg(numberOf(paper), measure.name, linesText(record.options),
              wordOf(record.timings.front().variant.form));
 }
@@ -97,7 +97,7 @@ QStringList lossesOf(const PaperTable& paper, const Record& record)
     QStringList sentences;
     for (std::size_t i = 0; i < record.timings.size(); ++i)
         if (const Findings& found = record.timings[i].found; found.lost + found.shown > 0)
-            sentences << Experiments::tr(
+            sentences << Text::tr(
                              "%1 loses %2 of the %3 visible lines and shows invisible lines: %4.")
                              .arg(paper.columns[i].name, countText(found.lost),
                                   countText(found.visible + found.lost - found.shown),
@@ -109,18 +109,15 @@ QString perCent(double number) { return QString::number(number, 'f', 2); }
 
 } // namespace
 
-QString numberOf(const PaperTable& paper)
-{
-    return Experiments::tr("Table %1").arg(paper.key.back());
-}
+QString numberOf(const PaperTable& paper) { return Text::tr("Table %1").arg(paper.key.back()); }
 
 QString otherLinesText(const ExperimentOptions& options)
 {
     if (options.scene.key != testScenes().front().key)
-        return Experiments::tr("lines of the scene “%1”").arg(options.scene.name);
+        return Text::tr("lines of the scene “%1”").arg(options.scene.name);
     const bool same = rectangleText(options.field.space) == rectangleText(paperSpace)
                       && windowText(options.field) == rectangleText(paperWindow);
-    return same ? QString() : Experiments::tr("lines in another space or window");
+    return same ? QString() : Text::tr("lines in another space or window");
 }
 
 QString otherWorkText(const PaperTable& paper, const ExperimentOptions& options,
@@ -129,7 +126,7 @@ QString otherWorkText(const PaperTable& paper, const ExperimentOptions& options,
     if (measure.key == u"total" && options.lines == paper.lines
         && otherLinesText(options).isEmpty())
         return {};
-    return Experiments::tr(
+    return Text::tr(
                "The work differs: the paper timed generating, clipping and drawing %1 random lines "
                "together; our times are “%2” of %3. Compare ranks and ratios, not seconds.")
         .arg(countText(paper.lines), measure.name, linesText(options));
@@ -162,7 +159,7 @@ Table paperLayout(const PaperTable& paper)
         table.rows.back()[qsizetype(c) + 1] =
             QString::number(paper.columns[c].printedAverage, 'f', 3);
     table.key = paper.key + QStringLiteral("-paper");
-    table.title = Experiments::tr("%1 of the paper itself: seconds for %2 lines")
+    table.title = Text::tr("%1 of the paper itself: seconds for %2 lines")
                       .arg(numberOf(paper), countText(paper.lines));
     table.notes << paperPairingText();
     return table;
@@ -175,7 +172,7 @@ Table againstPaper(const PaperTable& paper, const Record& record, const Measure&
     Table table{
         .names = {"algorithm", "paper_s", "ours_s", "paper_rank", "our_rank", "paper_faster",
                   "our_faster", "paper_saves", "our_saves", "paper_letters", "our_letters"},
-        .title = Experiments::tr("Against the paper: %1").arg(titleOf(paper, record, measure)),
+        .title = Text::tr("Against the paper: %1").arg(titleOf(paper, record, measure)),
         .key = QStringLiteral("%1-%2-%3-against-paper")
                    .arg(paper.key, measure.key, wordOf(record.timings.front().variant.form)),
         .facts = factsOf(record),
@@ -196,12 +193,12 @@ Table againstPaper(const PaperTable& paper, const Record& record, const Measure&
     }
     if (const QString other = otherWorkText(paper, record.options, measure); !other.isEmpty())
         table.notes << other;
-    table.notes << Experiments::tr(
+    table.notes << Text::tr(
         "Faster: the difference of the times of the other algorithm and Prop. in per cent of "
         "Prop.'s time, as in the paper. Saves: the same difference in per cent of the other's "
         "time. Both are computed from averages, the paper's as printed. Negative: Prop. is slower.")
-                << Experiments::tr("The paper timed generating, clipping and drawing together: "
-                                   "compare its times with Total.")
+                << Text::tr("The paper timed generating, clipping and drawing together: "
+                            "compare its times with Total.")
                 << rankingNotes(ourRanking) << paperPairingText();
     return table;
 }
@@ -210,7 +207,7 @@ Ranking rankingOf(const PaperTable& paper) { return rankingOf(secondsOf(paper));
 
 QString paperPairingText()
 {
-    return Experiments::tr(
+    return Text::tr(
         "The tests pair the paper's own runs row by row, as if the runs of one row were made in "
         "the same round. That is an assumption: the paper does not say so.");
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/ranking_text.h"
 
-#include "app/experiment/translated.h"
+#include "app/base/text.h"
 
 #include <cmath>
 
@@ -10,7 +10,7 @@ namespace {
 
 QString lettersMeaning()
 {
-    return Experiments::tr("Algorithms that share no letter differ significantly, by 1 % or more.");
+    return Text::tr("Algorithms that share no letter differ significantly, by 1 % or more.");
 }
 
 } // namespace
@@ -54,8 +54,7 @@ QString tooFewRunsText(const Ranking& ranking)
 {
     return ranking.told
                ? QString()
-               : Experiments::tr(
-                     "Too few runs: %3 algorithms need %2 runs, but this experiment has %1.")
+               : Text::tr("Too few runs: %3 algorithms need %2 runs, but this experiment has %1.")
                      .arg(ranking.rounds)
                      .arg(leastRounds(ranking.order.size()))
                      .arg(ranking.order.size());
@@ -68,7 +67,7 @@ QStringList rankingNotes(const Ranking& ranking)
     if (!ranking.told)
         return {tooFewRunsText(ranking)};
     return {lettersMeaning()
-            + Experiments::tr(
+            + Text::tr(
                 " All pairs are tested by the exact two-sided Wilcoxon signed-rank test, paired by "
                 "run, with Holm's correction, at a level of 5 %. The algorithm with the lowest "
                 "median is also tested separately against each other algorithm: if it differs from "
@@ -79,11 +78,11 @@ QStringList ratioNotes(const Ranking& ranking)
 {
     if (ranking.order.size() < 2)
         return {};
-    const QString ratio = Experiments::tr(
-        "Ratio: the ratio to the lowest median, as the median of the ratios run by run.");
+    const QString ratio =
+        Text::tr("Ratio: the ratio to the lowest median, as the median of the ratios run by run.");
     return {ranking.told
                 ? ratio
-                      + Experiments::tr(
+                      + Text::tr(
                           " p: the p-value of the same test against the lowest median alone, with "
                           "Holm's correction. The same runs decide which algorithm has the lowest "
                           "median: with twelve equal algorithms, some p is below 0.05 in about one "
@@ -99,7 +98,7 @@ QString rankingText(const QStringList& names, const Ranking& ranking)
         all << (ranking.told
                     ? QStringLiteral("%1 (%2)").arg(names[qsizetype(i)], lettersText(ranking, i))
                     : names[qsizetype(i)]);
-    return Experiments::tr("From the lowest median to the highest: %1. %2")
+    return Text::tr("From the lowest median to the highest: %1. %2")
         .arg(all.join(QStringLiteral(", ")),
              ranking.told ? lettersMeaning() : tooFewRunsText(ranking));
 }

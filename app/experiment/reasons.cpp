@@ -3,8 +3,8 @@
 
 #include "app/base/numbers.h"
 #include "app/base/short_names.h"
+#include "app/base/text.h"
 #include "app/experiment/ranking_text.h"
-#include "app/experiment/translated.h"
 
 #include <algorithm>
 
@@ -35,8 +35,8 @@ QString unclearText(const std::vector<Variant>& all, const Ranking& ranking)
     if (names.size() < 2)
         return {};
     return (names.size() == 2
-                ? Experiments::tr(" %1 does not differ significantly from it by 1 % or more.")
-                : Experiments::tr(" %1 do not differ significantly from it by 1 % or more."))
+                ? Text::tr(" %1 does not differ significantly from it by 1 % or more.")
+                : Text::tr(" %1 do not differ significantly from it by 1 % or more."))
         .arg(briefListText(names.sliced(1)));
 }
 
@@ -50,14 +50,14 @@ QString classReason(const ClassProfile& profile)
     const auto times = summaries(most->record, measures().front());
     const Ranking ranking = rankingOf(most->record, measures().front());
     const auto of = [&](std::size_t i) {
-        return Experiments::tr("%1 with %2").arg(nameAmong(all, i), timeText(times[i].median));
+        return Text::tr("%1 with %2").arg(nameAmong(all, i), timeText(times[i].median));
     };
     const QString unclear = unclearText(all, ranking);
     return (unclear.isEmpty()
-                ? Experiments::tr("Most lines, %1 %, are of the class “%2”. For this class, the "
-                                  "fastest algorithm is %3; the highest median is that of %4.")
-                : Experiments::tr("Most lines, %1 %, are of the class “%2”. For this class, the "
-                                  "lowest median is that of %3, the highest that of %4."))
+                ? Text::tr("Most lines, %1 %, are of the class “%2”. For this class, the "
+                           "fastest algorithm is %3; the highest median is that of %4.")
+                : Text::tr("Most lines, %1 %, are of the class “%2”. For this class, the "
+                           "lowest median is that of %3, the highest that of %4."))
                .arg(shareText(most->of.share), words(most->of.lineClass), of(ranking.order.front()),
                     of(ranking.order.back()))
            + unclear;
@@ -73,7 +73,7 @@ QString operationReason(const OperationProfile& profile)
     const auto of = [&](auto row) {
         return nameAmong(all, std::size_t(row - profile.rows.begin()));
     };
-    return Experiments::tr(
+    return Text::tr(
                "%1 needs the fewest operations, %2 per line; %3 needs the most, %4. A branch that "
                "the processor mispredicts costs as much as many operations.")
         .arg(of(fewest), numberText(perLine(*fewest), 1), of(most), numberText(perLine(*most), 1));
@@ -87,15 +87,13 @@ QString faultText(const Accuracy& row)
         if (count > 0)
             faults << (count == 1 ? one : many.arg(countText(count)));
     };
-    add(row.lost, Experiments::tr("drops 1 visible line"),
-        Experiments::tr("drops %1 visible lines"));
-    add(row.shown, Experiments::tr("shows 1 line that is not visible"),
-        Experiments::tr("shows %1 lines that are not visible"));
-    add(row.outside, Experiments::tr("leaves an end of 1 line outside the window"),
-        Experiments::tr("leaves ends of %1 lines outside the window"));
-    return faults.isEmpty()
-               ? QString()
-               : Experiments::tr("%1 %2.").arg(shortNameOf(row.variant), listText(faults));
+    add(row.lost, Text::tr("drops 1 visible line"), Text::tr("drops %1 visible lines"));
+    add(row.shown, Text::tr("shows 1 line that is not visible"),
+        Text::tr("shows %1 lines that are not visible"));
+    add(row.outside, Text::tr("leaves an end of 1 line outside the window"),
+        Text::tr("leaves ends of %1 lines outside the window"));
+    return faults.isEmpty() ? QString()
+                            : Text::tr("%1 %2.").arg(shortNameOf(row.variant), listText(faults));
 }
 
 QString accuracyReason(const std::vector<Accuracy>& accuracies)
@@ -104,8 +102,8 @@ QString accuracyReason(const std::vector<Accuracy>& accuracies)
     for (const Accuracy& row : accuracies)
         if (const QString text = faultText(row); !text.isEmpty())
             sentences << text;
-    return sentences.isEmpty() ? Experiments::tr("All algorithms find the same lines as exact "
-                                                 "arithmetic, and no end is outside the window.")
+    return sentences.isEmpty() ? Text::tr("All algorithms find the same lines as exact "
+                                          "arithmetic, and no end is outside the window.")
                                : sentences.join(u' ');
 }
 

@@ -3,10 +3,10 @@
 
 #include "app/base/latin.h"
 #include "app/base/short_names.h"
+#include "app/base/text.h"
 #include "app/experiment/circumstances.h"
 #include "app/experiment/one_by_one.h"
 #include "app/experiment/ranking_text.h"
-#include "app/experiment/translated.h"
 #include "app/formats/rectangle_text.h"
 
 #include <algorithm>
@@ -142,9 +142,9 @@ QString batchText(const Record& record)
     const auto each = medianOf(record, exactOneByOne());
     if (!batch || !each)
         return {};
-    return Experiments::tr("Exact (EX) is timed in batches: it clips many lines at once with the "
-                           "processor's vector instructions and takes %1. Called line by line, "
-                           "like the other algorithms, it takes %2.")
+    return Text::tr("Exact (EX) is timed in batches: it clips many lines at once with the "
+                    "processor's vector instructions and takes %1. Called line by line, "
+                    "like the other algorithms, it takes %2.")
         .arg(timeText(*batch), timeText(*each));
 }
 
@@ -153,7 +153,7 @@ Table timesTable(const Record& record, const Measure& measure)
     Table table{.names = {"algorithm", "form", "rank", "letters", "median_ns", "ratio_fastest",
                           "p_fastest", "spread_ns", "mean_ns", "low_ns", "high_ns", "visible",
                           "lost", "shown", "checksum"},
-                .title = Experiments::tr("%1: nanoseconds per line").arg(measure.name),
+                .title = Text::tr("%1: nanoseconds per line").arg(measure.name),
                 .key = measure.key,
                 .facts = factsOf(record),
                 .notes = {measure.meaning},
@@ -162,12 +162,12 @@ Table timesTable(const Record& record, const Measure& measure)
     const Ranking ranking = rankingOf(record, measure);
     for (std::size_t i = 0; i < times.size(); ++i)
         table.rows.push_back(timingRow(record.timings[i], times[i], ranking, i));
-    table.notes << Experiments::tr(
+    table.notes << Text::tr(
         "Low to high: the 95 % confidence interval of the median. Lost: visible lines that the "
         "algorithm drops. Shown: invisible lines that it keeps.");
     if (record.options.precision == Precision::Single)
-        table.notes << Experiments::tr("In single precision the ends differ by some ulps, so "
-                                       "algorithms that agree may still have different checksums.");
+        table.notes << Text::tr("In single precision the ends differ by some ulps, so "
+                                "algorithms that agree may still have different checksums.");
     if (const QString batches = batchText(variantsOf(record)); !batches.isEmpty())
         table.notes << batches;
     table.notes << rankingNotes(ranking) << ratioNotes(ranking);
@@ -177,7 +177,7 @@ Table timesTable(const Record& record, const Measure& measure)
 Table runsTable(const Record& record, std::span<const Measure> measures)
 {
     Table table{.names = {"algorithm", "form", "measure", "run", "lines", "visible", "seconds"},
-                .title = Experiments::tr("Every run"),
+                .title = Text::tr("Every run"),
                 .key = QStringLiteral("runs"),
                 .facts = factsOf(record)};
     std::erase_if(table.facts, [](const auto& fact) { return fact.first == u"lines"; });

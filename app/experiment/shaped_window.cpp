@@ -3,9 +3,9 @@
 
 #include "app/base/number.h"
 #include "app/base/short_names.h"
+#include "app/base/text.h"
 #include "app/comparison/differences_at.h"
 #include "app/experiment/one_by_one.h"
-#include "app/experiment/translated.h"
 #include "app/formats/rectangle_text.h"
 #include "app/scene/step_clipping.h"
 #include "app/scene/window_needs.h"
@@ -51,8 +51,8 @@ QString refusalOf(const ShapedWindow& window)
 {
     if (needsOf(window.step()) != WindowNeeds::AnyArea)
         return {};
-    return Experiments::tr("Algorithms are timed at rectangles and convex polygons; this window is "
-                           "%1.")
+    return Text::tr("Algorithms are timed at rectangles and convex polygons; this window is "
+                    "%1.")
         .arg(shapeText(window.step()));
 }
 
@@ -79,7 +79,7 @@ QString unableText(const ShapedWindow& window, std::span<const Variant> variants
             names << shortNameOf(one);
     if (names.isEmpty())
         return {};
-    return Experiments::tr("Left out, because they clip at rectangles only: %1.")
+    return Text::tr("Left out, because they clip at rectangles only: %1.")
         .arg(briefListText(names));
 }
 

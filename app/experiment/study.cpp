@@ -2,9 +2,9 @@
 #include "app/experiment/study.h"
 
 #include "app/base/phased_progress.h"
+#include "app/base/text.h"
 #include "app/experiment/class_lines.h"
 #include "app/experiment/one_by_one.h"
-#include "app/experiment/translated.h"
 
 #include <algorithm>
 #include <cmath>
@@ -178,10 +178,10 @@ QString nameOf(const Trial& trial)
     if (!trial.paper)
         return trial.record.options.scene.name;
     const bool published = trial.record.timings.front().variant.form == clipping::Form::Published;
-    const QString name = published ? Experiments::tr("%1, as published").arg(numberOf(*trial.paper))
-                                   : Experiments::tr("%1, corrected").arg(numberOf(*trial.paper)),
+    const QString name = published ? Text::tr("%1, as published").arg(numberOf(*trial.paper))
+                                   : Text::tr("%1, corrected").arg(numberOf(*trial.paper)),
                   lines = otherLinesText(trial.record.options);
-    return lines.isEmpty() ? name : Experiments::tr("%1, with %2").arg(name, lines);
+    return lines.isEmpty() ? name : Text::tr("%1, with %2").arg(name, lines);
 }
 
 std::vector<Table> tablesOf(const Trial& trial, const Measure& measure, Against against)
@@ -232,7 +232,7 @@ std::vector<Table> tablesOf(const Study& study)
 Table circumstancesTable(const Study& study)
 {
     Table table{.names = {"what", "value"},
-                .title = Experiments::tr("Circumstances"),
+                .title = Text::tr("Circumstances"),
                 .key = QStringLiteral("circumstances")};
     Facts facts;
     for (const Trial& trial : study.trials)

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/test_scene.h"
 
+#include "app/base/text.h"
 #include "app/comparison/line_class.h"
 #include "app/formats/rectangle_text.h"
-
-#include <QCoreApplication>
 
 #include <glm/common.hpp>
 
@@ -19,10 +18,6 @@ namespace {
 
 using clipping::Segment;
 using clipping::Window;
-
-struct Scenes {
-    Q_DECLARE_TR_FUNCTIONS(Scenes)
-};
 
 glm::dvec2 direction(Random& random)
 {
@@ -221,21 +216,21 @@ bool hasRoom(const Field& field)
 std::vector<TestScene> testScenes()
 {
     return {
-        {"paper", Scenes::tr("The paper's"),
-         Scenes::tr("Both ends anywhere in the space, as in the paper."), beginPaper, 0, true},
-        {"inside", Scenes::tr("Inside"), Scenes::tr("Both ends inside the window."),
+        {"paper", Text::tr("The paper's"),
+         Text::tr("Both ends anywhere in the space, as in the paper."), beginPaper, 0, true},
+        {"inside", Text::tr("Inside"), Text::tr("Both ends inside the window."),
          begin<inside, liesInside>},
-        {"rejected", Scenes::tr("Rejected"), Scenes::tr("Both ends beyond one side of the window."),
+        {"rejected", Text::tr("Rejected"), Text::tr("Both ends beyond one side of the window."),
          begin<rejected, isRejected>},
-        {"crossing", Scenes::tr("Crossing"),
-         Scenes::tr("Both ends outside, with a visible part between them."),
+        {"crossing", Text::tr("Crossing"),
+         Text::tr("Both ends outside, with a visible part between them."),
          begin<crossing, isCrossing, across>},
-        {"near-miss", Scenes::tr("Near miss"),
-         Scenes::tr("Lines that pass a corner of the window at a distance of a billionth to a "
-                    "tenth of the window's size."),
+        {"near-miss", Text::tr("Near miss"),
+         Text::tr("Lines that pass a corner of the window at a distance of a billionth to a "
+                  "tenth of the window's size."),
          begin<nearMiss, isMissing, roundCorner>},
-        {"long", Scenes::tr("Long"),
-         Scenes::tr(
+        {"long", Text::tr("Long"),
+         Text::tr(
              "Lines through or past the window, a thousand times as long as the space is wide."),
          begin<longLine, isAnything>, 0, true},
     };
@@ -253,7 +248,7 @@ TestScene drawingScene(const QString& name, const SceneLines& lines)
 {
     assert(lines.size() > 0);
     const auto begin = [lines](const Field&, std::uint64_t) { return Repeated(lines); };
-    return {"drawing", name,         Scenes::tr("The lines of a drawing, in the drawing's order."),
+    return {"drawing", name,         Text::tr("The lines of a drawing, in the drawing's order."),
             begin,     lines.size(), true};
 }
 

@@ -4,10 +4,10 @@
 #include "app/base/latin.h"
 #include "app/base/numbers.h"
 #include "app/base/short_names.h"
+#include "app/base/text.h"
 #include "app/experiment/one_by_one.h"
 #include "app/experiment/paper_tables.h"
 #include "app/experiment/ranking_text.h"
-#include "app/experiment/translated.h"
 
 #include <algorithm>
 
@@ -21,10 +21,10 @@ QString longName(const Record& record, std::size_t i)
 {
     const QString name = latin(record.timings[i].variant.algorithm->name);
     const QString brief = shortName(record, i);
-    return brief.startsWith(name) ? brief : Experiments::tr("%1 (%2)").arg(name, brief);
+    return brief.startsWith(name) ? brief : Text::tr("%1 (%2)").arg(name, brief);
 }
 
-QString timesText(double ratio) { return Experiments::tr("%1 times").arg(numberText(ratio, 2)); }
+QString timesText(double ratio) { return Text::tr("%1 times").arg(numberText(ratio, 2)); }
 
 /// The results by one measure, with their ranking.
 struct RankedResults {
@@ -44,7 +44,7 @@ QString rangeText(const std::vector<Summary>& times, const std::vector<std::size
 {
     const double low = times[some.front()].median, high = times[some.back()].median;
     const QString least = numberText(low, high < 100 ? 2 : 0), most = timeText(high);
-    return most.startsWith(least + u' ') ? most : Experiments::tr("%1 to %2").arg(least, most);
+    return most.startsWith(least + u' ') ? most : Text::tr("%1 to %2").arg(least, most);
 }
 
 /// "; CB, the slowest, takes 2.36 times as long": only if it is significantly slower.
@@ -53,15 +53,14 @@ QString slowestText(const RankedResults& told)
     const std::size_t last = told.ranking.order.back();
     if (told.ranking.againstLowest(last).outcome != Outcome::Different)
         return {};
-    return (told.ranking.ranks[last]
-                ? Experiments::tr("; %1, the slowest, takes %2 as long")
-                : Experiments::tr("; %1, the slowest by median, takes %2 as long"))
+    return (told.ranking.ranks[last] ? Text::tr("; %1, the slowest, takes %2 as long")
+                                     : Text::tr("; %1, the slowest by median, takes %2 as long"))
         .arg(shortName(told.record, last), timesText(told.ranking.fastest[last].ratio));
 }
 
 QString leaderName(const Record& record, std::size_t i)
 {
-    return losesLines(record, i) ? Experiments::tr("%1 (loses lines)").arg(shortName(record, i))
+    return losesLines(record, i) ? Text::tr("%1 (loses lines)").arg(shortName(record, i))
                                  : shortName(record, i);
 }
 
@@ -69,7 +68,7 @@ QString leaderName(const Record& record, std::size_t i)
 QString testedName(const RankedResults& told, std::size_t i)
 {
     const PairTest& test = told.ranking.againstLowest(i);
-    return Experiments::tr("%1 (%2 times as long, p = %3)")
+    return Text::tr("%1 (%2 times as long, p = %3)")
         .arg(leaderName(told.record, i), numberText(test.ratio, 3), pText(test.p));
 }
 
@@ -89,12 +88,11 @@ QString outcomeText(const RankedResults& told, Outcome outcome)
     if (names.isEmpty())
         return {};
     const bool one = names.size() == 1;
-    const QString text =
-        outcome == Outcome::PracticallyEqual
-            ? one ? Experiments::tr(" %1 is practically equal: less than 1 % apart.")
-                  : Experiments::tr(" %1 are practically equal: less than 1 % apart.")
-        : one ? Experiments::tr(" %1 does not differ significantly from it.")
-              : Experiments::tr(" %1 do not differ significantly from it.");
+    const QString text = outcome == Outcome::PracticallyEqual
+                             ? one ? Text::tr(" %1 is practically equal: less than 1 % apart.")
+                                   : Text::tr(" %1 are practically equal: less than 1 % apart.")
+                         : one ? Text::tr(" %1 does not differ significantly from it.")
+                               : Text::tr(" %1 do not differ significantly from it.");
     return text.arg(briefListText(names));
 }
 
@@ -104,7 +102,7 @@ QString nextText(const RankedResults& told)
     if (told.ranking.order.size() < 3)
         return {};
     const std::size_t next = told.ranking.order[1];
-    return Experiments::tr(" The next, %1, takes %2 as long (p = %3).")
+    return Text::tr(" The next, %1, takes %2 as long (p = %3).")
         .arg(shortName(told.record, next), timesText(told.ranking.fastest[next].ratio),
              pText(told.ranking.fastest[next].p));
 }
@@ -115,24 +113,23 @@ QString leaderSentence(const RankedResults& told)
     const std::size_t lowest = told.lowest();
     const QString name = longName(record, lowest), time = timeText(times[lowest].median);
     if (times.size() == 1)
-        return Experiments::tr("%1: %2 takes %3.").arg(measure.name, name, time);
+        return Text::tr("%1: %2 takes %3.").arg(measure.name, name, time);
     if (!ranking.told)
-        return Experiments::tr("%1: %2 has the lowest median, %3. %4")
+        return Text::tr("%1: %2 has the lowest median, %3. %4")
             .arg(measure.name, name, time, tooFewRunsText(ranking));
     const auto leaders = ranking.leaders();
     if (leaders.size() == 1)
         return (losesLines(record, lowest)
-                    ? Experiments::tr("%1: %2 is the fastest with %3, but it loses lines%4.")
-                    : Experiments::tr("%1: %2 is the fastest with %3%4."))
+                    ? Text::tr("%1: %2 is the fastest with %3, but it loses lines%4.")
+                    : Text::tr("%1: %2 is the fastest with %3%4."))
                    .arg(measure.name, name, time, slowestText(told))
                + nextText(told);
     if (ranking.groups.size() == 1)
-        return Experiments::tr(
-                   "%1: no significant difference of 1 % or more; all algorithms take %2.")
+        return Text::tr("%1: no significant difference of 1 % or more; all algorithms take %2.")
             .arg(measure.name, rangeText(times, ranking.order));
     return (losesLines(record, lowest)
-                ? Experiments::tr("%1: %2 has the lowest median, %3, but it loses lines%4.")
-                : Experiments::tr("%1: %2 has the lowest median, %3%4."))
+                ? Text::tr("%1: %2 has the lowest median, %3, but it loses lines%4.")
+                : Text::tr("%1: %2 has the lowest median, %3%4."))
                .arg(measure.name, name, time, slowestText(told))
            + outcomeText(told, Outcome::NotSignificant)
            + outcomeText(told, Outcome::PracticallyEqual);
@@ -144,37 +141,37 @@ QString proposedText(const RankedResults& told)
     const auto leaders = told.ranking.leaders();
     const QString name = longName(told.record, proposed);
     if (std::ranges::find(leaders, proposed) == leaders.end())
-        return Experiments::tr("its own method, %1, takes %2 as long as the fastest")
+        return Text::tr("its own method, %1, takes %2 as long as the fastest")
             .arg(name, timesText(told.ranking.fastest[proposed].ratio));
     return (leaders.size() == 1
-                ? Experiments::tr("its own method, %1, is the fastest")
-                : Experiments::tr("its own method, %1, does not differ significantly by 1 % "
-                                  "or more from the lowest median"))
+                ? Text::tr("its own method, %1, is the fastest")
+                : Text::tr("its own method, %1, does not differ significantly by 1 % "
+                           "or more from the lowest median"))
         .arg(name);
 }
 
 QString rankingSentence(const Trial& trial, const RankedResults& told)
 {
     if (!told.ranking.told)
-        return Experiments::tr("So the paper's ranking can be neither confirmed nor refuted.");
+        return Text::tr("So the paper's ranking can be neither confirmed nor refuted.");
     const auto check = rankingCheck(*trial.paper, trial.record, told.measure);
     const QString own = proposedText(told);
     const QString pairs = countText(check.same + check.reversed + check.undecided),
                   undecided = countText(check.undecided);
     if (check.same + check.reversed == 0)
-        return Experiments::tr("The paper's ranking can be neither confirmed nor refuted: none of "
-                               "the %1 pairs differs significantly by 1 % or more.")
+        return Text::tr("The paper's ranking can be neither confirmed nor refuted: none of "
+                        "the %1 pairs differs significantly by 1 % or more.")
             .arg(pairs);
     if (check.reversed > 0)
-        return Experiments::tr(
+        return Text::tr(
                    "The paper's ranking does not hold: %1, and %2 of %3 pairs have the opposite "
                    "order (%4 have the same order, %5 do not differ significantly by 1 % or more).")
             .arg(own, countText(check.reversed), pairs, countText(check.same), undecided);
     if (check.holds())
-        return Experiments::tr("The paper's ranking holds: %1, and all %2 pairs have the same "
-                               "order as in the paper.")
+        return Text::tr("The paper's ranking holds: %1, and all %2 pairs have the same "
+                        "order as in the paper.")
             .arg(own, pairs);
-    return Experiments::tr(
+    return Text::tr(
                "Nothing contradicts the paper's ranking: %1, %2 of %3 pairs have the same order as "
                "in the paper, and %4 do not differ significantly by 1 % or more.")
         .arg(own, countText(check.same), pairs, undecided);
@@ -188,19 +185,17 @@ QStringList paperSentences(const Trial& trial)
     const auto leaders = rankingOf(*trial.paper).leaders();
     const auto& fastest = trial.paper->columns[leaders.front()];
     sentences << (leaders.size() == 1
-                      ? Experiments::tr(
-                            "By the same tests, the fastest algorithm in the paper's own "
-                            "runs is %1, assuming that they are paired row by row.")
+                      ? Text::tr("By the same tests, the fastest algorithm in the paper's own "
+                                 "runs is %1, assuming that they are paired row by row.")
                             .arg(shortNameOf({fastest.algorithm, clipping::Form::Corrected}))
-                      : Experiments::tr(
+                      : Text::tr(
                           "By the same tests, the paper's own runs do not tell which algorithm is "
                           "the fastest, assuming that they are paired row by row."));
     if (!otherLinesText(options).isEmpty())
-        sentences << Experiments::tr(
-                         "The paper clipped other lines: %1 random lines. These are %2.")
+        sentences << Text::tr("The paper clipped other lines: %1 random lines. These are %2.")
                          .arg(countText(trial.paper->lines), otherLinesText(options));
     else if (options.lines != trial.paper->lines)
-        sentences << Experiments::tr("The paper clipped %1 lines, not %2.")
+        sentences << Text::tr("The paper clipped %1 lines, not %2.")
                          .arg(countText(trial.paper->lines), countText(options.lines));
     return sentences;
 }
@@ -213,21 +208,20 @@ QStringList lossSentences(const Record& record)
         const QString name = shortNameOf(record.timings[i].variant);
         const QString visible = countText(found.visible + found.lost - found.shown);
         if (found.lost > 0)
-            sentences << Experiments::tr("%1 loses %2 of the %3 visible lines.")
+            sentences << Text::tr("%1 loses %2 of the %3 visible lines.")
                              .arg(name, countText(found.lost), visible);
         if (found.shown > 0)
             sentences << (found.shown == 1
-                              ? Experiments::tr("%1 shows 1 line that is not visible.").arg(name)
-                              : Experiments::tr("%1 shows %2 lines that are not visible.")
+                              ? Text::tr("%1 shows 1 line that is not visible.").arg(name)
+                              : Text::tr("%1 shows %2 lines that are not visible.")
                                     .arg(name, countText(found.shown)));
     }
     const std::size_t visible = record.timings.front().found.visible;
     if (sentences.isEmpty())
-        sentences << (visible == 0 ? Experiments::tr("All algorithms find that no line is visible.")
-                      : visible == 1
-                          ? Experiments::tr("All algorithms find the same visible line.")
-                          : Experiments::tr("All algorithms find the same %1 visible lines.")
-                                .arg(countText(visible)));
+        sentences << (visible == 0   ? Text::tr("All algorithms find that no line is visible.")
+                      : visible == 1 ? Text::tr("All algorithms find the same visible line.")
+                                     : Text::tr("All algorithms find the same %1 visible lines.")
+                                           .arg(countText(visible)));
     return sentences;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/replace_file.h"
+#include "app/base/text.h"
 #include "app/formats/format.h"
 #include "app/formats/read_open_file.h"
 
-#include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
 
@@ -63,15 +63,13 @@ bool Imported::lossy() const
 Result<Imported> readFile(const QString& path, const Format* format)
 {
     const auto failure = [&](const QString& why) {
-        return Result<Imported>::failure(
-            QCoreApplication::translate("formats", "Cannot open %1: %2").arg(path, why));
+        return Result<Imported>::failure(Text::tr("Cannot open %1: %2").arg(path, why));
     };
     if (const auto fault = faultToOpen(path))
         return failure(*fault);
     format = format ? format : formatToRead(path);
     if (!format || !format->read)
-        return failure(QCoreApplication::translate(
-                           "formats", "Clearcut does not read this type of file. It reads %1.")
+        return failure(Text::tr("Clearcut does not read this type of file. It reads %1.")
                            .arg(typesWith(&Format::read)));
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
@@ -80,8 +78,8 @@ Result<Imported> readFile(const QString& path, const Format* format)
         Result<Imported> result = readOpenFile(file, *format);
         return result ? std::move(result) : failure(result.error);
     } catch (const std::bad_alloc&) {
-        return failure(QCoreApplication::translate(
-            "formats", "there is not enough memory. Close other programs, or split the file."));
+        return failure(
+            Text::tr("there is not enough memory. Close other programs, or split the file."));
     }
 }
 
@@ -89,17 +87,16 @@ std::optional<QString> writeFile(const Document& document, const QString& path,
                                  const WriteOptions& options, const Format* format)
 {
     const auto failure = [&](const QString& why) {
-        return QCoreApplication::translate("formats", "Cannot write %1: %2").arg(path, why);
+        return Text::tr("Cannot write %1: %2").arg(path, why);
     };
     format = format ? format : formatOfFile(path);
     if (!format || !format->write)
-        return failure(QCoreApplication::translate(
-                           "formats", "Clearcut does not write this type of file. It writes %1.")
+        return failure(Text::tr("Clearcut does not write this type of file. It writes %1.")
                            .arg(typesWith(&Format::write)));
     const auto error = replaceFile(path, [&](QIODevice& out) {
         auto wrong = format->write(document, out, options);
         if (!wrong && options.stop.stop_requested())
-            wrong = QCoreApplication::translate("formats", "it was cancelled.");
+            wrong = Text::tr("it was cancelled.");
         return wrong;
     });
     return error ? std::optional(failure(*error)) : std::nullopt;

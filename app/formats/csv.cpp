@@ -1,23 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/formats/csv/reader.h"
 #include "app/formats/csv/writer.h"
-
-#include <QCoreApplication>
 
 namespace app {
 
 Format csvFormat()
 {
-    return {
-        "csv",
-        QCoreApplication::translate("formats", "Lines as a table"),
-        csv::read,
-        csv::write,
-        Holds::SeparateLines,
-        StoresHidden::No,
-        QCoreApplication::translate("formats", "%1 lines; %2 layers (further layers become one)")
-            .arg(countText(csv::mostRows), countText(Containers::mostLayers))};
+    return {"csv",
+            Text::tr("Lines as a table"),
+            csv::read,
+            csv::write,
+            Holds::SeparateLines,
+            StoresHidden::No,
+            Text::tr("%1 lines; %2 layers (further layers become one)")
+                .arg(countText(csv::mostRows), countText(Containers::mostLayers))};
 }
 
 } // namespace app

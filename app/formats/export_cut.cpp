@@ -2,11 +2,10 @@
 #include "app/formats/export_cut.h"
 
 #include "app/base/phased_progress.h"
+#include "app/base/text.h"
 #include "app/document/flattened.h"
 #include "app/document/hidden_objects.h"
 #include "app/formats/format.h"
-
-#include <QCoreApplication>
 
 namespace app {
 
@@ -14,8 +13,6 @@ namespace {
 
 constexpr double exportDpi = 300;                      // of exported pictures
 constexpr double cuttingWeight = 4, writingWeight = 1; // for the progress
-
-QString tr(const char* text) { return QCoreApplication::translate("Export", text); }
 
 // Separate lines are cut as lines, so that each of them is inside the window.
 std::optional<QString> cutAndWrite(const Document& document, CutOptions options,
@@ -54,8 +51,9 @@ CutExport exportCut(const Document& document, const CutOptions& options, const Q
     CutCounts counts;
     const auto write = [&] { return cutAndWrite(document, options, path, follower, counts); };
     const QString outOfMemory =
-        tr("Cannot export %1: there is not enough memory. Close other programs, or export a part "
-           "of the drawing.")
+        Text::tr(
+            "Cannot export %1: there is not enough memory. Close other programs, or export a part "
+            "of the drawing.")
             .arg(path);
     return {resultOf(write, follower.stop, outOfMemory), counts};
 }

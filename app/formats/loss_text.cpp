@@ -2,26 +2,21 @@
 #include "app/formats/loss_text.h"
 
 #include "app/base/numbers.h"
-
-#include <QCoreApplication>
+#include "app/base/text.h"
 
 namespace app {
 
 namespace {
 
-struct Losses {
-    Q_DECLARE_TR_FUNCTIONS(losses)
-};
-
 QString counted(const Loss& loss)
 {
-    return Losses::tr("%1 %2").arg(countText(std::size_t(loss.count)), loss.what);
+    return Text::tr("%1 %2").arg(countText(std::size_t(loss.count)), loss.what);
 }
 
 QString withPlace(const Loss& loss)
 {
     const QString place = whereText(loss);
-    return place.isEmpty() ? counted(loss) : Losses::tr("%1 (%2)").arg(counted(loss), place);
+    return place.isEmpty() ? counted(loss) : Text::tr("%1 (%2)").arg(counted(loss), place);
 }
 
 } // namespace
@@ -36,8 +31,8 @@ QString lossSentence(const std::vector<Loss>& report)
         return {};
     const QString last = lost.takeLast();
     const QString list =
-        lost.isEmpty() ? last : Losses::tr("%1 and %2").arg(lost.join(Losses::tr(", ")), last);
-    return Losses::tr("%1 cannot be kept.").arg(list);
+        lost.isEmpty() ? last : Text::tr("%1 and %2").arg(lost.join(Text::tr(", ")), last);
+    return Text::tr("%1 cannot be kept.").arg(list);
 }
 
 QStringList lossLines(const std::vector<Loss>& report)
@@ -45,12 +40,12 @@ QStringList lossLines(const std::vector<Loss>& report)
     QStringList lines;
     for (const Loss& loss : report)
         if (!loss.remark)
-            lines << Losses::tr("Lost: %1").arg(withPlace(loss))
+            lines << Text::tr("Lost: %1").arg(withPlace(loss))
                          + (loss.instead.isEmpty() ? QString()
-                                                   : Losses::tr("; %1").arg(loss.instead));
+                                                   : Text::tr("; %1").arg(loss.instead));
     for (const Loss& loss : report)
         if (loss.remark)
-            lines << Losses::tr("Changed: %1").arg(withPlace(loss));
+            lines << Text::tr("Changed: %1").arg(withPlace(loss));
     return lines;
 }
 
@@ -58,8 +53,7 @@ QString whereText(const Loss& loss)
 {
     if (loss.line <= 0)
         return {};
-    return (loss.count == 1 ? Losses::tr("line %1") : Losses::tr("first in line %1"))
-        .arg(loss.line);
+    return (loss.count == 1 ? Text::tr("line %1") : Text::tr("first in line %1")).arg(loss.line);
 }
 
 } // namespace app

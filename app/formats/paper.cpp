@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/paper.h"
 
-#include <QCoreApplication>
+#include "app/base/text.h"
 
 #include <cmath>
 
@@ -33,9 +33,8 @@ std::optional<QString> faultOf(const Page& page)
     if (unit >= smallestUnit && unit <= largestUnit && fits(page.min.x, page.size.x, page.width)
         && fits(page.min.y, page.size.y, page.height))
         return std::nullopt;
-    return QCoreApplication::translate(
-        "formats", "the page is too large or too small to calculate with: its width, height and "
-                   "view box must give a unit between 1e-100 mm and 1e100 mm.");
+    return Text::tr("the page is too large or too small to calculate with: its width, height and "
+                    "view box must give a unit between 1e-100 mm and 1e100 mm.");
 }
 
 } // namespace app

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/formats/pdf/writer.h"
-
-#include <QCoreApplication>
 
 namespace app {
 
-Format pdfFormat()
-{
-    return {"pdf", QCoreApplication::translate("formats", "PDF document"), nullptr, pdf::write};
-}
+Format pdfFormat() { return {"pdf", Text::tr("PDF document"), nullptr, pdf::write}; }
 
 } // namespace app

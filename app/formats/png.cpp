@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/base/write_all.h"
 #include "app/formats/format.h"
 #include "app/formats/paper.h"
@@ -8,7 +9,6 @@
 #include "app/view/summed_object.h"
 
 #include <QBuffer>
-#include <QCoreApplication>
 #include <QImageWriter>
 #include <QPainter>
 
@@ -24,10 +24,6 @@ namespace {
 // QPainter paints nothing on larger images, and they need more than 600 MB.
 constexpr double mostPixelsOfSide = 32'767, mostPixels = 150e6;
 constexpr double millimetresPerInch = 25.4;
-
-struct PngText {
-    Q_DECLARE_TR_FUNCTIONS(formats)
-};
 
 QColor qtColour(const Colour& c) { return {c.red, c.green, c.blue, c.alpha}; }
 
@@ -88,9 +84,9 @@ std::optional<QString> tooLarge(const Point& pixels, const Point& inches)
                                  std::sqrt(mostPixels / inches.x / inches.y));
     constexpr double mostShown = 1e9;
     const auto number = [](double x) {
-        return x <= mostShown ? QString::number(x, 'f', 0) : PngText::tr("more than 1,000,000,000");
+        return x <= mostShown ? QString::number(x, 'f', 0) : Text::tr("more than 1,000,000,000");
     };
-    return PngText::tr(
+    return Text::tr(
                "the picture would have %1 × %2 pixels, but at most %3 pixels a side and %4 in all "
                "are possible. Choose %5 dpi or less.")
         .arg(number(pixels.x), number(pixels.y), number(mostPixelsOfSide), number(mostPixels),
@@ -108,7 +104,7 @@ std::optional<QString> write(const Document& document, QIODevice& out, const Wri
         return sentence;
     QImage image(int(pixels.x), int(pixels.y), QImage::Format_RGB32);
     if (image.isNull())
-        return PngText::tr("there is not enough memory for the picture. Choose fewer dpi.");
+        return Text::tr("there is not enough memory for the picture. Choose fewer dpi.");
     image.fill(Qt::white); // white paper
     const int dotsPerMetre = int(std::lround(options.dpi / millimetresPerInch * 1000));
     image.setDotsPerMeterX(dotsPerMetre);
@@ -125,7 +121,7 @@ std::optional<QString> write(const Document& document, QIODevice& out, const Wri
     QByteArray bytes;
     QBuffer buffer(&bytes);
     if (!QImageWriter(&buffer, "png").write(image))
-        return PngText::tr("there is not enough memory for the picture. Choose fewer dpi.");
+        return Text::tr("there is not enough memory for the picture. Choose fewer dpi.");
     const std::string_view view(bytes.data(), std::size_t(bytes.size()));
     return writeAll(out, view) ? std::nullopt : std::optional(out.errorString() + u'.');
 }
@@ -135,12 +131,12 @@ std::optional<QString> write(const Document& document, QIODevice& out, const Wri
 Format pngFormat()
 {
     return {"png",
-            QCoreApplication::translate("formats", "PNG picture"),
+            Text::tr("PNG picture"),
             nullptr,
             write,
             Holds::Paths,
             StoresHidden::No,
-            QCoreApplication::translate("formats", "%1 pixels a side and %2 in all")
+            Text::tr("%1 pixels a side and %2 in all")
                 .arg(countText(std::size_t(mostPixelsOfSide)), countText(std::size_t(mostPixels)))};
 }
 

@@ -2,8 +2,8 @@
 #include "app/formats/read_open_file.h"
 
 #include "app/base/file_name.h"
+#include "app/base/text.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 
 namespace app {
@@ -14,19 +14,18 @@ Result<Imported> readOpenFile(QFileDevice& file, const Format& format)
     if (file.error() == QFileDevice::NoError)
         return result;
     return Result<Imported>::failure(
-        QCoreApplication::translate("formats", "it cannot be read to its end. %1.")
-            .arg(file.errorString()));
+        Text::tr("it cannot be read to its end. %1.").arg(file.errorString()));
 }
 
 std::optional<QString> faultToOpen(const QString& path)
 {
     const QFileInfo info(path);
     if (info.isDir())
-        return QCoreApplication::translate("formats", "it is a folder. Name a file in it.");
+        return Text::tr("it is a folder. Name a file in it.");
     if (auto fault = faultOfName(path))
         return fault;
     if (!info.exists())
-        return QCoreApplication::translate("formats", "there is no such file.");
+        return Text::tr("there is no such file.");
     return std::nullopt;
 }
 

@@ -1,26 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/reader.h"
 #include "app/formats/svg/writer.h"
-
-#include <QCoreApplication>
 
 namespace app {
 
 Format svgFormat()
 {
-    return {"svg",
-            QCoreApplication::translate("formats", "SVG drawing"),
-            svg::read,
-            svg::write,
-            Holds::Paths,
-            StoresHidden::Yes,
-            QCoreApplication::translate(
-                "formats",
-                "%1 elements, nested %2 deep; %3 points; %4 layers (further layers become one)")
-                .arg(countText(svg::mostElements), countText(svg::deepestNesting),
-                     countText(svg::mostParts), countText(Containers::mostLayers))};
+    return {
+        "svg",
+        Text::tr("SVG drawing"),
+        svg::read,
+        svg::write,
+        Holds::Paths,
+        StoresHidden::Yes,
+        Text::tr("%1 elements, nested %2 deep; %3 points; %4 layers (further layers become one)")
+            .arg(countText(svg::mostElements), countText(svg::deepestNesting),
+                 countText(svg::mostParts), countText(Containers::mostLayers))};
 }
 
 } // namespace app

@@ -2,9 +2,9 @@
 #include "app/hard_cases/case_answer.h"
 
 #include "app/base/finite.h"
+#include "app/base/text.h"
 #include "app/comparison/ulps.h"
 #include "app/comparison/variants.h"
-#include "app/hard_cases/translated.h"
 #include "app/teaching/line_text.h"
 #include "app/teaching/narration.h"
 
@@ -109,32 +109,32 @@ QString words(const CaseAnswer& answer)
 {
     switch (answer.ruling) {
     case Ruling::Right:
-        return HardCases::tr("right");
+        return Text::tr("right");
     case Ruling::Allowed:
-        return HardCases::tr("within the guaranteed %1 ulps").arg(answer.variant.algorithm->ulps);
+        return Text::tr("within the guaranteed %1 ulps").arg(answer.variant.algorithm->ulps);
     case Ruling::Lost:
-        return HardCases::tr("lost");
+        return Text::tr("lost");
     case Ruling::Shown:
-        return HardCases::tr("shown but not visible");
+        return Text::tr("shown but not visible");
     case Ruling::Outside:
-        return HardCases::tr("outside the window by %1").arg(roughText(answer.beyond));
+        return Text::tr("outside the window by %1").arg(roughText(answer.beyond));
     case Ruling::Moved:
-        return HardCases::tr("ends at the wrong place");
+        return Text::tr("ends at the wrong place");
     case Ruling::NotANumber:
-        return HardCases::tr("not a number");
+        return Text::tr("not a number");
     case Ruling::DidNotEnd:
         break;
     }
-    return HardCases::tr("never ends (was stopped)");
+    return Text::tr("never ends (was stopped)");
 }
 
 QString pieceText(const std::optional<Segment>& piece)
 {
     if (!piece)
-        return HardCases::tr("nothing");
+        return Text::tr("nothing");
     if (piece->a == piece->b)
-        return HardCases::tr("the point %1").arg(point(piece->a));
-    return HardCases::tr("%1 to %2").arg(point(piece->a), point(piece->b));
+        return Text::tr("the point %1").arg(point(piece->a));
+    return Text::tr("%1 to %2").arg(point(piece->a), point(piece->b));
 }
 
 } // namespace app

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/hard_cases/case_filter.h"
 
+#include "app/base/text.h"
 #include "app/comparison/variants.h"
-#include "app/hard_cases/translated.h"
 
 #include <QLocale>
 
@@ -13,12 +13,13 @@ namespace app {
 
 namespace {
 
-constexpr std::array kinds{std::pair{Ruling::DidNotEnd, "An algorithm never ends"},
-                           std::pair{Ruling::Lost, "Something visible is lost"},
-                           std::pair{Ruling::Shown, "Something is shown that is not visible"},
-                           std::pair{Ruling::Outside, "An end is outside the window"},
-                           std::pair{Ruling::Moved, "An end is at the wrong place"},
-                           std::pair{Ruling::NotANumber, "An end is not a number"}};
+constexpr std::array kinds{
+    std::pair{Ruling::DidNotEnd, QT_TRANSLATE_NOOP("Text", "An algorithm never ends")},
+    std::pair{Ruling::Lost, QT_TRANSLATE_NOOP("Text", "Something visible is lost")},
+    std::pair{Ruling::Shown, QT_TRANSLATE_NOOP("Text", "Something is shown that is not visible")},
+    std::pair{Ruling::Outside, QT_TRANSLATE_NOOP("Text", "An end is outside the window")},
+    std::pair{Ruling::Moved, QT_TRANSLATE_NOOP("Text", "An end is at the wrong place")},
+    std::pair{Ruling::NotANumber, QT_TRANSLATE_NOOP("Text", "An end is not a number")}};
 
 CaseChoice choice(const QString& name, const CaseFilter& filter)
 {
@@ -52,13 +53,13 @@ std::vector<const HardCase*> casesFor(const CaseFilter& filter)
 
 std::vector<CaseChoice> caseChoices()
 {
-    std::vector<CaseChoice> choices{choice(HardCases::tr("All cases"), {})};
+    std::vector<CaseChoice> choices{choice(Text::tr("All cases"), {})};
     for (const Variant& variant : variants())
         if (variant.form == clipping::Form::Published)
-            choices.push_back(choice(HardCases::tr("%1 fails").arg(nameOf(variant)),
-                                     {.variant = keyOf(variant)}));
+            choices.push_back(
+                choice(Text::tr("%1 fails").arg(nameOf(variant)), {.variant = keyOf(variant)}));
     for (const auto& [fault, name] : kinds)
-        choices.push_back(choice(HardCases::tr(name), {.fault = fault}));
+        choices.push_back(choice(Text::tr(name), {.fault = fault}));
     return choices;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/hard_cases/case_use.h"
 
+#include "app/base/text.h"
 #include "app/document/document_builder.h"
 #include "app/hard_cases/case_answer.h"
-#include "app/hard_cases/translated.h"
 
 #include <glm/common.hpp>
 
@@ -35,15 +35,15 @@ Result<Document> documentOf(const HardCase& hard)
     const auto& [a, b] = hard.line;
     for (const double number : {a.x, a.y, b.x, b.y, min.x, min.y, max.x, max.y})
         if (!std::isfinite(number))
-            return R::failure(HardCases::tr("A drawing cannot hold infinities or NaNs."));
+            return R::failure(Text::tr("A drawing cannot hold infinities or NaNs."));
     if (!(min.x <= max.x && min.y <= max.y))
-        return R::failure(HardCases::tr("A drawing cannot hold an inverted window."));
+        return R::failure(Text::tr("A drawing cannot hold an inverted window."));
     const Point low = glm::min(glm::min(a, b), min), high = glm::max(glm::max(a, b), max);
     const double extent = std::max(high.x - low.x, high.y - low.y);
     if (extent > mostExtent)
-        return R::failure(HardCases::tr("These numbers are too large for a drawing."));
+        return R::failure(Text::tr("These numbers are too large for a drawing."));
     if (extent > 0 && extent < leastExtent)
-        return R::failure(HardCases::tr("These numbers are too small for a drawing."));
+        return R::failure(Text::tr("These numbers are too small for a drawing."));
     const double around = extent > 0 ? extent * 0.1 : 1;
     Page page{.min = low - around, .size = high - low + 2 * around};
     const Point millimetres = page.size * (200 / (extent + 2 * around));

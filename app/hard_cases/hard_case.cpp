@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/hard_cases/hard_case.h"
 
+#include "app/base/text.h"
 #include "app/comparison/variants.h"
-#include "app/hard_cases/translated.h"
 
-#include <QCoreApplication>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -22,8 +21,7 @@ using Numbers = std::array<double, 4>;
 QString translated(const QJsonObject& entry, QLatin1StringView field)
 {
     const QString text = entry[field].toString();
-    return text.isEmpty() ? text
-                          : QCoreApplication::translate("hard cases", text.toUtf8().constData());
+    return text.isEmpty() ? text : Text::tr(text.toUtf8().constData());
 }
 
 /// Four decimal numbers, including "nan" and "inf". The shortest text that reads back is exact.
@@ -96,7 +94,7 @@ Result<std::vector<HardCase>> readHardCases(const QByteArray& json)
     QJsonParseError error;
     const auto document = QJsonDocument::fromJson(json, &error);
     if (!document.isArray())
-        return R::failure(HardCases::tr("The hard cases cannot be read: %1, at byte %2.")
+        return R::failure(Text::tr("The hard cases cannot be read: %1, at byte %2.")
                               .arg(error.errorString())
                               .arg(error.offset));
     std::vector<HardCase> all;
@@ -109,11 +107,10 @@ Result<std::vector<HardCase>> readHardCases(const QByteArray& json)
                       .why = translated(entry, QLatin1StringView("why"))};
         if (hard.key.isEmpty() || hard.title.isEmpty() || hard.origin.isEmpty()
             || hard.why.isEmpty())
-            return R::failure(HardCases::tr("Hard case %1 has no key, title, origin or reason.")
-                                  .arg(all.size() + 1));
-        if (const QString wrong = fill(hard, entry); !wrong.isEmpty())
             return R::failure(
-                HardCases::tr("Hard case %1: “%2” is not right.").arg(hard.key, wrong));
+                Text::tr("Hard case %1 has no key, title, origin or reason.").arg(all.size() + 1));
+        if (const QString wrong = fill(hard, entry); !wrong.isEmpty())
+            return R::failure(Text::tr("Hard case %1: “%2” is not right.").arg(hard.key, wrong));
         all.push_back(std::move(hard));
     }
     return R::of(std::move(all));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/judge/category.h"
 
+#include "app/base/text.h"
 #include "app/experiment/paper_scene.h"
-#include "app/judge/translated.h"
 
 #include <cmath>
 #include <limits>
@@ -263,40 +263,38 @@ std::span<const Category> categories()
 {
     constexpr double usual = Contract{}.ulps;
     static const std::vector<Category> all{
-        {"regions", PlugIn::tr("Region pairs"),
-         PlugIn::tr("Lines from each of the nine regions to each, at two windows."), usual,
+        {"regions", Text::tr("Region pairs"),
+         Text::tr("Lines from each of the nine regions to each, at two windows."), usual,
          regionPairs},
-        {"corners", PlugIn::tr("Corners"),
-         PlugIn::tr("Lines that touch a corner, end in it or pass through it, in whole numbers."),
-         0, corners},
-        {"edges", PlugIn::tr("Edges"),
-         PlugIn::tr("Lines that lie along an edge or end on it, in whole numbers."), 0, edges},
-        {"points", PlugIn::tr("Points"),
-         PlugIn::tr("Lines whose ends are the same point, in whole numbers."), 0, points},
-        {"small-windows", PlugIn::tr("Windows without area"),
-         PlugIn::tr("Windows that are a line or a point, in whole numbers."), 0, smallWindows},
-        {"directions", PlugIn::tr("Both directions"),
-         PlugIn::tr("Each line in both directions, horizontal and vertical lines too."), usual,
+        {"corners", Text::tr("Corners"),
+         Text::tr("Lines that touch a corner, end in it or pass through it, in whole numbers."), 0,
+         corners},
+        {"edges", Text::tr("Edges"),
+         Text::tr("Lines that lie along an edge or end on it, in whole numbers."), 0, edges},
+        {"points", Text::tr("Points"),
+         Text::tr("Lines whose ends are the same point, in whole numbers."), 0, points},
+        {"small-windows", Text::tr("Windows without area"),
+         Text::tr("Windows that are a line or a point, in whole numbers."), 0, smallWindows},
+        {"directions", Text::tr("Both directions"),
+         Text::tr("Each line in both directions, horizontal and vertical lines too."), usual,
          directions},
-        {"near-corners", PlugIn::tr("Near corners"),
-         PlugIn::tr("Lines that pass very near a corner, inside or outside. The corners have one "
-                    "decimal."),
+        {"near-corners", Text::tr("Near corners"),
+         Text::tr("Lines that pass very near a corner, inside or outside. The corners have one "
+                  "decimal."),
          usual, nearCorners},
-        {"sizes", PlugIn::tr("Huge and tiny"),
-         PlugIn::tr(
-             "The same lines 2¹⁰⁰ times as large and as small, and lines with ends far away."),
+        {"sizes", Text::tr("Huge and tiny"),
+         Text::tr("The same lines 2¹⁰⁰ times as large and as small, and lines with ends far away."),
          usual, sizes},
-        {"nonsense", PlugIn::tr("Invalid input"),
-         PlugIn::tr("Infinities, NaNs and inverted windows: nothing is visible."), usual, nonsense},
-        {"random", PlugIn::tr("Random lines"),
-         PlugIn::tr("The paper's scene: both ends anywhere around the window."), usual,
-         randomLines},
-        {"again", PlugIn::tr("Repeated lines"),
-         PlugIn::tr(
+        {"nonsense", Text::tr("Invalid input"),
+         Text::tr("Infinities, NaNs and inverted windows: nothing is visible."), usual, nonsense},
+        {"random", Text::tr("Random lines"),
+         Text::tr("The paper's scene: both ends anywhere around the window."), usual, randomLines},
+        {"again", Text::tr("Repeated lines"),
+         Text::tr(
              "Some of these lines a second time, in another order: the results must not change."),
          usual, again, Asked::Again},
-        {"race", PlugIn::tr("In the race"),
-         PlugIn::tr("Its results while it is timed: no result may change from run to run."), usual,
+        {"race", Text::tr("In the race"),
+         Text::tr("Its results while it is timed: no result may change from run to run."), usual,
          randomLines, Asked::InTheRace},
     };
     return all;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/judge/examination.h"
 
+#include "app/base/text.h"
 #include "app/judge/child.h"
 #include "app/judge/hello.h"
 #include "app/judge/library_file.h"
 #include "app/judge/signal_text.h"
-#include "app/judge/translated.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -27,7 +27,7 @@ constexpr std::size_t mostShown = 8;     ///< findings shown of a category
 QString deathText(const ChildProcess& child)
 {
     return child.crashed() ? signalText(child.exitCode())
-                           : PlugIn::tr("exit code %1").arg(child.exitCode());
+                           : Text::tr("exit code %1").arg(child.exitCode());
 }
 
 /// From the first word of the child.
@@ -159,7 +159,7 @@ Examination::StepResult Examination::open()
     if (news != ChildProcess::WaitResult::Came) {
         unusable(Unusable::Broken, news == ChildProcess::WaitResult::Ended
                                        ? deathText(*child_)
-                                       : PlugIn::tr("it did not end"));
+                                       : Text::tr("it did not end"));
         return StepResult::Over;
     }
     const QString line = QString::fromUtf8(child_->readLine());

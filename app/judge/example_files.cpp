@@ -2,8 +2,8 @@
 #include "app/judge/example_files.h"
 
 #include "app/base/replace_file.h"
+#include "app/base/text.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 
@@ -47,7 +47,7 @@ Result<WrittenExample> writeExample(const QString& folder, Existing existing)
         });
         if (error)
             return Result<WrittenExample>::failure(
-                QCoreApplication::translate("PlugIn", "Cannot write %1: %2").arg(path, *error));
+                Text::tr("Cannot write %1: %2").arg(path, *error));
         all.written << path;
     }
     return Result<WrittenExample>::of(all);

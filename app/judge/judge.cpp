@@ -2,12 +2,12 @@
 #include "app/judge/judge.h"
 
 #include "app/base/phased_progress.h"
+#include "app/base/text.h"
 #include "app/experiment/ranking.h"
 #include "app/judge/child.h"
 #include "app/judge/examination.h"
 #include "app/judge/race_check.h"
 #include "app/judge/signal_text.h"
-#include "app/judge/translated.h"
 
 #include <QFileInfo>
 
@@ -68,17 +68,17 @@ void addEnd(Verdict& verdict, ChildProcess::WaitResult news, const ChildProcess&
         verdict.categories.push_back({.lines = std::size_t(lines), .judged = 1});
     ++verdict.categories.back().wrong;
     ++verdict.byFault[std::size_t(fault)];
-    verdict.raceEnd = stuck             ? PlugIn::tr("it did not go on")
+    verdict.raceEnd = stuck             ? Text::tr("it did not go on")
                       : child.crashed() ? signalText(child.exitCode())
-                                        : PlugIn::tr("exit code %1").arg(child.exitCode());
-    verdict.noTimes = PlugIn::tr("It was not timed: it did not reach the end of the race.");
+                                        : Text::tr("exit code %1").arg(child.exitCode());
+    verdict.noTimes = Text::tr("It was not timed: it did not reach the end of the race.");
 }
 
 /// Sleeping is not a fault, but these lines remain untested.
 void addSleep(Verdict& verdict, std::uint64_t lines)
 {
     verdict.categories.push_back({.lines = std::size_t(lines)});
-    verdict.noTimes = PlugIn::tr("It was not timed, because it slept in the race.");
+    verdict.noTimes = Text::tr("It was not timed, because it slept in the race.");
 }
 
 QStringList raceArguments(const Case& which, std::uint64_t lines)
@@ -121,13 +121,13 @@ ChildProcess::WaitResult follow(ChildProcess& child, Verdict& verdict, const Cas
 bool addTimes(Verdict& verdict, const Case& which, const Follower& follower)
 {
     if (verdict.judged() < verdict.lines() && verdict.wrong() == 0) {
-        verdict.noTimes = PlugIn::tr("It was not timed: it was too slow for the tests.");
+        verdict.noTimes = Text::tr("It was not timed: it was too slow for the tests.");
         return true;
     }
     const auto lines = linesFor(verdict.nanoseconds);
     if (double(lines) < fewestLines) {
         verdict.noTimes =
-            PlugIn::tr("It was not timed: it takes about %1 µs per line, too long for a race.")
+            Text::tr("It was not timed: it takes about %1 µs per line, too long for a race.")
                 .arg(verdict.nanoseconds / 1000, 0, 'f', 0);
         return true;
     }
@@ -167,7 +167,7 @@ std::optional<Verdict> judge(const Case& which, const Follower& follower)
         return verdict;
     if (!isAlive(verdict)) {
         if (!verdict.unusable)
-            verdict.noTimes = PlugIn::tr("It was not timed, because it crashed or did not end.");
+            verdict.noTimes = Text::tr("It was not timed, because it crashed or did not end.");
         return verdict;
     }
     const Follower second = phases.next();

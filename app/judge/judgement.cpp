@@ -2,8 +2,8 @@
 #include "app/judge/judgement.h"
 
 #include "app/base/finite.h"
+#include "app/base/text.h"
 #include "app/comparison/ulps.h"
-#include "app/judge/translated.h"
 #include "clipping/algorithm.h"
 
 #include <algorithm>
@@ -78,29 +78,28 @@ std::optional<Fault> misplaced(const Question& q, const Segment& piece, const Se
 std::span<const FaultInfo> faults()
 {
     static const std::vector<FaultInfo> all{
-        {Fault::Crashed, "crashed", PlugIn::tr("Crash"), PlugIn::tr("crashes"), true},
-        {Fault::DidNotEnd, "did-not-end", PlugIn::tr("Does not end"), PlugIn::tr("does not end"),
-         true},
-        {Fault::LeftProgram, "left-program", PlugIn::tr("Ends the program"),
-         PlugIn::tr("ends the whole program instead of returning"), true},
-        {Fault::WroteBeyond, "wrote-beyond", PlugIn::tr("Writes beyond visible"),
-         PlugIn::tr("writes beside visible[0] to visible[3]"), false},
-        {Fault::Nonsense, "nonsense", PlugIn::tr("Keeps invalid input"),
-         PlugIn::tr("keeps lines where a number is infinite or NaN, or the window is inverted"),
+        {Fault::Crashed, "crashed", Text::tr("Crash"), Text::tr("crashes"), true},
+        {Fault::DidNotEnd, "did-not-end", Text::tr("Does not end"), Text::tr("does not end"), true},
+        {Fault::LeftProgram, "left-program", Text::tr("Ends the program"),
+         Text::tr("ends the whole program instead of returning"), true},
+        {Fault::WroteBeyond, "wrote-beyond", Text::tr("Writes beyond visible"),
+         Text::tr("writes beside visible[0] to visible[3]"), false},
+        {Fault::Nonsense, "nonsense", Text::tr("Keeps invalid input"),
+         Text::tr("keeps lines where a number is infinite or NaN, or the window is inverted"),
          false},
-        {Fault::NotANumber, "not-a-number", PlugIn::tr("Not a number"),
-         PlugIn::tr("returns an end that is infinite, not a number, or was never written"), false},
-        {Fault::Changed, "changed", PlugIn::tr("Changes its result"),
-         PlugIn::tr("returns different results for the same line"), false},
-        {Fault::Lost, "lost", PlugIn::tr("Lost"), PlugIn::tr("loses visible lines"), false},
-        {Fault::Invented, "invented", PlugIn::tr("Shown wrongly"),
-         PlugIn::tr("keeps lines of which nothing is visible"), false},
-        {Fault::Outside, "outside", PlugIn::tr("End outside"),
-         PlugIn::tr("returns ends outside the window"), false},
-        {Fault::Turned, "turned", PlugIn::tr("Wrong direction"),
-         PlugIn::tr("returns pieces in the opposite direction"), false},
-        {Fault::Off, "off", PlugIn::tr("End at the wrong place"),
-         PlugIn::tr("returns ends at the wrong place"), false},
+        {Fault::NotANumber, "not-a-number", Text::tr("Not a number"),
+         Text::tr("returns an end that is infinite, not a number, or was never written"), false},
+        {Fault::Changed, "changed", Text::tr("Changes its result"),
+         Text::tr("returns different results for the same line"), false},
+        {Fault::Lost, "lost", Text::tr("Lost"), Text::tr("loses visible lines"), false},
+        {Fault::Invented, "invented", Text::tr("Shown wrongly"),
+         Text::tr("keeps lines of which nothing is visible"), false},
+        {Fault::Outside, "outside", Text::tr("End outside"),
+         Text::tr("returns ends outside the window"), false},
+        {Fault::Turned, "turned", Text::tr("Wrong direction"),
+         Text::tr("returns pieces in the opposite direction"), false},
+        {Fault::Off, "off", Text::tr("End at the wrong place"),
+         Text::tr("returns ends at the wrong place"), false},
     };
     return all;
 }

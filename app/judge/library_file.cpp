@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/judge/library_file.h"
 
-#include "app/judge/translated.h"
+#include "app/base/text.h"
 
 #include <QDir>
 #include <QFile>
@@ -38,10 +38,10 @@ const std::vector<Source>& sources()
 {
     static const std::vector<Source> all{
         {{"c"},
-         PlugIn::tr("C source code"),
+         Text::tr("C source code"),
          QStringLiteral("cc -std=c99 -O2 -shared -fPIC -o %1 %2 -lm")},
         {{"cpp", "cc", "cxx", "C", "c++"},
-         PlugIn::tr("C++ source code"),
+         Text::tr("C++ source code"),
          QStringLiteral("c++ -std=c++20 -O2 -shared -fPIC -o %1 %2")},
     };
     return all;
@@ -64,7 +64,7 @@ NoLibrary sourceCode(const Source& source, const QFileInfo& file)
     if (!QFileInfo::exists(file.dir().filePath(QStringLiteral("clearcut_algorithm.h"))))
         command = QStringLiteral("clearcut judge --save-example %1 && ").arg(quoted(file.path()))
                   + command;
-    return {PlugIn::tr("%1 is %2: compile it first.").arg(file.filePath(), source.name), command};
+    return {Text::tr("%1 is %2: compile it first.").arg(file.filePath(), source.name), command};
 }
 
 NoLibrary textFile(const QFileInfo& file)
@@ -73,7 +73,7 @@ NoLibrary textFile(const QFileInfo& file)
         if (source.endings.contains(file.suffix()))
             return sourceCode(source, file);
     return {
-        PlugIn::tr(
+        Text::tr(
             "%1 is a text file, not a shared library: give the .so file that your compiler wrote.")
             .arg(file.filePath())};
 }
@@ -85,13 +85,13 @@ std::optional<NoLibrary> elfFile(const QByteArray& head, const QFileInfo& file)
     if (head.size() >= EI_NIDENT + qsizetype(sizeof type))
         std::memcpy(&type, head.constData() + EI_NIDENT, sizeof type);
     if (type == ET_REL)
-        return NoLibrary{PlugIn::tr("%1 is an object file: link it first; it must have been "
-                                    "compiled with -fPIC.")
+        return NoLibrary{Text::tr("%1 is an object file: link it first; it must have been "
+                                  "compiled with -fPIC.")
                              .arg(file.filePath()),
                          commandFor(QStringLiteral("cc -shared -o %1 %2 -lm"), file)};
     if (type == ET_EXEC)
         return NoLibrary{
-            PlugIn::tr("%1 is a program, not a shared library: compile it with -shared -fPIC.")
+            Text::tr("%1 is a program, not a shared library: compile it with -shared -fPIC.")
                 .arg(file.filePath())};
     return std::nullopt;
 }
@@ -106,12 +106,12 @@ std::optional<NoLibrary> whyNoLibrary(const QString& path)
         return std::nullopt;
     const QByteArray head = content.read(4096);
     if (head.isEmpty())
-        return NoLibrary{PlugIn::tr("%1 is empty: compile the library again.").arg(path)};
+        return NoLibrary{Text::tr("%1 is empty: compile the library again.").arg(path)};
     if (head.startsWith(QByteArray(ELFMAG, SELFMAG)))
         return elfFile(head, file);
     if (head.startsWith("!<arch>\n"))
-        return NoLibrary{PlugIn::tr("%1 is a static library (an archive of object files): link a "
-                                    "shared one from the same source with -shared -fPIC.")
+        return NoLibrary{Text::tr("%1 is a static library (an archive of object files): link a "
+                                  "shared one from the same source with -shared -fPIC.")
                              .arg(path)};
     return head.contains('\0') ? std::nullopt : std::optional(textFile(file));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/judge/points.h"
 
-#include "app/judge/translated.h"
+#include "app/base/text.h"
 
 #include <algorithm>
 
@@ -33,13 +33,13 @@ int pointsOf(const CategoryCount& count)
 std::span<const Degree> degrees()
 {
     static const std::vector<Degree> all{
-        {fullPoints, "right", PlugIn::tr("right")},
-        {fullPoints - 1, "nearly", PlugIn::tr("nearly right")},
-        {fullPoints / 2, "mostly", PlugIn::tr("mostly right")},
-        {1, "partly", PlugIn::tr("partly right")},
-        {0, "wrong", PlugIn::tr("wrong")},
-        {unfinished, "unfinished", PlugIn::tr("right so far")},
-        {untested, "untested", PlugIn::tr("not tested")},
+        {fullPoints, "right", Text::tr("right")},
+        {fullPoints - 1, "nearly", Text::tr("nearly right")},
+        {fullPoints / 2, "mostly", Text::tr("mostly right")},
+        {1, "partly", Text::tr("partly right")},
+        {0, "wrong", Text::tr("wrong")},
+        {unfinished, "unfinished", Text::tr("right so far")},
+        {untested, "untested", Text::tr("not tested")},
     };
     return all;
 }

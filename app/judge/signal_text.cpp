@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/judge/signal_text.h"
 
-#include "app/judge/translated.h"
+#include "app/base/text.h"
 
 #include <csignal>
 #include <cstring>
@@ -14,18 +14,18 @@ const std::map<int, QString>& reasons()
 {
     static const std::map<int, QString> all{
         {SIGSEGV,
-         PlugIn::tr("it accessed memory that it does not own, or called itself without end")},
-        {SIGBUS, PlugIn::tr("it accessed memory that does not exist")},
-        {SIGFPE, PlugIn::tr("it divided an integer by zero")},
-        {SIGABRT, PlugIn::tr("it aborted: by abort, a failed assertion or an exception")},
-        {SIGILL, PlugIn::tr("it executed an instruction that this processor does not have")},
-        {SIGXCPU, PlugIn::tr("it used up its time")},
-        {SIGXFSZ, PlugIn::tr("it wrote a file of more than 1 MiB")},
-        {SIGTRAP, PlugIn::tr("it stopped at a breakpoint or a sanitizer's trap")},
-        {SIGPIPE, PlugIn::tr("it wrote to a closed pipe")},
-        {SIGSYS, PlugIn::tr("it made a system call that does not exist")},
-        {SIGALRM, PlugIn::tr("a timer that it set ran out")},
-        {SIGKILL, PlugIn::tr("it was killed, perhaps because memory ran out")},
+         Text::tr("it accessed memory that it does not own, or called itself without end")},
+        {SIGBUS, Text::tr("it accessed memory that does not exist")},
+        {SIGFPE, Text::tr("it divided an integer by zero")},
+        {SIGABRT, Text::tr("it aborted: by abort, a failed assertion or an exception")},
+        {SIGILL, Text::tr("it executed an instruction that this processor does not have")},
+        {SIGXCPU, Text::tr("it used up its time")},
+        {SIGXFSZ, Text::tr("it wrote a file of more than 1 MiB")},
+        {SIGTRAP, Text::tr("it stopped at a breakpoint or a sanitizer's trap")},
+        {SIGPIPE, Text::tr("it wrote to a closed pipe")},
+        {SIGSYS, Text::tr("it made a system call that does not exist")},
+        {SIGALRM, Text::tr("a timer that it set ran out")},
+        {SIGKILL, Text::tr("it was killed, perhaps because memory ran out")},
     };
     return all;
 }
@@ -46,8 +46,8 @@ QString signalName(int signal)
 QString signalText(int signal)
 {
     const auto found = reasons().find(signal);
-    return found != reasons().end() ? PlugIn::tr("%1 (%2)").arg(found->second, signalName(signal))
-                                    : PlugIn::tr("it was ended by %1").arg(signalName(signal));
+    return found != reasons().end() ? Text::tr("%1 (%2)").arg(found->second, signalName(signal))
+                                    : Text::tr("it was ended by %1").arg(signalName(signal));
 }
 
 } // namespace app::plug_in

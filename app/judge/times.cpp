@@ -2,8 +2,8 @@
 #include "app/judge/times.h"
 
 #include "app/base/latin.h"
+#include "app/base/text.h"
 #include "app/experiment/ranking_text.h"
-#include "app/judge/translated.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -64,14 +64,14 @@ Table tableOf(const Times& times, const QString& key, const QString& title,
               const QStringList& names)
 {
     Table table{.names = names, .title = title, .key = key, .facts = times.facts};
-    table.notes << PlugIn::tr("Every algorithm is called line by line through a pointer, as yours "
-                              "is: in experiments they clip many lines at once and take less.");
+    table.notes << Text::tr("Every algorithm is called line by line through a pointer, as yours "
+                            "is: in experiments they clip many lines at once and take less.");
     return table;
 }
 
 QString nameFor(Reader reader, const Contender& one)
 {
-    return reader == Reader::Person && one.key == QLatin1StringView(ownKey) ? PlugIn::tr("▸  Yours")
+    return reader == Reader::Person && one.key == QLatin1StringView(ownKey) ? Text::tr("▸  Yours")
                                                                             : one.key;
 }
 
@@ -136,7 +136,7 @@ double ratioOf(const Times& times, std::size_t to)
 Table raceTable(const Times& times, Reader reader)
 {
     Table table = tableOf(times, QStringLiteral("race"),
-                          PlugIn::tr("Race on the paper's scene: nanoseconds per line"),
+                          Text::tr("Race on the paper's scene: nanoseconds per line"),
                           {"algorithm", "rank", "median_ns", "low_ns", "high_ns", "ratio",
                            "visible", "lost", "shown", "letters"});
     table.late = QStringList{"letters"};
@@ -152,15 +152,14 @@ Table raceTable(const Times& times, Reader reader)
              QString::number(one.found.visible), QString::number(one.found.lost),
              QString::number(one.found.shown), lettersText(ranking, i)});
     }
-    table.notes << PlugIn::tr("Ratio: your median time ÷ its median time.")
-                << rankingNotes(ranking);
+    table.notes << Text::tr("Ratio: your median time ÷ its median time.") << rankingNotes(ranking);
     return table;
 }
 
 Table classTable(const Times& times, Reader reader)
 {
     Table table = tableOf(
-        times, QStringLiteral("classes"), PlugIn::tr("By class of line: nanoseconds per line"),
+        times, QStringLiteral("classes"), Text::tr("By class of line: nanoseconds per line"),
         {"algorithm", "inside_ns", "rejected_ns", "cut_ns", "missed_ns", "weighted_ns"});
     for (const std::size_t i : sortedByMedian(summariesOf(times))) {
         const Contender& one = times.contenders[i];

@@ -5,8 +5,8 @@
 #include "app/base/latin.h"
 #include "app/base/numbers.h"
 #include "app/base/short_names.h"
+#include "app/base/text.h"
 #include "app/judge/points.h"
-#include "app/judge/translated.h"
 
 #include <algorithm>
 #include <numeric>
@@ -27,22 +27,22 @@ QString unusableText(const Verdict& v)
 {
     switch (*v.unusable) {
     case Unusable::NoFile:
-        return PlugIn::tr("There is no file %1: compile the library first.").arg(v.path);
+        return Text::tr("There is no file %1: compile the library first.").arg(v.path);
     case Unusable::NotCompiled:
         return v.more;
     case Unusable::NotLoadable:
-        return PlugIn::tr("%1 cannot be loaded. The loader says: %2.").arg(v.path, v.more);
+        return Text::tr("%1 cannot be loaded. The loader says: %2.").arg(v.path, v.more);
     case Unusable::NoFunction:
-        return PlugIn::tr("%1 has no function clearcut_clip: include clearcut_algorithm.h, and in "
-                          "C++ keep its declaration, which is extern \"C\".")
+        return Text::tr("%1 has no function clearcut_clip: include clearcut_algorithm.h, and in "
+                        "C++ keep its declaration, which is extern \"C\".")
             .arg(v.path);
     case Unusable::OtherVersion:
-        return PlugIn::tr("%1 was made for version %2 of clearcut_algorithm.h, and this is version "
-                          "%3: compile it with the header of this Clearcut.")
+        return Text::tr("%1 was made for version %2 of clearcut_algorithm.h, and this is version "
+                        "%3: compile it with the header of this Clearcut.")
             .arg(v.path, v.more)
             .arg(CLEARCUT_ABI_VERSION);
     case Unusable::Broken:
-        return PlugIn::tr("%1 failed while it was loaded: %2.").arg(v.path, v.more);
+        return Text::tr("%1 failed while it was loaded: %2.").arg(v.path, v.more);
     }
     return {};
 }
@@ -58,7 +58,7 @@ QString whereText(const Verdict& v)
                              [&](std::size_t i) { return v.categories[i].wrong; });
     QStringList parts;
     for (const std::size_t i : wrong)
-        parts << PlugIn::tr("%1 (%2)").arg(categories()[i].name, countText(v.categories[i].wrong));
+        parts << Text::tr("%1 (%2)").arg(categories()[i].name, countText(v.categories[i].wrong));
     return briefListText(parts);
 }
 
@@ -73,10 +73,10 @@ QString wrongText(const Verdict& v)
             categories()[inRace ? v.categories.size() - 1 : worst->category].name;
         const QString& more = inRace ? v.raceEnd : worst->more;
         return more.isEmpty()
-                   ? PlugIn::tr("Wrong: %1 %2 (%3).").arg(v.name, info.sentence, where)
-                   : PlugIn::tr("Wrong: %1 %2 (%3): %4.").arg(v.name, info.sentence, where, more);
+                   ? Text::tr("Wrong: %1 %2 (%3).").arg(v.name, info.sentence, where)
+                   : Text::tr("Wrong: %1 %2 (%3): %4.").arg(v.name, info.sentence, where, more);
     }
-    return PlugIn::tr("Wrong: %1 %2. It is wrong on %3 of %4 lines: %5.")
+    return Text::tr("Wrong: %1 %2. It is wrong on %3 of %4 lines: %5.")
         .arg(v.name, info.sentence, countText(v.wrong()), countText(v.judged()), whereText(v));
 }
 
@@ -84,17 +84,16 @@ QString wrongText(const Verdict& v)
 QString scoreText(const Verdict& v)
 {
     const Score score = scoreOf(v);
-    const QString counts = PlugIn::tr("%1 of %2 categories are right, %3 of %4 points")
+    const QString counts = Text::tr("%1 of %2 categories are right, %3 of %4 points")
                                .arg(score.right)
                                .arg(score.categories)
                                .arg(score.points)
                                .arg(score.most);
     if (score.right + 1 != score.categories)
-        return PlugIn::tr("%1.").arg(counts);
+        return Text::tr("%1.").arg(counts);
     for (std::size_t i = 0; i < v.categories.size(); ++i)
         if (pointsOf(v.categories[i]) < fullPoints)
-            return PlugIn::tr("It passes everything but “%1”: %2.")
-                .arg(categories()[i].name, counts);
+            return Text::tr("It passes everything but “%1”: %2.").arg(categories()[i].name, counts);
     return {};
 }
 
@@ -102,10 +101,10 @@ QString tooSlowText(const Verdict& v)
 {
     const QString untested = countText(v.lines() - v.judged());
     if (v.judged() == 0)
-        return PlugIn::tr("Too slow: there was no time to test %1 on any of %2 lines.")
+        return Text::tr("Too slow: there was no time to test %1 on any of %2 lines.")
             .arg(v.name, untested);
-    return PlugIn::tr("Too slow: %1 is right on the %2 lines that were tested within %3 of "
-                      "processor time, or %4 by the clock; %5 lines were not tested.")
+    return Text::tr("Too slow: %1 is right on the %2 lines that were tested within %3 of "
+                    "processor time, or %4 by the clock; %5 lines were not tested.")
         .arg(v.name, countText(v.judged()), durationText(v.seconds),
              durationText(v.seconds * wallFactor), untested);
 }
@@ -113,8 +112,8 @@ QString tooSlowText(const Verdict& v)
 /// The sentence for a library without errors that slept in the race.
 QString asleepText(const Verdict& v)
 {
-    return PlugIn::tr("Not finished: %1 is right on the %2 lines that were tested, but it slept in "
-                      "the race, so the race's %3 lines were not tested.")
+    return Text::tr("Not finished: %1 is right on the %2 lines that were tested, but it slept in "
+                    "the race, so the race's %3 lines were not tested.")
         .arg(v.name, countText(v.judged()), countText(v.lines() - v.judged()));
 }
 
@@ -122,16 +121,16 @@ QString roundingText(const Verdict& v)
 {
     const QString ulps = QString::number(v.mostOff, 'g', 3);
     if (v.outside() == 0)
-        return PlugIn::tr("No end lies outside the window, not even by rounding, and none is off "
-                          "by more than %1 ulps of the largest coordinate.")
+        return Text::tr("No end lies outside the window, not even by rounding, and none is off "
+                        "by more than %1 ulps of the largest coordinate.")
             .arg(ulps);
     const QString rounded = v.outside() == 1
-                                ? PlugIn::tr("Rounding left an end of 1 result outside the window")
-                                : PlugIn::tr("Rounding left ends of %1 results outside the window")
+                                ? Text::tr("Rounding left an end of 1 result outside the window")
+                                : Text::tr("Rounding left ends of %1 results outside the window")
                                       .arg(countText(v.outside()));
     return rounded
-           + PlugIn::tr(", by at most %1 ulps of the largest coordinate. Clearcut's own algorithms "
-                        "leave no end outside.")
+           + Text::tr(", by at most %1 ulps of the largest coordinate. Clearcut's own algorithms "
+                      "leave no end outside.")
                  .arg(ulps);
 }
 
@@ -142,8 +141,8 @@ QString speedText(const Times& times)
     for (std::size_t i = 1; i < times.contenders.size(); ++i)
         slower += ranking.pairs[i][0].outcome == Outcome::Different && ratioOf(times, i) < 1;
     const std::size_t others = times.contenders.size() - 1;
-    return PlugIn::tr("It takes %1 on the paper's scene: significantly less than %2 of the %3 "
-                      "others, and %4 times as long as exact, which is also called line by line.")
+    return Text::tr("It takes %1 on the paper's scene: significantly less than %2 of the %3 "
+                    "others, and %4 times as long as exact, which is also called line by line.")
         .arg(timeText(summaryOf(times.contenders.front().times).median))
         .arg(slower)
         .arg(others)
@@ -184,7 +183,7 @@ QString sentence(const Verdict& v)
         return wrongText(v);
     if (!v.passed())
         return v.hasRace() ? asleepText(v) : tooSlowText(v);
-    return PlugIn::tr("Passed: %1 is right on all %2 lines.").arg(v.name, countText(v.lines()));
+    return Text::tr("Passed: %1 is right on all %2 lines.").arg(v.name, countText(v.lines()));
 }
 
 QStringList remarks(const Verdict& v)
@@ -195,22 +194,22 @@ QStringList remarks(const Verdict& v)
     if (v.wrong() > 0)
         all << scoreText(v);
     if (v.wrong() > 0 && v.judged() < v.lines())
-        all << PlugIn::tr("Not tested: %1.").arg(linesText(v.lines() - v.judged()));
+        all << Text::tr("Not tested: %1.").arg(linesText(v.lines() - v.judged()));
     if (!v.notReloaded.isEmpty())
-        all << PlugIn::tr("After the error it could not be loaded again: %1.").arg(v.notReloaded);
+        all << Text::tr("After the error it could not be loaded again: %1.").arg(v.notReloaded);
     if (isWrongOnlyInRace(v))
-        all << PlugIn::tr(
+        all << Text::tr(
             "It is right on every line outside the race, but its results in the race differ.");
     if (v.passed())
         all << roundingText(v);
     if (v.times)
-        all << (v.categories.back().wrong > 0 ? PlugIn::tr(
+        all << (v.categories.back().wrong > 0 ? Text::tr(
                     "Its time does not count, because its results in the race were wrong.")
                                               : speedText(*v.times));
     else if (!v.noTimes.isEmpty())
         all << v.noTimes;
     if (!v.printed.isEmpty())
-        all << PlugIn::tr("It printed: %1").arg(v.printed.section(u'\n', 0, 0).left(120));
+        all << Text::tr("It printed: %1").arg(v.printed.section(u'\n', 0, 0).left(120));
     return all;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/comparison/ulps.h"
 #include "app/judge/points.h"
-#include "app/judge/translated.h"
 #include "app/teaching/line_text.h"
 #include "app/teaching/narration.h"
 
@@ -30,7 +30,7 @@ QString numbers(const glm::dvec2& p, const glm::dvec2& q)
 
 QString numbers(const std::optional<clipping::Segment>& piece)
 {
-    return piece ? numbers(piece->a, piece->b) : PlugIn::tr("nothing");
+    return piece ? numbers(piece->a, piece->b) : Text::tr("nothing");
 }
 
 QString words(const glm::dvec2& p) { return pairText(shortText(p.x), shortText(p.y)); }
@@ -42,7 +42,7 @@ QString words(const glm::dvec2& p, const glm::dvec2& q, const QString& between)
 
 QString words(const std::optional<clipping::Segment>& piece)
 {
-    return piece ? words(piece->a, piece->b, QStringLiteral("→")) : PlugIn::tr("nothing");
+    return piece ? words(piece->a, piece->b, QStringLiteral("→")) : Text::tr("nothing");
 }
 
 /// The error in the unit of the coordinates.
@@ -67,12 +67,12 @@ QString errorText(const Finding& finding)
     if (!(finding.ulps > 0))
         return {};
     if (finding.ulps < mostRounding)
-        return PlugIn::tr("%1 ulps").arg(finding.ulps < 10
-                                             ? shortText(finding.ulps)
-                                             : countText(std::size_t(std::llround(finding.ulps))));
+        return Text::tr("%1 ulps").arg(finding.ulps < 10
+                                           ? shortText(finding.ulps)
+                                           : countText(std::size_t(std::llround(finding.ulps))));
     const double distance = distanceOf(finding);
-    return std::isfinite(distance) ? PlugIn::tr("%1 units").arg(QString::number(distance, 'g', 3))
-                                   : PlugIn::tr("infinitely far");
+    return std::isfinite(distance) ? Text::tr("%1 units").arg(QString::number(distance, 'g', 3))
+                                   : Text::tr("infinitely far");
 }
 
 Table summaryTable(const Verdict& v)
@@ -98,7 +98,7 @@ Table categoryTable(const Verdict& v, Reader reader)
     const bool person = reader == Reader::Person;
     Table table{
         .names = {"category", "lines", "judged", "wrong", "rounded_outside", "points", "degree"},
-        .title = PlugIn::tr("Tests"),
+        .title = Text::tr("Tests"),
         .key = QStringLiteral("categories")};
     if (person)
         table.names << QStringLiteral("meaning");
@@ -123,10 +123,10 @@ Table findingTable(const Verdict& v, Reader reader)
         return person ? words(piece) : numbers(piece);
     };
     Table table{.names = {"category", "fault", "line", "window", "expected", "got"},
-                .title = PlugIn::tr("Wrong results, the first of each category"),
+                .title = Text::tr("Wrong results, the first of each category"),
                 .key = QStringLiteral("findings")};
     if (reader == Reader::Terminal)
-        table.notes << PlugIn::tr(
+        table.notes << Text::tr(
             "An ulp is one unit in the last place of the largest coordinate of line and window. "
             "Errors above a million ulps are in units of the coordinates.");
     table.names << (file ? QStringList{"ulps", "distance"} : QStringList{"error"});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/lessons/course.h"
 
+#include "app/base/text.h"
 #include "app/lessons/scores.h"
 
 #include <QScopedValueRollback>
@@ -76,7 +77,7 @@ QString Course::told() const
         return {};
     const LessonPage& page = lesson()->pages[page_];
     const bool own = !question_ || asked_ == page.tracedLine || page.told.isEmpty();
-    return own ? page.told : tr("*Of the line on this page:* %1").arg(page.told);
+    return own ? page.told : Text::tr("*Of the line on this page:* %1").arg(page.told);
 }
 
 void Course::next()
@@ -195,12 +196,13 @@ QString Course::ending() const
     const int questions = lesson() ? mostPoints(*lesson()) / 2 : 0;
     if (!atEnd() || questions == 0)
         return {};
-    QString text = tr("%1 of %2 right at the first try").arg(rightWorth(2)).arg(questions);
+    QString text = Text::tr("%1 of %2 right at the first try").arg(rightWorth(2)).arg(questions);
     if (const int second = rightWorth(1); second > 0)
-        text += tr(", %1 at the second").arg(second);
+        text += Text::tr(", %1 at the second").arg(second);
     if (isPassed(score().points, *lesson()))
-        return tr("Passed: %1.").arg(text);
-    return tr("Not passed yet: %1. You need three quarters of the points. Try the lesson again?")
+        return Text::tr("Passed: %1.").arg(text);
+    return Text::tr(
+               "Not passed yet: %1. You need three quarters of the points. Try the lesson again?")
         .arg(text);
 }
 

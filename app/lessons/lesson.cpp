@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/lessons/lesson.h"
 
-#include <QCoreApplication>
+#include "app/base/text.h"
+
 #include <QFile>
 
 #include <algorithm>
@@ -10,10 +11,6 @@
 namespace app {
 
 namespace {
-
-struct LessonText {
-    Q_DECLARE_TR_FUNCTIONS(lesson)
-};
 
 /// "-160,-30": two numbers with a comma.
 std::optional<Point> pointOf(const QString& word)
@@ -157,13 +154,13 @@ Result<Lesson> readLesson(const QString& key, const QString& text)
         ++number;
         if (!line.startsWith(QStringLiteral("<!--")) && !reading.take(line))
             return Result<Lesson>::failure(
-                LessonText::tr("line %1: “%2” is not understood. No lesson was read.")
+                Text::tr("line %1: “%2” is not understood. No lesson was read.")
                     .arg(number)
                     .arg(line));
     }
     if (!reading.endPage() || reading.lesson.title.isEmpty())
         return Result<Lesson>::failure(
-            LessonText::tr("line %1: the last page has no text, or no page has a “look” line.")
+            Text::tr("line %1: the last page has no text, or no page has a “look” line.")
                 .arg(number));
     return Result<Lesson>::of(reading.lesson);
 }

@@ -2,13 +2,13 @@
 #include "app/lessons/reading.h"
 
 #include "app/base/latin.h"
+#include "app/base/text.h"
 #include "app/hard_cases/case_answer.h"
 #include "app/hard_cases/case_filter.h"
 #include "app/hard_cases/case_use.h"
 #include "app/teaching/page.h"
 #include "app/teaching/trace_link.h"
 
-#include <QCoreApplication>
 #include <QRegularExpression>
 
 #include <algorithm>
@@ -20,18 +20,13 @@ namespace {
 constexpr std::size_t mostCases = 6; // on a page; the gallery has all of them
 const QString ending = QStringLiteral(".md");
 
-struct ReadingText {
-    Q_DECLARE_TR_FUNCTIONS(reading)
-};
-
 /// What fails, and a link that shows it.
 QString itemOf(const HardCase& hard, const Variant& variant)
 {
     QString text = QStringLiteral("- [%1](clearcut:case/%2): %3")
                        .arg(hard.title, hard.key, words(answerOf(hard, variant)));
     if (const auto watch = traceLink(tracedLineOf(hard, variant)))
-        text += QStringLiteral(" ([%1](%2))")
-                    .arg(ReadingText::tr("watch it in the microscope"), *watch);
+        text += QStringLiteral(" ([%1](%2))").arg(Text::tr("watch it in the microscope"), *watch);
     return text + u'\n';
 }
 
@@ -47,15 +42,15 @@ QString hardCasesOf(const clipping::Algorithm& algorithm)
     const bool all = cases.size() <= mostCases;
     QString text =
         QStringLiteral("\n\n## %1\n%2\n")
-            .arg(ReadingText::tr("Hard cases"),
-                 all ? ReadingText::tr("The published form fails on these lines.")
-                     : ReadingText::tr("The published form fails on these lines, among others."));
+            .arg(Text::tr("Hard cases"),
+                 all ? Text::tr("The published form fails on these lines.")
+                     : Text::tr("The published form fails on these lines, among others."));
     for (std::size_t i = 0; i < std::min(cases.size(), mostCases); ++i)
         text += itemOf(*cases[i], published);
     if (!all)
-        text += QStringLiteral("\n[%1](clearcut:fails/%2)\n")
-                    .arg(ReadingText::tr("All %1 cases where it fails").arg(cases.size()),
-                         keyOf(published));
+        text +=
+            QStringLiteral("\n[%1](clearcut:fails/%2)\n")
+                .arg(Text::tr("All %1 cases where it fails").arg(cases.size()), keyOf(published));
     return text;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/lettering/hershey_file.h"
 
-#include <QCoreApplication>
+#include "app/base/text.h"
 
 #include <optional>
 #include <string_view>
@@ -74,10 +74,8 @@ Result<std::vector<HersheyGlyph>> readHershey(const QByteArray& bytes)
     while (!reader.atEnd()) {
         auto glyph = readGlyph(reader);
         if (!glyph || std::ssize(glyphs) == mostGlyphs)
-            return R::failure(
-                QCoreApplication::translate("Lettering",
-                                            "Glyph %1 is damaged: this is not a font of strokes.")
-                    .arg(glyphs.size() + 1));
+            return R::failure(Text::tr("Glyph %1 is damaged: this is not a font of strokes.")
+                                  .arg(glyphs.size() + 1));
         glyphs.push_back(std::move(*glyph));
     }
     return R::of(std::move(glyphs));

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/lettering/lettering.h"
 
+#include "app/base/text.h"
 #include "app/document/direction.h"
 #include "app/document/path_points.h"
 #include "app/document/recipe_outline.h"
 #include "app/lettering/outline_fonts.h"
 #include "app/lettering/outline_letters.h"
 #include "app/lettering/stroke_letters.h"
-
-#include <QCoreApplication>
 
 #include <glm/trigonometric.hpp>
 
@@ -63,15 +62,13 @@ QString missingText(const Lettering& lettering)
     QStringList first = lettering.missing.first(std::min(named, lettering.missing.size()));
     if (lettering.missing.size() > named)
         first << QStringLiteral("…");
-    return QCoreApplication::translate("Lettering",
-                                       "The font has no %1: a box stands in its place.", nullptr)
+    return Text::tr("The font has no %1: a box stands in its place.", nullptr)
         .arg(first.join(QStringLiteral(", ")));
 }
 
 QString missingFontText(const QString& font)
 {
-    return QCoreApplication::translate(
-               "Lettering", "The font %1 is not installed: a changed text is written in %2.")
+    return Text::tr("The font %1 is not installed: a changed text is written in %2.")
         .arg(font, fontInsteadOf(font));
 }
 

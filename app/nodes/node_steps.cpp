@@ -2,13 +2,12 @@
 #include "app/nodes/node_steps.h"
 
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/nodes/end_joining.h"
 #include "app/nodes/node_deletion.h"
 #include "app/nodes/node_segments.h"
 #include "app/nodes/node_types.h"
 #include "app/nodes/subpath_edits.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <array>
@@ -16,19 +15,17 @@
 namespace app {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("NodeSteps", text); }
-
 QString always(const NodeSummary&) { return {}; }
 
 QString endsHaveNoType(const NodeSummary& nodes)
 {
     return nodes.selected > nodes.selectedEnds
                ? QString()
-               : tr("An end of an open path has only one handle. Select a node between two "
-                    "segments.");
+               : Text::tr("An end of an open path has only one handle. Select a node between two "
+                          "segments.");
 }
 
-QString noSegment() { return tr("There is no segment at the selected nodes."); }
+QString noSegment() { return Text::tr("There is no segment at the selected nodes."); }
 
 template <NodeType type>
 bool setType(OwnedPaths& paths, const JoinRule&)
@@ -105,67 +102,69 @@ std::size_t objectCount(const OwnedPaths& paths)
 std::array<NodeStep, 12> allSteps()
 {
     return {
-        NodeStep{"corner-nodes", tr("Make nodes &corners"), tr("Make nodes corners"), true,
-                 endsHaveNoType, setType<NodeType::Corner>},
-        NodeStep{"smooth-nodes", tr("Make nodes &smooth"), tr("Make nodes smooth"), true,
-                 endsHaveNoType, setType<NodeType::Smooth>},
-        NodeStep{"symmetric-nodes", tr("Make nodes s&ymmetric"), tr("Make nodes symmetric"), true,
-                 endsHaveNoType, setType<NodeType::Symmetric>},
-        NodeStep{"straighten-segments", tr("Turn segments into &lines"),
-                 tr("Turn segments into lines"), true,
+        NodeStep{"corner-nodes", Text::tr("Make nodes &corners"), Text::tr("Make nodes corners"),
+                 true, endsHaveNoType, setType<NodeType::Corner>},
+        NodeStep{"smooth-nodes", Text::tr("Make nodes &smooth"), Text::tr("Make nodes smooth"),
+                 true, endsHaveNoType, setType<NodeType::Smooth>},
+        NodeStep{"symmetric-nodes", Text::tr("Make nodes s&ymmetric"),
+                 Text::tr("Make nodes symmetric"), true, endsHaveNoType,
+                 setType<NodeType::Symmetric>},
+        NodeStep{"straighten-segments", Text::tr("Turn segments into &lines"),
+                 Text::tr("Turn segments into lines"), true,
                  [](const NodeSummary& nodes) {
                      return nodes.curved > 0     ? QString()
-                            : nodes.straight > 0 ? tr("The segments are straight already.")
+                            : nodes.straight > 0 ? Text::tr("The segments are straight already.")
                                                  : noSegment();
                  },
                  [](OwnedPaths& paths, const JoinRule&) { return makeStraight(paths.path); }},
-        NodeStep{"curve-segments", tr("Turn segments into c&urves"),
-                 tr("Turn segments into curves"), true,
+        NodeStep{"curve-segments", Text::tr("Turn segments into c&urves"),
+                 Text::tr("Turn segments into curves"), true,
                  [](const NodeSummary& nodes) {
                      return nodes.straight > 0 ? QString()
-                            : nodes.curved > 0 ? tr("The segments are curves already.")
+                            : nodes.curved > 0 ? Text::tr("The segments are curves already.")
                                                : noSegment();
                  },
                  [](OwnedPaths& paths, const JoinRule&) { return makeCurved(paths.path); }},
-        NodeStep{"add-nodes", tr("&Add nodes in the middle"), tr("Add nodes"), true,
+        NodeStep{"add-nodes", Text::tr("&Add nodes in the middle"), Text::tr("Add nodes"), true,
                  [](const NodeSummary& nodes) {
                      return nodes.straight + nodes.curved > 0 ? QString() : noSegment();
                  },
                  [](OwnedPaths& paths, const JoinRule&) { return insertInChosen(paths.path); }},
-        NodeStep{"delete-nodes", tr("&Delete nodes"), tr("Delete nodes"), true, always,
+        NodeStep{"delete-nodes", Text::tr("&Delete nodes"), Text::tr("Delete nodes"), true, always,
                  ofEach<deleteSelected>},
-        NodeStep{"split-path", tr("Split path at &nodes"), tr("Split path"), true,
+        NodeStep{"split-path", Text::tr("Split path at &nodes"), Text::tr("Split path"), true,
                  [](const NodeSummary& nodes) {
                      return nodes.selected > nodes.selectedEnds
                                 ? QString()
-                                : tr("The path ends here already. Select a node between two "
-                                     "segments.");
+                                : Text::tr("The path ends here already. Select a node between two "
+                                           "segments.");
                  },
                  ofEach<splitAtSelected>},
         NodeStep{"join-ends",
-                 tr("&Join ends…"),
-                 tr("Join ends"),
+                 Text::tr("&Join ends…"),
+                 Text::tr("Join ends"),
                  false,
                  [](const NodeSummary& nodes) {
-                     return nodes.open > 0 ? QString()
-                                           : tr("The path is closed: it has no ends to join.");
+                     return nodes.open > 0
+                                ? QString()
+                                : Text::tr("The path is closed: it has no ends to join.");
                  },
                  [](OwnedPaths& paths, const JoinRule& rule) {
                      return joinEnds(paths.path, paths.owners, rule.tolerance, rule.pens) > 0;
                  },
                  {},
                  true},
-        NodeStep{"close-path", tr("Cl&ose path"), tr("Close path"), false,
+        NodeStep{"close-path", Text::tr("Cl&ose path"), Text::tr("Close path"), false,
                  [](const NodeSummary& nodes) {
-                     return nodes.open > 0 ? QString() : tr("The path is closed already.");
+                     return nodes.open > 0 ? QString() : Text::tr("The path is closed already.");
                  },
-                 closeChosen, tr("The path is closed already.")},
-        NodeStep{"open-path", tr("O&pen path"), tr("Open path"), false,
+                 closeChosen, Text::tr("The path is closed already.")},
+        NodeStep{"open-path", Text::tr("O&pen path"), Text::tr("Open path"), false,
                  [](const NodeSummary& nodes) {
-                     return nodes.closed > 0 ? QString() : tr("The path is open already.");
+                     return nodes.closed > 0 ? QString() : Text::tr("The path is open already.");
                  },
-                 openChosen, tr("The path is open already.")},
-        NodeStep{"reverse-path", tr("&Reverse path"), tr("Reverse path"), false, always,
+                 openChosen, Text::tr("The path is open already.")},
+        NodeStep{"reverse-path", Text::tr("&Reverse path"), Text::tr("Reverse path"), false, always,
                  reverseChosen},
     };
 }
@@ -190,18 +189,19 @@ QString joinedText(const OwnedPaths& before, const OwnedPaths& after, const QStr
     const std::size_t joints = openCount(before.path) - openCount(after.path);
     const QString joined =
         joints == 1
-            ? tr("1 pair of ends was joined within %1.").arg(tolerance)
-            : tr("%1 pairs of ends were joined within %2.").arg(countText(joints), tolerance);
+            ? Text::tr("1 pair of ends was joined within %1.").arg(tolerance)
+            : Text::tr("%1 pairs of ends were joined within %2.").arg(countText(joints), tolerance);
     const std::size_t objects = objectCount(before), left = objectCount(after);
-    return left == objects
-               ? joined
-               : tr("%1 objects became %2: %3").arg(countText(objects), countText(left), joined);
+    return left == objects ? joined
+                           : Text::tr("%1 objects became %2: %3")
+                                 .arg(countText(objects), countText(left), joined);
 }
 
 QString notJoinedText(const QString& tolerance)
 {
-    return tr("No two ends of the same layer and style lie within %1 of each other. Choose a "
-              "larger distance, or select two ends with the tool Nodes to join them by a line.")
+    return Text::tr(
+               "No two ends of the same layer and style lie within %1 of each other. Choose a "
+               "larger distance, or select two ends with the tool Nodes to join them by a line.")
         .arg(tolerance);
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/overlays/half_plane.h"
 #include "app/overlays/parts.h"
 
@@ -59,20 +60,18 @@ std::vector<unsigned> visited(const OverlayContext& context)
 QString cellsCaption(const OverlayContext& context, std::span<const unsigned> cells)
 {
     if (!context.line)
-        return Overlays::tr("The walk goes from cell to cell, to the right. %1")
-            .arg(pointAtALine());
+        return Text::tr("The walk goes from cell to cell, to the right. %1").arg(pointAtALine());
     if (cells.empty())
-        return Overlays::tr(
-            "Both ends are beyond one edge: there is no walk, and nothing is visible.");
+        return Text::tr("Both ends are beyond one edge: there is no walk, and nothing is visible.");
     QStringList names;
     for (const unsigned cell : cells)
         names << QString::number(cell);
-    const QString narration = Overlays::tr("The walk from the left end: cell %1.")
+    const QString narration = Text::tr("The walk from the left end: cell %1.")
                                   .arg(names.join(QStringLiteral(" \u2192 ")));
     return narration + QStringLiteral(" ")
            + (context.trace.outcome == clipping::Outcome::Visible
-                  ? Overlays::tr("The part in cell 4 is visible.")
-                  : Overlays::tr("The walk does not reach cell 4: nothing is visible."));
+                  ? Text::tr("The part in cell 4 is visible.")
+                  : Text::tr("The walk does not reach cell 4: nothing is visible."));
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/latin.h"
+#include "app/base/text.h"
 #include "app/overlays/parts.h"
 
 #include <algorithm>
@@ -26,11 +27,11 @@ std::vector<OverlayLine> cutEdges(const OverlayContext& context, std::span<const
 
 OverlayTable cutsTable(const OverlayContext& context, std::span<const EndMove> moves)
 {
-    OverlayTable table{{Overlays::tr("cut"), Overlays::tr("end and edge")}, {}, {}};
+    OverlayTable table{{Text::tr("cut"), Text::tr("end and edge")}, {}, {}};
     for (const EndMove& move : moves)
         table.rows.push_back(
             {QString::number(table.rows.size() + 1),
-             Overlays::tr("%1 to %2").arg(endName(move.ofB), edgeName(move.edge, context.y))});
+             Text::tr("%1 to %2").arg(endName(move.ofB), edgeName(move.edge, context.y))});
     return table;
 }
 
@@ -38,32 +39,30 @@ OverlayTable cutsTable(const OverlayContext& context, std::span<const EndMove> m
 QString listed(QStringList edges)
 {
     const QString last = edges.takeLast();
-    return edges.isEmpty() ? last
-                           : Overlays::tr("%1 and %2").arg(edges.join(Overlays::tr(", ")), last);
+    return edges.isEmpty() ? last : Text::tr("%1 and %2").arg(edges.join(Text::tr(", ")), last);
 }
 
 QString cutsCaption(const OverlayContext& context, std::span<const EndMove> moves)
 {
     if (!context.line)
-        return Overlays::tr("The lines of the window's four edges. %1").arg(pointAtALine());
+        return Text::tr("The lines of the window's four edges. %1").arg(pointAtALine());
     const QString name = latin(context.variant.algorithm->name);
     const bool visible = context.trace.outcome == clipping::Outcome::Visible;
     if (context.trace.outcome == clipping::Outcome::DidNotEnd)
-        return Overlays::tr("%1 does not end on this line and is stopped: nothing is visible.")
+        return Text::tr("%1 does not end on this line and is stopped: nothing is visible.")
             .arg(name);
     if (moves.empty() && visible && context.trace.visible != *context.line)
-        return Overlays::tr("%1 cuts the line: the remaining part is visible.").arg(name);
+        return Text::tr("%1 cuts the line: the remaining part is visible.").arg(name);
     if (moves.empty())
-        return (visible ? Overlays::tr("%1 cuts nothing: the whole line is visible.")
-                        : Overlays::tr("%1 rejects the line without a cut: nothing is visible."))
+        return (visible ? Text::tr("%1 cuts nothing: the whole line is visible.")
+                        : Text::tr("%1 rejects the line without a cut: nothing is visible."))
             .arg(name);
     QStringList edges;
     for (const EndMove& move : moves)
         if (const QString edge = edgeWords(move.edge, context.y); !edges.contains(edge))
             edges << edge;
-    return (visible
-                ? Overlays::tr("%1 cuts the line at %2: the remaining part is visible.")
-                : Overlays::tr("%1 cuts the line at %2 and then rejects it: nothing is visible."))
+    return (visible ? Text::tr("%1 cuts the line at %2: the remaining part is visible.")
+                    : Text::tr("%1 cuts the line at %2 and then rejects it: nothing is visible."))
         .arg(name, listed(edges));
 }
 

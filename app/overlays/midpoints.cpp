@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/overlays/midpoints.h"
 
+#include "app/base/text.h"
 #include "app/comparison/outcode_text.h"
 #include "app/overlays/parts.h"
 #include "clipping/outcode.h"
@@ -34,16 +35,16 @@ void search(bool forB, const clipping::Segment& line, const clipping::Window& wi
 QString midpointsCaption(const OverlayContext& context)
 {
     if (!context.line)
-        return Overlays::tr("Outcodes tell which half cannot contain the end that is sought. %1")
+        return Text::tr("Outcodes tell which half cannot contain the end that is sought. %1")
             .arg(pointAtALine());
     const auto [a, b] = codesOf(context);
     if ((a & b) != 0 || (a | b) == 0)
         return codeWords(context);
     return context.trace.outcome == clipping::Outcome::Visible
-               ? Overlays::tr(
+               ? Text::tr(
                    "The first midpoints are numbered: each halves the part that may contain the "
                    "end.")
-               : Overlays::tr("Halving finds two points beyond one edge: nothing is visible.");
+               : Text::tr("Halving finds two points beyond one edge: nothing is visible.");
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/overlays/parts.h"
 
 #include <QLocale>
@@ -21,10 +22,10 @@ std::size_t seenEdge(Edge edge, YAxis y)
 QString edgeName(Edge edge, YAxis y)
 {
     static constexpr std::array<const char*, 5> names{
-        QT_TRANSLATE_NOOP("Overlay", "none"), QT_TRANSLATE_NOOP("Overlay", "left"),
-        QT_TRANSLATE_NOOP("Overlay", "right"), QT_TRANSLATE_NOOP("Overlay", "bottom"),
-        QT_TRANSLATE_NOOP("Overlay", "top")};
-    return Overlays::tr(names[seenEdge(edge, y)]);
+        QT_TRANSLATE_NOOP("Text", "none"), QT_TRANSLATE_NOOP("Text", "left"),
+        QT_TRANSLATE_NOOP("Text", "right"), QT_TRANSLATE_NOOP("Text", "bottom"),
+        QT_TRANSLATE_NOOP("Text", "top")};
+    return Text::tr(names[seenEdge(edge, y)]);
 }
 
 QString edgeLetter(Edge edge, YAxis y)
@@ -35,8 +36,8 @@ QString edgeLetter(Edge edge, YAxis y)
 
 QString parameterText(double t) { return QLocale().toString(t, 'g', 4).replace(u'-', u'\u2212'); }
 
-QString endName(bool ofB) { return ofB ? Overlays::tr("End 2") : Overlays::tr("End 1"); }
+QString endName(bool ofB) { return ofB ? Text::tr("End 2") : Text::tr("End 1"); }
 
-QString pointAtALine() { return Overlays::tr("Point at a line, select one or draw one."); }
+QString pointAtALine() { return Text::tr("Point at a line, select one or draw one."); }
 
 } // namespace app

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/comparison/outcode_text.h"
 #include "app/overlays/parts.h"
 
@@ -9,16 +10,16 @@ namespace {
 QString outcodesCaption(const OverlayContext& context, std::span<const EndMove> moves)
 {
     if (!context.line)
-        return Overlays::tr("An outcode has four bits: %1. %2").arg(outcodeBits(), pointAtALine());
+        return Text::tr("An outcode has four bits: %1. %2").arg(outcodeBits(), pointAtALine());
     QString text = codeWords(context);
     if (moves.empty())
         return text;
     text += QStringLiteral(" ")
-            + Overlays::tr("%1 is cut at %2 first.")
+            + Text::tr("%1 is cut at %2 first.")
                   .arg(endName(moves.front().ofB), edgeWords(moves.front().edge, context.y));
     if (context.trace.outcome == clipping::Outcome::DidNotEnd)
         text += QStringLiteral(" ")
-                + Overlays::tr("Its outcodes repeat forever: the algorithm is stopped.");
+                + Text::tr("Its outcodes repeat forever: the algorithm is stopped.");
     return text;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/overlays/half_plane.h"
 #include "app/base/finite.h"
+#include "app/base/text.h"
+#include "app/overlays/half_plane.h"
 #include "app/overlays/parts.h"
 
 #include <algorithm>
@@ -81,30 +82,27 @@ Edge shutOut(const OverlayContext& context)
 QString parametersCaption(const OverlayContext& context, const Bounds& bounds)
 {
     if (!context.line)
-        return Overlays::
-            tr("The window is the intersection of four half-planes; the outer side of each edge "
-               "is hatched. %1")
-                .arg(pointAtALine());
+        return Text::tr("The window is the intersection of four half-planes; the outer side of "
+                        "each edge is hatched. %1")
+            .arg(pointAtALine());
     const auto words = [&](Edge edge) { return edgeWords(edge, context.y); };
     if (const Edge edge = shutOut(context); edge != Edge::NoEdge)
-        return Overlays::tr("The line is parallel to %1 and lies beyond it: nothing is visible.")
+        return Text::tr("The line is parallel to %1 and lies beyond it: nothing is visible.")
             .arg(words(edge));
-    const QString start =
-        bounds.enter == Edge::NoEdge
-            ? Overlays::tr("The line starts inside all four half-planes")
-            : Overlays::tr("The line enters the last half-plane at t = %1, at %2,")
-                  .arg(parameterText(bounds.from), words(bounds.enter));
+    const QString start = bounds.enter == Edge::NoEdge
+                              ? Text::tr("The line starts inside all four half-planes")
+                              : Text::tr("The line enters the last half-plane at t = %1, at %2,")
+                                    .arg(parameterText(bounds.from), words(bounds.enter));
     const QString stop = bounds.leave == Edge::NoEdge
-                             ? Overlays::tr("leaves none of them before its end")
-                             : Overlays::tr("leaves the first one at t = %1, at %2")
+                             ? Text::tr("leaves none of them before its end")
+                             : Text::tr("leaves the first one at t = %1, at %2")
                                    .arg(parameterText(bounds.to), words(bounds.leave));
     const bool whole = bounds.enter == Edge::NoEdge && bounds.leave == Edge::NoEdge;
-    const QString end =
-        bounds.from > bounds.to
-            ? Overlays::tr("The line leaves before it has entered: nothing is visible.")
-        : whole ? Overlays::tr("The whole line is visible.")
-                : Overlays::tr("The part in between is visible.");
-    return Overlays::tr("%1 and %2. %3").arg(start, stop, end);
+    const QString end = bounds.from > bounds.to
+                            ? Text::tr("The line leaves before it has entered: nothing is visible.")
+                        : whole ? Text::tr("The whole line is visible.")
+                                : Text::tr("The part in between is visible.");
+    return Text::tr("%1 and %2. %3").arg(start, stop, end);
 }
 
 void addHalfPlanes(Overlay& overlay, const OverlayContext& context, const Bounds& bounds)
@@ -142,7 +140,7 @@ Overlay parameterOverlay(const OverlayContext& context)
         overlay.marks.push_back(
             {.at = c.at,
              .symbol = c.enters ? Symbol::Filled : Symbol::Hollow,
-             .label = (c.enters ? Overlays::tr("enters  t = %1") : Overlays::tr("leaves  t = %1"))
+             .label = (c.enters ? Text::tr("enters  t = %1") : Text::tr("leaves  t = %1"))
                           .arg(parameterText(c.t)),
              .emphasis = emphasis});
         axis.ticks.push_back({c.t, c.enters, edgeName(c.edge, context.y), emphasis});

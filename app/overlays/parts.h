@@ -3,18 +3,11 @@
 
 #include "app/overlays/family.h"
 
-#include <QCoreApplication>
-
 #include <array>
 
 // Parts that several overlays share.
 
 namespace app {
-
-/// The texts of overlays, for translators: `Overlays::tr("Text")`.
-struct Overlays {
-    Q_DECLARE_TR_FUNCTIONS(Overlay)
-};
 
 inline constexpr std::array windowEdges{clipping::Edge::Left, clipping::Edge::Right,
                                         clipping::Edge::Bottom, clipping::Edge::Top};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/latin.h"
+#include "app/base/text.h"
 #include "app/overlays/parts.h"
 #include "app/overlays/polygon_edges.h"
 
@@ -31,7 +32,7 @@ std::vector<PolygonCut> cutsOf(const OverlayContext& context)
     return cuts;
 }
 
-QString edgeText(std::size_t number) { return Overlays::tr("edge %1").arg(number); }
+QString edgeText(std::size_t number) { return Text::tr("edge %1").arg(number); }
 
 /// The infinite lines of the edges; those that cut the line are highlighted.
 std::vector<OverlayLine> polygonEdges(const OverlayContext& context,
@@ -56,18 +57,18 @@ std::vector<OverlayLine> polygonEdges(const OverlayContext& context,
 QString polygonCaption(const OverlayContext& context, std::span<const PolygonCut> cuts)
 {
     if (!context.line)
-        return Overlays::tr("The lines of the window's %1 edges. %2")
+        return Text::tr("The lines of the window's %1 edges. %2")
             .arg(context.corners.size())
             .arg(pointAtALine());
     const QString name = latin(context.variant.algorithm->name);
     if (context.trace.outcome != clipping::Outcome::Visible)
-        return Overlays::tr("%1 rejects the line: nothing is visible.").arg(name);
+        return Text::tr("%1 rejects the line: nothing is visible.").arg(name);
     if (cuts.empty())
-        return Overlays::tr("%1 cuts nothing: the whole line is visible.").arg(name);
+        return Text::tr("%1 cuts nothing: the whole line is visible.").arg(name);
     return cuts.size() == 1
-               ? Overlays::tr("%1 cuts the line at %2: the remaining part is visible.")
+               ? Text::tr("%1 cuts the line at %2: the remaining part is visible.")
                      .arg(name, edgeText(cuts[0].edge))
-               : Overlays::tr("%1 cuts the line at %2 and %3: the remaining part is visible.")
+               : Text::tr("%1 cuts the line at %2 and %3: the remaining part is visible.")
                      .arg(name, edgeText(cuts[0].edge), edgeText(cuts[1].edge));
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/overlays/parts.h"
 
 #include <algorithm>
@@ -16,9 +17,9 @@ QString testsOf(unsigned code, YAxis y)
     for (const Edge edge : windowEdges)
         if (code & bitOf(edge))
             names << edgeName(edge, y);
-    return names.isEmpty()     ? Overlays::tr("stays")
+    return names.isEmpty()     ? Text::tr("stays")
            : names.size() == 1 ? names.front()
-                               : Overlays::tr("%1, then %2?").arg(names.front(), names.back());
+                               : Text::tr("%1, then %2?").arg(names.front(), names.back());
 }
 
 /// The edge perpendicular to an axis to which an end was moved.
@@ -31,15 +32,15 @@ QString pushedTo(std::span<const EndMove> moves, bool ofB, glm::length_t axis, Y
 
 OverlayTable pushesTable(const OverlayContext& context, std::span<const EndMove> moves)
 {
-    OverlayTable table{{Overlays::tr("pushed to"), endName(false), endName(true)}, {}, {}};
+    OverlayTable table{{Text::tr("pushed to"), endName(false), endName(true)}, {}, {}};
     const auto row = [&](const QString& name, glm::length_t axis) {
         table.rows.push_back({name, pushedTo(moves, false, axis, context.y),
                               pushedTo(moves, true, axis, context.y)});
     };
-    row(Overlays::tr("left or right"), 0);
-    row(Overlays::tr("top or bottom"), 1);
+    row(Text::tr("left or right"), 0);
+    row(Text::tr("top or bottom"), 1);
     const bool missed = context.trace.outcome != clipping::Outcome::Visible;
-    table.rows.push_back({missed ? Overlays::tr("rejected") : Overlays::tr("visible"), {}, {}});
+    table.rows.push_back({missed ? Text::tr("rejected") : Text::tr("visible"), {}, {}});
     table.highlightedRow = table.rows.size() - 1;
     return table;
 }
@@ -47,22 +48,20 @@ OverlayTable pushesTable(const OverlayContext& context, std::span<const EndMove>
 QString pushesCaption(const OverlayContext& context, std::span<const EndMove> moves)
 {
     if (!context.line)
-        return Overlays::
-            tr("The tests that fire for an end: first left or right; then top or bottom, at the "
-               "place to which the end was pushed. %1")
-                .arg(pointAtALine());
+        return Text::tr("The tests that fire for an end: first left or right; then top or bottom, "
+                        "at the place to which the end was pushed. %1")
+            .arg(pointAtALine());
     QStringList ways;
     for (const EndMove& move : moves)
-        ways << Overlays::tr("%1 to %2").arg(endName(move.ofB), edgeWords(move.edge, context.y));
-    const QString pushed = ways.isEmpty()
-                               ? Overlays::tr("No end is pushed.")
-                               : Overlays::tr("Pushed: %1.").arg(ways.join(Overlays::tr(", ")));
+        ways << Text::tr("%1 to %2").arg(endName(move.ofB), edgeWords(move.edge, context.y));
+    const QString pushed = ways.isEmpty() ? Text::tr("No end is pushed.")
+                                          : Text::tr("Pushed: %1.").arg(ways.join(Text::tr(", ")));
     if (context.trace.outcome == clipping::Outcome::Visible)
-        return pushed + QStringLiteral(" ") + Overlays::tr("The remaining part is visible.");
+        return pushed + QStringLiteral(" ") + Text::tr("The remaining part is visible.");
     const Edge last = context.trace.steps.empty() ? Edge::NoEdge : context.trace.steps.back().edge;
     const QString why = last == Edge::NoEdge
-                            ? Overlays::tr("The test for a miss fires: nothing is visible.")
-                            : Overlays::tr("Both ends are beyond %1: nothing is visible.")
+                            ? Text::tr("The test for a miss fires: nothing is visible.")
+                            : Text::tr("Both ends are beyond %1: nothing is visible.")
                                   .arg(edgeWords(last, context.y));
     return pushed + QStringLiteral(" ") + why;
 }

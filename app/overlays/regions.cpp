@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/comparison/outcode_text.h"
 #include "app/overlays/half_plane.h"
 #include "app/overlays/parts.h"
@@ -101,7 +102,7 @@ CodePair codesOf(const OverlayContext& context)
 OverlayTable codeTable(const OverlayContext& context)
 {
     const auto [a, b] = codesOf(context);
-    OverlayTable table{{QString(), Overlays::tr("code")},
+    OverlayTable table{{QString(), Text::tr("code")},
                        {{endName(false), outcodeText(a)},
                         {endName(true), outcodeText(b)},
                         {QStringLiteral("AND"), outcodeText(a & b)},
@@ -117,17 +118,17 @@ QString codeWords(const OverlayContext& context)
 {
     const auto [a, b] = codesOf(context);
     if ((a | b) == 0)
-        return Overlays::tr("Both outcodes are 0000: the whole line is inside.");
+        return Text::tr("Both outcodes are 0000: the whole line is inside.");
     if ((a & b) == 0)
-        return Overlays::tr(
+        return Text::tr(
             "The outcodes have no bit in common and are not both 0000: they do not decide.");
     QStringList names;
     for (const Edge edge : windowEdges)
         if (a & b & bitOf(edge))
             names << edgeWords(edge, context.y);
-    return Overlays::tr(
+    return Text::tr(
                "The outcodes have a bit in common: both ends are beyond %1, so nothing is visible.")
-        .arg(names.join(Overlays::tr(" and ")));
+        .arg(names.join(Text::tr(" and ")));
 }
 
 } // namespace app

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/overlays/parts.h"
 
 namespace app {
@@ -22,13 +23,13 @@ OverlayTable scriptsTable(const OverlayContext& context, std::span<const EndMove
 {
     const auto [a, b] = codesOf(context);
     OverlayTable table{
-        {Overlays::tr("case"), Overlays::tr("%1 to %2").arg(regionName(a), regionName(b))}, {}, {}};
+        {Text::tr("case"), Text::tr("%1 to %2").arg(regionName(a), regionName(b))}, {}, {}};
     for (const EndMove& move : moves)
         table.rows.push_back(
             {QString::number(table.rows.size() + 1),
-             Overlays::tr("%1 to %2").arg(endName(move.ofB), edgeName(move.edge, context.y))});
+             Text::tr("%1 to %2").arg(endName(move.ofB), edgeName(move.edge, context.y))});
     const bool visible = context.trace.outcome == clipping::Outcome::Visible;
-    table.rows.push_back({{}, visible ? Overlays::tr("visible") : Overlays::tr("rejected")});
+    table.rows.push_back({{}, visible ? Text::tr("visible") : Text::tr("rejected")});
     table.highlightedRow = table.rows.size() - 1;
     return table;
 }
@@ -36,18 +37,16 @@ OverlayTable scriptsTable(const OverlayContext& context, std::span<const EndMove
 QString scriptsCaption(const OverlayContext& context)
 {
     if (!context.line)
-        return Overlays::tr("The regions of both ends pick one of 81 scripts. %1")
-            .arg(pointAtALine());
+        return Text::tr("The regions of both ends pick one of 81 scripts. %1").arg(pointAtALine());
     const auto [a, b] = codesOf(context);
-    const QString pair = Overlays::tr("End 1 in %1, End 2 in %2").arg(regionName(a), regionName(b));
+    const QString pair = Text::tr("End 1 in %1, End 2 in %2").arg(regionName(a), regionName(b));
     if ((a & b) != 0)
-        return Overlays::tr("%1: the script of this case rejects at once.").arg(pair);
+        return Text::tr("%1: the script of this case rejects at once.").arg(pair);
     if ((a | b) == 0)
-        return Overlays::tr("%1: the script of this case is empty, the line is inside.").arg(pair);
+        return Text::tr("%1: the script of this case is empty, the line is inside.").arg(pair);
     return context.trace.outcome == clipping::Outcome::Visible
-               ? Overlays::tr("%1: the script of this case leaves a visible part.").arg(pair)
-               : Overlays::tr("%1: the script of this case finds that nothing is visible.")
-                     .arg(pair);
+               ? Text::tr("%1: the script of this case leaves a visible part.").arg(pair)
+               : Text::tr("%1: the script of this case finds that nothing is visible.").arg(pair);
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/overlays/half_plane.h"
 #include "app/overlays/parts.h"
 #include "clipping/outcode.h"
@@ -21,7 +22,7 @@ struct Sector {
 QString labelOf(const Sector& sector, YAxis y)
 {
     const QString text = edgeLetter(sector.enter, y) + edgeLetter(sector.leave, y);
-    return text.isEmpty() ? Overlays::tr("in") : text;
+    return text.isEmpty() ? Text::tr("in") : text;
 }
 
 /// The sector that the library found; empty if nothing was visible.
@@ -142,9 +143,9 @@ OverlayArea* areaOf(std::vector<OverlayArea>& areas, const std::optional<Sector>
 QString placeWords(const Point& eye, const OverlayContext& context)
 {
     const unsigned code = clipping::outcodeOf(eye, context.window);
-    return code == 0             ? Overlays::tr("inside the window")
-           : (code & (code - 1)) ? Overlays::tr("beyond a corner")
-                                 : Overlays::tr("beyond an edge");
+    return code == 0             ? Text::tr("inside the window")
+           : (code & (code - 1)) ? Text::tr("beyond a corner")
+                                 : Text::tr("beyond an edge");
 }
 
 QString sectorCaption(const OverlayContext& context, const Point& eye,
@@ -152,23 +153,23 @@ QString sectorCaption(const OverlayContext& context, const Point& eye,
 {
     const QString place = placeWords(eye, context);
     if (!context.line)
-        return Overlays::tr("These are the sectors of a line whose End 1 is here, %1. %2")
+        return Text::tr("These are the sectors of a line whose End 1 is here, %1. %2")
             .arg(place, pointAtALine());
     if (!sector)
-        return Overlays::tr(
+        return Text::tr(
                    "End 1 lies %1, and no line from there to End 2 meets the window: nothing is "
                    "visible.")
             .arg(place);
     if (*sector == Sector{})
-        return Overlays::tr("End 1 lies %1, and so does End 2: nothing is cut.").arg(place);
+        return Text::tr("End 1 lies %1, and so does End 2: nothing is cut.").arg(place);
     const auto words = [&](Edge edge) { return edgeWords(edge, context.y); };
     const QString text = sector->enter == Edge::NoEdge
-                             ? Overlays::tr("the line leaves through %1").arg(words(sector->leave))
+                             ? Text::tr("the line leaves through %1").arg(words(sector->leave))
                          : sector->leave == Edge::NoEdge
-                             ? Overlays::tr("the line enters through %1").arg(words(sector->enter))
-                             : Overlays::tr("the line enters through %1 and leaves through %2")
+                             ? Text::tr("the line enters through %1").arg(words(sector->enter))
+                             : Text::tr("the line enters through %1 and leaves through %2")
                                    .arg(words(sector->enter), words(sector->leave));
-    return Overlays::tr("End 1 lies %1, End 2 in sector %2: %3.")
+    return Text::tr("End 1 lies %1, End 2 in sector %2: %3.")
         .arg(place, labelOf(*sector, context.y), text);
 }
 

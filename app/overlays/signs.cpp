@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/comparison/outcode_text.h"
 #include "app/overlays/corner_signs.h"
 #include "app/overlays/parts.h"
@@ -32,17 +33,16 @@ constexpr bool isImpossible(unsigned pattern) { return pattern == 5 || pattern =
 QString crossedBy(unsigned pattern, YAxis y)
 {
     if (isImpossible(pattern))
-        return Overlays::tr("impossible");
+        return Text::tr("impossible");
     QStringList crossed;
     for (const clipping::Edge edge : crossedEdges(pattern))
         crossed << edgeName(edge, y);
-    return crossed.isEmpty() ? Overlays::tr("none") : crossed.join(Overlays::tr(", "));
+    return crossed.isEmpty() ? Text::tr("none") : crossed.join(Text::tr(", "));
 }
 
 OverlayTable signsTable(std::optional<unsigned> pattern, YAxis y)
 {
-    OverlayTable table{
-        {Overlays::tr("c"), Overlays::tr("signs"), Overlays::tr("crosses")}, {}, pattern};
+    OverlayTable table{{Text::tr("c"), Text::tr("signs"), Text::tr("crosses")}, {}, pattern};
     for (unsigned c = 0; c < 16; ++c)
         table.rows.push_back({QString::number(c), bitsOf(c), crossedBy(c, y)});
     return table;
@@ -76,19 +76,19 @@ std::optional<OverlayLine> infiniteLine(const OverlayContext& context)
 QString signsCaption(const OverlayContext& context, std::optional<unsigned> pattern)
 {
     if (!context.line)
-        return Overlays::tr(
+        return Text::tr(
                    "The outcodes are tested first, then the side of the line on which each corner "
                    "of the window lies. %1")
             .arg(pointAtALine());
     if (!pattern)
-        return Overlays::tr("%1 No corner had to be tested.").arg(codeWords(context));
-    const QString signs = Overlays::tr("The corners' signs make c = %1 (%2), row %1 of the table: ")
+        return Text::tr("%1 No corner had to be tested.").arg(codeWords(context));
+    const QString signs = Text::tr("The corners' signs make c = %1 (%2), row %1 of the table: ")
                               .arg(*pattern)
                               .arg(bitsOf(*pattern));
     return signs
            + (crossedBy(*pattern, context.y) == crossedBy(0, context.y)
-                  ? Overlays::tr("all corners lie on one side of the line, so nothing is visible.")
-                  : Overlays::tr("the line crosses %1.").arg(crossedBy(*pattern, context.y)));
+                  ? Text::tr("all corners lie on one side of the line, so nothing is visible.")
+                  : Text::tr("the line crosses %1.").arg(crossedBy(*pattern, context.y)));
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/overlays/parts.h"
 #include "clipping/outcode.h"
 
@@ -68,25 +69,25 @@ QString turnsCaption(const OverlayContext& context, std::span<const EndMove> mov
                      std::size_t questions)
 {
     if (!context.line)
-        return Overlays::tr(
+        return Text::tr(
                    "Only the corners that can decide are tested: on which side of the line do they "
                    "lie? %1")
             .arg(pointAtALine());
     const auto [a, b] = codesOf(context);
     if ((a & b) != 0 || (a | b) == 0)
-        return (a & b) != 0 ? Overlays::tr(
+        return (a & b) != 0 ? Text::tr(
                    "Both ends are beyond one edge: nothing is visible, and no corner is tested.")
-                            : Overlays::tr(
+                            : Text::tr(
                                 "Both ends are inside: nothing is cut, and no corner is tested.");
     if (context.trace.outcome != clipping::Outcome::Visible)
-        return Overlays::tr("The line passes a corner on the outside: nothing is visible.");
+        return Text::tr("The line passes a corner on the outside: nothing is visible.");
     QStringList ways;
     for (const EndMove& move : moves)
-        ways << (move.ofB ? Overlays::tr("leaves through %1") : Overlays::tr("enters through %1"))
+        ways << (move.ofB ? Text::tr("leaves through %1") : Text::tr("enters through %1"))
                     .arg(edgeWords(move.edge, context.y));
-    const QString asked = questions == 0 ? Overlays::tr("No corner has to be tested")
-                                         : Overlays::tr("The corners decide");
-    return Overlays::tr("%1: the line %2.").arg(asked, ways.join(Overlays::tr(" and ")));
+    const QString asked =
+        questions == 0 ? Text::tr("No corner has to be tested") : Text::tr("The corners decide");
+    return Text::tr("%1: the line %2.").arg(asked, ways.join(Text::tr(" and ")));
 }
 
 /// "left, not top": at which of two edges the line enters or leaves.
@@ -95,7 +96,7 @@ QString choiceWords(const Question& question, std::span<const EndMove> moves, YA
     for (const EndMove& move : moves)
         for (const int k : {0, 1})
             if (move.edge == question.edge[k])
-                return Overlays::tr("%1, not %2")
+                return Text::tr("%1, not %2")
                     .arg(edgeName(move.edge, y), edgeName(question.edge[1 - k], y));
     return {};
 }
@@ -113,8 +114,8 @@ std::vector<OverlayMark> corners(const OverlayContext& context, std::span<const 
             && std::ranges::find(question.edge, rejecting) != std::end(question.edge);
         marks.push_back({.at = corner,
                          .symbol = missed ? Symbol::Hollow : Symbol::Filled,
-                         .label = missed             ? Overlays::tr("passed outside: missed")
-                                  : question.decides ? Overlays::tr("passed inside: met")
+                         .label = missed             ? Text::tr("passed outside: missed")
+                                  : question.decides ? Text::tr("passed inside: met")
                                                      : choiceWords(question, moves, context.y),
                          .emphasis = Emphasis::Highlighted});
         if (missed)

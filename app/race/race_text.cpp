@@ -3,20 +3,11 @@
 
 #include "app/base/numbers.h"
 #include "app/base/short_names.h"
+#include "app/base/text.h"
 #include "app/experiment/ranking.h"
 #include "app/view/frame_statistics.h"
 
-#include <QCoreApplication>
-
 namespace app {
-namespace {
-
-struct Races {
-    Q_DECLARE_TR_FUNCTIONS(Races)
-};
-
-} // namespace
-
 QString groupsText(std::span<const RaceRow> rows)
 {
     std::vector<std::vector<double>> runs;
@@ -24,7 +15,7 @@ QString groupsText(std::span<const RaceRow> rows)
         runs.emplace_back(row.times().begin(), row.times().end());
     const Ranking ranking = rankingOf(runs);
     if (!ranking.told)
-        return Races::tr("Too few rounds: %3 algorithms need %2 rounds, but this race has %1.")
+        return Text::tr("Too few rounds: %3 algorithms need %2 rounds, but this race has %1.")
             .arg(ranking.rounds)
             .arg(leastRounds(rows.size()))
             .arg(rows.size());
@@ -37,7 +28,7 @@ QString groupsText(std::span<const RaceRow> rows)
             texts << listText(names);
     }
     return texts.isEmpty() ? QString()
-                           : Races::tr("No significant difference of 1 % or more: %1")
+                           : Text::tr("No significant difference of 1 % or more: %1")
                                  .arg(texts.join(QStringLiteral("; ")));
 }
 
@@ -46,13 +37,13 @@ QString shortTimeText(double milliseconds)
     if (milliseconds >= 0.1)
         return millisecondsText(milliseconds);
     const double micro = milliseconds * 1e3;
-    return Races::tr("%1 µs").arg(numberText(micro, micro < 10 ? 2 : 1));
+    return Text::tr("%1 µs").arg(numberText(micro, micro < 10 ? 2 : 1));
 }
 
 QString fieldText(std::size_t lines)
 {
-    return (lines < leastLinesToTime ? Races::tr("%1: too few to time")
-                                     : Races::tr("%1, rotated order, 1 thread"))
+    return (lines < leastLinesToTime ? Text::tr("%1: too few to time")
+                                     : Text::tr("%1, rotated order, 1 thread"))
         .arg(linesText(lines));
 }
 
@@ -60,9 +51,9 @@ QString tooFewText(std::size_t lines)
 {
     return lines >= leastLinesToTime
                ? QString()
-               : Races::tr("Clipping fewer than %1 lines is over too soon for a reliable time, so "
-                           "only results and operations are compared. Open a drawing with more "
-                           "lines to compare times.")
+               : Text::tr("Clipping fewer than %1 lines is over too soon for a reliable time, so "
+                          "only results and operations are compared. Open a drawing with more "
+                          "lines to compare times.")
                      .arg(countText(leastLinesToTime));
 }
 

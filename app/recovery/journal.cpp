@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/recovery/journal.h"
 
+#include "app/base/text.h"
 #include "app/recovery/journal_folder.h"
 #include "app/recovery/log_file.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 
@@ -53,7 +53,7 @@ struct Journal::Opening {
             base = {};
             claim = createJournalFolder(folder);
             if (!claim)
-                error = tr("The folder %1 cannot be written.").arg(folder);
+                error = Text::tr("The folder %1 cannot be written.").arg(folder);
             else if (auto wrong = writeWhole(baseFile(folder, 1), bytes))
                 error = std::move(*wrong);
             else
@@ -327,8 +327,8 @@ QString Journal::whyIncomplete() const
 {
     if (complete_)
         return {};
-    const QString reason = failure_.isEmpty() ? tr("There is not enough memory.") : failure_;
-    return tr("Unsaved changes are not protected against a crash: %1 Save the drawing.")
+    const QString reason = failure_.isEmpty() ? Text::tr("There is not enough memory.") : failure_;
+    return Text::tr("Unsaved changes are not protected against a crash: %1 Save the drawing.")
         .arg(reason.endsWith(u'.') ? reason : reason + u'.');
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/recovery/journal_reading.h"
 
+#include "app/base/text.h"
 #include "app/recovery/journal_folder.h"
 #include "app/recovery/log_records.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 
@@ -14,8 +14,6 @@ namespace app {
 namespace {
 
 constexpr qint64 mostHeader = 1 << 20; // bytes; long enough for any path
-
-QString tr(const char* text) { return QCoreApplication::translate("recovery", text); }
 
 struct Way {
     Recovered drawing;
@@ -68,9 +66,9 @@ std::optional<Recovered> replayed(const QString& folder)
     if (!best)
         return std::nullopt;
     if (!best->reach.whole)
-        best->drawing.lost = tr("its last steps are missing");
+        best->drawing.lost = Text::tr("its last steps are missing");
     else if (!best->allSteps)
-        best->drawing.lost = tr("its older steps cannot be undone");
+        best->drawing.lost = Text::tr("its older steps cannot be undone");
     return std::move(best->drawing);
 }
 

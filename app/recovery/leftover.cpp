@@ -2,6 +2,7 @@
 #include "app/recovery/leftover.h"
 
 #include "app/base/replace_file.h"
+#include "app/base/text.h"
 #include "app/base/write_all.h"
 #include "app/formats/svg/writer.h"
 #include "app/recovery/journal_folder.h"
@@ -138,9 +139,7 @@ std::optional<QString> writeLeftover(const Document& document, const Origin& ori
                    : std::optional(out.errorString());
     });
     QFile::setPermissions(file, QFile::ReadOwner | QFile::WriteOwner);
-    return error ? std::optional(
-               QCoreApplication::translate("recovery", "Cannot write %1: %2").arg(file, *error))
-                 : std::nullopt;
+    return error ? std::optional(Text::tr("Cannot write %1: %2").arg(file, *error)) : std::nullopt;
 }
 
 QString newLeftoverFile(const QString& folder)

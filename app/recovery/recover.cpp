@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/recovery/recover.h"
 
+#include "app/base/text.h"
 #include "app/formats/format.h"
 #include "app/recovery/journal_folder.h"
 #include "app/recovery/journal_reading.h"
-
-#include <QCoreApplication>
 
 namespace app {
 
@@ -18,8 +17,7 @@ Result<Recovered> recover(const Leftover& leftover)
             found = salvaged(leftover.file);
         if (found)
             return Found::of(std::move(*found));
-        return Found::failure(
-            QCoreApplication::translate("recovery", "Its journal is damaged at the start."));
+        return Found::failure(Text::tr("Its journal is damaged at the start."));
     }
     auto read = readFile(leftover.file, &formats().front());
     if (!read)

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/recovery/replay.h"
 
+#include "app/base/text.h"
 #include "app/commands/add_objects.h"
 #include "app/commands/change_paths.h"
-
-#include <QCoreApplication>
 
 namespace app {
 namespace {
@@ -109,10 +108,9 @@ bool Replay::followInHand(ByteReader& in)
 Recovered Replay::take()
 {
     if (inHand_) {
-        history_.push(
-            new EditCommand(inHand_->replaces ? ChangePaths::row : AddObjects::row, document_,
-                            keeping(now(), *inHand_),
-                            QCoreApplication::translate("recovery", "Recover unfinished object")));
+        history_.push(new EditCommand(inHand_->replaces ? ChangePaths::row : AddObjects::row,
+                                      document_, keeping(now(), *inHand_),
+                                      Text::tr("Recover unfinished object")));
         inHand_.reset();
     }
     return {now(), recorded(history_, all), std::move(origin_), {}};

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/document/new_drawing.h"
 #include "app/formats/format.h"
 #include "app/recovery/journal_folder.h"
@@ -6,7 +7,6 @@
 #include "app/recovery/log_records.h"
 #include "app/session/samples.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -74,11 +74,9 @@ std::optional<Recovered> salvaged(const QString& folder)
     if (found.history.steps.empty())
         return std::nullopt;
     if (!original || !reach.whole)
-        found.lost =
-            QCoreApplication::translate("recovery", "only some of its steps could be repeated");
+        found.lost = Text::tr("only some of its steps could be repeated");
     else
-        found.lost = QCoreApplication::translate(
-            "recovery", "it was made from the file and the steps since then");
+        found.lost = Text::tr("it was made from the file and the steps since then");
     return found;
 }
 

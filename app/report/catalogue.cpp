@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/replace_file.h"
+#include "app/base/text.h"
 #include "app/report/report.h"
-#include "app/report/translated.h"
 
 #include <QFileInfo>
 
@@ -20,7 +20,7 @@ QString endings()
     QStringList all;
     for (const ReportFormat& format : reportFormats())
         all << u'.' + format.key;
-    return all.join(Reports::tr(" or "));
+    return all.join(Text::tr(" or "));
 }
 
 } // namespace
@@ -34,8 +34,8 @@ QString readable(const QString& field, bool numeric)
 std::vector<ReportFormat> reportFormats()
 {
     return {
-        {"html", Reports::tr("Web page"), writeHtmlReport},
-        {"pdf", Reports::tr("PDF document"), writePdfReport},
+        {"html", Text::tr("Web page"), writeHtmlReport},
+        {"pdf", Text::tr("PDF document"), writePdfReport},
     };
 }
 
@@ -52,12 +52,10 @@ std::optional<QString> writeReport(const Report& report, const QString& path)
 {
     const auto format = reportFormatOf(path);
     if (!format)
-        return Reports::tr("Cannot write %1: end the name of a report with %2.")
-            .arg(path, endings());
+        return Text::tr("Cannot write %1: end the name of a report with %2.").arg(path, endings());
     const auto error =
         replaceFile(path, [&](QIODevice& out) { return format->write(report, out); });
-    return error ? std::optional(Reports::tr("Cannot write %1: %2").arg(path, *error))
-                 : std::nullopt;
+    return error ? std::optional(Text::tr("Cannot write %1: %2").arg(path, *error)) : std::nullopt;
 }
 
 } // namespace app

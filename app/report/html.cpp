@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/base/write_all.h"
 #include "app/charts/chart_file.h"
 #include "app/experiment/heading.h"
 #include "app/report/report.h"
-#include "app/report/translated.h"
 
 #include <QRegularExpression>
 
@@ -52,7 +52,7 @@ QString figure(const Chart& chart, int number)
     return QStringLiteral("<figure>\n%1%2<details><summary>%3</summary><p>%4</p></details>\n"
                           "</figure>\n")
         .arg(drawing(chart, Ground::Light, id + u'l'), drawing(chart, Ground::Dark, id + u'd'),
-             escaped(Reports::tr("The chart in words")),
+             escaped(Text::tr("The chart in words")),
              escaped(textOf(chart)).replace(u'\n', QStringLiteral("<br/>\n")));
 }
 

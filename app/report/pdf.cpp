@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/base/write_all.h"
 #include "app/report/document.h"
 #include "app/report/keep_together.h"
-#include "app/report/translated.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
@@ -31,7 +31,7 @@ void paintFooter(QPainter& painter, const QSizeF& paper, const QString& title, i
     painter.setPen(documentLook().muted);
     painter.drawText(line, Qt::AlignLeft | Qt::AlignBottom, title);
     painter.drawText(line, Qt::AlignRight | Qt::AlignBottom,
-                     Reports::tr("%1 of %2").arg(page).arg(pages));
+                     Text::tr("%1 of %2").arg(page).arg(pages));
 }
 
 void paintPages(QPdfWriter& writer, QTextDocument& document, const QString& title)

@@ -3,20 +3,16 @@
 
 #include "app/base/latin.h"
 #include "app/base/replace_file.h"
+#include "app/base/text.h"
 #include "app/base/write_all.h"
 #include "app/charts/chart_file.h"
 #include "app/charts/study_charts.h"
 #include "app/report/study_report.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 
 namespace app {
 namespace {
-
-struct StudyFiles {
-    Q_DECLARE_TR_FUNCTIONS(StudyFiles)
-};
 
 using Written = Result<QStringList>;
 
@@ -33,7 +29,7 @@ std::optional<QString> writeText(const QString& path, const QString& text)
         return writeAll(out, text.toStdString()) ? std::nullopt
                                                  : std::optional(out.errorString() + u'.');
     });
-    return error ? std::optional(StudyFiles::tr("Cannot write %1: %2").arg(path, *error)) : error;
+    return error ? std::optional(Text::tr("Cannot write %1: %2").arg(path, *error)) : error;
 }
 
 QStringList tablePaths(const TableFormat& format, const Study& study, const QString& path)

@@ -3,10 +3,10 @@
 
 #include "app/base/numbers.h"
 #include "app/base/short_names.h"
+#include "app/base/text.h"
 #include "app/charts/study_charts.h"
 #include "app/experiment/one_by_one.h"
 #include "app/experiment/verdict.h"
-#include "app/report/translated.h"
 
 #include <algorithm>
 
@@ -30,7 +30,7 @@ QStringList meaningsOf(const Study& study)
 {
     QStringList all;
     for (const Measure& measure : study.measures)
-        all << Reports::tr("%1: %2").arg(measure.name, measure.meaning);
+        all << Text::tr("%1: %2").arg(measure.name, measure.meaning);
     return all;
 }
 
@@ -42,7 +42,7 @@ QString introduction(const Study& study)
             if (timing.variant.algorithm != &exactOneByOne())
                 names << introducedName(*timing.variant.algorithm);
     names.removeDuplicates();
-    return Reports::
+    return Text::
         tr("A line-clipping algorithm keeps the part of each line that lies inside a window. This "
            "report compares the following algorithms on the same lines; less time is better: %1.")
             .arg(names.join(QStringLiteral(", ")));
@@ -51,7 +51,7 @@ QString introduction(const Study& study)
 /// "Table 1, as published", "Scene “Near miss”".
 QString titleOf(const Trial& trial)
 {
-    return trial.paper ? nameOf(trial) : Reports::tr("Scene “%1”").arg(nameOf(trial));
+    return trial.paper ? nameOf(trial) : Text::tr("Scene “%1”").arg(nameOf(trial));
 }
 
 /// The result of one trial, which the first words name.
@@ -60,7 +60,7 @@ QStringList summaryOf(const Trial& trial, const Study& study)
     QStringList sentences = verdict(trial, study.measures);
     if (!sentences.isEmpty())
         sentences.front() =
-            Reports::tr("%1, %2 lines. %3")
+            Text::tr("%1, %2 lines. %3")
                 .arg(titleOf(trial), countText(trial.record.options.lines), sentences.front());
     return sentences;
 }
@@ -90,10 +90,10 @@ std::vector<PaperTable> papersOf(const Study& study)
 ReportSection paperSection(const std::vector<PaperTable>& papers)
 {
     ReportSection section{
-        .title = Reports::tr("The paper's own numbers"),
-        .sentences = {Reports::tr("D. Matthes, V. Drakopoulos: Another Simple but Faster Method "
-                                  "for 2D Line Clipping, 2019. The runs are as printed; we "
-                                  "computed letters and medians from them."),
+        .title = Text::tr("The paper's own numbers"),
+        .sentences = {Text::tr("D. Matthes, V. Drakopoulos: Another Simple but Faster Method "
+                               "for 2D Line Clipping, 2019. The runs are as printed; we "
+                               "computed letters and medians from them."),
                       paperPairingText()}};
     for (const PaperTable& paper : papers) {
         section.charts.push_back(chartOf(paper));
@@ -104,7 +104,7 @@ ReportSection paperSection(const std::vector<PaperTable>& papers)
 
 ReportSection explanationSection(const Explanation& explanation, const Table& circumstances)
 {
-    return {.title = Reports::tr("Reasons"),
+    return {.title = Text::tr("Reasons"),
             .sentences = reasons(explanation),
             .charts = chartsOf(explanation),
             .tables = withoutFacts(tablesOf(explanation), circumstances)};
@@ -122,30 +122,30 @@ QStringList batchSentences(const Study& study)
 ReportSection methodSection(const Study& study, const Table& circumstances)
 {
     return {
-        .title = Reports::tr("How it was measured"),
+        .title = Text::tr("How it was measured"),
         .sentences =
             QStringList{
-                Reports::tr("Every algorithm clips the same lines. The algorithms take turns block "
-                            "by block, and their order changes from block to block and from run to "
-                            "run. So a moment when the machine is slow affects all algorithms."),
-                Reports::tr("Ranks are by median. Two algorithms differ if the exact two-sided "
-                            "Wilcoxon signed-rank test, paired by run, finds a difference at a "
-                            "level of 5 %, and if the median of the ratios run by run differs by 1 "
-                            "% or more. A smaller difference counts as practically equal."),
-                Reports::tr(
+                Text::tr("Every algorithm clips the same lines. The algorithms take turns block "
+                         "by block, and their order changes from block to block and from run to "
+                         "run. So a moment when the machine is slow affects all algorithms."),
+                Text::tr("Ranks are by median. Two algorithms differ if the exact two-sided "
+                         "Wilcoxon signed-rank test, paired by run, finds a difference at a "
+                         "level of 5 %, and if the median of the ratios run by run differs by 1 "
+                         "% or more. A smaller difference counts as practically equal."),
+                Text::tr(
                     "The lowest median is tested against each other algorithm. Letters come from "
                     "tests of all pairs. Both use Holm's correction for the number of tests. An "
                     "algorithm that does not differ from another has no rank. Overlapping "
                     "confidence intervals do not show whether algorithms differ."),
-                Reports::tr("Nanoseconds depend on the machine. Compare ratios.")}
+                Text::tr("Nanoseconds depend on the machine. Compare ratios.")}
             + batchSentences(study),
         .tables = {circumstances}};
 }
 
 ReportSection repeatSection(const Study& study)
 {
-    return {.title = Reports::tr("Repeat the measurement"),
-            .sentences = {Reports::tr("The same seed gives the same lines on every machine.")},
+    return {.title = Text::tr("Repeat the measurement"),
+            .sentences = {Text::tr("The same seed gives the same lines on every machine.")},
             .code = commandToRepeat(study)};
 }
 
@@ -154,8 +154,7 @@ ReportSection repeatSection(const Study& study)
 Report reportOf(const Study& study)
 {
     const Table circumstances = circumstancesTable(study);
-    Report report{.title = Reports::tr("Line clipping: the time of each algorithm"),
-                  .sections = {}};
+    Report report{.title = Text::tr("Line clipping: the time of each algorithm"), .sections = {}};
     report.summary << introduction(study);
     if (study.explanation)
         report.sections.push_back(explanationSection(*study.explanation, circumstances));

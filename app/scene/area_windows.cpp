@@ -3,7 +3,6 @@
 
 #include "app/base/finite.h"
 
-
 namespace app {
 
 static_assert(int(clipping::FillRule::EvenOdd) == int(FillRule::EvenOdd));

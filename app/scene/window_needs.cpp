@@ -3,22 +3,12 @@
 
 #include "app/base/latin.h"
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "clipping/region/catalogue.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 
 namespace app {
-
-namespace {
-
-struct WindowNeedsText {
-    Q_DECLARE_TR_FUNCTIONS(WindowNeeds)
-};
-using Text = WindowNeedsText;
-
-} // namespace
 
 WindowNeeds needsOf(const ClipRegion::Step& step)
 {

@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/arrange_selection.h"
 
+#include "app/base/text.h"
 #include "app/commands/add_objects.h"
 #include "app/document/editable.h"
 #include "app/scene/bounds.h"
-
-#include <QCoreApplication>
 
 #include <array>
 
 namespace app {
 namespace {
-
-struct ArrangeSelectionText {
-    Q_DECLARE_TR_FUNCTIONS(Arrange)
-};
 
 /// Whether all objects of the range are in the set: one of its ranges then holds them.
 bool holds(const ObjectRanges& set, const ObjectRange& range)
@@ -84,7 +79,7 @@ std::vector<AffineMap> translations(std::span<const Point> ways)
 
 QString noWindow()
 {
-    return ArrangeSelectionText::tr(
+    return Text::tr(
         "There is no clip window to align to. Draw one, or choose something else in Object > "
         "Align.");
 }
@@ -110,20 +105,17 @@ std::span<const AlignmentTarget> alignmentTargets()
     using Box = std::optional<clipping::Window>;
     using Units = std::span<const ArrangedUnit>;
     static const std::array all{
-        AlignmentTarget{"to-selection", ArrangeSelectionText::tr("To the &selection"),
-                        ArrangeSelectionText::tr("to selection"), false,
+        AlignmentTarget{"to-selection", Text::tr("To the &selection"), Text::tr("to selection"),
+                        false,
                         [](const Session& session, Units) { return session.selectionBounds(); }},
         AlignmentTarget{
-            "to-last", ArrangeSelectionText::tr("To the object clicked l&ast"),
-            ArrangeSelectionText::tr("to last clicked"), false,
+            "to-last", Text::tr("To the object clicked l&ast"), Text::tr("to last clicked"), false,
             [](const Session& session, Units units) { return Box(lastOf(units, session).box); }},
         AlignmentTarget{
-            "to-page", ArrangeSelectionText::tr("To the &page"),
-            ArrangeSelectionText::tr("to page"), true,
+            "to-page", Text::tr("To the &page"), Text::tr("to page"), true,
             [](const Session& session, Units) { return Box(session.now().page().rectangle()); }},
-        AlignmentTarget{"to-window", ArrangeSelectionText::tr("To the &clip window"),
-                        ArrangeSelectionText::tr("to clip window"), true,
-                        [](const Session& session, Units) { return session.clipWindow(); }},
+        AlignmentTarget{"to-window", Text::tr("To the &clip window"), Text::tr("to clip window"),
+                        true, [](const Session& session, Units) { return session.clipWindow(); }},
     };
     return all;
 }
@@ -173,7 +165,7 @@ void align(Session& session, int axis, AlignTo side)
         return;
     if (const auto to = alignmentTarget(session).box(session, units))
         pushArranged(session, units, translations(aligned(boxesOf(units), *to, axis, side)),
-                     ArrangeSelectionText::tr("Align selection"));
+                     Text::tr("Align selection"));
     else
         emit session.refused(noWindow());
 }
@@ -184,14 +176,14 @@ void spreadEvenly(Session& session, int axis)
     const AlignmentTarget& target = alignmentTarget(session);
     const auto over = target.isExtent ? target.box(session, units) : std::nullopt;
     if (units.size() < leastSpread(session))
-        emit session.refused(ArrangeSelectionText::tr(
-            "Select more objects to spread: at least three, or two to spread "
-            "them over the page or the clip window."));
+        emit session.refused(
+            Text::tr("Select more objects to spread: at least three, or two to spread "
+                     "them over the page or the clip window."));
     else if (target.isExtent && !over)
         emit session.refused(noWindow());
     else
         pushArranged(session, units, translations(spread(boxesOf(units), axis, over)),
-                     ArrangeSelectionText::tr("Spread selection"));
+                     Text::tr("Spread selection"));
 }
 
 void makeSameSize(Session& session, bool width, bool height)
@@ -201,7 +193,7 @@ void makeSameSize(Session& session, bool width, bool height)
         return;
     const clipping::Window model = lastOf(units, session).box;
     pushArranged(session, units, sameSize(boxesOf(units), model, width, height),
-                 ArrangeSelectionText::tr("Make same size"), session.arrange.strokes);
+                 Text::tr("Make same size"), session.arrange.strokes);
 }
 
 bool repeatSelection(Session& session, std::span<const AffineMap> maps, const QString& undoText)

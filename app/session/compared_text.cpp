@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/compared_text.h"
 
+#include "app/base/text.h"
 #include "app/comparison/at_text.h"
 #include "app/session/window_words.h"
 
-#include <QCoreApplication>
-
 namespace app {
-
-namespace {
-
-struct ComparedWindowText {
-    Q_DECLARE_TR_FUNCTIONS(ComparedWindow)
-};
-
-} // namespace
 
 QString comparedName(const Session& session)
 {
@@ -27,12 +18,12 @@ QString comparedName(const Session& session)
 QString comparedText(const Session& session)
 {
     if (!session.compared().comparable)
-        return ComparedWindowText::tr(
+        return Text::tr(
             "Nothing is compared: no clip window is a rectangle along the axes. Draw one to "
             "compare there.");
     const QString name = comparedName(session);
     return name.isEmpty() ? atText(session.compared())
-                          : ComparedWindowText::tr("Compared inside %1 only.").arg(name);
+                          : Text::tr("Compared inside %1 only.").arg(name);
 }
 
 } // namespace app

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/convert_selection.h"
 
+#include "app/base/text.h"
 #include "app/commands/change_paths.h"
 #include "app/session/session.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 
@@ -44,16 +43,15 @@ QString convertRefusal(const Session& session)
     for (const ObjectRange& range : session.selection().ranges())
         if (anyHasRecipe(session.now().objects(), range))
             return {};
-    return QCoreApplication::translate("Commands",
-                                       "Select a text, rectangle, ellipse, polygon or star first.");
+    return Text::tr("Select a text, rectangle, ellipse, polygon or star first.");
 }
 
 void convertToPaths(Session& session)
 {
     const auto changed = withoutRecipes(session);
     if (!changed.empty())
-        session.history.push(new ChangePaths(
-            session.document, changed, QCoreApplication::translate("Commands", "Convert to path")));
+        session.history.push(
+            new ChangePaths(session.document, changed, Text::tr("Convert to path")));
 }
 
 } // namespace app

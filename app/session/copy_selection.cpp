@@ -2,6 +2,7 @@
 #include "app/session/copy_selection.h"
 
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/commands/add_objects.h"
 #include "app/commands/move_objects.h"
 #include "app/document/copies.h"
@@ -9,22 +10,16 @@
 #include "app/document/editable.h"
 #include "app/session/units.h"
 
-#include <QCoreApplication>
-
 namespace app {
 namespace {
 
 constexpr double stepMillimetres = 5; // from one copy to the next
 
-struct CopiesText {
-    Q_DECLARE_TR_FUNCTIONS(Copies)
-};
-
 void pushCopies(Session& session, std::optional<Rearranged> copies, const QString& undoText)
 {
     if (!copies) {
         emit session.refused(
-            CopiesText::tr("Nothing was copied: a drawing can have %1 layers and groups.")
+            Text::tr("Nothing was copied: a drawing can have %1 layers and groups.")
                 .arg(countText(Containers::mostContainers)));
         return;
     }
@@ -50,15 +45,15 @@ void duplicateInPlace(Session& session)
         return;
     const std::vector<RowChange> once{[](ObjectRow&) {}};
     pushCopies(session, withCopies(session.now(), session.selection(), session.entered.id(), once),
-               CopiesText::tr("Duplicate"));
+               Text::tr("Duplicate"));
 }
 
 void paste(Session& session, const Document& drawing, PastePlace place)
 {
     if (!mayAddObjects(session)) {
         emit session.refused(
-            CopiesText::tr("The layer %1 is locked or hidden, so nothing was pasted. Select "
-                           "another layer, or unlock and show this one.")
+            Text::tr("The layer %1 is locked or hidden, so nothing was pasted. Select "
+                     "another layer, or unlock and show this one.")
                 .arg(nameForNew(session)));
         return;
     }
@@ -67,7 +62,7 @@ void paste(Session& session, const Document& drawing, PastePlace place)
                          ? Point(0)
                          : copyOffset(session.now(), drawing.objects(), step);
     pushCopies(session, withDrawing(session.now(), movedBy(drawing, by), containerForNew(session)),
-               CopiesText::tr("Paste"));
+               Text::tr("Paste"));
 }
 
 } // namespace app

@@ -4,8 +4,7 @@
 #include "app/base/finite.h"
 #include "app/base/number.h"
 #include "app/base/numbers.h"
-
-#include <QCoreApplication>
+#include "app/base/text.h"
 
 #include <glm/geometric.hpp>
 
@@ -21,10 +20,6 @@ using Key = DifferenceColumn::Key;
 using Kind = Difference::Kind;
 
 namespace {
-
-struct Rows {
-    Q_DECLARE_TR_FUNCTIONS(Difference)
-};
 
 enum class Side : std::uint8_t { A, B };
 
@@ -48,7 +43,7 @@ std::optional<Segment> pieceOf(const Session& session, const Difference& differe
 QString inFull(double number)
 {
     if (!std::isfinite(number))
-        return Rows::tr("not a number");
+        return Text::tr("not a number");
     return shortestText(number);
 }
 
@@ -58,11 +53,11 @@ QString pieceText(const std::optional<Segment>& piece, const Number& number)
     if (!piece)
         return QStringLiteral("–");
     const auto point = [&](const Point& p) {
-        return Rows::tr("%1; %2", "coordinates").arg(number(p.x), number(p.y));
+        return Text::tr("%1; %2", "coordinates").arg(number(p.x), number(p.y));
     };
     return piece->a == piece->b
                ? point(piece->a)
-               : Rows::tr("%1 → %2", "from, to").arg(point(piece->a), point(piece->b));
+               : Text::tr("%1 → %2", "from, to").arg(point(piece->a), point(piece->b));
 }
 
 /// In the unit of rulers and fields, with as many decimals.
@@ -112,7 +107,7 @@ QString amountText(const Session& session, double length)
     const double least = leastToRead(session);
     const QString text = lengthText(std::max(length, least), session.display().unit,
                                     session.now().page().millimetresPerUnit());
-    return length == 0 ? Rows::tr("a point") : length < least ? QStringLiteral("< ") + text : text;
+    return length == 0 ? Text::tr("a point") : length < least ? QStringLiteral("< ") + text : text;
 }
 
 QString differenceText(const Session& session, const Difference& difference)
@@ -123,8 +118,8 @@ QString differenceText(const Session& session, const Difference& difference)
         return amountText(session, lengthOf(session, difference));
     if (const double distance = distanceOf(session, difference); distance >= leastToRead(session))
         return amountText(session, distance);
-    return difference.ulps == 1 ? Rows::tr("1 ulp")
-                                : Rows::tr("%1 ulps").arg(ulpsText(difference.ulps));
+    return difference.ulps == 1 ? Text::tr("1 ulp")
+                                : Text::tr("%1 ulps").arg(ulpsText(difference.ulps));
 }
 
 QString lineText(const Session& session, const Difference& difference)
@@ -138,8 +133,8 @@ QString whatText(const Session& session, const Difference& difference)
         return {};
     const Comparison& comparison = *session.differences.asked();
     if (difference.kind == Kind::EndsApart)
-        return Rows::tr("different ends");
-    return Rows::tr("only %1 keeps it")
+        return Text::tr("different ends");
+    return Text::tr("only %1 keeps it")
         .arg(nameOf(variantOf(comparison, difference.kind == Kind::OnlyA ? Side::A : Side::B)));
 }
 
@@ -149,7 +144,7 @@ QString placeText(const Session& session, const Difference& difference)
         return {};
     const std::size_t object = session.scene.lines().objectOf(difference.source);
     const Containers& containers = session.now().containers();
-    return Rows::tr("%1, shape %2")
+    return Text::tr("%1, shape %2")
         .arg(containers[containers.layerOf(object)].name, countText(object + 1));
 }
 
@@ -179,13 +174,13 @@ Key byPiece(const Session& session, const Difference& difference)
 template <Side side>
 QString pieceHeading(const Comparison&)
 {
-    return side == Side::A ? Rows::tr("A") : Rows::tr("B");
+    return side == Side::A ? Text::tr("A") : Text::tr("B");
 }
 
 template <Side side>
 QString pieceMeaning(const Comparison& comparison)
 {
-    return Rows::tr("The part of the line that %1 keeps").arg(nameOf(variantOf(comparison, side)));
+    return Text::tr("The part of the line that %1 keeps").arg(nameOf(variantOf(comparison, side)));
 }
 
 } // namespace
@@ -193,20 +188,20 @@ QString pieceMeaning(const Comparison& comparison)
 std::span<const DifferenceColumn> differenceColumns()
 {
     static const std::array columns{
-        DifferenceColumn{[](const Comparison&) { return Rows::tr("Line"); },
-                         [](const Comparison&) { return Rows::tr("The line's number"); }, lineText,
+        DifferenceColumn{[](const Comparison&) { return Text::tr("Line"); },
+                         [](const Comparison&) { return Text::tr("The line's number"); }, lineText,
                          byLine, true},
         DifferenceColumn{
-            [](const Comparison&) { return Rows::tr("What differs"); },
+            [](const Comparison&) { return Text::tr("What differs"); },
             [](const Comparison&) {
-                return Rows::tr(
+                return Text::tr(
                     "Which of the two keeps the line, or whether both keep it with different ends");
             },
             whatText, byKind, false},
         DifferenceColumn{
-            [](const Comparison&) { return Rows::tr("How much"); },
+            [](const Comparison&) { return Text::tr("How much"); },
             [](const Comparison&) {
-                return Rows::tr(
+                return Text::tr(
                     "The length of the part that only one of the two keeps, or the distance "
                     "between the ends. A distance too short to read is in ulps: units in the last "
                     "place of the largest coordinate of line and window");
@@ -218,8 +213,8 @@ std::span<const DifferenceColumn> differenceColumns()
                          byPiece<Side::B>, false},
         // Objects and layers are in the order of their lines.
         DifferenceColumn{
-            [](const Comparison&) { return Rows::tr("Layer and shape"); },
-            [](const Comparison&) { return Rows::tr("The line's place in the drawing"); },
+            [](const Comparison&) { return Text::tr("Layer and shape"); },
+            [](const Comparison&) { return Text::tr("The line's place in the drawing"); },
             placeText, byLine, false}};
     return columns;
 }

@@ -2,9 +2,8 @@
 #include "app/session/first_traced_line.h"
 
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/session/traced_window.h"
-
-#include <QCoreApplication>
 
 #include <glm/geometric.hpp>
 
@@ -13,10 +12,6 @@
 namespace app {
 
 namespace {
-
-struct FirstTracedLineText {
-    Q_DECLARE_TR_FUNCTIONS(Microscope)
-};
 
 /// A line that crosses the infinite line of ymin, enters the window at xmin and leaves it at ymax.
 clipping::Segment across(const clipping::Window& window)
@@ -90,14 +85,13 @@ TracedLine tracedLineOf(const Session& session, std::size_t segment)
 {
     const SceneLines& lines = session.scene.lines();
     const TracedWindow window = tracedWindow(session);
-    const QString line = FirstTracedLineText::tr("Line %1 of %2")
-                             .arg(countText(segment + 1), countText(lines.size()));
+    const QString line =
+        Text::tr("Line %1 of %2").arg(countText(segment + 1), countText(lines.size()));
     const QString remark = window.remark();
-    TracedLine traced{
-        .variant = session.variant(),
-        .line = window.into(lines[segment]),
-        .y = YAxis::Down,
-        .origin = remark.isEmpty() ? line : FirstTracedLineText::tr("%1, %2").arg(line, remark)};
+    TracedLine traced{.variant = session.variant(),
+                      .line = window.into(lines[segment]),
+                      .y = YAxis::Down,
+                      .origin = remark.isEmpty() ? line : Text::tr("%1, %2").arg(line, remark)};
     window.putInto(traced);
     return traced;
 }
@@ -120,7 +114,7 @@ TracedLine firstTracedLine(const Session& session)
     TracedLine traced{.variant = session.variant(),
                       .line = across(window.frame.box),
                       .y = YAxis::Down,
-                      .origin = FirstTracedLineText::tr("Example line")};
+                      .origin = Text::tr("Example line")};
     window.putInto(traced);
     return traced;
 }

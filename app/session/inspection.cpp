@@ -2,12 +2,12 @@
 #include "app/session/inspection.h"
 
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/comparison/outcode_text.h"
 #include "app/teaching/value_unit.h"
 #include "app/view/place.h"
 #include "clipping/outcode.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 
 #include <glm/geometric.hpp>
@@ -23,10 +23,6 @@ using clipping::Edge;
 
 namespace {
 
-struct InspectionText {
-    Q_DECLARE_TR_FUNCTIONS(inspection)
-};
-
 QLatin1StringView latin(std::string_view text)
 {
     return QLatin1StringView(text.data(), qsizetype(text.size()));
@@ -37,13 +33,13 @@ QString edgeName(Edge edge)
 {
     switch (edge) {
     case Edge::Left:
-        return InspectionText::tr("left edge");
+        return Text::tr("left edge");
     case Edge::Right:
-        return InspectionText::tr("right edge");
+        return Text::tr("right edge");
     case Edge::Bottom:
-        return InspectionText::tr("top edge");
+        return Text::tr("top edge");
     case Edge::Top:
-        return InspectionText::tr("bottom edge");
+        return Text::tr("bottom edge");
     default:
         return {};
     }
@@ -134,8 +130,8 @@ QString stepText(const clipping::Step& step, const Measure& measure)
     if (!values.isEmpty())
         text += QStringLiteral(": ") + values.join(QStringLiteral(", "));
     if (step.what == What::Reject || step.what == What::GiveUp)
-        return InspectionText::tr("%1\n     leaves nothing").arg(text);
-    return InspectionText::tr("%1\n     leaves %2 to %3")
+        return Text::tr("%1\n     leaves nothing").arg(text);
+    return Text::tr("%1\n     leaves %2 to %3")
         .arg(text, measure.point(step.segment.a), measure.point(step.segment.b));
 }
 
@@ -143,13 +139,13 @@ QString endText(const Inspection& line, const Measure& measure)
 {
     switch (line.trace.outcome) {
     case clipping::Outcome::DidNotEnd:
-        return InspectionText::tr("The algorithm did not end and was stopped: nothing is visible");
+        return Text::tr("The algorithm did not end and was stopped: nothing is visible");
     case clipping::Outcome::Invisible:
-        return InspectionText::tr("Nothing is visible");
+        return Text::tr("Nothing is visible");
     case clipping::Outcome::Visible:
         break;
     }
-    return InspectionText::tr("Visible: %1 to %2")
+    return Text::tr("Visible: %1 to %2")
         .arg(measure.point(line.trace.visible.a), measure.point(line.trace.visible.b));
 }
 
@@ -165,10 +161,13 @@ QString Region::outcode() const
 QString Region::words() const
 {
     static constexpr std::array<std::array<const char*, 3>, 3> names{
-        {{"above left", "above", "above right"},
-         {"left", "inside", "right"},
-         {"below left", "below", "below right"}}};
-    return InspectionText::tr(names[row + 1][column + 1]);
+        {{QT_TRANSLATE_NOOP("Text", "above left"), QT_TRANSLATE_NOOP("Text", "above"),
+          QT_TRANSLATE_NOOP("Text", "above right")},
+         {QT_TRANSLATE_NOOP("Text", "left"), QT_TRANSLATE_NOOP("Text", "inside"),
+          QT_TRANSLATE_NOOP("Text", "right")},
+         {QT_TRANSLATE_NOOP("Text", "below left"), QT_TRANSLATE_NOOP("Text", "below"),
+          QT_TRANSLATE_NOOP("Text", "below right")}}};
+    return Text::tr(names[row + 1][column + 1]);
 }
 
 Region regionOf(const Point& point, const clipping::Window& window)
@@ -225,8 +224,8 @@ Inspection inspect(const Session& session, std::size_t segment)
 QString verdictText(const Inspection& line)
 {
     const QString name = nameOf(line.variant);
-    return line.visible ? InspectionText::tr("%1: visible, %2").arg(name, percentText(line.share))
-                        : InspectionText::tr("%1: nothing visible").arg(name);
+    return line.visible ? Text::tr("%1: visible, %2").arg(name, percentText(line.share))
+                        : Text::tr("%1: nothing visible").arg(name);
 }
 
 QString costText(const clipping::OperationCounts& cost)
@@ -234,22 +233,25 @@ QString costText(const clipping::OperationCounts& cost)
     QStringList parts;
     const auto add = [&](std::uint64_t count, const char* one, const char* many) {
         if (count > 0)
-            parts << (count == 1 ? InspectionText::tr(one)
-                                 : InspectionText::tr(many).arg(countText(count)));
+            parts << (count == 1 ? Text::tr(one) : Text::tr(many).arg(countText(count)));
     };
-    add(cost.comparisons, "1 comparison", "%1 comparisons");
-    add(cost.additions, "1 addition", "%1 additions");
-    add(cost.multiplications, "1 multiplication", "%1 multiplications");
-    add(cost.divisions, "1 division", "%1 divisions");
-    add(cost.negations, "1 negation", "%1 negations");
-    return parts.isEmpty() ? InspectionText::tr("nothing") : parts.join(QStringLiteral(", "));
+    add(cost.comparisons, QT_TRANSLATE_NOOP("Text", "1 comparison"),
+        QT_TRANSLATE_NOOP("Text", "%1 comparisons"));
+    add(cost.additions, QT_TRANSLATE_NOOP("Text", "1 addition"),
+        QT_TRANSLATE_NOOP("Text", "%1 additions"));
+    add(cost.multiplications, QT_TRANSLATE_NOOP("Text", "1 multiplication"),
+        QT_TRANSLATE_NOOP("Text", "%1 multiplications"));
+    add(cost.divisions, QT_TRANSLATE_NOOP("Text", "1 division"),
+        QT_TRANSLATE_NOOP("Text", "%1 divisions"));
+    add(cost.negations, QT_TRANSLATE_NOOP("Text", "1 negation"),
+        QT_TRANSLATE_NOOP("Text", "%1 negations"));
+    return parts.isEmpty() ? Text::tr("nothing") : parts.join(QStringLiteral(", "));
 }
 
 QStringList stepTexts(const Inspection& line, Unit unit, const Page& page)
 {
     if (const Misprint* misprint = line.variant.misprint)
-        return {InspectionText::tr("A known misprint: its steps are not recorded."),
-                misprint->whatIsWrong};
+        return {Text::tr("A known misprint: its steps are not recorded."), misprint->whatIsWrong};
     const Measure measure{line.variant, unit, page.millimetresPerUnit(), originOf(page, unit)};
     QStringList texts;
     for (const clipping::Step& step : line.trace.steps)

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/layer_colour.h"
 
+#include "app/base/text.h"
 #include "app/commands/set_containers.h"
 #include "app/formats/svg/declarations.h"
-
-#include <QCoreApplication>
 
 namespace app {
 namespace {
@@ -33,9 +32,8 @@ void setLayerColour(Session& session, ContainerId layer, const std::optional<Col
         after.newStyle = svg::declarations(style);
     }
     if (after != before)
-        session.history.push(
-            new SetContainers(session.document, session.now().containers().with(after),
-                              QCoreApplication::translate("Commands", "Layer colour")));
+        session.history.push(new SetContainers(
+            session.document, session.now().containers().with(after), Text::tr("Layer colour")));
 }
 
 } // namespace app

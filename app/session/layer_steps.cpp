@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/layer_steps.h"
 
+#include "app/base/text.h"
 #include "app/commands/rearrange_objects.h"
 #include "app/commands/set_containers.h"
 #include "app/document/editable.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <array>
@@ -13,18 +12,13 @@
 namespace app {
 namespace {
 
-struct LayerStepsText {
-    Q_DECLARE_TR_FUNCTIONS(LayerSteps)
-};
-
 QString sentenceOn(MoveFault fault)
 {
     static const std::array all{
-        QString(), LayerStepsText::tr("The layer was removed meanwhile."),
-        LayerStepsText::tr("A layer cannot be moved into itself or into a layer inside it."),
-        LayerStepsText::tr("A layer cannot be moved into a group, only into another layer."),
-        LayerStepsText::tr(
-            "A group cannot be moved out of all layers. Move it into another layer.")};
+        QString(), Text::tr("The layer was removed meanwhile."),
+        Text::tr("A layer cannot be moved into itself or into a layer inside it."),
+        Text::tr("A layer cannot be moved into a group, only into another layer."),
+        Text::tr("A group cannot be moved out of all layers. Move it into another layer.")};
     return all[std::size_t(fault)];
 }
 
@@ -93,8 +87,7 @@ void moveLayer(Session& session, ContainerId layer, const ContainerPlace& place)
     auto moved = movedContainer(session.now(), layer, place, session.selection());
     if (!moved || !moved->changes())
         return;
-    const QString text =
-        LayerStepsText::tr("Move layer %1").arg(session.now().containers()[layer].name);
+    const QString text = Text::tr("Move layer %1").arg(session.now().containers()[layer].name);
     session.history.push(new RearrangeObjects(session.document, std::move(moved->edit), text));
     session.select(common(moved->chosen, editableObjects(session.now())));
 }
@@ -126,10 +119,10 @@ void showOnlyLayer(Session& session, ContainerId layer)
     if (alone == all)
         return; // the only layer
     const bool isAlone = alone == tree;
-    session.history.push(new SetContainers(
-        session.document, isAlone ? all : alone,
-        isAlone ? LayerStepsText::tr("Show all layers")
-                : LayerStepsText::tr("Show only layer %1").arg(tree[layer].name)));
+    session.history.push(
+        new SetContainers(session.document, isAlone ? all : alone,
+                          isAlone ? Text::tr("Show all layers")
+                                  : Text::tr("Show only layer %1").arg(tree[layer].name)));
 }
 
 } // namespace app

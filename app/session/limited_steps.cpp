@@ -2,21 +2,12 @@
 #include "app/session/limited_steps.h"
 
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/commands/set_containers.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 
 namespace app {
-
-namespace {
-
-struct LimitedStepsText {
-    Q_DECLARE_TR_FUNCTIONS(LimitedSteps)
-};
-
-} // namespace
 
 /// Layers beyond the limit of a file would be merged when the file is opened again.
 static bool hasRoomForALayer(const Containers& containers)
@@ -33,21 +24,20 @@ bool addLayer(Session& session, const QString& name)
     const Containers& containers = session.now().containers();
     if (!hasRoomForALayer(containers)) {
         emit session.refused(
-            LimitedStepsText::tr(
-                "No layer was added. This drawing has %1 layers, and a file cannot "
-                "hold more. Delete a layer first.")
+            Text::tr("No layer was added. This drawing has %1 layers, and a file cannot "
+                     "hold more. Delete a layer first.")
                 .arg(countText(Containers::mostLayers)));
         return false;
     }
     const std::size_t top = containers.objects();
     auto more = containers.inserted({.name = name}, 0, containers.childrenOf(0).size(), {top, top});
     if (more)
-        session.history.push(new SetContainers(session.document, std::move(*more),
-                                               LimitedStepsText::tr("Add layer")));
+        session.history.push(
+            new SetContainers(session.document, std::move(*more), Text::tr("Add layer")));
     else
         emit session.refused(
-            LimitedStepsText::tr("No layer was added. This drawing has %1 layers and groups, and "
-                                 "cannot take more. Delete a layer first.")
+            Text::tr("No layer was added. This drawing has %1 layers and groups, and "
+                     "cannot take more. Delete a layer first.")
                 .arg(countText(Containers::mostContainers)));
     return more.has_value();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/live_sheets.h"
 
+#include "app/base/text.h"
 #include "app/commands/set_sheets.h"
 #include "app/cut/cut_choices.h"
 #include "app/tiles/empty_sheets.h"
@@ -56,7 +57,7 @@ void LiveSheets::keep()
     if (!open_ || now == kept_)
         return;
     kept_ = now;
-    session_.history.push(new SetSheets(session_.document, now, tr("Divide among sheets")));
+    session_.history.push(new SetSheets(session_.document, now, Text::tr("Divide among sheets")));
 }
 
 // The division of the document, if it has one that is not known yet.

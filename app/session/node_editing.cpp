@@ -2,11 +2,11 @@
 #include "app/session/node_editing.h"
 
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/commands/change_paths.h"
 #include "app/nodes/node_segments.h"
 #include "app/session/session.h"
 
-#include <QCoreApplication>
 #include <QScopedValueRollback>
 
 #include <algorithm>
@@ -202,7 +202,7 @@ bool NodeEditing::refuse(const QString& sentence)
 QString NodeEditing::lockedSentence(std::size_t object) const
 {
     const Containers& containers = session_.now().containers();
-    return tr("The layer %1 is locked or hidden. Unlock and show it to change its paths.")
+    return Text::tr("The layer %1 is locked or hidden. Unlock and show it to change its paths.")
         .arg(containers[containers.layerOf(object)].name);
 }
 
@@ -212,7 +212,7 @@ QString NodeEditing::whyNotEditable(const OwnedPaths& paths) const
         if (!session_.now().editable(object))
             return lockedSentence(object);
     if (!isFinite(paths.path))
-        return tr("The nodes would lie too far away for any number. Nothing was changed.");
+        return Text::tr("The nodes would lie too far away for any number. Nothing was changed.");
     return {};
 }
 
@@ -255,15 +255,15 @@ bool NodeEditing::apply(NodePath changed, const QString& done, Merging merging)
 bool NodeEditing::move(const Point& by, Merging merging)
 {
     NodePath moved = path();
-    return moveSelected(moved, by) ? apply(std::move(moved), tr("Move nodes"), merging)
-                                   : refuse(tr("This is no distance for nodes."));
+    return moveSelected(moved, by) ? apply(std::move(moved), Text::tr("Move nodes"), merging)
+                                   : refuse(Text::tr("This is no distance for nodes."));
 }
 
 bool NodeEditing::moveTo(const NodeAddress& node, const Point& to)
 {
     NodePath moved = path();
-    return moveSelectedTo(moved, node, to) ? apply(std::move(moved), tr("Move nodes"))
-                                           : refuse(tr("This is no place for a node."));
+    return moveSelectedTo(moved, node, to) ? apply(std::move(moved), Text::tr("Move nodes"))
+                                           : refuse(Text::tr("This is no place for a node."));
 }
 
 bool NodeEditing::insert(const NodeAddress& segment, double t)
@@ -274,21 +274,22 @@ bool NodeEditing::insert(const NodeAddress& segment, double t)
     if (!added)
         return false;
     more[segment.subpath].nodes[*added].selected = true;
-    return apply(std::move(more), tr("Add node"));
+    return apply(std::move(more), Text::tr("Add node"));
 }
 
 QString NodeEditing::refusal(const NodeStep& step) const
 {
     const ObjectRanges& selection = session_.selection();
     if (selection.empty())
-        return tr("Nothing is selected. Select a path first.");
+        return Text::tr("Nothing is selected. Select a path first.");
     if (selection.size() > mostObjects)
-        return tr("More than %L1 objects are selected. Select fewer of them.").arg(mostObjects);
+        return Text::tr("More than %L1 objects are selected. Select fewer of them.")
+            .arg(mostObjects);
     if (!session_.now().editable(selection.first()))
         return lockedSentence(selection.first());
     if (step.needsNodes && !someSelected())
-        return shown_ ? tr("No node is selected. Click a node, or press Tab.")
-                      : tr("Choose the tool Nodes (N) and select a node first.");
+        return shown_ ? Text::tr("No node is selected. Click a node, or press Tab.")
+                      : Text::tr("Choose the tool Nodes (N) and select a node first.");
     // Without the tool, nodes are read only when the step is taken.
     return shown_ || !outdated_ ? step.refusal(summary()) : QString();
 }
@@ -315,9 +316,10 @@ QString NodeEditing::whyNotJoined(const JoinRule& rule) const
             if (subpath.nodes[k].selected && subpath.isEnd(k))
                 pens.insert(rule.pens[i]);
     }
-    return pens.size() > 1 ? tr("The selected ends belong to several layers or styles, and are not "
-                                "joined. Give the paths the same layer and style first.")
-                           : notJoinedText(toleranceText());
+    return pens.size() > 1
+               ? Text::tr("The selected ends belong to several layers or styles, and are not "
+                          "joined. Give the paths the same layer and style first.")
+               : notJoinedText(toleranceText());
 }
 
 /// With as few decimals as tell it to a hundredth of itself: "0.1 mm".

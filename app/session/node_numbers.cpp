@@ -2,12 +2,11 @@
 #include "app/session/node_numbers.h"
 
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/document/direction.h"
 #include "app/nodes/node_places.h"
 #include "app/nodes/node_types.h"
 #include "app/view/place.h"
-
-#include <QCoreApplication>
 
 #include <glm/geometric.hpp>
 
@@ -19,10 +18,6 @@ namespace app {
 namespace {
 
 using OptionalNumber = std::optional<double>;
-
-struct NodeNumbersText {
-    Q_DECLARE_TR_FUNCTIONS(NodeNumbers)
-};
 
 template <int axis>
 OptionalNumber nodePlace(const NodeSubpath& subpath, std::size_t node, const Point& origin)
@@ -96,34 +91,31 @@ bool differ(double a, double b)
 std::span<const NodeNumber> nodeNumbers()
 {
     using enum HandleSide;
-    static const QString none = NodeNumbersText::tr(
-        "There is no handle on this side. Turn the segment into a curve (Shift+U).");
+    static const QString none =
+        Text::tr("There is no handle on this side. Turn the segment into a curve (Shift+U).");
     static const std::array all{
         NodeNumber{"node-x",
-                   NodeNumbersText::tr("X"),
-                   NodeNumbersText::tr("Node X"),
+                   Text::tr("X"),
+                   Text::tr("Node X"),
                    Quantity::Coordinate,
                    {},
                    nodePlace<0>,
                    placeAt<0>},
         NodeNumber{"node-y",
-                   NodeNumbersText::tr("Y"),
-                   NodeNumbersText::tr("Node Y"),
+                   Text::tr("Y"),
+                   Text::tr("Node Y"),
                    Quantity::Coordinate,
                    {},
                    nodePlace<1>,
                    placeAt<1>},
-        NodeNumber{"in-length", NodeNumbersText::tr("L"),
-                   NodeNumbersText::tr("Length of handle In"), Quantity::Length, none,
-                   handleLength<In>, lengthen<In>},
-        NodeNumber{"in-angle", NodeNumbersText::tr("∠"), NodeNumbersText::tr("Angle of handle In"),
-                   Quantity::Angle, none, handleAngle<In>, turnHandle<In>},
-        NodeNumber{"out-length", NodeNumbersText::tr("L"),
-                   NodeNumbersText::tr("Length of handle Out"), Quantity::Length, none,
-                   handleLength<Out>, lengthen<Out>},
-        NodeNumber{"out-angle", NodeNumbersText::tr("∠"),
-                   NodeNumbersText::tr("Angle of handle Out"), Quantity::Angle, none,
-                   handleAngle<Out>, turnHandle<Out>},
+        NodeNumber{"in-length", Text::tr("L"), Text::tr("Length of handle In"), Quantity::Length,
+                   none, handleLength<In>, lengthen<In>},
+        NodeNumber{"in-angle", Text::tr("∠"), Text::tr("Angle of handle In"), Quantity::Angle, none,
+                   handleAngle<In>, turnHandle<In>},
+        NodeNumber{"out-length", Text::tr("L"), Text::tr("Length of handle Out"), Quantity::Length,
+                   none, handleLength<Out>, lengthen<Out>},
+        NodeNumber{"out-angle", Text::tr("∠"), Text::tr("Angle of handle Out"), Quantity::Angle,
+                   none, handleAngle<Out>, turnHandle<Out>},
     };
     return all;
 }
@@ -149,14 +141,13 @@ bool setNodeNumber(Session& session, const NodeNumber& number, double value, Mer
     NodePath path = session.nodes.path();
     const Point origin = originOf(session.now().page(), session.display().unit);
     if (number.set(path, value, origin))
-        return session.nodes.apply(
-            std::move(path), NodeNumbersText::tr("Set %1").arg(number.name.toLower()), merging);
+        return session.nodes.apply(std::move(path), Text::tr("Set %1").arg(number.name.toLower()),
+                                   merging);
     emit session.refused(
         number.quantity == Quantity::Length
-            ? NodeNumbersText::tr(
-                "A handle must be longer than 0. To remove it, turn the segment into a line "
-                "(Shift+L).")
-            : NodeNumbersText::tr("%1 cannot be set to this number.").arg(number.name));
+            ? Text::tr("A handle must be longer than 0. To remove it, turn the segment into a line "
+                       "(Shift+L).")
+            : Text::tr("%1 cannot be set to this number.").arg(number.name));
     return false;
 }
 
@@ -174,11 +165,11 @@ QString nodesText(const Session& session)
     const NodeSummary& nodes = session.nodes.summary();
     const QString count = countText(nodes.nodes);
     if (!nodes.only)
-        return NodeNumbersText::tr("%1 of %2 nodes").arg(countText(nodes.selected), count);
+        return Text::tr("%1 of %2 nodes").arg(countText(nodes.selected), count);
     std::size_t number = nodes.only->node + 1;
     for (std::size_t s = 0; s < nodes.only->subpath; ++s)
         number += session.nodes.path()[s].nodes.size();
-    return NodeNumbersText::tr("node %1 of %2").arg(countText(number), count);
+    return Text::tr("node %1 of %2").arg(countText(number), count);
 }
 
 } // namespace app

@@ -2,28 +2,23 @@
 #include "app/session/rearrange_selection.h"
 
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/commands/rearrange_objects.h"
 #include "app/document/regrouping.h"
 #include "app/scene/bounds.h"
 #include "app/session/units.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 
 namespace app {
 namespace {
 
-struct RearrangeText {
-    Q_DECLARE_TR_FUNCTIONS(Rearrange)
-};
-
 void pushRearranged(Session& session, std::optional<Rearranged> result, const QString& undoText,
                     const QString& unchanged)
 {
     if (!result) {
         emit session.refused(
-            RearrangeText::tr(
+            Text::tr(
                 "Nothing was changed: a drawing can have %1 layers and groups, nested %2 deep.")
                 .arg(countText(Containers::mostContainers),
                      countText(std::size_t(Containers::deepest))));
@@ -48,19 +43,18 @@ struct StackingText {
 
 StackingText textOf(Stacking how)
 {
-    const QString front = RearrangeText::tr("The selection is already in front."),
-                  back = RearrangeText::tr("The selection is already at the back.");
+    const QString front = Text::tr("The selection is already in front."),
+                  back = Text::tr("The selection is already at the back.");
     switch (how) {
     case Stacking::Raise:
-        return {RearrangeText::tr("Raise selection"),
-                RearrangeText::tr("Nothing in front of the selection overlaps it.")};
+        return {Text::tr("Raise selection"),
+                Text::tr("Nothing in front of the selection overlaps it.")};
     case Stacking::Lower:
-        return {RearrangeText::tr("Lower selection"),
-                RearrangeText::tr("Nothing behind the selection overlaps it.")};
+        return {Text::tr("Lower selection"), Text::tr("Nothing behind the selection overlaps it.")};
     case Stacking::ToFront:
-        return {RearrangeText::tr("Bring to front"), front};
+        return {Text::tr("Bring to front"), front};
     case Stacking::ToBack:
-        return {RearrangeText::tr("Send to back"), back};
+        return {Text::tr("Send to back"), back};
     }
     return {};
 }
@@ -70,15 +64,13 @@ StackingText textOf(Stacking how)
 void groupSelection(Session& session)
 {
     pushRearranged(session, grouped(session.now(), session.selection(), session.entered.id()),
-                   RearrangeText::tr("Group"),
-                   RearrangeText::tr("Nothing is selected. Select objects first."));
+                   Text::tr("Group"), Text::tr("Nothing is selected. Select objects first."));
 }
 
 void ungroupSelection(Session& session)
 {
     pushRearranged(session, ungrouped(session.now(), session.selection(), session.entered.id()),
-                   RearrangeText::tr("Ungroup"),
-                   RearrangeText::tr("No group is selected. Click a group first."));
+                   Text::tr("Ungroup"), Text::tr("No group is selected. Click a group first."));
 }
 
 // The boxes are computed here, because the draft knows no lines.
@@ -102,15 +94,15 @@ void moveSelectionTo(Session& session, ContainerId layer)
     const QString name = tree[layer].name;
     if (!tree.shown(layer) || tree.locked(layer)) {
         emit session.refused(
-            RearrangeText::tr("The layer %1 is locked or hidden, so nothing was moved to it. "
-                              "Unlock and show it first.")
+            Text::tr("The layer %1 is locked or hidden, so nothing was moved to it. "
+                     "Unlock and show it first.")
                 .arg(name));
         return;
     }
     pushRearranged(session,
                    movedTo(session.now(), session.selection(), session.entered.id(), layer),
-                   RearrangeText::tr("Move to layer %1").arg(name),
-                   RearrangeText::tr("The selection is already on top of this layer."));
+                   Text::tr("Move to layer %1").arg(name),
+                   Text::tr("The selection is already on top of this layer."));
 }
 
 std::vector<ContainerId> usableLayers(const Session& session)
@@ -133,10 +125,8 @@ void moveSelectionBy(Session& session, int by)
     const auto to = std::ranges::find(layers, now) - layers.begin() - by;
     if (to < 0 || to >= std::ptrdiff_t(layers.size()))
         emit session.refused(
-            by > 0 ? RearrangeText::tr(
-                "No layer above is shown and unlocked. Show or unlock one first.")
-                   : RearrangeText::tr(
-                       "No layer below is shown and unlocked. Show or unlock one first."));
+            by > 0 ? Text::tr("No layer above is shown and unlocked. Show or unlock one first.")
+                   : Text::tr("No layer below is shown and unlocked. Show or unlock one first."));
     else
         moveSelectionTo(session, layers[std::size_t(to)]);
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/recent_files.h"
 
-#include <QCoreApplication>
+#include "app/base/text.h"
+
 #include <QFileInfo>
 #include <QLocale>
 #include <QStringList>
@@ -66,9 +67,9 @@ void forgetRecentFiles(QSettings& settings) { settings.remove(recentFilesKey); }
 QString dayText(const QDate& day, const QDate& today)
 {
     if (day == today)
-        return QCoreApplication::translate("recent", "today");
+        return Text::tr("today");
     if (day.addDays(1) == today)
-        return QCoreApplication::translate("recent", "yesterday");
+        return Text::tr("yesterday");
     const bool thisYear = day.year() == today.year();
     return QLocale().toString(day,
                               thisYear ? QStringLiteral("d MMM") : QStringLiteral("d MMM yyyy"));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/samples.h"
 
-#include <QCoreApplication>
+#include "app/base/text.h"
+
 #include <QFile>
 
 namespace app {
@@ -16,8 +17,7 @@ std::vector<Sample> samples()
     while (!index.atEnd()) {
         const QStringList fields = QString::fromUtf8(index.readLine()).trimmed().split(u'\t');
         if (fields.size() >= 3)
-            all.push_back({fields[0],
-                           QCoreApplication::translate("samples", fields[1].toUtf8().constData()),
+            all.push_back({fields[0], Text::tr(fields[1].toUtf8().constData()),
                            QStringLiteral(":/samples/") + fields[2]});
     }
     return all;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/save.h"
 
+#include "app/base/text.h"
 #include "app/base/unfinished.h"
 #include "app/formats/format.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 
 namespace app {
@@ -15,11 +15,9 @@ Saved save(const Document& document, const QString& path, const std::stop_token&
     WriteOptions options;
     options.stop = stop;
     const auto write = [&] { return writeFile(document, path, options); };
-    const QString outOfMemory =
-        QCoreApplication::translate("Session",
-                                    "Cannot write %1: there is not enough memory. Close other "
-                                    "programs, and save again.")
-            .arg(path);
+    const QString outOfMemory = Text::tr("Cannot write %1: there is not enough memory. Close other "
+                                         "programs, and save again.")
+                                    .arg(path);
     Saved saved{resultOf(write, stop, outOfMemory)};
     if (saved.end == Saved::End::Written)
         saved.fileTime = QFileInfo(path).lastModified();

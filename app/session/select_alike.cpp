@@ -2,9 +2,8 @@
 #include "app/session/select_alike.h"
 
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/session/units.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <array>
@@ -13,10 +12,6 @@
 
 namespace app {
 namespace {
-
-struct SelectAlikeText {
-    Q_DECLARE_TR_FUNCTIONS(SelectAlike)
-};
 
 /// Calls visit(object, style) for the objects.
 template <class Visit>
@@ -114,10 +109,10 @@ ObjectRanges named(const Document& document, const Has& has)
 std::span<const Likeness> likenesses()
 {
     static const std::array all{
-        Likeness{"same-colour", SelectAlikeText::tr("Same &colour"), sameColour},
-        Likeness{"same-stroke-width", SelectAlikeText::tr("Same stroke &width"), sameWidth},
-        Likeness{"same-style", SelectAlikeText::tr("Same &style"), sameStyle},
-        Likeness{"same-layer", SelectAlikeText::tr("Same &layer"), sameLayer},
+        Likeness{"same-colour", Text::tr("Same &colour"), sameColour},
+        Likeness{"same-stroke-width", Text::tr("Same stroke &width"), sameWidth},
+        Likeness{"same-style", Text::tr("Same &style"), sameStyle},
+        Likeness{"same-layer", Text::tr("Same &layer"), sameLayer},
     };
     return all;
 }
@@ -138,8 +133,8 @@ void selectLayer(Session& session, ContainerId layer)
     session.entered.enter(0);
     if (!tree.shown(layer) || tree.locked(layer))
         emit session.refused(
-            SelectAlikeText::tr("The layer %1 is locked or hidden, so nothing in it was selected. "
-                                "Unlock and show it first.")
+            Text::tr("The layer %1 is locked or hidden, so nothing in it was selected. "
+                     "Unlock and show it first.")
                 .arg(tree[layer].name));
     else
         session.select(common(ObjectRanges(tree.rangeOf(layer)), selectableObjects(session)));
@@ -149,22 +144,21 @@ QString find(Session& session, const QString& text)
 {
     const QString wanted = text.trimmed();
     if (wanted.isEmpty())
-        return SelectAlikeText::tr("Type an id or a name.");
+        return Text::tr("Type an id or a name.");
     ObjectRanges found = named(session.now(), [&](const QString& name) { return name == wanted; });
     if (found.empty())
         found = named(session.now(), [&](const QString& name) { return isPartOf(name, wanted); });
     if (found.empty())
-        return SelectAlikeText::tr("No object, group or layer is named “%1”.").arg(wanted);
+        return Text::tr("No object, group or layer is named “%1”.").arg(wanted);
     session.entered.enter(0);
     ObjectRanges usable = common(found, selectableObjects(session));
     if (usable.empty())
-        return SelectAlikeText::tr(
-                   "The objects named “%1” are locked or hidden. Unlock and show them first.")
+        return Text::tr("The objects named “%1” are locked or hidden. Unlock and show them first.")
             .arg(wanted);
     const std::size_t count = usable.size();
     session.select(std::move(usable));
-    return count == 1 ? SelectAlikeText::tr("1 object is selected.")
-                      : SelectAlikeText::tr("%1 objects are selected.").arg(countText(count));
+    return count == 1 ? Text::tr("1 object is selected.")
+                      : Text::tr("%1 objects are selected.").arg(countText(count));
 }
 
 } // namespace app

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/selection_numbers.h"
 
+#include "app/base/text.h"
 #include "app/commands/move_objects.h"
 #include "app/document/direction.h"
 #include "app/drawing/transformation_measures.h"
 #include "app/view/place.h"
-
-#include <QCoreApplication>
 
 #include <glm/geometric.hpp>
 
@@ -19,10 +18,6 @@ namespace {
 using SelectionValue = std::optional<double>;
 using Map = std::optional<AffineMap>;
 using Frame = SelectionFrame;
-
-struct SelectionNumbersText {
-    Q_DECLARE_TR_FUNCTIONS(SelectionNumbers)
-};
 
 /// The only selected object, if it is a line.
 std::optional<clipping::Segment> onlyLine(const Session& session)
@@ -134,32 +129,27 @@ Map lengthenTo(const Session& session, const Frame& frame, double value)
 
 std::span<const SelectionNumber> selectionNumbers()
 {
-    const QString tooLarge = SelectionNumbersText::tr("This number is too large.");
+    const QString tooLarge = Text::tr("This number is too large.");
     static const std::array all{
-        SelectionNumber{"x", SelectionNumbersText::tr("X"), SelectionNumbersText::tr("X"),
-                        Quantity::Coordinate, selectionPlace<0>, moveTo<0>, tooLarge},
-        SelectionNumber{"y", SelectionNumbersText::tr("Y"), SelectionNumbersText::tr("Y"),
-                        Quantity::Coordinate, selectionPlace<1>, moveTo<1>, tooLarge},
-        SelectionNumber{"w", SelectionNumbersText::tr("W"), SelectionNumbersText::tr("Width"),
-                        Quantity::Length, side<0>, resizeTo<0>,
-                        SelectionNumbersText::tr(
-                            "The width must be more than 0, and a vertical line has none.")},
-        SelectionNumber{"h", SelectionNumbersText::tr("H"), SelectionNumbersText::tr("Height"),
-                        Quantity::Length, side<1>, resizeTo<1>,
-                        SelectionNumbersText::tr(
-                            "The height must be more than 0, and a horizontal line has none.")},
-        SelectionNumber{"angle", SelectionNumbersText::tr("∠"), SelectionNumbersText::tr("Angle"),
-                        Quantity::Angle, selectionAngle, turnTo, tooLarge},
+        SelectionNumber{"x", Text::tr("X"), Text::tr("X"), Quantity::Coordinate, selectionPlace<0>,
+                        moveTo<0>, tooLarge},
+        SelectionNumber{"y", Text::tr("Y"), Text::tr("Y"), Quantity::Coordinate, selectionPlace<1>,
+                        moveTo<1>, tooLarge},
+        SelectionNumber{"w", Text::tr("W"), Text::tr("Width"), Quantity::Length, side<0>,
+                        resizeTo<0>,
+                        Text::tr("The width must be more than 0, and a vertical line has none.")},
         SelectionNumber{
-            "skew", SelectionNumbersText::tr("▱"), SelectionNumbersText::tr("Skew"),
-            Quantity::Angle, skew, skewBy,
-            SelectionNumbersText::tr(
-                "The skew must be between −%1° and %1°, and a horizontal line has none.")
+            "h", Text::tr("H"), Text::tr("Height"), Quantity::Length, side<1>, resizeTo<1>,
+            Text::tr("The height must be more than 0, and a horizontal line has none.")},
+        SelectionNumber{"angle", Text::tr("∠"), Text::tr("Angle"), Quantity::Angle, selectionAngle,
+                        turnTo, tooLarge},
+        SelectionNumber{
+            "skew", Text::tr("▱"), Text::tr("Skew"), Quantity::Angle, skew, skewBy,
+            Text::tr("The skew must be between −%1° and %1°, and a horizontal line has none.")
                 .arg(mostSkew)},
-        SelectionNumber{
-            "length", SelectionNumbersText::tr("L"), SelectionNumbersText::tr("Length"),
-            Quantity::Length, lineLength, lengthenTo,
-            SelectionNumbersText::tr("The length must be more than 0, and a point has none.")},
+        SelectionNumber{"length", Text::tr("L"), Text::tr("Length"), Quantity::Length, lineLength,
+                        lengthenTo,
+                        Text::tr("The length must be more than 0, and a point has none.")},
     };
     return all;
 }
@@ -173,7 +163,7 @@ std::optional<QString> setSelectionNumber(Session& session, const SelectionNumbe
         return number.refusal;
     if (*map == AffineMap{.from = map->from, .to = map->from})
         return std::nullopt;
-    const QString text = SelectionNumbersText::tr("Set %1").arg(number.name.toLower());
+    const QString text = Text::tr("Set %1").arg(number.name.toLower());
     session.history.push(new TransformObjects(session.document, session.selection(), *map,
                                               session.arrange.strokes, text, merging));
     return std::nullopt;

@@ -1,22 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/selection_style.h"
 
+#include "app/base/text.h"
 #include "app/commands/set_containers.h"
 #include "app/commands/set_style.h"
 #include "app/document/styles_in_use.h"
 #include "app/formats/svg/declarations.h"
 #include "app/session/units.h"
 
-#include <QCoreApplication>
-
 #include <algorithm>
 
 namespace app {
 namespace {
-
-struct StyleStepsText {
-    Q_DECLARE_TR_FUNCTIONS(Style)
-};
 
 Style scaledStyle(Style style, double factor)
 {
@@ -51,7 +46,7 @@ void setLayerStyle(Session& session, const std::optional<Style>& style)
         return;
     layer.newStyle = text;
     session.history.push(new SetContainers(session.document, session.now().containers().with(layer),
-                                           StyleStepsText::tr("Style of new objects")));
+                                           Text::tr("Style of new objects")));
 }
 
 std::vector<Style> shownStyles(const Session& session)
@@ -104,15 +99,15 @@ std::optional<QString> setColour(Session& session, PaintPart part,
     const auto other = stroke ? &Style::fill : &Style::stroke;
     const auto leavesNothing = [&](const Style& style) { return !colour && !(style.*other); };
     if (std::ranges::any_of(shownStyles(session), leavesNothing))
-        return stroke ? StyleStepsText::tr(
+        return stroke ? Text::tr(
                    "Without a stroke and without a fill nothing would be visible. Choose a "
                    "fill first.")
-                      : StyleStepsText::tr(
+                      : Text::tr(
                           "Without a stroke and without a fill nothing would be visible. Choose a "
                           "stroke colour first.");
     restyle(
         session, [&](Style& style) { style.*part = colour; },
-        stroke ? StyleStepsText::tr("Stroke colour") : StyleStepsText::tr("Fill colour"));
+        stroke ? Text::tr("Stroke colour") : Text::tr("Fill colour"));
     return std::nullopt;
 }
 
@@ -129,7 +124,7 @@ void pasteStyle(Session& session, const CopiedStyle& copied)
     const double factor = copied.millimetresPerUnit / session.now().page().millimetresPerUnit();
     const Style style = factor == 1 ? copied.style : scaledStyle(copied.style, factor);
     restyle(
-        session, [&style](Style& each) { each = style; }, StyleStepsText::tr("Paste style"));
+        session, [&style](Style& each) { each = style; }, Text::tr("Paste style"));
 }
 
 } // namespace app

@@ -2,22 +2,12 @@
 #include "app/session/traced_window.h"
 
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/session/window_in_hand.h"
-
-#include <QCoreApplication>
 
 #include <glm/trigonometric.hpp>
 
 namespace app {
-
-namespace {
-
-struct TracedWindowText {
-    Q_DECLARE_TR_FUNCTIONS(TracedWindow)
-};
-using Text = TracedWindowText;
-
-} // namespace
 
 clipping::Segment TracedWindow::into(const clipping::Segment& line) const
 {

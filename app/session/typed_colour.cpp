@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/typed_colour.h"
 
+#include "app/base/text.h"
 #include "app/formats/svg/colour.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 
@@ -28,10 +27,9 @@ Result<Colour> typedColour(const QString& typed)
         return Result<Colour>::of(*colour);
     constexpr qsizetype most = 20; // characters
     const QString quoted = text.size() > most ? text.first(most) + u'…' : text;
-    return Result<Colour>::failure(
-        QCoreApplication::translate("Colour", "“%1” is not a colour. Type six hexadecimal digits "
-                                              "such as 8A5A2B, or a name such as teal.")
-            .arg(quoted));
+    return Result<Colour>::failure(Text::tr("“%1” is not a colour. Type six hexadecimal digits "
+                                            "such as 8A5A2B, or a name such as teal.")
+                                       .arg(quoted));
 }
 
 } // namespace app

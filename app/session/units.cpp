@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/units.h"
 
+#include "app/base/text.h"
 #include "app/document/editable.h"
 #include "app/document/moved_runs.h"
 #include "app/document/tree_draft.h"
-
-#include <QCoreApplication>
 
 namespace app {
 namespace {
@@ -123,7 +122,7 @@ ObjectRanges selectableObjects(const Session& session)
 
 QString groupName(const Container& group)
 {
-    return group.name.isEmpty() ? QCoreApplication::translate("Groups", "Group") : group.name;
+    return group.name.isEmpty() ? Text::tr("Group") : group.name;
 }
 
 bool someGroupSelected(const Session& session)

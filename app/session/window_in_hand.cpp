@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/window_in_hand.h"
 
-#include <QCoreApplication>
+#include "app/base/text.h"
 
 #include <algorithm>
 
@@ -31,11 +31,8 @@ QString headingInHand(const Session& session)
     if (!step)
         return {};
     const QString name = session.windows().list[*session.windowNumber()].name;
-    const auto text = [](const char* words) {
-        return QCoreApplication::translate("WindowInHand", words);
-    };
-    return name.isEmpty() ? text("for a window: %1").arg(shapeText(*step))
-                          : text("for %1: %2").arg(name, shapeText(*step));
+    return name.isEmpty() ? Text::tr("for a window: %1").arg(shapeText(*step))
+                          : Text::tr("for %1: %2").arg(name, shapeText(*step));
 }
 
 Variant usedVariant(const Session& session) { return usedAt(session.region(), session.variant()); }

@@ -58,28 +58,28 @@ WindowShape starDrawn(const WindowDrag& drag)
 const GestureMeasure& ofStar(Proportion, Anchor) { return starMeasure(); }
 
 constexpr std::array kinds{
-    WindowKind{"rectangle", QT_TRANSLATE_NOOP("WindowKinds", "Rectangle"),
-               QT_TRANSLATE_NOOP("WindowKinds",
+    WindowKind{"rectangle", QT_TRANSLATE_NOOP("Text", "Rectangle"),
+               QT_TRANSLATE_NOOP("Text",
                                  "Drag beside the windows to draw one. Shift: square, Alt: centre. "
                                  "Drag a window to move it."),
                rectangle, rectangleDrawn, widthAndHeight},
-    WindowKind{"ellipse", QT_TRANSLATE_NOOP("WindowKinds", "Ellipse"),
-               QT_TRANSLATE_NOOP("WindowKinds",
+    WindowKind{"ellipse", QT_TRANSLATE_NOOP("Text", "Ellipse"),
+               QT_TRANSLATE_NOOP("Text",
                                  "Drag beside the windows to draw one. Shift: circle, Alt: centre. "
                                  "Drag a window to move it."),
                ellipse, ellipseDrawn, widthAndHeight},
-    WindowKind{"polygon", QT_TRANSLATE_NOOP("WindowKinds", "Regular polygon"),
-               QT_TRANSLATE_NOOP("WindowKinds",
+    WindowKind{"polygon", QT_TRANSLATE_NOOP("Text", "Regular polygon"),
+               QT_TRANSLATE_NOOP("Text",
                                  "Drag from the centre to a corner. Up, Down: number of corners. "
                                  "Alt: to the middle of a side."),
                hexagon, polygonDrawn, ofPolygon, usualPolygon},
-    WindowKind{"star", QT_TRANSLATE_NOOP("WindowKinds", "Star"),
-               QT_TRANSLATE_NOOP("WindowKinds",
+    WindowKind{"star", QT_TRANSLATE_NOOP("Text", "Star"),
+               QT_TRANSLATE_NOOP("Text",
                                  "Drag from the centre to a point. Up, Down: number of points. "
                                  "Shift: 15° steps."),
                star, starDrawn, ofStar, usualStar},
-    WindowKind{"polyline", QT_TRANSLATE_NOOP("WindowKinds", "Polygon, corner by corner"),
-               QT_TRANSLATE_NOOP("WindowKinds",
+    WindowKind{"polyline", QT_TRANSLATE_NOOP("Text", "Polygon, corner by corner"),
+               QT_TRANSLATE_NOOP("Text",
                                  "Click corner by corner. Click the first corner, or press Enter, "
                                  "to close the window.")},
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/window_places.h"
 
+#include "app/base/text.h"
 #include "app/scene/bounds.h"
 #include "app/session/units.h"
 #include "app/session/window_steps.h"
@@ -11,10 +12,6 @@
 
 namespace app {
 namespace {
-
-struct WindowPlacesText {
-    Q_DECLARE_TR_FUNCTIONS(WindowPlaces)
-};
 
 std::optional<clipping::Window> page(const Session& session)
 {
@@ -40,16 +37,15 @@ QString layerName(const Session& session)
 }
 
 constexpr std::array places{
-    LayingPlace{"window-on-page", QT_TRANSLATE_NOOP("WindowPlaces", "&Lay window on page"),
-                QT_TRANSLATE_NOOP("WindowPlaces", "Lay clip window on page"), "", page, noName},
-    LayingPlace{"window-on-selection",
-                QT_TRANSLATE_NOOP("WindowPlaces", "Lay window o&n selection"),
-                QT_TRANSLATE_NOOP("WindowPlaces", "Lay clip window on selection"),
-                QT_TRANSLATE_NOOP("WindowPlaces", "Nothing is selected. Select objects first."),
-                selection, noName},
-    LayingPlace{"window-on-layer", QT_TRANSLATE_NOOP("WindowPlaces", "Lay window on la&yer"),
-                QT_TRANSLATE_NOOP("WindowPlaces", "Lay clip window on layer"),
-                QT_TRANSLATE_NOOP("WindowPlaces",
+    LayingPlace{"window-on-page", QT_TRANSLATE_NOOP("Text", "&Lay window on page"),
+                QT_TRANSLATE_NOOP("Text", "Lay clip window on page"), "", page, noName},
+    LayingPlace{"window-on-selection", QT_TRANSLATE_NOOP("Text", "Lay window o&n selection"),
+                QT_TRANSLATE_NOOP("Text", "Lay clip window on selection"),
+                QT_TRANSLATE_NOOP("Text", "Nothing is selected. Select objects first."), selection,
+                noName},
+    LayingPlace{"window-on-layer", QT_TRANSLATE_NOOP("Text", "Lay window on la&yer"),
+                QT_TRANSLATE_NOOP("Text", "Lay clip window on layer"),
+                QT_TRANSLATE_NOOP("Text",
                                   "The current layer is empty. Select another one in the panel "
                                   "Layers."),
                 layer, layerName},
@@ -72,7 +68,7 @@ std::span<const LayingPlace> windowPlaces() { return places; }
 void layWindow(Session& session, const LayingPlace& place)
 {
     if (const auto box = place.box(session))
-        lay(session, *box, place.name(session), WindowPlacesText::tr(place.step.data()));
+        lay(session, *box, place.name(session), Text::tr(place.step.data()));
 }
 
 std::optional<QString> layWindowInside(Session& session, const PageMargins& margins)
@@ -81,11 +77,8 @@ std::optional<QString> layWindowInside(Session& session, const PageMargins& marg
     const clipping::Window inside{page.min + Point(margins.left, margins.top),
                                   page.max - Point(margins.right, margins.bottom)};
     if (!(inside.min.x < inside.max.x && inside.min.y < inside.max.y))
-        return WindowPlacesText::tr(QT_TRANSLATE_NOOP(
-            "WindowPlaces", "The margins leave nothing of the page. Type smaller ones."));
-    lay(session, inside, {},
-        WindowPlacesText::tr(
-            QT_TRANSLATE_NOOP("WindowPlaces", "Lay clip window inside the margin")));
+        return Text::tr("The margins leave nothing of the page. Type smaller ones.");
+    lay(session, inside, {}, Text::tr("Lay clip window inside the margin"));
     return std::nullopt;
 }
 

@@ -2,6 +2,7 @@
 #include "app/session/window_steps.h"
 
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/commands/add_objects.h"
 #include "app/commands/set_windows.h"
 #include "app/document/object_window.h"
@@ -10,16 +11,10 @@
 #include "app/session/selection_style.h"
 #include "app/session/units.h"
 
-#include <QCoreApplication>
-
 #include <algorithm>
 
 namespace app {
 namespace {
-
-struct WindowStepsText {
-    Q_DECLARE_TR_FUNCTIONS(WindowSteps)
-};
 
 void pushWindows(Session& session, ClipWindows windows, const QString& text,
                  Merging merging = Merging::Never)
@@ -100,8 +95,7 @@ WindowPen penAfter(WindowPen pen)
 void drawWindow(Session& session, const WindowShape& shape)
 {
     if (replacedBy(session)) {
-        pushWindows(session, withDrawn(session, shape).windows,
-                    WindowStepsText::tr("Draw clip window"));
+        pushWindows(session, withDrawn(session, shape).windows, Text::tr("Draw clip window"));
         return;
     }
     if (!addWindow(session, {.shape = shape, .operation = operationOf(session.windowPen.use)}))
@@ -113,7 +107,7 @@ void moveWindow(Session& session, const Point& by, Merging merging)
 {
     if (const auto number = session.windowNumber())
         setWindowShape(session, mapped(session.windows().list[*number].shape, translation(by)),
-                       WindowStepsText::tr("Move clip window"), merging);
+                       Text::tr("Move clip window"), merging);
 }
 
 bool addWindows(Session& session, std::vector<ClipWindow> added, const QString& text)
@@ -122,10 +116,9 @@ bool addWindows(Session& session, std::vector<ClipWindow> added, const QString& 
     auto& list = windows.list;
     if (list.size() + added.size() > ClipWindows::most) {
         emit session.refused(
-            WindowStepsText::tr(
-                "No clip window was drawn. This drawing has %1 clip windows, hidden "
-                "ones included, and cannot have more than %2. Delete a clip window "
-                "first.")
+            Text::tr("No clip window was drawn. This drawing has %1 clip windows, hidden "
+                     "ones included, and cannot have more than %2. Delete a clip window "
+                     "first.")
                 .arg(countText(list.size()), countText(ClipWindows::most)));
         return false;
     }
@@ -139,7 +132,7 @@ bool addWindows(Session& session, std::vector<ClipWindow> added, const QString& 
 
 bool addWindow(Session& session, ClipWindow window)
 {
-    return addWindows(session, {std::move(window)}, WindowStepsText::tr("Draw clip window"));
+    return addWindows(session, {std::move(window)}, Text::tr("Draw clip window"));
 }
 
 void removeWindow(Session& session)
@@ -149,7 +142,7 @@ void removeWindow(Session& session)
     if (!number)
         return;
     windows.list.erase(windows.list.begin() + std::ptrdiff_t(*number));
-    pushWindows(session, std::move(windows), WindowStepsText::tr("Remove clip window"));
+    pushWindows(session, std::move(windows), Text::tr("Remove clip window"));
     session.chooseWindow(*number > 0 ? *number - 1 : 0);
 }
 
@@ -164,7 +157,7 @@ void reorderWindow(Session& session, std::size_t from, std::size_t to)
         std::rotate(at(from), at(from + 1), at(to + 1));
     else
         std::rotate(at(to), at(from), at(from + 1));
-    pushWindows(session, std::move(windows), WindowStepsText::tr("Reorder clip windows"));
+    pushWindows(session, std::move(windows), Text::tr("Reorder clip windows"));
     session.chooseWindow(to);
 }
 
@@ -196,19 +189,18 @@ void addWindowsOfSelection(Session& session)
     const std::size_t all = session.selection().size(), count = made.size();
     if (made.empty()) {
         emit session.refused(
-            WindowStepsText::tr("None of the selected objects encloses an area, so they cannot be "
-                                "clip windows. Select a closed shape."));
+            Text::tr("None of the selected objects encloses an area, so they cannot be "
+                     "clip windows. Select a closed shape."));
         return;
     }
-    if (!addWindows(session, std::move(made), WindowStepsText::tr("Make clip windows of selection"))
+    if (!addWindows(session, std::move(made), Text::tr("Make clip windows of selection"))
         || count == all)
         return;
     emit session.refused(
         all - count == 1
-            ? WindowStepsText::tr("1 of the %1 selected objects encloses no area and was left out.")
+            ? Text::tr("1 of the %1 selected objects encloses no area and was left out.")
                   .arg(countText(all))
-            : WindowStepsText::tr(
-                  "%1 of the %2 selected objects enclose no area and were left out.")
+            : Text::tr("%1 of the %2 selected objects enclose no area and were left out.")
                   .arg(countText(all - count), countText(all)));
 }
 
@@ -219,8 +211,8 @@ void windowToPath(Session& session)
         return;
     if (!mayAddObjects(session)) {
         emit session.refused(
-            WindowStepsText::tr("The layer %1 is locked or hidden, so nothing was drawn. Select "
-                                "another layer, or unlock and show this one.")
+            Text::tr("The layer %1 is locked or hidden, so nothing was drawn. Select "
+                     "another layer, or unlock and show this one.")
                 .arg(nameForNew(session)));
         return;
     }
@@ -231,7 +223,7 @@ void windowToPath(Session& session)
     Objects objects = session.now().objects().slice(0, 0);
     objects.append(object);
     session.history.push(new AddObjects(session.document, objects, containerForNew(session),
-                                        WindowStepsText::tr("Draw clip window's outline")));
+                                        Text::tr("Draw clip window's outline")));
     session.select(justAdded(session));
 }
 

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/window_words.h"
 
+#include "app/base/text.h"
+
 #include <QCoreApplication>
 
 #include <array>
 
 namespace app {
 namespace {
-
-struct WindowWordsText {
-    Q_DECLARE_TR_FUNCTIONS(WindowWords)
-};
 
 /// A kind of shape, in words and as an icon.
 struct Looks {
@@ -21,22 +19,22 @@ struct Looks {
 Looks looksOf(const WindowShape& shape)
 {
     if (std::holds_alternative<RectangleShape>(shape))
-        return {QT_TRANSLATE_NOOP("WindowWords", "Rectangle"), "rectangle"};
+        return {QT_TRANSLATE_NOOP("Text", "Rectangle"), "rectangle"};
     const Recipe& recipe = std::get<PathShape>(shape).recipe;
     if (std::holds_alternative<EllipseRecipe>(recipe))
-        return {QT_TRANSLATE_NOOP("WindowWords", "Ellipse"), "ellipse"};
+        return {QT_TRANSLATE_NOOP("Text", "Ellipse"), "ellipse"};
     if (std::holds_alternative<TextRecipe>(recipe))
-        return {QT_TRANSLATE_NOOP("WindowWords", "Text"), "text"};
+        return {QT_TRANSLATE_NOOP("Text", "Text"), "text"};
     if (const auto* star = std::get_if<StarRecipe>(&recipe); star && star->inner > 0)
-        return {QT_TRANSLATE_NOOP("WindowWords", "Star"), "star"};
+        return {QT_TRANSLATE_NOOP("Text", "Star"), "star"};
     if (std::holds_alternative<StarRecipe>(recipe))
-        return {QT_TRANSLATE_NOOP("WindowWords", "Polygon"), "polygon"};
-    return {QT_TRANSLATE_NOOP("WindowWords", "Path"), "pen"};
+        return {QT_TRANSLATE_NOOP("Text", "Polygon"), "polygon"};
+    return {QT_TRANSLATE_NOOP("Text", "Path"), "pen"};
 }
 
 } // namespace
 
-QString nameOf(const WindowShape& shape) { return WindowWordsText::tr(looksOf(shape).name); }
+QString nameOf(const WindowShape& shape) { return Text::tr(looksOf(shape).name); }
 
 QString nameOf(const ClipWindow& window)
 {
@@ -64,10 +62,10 @@ QString resultOf(const ClipWindows& windows)
         if (count == 0)
             continue;
         if (text.isEmpty() && operation != WindowOperation::Add)
-            text = WindowWordsText::tr("everything");
+            text = Text::tr("everything");
         if (!text.isEmpty())
             text += u' ' + signOf(operation) + u' ';
-        text += count == 1 ? name : WindowWordsText::tr("%1 × %2").arg(count).arg(name);
+        text += count == 1 ? name : Text::tr("%1 × %2").arg(count).arg(name);
     }
     return text;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/tables/table.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 
@@ -18,15 +17,12 @@ QString latexText(std::span<const Table> tables);
 // add its row here.
 std::vector<TableFormat> tableFormats()
 {
-    struct Tables {
-        Q_DECLARE_TR_FUNCTIONS(Tables)
-    };
     return {
-        {"text", "txt", Tables::tr("Text"), plainText},
-        {"csv", "csv", Tables::tr("CSV"), csvText},
-        {"json", "json", Tables::tr("JSON"), jsonText},
-        {"markdown", "md", Tables::tr("Markdown"), markdownText},
-        {"latex", "tex", Tables::tr("LaTeX"), latexText},
+        {"text", "txt", Text::tr("Text"), plainText},
+        {"csv", "csv", Text::tr("CSV"), csvText},
+        {"json", "json", Text::tr("JSON"), jsonText},
+        {"markdown", "md", Text::tr("Markdown"), markdownText},
+        {"latex", "tex", Text::tr("LaTeX"), latexText},
     };
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/teaching/figure_labels.h"
 
+#include "app/base/text.h"
 #include "app/overlays/polygon_edges.h"
 #include "app/teaching/label_places.h"
 
-#include <QCoreApplication>
 #include <QFontMetricsF>
 
 #include <algorithm>
@@ -18,10 +18,6 @@ using clipping::Edge;
 using LabelTone = FigureLabel::Tone;
 
 constexpr std::array edges{Edge::Left, Edge::Right, Edge::Bottom, Edge::Top};
-
-struct FigureLabelsText {
-    Q_DECLARE_TR_FUNCTIONS(Figure)
-};
 
 QSizeF sizeOf(const FigureLabel& label, const FigureFrame& frame)
 {
@@ -188,7 +184,7 @@ void labelPolygonEdges(std::vector<FigureLabel>& labels, const TracedLine& trace
         if (!side || !(side->length() > 0) || (corners.size() > mostNumbered && !now))
             continue;
         FigureLabel label{now ? LabelTone::HighlightedEdge : LabelTone::Edge,
-                          FigureLabelsText::tr("edge %1").arg(i + 1),
+                          Text::tr("edge %1").arg(i + 1),
                           {},
                           {},
                           {}};
@@ -204,8 +200,7 @@ void labelWindow(std::vector<FigureLabel>& labels, const TracedLine& tracedLine,
     const QRectF box = windowBox(tracedLine, frame);
     const double gap = 3 * frame.unit();
     FigureLabel label{LabelTone::Window,
-                      tracedLine.windowIsPage ? FigureLabelsText::tr("Page")
-                                              : FigureLabelsText::tr("Clip window"),
+                      tracedLine.windowIsPage ? Text::tr("Page") : Text::tr("Clip window"),
                       {},
                       {},
                       {}};

@@ -2,8 +2,7 @@
 #include "app/teaching/figure_marks.h"
 
 #include "app/base/finite.h"
-
-#include <QCoreApplication>
+#include "app/base/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,10 +13,6 @@ namespace {
 
 using Form = FigureMark::Shape;
 using MarkTone = FigureMark::Tone;
-
-struct FigureMarksText {
-    Q_DECLARE_TR_FUNCTIONS(Figure)
-};
 
 /// The direction on screen from one point of the drawing to another; to the right if they are
 /// equal.
@@ -81,10 +76,10 @@ void addEnds(std::vector<FigureMark>& marks, const TracedLine& tracedLine, const
                         .point = point,
                         .place = frame.at(point),
                         .angle = 0,
-                        .head = FigureMarksText::tr("End %1").arg(end),
+                        .head = Text::tr("End %1").arg(end),
                         .detail = pointText(point)};
         if (a == b)
-            mark.head = FigureMarksText::tr("End 1 and End 2");
+            mark.head = Text::tr("End 1 and End 2");
         if (!frame.shows(point))
             placeFarEnd(mark, other, frame);
         marks.push_back(mark);
@@ -95,13 +90,13 @@ void addEnds(std::vector<FigureMark>& marks, const TracedLine& tracedLine, const
 
 QString detailOf(const CutPoint& cut, bool now, YAxis y)
 {
-    const QString edge = cut.polygonEdge ? FigureMarksText::tr("edge %1").arg(cut.polygonEdge)
-                                         : edgeWords(cut.edge, y);
+    const QString edge =
+        cut.polygonEdge ? Text::tr("edge %1").arg(cut.polygonEdge) : edgeWords(cut.edge, y);
     if (now)
-        return edge.isEmpty() ? FigureMarksText::tr("new End %1").arg(cut.end)
-                              : FigureMarksText::tr("new End %1 at %2").arg(cut.end).arg(edge);
-    return edge.isEmpty() ? FigureMarksText::tr("cut in step %1").arg(cut.step + 1)
-                          : FigureMarksText::tr("cut at %1, step %2").arg(edge).arg(cut.step + 1);
+        return edge.isEmpty() ? Text::tr("new End %1").arg(cut.end)
+                              : Text::tr("new End %1 at %2").arg(cut.end).arg(edge);
+    return edge.isEmpty() ? Text::tr("cut in step %1").arg(cut.step + 1)
+                          : Text::tr("cut at %1, step %2").arg(edge).arg(cut.step + 1);
 }
 
 void addCuts(std::vector<FigureMark>& marks, const StepScene& scene, const FigureFrame& frame)
@@ -145,7 +140,7 @@ std::vector<FigureMark> figureMarks(const TracedLine& tracedLine, const StepScen
                          .place = frame.at(*scene.candidate),
                          .angle = 0,
                          .head = pointText(*scene.candidate),
-                         .detail = FigureMarksText::tr("cut here?")});
+                         .detail = Text::tr("cut here?")});
     return marks;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/teaching/narration.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 
 #include <array>
@@ -11,10 +11,6 @@
 namespace app {
 
 namespace {
-
-struct NarrationText {
-    Q_DECLARE_TR_FUNCTIONS(narration)
-};
 
 QString withMinus(QString text) { return text.replace(u'-', u'\u2212'); }
 
@@ -33,7 +29,7 @@ QString valueText(const Variable& variable)
     case clipping::ValueKind::Bits:
         return outcodeText(unsigned(variable.value));
     case clipping::ValueKind::Truth:
-        return variable.value != 0 ? NarrationText::tr("yes") : NarrationText::tr("no");
+        return variable.value != 0 ? Text::tr("yes") : Text::tr("no");
     default:
         return exactText(variable.value);
     }

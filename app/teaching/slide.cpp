@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/teaching/slide.h"
 
+#include "app/base/text.h"
 #include "app/teaching/figure.h"
 #include "app/teaching/figure_marks.h"
 #include "app/teaching/slide_panels.h"
 
-#include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QPainter>
 #include <QTextOption>
@@ -16,10 +16,6 @@ namespace app {
 
 namespace {
 
-struct SlideText {
-    Q_DECLARE_TR_FUNCTIONS(Slide)
-};
-
 constexpr double margin = 32, columnWidth = 560, gap = 24;
 constexpr double top = 90, bottom = slideHeight - margin; // of the area below the header
 constexpr double sentenceHeight = 132, operationsHeight = 88;
@@ -28,13 +24,13 @@ QString slideStepText(const Narration& narration, std::size_t step)
 {
     return narration.steps.empty()
                ? QString()
-               : SlideText::tr("Step %1 of %2").arg(step + 1).arg(narration.steps.size());
+               : Text::tr("Step %1 of %2").arg(step + 1).arg(narration.steps.size());
 }
 
 /// "Line from −160, −30 to 70, 130, convex window with 5 corners".
 QString polygonFacts(const TracedLine& tracedLine)
 {
-    return SlideText::tr("Line from %1 to %2, convex window with %3 corners")
+    return Text::tr("Line from %1 to %2, convex window with %3 corners")
         .arg(pointText(tracedLine.line.a), pointText(tracedLine.line.b))
         .arg(tracedLine.corners.size());
 }
@@ -44,8 +40,8 @@ QString factsText(const TracedLine& tracedLine)
 {
     if (!tracedLine.corners.empty())
         return polygonFacts(tracedLine);
-    return (tracedLine.windowIsPage ? SlideText::tr("Line from %1 to %2, page from %3 to %4")
-                                    : SlideText::tr("Line from %1 to %2, window from %3 to %4"))
+    return (tracedLine.windowIsPage ? Text::tr("Line from %1 to %2, page from %3 to %4")
+                                    : Text::tr("Line from %1 to %2, window from %3 to %4"))
         .arg(pointText(tracedLine.line.a), pointText(tracedLine.line.b),
              pointText(tracedLine.window.min), pointText(tracedLine.window.max));
 }
@@ -146,7 +142,7 @@ QRectF sentenceArea()
 QString slideTitle(const TracedLine& tracedLine, const Narration& narration, std::size_t step)
 {
     return narration.steps.empty() ? titleOf(tracedLine.variant)
-                                   : SlideText::tr("%1, step %2 of %3")
+                                   : Text::tr("%1, step %2 of %3")
                                          .arg(titleOf(tracedLine.variant))
                                          .arg(step + 1)
                                          .arg(narration.steps.size());

@@ -2,8 +2,8 @@
 #include "app/teaching/slide_panels.h"
 
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 
-#include <QCoreApplication>
 #include <QFontDatabase>
 #include <QFontMetricsF>
 #include <QGuiApplication>
@@ -16,10 +16,6 @@
 namespace app {
 
 namespace {
-
-struct SlidePanelsText {
-    Q_DECLARE_TR_FUNCTIONS(Slide)
-};
 
 constexpr double headingHeight = 32;
 constexpr double smallText = 0.9; // of the body font: 18 pixels, the smallest text on a slide
@@ -164,9 +160,9 @@ void paintVariable(QPainter& painter, const QRectF& row, const Variable& variabl
     painter.setFont(body);
     painter.setPen(variable.before ? colours.muted : colours.highlight);
     painter.drawText(earlier, Qt::AlignLeft | Qt::AlignVCenter,
-                     variable.before ? SlidePanelsText::tr("was %1").arg(
-                         fitting(before, earlier.width() - 44, body))
-                                     : SlidePanelsText::tr("new"));
+                     variable.before
+                         ? Text::tr("was %1").arg(fitting(before, earlier.width() - 44, body))
+                         : Text::tr("new"));
 }
 
 struct Operation {
@@ -177,10 +173,10 @@ struct Operation {
 std::array<Operation, 4> panelOperations()
 {
     using Counts = clipping::OperationCounts;
-    return {{{SlidePanelsText::tr("comparisons"), &Counts::comparisons},
-             {SlidePanelsText::tr("additions"), &Counts::additions},
-             {SlidePanelsText::tr("multiplications"), &Counts::multiplications},
-             {SlidePanelsText::tr("divisions"), &Counts::divisions}}};
+    return {{{Text::tr("comparisons"), &Counts::comparisons},
+             {Text::tr("additions"), &Counts::additions},
+             {Text::tr("multiplications"), &Counts::multiplications},
+             {Text::tr("divisions"), &Counts::divisions}}};
 }
 
 } // namespace
@@ -208,7 +204,7 @@ QFont bold(QFont font)
 double paintCode(QPainter& painter, const QRectF& area, const Narration& narration,
                  std::size_t step, const FigureColours& colours)
 {
-    const double top = paintHeading(painter, area, SlidePanelsText::tr("Pseudo-code"), colours);
+    const double top = paintHeading(painter, area, Text::tr("Pseudo-code"), colours);
     const double numbers =
         QFontMetricsF(slideFonts().code).horizontalAdvance(QStringLiteral("00")) + 16;
     const double height = area.bottom() - top;
@@ -242,7 +238,7 @@ double paintVariables(QPainter& painter, const QRectF& area, const NarratedStep&
                       const FigureColours& colours)
 {
     constexpr double row = 25;
-    double top = paintHeading(painter, area, SlidePanelsText::tr("Variables"), colours);
+    double top = paintHeading(painter, area, Text::tr("Variables"), colours);
     const auto room = std::size_t(std::max(0.0, (area.bottom() - top) / row));
     const std::size_t all = narrated.variables.size();
     const auto rows = shown(narrated, all <= room ? all : std::max<std::size_t>(room, 1) - 1);
@@ -255,15 +251,14 @@ double paintVariables(QPainter& painter, const QRectF& area, const NarratedStep&
     painter.setFont(sized(slideFonts().body, smallText));
     painter.setPen(colours.muted);
     painter.drawText(QRectF(area.left(), top, area.width(), row), Qt::AlignLeft | Qt::AlignVCenter,
-                     SlidePanelsText::tr("and %1 more").arg(all - rows.size()));
+                     Text::tr("and %1 more").arg(all - rows.size()));
     return top + row;
 }
 
 double paintOperations(QPainter& painter, const QRectF& area, const Narration& narration,
                        std::size_t step, const FigureColours& colours)
 {
-    const double top =
-        paintHeading(painter, area, SlidePanelsText::tr("Operations so far"), colours);
+    const double top = paintHeading(painter, area, Text::tr("Operations so far"), colours);
     const QFont number = bold(sized(slideFonts().body, 1.2)),
                 small = sized(slideFonts().body, smallText);
     const QFontMetricsF large(number), words(small);
@@ -275,8 +270,7 @@ double paintOperations(QPainter& painter, const QRectF& area, const Narration& n
     double used = 0;
     for (const auto& [name, count] : panelOperations()) {
         Cell cell{countText(narration.steps[step].cost.*count),
-                  SlidePanelsText::tr("of %1").arg(countText(narration.steps.back().cost.*count)),
-                  name, 0};
+                  Text::tr("of %1").arg(countText(narration.steps.back().cost.*count)), name, 0};
         cell.width =
             std::max(words.horizontalAdvance(name),
                      large.horizontalAdvance(cell.now) + 5 + words.horizontalAdvance(cell.of));

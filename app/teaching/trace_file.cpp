@@ -3,9 +3,9 @@
 
 #include "app/base/latin.h"
 #include "app/base/replace_file.h"
+#include "app/base/text.h"
 #include "app/base/write_all.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 
@@ -16,10 +16,6 @@
 namespace app {
 
 namespace {
-
-struct TraceFileText {
-    Q_DECLARE_TR_FUNCTIONS(TraceFile)
-};
 
 PaintedCaption captionOf(const TraceExport& trace, std::size_t step)
 {
@@ -73,16 +69,15 @@ std::span<const TraceFormat> traceFormats()
 {
     using Files = TraceFormat::Files;
     static const std::array all{
-        TraceFormat{"pdf", "pdf", TraceFileText::tr("PDF document, one page for each step"),
-                    Files::One, true, pdf},
-        TraceFormat{"svg", "svg", TraceFileText::tr("SVG drawings, one for each step"),
-                    Files::OneAStep, true, svg},
-        TraceFormat{"png", "png", TraceFileText::tr("PNG pictures, one for each step"),
-                    Files::OneAStep, true, png},
-        TraceFormat{"gif", "gif", TraceFileText::tr("Animated GIF picture"), Files::One, true,
-                    traceGif},
-        TraceFormat{"text", "txt", TraceFileText::tr("Text"), Files::One, false, traceText},
-        TraceFormat{"json", "json", TraceFileText::tr("JSON data"), Files::One, false, traceJson}};
+        TraceFormat{"pdf", "pdf", Text::tr("PDF document, one page for each step"), Files::One,
+                    true, pdf},
+        TraceFormat{"svg", "svg", Text::tr("SVG drawings, one for each step"), Files::OneAStep,
+                    true, svg},
+        TraceFormat{"png", "png", Text::tr("PNG pictures, one for each step"), Files::OneAStep,
+                    true, png},
+        TraceFormat{"gif", "gif", Text::tr("Animated GIF picture"), Files::One, true, traceGif},
+        TraceFormat{"text", "txt", Text::tr("Text"), Files::One, false, traceText},
+        TraceFormat{"json", "json", Text::tr("JSON data"), Files::One, false, traceJson}};
     return all;
 }
 
@@ -154,7 +149,7 @@ std::optional<QString> writeTrace(const QStringList& paths, std::span<const QByt
             return out.errorString() + u'.';
         });
         if (error)
-            return TraceFileText::tr("Cannot write %1: %2").arg(path, *error);
+            return Text::tr("Cannot write %1: %2").arg(path, *error);
     }
     return std::nullopt;
 }

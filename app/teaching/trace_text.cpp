@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/teaching/figure_marks.h"
 #include "app/teaching/trace_file.h"
-
-#include <QCoreApplication>
 
 // A trace as text for a terminal.
 
 namespace app {
 
 namespace {
-
-struct TraceTextWords {
-    Q_DECLARE_TR_FUNCTIONS(TraceFile)
-};
 
 QString pair(const Point& point)
 {
@@ -30,7 +25,7 @@ QString changes(const NarratedStep& narrated)
         if (variable.before) {
             Variable before = variable;
             before.value = *variable.before;
-            word += TraceTextWords::tr(" (was %1)").arg(valueText(before));
+            word += Text::tr(" (was %1)").arg(valueText(before));
         }
         words << word;
     }
@@ -39,7 +34,7 @@ QString changes(const NarratedStep& narrated)
 
 QString operations(const clipping::OperationCounts& cost)
 {
-    return TraceTextWords::tr("comparisons %1, additions %2, multiplications %3, divisions %4")
+    return Text::tr("comparisons %1, additions %2, multiplications %3, divisions %4")
         .arg(cost.comparisons)
         .arg(cost.additions)
         .arg(cost.multiplications)
@@ -54,7 +49,7 @@ QString traceStepText(const TraceExport& trace, std::size_t step)
     QString text = QString::number(step + 1).rightJustified(3) + QStringLiteral("  ")
                    + narrated.sentence + u'\n';
     if (narrated.line >= 1 && narrated.line <= narration.code.size())
-        text += indent + TraceTextWords::tr("line %1: ").arg(narrated.line)
+        text += indent + Text::tr("line %1: ").arg(narrated.line)
                 + narration.code[narrated.line - 1].trimmed() + u'\n';
     if (const QString changed = changes(narrated); !changed.isEmpty())
         text += indent + changed + u'\n';
@@ -64,26 +59,24 @@ QString traceStepText(const TraceExport& trace, std::size_t step)
 QString endText(const Narration& narration)
 {
     if (narration.visible)
-        return TraceTextWords::tr("Visible: %1 to %2")
+        return Text::tr("Visible: %1 to %2")
             .arg(pair(narration.visible->a), pair(narration.visible->b));
     return narration.outcome == clipping::Outcome::DidNotEnd
-               ? TraceTextWords::tr(
-                   "The algorithm did not end and was stopped: nothing is visible.")
-               : TraceTextWords::tr("Nothing is visible.");
+               ? Text::tr("The algorithm did not end and was stopped: nothing is visible.")
+               : Text::tr("Nothing is visible.");
 }
 
 QString windowText(const TracedLine& tracedLine)
 {
-    const QString y =
-        tracedLine.y == YAxis::Up ? TraceTextWords::tr("up") : TraceTextWords::tr("down");
+    const QString y = tracedLine.y == YAxis::Up ? Text::tr("up") : Text::tr("down");
     if (tracedLine.corners.empty())
-        return (tracedLine.windowIsPage ? TraceTextWords::tr("Page:    %1 to %2, y grows %3\n\n")
-                                        : TraceTextWords::tr("Window:  %1 to %2, y grows %3\n\n"))
+        return (tracedLine.windowIsPage ? Text::tr("Page:    %1 to %2, y grows %3\n\n")
+                                        : Text::tr("Window:  %1 to %2, y grows %3\n\n"))
             .arg(pair(tracedLine.window.min), pair(tracedLine.window.max), y);
     QStringList corners;
     for (const Point& corner : tracedLine.corners)
         corners << pair(corner);
-    return TraceTextWords::tr("Window:  %1; edge 1 begins at the first corner, y grows %2\n\n")
+    return Text::tr("Window:  %1; edge 1 begins at the first corner, y grows %2\n\n")
         .arg(corners.join(QStringLiteral("; ")), y);
 }
 
@@ -93,8 +86,7 @@ QByteArray traceText(const TraceExport& trace, std::span<const std::size_t> step
 {
     const TracedLine& tracedLine = trace.tracedLine;
     QString text = titleOf(tracedLine.variant) + u'\n';
-    text += TraceTextWords::tr("Line:    %1 to %2\n")
-                .arg(pair(tracedLine.line.a), pair(tracedLine.line.b));
+    text += Text::tr("Line:    %1 to %2\n").arg(pair(tracedLine.line.a), pair(tracedLine.line.b));
     text += windowText(tracedLine);
     if (trace.narration.steps.empty())
         return (text + trace.narration.refusal + u'\n').toUtf8();

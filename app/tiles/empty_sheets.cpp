@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tiles/empty_sheets.h"
 
+#include "app/base/text.h"
 #include "app/base/usual_algorithm.h"
 #include "app/view/crossings.h"
-
-#include <QCoreApplication>
 
 #include <glm/common.hpp>
 
@@ -143,10 +142,9 @@ Tiling withoutEmptySheets(Tiling tiling, const TilePlan& plan, const SceneLines&
 QString emptySheetsText(const Tiling& tiling)
 {
     const auto count = std::ranges::count(tiling.tiles, true, &Tile::empty);
-    return count == 0 ? QString()
-           : count == 1
-               ? QCoreApplication::translate("Tiles", "1 empty sheet was left out.")
-               : QCoreApplication::translate("Tiles", "%1 empty sheets were left out.").arg(count);
+    return count == 0   ? QString()
+           : count == 1 ? Text::tr("1 empty sheet was left out.")
+                        : Text::tr("%1 empty sheets were left out.").arg(count);
 }
 
 } // namespace app

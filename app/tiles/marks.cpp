@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tiles/marks.h"
 
+#include "app/base/text.h"
 #include "app/document/recipe_outline.h"
 #include "app/lettering/lettering.h"
 #include "app/lettering/stroke_fonts.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +49,7 @@ public:
     void addLabel(const QString& title)
     {
         const double size = std::min(margin_ * 0.25, 2.5 * unit_);
-        const QString text = QCoreApplication::translate("Tiles", "%1 %2-%3 of %4 × %5")
+        const QString text = Text::tr("%1 %2-%3 of %4 × %5")
                                  .arg(title)
                                  .arg(tile_.row)
                                  .arg(tile_.column)
@@ -58,9 +57,8 @@ public:
                                  .arg(tiling_.columns)
                                  .trimmed();
         const Point& drawing = tiling_.drawing;
-        const QString whole = QCoreApplication::translate("Tiles", "%1 × %2 mm")
-                                  .arg(std::lround(drawing.x))
-                                  .arg(std::lround(drawing.y));
+        const QString whole =
+            Text::tr("%1 × %2 mm").arg(std::lround(drawing.x)).arg(std::lround(drawing.y));
         // Between the registration marks.
         const double inset = std::max(3 * arm_, tiling_.overlap / 2 + 2 * arm_);
         const double right = tile_.window.max.x - inset;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tiles/overview.h"
 
+#include "app/base/text.h"
 #include "app/cut/layer_above.h"
 #include "app/lettering/lettering.h"
 #include "app/lettering/stroke_fonts.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 
@@ -90,8 +89,7 @@ Document overviewOf(const Sheets& sheets)
     const Point size = tiling.sheet / millimetresPerUnit;
 
     Document made = withOwnStyles(sheets.drawing);
-    auto [tree, layer] =
-        withLayerAbove(made, QCoreApplication::translate("Tiles", "Sheet numbers"));
+    auto [tree, layer] = withLayerAbove(made, Text::tr("Sheet numbers"));
     made.apply({.containers = std::move(tree),
                 .windows = ClipWindows(),
                 .page = Page{(whole.min + whole.max - size) * 0.5,

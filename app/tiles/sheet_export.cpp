@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tiles/sheet_export.h"
 
+#include "app/base/text.h"
 #include "app/document/flattened.h"
 #include "app/document/hidden_objects.h"
-
-#include <QCoreApplication>
 
 namespace app {
 namespace {
@@ -15,7 +14,7 @@ std::optional<QString> write(Sheets& sheets, const QString& pattern, const Follo
 {
     const Format* format = formatOfFile(pattern);
     if (!format || !format->write)
-        return QCoreApplication::translate("Tiles", "Sheets cannot be written as %1.").arg(pattern);
+        return Text::tr("Sheets cannot be written as %1.").arg(pattern);
     if (format->hides == StoresHidden::No)
         sheets.drawing = withoutHidden(std::move(sheets.drawing));
     if (format->holds == Holds::SeparateLines) { // cut as lines, so that each is on its sheet
@@ -32,9 +31,8 @@ std::optional<QString> write(Sheets& sheets, const QString& pattern, const Follo
 
 WriteResult exportSheets(Sheets sheets, const QString& pattern, const Follower& follower)
 {
-    const QString outOfMemory =
-        QCoreApplication::translate("Tiles", "Cannot export the sheets: there is not enough "
-                                             "memory. Close other programs, and try again.");
+    const QString outOfMemory = Text::tr("Cannot export the sheets: there is not enough "
+                                         "memory. Close other programs, and try again.");
     return resultOf([&] { return write(sheets, pattern, follower); }, follower.stop, outOfMemory);
 }
 

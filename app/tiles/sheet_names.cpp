@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tiles/sheet_names.h"
 
-#include <QCoreApplication>
+#include "app/base/text.h"
+
 #include <QRegularExpression>
 
 namespace app {
 namespace {
-
-struct SheetNamesText {
-    Q_DECLARE_TR_FUNCTIONS(SheetNames)
-};
 
 // From the first number to the last one.
 const QRegularExpression& numbers()
@@ -24,7 +21,6 @@ const QRegularExpression& numbers()
 
 QString gridText(const Tiling& tiling)
 {
-    using Text = SheetNamesText;
     const QString columns =
         tiling.columns == 1 ? Text::tr("1 column") : Text::tr("%1 columns").arg(tiling.columns);
     const QString rows =

@@ -3,8 +3,8 @@
 
 #include "app/base/latin.h"
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/tiles/papers.h"
-#include "app/tiles/translated.h"
 
 #include <QFileInfo>
 
@@ -28,9 +28,9 @@ TilePlan planOf(const SheetSettings& settings)
 QString paperText(const SheetSettings& settings, const Tiling& tiling)
 {
     if (settings.byNumber)
-        return Tiles::tr("%1 × %2 mm")
+        return Text::tr("%1 × %2 mm")
             .arg(numberText(tiling.sheet.x, 0), numberText(tiling.sheet.y, 0));
-    return (settings.landscape ? Tiles::tr("%1 landscape") : Tiles::tr("%1 portrait"))
+    return (settings.landscape ? Text::tr("%1 landscape") : Text::tr("%1 portrait"))
         .arg(settings.paper);
 }
 
@@ -52,16 +52,16 @@ Result<SheetSettings> withName(SheetSettings settings, const QString& typed, con
     QString name = typed.trimmed();
     if (name.contains(u'/'))
         return Refused::failure(
-            Tiles::tr("A name must not contain “/”. The folder is chosen later."));
+            Text::tr("A name must not contain “/”. The folder is chosen later."));
     if (const Format* format = formatOfFile(name); format && format->write) {
         name.chop(QFileInfo(name).suffix().size() + 1);
         if (settings.format != format->key)
             settings = withFormat(std::move(settings), *format);
     }
     if (nameWithoutNumbers(name).isEmpty() && (settings.oneFile || name.isEmpty()))
-        return Refused::failure(Tiles::tr("Type a name for the files."));
+        return Refused::failure(Text::tr("Type a name for the files."));
     if (!settings.oneFile && !namesEverySheet(name, tiling))
-        return Refused::failure(Tiles::tr(
+        return Refused::failure(Text::tr(
             "Each sheet needs a name of its own: put {row} and {column}, or {n}, into it."));
     settings.name = name;
     return Refused::of(std::move(settings));

@@ -2,12 +2,12 @@
 #include "app/tiles/sheets.h"
 
 #include "app/base/replace_file.h"
+#include "app/base/text.h"
 #include "app/base/unfinished.h"
 #include "app/cut/layer_above.h"
 #include "app/formats/pdf/writer.h"
 #include "app/tiles/marks.h"
 #include "app/tiles/overview.h"
-#include "app/tiles/translated.h"
 
 #include <QElapsedTimer>
 
@@ -18,7 +18,7 @@ namespace {
 
 void addMarks(Document& sheet, const std::vector<Object>& marks)
 {
-    auto [tree, layer] = withLayerAbove(sheet, Tiles::tr("Sheet marks"));
+    auto [tree, layer] = withLayerAbove(sheet, Text::tr("Sheet marks"));
     sheet.apply({.containers = std::move(tree)});
     Objects objects = sheet.objects().slice(0, 0);
     for (const Object& mark : marks)
@@ -73,7 +73,7 @@ private:
 
 QString cancelled(std::size_t done, std::size_t all)
 {
-    return Tiles::tr("The export was cancelled after %1 of %2 sheets.").arg(done).arg(all);
+    return Text::tr("The export was cancelled after %1 of %2 sheets.").arg(done).arg(all);
 }
 
 std::optional<QString> writePages(const Sheets& sheets, const QString& path,
@@ -91,11 +91,11 @@ std::optional<QString> writePages(const Sheets& sheets, const QString& path,
                 return follower.stop.stop_requested() ? Document() : pageOf(sheets, pages[number]);
             },
             out, options);
-        return follower.stop.stop_requested() ? Tiles::tr("the export was cancelled.") : failed;
+        return follower.stop.stop_requested() ? Text::tr("the export was cancelled.") : failed;
     });
     if (error && follower.stop.stop_requested())
-        return Tiles::tr("The export was cancelled; %1 is as it was before.").arg(path);
-    return error ? std::optional(Tiles::tr("Cannot write %1: %2").arg(path, *error)) : std::nullopt;
+        return Text::tr("The export was cancelled; %1 is as it was before.").arg(path);
+    return error ? std::optional(Text::tr("Cannot write %1: %2").arg(path, *error)) : std::nullopt;
 }
 
 } // namespace
@@ -137,7 +137,7 @@ std::optional<QString> writeSheets(const Sheets& sheets, const QString& pattern,
     if (!namesEverySheet(pattern, sheets.tiling)) {
         if (format.key == "pdf")
             return writePages(sheets, pattern, options, follower);
-        return Tiles::tr(
+        return Text::tr(
                    "%1 is one name for %2 sheets. Put {row} and {column}, or {n}, into it; only a "
                    "PDF file holds them all.")
             .arg(pattern)

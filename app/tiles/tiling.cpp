@@ -2,7 +2,7 @@
 #include "app/tiles/tiling.h"
 
 #include "app/base/numbers.h"
-#include "app/tiles/translated.h"
+#include "app/base/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,20 +51,20 @@ Row rowOf(double length, int axis, const TilePlan& plan)
 QString refusalOf(const TilePlan& plan, const Row& across, const Row& down)
 {
     if (!(plan.scale >= leastScale && plan.scale <= mostScale))
-        return Tiles::tr("The scale must be between 0.1 % and 100,000 %.");
+        return Text::tr("The scale must be between 0.1 % and 100,000 %.");
     if (!(plan.margin >= 0 && plan.overlap >= 0))
-        return Tiles::tr("Margin and overlap of sheets must not be negative.");
+        return Text::tr("Margin and overlap of sheets must not be negative.");
     if (plan.marks.any() && plan.margin < leastMarkedMargin)
-        return Tiles::tr("Marks need a margin of at least %1 on each sheet.")
+        return Text::tr("Marks need a margin of at least %1 on each sheet.")
             .arg(millimetres(leastMarkedMargin));
     if (!(across.part > 0 && down.part > 0))
-        return Tiles::tr("The margin of %1 is too large: nothing of a sheet is left.")
+        return Text::tr("The margin of %1 is too large: nothing of a sheet is left.")
             .arg(millimetres(plan.margin));
     if (const double part = std::min(across.part, down.part); !(plan.overlap < part))
-        return Tiles::tr("Overlap must be less than %1, the %2 of a sheet.")
-            .arg(millimetres(part), part == across.part ? Tiles::tr("width") : Tiles::tr("height"));
+        return Text::tr("Overlap must be less than %1, the %2 of a sheet.")
+            .arg(millimetres(part), part == across.part ? Text::tr("width") : Text::tr("height"));
     if (across.count < 1 || down.count < 1 || across.count * down.count > mostTiles)
-        return Tiles::tr("The drawing needs more than %1 sheets. Choose larger ones.")
+        return Text::tr("The drawing needs more than %1 sheets. Choose larger ones.")
             .arg(mostTiles);
     return {};
 }

@@ -3,6 +3,7 @@
 
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/look/text.h"
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/room_for_text.h"
 
@@ -12,7 +13,7 @@ namespace ui {
 
 GridChoice::GridChoice(app::Session& session)
     : session_(session), switch_(new QToolButton),
-      spacing_(new LengthField(tr("Grid spacing"), LengthField::Range::NotNegative,
+      spacing_(new LengthField(Text::tr("Grid spacing"), LengthField::Range::NotNegative,
                                LengthField::Suffix::Unit))
 {
     auto* row = new QHBoxLayout(this);
@@ -25,9 +26,9 @@ GridChoice::GridChoice(app::Session& session)
     switch_->setFixedSize(space::toolButton, space::toolButton);
     switch_->setCheckable(true);
     switch_->setAutoRaise(true);
-    switch_->setAccessibleName(tr("Grid"));
-    switch_->setToolTip(tr("Show the grid, and snap to it (Shift+F5)"));
-    spacing_->setToolTip(tr("Grid spacing on paper"));
+    switch_->setAccessibleName(Text::tr("Grid"));
+    switch_->setToolTip(Text::tr("Show the grid, and snap to it (Shift+F5)"));
+    spacing_->setToolTip(Text::tr("Grid spacing on paper"));
     new RoomForText(*spacing_, QStringLiteral("000.00 mm"), 28);
     connect(switch_, &QToolButton::clicked, this, [this](bool on) {
         session_.changeDisplay([on](app::Display& display) { display.grid.shown = on; });

@@ -2,6 +2,7 @@
 #include "ui/bars/node_row.h"
 
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/widgets/rule.h"
 
 #include <QAction>
@@ -48,7 +49,7 @@ private:
         const QAction& action = *defaultAction();
         const QString key = action.shortcut().toString(QKeySequence::NativeText);
         const QString name =
-            key.isEmpty() ? action.iconText() : NodeRow::tr("%1 (%2)").arg(action.iconText(), key);
+            key.isEmpty() ? action.iconText() : Text::tr("%1 (%2)").arg(action.iconText(), key);
         return action.isEnabled() ? name : name + u'\n' + action.statusTip();
     }
 };

@@ -9,6 +9,7 @@
 #include "ui/editing/keeping.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/look/text.h"
 #include "ui/style/style_popup.h"
 #include "ui/widgets/dash_icon.h"
 #include "ui/widgets/length_field.h"
@@ -33,8 +34,8 @@ void showKeyInTip(QAction& action)
 {
     const auto refresh = [&action] {
         const QString text = action.iconText().remove(u'…');
-        action.setToolTip(OptionBar::tr("%1 (%2)").arg(
-            text, action.shortcut().toString(QKeySequence::NativeText)));
+        action.setToolTip(
+            Text::tr("%1 (%2)").arg(text, action.shortcut().toString(QKeySequence::NativeText)));
     };
     QObject::connect(&action, &QAction::changed, &action, refresh);
     refresh();
@@ -43,16 +44,18 @@ void showKeyInTip(QAction& action)
 } // namespace
 
 OptionBar::OptionBar(app::Session& session, Canvas& canvas)
-    : QToolBar(tr("Tool options")), session_(session),
+    : QToolBar(Text::tr("Tool options")), session_(session),
       strokeColour_(new ColourChoice(session, canvas, &app::Style::stroke)),
-      width_(new LengthField(tr("Stroke width"), LengthField::Range::NotNegative,
+      width_(new LengthField(Text::tr("Stroke width"), LengthField::Range::NotNegative,
                              LengthField::Suffix::Unit)),
       dashes_(new ToolList), style_(new QToolButton),
       stylePopup_(new StylePopup(session, canvas, *style_)), snapping_(new SnapChoice(canvas)),
       grid_(new GridChoice(session)),
-      keep_(new Segments(tr("Keep"), {tr("Inside"), tr("Outside")})),
-      removed_(new Segments(tr("Removed part"), {tr("Ghosted"), tr("Hidden"), tr("Shown")})),
-      panes_(new Segments(tr("Panes"), {tr("1"), tr("2"), tr("4"), tr("All")})),
+      keep_(new Segments(Text::tr("Keep"), {Text::tr("Inside"), Text::tr("Outside")})),
+      removed_(new Segments(Text::tr("Removed part"),
+                            {Text::tr("Ghosted"), Text::tr("Hidden"), Text::tr("Shown")})),
+      panes_(new Segments(Text::tr("Panes"),
+                          {Text::tr("1"), Text::tr("2"), Text::tr("4"), Text::tr("All")})),
       window_(new WindowOptions(session, canvas)), nodes_(new NodeRow), tiles_(new QToolButton),
       export_(new QToolButton)
 {
@@ -114,12 +117,12 @@ bool OptionBar::isOffered(QAction* action) const
 void OptionBar::addStroke()
 {
     addWidget(strokeColour_);
-    addCaption(tr("Stroke"))->setForegroundRole(QPalette::WindowText);
-    width_->setToolTip(tr("Stroke width"));
+    addCaption(Text::tr("Stroke"))->setForegroundRole(QPalette::WindowText);
+    width_->setToolTip(Text::tr("Stroke width"));
     new RoomForText(*width_, QStringLiteral("00.000 mm"), 28);
     addWidget(width_);
-    dashes_->setToolTip(tr("Dashes"));
-    dashes_->setAccessibleName(tr("Dashes"));
+    dashes_->setToolTip(Text::tr("Dashes"));
+    dashes_->setAccessibleName(Text::tr("Dashes"));
     dashes_->setIconSize({36, 12});
     dashes_->setFixedSize(72, space::fieldHeight);
     for (const app::DashPattern& pattern : app::dashPatterns()) {
@@ -136,14 +139,14 @@ void OptionBar::addStroke()
     connect(width_, &LengthField::edited, this, [this](double width, app::Merging merging) {
         app::restyle(
             session_, [width](app::Style& style) { app::setWidth(style, width); },
-            tr("Stroke width"), merging);
+            Text::tr("Stroke width"), merging);
         followStyle();
     });
     connect(dashes_, &QComboBox::activated, this, [this](int index) {
         const auto& pattern = app::dashPatterns()[std::size_t(index)];
         app::restyle(
             session_, [&](app::Style& style) { style.dashes = app::scaled(pattern, style.width); },
-            tr("Dashes"), app::Merging::WithLast);
+            Text::tr("Dashes"), app::Merging::WithLast);
         followStyle();
     });
 }
@@ -168,11 +171,11 @@ void OptionBar::takeColour(app::PaintPart part)
 void OptionBar::addClipping()
 {
     const qsizetype before = actions().size();
-    addCaption(tr("Keep"));
+    addCaption(Text::tr("Keep"));
     addWidget(keep_);
     addSeparator();
     ofOthers_ += actions().mid(before);
-    addCaption(tr("Removed part"));
+    addCaption(Text::tr("Removed part"));
     addWidget(removed_);
     connect(keep_, &Segments::picked, this,
             [this](int index) { setKeep(session_, app::Keep(index)); });
@@ -186,11 +189,12 @@ void OptionBar::addPanes(Canvas& canvas)
 {
     // Pane counts; the last choice is all.
     static constexpr std::array<std::size_t, 3> counts{1, 2, 4};
-    addCaption(tr("Panes"));
+    addCaption(Text::tr("Panes"));
     panes_->setObjectName(QStringLiteral("panes"));
     addWidget(panes_);
-    panes_->setToolTip(tr("Show the drawing in several panes, each with its own algorithm (Ctrl+1, "
-                          "Ctrl+2, Ctrl+4, Ctrl+9)"));
+    panes_->setToolTip(
+        Text::tr("Show the drawing in several panes, each with its own algorithm (Ctrl+1, "
+                 "Ctrl+2, Ctrl+4, Ctrl+9)"));
     connect(panes_, &Segments::picked, this, [&canvas](int index) {
         app::Panes panes = canvas.panes();
         std::size_t(index) < counts.size() ? panes.show(counts[std::size_t(index)])

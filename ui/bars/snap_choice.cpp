@@ -4,6 +4,7 @@
 #include "app/base/latin.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/look/text.h"
 #include "ui/widgets/room_for_text.h"
 #include "ui/widgets/ticking_menu.h"
 
@@ -14,7 +15,7 @@ namespace {
 
 QString countText(std::size_t on, std::size_t all)
 {
-    return SnapChoice::tr("%1 of %2 kinds").arg(on).arg(all);
+    return Text::tr("%1 of %2 kinds").arg(on).arg(all);
 }
 
 } // namespace
@@ -33,17 +34,17 @@ SnapChoice::SnapChoice(Canvas& canvas)
     switch_->setFixedSize(space::toolButton, space::toolButton);
     switch_->setCheckable(true);
     switch_->setAutoRaise(true);
-    switch_->setAccessibleName(tr("Snap"));
+    switch_->setAccessibleName(Text::tr("Snap"));
     switch_->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(switch_, &QWidget::customContextMenuRequested, this,
             [this](const QPoint& at) { menu_->popup(switch_->mapToGlobal(at)); });
-    switch_->setToolTip(tr("Snap to places of the drawing (F5). Hold Ctrl to suspend it."));
+    switch_->setToolTip(Text::tr("Snap to places of the drawing (F5). Hold Ctrl to suspend it."));
     kinds_->setObjectName(QStringLiteral("snap-kinds"));
     kinds_->setProperty("framed", true);
     kinds_->setFixedHeight(space::fieldHeight);
     new RoomForText(*kinds_, countText(10, 10), 36);
     kinds_->setPopupMode(QToolButton::InstantPopup);
-    kinds_->setToolTip(tr("Choose the kinds of places to snap to"));
+    kinds_->setToolTip(Text::tr("Choose the kinds of places to snap to"));
     kinds_->setMenu(menu_);
     addKinds();
     connect(switch_, &QToolButton::clicked, this, [this](bool on) { canvas_.switchSnapping(on); });

@@ -6,6 +6,7 @@
 #include "app/scene/window_needs.h"
 #include "app/view/place.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/widgets/elided_label.h"
 #include "ui/widgets/status_cell.h"
 #include "ui/widgets/warning_button.h"
@@ -24,10 +25,11 @@ constexpr int widthForRenderer = 1200;
 
 StatusBar::StatusBar(app::Session& session, Canvas& canvas, QWidget* parent)
     : QStatusBar(parent), session_(session), canvas_(canvas), hint_(new ElidedLabel),
-      warning_(new WarningButton), position_(new StatusCell(tr("Pointer"))),
-      visible_(new StatusCell(tr("Visible lines"))), algorithm_(new StatusCell(tr("Algorithm"))),
-      times_(new StatusCell(tr("Times"))), renderer_(new StatusCell(tr("Renderer"))),
-      darkPaper_(new QToolButton), zoom_(new ZoomButton)
+      warning_(new WarningButton), position_(new StatusCell(Text::tr("Pointer"))),
+      visible_(new StatusCell(Text::tr("Visible lines"))),
+      algorithm_(new StatusCell(Text::tr("Algorithm"))), times_(new StatusCell(Text::tr("Times"))),
+      renderer_(new StatusCell(Text::tr("Renderer"))), darkPaper_(new QToolButton),
+      zoom_(new ZoomButton)
 {
     setSizeGripEnabled(false);
     setFixedHeight(space::statusHeight);
@@ -81,7 +83,7 @@ void StatusBar::showHint(const QString& hint)
     const bool canvas = !session_.microscope.isOpen() && summary_.isEmpty();
     const QString own = canvas && hint.isEmpty() ? canvas_.toolHint() : hint;
     const QString both = canvas && canvas_.digitUse() == app::DigitUse::Algorithm
-                             ? tr("%1 Digits: algorithm.").arg(own)
+                             ? Text::tr("%1 Digits: algorithm.").arg(own)
                              : own;
     const bool fits = hint_->fontMetrics().horizontalAdvance(both) <= hint_->contentsRect().width();
     hint_->setWhole(fits ? both : own);
@@ -90,7 +92,7 @@ void StatusBar::showHint(const QString& hint)
 
 void StatusBar::warn(const QString& sentence)
 {
-    warning_->warn(tr("Work not protected"), sentence);
+    warning_->warn(Text::tr("Work not protected"), sentence);
 }
 
 void StatusBar::setSummary(const QString& summary)
@@ -142,18 +144,18 @@ void StatusBar::showTimes()
 {
     if (session_.microscope.isOpen())
         return;
-    visible_->setText(
-        summary_.isEmpty()
-            ? tr("%1 of %2 visible").arg(app::countText(last_.visible), app::countText(last_.total))
-            : summary_);
+    visible_->setText(summary_.isEmpty()
+                          ? Text::tr("%1 of %2 visible")
+                                .arg(app::countText(last_.visible), app::countText(last_.total))
+                          : summary_);
     const QString clip = app::millisecondsText(clip_.median());
     const bool timed = last_.total >= app::leastLinesToTime;
     times_->setText(
         !last_.painting
-            ? timed ? tr("clip %1  draw %2").arg(clip, app::millisecondsText(last_.drawMs))
-                    : tr("too few lines to time")
-        : timed ? tr("clip %1  painting…").arg(clip)
-                : tr("painting…"));
+            ? timed ? Text::tr("clip %1  draw %2").arg(clip, app::millisecondsText(last_.drawMs))
+                    : Text::tr("too few lines to time")
+        : timed ? Text::tr("clip %1  painting…").arg(clip)
+                : Text::tr("painting…"));
     explainTimes();
 }
 
@@ -161,19 +163,20 @@ void StatusBar::explainTimes()
 {
     QStringList sentences;
     if (last_.total < app::leastLinesToTime)
-        sentences << tr("With fewer than %1 lines the times are too short to measure.")
+        sentences << Text::tr("With fewer than %1 lines the times are too short to measure.")
                          .arg(app::countText(app::leastLinesToTime));
     else
-        sentences << tr("Clipping: %1 ns per line. This is processor time, which other programs do "
+        sentences
+            << Text::tr("Clipping: %1 ns per line. This is processor time, which other programs do "
                         "not make longer, and the median of up to %2 frames of this drawing at "
                         "these windows.")
-                         .arg(app::numberText(clip_.median() * 1e6 / double(last_.total), 1))
-                         .arg(app::FrameStatistics::length);
+                   .arg(app::numberText(clip_.median() * 1e6 / double(last_.total), 1))
+                   .arg(app::FrameStatistics::length);
     if (last_.painting)
-        sentences << tr("The picture takes a while. Until it is ready, the canvas shows the "
-                        "previous one.");
+        sentences << Text::tr("The picture takes a while. Until it is ready, the canvas shows the "
+                              "previous one.");
     else if (last_.total >= app::leastLinesToTime)
-        sentences << tr("Drawing: the time in which this picture was painted.");
+        sentences << Text::tr("Drawing: the time in which this picture was painted.");
     times_->setToolTip(sentences.join(u' '));
 }
 
@@ -186,14 +189,14 @@ void StatusBar::showPosition(std::optional<app::Point> position)
     const app::Unit unit = session_.display().unit;
     const app::Point place = *position - app::originOf(page, unit);
     position_->setText(
-        tr("x %1  y %2")
+        Text::tr("x %1  y %2")
             .arg(app::lengthNumber(place.x, unit, size), app::lengthText(place.y, unit, size)));
 }
 
 void StatusBar::showPoint(std::optional<app::Point> point)
 {
     position_->setText(
-        point ? tr("x %1  y %2").arg(app::shortText(point->x), app::shortText(point->y))
+        point ? Text::tr("x %1  y %2").arg(app::shortText(point->x), app::shortText(point->y))
               : QString());
 }
 
@@ -212,15 +215,15 @@ void StatusBar::showStep()
     const auto steps = microscope.narration().steps.size();
     const QString now = app::countText(microscope.step() + 1);
     const QString all = microscope.isCovered() ? QStringLiteral("?") : app::countText(steps);
-    visible_->setText(microscope.isCovered() && steps == 0 ? tr("steps covered")
-                      : steps == 0                         ? tr("no steps")
-                                                           : tr("step %1 of %2").arg(now, all));
+    visible_->setText(microscope.isCovered() && steps == 0 ? Text::tr("steps covered")
+                      : steps == 0                         ? Text::tr("no steps")
+                                   : Text::tr("step %1 of %2").arg(now, all));
     showAlgorithm(microscope.tracedLine().variant);
 }
 
 void StatusBar::showZoom()
 {
-    zoom_->setText(tr("%1 % ▾").arg(app::numberText(canvas_.zoom() * 100, 0)));
+    zoom_->setText(Text::tr("%1 % ▾").arg(app::numberText(canvas_.zoom() * 100, 0)));
 }
 
 /// Gives every cell the width of the widest text possible for this drawing.
@@ -231,19 +234,21 @@ void StatusBar::keepRoom()
     const app::Unit unit = session_.display().unit;
     const double farthest = -std::max({std::abs(page.size.x), std::abs(page.size.y), 1.0});
     position_->setWidest(
-        tr("x %1  y %2")
+        Text::tr("x %1  y %2")
             .arg(app::lengthNumber(farthest, unit, size), app::lengthText(farthest, unit, size)));
     const QString total =
         app::countText(std::max<std::size_t>(session_.scene.lines().size(), 9999));
-    visible_->setWidest(summary_.isEmpty() ? tr("%1 of %2 visible").arg(total, total) : summary_);
-    times_->setWidest(
-        tr("clip %1  draw %2").arg(app::millisecondsText(0.001), app::millisecondsText(99.9)));
+    visible_->setWidest(summary_.isEmpty() ? Text::tr("%1 of %2 visible").arg(total, total)
+                                           : summary_);
+    times_->setWidest(Text::tr("clip %1  draw %2")
+                          .arg(app::millisecondsText(0.001), app::millisecondsText(99.9)));
     if (!session_.microscope.isOpen())
         showAlgorithm(session_.variant());
     renderer_->setWidest(QStringLiteral("OpenGL"));
-    renderer_->setText(canvas_.backend() == Backend::OpenGL ? tr("OpenGL") : tr("Raster"));
+    renderer_->setText(canvas_.backend() == Backend::OpenGL ? Text::tr("OpenGL")
+                                                            : Text::tr("Raster"));
     renderer_->setToolTip(canvas_.backendReason());
-    zoom_->setWidest(tr("%1 % ▾").arg(u"10,000"));
+    zoom_->setWidest(Text::tr("%1 % ▾").arg(u"10,000"));
     showZoom();
 }
 
@@ -257,7 +262,7 @@ void StatusBar::showAlgorithm(const app::Variant& variant)
     const bool open = session_.microscope.isOpen();
     const app::Variant used = open ? variant : app::usedAt(session_.region(), variant);
     const bool published = used.form == clipping::Form::Published;
-    const QString mark = tr(", published"), other = tr("%1 instead of %2");
+    const QString mark = Text::tr(", published"), other = Text::tr("%1 instead of %2");
     const bool instead = used.algorithm != variant.algorithm;
     const QString name = app::latin(used.algorithm->abbreviation);
     algorithm_->setWidest(instead ? other.arg(name, widest) : published ? widest + mark : widest);
@@ -306,9 +311,10 @@ void StatusBar::changeEvent(QEvent* event)
 void StatusBar::addPaperSwitch()
 {
     darkPaper_->setObjectName(QStringLiteral("dark-paper-switch"));
-    darkPaper_->setText(tr("Dark paper"));
-    darkPaper_->setToolTip(tr("Show the page dark, and dark colours lighter on it. Files keep "
-                              "their colours."));
+    darkPaper_->setText(Text::tr("Dark paper"));
+    darkPaper_->setToolTip(
+        Text::tr("Show the page dark, and dark colours lighter on it. Files keep "
+                 "their colours."));
     wearCaption(*darkPaper_);
     darkPaper_->setCheckable(true);
     darkPaper_->setAutoRaise(true);
@@ -332,17 +338,17 @@ void StatusBar::addZoomMenu()
 {
     auto* menu = new QMenu(zoom_);
     for (const double percent : {25.0, 50.0, 100.0, 200.0, 400.0, 800.0})
-        menu->addAction(tr("%1 %").arg(percent), this,
+        menu->addAction(Text::tr("%1 %").arg(percent), this,
                         [this, percent] { canvas_.setZoom(percent / 100); });
     menu->addSeparator();
-    menu->addAction(tr("Fit drawing"), &canvas_, &Canvas::fitDrawing);
-    menu->addAction(tr("Fit selection"), &canvas_, &Canvas::fitSelection);
-    QAction* window = menu->addAction(tr("Fit clip window"), &canvas_, &Canvas::fitWindow);
+    menu->addAction(Text::tr("Fit drawing"), &canvas_, &Canvas::fitDrawing);
+    menu->addAction(Text::tr("Fit selection"), &canvas_, &Canvas::fitSelection);
+    QAction* window = menu->addAction(Text::tr("Fit clip window"), &canvas_, &Canvas::fitWindow);
     connect(menu, &QMenu::aboutToShow, window,
             [this, window] { window->setEnabled(session_.clipWindow().has_value()); });
     zoom_->setMenu(menu);
-    zoom_->setAccessibleName(tr("Zoom"));
-    zoom_->setToolTip(tr("Zoom"));
+    zoom_->setAccessibleName(Text::tr("Zoom"));
+    zoom_->setToolTip(Text::tr("Zoom"));
     addPermanentWidget(zoom_);
 }
 

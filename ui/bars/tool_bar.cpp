@@ -4,6 +4,7 @@
 #include "app/base/latin.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/look/text.h"
 #include "ui/tools/tool.h"
 
 #include <QAction>
@@ -12,7 +13,7 @@
 namespace ui {
 
 ToolBar::ToolBar(app::Session& session, Canvas& canvas)
-    : QToolBar(tr("Tools")), session_(session), canvas_(canvas)
+    : QToolBar(Text::tr("Tools")), session_(session), canvas_(canvas)
 {
     setObjectName(QStringLiteral("tools"));
     setIconSize({20, 20});
@@ -36,7 +37,7 @@ QAction* ToolBar::makeAction(const ToolInfo& tool)
     action->setShortcut(tool.shortcut);
     action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     action->setToolTip(
-        tr("%1 (%2)").arg(tool.name, tool.shortcut.toString(QKeySequence::NativeText)));
+        Text::tr("%1 (%2)").arg(tool.name, tool.shortcut.toString(QKeySequence::NativeText)));
     action->setCheckable(true);
     connect(action, &QAction::triggered, &canvas_, [this, key = tool.key] {
         session_.microscope.close();

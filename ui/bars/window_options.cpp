@@ -5,9 +5,9 @@
 #include "app/session/window_steps.h"
 #include "ui/canvas/canvas.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/widgets/segments.h"
 
-#include <QCoreApplication>
 #include <QHBoxLayout>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ QStringList shapeNames()
 {
     QStringList names;
     for (const app::WindowKind& kind : app::windowKinds())
-        names << QCoreApplication::translate("WindowKinds", kind.name.data());
+        names << Text::tr(kind.name.data());
     return names;
 }
 
@@ -35,21 +35,23 @@ std::vector<std::string_view> shapeIcons()
 } // namespace
 
 WindowOptions::WindowOptions(app::Session& session, Canvas& canvas)
-    : session_(session), shape_(new Segments(tr("Shape of the next window"), shapeNames())),
-      use_(new Segments(tr("What the next window does"),
-                        {tr("Add"), tr("Cut out"), tr("Intersect"), tr("Replace")})),
+    : session_(session), shape_(new Segments(Text::tr("Shape of the next window"), shapeNames())),
+      use_(new Segments(
+          Text::tr("What the next window does"),
+          {Text::tr("Add"), Text::tr("Cut out"), Text::tr("Intersect"), Text::tr("Replace")})),
       fromSelection_(new QToolButton)
 {
     shape_->setObjectName(QStringLiteral("window-shapes"));
     shape_->setIcons(shapeIcons());
     use_->setObjectName(QStringLiteral("window-use"));
     use_->setIcons({"window-add", "window-cut-out", "window-intersect", "window-replace"});
-    use_->setTips({tr("The next window adds to the others"),
-                   tr("The next window cuts out of the others; it may begin inside one"),
-                   tr("Only what the next window has in common with the others is kept; it may "
-                      "begin inside one"),
-                   tr("The next window takes the place of the chosen one")});
-    fromSelection_->setText(tr("From selection"));
+    use_->setTips(
+        {Text::tr("The next window adds to the others"),
+         Text::tr("The next window cuts out of the others; it may begin inside one"),
+         Text::tr("Only what the next window has in common with the others is kept; it may "
+                  "begin inside one"),
+         Text::tr("The next window takes the place of the chosen one")});
+    fromSelection_->setText(Text::tr("From selection"));
     fromSelection_->setObjectName(QStringLiteral("window-from-selection"));
     fromSelection_->setProperty("framed", true);
     fromSelection_->setFixedHeight(space::fieldHeight);
@@ -94,8 +96,8 @@ void WindowOptions::followSelection()
 {
     const bool some = !session_.selection().empty();
     fromSelection_->setEnabled(some);
-    fromSelection_->setToolTip(some ? tr("Make clip windows of the selected objects")
-                                    : tr("Nothing is selected. Select closed shapes first."));
+    fromSelection_->setToolTip(some ? Text::tr("Make clip windows of the selected objects")
+                                    : Text::tr("Nothing is selected. Select closed shapes first."));
 }
 
 } // namespace ui

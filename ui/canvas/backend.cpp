@@ -2,8 +2,7 @@
 #include "ui/canvas/backend.h"
 
 #include "app/view/open_gl.h"
-
-#include <QCoreApplication>
+#include "ui/look/text.h"
 
 namespace ui {
 
@@ -23,19 +22,21 @@ GlProbe probeGl()
 
 Choice chooseBackend(Backend wish, const GlProbe& probe)
 {
-    const auto tr = [](const char* text) { return QCoreApplication::translate("Canvas", text); };
     if (wish == Backend::Raster)
-        return {Backend::Raster, tr("Raster canvas (painted by the processor), as requested")};
-    if (!probe.usable)
         return {Backend::Raster,
-                tr("Raster canvas (painted by the processor): OpenGL 3.3 is not available here")};
+                Text::tr("Raster canvas (painted by the processor), as requested")};
+    if (!probe.usable)
+        return {
+            Backend::Raster,
+            Text::tr("Raster canvas (painted by the processor): OpenGL 3.3 is not available here")};
     if (wish == Backend::OpenGL)
-        return {Backend::OpenGL, tr("OpenGL canvas, as requested: %1").arg(probe.renderer)};
+        return {Backend::OpenGL, Text::tr("OpenGL canvas, as requested: %1").arg(probe.renderer)};
     if (probe.software)
-        return {Backend::Raster, tr("Raster canvas (painted by the processor): OpenGL would also "
-                                    "use the processor here (%1), and would be slower")
-                                     .arg(probe.renderer)};
-    return {Backend::OpenGL, tr("OpenGL canvas: %1").arg(probe.renderer)};
+        return {Backend::Raster,
+                Text::tr("Raster canvas (painted by the processor): OpenGL would also "
+                         "use the processor here (%1), and would be slower")
+                    .arg(probe.renderer)};
+    return {Backend::OpenGL, Text::tr("OpenGL canvas: %1").arg(probe.renderer)};
 }
 
 } // namespace ui

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/controller.h"
+#include "ui/look/text.h"
 
 #include <algorithm>
 
@@ -46,7 +47,7 @@ void Controller::goToStep(int index)
 {
     // What is being drawn becomes a step, which would take the place of those that are undone.
     if (tool_->canTakeBack() && index > session_.history.index()) {
-        emit session_.refused(tr("Finish the object that you are drawing first (Enter)."));
+        emit session_.refused(Text::tr("Finish the object that you are drawing first (Enter)."));
         return;
     }
     endGesture();

@@ -2,6 +2,7 @@
 #include "app/document/object_in_hand.h"
 #include "app/session/units.h"
 #include "ui/canvas/controller.h"
+#include "ui/look/text.h"
 #include "ui/tools/shape_drawing.h"
 
 #include <utility>
@@ -39,8 +40,8 @@ bool Controller::mayDraw() const { return !tool_->draws() || app::mayAddObjects(
 QString Controller::hint() const
 {
     if (!mayDraw())
-        return tr("The layer %1 is locked or hidden. Select another layer, or unlock and show this "
-                  "one.")
+        return Text::tr("The layer %1 is locked or hidden. Select another layer, or unlock and "
+                        "show this one.")
             .arg(app::nameForNew(session_));
     const QString now = tool_->hint(bench_);
     return now.isEmpty() ? toolInfo_->hint : now;

@@ -4,8 +4,7 @@
 #include "app/base/numbers.h"
 #include "app/session/compared_text.h"
 #include "app/session/window_in_hand.h"
-
-#include <QCoreApplication>
+#include "ui/look/text.h"
 
 namespace ui {
 
@@ -21,7 +20,6 @@ struct Words {
 
 Words countedWords(const app::DifferenceCounts& counts)
 {
-    const auto tr = [](const char* text) { return QCoreApplication::translate("Canvas", text); };
     QStringList whole, brief;
     const auto add = [&](std::size_t count, const QString& one, const QString& many,
                          const QString& word) {
@@ -31,31 +29,31 @@ Words countedWords(const app::DifferenceCounts& counts)
         whole << (count == 1 ? one : many.arg(number));
         brief << word.arg(number);
     };
-    add(counts.onlyB, tr("1 visible line lost"), tr("%1 visible lines lost"), tr("%1 lost"));
-    add(counts.onlyA, tr("1 invisible line kept"), tr("%1 invisible lines kept"),
-        tr("%1 kept wrongly"));
-    add(counts.endsApart, tr("1 line misplaced"), tr("%1 lines misplaced"), tr("%1 misplaced"));
-    return {whole.join(tr(", ")), brief.join(tr(", "))};
+    add(counts.onlyB, Text::tr("1 visible line lost"), Text::tr("%1 visible lines lost"),
+        Text::tr("%1 lost"));
+    add(counts.onlyA, Text::tr("1 invisible line kept"), Text::tr("%1 invisible lines kept"),
+        Text::tr("%1 kept wrongly"));
+    add(counts.endsApart, Text::tr("1 line misplaced"), Text::tr("%1 lines misplaced"),
+        Text::tr("%1 misplaced"));
+    return {whole.join(Text::tr(", ")), brief.join(Text::tr(", "))};
 }
 
 /// What the label of a pane says; empty: nothing.
 Words labelOf(const Controller& controller, const Pane& pane)
 {
-    const auto tr = [](const char* text, const char* note = nullptr) {
-        return QCoreApplication::translate("Canvas", text, note);
-    };
     const app::Session& session = controller.session();
     if (pane.among == 1)
         return {};
     if (const QString limit = app::limitText(pane.choice, app::needsOf(session.region()));
         !limit.isEmpty())
-        return {tr("Not clipped here: %1").arg(limit), tr("Not clipped here")};
+        return {Text::tr("Not clipped here: %1").arg(limit), Text::tr("Not clipped here")};
     const auto differences = controller.differing(pane);
     if (!differences || differences->list.empty())
         return {};
     Words words = countedWords(app::counted(differences->list));
     if (const QString name = app::comparedName(session); !name.isEmpty())
-        words.whole = tr("%1 in %2", "lines that differ, a clip window").arg(words.whole, name);
+        words.whole =
+            Text::tr("%1 in %2", "lines that differ, a clip window").arg(words.whole, name);
     return words;
 }
 

@@ -4,6 +4,7 @@
 #include "app/session/typed_colour.h"
 #include "app/view/colour_at.h"
 #include "ui/look/look_icon.h"
+#include "ui/look/text.h"
 #include "ui/widgets/swatch.h"
 
 #include <QApplication>
@@ -75,7 +76,7 @@ Eyedropper::Eyedropper(Canvas& canvas, app::Session& session, Taken taken)
     qApp->installEventFilter(this);
     canvas.setFocus();
     connect(&canvas, &Canvas::toolChanged, this, &Eyedropper::end);
-    emit canvas.hint(tr("Click a line or an area to take its colour. Esc: cancel."));
+    emit canvas.hint(Text::tr("Click a line or an area to take its colour. Esc: cancel."));
 }
 
 Eyedropper::~Eyedropper()
@@ -177,7 +178,7 @@ void Eyedropper::take(const QPointF& place)
 {
     const auto colour = colourAt(place);
     if (!colour) {
-        emit canvas_.hint(tr("There is no line here. Click a line or an area. Esc: cancel."));
+        emit canvas_.hint(Text::tr("There is no line here. Click a line or an area. Esc: cancel."));
         return;
     }
     const Taken taken = taken_;

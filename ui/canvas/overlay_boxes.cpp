@@ -2,8 +2,7 @@
 #include "ui/canvas/overlay_boxes.h"
 
 #include "app/overlays/label_places.h"
-
-#include <QCoreApplication>
+#include "ui/look/text.h"
 
 #include <algorithm>
 #include <array>
@@ -21,8 +20,6 @@ constexpr double widestCaption = 460, narrowestCaption = 170, tallest = 0.45;
 // Sizes of the axis in multiples of the font's row height: its height, and the margin at either
 // side.
 constexpr double axisRows = 5.6, axisMarginRows = 7;
-
-QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
 
 double rowHeight(const QFont& font) { return std::ceil(QFontMetricsF(font).height()) + 3; }
 
@@ -236,7 +233,7 @@ void paintAxis(QPainter& painter, const OverlayAxis& axis, const OverlayGround& 
     if (scale.left() - box.left() < wanted)
         return; // no room for the caption at the line
     QRectF line(box.left() + padding, y - 1.5 * row, wanted, row);
-    for (const QString& word : {tr("enters"), tr("t"), tr("leaves")}) {
+    for (const QString& word : {Text::tr("enters"), Text::tr("t"), Text::tr("leaves")}) {
         painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, word);
         line.translate(0, row);
     }

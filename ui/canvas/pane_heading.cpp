@@ -5,6 +5,7 @@
 #include "app/base/numbers.h"
 #include "app/view/pane_grid.h"
 #include "ui/look/look_icon.h"
+#include "ui/look/text.h"
 #include "ui/widgets/algorithm_marker.h"
 #include "ui/widgets/tabular.h"
 
@@ -35,8 +36,8 @@ QToolButton* makeButton(QWidget* parent, const QString& name)
 } // namespace
 
 PaneHeading::PaneHeading(QWidget* parent)
-    : QWidget(parent), choose_(makeButton(this, tr("Algorithm of this pane"))),
-      close_(makeButton(this, tr("Close this pane")))
+    : QWidget(parent), choose_(makeButton(this, Text::tr("Algorithm of this pane"))),
+      close_(makeButton(this, Text::tr("Close this pane")))
 {
     setFixedHeight(app::paneHeading);
     choose_->setText(QStringLiteral("▾"));
@@ -60,8 +61,9 @@ void PaneHeading::show(const Pane& pane)
 {
     pane_ = pane;
     const QString name = app::latin(pane.choice.algorithm->name);
-    setAccessibleName(
-        pane.choice.form == clipping::Form::Published ? tr("%1 as published").arg(name) : name);
+    setAccessibleName(pane.choice.form == clipping::Form::Published
+                          ? Text::tr("%1 as published").arg(name)
+                          : name);
     followNeeds();
 }
 
@@ -85,7 +87,7 @@ QString PaneHeading::nameText() const
     const app::Variant used = app::usedAt(needs_, pane_->choice);
     if (used.algorithm == pane_->choice.algorithm)
         return app::latin(used.algorithm->name);
-    return tr("%1: %2 instead", "why an algorithm cannot clip; what clips instead")
+    return Text::tr("%1: %2 instead", "why an algorithm cannot clip; what clips instead")
         .arg(app::limitText(pane_->choice, needs_), app::latin(used.algorithm->abbreviation));
 }
 
@@ -106,7 +108,7 @@ void PaneHeading::showTime()
 
 QString PaneHeading::formText() const
 {
-    return width() < widthForClose ? tr("published") : tr("as published");
+    return width() < widthForClose ? Text::tr("published") : Text::tr("as published");
 }
 
 PaneHeading::Places PaneHeading::places() const
@@ -223,7 +225,7 @@ void PaneHeading::openMenu()
 
 void PaneHeading::fill(QMenu& menu)
 {
-    QMenu* const published = new QMenu(tr("&Published forms"), &menu);
+    QMenu* const published = new QMenu(Text::tr("&Published forms"), &menu);
     for (const clipping::Algorithm& row : clipping::algorithms()) {
         addChoice(menu, {&row});
         if (row.published)
@@ -232,8 +234,8 @@ void PaneHeading::fill(QMenu& menu)
     menu.addSeparator();
     menu.addMenu(published);
     menu.addSeparator();
-    menu.addAction(tr("Show &only this pane"), this, &PaneHeading::aloneWanted);
-    menu.addAction(tr("&Close this pane"), this, &PaneHeading::closeWanted);
+    menu.addAction(Text::tr("Show &only this pane"), this, &PaneHeading::aloneWanted);
+    menu.addAction(Text::tr("&Close this pane"), this, &PaneHeading::closeWanted);
 }
 
 void PaneHeading::addChoice(QMenu& menu, const app::Variant& choice)

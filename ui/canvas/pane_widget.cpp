@@ -2,6 +2,7 @@
 #include "ui/canvas/pane_widget.h"
 
 #include "app/base/usual_algorithm.h"
+#include "ui/look/text.h"
 
 namespace ui {
 
@@ -20,7 +21,7 @@ PaneWidget::PaneWidget(Controller& controller, Backend backend, QWidget* parent)
     QWidget& drawing = surface_->widget();
     drawing.setFocusPolicy(Qt::StrongFocus);
     drawing.setMouseTracking(true);
-    drawing.setAccessibleName(tr("Drawing"));
+    drawing.setAccessibleName(Text::tr("Drawing"));
     heading_->hide();
     connect(&fromExact_, &app::LiveDifferences::changed, this, [this, &drawing] {
         ++pane_.revision;

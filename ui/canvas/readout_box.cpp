@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/readout_box.h"
 
+#include "ui/look/text.h"
 #include "ui/widgets/icon_sign.h"
 
 #include <QKeyEvent>
@@ -22,7 +23,7 @@ ReadoutBox::ReadoutBox(Controller& controller, QWidget* parent)
     : QFrame(parent), controller_(controller), error_(new QLabel)
 {
     setAttribute(Qt::WA_TransparentForMouseEvents);
-    setAccessibleName(tr("Numbers of the gesture"));
+    setAccessibleName(Text::tr("Numbers of the gesture"));
     auto* row = new QHBoxLayout;
     row->setContentsMargins(8, 1, 8, cellHeight - fieldHeight - 1); // the frame, the underline
     row->setSpacing(5);
@@ -50,7 +51,7 @@ ReadoutBox::Cell ReadoutBox::makeCell()
 {
     Cell cell{new IconSign("lock", 14), new QLabel, new QLineEdit};
     cell.name->setForegroundRole(QPalette::PlaceholderText);
-    cell.lock->setToolTip(tr("This number is locked"));
+    cell.lock->setToolTip(Text::tr("This number is locked"));
     cell.field->setFrame(false);
     cell.field->setFixedSize(fieldWidth, fieldHeight);
     cell.field->setContextMenuPolicy(Qt::NoContextMenu);

@@ -5,6 +5,7 @@
 #include "app/base/numbers.h"
 #include "app/view/place.h"
 #include "app/view/ruler.h"
+#include "ui/look/text.h"
 #include "ui/widgets/unit_button.h"
 
 #include <QMenu>
@@ -49,7 +50,7 @@ Ruler::Ruler(Controller& controller, Qt::Orientation orientation, QWidget* paren
     setAttribute(Qt::WA_OpaquePaintEvent);
     setObjectName(across() ? "topRuler" : "leftRuler");
     setCursor(across() ? Qt::SplitVCursor : Qt::SplitHCursor);
-    setToolTip(tr("Drag from here to add a guide"));
+    setToolTip(Text::tr("Drag from here to add a guide"));
 }
 
 void Ruler::mousePressEvent(QMouseEvent* event)
@@ -137,8 +138,8 @@ void Ruler::paintTicks(QPainter& painter, double length)
 RulerCorner::RulerCorner(const Controller& controller, QWidget* parent)
     : QWidget(parent), controller_(controller)
 {
-    setAccessibleName(tr("Unit of lengths"));
-    setToolTip(tr("Unit of lengths"));
+    setAccessibleName(Text::tr("Unit of lengths"));
+    setToolTip(Text::tr("Unit of lengths"));
     setCursor(Qt::PointingHandCursor);
 }
 

@@ -2,6 +2,7 @@
 #include "ui/canvas/text_box.h"
 
 #include "app/lettering/lettering.h"
+#include "ui/look/text.h"
 #include "ui/widgets/font_list.h"
 #include "ui/widgets/length_field.h"
 
@@ -21,7 +22,7 @@ constexpr double level = 0.01; // the sine of the angle up to which a text does 
 
 TextBox::TextBox(Controller& controller, QWidget* parent)
     : QFrame(parent), controller_(controller), font_(new FontList),
-      size_(new LengthField(tr("Height of capital letters"), LengthField::Range::NotNegative,
+      size_(new LengthField(Text::tr("Height of capital letters"), LengthField::Range::NotNegative,
                             LengthField::Suffix::Unit)),
       text_(new QPlainTextEdit), remark_(new QLabel)
 {
@@ -30,7 +31,7 @@ TextBox::TextBox(Controller& controller, QWidget* parent)
     font_->setFixedHeight(space::fieldHeight);
     size_->setToolTip(size_->accessibleName());
     size_->setFixedWidth(sizeWidth);
-    text_->setAccessibleName(tr("Text"));
+    text_->setAccessibleName(Text::tr("Text"));
     text_->setFrameStyle(QFrame::NoFrame);
     text_->setTabChangesFocus(true);
     text_->document()->setDocumentMargin(2);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/window_offer.h"
 
-#include <QCoreApplication>
+#include "ui/look/text.h"
+
 #include <QFontMetricsF>
 #include <QGuiApplication>
 
@@ -12,7 +13,7 @@ namespace {
 
 constexpr double underWindow = 13, fromEdge = 4; // pixels
 
-QString text() { return QCoreApplication::translate("Canvas", "Lay window on page"); }
+QString text() { return Text::tr("Lay window on page"); }
 
 } // namespace
 

@@ -2,6 +2,7 @@
 #include "ui/dialogs/find_dialog.h"
 
 #include "app/session/select_alike.h"
+#include "ui/look/text.h"
 
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -14,20 +15,20 @@ namespace ui {
 FindDialog::FindDialog(app::Session& session, QWidget* parent)
     : QDialog(parent), session_(session), text_(new QLineEdit), result_(new QLabel)
 {
-    setWindowTitle(tr("Find objects"));
+    setWindowTitle(Text::tr("Find objects"));
     text_->setObjectName("find");
     text_->setMinimumWidth(260);
-    text_->setPlaceholderText(tr("Object, group or layer"));
+    text_->setPlaceholderText(Text::tr("Object, group or layer"));
     auto* buttons = new QDialogButtonBox;
-    buttons->addButton(tr("Close"), QDialogButtonBox::RejectRole);
-    auto* select = buttons->addButton(tr("&Select"), QDialogButtonBox::AcceptRole);
+    buttons->addButton(Text::tr("Close"), QDialogButtonBox::RejectRole);
+    auto* select = buttons->addButton(Text::tr("&Select"), QDialogButtonBox::AcceptRole);
     select->setDefault(true);
     auto* form = new QFormLayout(this);
     form->setSizeConstraint(QLayout::SetFixedSize);
-    form->addRow(tr("&Id or name"), text_);
+    form->addRow(Text::tr("&Id or name"), text_);
     form->addRow(QString(), result_);
     form->addRow(buttons);
-    result_->setText(tr("Part of a name is enough."));
+    result_->setText(Text::tr("Part of a name is enough."));
     text_->setFocus();
     connect(select, &QPushButton::clicked, this, &FindDialog::search);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -3,6 +3,7 @@
 
 #include "app/base/numbers.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/widgets/length_field.h"
 
 #include <QDialogButtonBox>
@@ -20,26 +21,27 @@ constexpr double mostDegrees = 360;
 
 GridDialog::GridDialog(app::Session& session, QWidget* parent)
     : QDialog(parent), session_(session),
-      along_(makeSpacing(tr("Spacing along the lines"), &app::Grid::spacing)),
-      across_(makeSpacing(tr("Spacing across the lines"), &app::Grid::down)),
-      angle_(new LengthField(tr("Angle"), LengthField::Range::Any, LengthField::Suffix::Degrees)),
+      along_(makeSpacing(Text::tr("Spacing along the lines"), &app::Grid::spacing)),
+      across_(makeSpacing(Text::tr("Spacing across the lines"), &app::Grid::down)),
+      angle_(new LengthField(Text::tr("Angle"), LengthField::Range::Any,
+                             LengthField::Suffix::Degrees)),
       refusal_(new QLabel)
 {
-    setWindowTitle(tr("Grid"));
+    setWindowTitle(Text::tr("Grid"));
     setObjectName(QStringLiteral("grid-dialog"));
-    angle_->setToolTip(tr("Counterclockwise from the right"));
+    angle_->setToolTip(Text::tr("Counterclockwise from the right"));
     connect(angle_, &LengthField::edited, this, [this](double degrees) {
         if (std::abs(degrees) <= mostDegrees)
             return change(&app::Grid::angle, degrees);
         follow();
-        refusal_->setText(tr("The angle must be between −360° and 360°."));
+        refusal_->setText(Text::tr("The angle must be between −360° and 360°."));
     });
     connect(angle_, &LengthField::refused, refusal_, &QLabel::setText);
     connect(angle_, &LengthField::taken, refusal_, &QLabel::clear);
     auto* form = new QFormLayout;
-    form->addRow(tr("Spacing a&long the lines"), along_);
-    form->addRow(tr("Spacing ac&ross the lines"), across_);
-    form->addRow(tr("&Angle"), angle_);
+    form->addRow(Text::tr("Spacing a&long the lines"), along_);
+    form->addRow(Text::tr("Spacing ac&ross the lines"), across_);
+    form->addRow(Text::tr("&Angle"), angle_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     buttons->button(QDialogButtonBox::Close)->setAutoDefault(false); // Enter ends a field only
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -64,7 +66,7 @@ LengthField* GridDialog::makeSpacing(const QString& name, double app::Grid::*spa
             return change(spacing, millimetres);
         follow();
         refusal_->setText(
-            tr("The spacing must be between %1 mm and %2 mm.")
+            Text::tr("The spacing must be between %1 mm and %2 mm.")
                 .arg(app::numberText(app::Grid::least, 3), app::numberText(app::Grid::most, 0)));
     });
     connect(field, &LengthField::refused, this,

@@ -2,6 +2,7 @@
 #include "ui/dialogs/join_dialog.h"
 
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/widgets/length_field.h"
 
 #include <QDialogButtonBox>
@@ -13,16 +14,17 @@ namespace ui {
 
 JoinDialog::JoinDialog(app::Session& session, const app::NodeStep& step, QWidget* parent)
     : QDialog(parent), session_(session), step_(step),
-      distance_(new LengthField(tr("Largest distance"), LengthField::Range::NotNegative,
+      distance_(new LengthField(Text::tr("Largest distance"), LengthField::Range::NotNegative,
                                 LengthField::Suffix::Unit)),
       sentence_(new QLabel)
 {
     const auto explain = [this] {
-        sentence_->setText(tr("Two ends this close become one node if their paths have the same "
-                              "layer and the same style."));
+        sentence_->setText(
+            Text::tr("Two ends this close become one node if their paths have the same "
+                     "layer and the same style."));
     };
     explain();
-    setWindowTitle(tr("Join ends"));
+    setWindowTitle(Text::tr("Join ends"));
     setObjectName(QStringLiteral("join-dialog"));
     const double unit = session.now().page().millimetresPerUnit();
     distance_->show(session.arrange.joinWithin / unit, session.display().unit, unit);
@@ -33,10 +35,10 @@ JoinDialog::JoinDialog(app::Session& session, const app::NodeStep& step, QWidget
     sentence_->setWordWrap(true);
     sentence_->setForegroundRole(QPalette::PlaceholderText);
     auto* form = new QFormLayout;
-    form->addRow(tr("&Largest distance"), distance_);
+    form->addRow(Text::tr("&Largest distance"), distance_);
     auto* buttons = new QDialogButtonBox;
-    buttons->addButton(tr("Cancel"), QDialogButtonBox::RejectRole);
-    buttons->addButton(tr("&Join ends"), QDialogButtonBox::AcceptRole)->setDefault(true);
+    buttons->addButton(Text::tr("Cancel"), QDialogButtonBox::RejectRole);
+    buttons->addButton(Text::tr("&Join ends"), QDialogButtonBox::AcceptRole)->setDefault(true);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* column = new QVBoxLayout(this);

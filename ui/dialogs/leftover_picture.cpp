@@ -3,6 +3,7 @@
 
 #include "app/view/thumbnail.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 
 #include <QPainter>
 
@@ -17,7 +18,7 @@ constexpr QSize pictureSize(240, 170);
 LeftoverPicture::LeftoverPicture(QWidget* parent) : QFrame(parent)
 {
     setFixedSize(pictureSize);
-    setAccessibleName(tr("Picture of the drawing"));
+    setAccessibleName(Text::tr("Picture of the drawing"));
 }
 
 void LeftoverPicture::showPicture(const app::Leftover& leftover)
@@ -25,7 +26,7 @@ void LeftoverPicture::showPicture(const app::Leftover& leftover)
     const Look& look = lookOnPaper(false);
     const app::ThumbnailColours colours{look.paper, look.accent, look.ghost};
     picture_ = {};
-    sentence_ = tr("Reading…");
+    sentence_ = Text::tr("Reading…");
     update();
     background_.start(
         [leftover, colours, size = size(), ratio = devicePixelRatioF()](const app::Follower&) {
@@ -34,7 +35,7 @@ void LeftoverPicture::showPicture(const app::Leftover& leftover)
         },
         [this](const QImage& picture) {
             picture_ = picture;
-            sentence_ = picture.isNull() ? tr("No picture") : QString();
+            sentence_ = picture.isNull() ? Text::tr("No picture") : QString();
             update();
         });
 }

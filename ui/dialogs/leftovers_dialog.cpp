@@ -4,9 +4,9 @@
 #include "app/session/recent_files.h"
 #include "ui/dialogs/leftover_picture.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/widgets/keep_choice.h"
 
-#include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
@@ -25,25 +25,20 @@ using Verb = Questions::LeftoverAnswer::Verb;
 
 constexpr int listWidth = 340;
 
-struct LeftoversDialog {
-    Q_DECLARE_TR_FUNCTIONS(LeftoversDialog)
-};
-
 QString timeText(const QDateTime& time)
 {
     const QDateTime here = time.toLocalTime();
-    return LeftoversDialog::tr("%1, %2").arg(
-        app::dayText(here.date(), QDate::currentDate()),
-        QLocale().toString(here.time(), QStringLiteral("HH:mm")));
+    return Text::tr("%1, %2").arg(app::dayText(here.date(), QDate::currentDate()),
+                                  QLocale().toString(here.time(), QStringLiteral("HH:mm")));
 }
 
 QTreeWidget* makeList(const std::vector<app::Leftover>& leftovers)
 {
     auto* list = new QTreeWidget;
-    list->setAccessibleName(LeftoversDialog::tr("Unsaved drawings"));
+    list->setAccessibleName(Text::tr("Unsaved drawings"));
     list->setRootIsDecorated(false);
     list->setUniformRowHeights(true);
-    list->setHeaderLabels({LeftoversDialog::tr("Drawing"), LeftoversDialog::tr("Last change")});
+    list->setHeaderLabels({Text::tr("Drawing"), Text::tr("Last change")});
     list->header()->setStretchLastSection(false);
     list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
@@ -64,12 +59,11 @@ Questions::LeftoverAnswer askAboutLeftovers(QWidget& window,
 {
     QDialog dialog(&window);
     dialog.setObjectName(QStringLiteral("leftovers"));
-    dialog.setWindowTitle(LeftoversDialog::tr("Unsaved drawings"));
+    dialog.setWindowTitle(Text::tr("Unsaved drawings"));
     auto* column = new QVBoxLayout(&dialog);
-    auto* sentence =
-        new QLabel(leftovers.size() == 1
-                       ? LeftoversDialog::tr("Clearcut ended before this drawing was saved.")
-                       : LeftoversDialog::tr("Clearcut ended before these drawings were saved."));
+    auto* sentence = new QLabel(leftovers.size() == 1
+                                    ? Text::tr("Clearcut ended before this drawing was saved.")
+                                    : Text::tr("Clearcut ended before these drawings were saved."));
     column->addWidget(sentence);
     auto* list = makeList(leftovers);
     list->setMinimumWidth(listWidth);
@@ -85,11 +79,10 @@ Questions::LeftoverAnswer askAboutLeftovers(QWidget& window,
     row->addWidget(picture);
     column->addLayout(row);
     auto* buttons = new QDialogButtonBox;
-    auto* recover =
-        buttons->addButton(LeftoversDialog::tr("Recover drawing"), QDialogButtonBox::AcceptRole);
-    auto* discard = buttons->addButton(LeftoversDialog::tr("Discard drawing"),
-                                       QDialogButtonBox::DestructiveRole);
-    buttons->addButton(LeftoversDialog::tr("Keep for later"), QDialogButtonBox::RejectRole);
+    auto* recover = buttons->addButton(Text::tr("Recover drawing"), QDialogButtonBox::AcceptRole);
+    auto* discard =
+        buttons->addButton(Text::tr("Discard drawing"), QDialogButtonBox::DestructiveRole);
+    buttons->addButton(Text::tr("Keep for later"), QDialogButtonBox::RejectRole);
     recover->setDefault(true);
     recover->setFocus();
     discard->setAutoDefault(false);

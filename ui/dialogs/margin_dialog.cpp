@@ -2,6 +2,7 @@
 #include "ui/dialogs/margin_dialog.h"
 
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/widgets/length_field.h"
 
 #include <QCheckBox>
@@ -26,13 +27,13 @@ LengthField* lengthField(const QString& name)
 MarginDialog::MarginDialog(app::Session& session, QWidget* parent)
     : QDialog(parent), session_(session),
       margins_(app::PageMargins::same(usualMargin / session.now().page().millimetresPerUnit())),
-      sides_{Side{lengthField(tr("Left")), &app::PageMargins::left},
-             Side{lengthField(tr("Top")), &app::PageMargins::top},
-             Side{lengthField(tr("Right")), &app::PageMargins::right},
-             Side{lengthField(tr("Bottom")), &app::PageMargins::bottom}},
-      same_(new QCheckBox(tr("&Same margin on all sides"))), sentence_(new QLabel)
+      sides_{Side{lengthField(Text::tr("Left")), &app::PageMargins::left},
+             Side{lengthField(Text::tr("Top")), &app::PageMargins::top},
+             Side{lengthField(Text::tr("Right")), &app::PageMargins::right},
+             Side{lengthField(Text::tr("Bottom")), &app::PageMargins::bottom}},
+      same_(new QCheckBox(Text::tr("&Same margin on all sides"))), sentence_(new QLabel)
 {
-    setWindowTitle(tr("Lay window inside margins"));
+    setWindowTitle(Text::tr("Lay window inside margins"));
     setObjectName(QStringLiteral("margin-dialog"));
     same_->setChecked(true);
     connect(same_, &QCheckBox::toggled, this, [this](bool same) {
@@ -45,8 +46,8 @@ MarginDialog::MarginDialog(app::Session& session, QWidget* parent)
         connect(side.field, &LengthField::taken, this, &MarginDialog::sayHint);
     }
     auto* buttons = new QDialogButtonBox;
-    buttons->addButton(tr("Cancel"), QDialogButtonBox::RejectRole);
-    QPushButton* lay = buttons->addButton(tr("&Lay window"), QDialogButtonBox::AcceptRole);
+    buttons->addButton(Text::tr("Cancel"), QDialogButtonBox::RejectRole);
+    QPushButton* lay = buttons->addButton(Text::tr("&Lay window"), QDialogButtonBox::AcceptRole);
     lay->setDefault(true);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -94,7 +95,10 @@ void MarginDialog::follow()
     sayHint();
 }
 
-void MarginDialog::sayHint() { sentence_->setText(tr("A negative margin is outside the page.")); }
+void MarginDialog::sayHint()
+{
+    sentence_->setText(Text::tr("A negative margin is outside the page."));
+}
 
 void MarginDialog::show(app::Session& session, QWidget& parent)
 {

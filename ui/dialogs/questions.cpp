@@ -4,6 +4,7 @@
 #include "app/base/latin.h"
 #include "app/formats/loss_text.h"
 #include "ui/dialogs/leftovers_dialog.h"
+#include "ui/look/text.h"
 
 #include <QCoreApplication>
 #include <QFileDialog>
@@ -14,8 +15,6 @@
 namespace ui {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("Questions", text); }
 
 QString ending(const app::Format& format) { return app::latin(format.key); }
 
@@ -38,7 +37,7 @@ int ask(QWidget& parent, const QString& sentence, const QString& more, const QSt
     for (const QString& verb : verbs)
         buttons << box.addButton(verb, buttons.isEmpty() ? QMessageBox::AcceptRole
                                                          : QMessageBox::DestructiveRole);
-    QPushButton* const cancel = box.addButton(tr("Cancel"), QMessageBox::RejectRole);
+    QPushButton* const cancel = box.addButton(Text::tr("Cancel"), QMessageBox::RejectRole);
     box.setEscapeButton(cancel);
     box.setDefaultButton(usual == Usual::Cancel ? cancel : buttons.front());
     box.exec();
@@ -71,8 +70,8 @@ QString Questions::fileToOpen(const QString& folder)
             all << QStringLiteral("*.") + ending(format);
             filters << filter(format);
         }
-    filters.prepend(tr("All drawings (%1)").arg(all.join(u' ')));
-    return QFileDialog::getOpenFileName(&window_, tr("Open"), folder,
+    filters.prepend(Text::tr("All drawings (%1)").arg(all.join(u' ')));
+    return QFileDialog::getOpenFileName(&window_, Text::tr("Open"), folder,
                                         filters.join(QStringLiteral(";;")));
 }
 
@@ -119,17 +118,18 @@ QString Questions::folderToWrite(const QString& title, const QString& folder)
 QString Questions::libraryToOpen(const QString& folder)
 {
     return QFileDialog::getOpenFileName(
-        &window_, tr("Choose library"), folder,
-        tr("Shared libraries (%1)").arg(QStringLiteral("*.so *.so.*")) + QStringLiteral(";;")
-            + tr("All files (%1)").arg(QStringLiteral("*")));
+        &window_, Text::tr("Choose library"), folder,
+        Text::tr("Shared libraries (%1)").arg(QStringLiteral("*.so *.so.*")) + QStringLiteral(";;")
+            + Text::tr("All files (%1)").arg(QStringLiteral("*")));
 }
 
 bool Questions::trustLibrary(const QString& path)
 {
-    return ask(window_, tr("Run %1?").arg(QFileInfo(path).fileName()),
-               tr("A library is a program with all your rights. It runs in a process of its own, "
-                  "so a crash does no harm, but run only libraries from people you trust."),
-               {tr("Run library")}, Usual::Cancel)
+    return ask(window_, Text::tr("Run %1?").arg(QFileInfo(path).fileName()),
+               Text::tr(
+                   "A library is a program with all your rights. It runs in a process of its own, "
+                   "so a crash does no harm, but run only libraries from people you trust."),
+               {Text::tr("Run library")}, Usual::Cancel)
            == 0;
 }
 
@@ -142,34 +142,34 @@ bool Questions::overwriteFiles(const QStringList& existing, int all)
     if (existing.size() > mostNamed)
         names << QStringLiteral("…");
     return ask(window_,
-               tr("%1 already contains %2 of the %3 files.")
+               Text::tr("%1 already contains %2 of the %3 files.")
                    .arg(QFileInfo(existing.front()).path())
                    .arg(existing.size())
                    .arg(all),
-               tr("Overwriting replaces: %1").arg(names.join(QStringLiteral(", "))),
-               {tr("Overwrite files")}, Usual::Cancel)
+               Text::tr("Overwriting replaces: %1").arg(names.join(QStringLiteral(", "))),
+               {Text::tr("Overwrite files")}, Usual::Cancel)
            == 0;
 }
 
 Questions::Answer Questions::saveChanges(const QString& name)
 {
-    const int verb =
-        ask(window_, tr("Save the changes to %1?").arg(name),
-            tr("If you do not save them, they are lost."), {tr("Save"), tr("Don't Save")});
+    const int verb = ask(window_, Text::tr("Save the changes to %1?").arg(name),
+                         Text::tr("If you do not save them, they are lost."),
+                         {Text::tr("Save"), Text::tr("Don't Save")});
     return verb == 0 ? Answer::Save : verb == 1 ? Answer::DontSave : Answer::Cancel;
 }
 
 bool Questions::saveAsNewFile(const std::vector<app::Loss>& losses)
 {
-    return ask(window_, tr("%1 Save as a new file?").arg(app::lossSentence(losses)),
-               tr("The original file stays as it is."), {tr("Save as…")})
+    return ask(window_, Text::tr("%1 Save as a new file?").arg(app::lossSentence(losses)),
+               Text::tr("The original file stays as it is."), {Text::tr("Save as…")})
            == 0;
 }
 
 void Questions::showLosses(const QString& name, const std::vector<app::Loss>& losses)
 {
     QMessageBox box(QMessageBox::NoIcon, QCoreApplication::applicationName(),
-                    tr("What was changed or left out when %1 was opened").arg(name),
+                    Text::tr("What was changed or left out when %1 was opened").arg(name),
                     QMessageBox::Close, &window_);
     box.setInformativeText(app::lossLines(losses).join(u'\n'));
     box.exec();
@@ -183,9 +183,10 @@ Questions::LeftoverAnswer Questions::aboutLeftovers(const std::vector<app::Lefto
 Questions::ChangedFile Questions::aboutChangedFile(const QString& path)
 {
     const int verb = ask(
-        window_, tr("%1 was changed by another program.").arg(QFileInfo(path).fileName()),
-        tr("Overwriting it replaces those changes. Reloading it gives up your unsaved changes."),
-        {tr("Overwrite file"), tr("Reload file")}, Usual::Cancel);
+        window_, Text::tr("%1 was changed by another program.").arg(QFileInfo(path).fileName()),
+        Text::tr(
+            "Overwriting it replaces those changes. Reloading it gives up your unsaved changes."),
+        {Text::tr("Overwrite file"), Text::tr("Reload file")}, Usual::Cancel);
     return verb == 0   ? ChangedFile::Overwrite
            : verb == 1 ? ChangedFile::Reload
                        : ChangedFile::Cancel;

@@ -6,6 +6,7 @@
 #include "app/session/arrange_selection.h"
 #include "app/view/place.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/segments.h"
 
@@ -32,13 +33,14 @@ QSpinBox* makeCount(const QString& name, int least, int value)
 RepeatDialog::RepeatDialog(app::Session& session, QWidget* parent)
     : QDialog(parent), session_(session),
       box_(session.selectionBounds().value_or(clipping::Window{})),
-      kind_(new Segments(tr("Arrangement"), {tr("Rows and columns"), tr("Around a point")})),
-      pages_(new QStackedWidget), rows_(makeCount(tr("Rows"), 1, 2)),
-      columns_(makeCount(tr("Columns"), 1, 3)), count_(makeCount(tr("Number"), 2, 6)),
+      kind_(new Segments(Text::tr("Arrangement"),
+                         {Text::tr("Rows and columns"), Text::tr("Around a point")})),
+      pages_(new QStackedWidget), rows_(makeCount(Text::tr("Rows"), 1, 2)),
+      columns_(makeCount(Text::tr("Columns"), 1, 3)), count_(makeCount(Text::tr("Number"), 2, 6)),
       result_(new QLabel), gap_(usualGap / session.now().page().millimetresPerUnit()),
       centre_(session.pivot.at())
 {
-    setWindowTitle(tr("Repeat selection"));
+    setWindowTitle(Text::tr("Repeat selection"));
     setObjectName(QStringLiteral("repeat-dialog"));
     kind_->choose(0);
     connect(kind_, &Segments::picked, pages_, &QStackedWidget::setCurrentIndex);
@@ -48,8 +50,8 @@ RepeatDialog::RepeatDialog(app::Session& session, QWidget* parent)
     for (QSpinBox* field : {rows_, columns_, count_})
         connect(field, &QSpinBox::valueChanged, this, &RepeatDialog::follow);
     auto* buttons = new QDialogButtonBox;
-    buttons->addButton(tr("Cancel"), QDialogButtonBox::RejectRole);
-    repeat_ = buttons->addButton(tr("&Repeat"), QDialogButtonBox::AcceptRole);
+    buttons->addButton(Text::tr("Cancel"), QDialogButtonBox::RejectRole);
+    repeat_ = buttons->addButton(Text::tr("&Repeat"), QDialogButtonBox::AcceptRole);
     repeat_->setDefault(true);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -78,8 +80,8 @@ LengthField* RepeatDialog::makeField(const QString& name, double length)
 
 QWidget* RepeatDialog::makeGrid()
 {
-    across_ = makeField(tr("Gap between columns"), gap_.x);
-    down_ = makeField(tr("Gap between rows"), gap_.y);
+    across_ = makeField(Text::tr("Gap between columns"), gap_.x);
+    down_ = makeField(Text::tr("Gap between rows"), gap_.y);
     const auto keep = [this](double& kept) {
         return [this, &kept](double length) {
             kept = length;
@@ -91,19 +93,19 @@ QWidget* RepeatDialog::makeGrid()
     auto* page = new QWidget;
     auto* form = new QFormLayout(page);
     form->setContentsMargins(0, 0, 0, 0);
-    form->addRow(tr("&Rows"), rows_);
-    form->addRow(tr("&Columns"), columns_);
-    form->addRow(tr("Gap between colu&mns"), across_);
-    form->addRow(tr("Gap between ro&ws"), down_);
+    form->addRow(Text::tr("&Rows"), rows_);
+    form->addRow(Text::tr("&Columns"), columns_);
+    form->addRow(Text::tr("Gap between colu&mns"), across_);
+    form->addRow(Text::tr("Gap between ro&ws"), down_);
     return page;
 }
 
 QWidget* RepeatDialog::makeCircle()
 {
     const app::Point origin = app::originOf(session_.now().page(), session_.display().unit);
-    x_ = makeField(tr("Centre X"), centre_.x - origin.x);
-    y_ = makeField(tr("Centre Y"), centre_.y - origin.y);
-    angle_ = new LengthField(tr("Angle"), LengthField::Range::Any, LengthField::Suffix::None);
+    x_ = makeField(Text::tr("Centre X"), centre_.x - origin.x);
+    y_ = makeField(Text::tr("Centre Y"), centre_.y - origin.y);
+    angle_ = new LengthField(Text::tr("Angle"), LengthField::Range::Any, LengthField::Suffix::None);
     angle_->show(degrees_, app::Unit::User, 1);
     connect(x_, &LengthField::edited, this, [this, origin](double x) {
         centre_.x = x + origin.x;
@@ -120,10 +122,10 @@ QWidget* RepeatDialog::makeCircle()
     auto* page = new QWidget;
     auto* form = new QFormLayout(page);
     form->setContentsMargins(0, 0, 0, 0);
-    form->addRow(tr("&Number, with the original"), count_);
-    form->addRow(tr("&Angle in all, in degrees"), angle_);
-    form->addRow(tr("Centre &X"), x_);
-    form->addRow(tr("Centre &Y"), y_);
+    form->addRow(Text::tr("&Number, with the original"), count_);
+    form->addRow(Text::tr("&Angle in all, in degrees"), angle_);
+    form->addRow(Text::tr("Centre &X"), x_);
+    form->addRow(Text::tr("Centre &Y"), y_);
     return page;
 }
 
@@ -141,13 +143,13 @@ void RepeatDialog::follow()
     const bool fits = copies * double(session_.selection().size()) <= 1e6;
     repeat_->setEnabled(fits);
     session_.setPreview({.copies = fits ? maps() : std::vector<app::AffineMap>()});
-    result_->setText(fits ? tr("%1 in all, with the original").arg(app::countText(copies))
-                          : tr("These would be too many objects. Make fewer copies."));
+    result_->setText(fits ? Text::tr("%1 in all, with the original").arg(app::countText(copies))
+                          : Text::tr("These would be too many objects. Make fewer copies."));
 }
 
 void RepeatDialog::accept()
 {
-    if (app::repeatSelection(session_, maps(), tr("Repeat selection")))
+    if (app::repeatSelection(session_, maps(), Text::tr("Repeat selection")))
         QDialog::accept();
 }
 

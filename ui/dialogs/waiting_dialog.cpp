@@ -2,6 +2,7 @@
 #include "ui/dialogs/waiting_dialog.h"
 
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 
 #include <QDialogButtonBox>
 #include <QLabel>
@@ -20,7 +21,7 @@ constexpr std::chrono::milliseconds repainting{40}; // of a bar of unknown lengt
 } // namespace
 
 WaitingDialog::WaitingDialog(const QString& label, QWidget* window)
-    : QDialog(window), bar_(new QProgressBar), cancel_(new QPushButton(tr("Cancel")))
+    : QDialog(window), bar_(new QProgressBar), cancel_(new QPushButton(Text::tr("Cancel")))
 {
     setObjectName(QStringLiteral("waiting"));
     setWindowModality(Qt::ApplicationModal);
@@ -31,7 +32,7 @@ WaitingDialog::WaitingDialog(const QString& label, QWidget* window)
     bar_->setRange(0, 0);
     bar_->setTextVisible(false);
     bar_->setFixedHeight(barHeight);
-    bar_->setAccessibleName(tr("Progress"));
+    bar_->setAccessibleName(Text::tr("Progress"));
     auto* moving = new QTimer(this);
     connect(moving, &QTimer::timeout, bar_, qOverload<>(&QWidget::update));
     moving->start(repainting);

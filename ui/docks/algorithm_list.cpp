@@ -4,6 +4,7 @@
 #include "app/base/latin.h"
 #include "app/session/window_in_hand.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/widgets/algorithm_digit.h"
 #include "ui/widgets/algorithm_marker.h"
 #include "ui/widgets/keep_choice.h"
@@ -113,7 +114,7 @@ QVariant AlgorithmModel::cell(int number, int, int role) const
                    .arg(app::latin(row.name))
                    .arg(row.year)
                    .arg(app::latin(row.idea))
-               + (limit.isEmpty() ? limit : u'\n' + tr("Not at this window: %1").arg(limit));
+               + (limit.isEmpty() ? limit : u'\n' + Text::tr("Not at this window: %1").arg(limit));
     case Qt::AccessibleTextRole:
         return QStringLiteral("%1, %2").arg(app::latin(row.abbreviation), app::latin(row.name))
                + (limit.isEmpty() ? limit : QStringLiteral(", ") + limit);
@@ -127,7 +128,7 @@ AlgorithmList::AlgorithmList(app::Session& session, QWidget* parent)
 {
     setModel(new AlgorithmModel(session, this));
     setItemDelegate(new AlgorithmPainter(session, this));
-    setAccessibleName(tr("Algorithm"));
+    setAccessibleName(Text::tr("Algorithm"));
     keepChoice(*this);
     setFrameShape(QFrame::NoFrame);
     setUniformItemSizes(true);
@@ -157,7 +158,7 @@ void AlgorithmList::offerAbout(const QModelIndex& index)
     if (!index.isValid())
         return;
     const QString name = index.data(Qt::DisplayRole).toString();
-    about_->setToolTip(tr("About %1").arg(name));
+    about_->setToolTip(Text::tr("About %1").arg(name));
     about_->setAccessibleName(about_->toolTip());
     const QRect row = visualRect(index);
     about_->move(row.right() - space::dockMargin - aboutWidth + 5, row.top() + 2);

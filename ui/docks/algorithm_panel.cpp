@@ -4,6 +4,7 @@
 #include "app/session/window_in_hand.h"
 #include "ui/docks/algorithm_list.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/widgets/icon_sign.h"
 #include "ui/widgets/look_label.h"
 #include "ui/widgets/page_caption.h"
@@ -21,25 +22,25 @@ constexpr std::size_t mostLinesUnasked = 150'000; // about 60 ms for all algorit
 } // namespace
 
 AlgorithmPanel::AlgorithmPanel(app::Session& session, QWidget* parent)
-    : QWidget(parent), session_(session), corrected_(new QRadioButton(tr("corrected"))),
-      published_(new QRadioButton(tr("as published"))), tick_(new IconSign("tick", 16)),
+    : QWidget(parent), session_(session), corrected_(new QRadioButton(Text::tr("corrected"))),
+      published_(new QRadioButton(Text::tr("as published"))), tick_(new IconSign("tick", 16)),
       verdict_(new LookLabel), instead_(new QLabel), remark_(new QStackedLayout),
-      ask_(new QPushButton(tr("Compare all algorithms")))
+      ask_(new QPushButton(Text::tr("Compare all algorithms")))
 {
-    auto* label = new QLabel(tr("Form"));
+    auto* label = new QLabel(Text::tr("Form"));
     label->setForegroundRole(QPalette::PlaceholderText);
-    corrected_->setToolTip(tr("With the faults of the published form corrected"));
+    corrected_->setToolTip(Text::tr("With the faults of the published form corrected"));
     verdict_->setWordWrap(true);
     verdict_->setAlignment(Qt::AlignTop);
     // So that the layout does not jump.
     verdict_->setMinimumHeight(2 * verdict_->fontMetrics().lineSpacing());
-    verdict_->setAccessibleName(tr("Agreement"));
+    verdict_->setAccessibleName(Text::tr("Agreement"));
     instead_->setWordWrap(true);
     instead_->setAlignment(Qt::AlignTop);
     instead_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored); // two lines, as verdict_
     instead_->setContentsMargins(space::dockMargin, 2, space::dockMargin, 0);
-    instead_->setAccessibleName(tr("Used instead"));
-    ask_->setToolTip(tr("Check whether all algorithms give the same result (F7)"));
+    instead_->setAccessibleName(Text::tr("Used instead"));
+    ask_->setToolTip(Text::tr("Check whether all algorithms give the same result (F7)"));
 
     auto* form = new QHBoxLayout;
     form->setContentsMargins(space::dockMargin, 4, space::dockMargin, 0);
@@ -152,7 +153,7 @@ void AlgorithmPanel::follow()
 {
     const app::Variant used = session_.variant();
     const bool both = used.algorithm->published;
-    published_->setText(both ? tr("as published") : tr("published: none"));
+    published_->setText(both ? Text::tr("as published") : Text::tr("published: none"));
     (used.form == clipping::Form::Published ? published_ : corrected_)->setChecked(true);
     outdate();
     emit titled(title());
@@ -166,10 +167,10 @@ void AlgorithmPanel::followNeeds()
     const bool here = app::needsOf(session_.region()) <= app::WindowNeeds::RotatedRectangle;
     published_->setEnabled(chosen.published && here);
     published_->setToolTip(!chosen.published
-                               ? tr("%1 has no published form, so the corrected form is used")
+                               ? Text::tr("%1 has no published form, so the corrected form is used")
                                      .arg(QLatin1StringView(chosen.name))
-                           : here ? tr("As its authors printed it, faults included")
-                                  : tr("Published forms clip at rectangles only"));
+                           : here ? Text::tr("As its authors printed it, faults included")
+                                  : Text::tr("Published forms clip at rectangles only"));
     instead_->setText(instead);
     remark_->setCurrentIndex(instead.isEmpty() ? 0 : 1);
     emit remarked(app::headingInHand(session_));
@@ -179,7 +180,7 @@ QString AlgorithmPanel::title() const
 {
     const app::Variant used = session_.variant();
     const QString name = QLatin1StringView(used.algorithm->name);
-    return used.form == clipping::Form::Published ? tr("%1, as published").arg(name) : name;
+    return used.form == clipping::Form::Published ? Text::tr("%1, as published").arg(name) : name;
 }
 
 void AlgorithmPanel::paintVerdict()

@@ -6,6 +6,7 @@
 #include "app/base/short_names.h"
 #include "app/race/race_text.h"
 #include "app/view/frame_statistics.h"
+#include "ui/look/text.h"
 
 #include <QCoreApplication>
 
@@ -14,10 +15,6 @@
 namespace ui {
 
 namespace {
-
-struct Compare {
-    Q_DECLARE_TR_FUNCTIONS(Compare)
-};
 
 /// The data of a cell.
 struct Cell {
@@ -48,7 +45,7 @@ QString onlyTimed(const Cell& cell, const QString& text)
 QString limitOf(const Cell& cell)
 {
     const QString limit = app::limitText(cell.row.variant, cell.needs);
-    return limit.isEmpty() ? Compare::tr("clips it") : limit;
+    return limit.isEmpty() ? Text::tr("clips it") : limit;
 }
 
 /// Without meaningful times all keys are equal, which keeps the catalogue's order.
@@ -56,46 +53,44 @@ QVariant orderOf(const Cell& cell, double time) { return cell.timed ? time : 0.0
 
 // In the order of CompareModel::Column.
 constexpr std::array columnInfos{
+    ColumnInfo{QT_TRANSLATE_NOOP("Text", "Algorithm"),
+               QT_TRANSLATE_NOOP(
+                   "Text", "Filled marker: the corrected form. Hollow marker: the published form."),
+               nameOf, [](const Cell& c) { return QVariant(nameOf(c)); }},
     ColumnInfo{
-        QT_TRANSLATE_NOOP("Compare", "Algorithm"),
-        QT_TRANSLATE_NOOP("Compare",
-                          "Filled marker: the corrected form. Hollow marker: the published form."),
-        nameOf, [](const Cell& c) { return QVariant(nameOf(c)); }},
-    ColumnInfo{
-        QT_TRANSLATE_NOOP("Compare", "last 40 frames"),
-        QT_TRANSLATE_NOOP("Compare", "Clipping times, from 40 % below to 40 % above the "
-                                     "median. The band lies between the quartiles."),
+        QT_TRANSLATE_NOOP("Text", "last 40 frames"),
+        QT_TRANSLATE_NOOP("Text", "Clipping times, from 40 % below to 40 % above the "
+                                  "median. The band lies between the quartiles."),
         [](const Cell&) { return QString(); },
         [](const Cell& c) { return orderOf(c, c.measured() ? c.row.milliseconds.back() : 0); }},
     ColumnInfo{
-        QT_TRANSLATE_NOOP("Compare", "median"),
-        QT_TRANSLATE_NOOP("Compare", "Clipping time of this frame: the median of several rounds."),
+        QT_TRANSLATE_NOOP("Text", "median"),
+        QT_TRANSLATE_NOOP("Text", "Clipping time of this frame: the median of several rounds."),
         [](const Cell& c) { return onlyTimed(c, app::shortTimeText(c.summary.median)); },
         [](const Cell& c) { return orderOf(c, c.summary.median); }},
-    ColumnInfo{QT_TRANSLATE_NOOP("Compare", "± spread"),
-               QT_TRANSLATE_NOOP("Compare", "Half the distance between the quartiles."),
+    ColumnInfo{QT_TRANSLATE_NOOP("Text", "± spread"),
+               QT_TRANSLATE_NOOP("Text", "Half the distance between the quartiles."),
                [](const Cell& c) { return onlyTimed(c, app::shortTimeText(c.summary.spread / 2)); },
                [](const Cell& c) { return orderOf(c, c.summary.spread); }},
     ColumnInfo{
-        QT_TRANSLATE_NOOP("Compare", "ops/line"),
-        QT_TRANSLATE_NOOP("Compare", "Comparisons, additions, multiplications and divisions "
-                                     "per line, counted on evenly spaced lines."),
+        QT_TRANSLATE_NOOP("Text", "ops/line"),
+        QT_TRANSLATE_NOOP("Text", "Comparisons, additions, multiplications and divisions "
+                                  "per line, counted on evenly spaced lines."),
         [](const Cell& c) { return onlyIf(c.measured(), app::numberText(c.row.operations, 1)); },
         [](const Cell& c) { return QVariant(c.row.operations); }},
-    ColumnInfo{QT_TRANSLATE_NOOP("Compare", "visible"),
-               QT_TRANSLATE_NOOP("Compare", "Lines that are visible, wholly or in part."),
+    ColumnInfo{QT_TRANSLATE_NOOP("Text", "visible"),
+               QT_TRANSLATE_NOOP("Text", "Lines that are visible, wholly or in part."),
                [](const Cell& c) { return onlyIf(c.measured(), app::countText(c.row.visible)); },
                [](const Cell& c) { return QVariant(qulonglong(c.row.visible)); }},
     ColumnInfo{
-        QT_TRANSLATE_NOOP("Compare", "differ"),
-        QT_TRANSLATE_NOOP("Compare", "Lines that are lost, kept wrongly, or misplaced by "
-                                     "more than rounding, compared with exact arithmetic."),
+        QT_TRANSLATE_NOOP("Text", "differ"),
+        QT_TRANSLATE_NOOP("Text", "Lines that are lost, kept wrongly, or misplaced by "
+                                  "more than rounding, compared with exact arithmetic."),
         [](const Cell& c) { return onlyIf(c.measured(), app::countText(c.row.differences.all())); },
         [](const Cell& c) { return QVariant(qulonglong(c.row.differences.all())); }},
-    ColumnInfo{QT_TRANSLATE_NOOP("Compare", "all windows"),
-               QT_TRANSLATE_NOOP("Compare",
-                                 "Whether the algorithm can clip at every clip window of "
-                                 "the drawing. Where it cannot, nothing is measured."),
+    ColumnInfo{QT_TRANSLATE_NOOP("Text", "all windows"),
+               QT_TRANSLATE_NOOP("Text", "Whether the algorithm can clip at every clip window of "
+                                         "the drawing. Where it cannot, nothing is measured."),
                limitOf, [](const Cell& c) { return QVariant(limitOf(c)); }}};
 
 QString tipOf(const app::RaceRow& row, int column, std::size_t lines)
@@ -104,14 +99,14 @@ QString tipOf(const app::RaceRow& row, int column, std::size_t lines)
     if (column == CompareModel::Differ && row.differences.all() > 0)
         return app::sentence(row.variant, app::exactVariant(), row.differences, lines);
     const QString name = row.variant.form == clipping::Form::Published
-                             ? Compare::tr("%1, as published").arg(app::latin(algorithm.name))
+                             ? Text::tr("%1, as published").arg(app::latin(algorithm.name))
                              : app::latin(algorithm.name);
-    QString tip = Compare::tr("%1 (%2)\n%3")
+    QString tip = Text::tr("%1 (%2)\n%3")
                       .arg(name, QString::number(algorithm.year), app::latin(algorithm.idea));
     if (&algorithm == &clipping::exactAlgorithm())
         tip +=
             u'\n'
-            + Compare::tr(
+            + Text::tr(
                 "Here it clips line by line, like the others. In the editor's own frames it also "
                 "uses bounding boxes of many lines, which is faster and gives the same result.");
     return tip;
@@ -175,9 +170,9 @@ QVariant CompareModel::heading(int column, int role) const
     const ColumnInfo& info = columnInfos[std::size_t(column)];
     switch (role) {
     case Qt::DisplayRole:
-        return Compare::tr(info.title);
+        return Text::tr(info.title);
     case Qt::ToolTipRole:
-        return Compare::tr(info.meaning);
+        return Text::tr(info.meaning);
     case Qt::TextAlignmentRole:
         return int((column <= Sparkline ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
     default:

@@ -7,6 +7,7 @@
 #include "app/view/frame_statistics.h"
 #include "ui/docks/compare_table.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/widgets/page_caption.h"
 #include "ui/widgets/segments.h"
 
@@ -40,7 +41,8 @@ QLabel* caption(const QFont& font)
 
 ComparePanel::ComparePanel(app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session), race_(session.document, session.scene),
-      forms_(new Segments(tr("Forms"), {tr("Corrected"), tr("Published"), tr("Both")})),
+      forms_(new Segments(Text::tr("Forms"),
+                          {Text::tr("Corrected"), Text::tr("Published"), Text::tr("Both")})),
       table_(new CompareTable(session)), state_(caption(font())), groups_(caption(font())),
       field_(caption(font()))
 {
@@ -125,7 +127,9 @@ void ComparePanel::showRace()
     fitGroups();
     field_->setText(app::fieldText(race_.lines()));
     field_->setToolTip(timed ? app::batchText(race_.variants()) : app::tooFewText(race_.lines()));
-    state_->setText(!timed ? QString() : race_.settled() ? tr("settled") : tr("measuring…"));
+    state_->setText(!timed            ? QString()
+                    : race_.settled() ? Text::tr("settled")
+                                      : Text::tr("measuring…"));
 }
 
 void ComparePanel::fitGroups()

@@ -3,6 +3,7 @@
 
 #include "ui/docks/compare_cells.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/widgets/keep_choice.h"
 #include "ui/widgets/tabular.h"
 
@@ -33,7 +34,7 @@ CompareTable::CompareTable(app::Session& session, QWidget* parent)
     setModel(&sorted_);
     keepChoice(*this);
     setItemDelegate(new CompareCells(model_, *this));
-    setAccessibleName(tr("Compare"));
+    setAccessibleName(Text::tr("Compare"));
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setVerticalScrollMode(ScrollPerPixel);
     horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);

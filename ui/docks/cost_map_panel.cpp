@@ -6,6 +6,7 @@
 #include "app/cost_map/words.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/look/text.h"
 #include "ui/widgets/algorithm_marker.h"
 #include "ui/widgets/page_caption.h"
 #include "ui/widgets/quiet_label.h"
@@ -29,9 +30,11 @@ constexpr std::array cheapestForms{clipping::Form::Corrected, clipping::Form::Pu
 
 CostMapPanel::CostMapPanel(const app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session), plan_(app::usualCostPlan(session.window())),
-      algorithm_(new VariantBox(tr("Algorithm"), {tr("Cheapest algorithm, corrected"),
-                                                  tr("Cheapest algorithm, as published")})),
-      measure_(new ToolList), end_(new Segments(tr("Fixed end"), {tr("End 1"), tr("End 2")})),
+      algorithm_(
+          new VariantBox(Text::tr("Algorithm"), {Text::tr("Cheapest algorithm, corrected"),
+                                                 Text::tr("Cheapest algorithm, as published")})),
+      measure_(new ToolList),
+      end_(new Segments(Text::tr("Fixed end"), {Text::tr("End 1"), Text::tr("End 2")})),
       view_(new CostMapView), words_(new QLabel), notes_(new QLabel),
       questions_(std::make_unique<Questions>(*this))
 {
@@ -52,18 +55,18 @@ void CostMapPanel::addChoosers()
     algorithm_->choose(*plan_.shown);
     for (const app::CostMeasure& measure : app::costMeasures())
         measure_->addItem(measure.name);
-    measure_->setAccessibleName(tr("Measure"));
+    measure_->setAccessibleName(Text::tr("Measure"));
     auto* exports = new QToolButton;
     exports->setObjectName(QStringLiteral("export-cost-map"));
     exports->setIcon(icon("export"));
-    exports->setToolTip(tr("Export the cost map"));
+    exports->setToolTip(Text::tr("Export the cost map"));
     exports->setAccessibleName(exports->toolTip());
     exports->setAutoRaise(true);
     exports->setPopupMode(QToolButton::InstantPopup);
     auto* menu = new QMenu(exports);
     for (const app::CostMapFormat& format : app::costMapFormats()) {
         const QString key = app::latin(format.key);
-        auto* action = menu->addAction(tr("%1…").arg(format.name));
+        auto* action = menu->addAction(Text::tr("%1…").arg(format.name));
         action->setObjectName(QStringLiteral("export-cost-map-") + key);
         connect(action, &QAction::triggered, this, [this, key] { exportAs(key); });
     }
@@ -71,14 +74,14 @@ void CostMapPanel::addChoosers()
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(space::labelToField);
     grid->setVerticalSpacing(6);
-    grid->addWidget(quietLabel(tr("Show")), 0, 0);
+    grid->addWidget(quietLabel(Text::tr("Show")), 0, 0);
     grid->addWidget(algorithm_, 0, 1, 1, 2);
     grid->addWidget(exports, 0, 3);
-    grid->addWidget(quietLabel(tr("Measure")), 1, 0);
+    grid->addWidget(quietLabel(Text::tr("Measure")), 1, 0);
     grid->addWidget(measure_, 1, 1);
     auto* fixed = new QHBoxLayout;
     fixed->setSpacing(space::labelToField);
-    fixed->addWidget(quietLabel(tr("Fixed")));
+    fixed->addWidget(quietLabel(Text::tr("Fixed")));
     fixed->addWidget(end_);
     grid->addLayout(fixed, 1, 2, 1, 2, Qt::AlignRight);
     grid->setColumnStretch(1, 1);
@@ -92,7 +95,7 @@ void CostMapPanel::addChoosers()
 
 void CostMapPanel::addMap()
 {
-    words_->setAccessibleName(tr("Cost under the pointer"));
+    words_->setAccessibleName(Text::tr("Cost under the pointer"));
     words_->setFont(semiBold(font()));
     words_->setWordWrap(true);
     notes_->setWordWrap(true);
@@ -170,7 +173,8 @@ void CostMapPanel::point(const std::optional<app::Point>& at)
     if (at && isVisible())
         words_->setText(app::costWords(plan_, *at));
     else
-        words_->setText(tr("The dot is the fixed end. Drag it, or move it with the arrow keys."));
+        words_->setText(
+            Text::tr("The dot is the fixed end. Drag it, or move it with the arrow keys."));
 }
 
 std::optional<QString> CostMapPanel::exportTo(const QString& path)
@@ -191,13 +195,13 @@ void CostMapPanel::exportAs(const QString& key)
 {
     const auto* format = app::findCostMapFormat(key);
     const QString path = questions_->fileToWrite(
-        tr("Export the cost map"), QStringLiteral("cost-map.") + key, format->name, key);
+        Text::tr("Export the cost map"), QStringLiteral("cost-map.") + key, format->name, key);
     if (path.isEmpty())
         return;
     if (const auto error = exportTo(path))
         emit told({Message::Kind::Warning, *error});
     else
-        emit told({Message::Kind::Done, tr("Wrote %1.").arg(path)});
+        emit told({Message::Kind::Done, Text::tr("Wrote %1.").arg(path)});
 }
 
 void CostMapPanel::showEvent(QShowEvent* event)

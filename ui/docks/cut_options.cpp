@@ -4,6 +4,7 @@
 #include "app/settings/remembered.h"
 #include "ui/docks/window_panel.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/widgets/length_field.h"
 
 #include <QCheckBox>
@@ -38,21 +39,24 @@ void remember(const app::CutChoices& choices)
 
 CutOptionsBox::CutOptionsBox(app::Session& session, WindowPanel& panel)
     : session_(session),
-      close_(makeCheck(tr("Close cut areas"),
-                       tr("Let the stroke of a filled object follow the cut. Otherwise no stroke "
-                          "runs along it."),
-                       &app::CutChoices::closeAreas)),
-      hidden_(makeCheck(tr("Cut hidden objects"),
-                        tr("Crop, cut out and split hidden objects, too. An export cuts them in "
-                           "any case."),
-                        &app::CutChoices::cutHidden)),
-      least_(new LengthField(tr("Drop pieces below"), LengthField::Range::NotNegative,
+      close_(makeCheck(
+          Text::tr("Close cut areas"),
+          Text::tr("Let the stroke of a filled object follow the cut. Otherwise no stroke "
+                   "runs along it."),
+          &app::CutChoices::closeAreas)),
+      hidden_(
+          makeCheck(Text::tr("Cut hidden objects"),
+                    Text::tr("Crop, cut out and split hidden objects, too. An export cuts them in "
+                             "any case."),
+                    &app::CutChoices::cutHidden)),
+      least_(new LengthField(Text::tr("Drop pieces below"), LengthField::Range::NotNegative,
                              LengthField::Suffix::Unit))
 {
     least_->setObjectName(QStringLiteral("least-piece"));
-    least_->setToolTip(tr("Shorter pieces of lines that are cut are left out when you crop, cut "
-                          "out, split or export. The canvas does not show them as kept."));
-    auto* label = new QLabel(tr("Drop pieces below"));
+    least_->setToolTip(
+        Text::tr("Shorter pieces of lines that are cut are left out when you crop, cut "
+                 "out, split or export. The canvas does not show them as kept."));
+    auto* label = new QLabel(Text::tr("Drop pieces below"));
     label->setForegroundRole(QPalette::PlaceholderText);
     label->setBuddy(least_);
     label->setToolTip(least_->toolTip());

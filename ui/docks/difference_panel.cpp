@@ -4,6 +4,7 @@
 #include "app/base/numbers.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/look/text.h"
 #include "ui/widgets/icon_sign.h"
 #include "ui/widgets/keep_choice.h"
 #include "ui/widgets/look_label.h"
@@ -34,8 +35,8 @@ app::Variant firstA()
 } // namespace
 
 DifferencePanel::DifferencePanel(app::Session& session, QWidget* parent)
-    : QWidget(parent), session_(session), model_(session), a_(new VariantBox(tr("A"))),
-      b_(new VariantBox(tr("B"))), ulps_(new QSpinBox), tick_(new IconSign("tick", 16)),
+    : QWidget(parent), session_(session), model_(session), a_(new VariantBox(Text::tr("A"))),
+      b_(new VariantBox(Text::tr("B"))), ulps_(new QSpinBox), tick_(new IconSign("tick", 16)),
       summary_(new LookLabel), explanation_(new LookLabel), table_(new DenseTable)
 {
     auto* column = new QVBoxLayout(this);
@@ -58,29 +59,29 @@ DifferencePanel::DifferencePanel(app::Session& session, QWidget* parent)
 void DifferencePanel::addChoosers()
 {
     ulps_->setRange(asInContract, mostUlps);
-    ulps_->setAccessibleName(tr("Ulps by which ends may differ"));
-    ulps_->setToolTip(
-        tr("Ends that differ by no more than this count as equal. One ulp is one unit in the last "
-           "place of the largest coordinate of the line and the clip window."));
+    ulps_->setAccessibleName(Text::tr("Ulps by which ends may differ"));
+    ulps_->setToolTip(Text::tr(
+        "Ends that differ by no more than this count as equal. One ulp is one unit in the last "
+        "place of the largest coordinate of the line and the clip window."));
     ulps_->setValue(asInContract);
     auto* exchange = new QToolButton;
     exchange->setObjectName(QStringLiteral("swap-comparison"));
     exchange->setIcon(icon("swap"));
     exchange->setAutoRaise(true);
-    exchange->setToolTip(tr("Swap A and B"));
+    exchange->setToolTip(Text::tr("Swap A and B"));
     exchange->setAccessibleName(exchange->toolTip());
     auto* grid = new QGridLayout;
     grid->setContentsMargins(space::dockMargin, 0, space::dockMargin, 0);
     grid->setHorizontalSpacing(space::labelToField);
     grid->setVerticalSpacing(6);
-    grid->addWidget(quietLabel(tr("A")), 0, 0);
+    grid->addWidget(quietLabel(Text::tr("A")), 0, 0);
     grid->addWidget(a_, 0, 1, 1, 2);
     grid->addWidget(exchange, 0, 3, 2, 1);
-    grid->addWidget(quietLabel(tr("B")), 1, 0);
+    grid->addWidget(quietLabel(Text::tr("B")), 1, 0);
     grid->addWidget(b_, 1, 1, 1, 2);
     auto* allowed = new QHBoxLayout;
     allowed->setSpacing(space::labelToField);
-    allowed->addWidget(quietLabel(tr("Ends may differ by")));
+    allowed->addWidget(quietLabel(Text::tr("Ends may differ by")));
     allowed->addWidget(ulps_);
     allowed->addStretch();
     grid->addLayout(allowed, 2, 1, 1, 2);
@@ -97,7 +98,7 @@ void DifferencePanel::addChoosers()
 void DifferencePanel::addTable()
 {
     summary_->setWordWrap(true);
-    summary_->setAccessibleName(tr("Differences"));
+    summary_->setAccessibleName(Text::tr("Differences"));
     explanation_->setWordWrap(true);
     explanation_->setSheet([](const Look& look) {
         return QStringLiteral("color: %1; background: %2; border-radius: 3px")
@@ -115,7 +116,7 @@ void DifferencePanel::addTable()
     margins->addWidget(explanation_);
     table_->setModel(&model_);
     keepChoice(*table_);
-    table_->setAccessibleName(tr("Lines that differ"));
+    table_->setAccessibleName(Text::tr("Lines that differ"));
     table_->setSortingEnabled(true);
     table_->sortByColumn(0, Qt::AscendingOrder);
     table_->setMinimumHeight(space::dockTitleHeight + 3 * space::denseRowHeight);
@@ -195,8 +196,8 @@ void DifferencePanel::follow()
     const double contract = app::contractUlps(comparison.a, comparison.b);
     const int decimals = contract == std::floor(contract) ? 0 : 1;
     ulps_->setSpecialValueText(
-        tr("%1 ulps, as in the contract").arg(app::numberText(contract, decimals)));
-    ulps_->setSuffix(ulps_->value() == 1 ? tr(" ulp") : tr(" ulps"));
+        Text::tr("%1 ulps, as in the contract").arg(app::numberText(contract, decimals)));
+    ulps_->setSuffix(ulps_->value() == 1 ? Text::tr(" ulp") : Text::tr(" ulps"));
     QStringList wrong;
     for (const app::Variant& variant : {comparison.a, comparison.b})
         if (variant.misprint && !wrong.contains(variant.misprint->whatIsWrong))
@@ -232,12 +233,12 @@ void DifferencePanel::paintSummary()
     const bool here = session_.compared().comparable;
     const bool known = here && live.asked() && live.upToDate();
     const bool good = known && !differ && live.found().lines > 0 && comparison.a != comparison.b;
-    summary_->setText(!here ? tr("Not compared here.")
-                      : !known
-                          ? tr("Comparing %1…").arg(app::linesText(session_.scene.lines().size()))
-                          : app::sentence(comparison.a, comparison.b,
-                                          app::counted(live.found().list), live.found().lines)
-                                + u'.');
+    summary_->setText(
+        !here    ? Text::tr("Not compared here.")
+        : !known ? Text::tr("Comparing %1…").arg(app::linesText(session_.scene.lines().size()))
+                 : app::sentence(comparison.a, comparison.b, app::counted(live.found().list),
+                                 live.found().lines)
+                       + u'.');
     summary_->setFont(known && differ ? semiBold(font()) : font());
     const auto colour = !known || (!good && !differ) ? &Look::muted
                         : good                       ? &Look::good

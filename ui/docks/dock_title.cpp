@@ -3,6 +3,7 @@
 
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/look/text.h"
 
 #include <QAction>
 #include <QApplication>
@@ -28,8 +29,8 @@ DockTitle::DockTitle(QDockWidget& dock)
     row_->addWidget(name_);
     row_->addSpacing(6);
     row_->addWidget(remark_, 1);
-    auto* floating = new QAction(icon("float"), tr("Detach or attach this panel"), this);
-    auto* close = new QAction(icon("close"), tr("Close this panel"), this);
+    auto* floating = new QAction(icon("float"), Text::tr("Detach or attach this panel"), this);
+    auto* close = new QAction(icon("close"), Text::tr("Close this panel"), this);
     connect(floating, &QAction::triggered, &dock,
             [&dock] { dock.setFloating(!dock.isFloating()); });
     connect(close, &QAction::triggered, &dock, &QDockWidget::close);
@@ -49,7 +50,7 @@ void DockTitle::setFoldable(bool foldable) { chevron_->setVisible(foldable); }
 void DockTitle::showFolded(bool folded)
 {
     chevron_->setArrowType(folded ? Qt::RightArrow : Qt::DownArrow);
-    chevron_->setToolTip(folded ? tr("Unfold this panel") : tr("Fold this panel"));
+    chevron_->setToolTip(folded ? Text::tr("Unfold this panel") : Text::tr("Fold this panel"));
     chevron_->setAccessibleName(chevron_->toolTip());
 }
 

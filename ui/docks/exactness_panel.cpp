@@ -5,6 +5,7 @@
 #include "app/comparison/live_differences.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/look/text.h"
 #include "ui/widgets/error_histogram.h"
 #include "ui/widgets/keep_choice.h"
 #include "ui/widgets/look_label.h"
@@ -35,12 +36,14 @@ QHBoxLayout* within()
 
 ExactnessPanel::ExactnessPanel(app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session), model_(session),
-      algorithm_(new VariantBox(tr("Algorithm"), {tr("The current algorithm")})),
-      errorUnit_(new Segments(tr("Ulps of"), {tr("largest coordinate"), tr("own coordinate")})),
-      end_(new Segments(tr("End"), {tr("End 1"), tr("End 2")})),
-      lattice_(new Segments(tr("Numbers"), {tr("doubles"), tr("floats")})), summary_(new LookLabel),
-      heading_(new QLabel), magnified_(new QLabel), histogram_(new ErrorHistogram),
-      table_(new DenseTable), magnifier_(new Magnifier), pages_(new QStackedWidget)
+      algorithm_(new VariantBox(Text::tr("Algorithm"), {Text::tr("The current algorithm")})),
+      errorUnit_(new Segments(Text::tr("Ulps of"),
+                              {Text::tr("largest coordinate"), Text::tr("own coordinate")})),
+      end_(new Segments(Text::tr("End"), {Text::tr("End 1"), Text::tr("End 2")})),
+      lattice_(new Segments(Text::tr("Numbers"), {Text::tr("doubles"), Text::tr("floats")})),
+      summary_(new LookLabel), heading_(new QLabel), magnified_(new QLabel),
+      histogram_(new ErrorHistogram), table_(new DenseTable), magnifier_(new Magnifier),
+      pages_(new QStackedWidget)
 {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 6, 0, 0);
@@ -68,13 +71,13 @@ void ExactnessPanel::addChoosers()
     grid->setContentsMargins(space::dockMargin, 0, space::dockMargin, 0);
     grid->setHorizontalSpacing(space::labelToField);
     grid->setVerticalSpacing(6);
-    grid->addWidget(quietLabel(tr("Algorithm")), 0, 0);
+    grid->addWidget(quietLabel(Text::tr("Algorithm")), 0, 0);
     grid->addWidget(algorithm_, 0, 1);
-    grid->addWidget(quietLabel(tr("Ulps of")), 1, 0);
+    grid->addWidget(quietLabel(Text::tr("Ulps of")), 1, 0);
     grid->addWidget(errorUnit_, 1, 1, Qt::AlignLeft);
     grid->setColumnStretch(1, 1);
     static_cast<QVBoxLayout*>(layout())->addLayout(grid);
-    errorUnit_->setToolTip(tr(
+    errorUnit_->setToolTip(Text::tr(
         "One ulp is one unit in the last place of a number: of the largest coordinate of the line "
         "and the clip window, as in the library's contract, or of the wrong coordinate itself."));
     connect(algorithm_, &VariantBox::currentIndexChanged, this, &ExactnessPanel::ask);
@@ -89,19 +92,19 @@ QWidget* ExactnessPanel::listPage()
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(8);
     summary_->setWordWrap(true);
-    summary_->setAccessibleName(tr("Exactness"));
+    summary_->setAccessibleName(Text::tr("Exactness"));
     auto* sentence = within();
     sentence->addWidget(summary_);
     auto* bars = within();
     bars->addWidget(histogram_);
     table_->setModel(&model_);
     keepChoice(*table_);
-    table_->setAccessibleName(tr("Lines, the worst first"));
+    table_->setAccessibleName(Text::tr("Lines, the worst first"));
     table_->setSortingEnabled(true);
     table_->sortByColumn(2, Qt::DescendingOrder);
     table_->setMinimumHeight(space::dockTitleHeight + 3 * space::denseRowHeight);
     table_->setColumnWidth(1, 220);
-    auto* hint = quietLabel(tr("Double click or Enter: magnify the worse end."));
+    auto* hint = quietLabel(Text::tr("Double click or Enter: magnify the worse end."));
     hint->setFont(captionFont(font()));
     auto* below = within();
     below->addWidget(hint);
@@ -131,7 +134,7 @@ QWidget* ExactnessPanel::magnifierPage()
     auto* back = new QToolButton;
     back->setObjectName(QStringLiteral("leave-magnifier"));
     back->setIcon(icon("step-back"));
-    back->setToolTip(tr("Return to the list (Esc)"));
+    back->setToolTip(Text::tr("Return to the list (Esc)"));
     back->setAccessibleName(back->toolTip());
     back->setAutoRaise(true);
     auto* row = new QHBoxLayout;
@@ -141,7 +144,8 @@ QWidget* ExactnessPanel::magnifierPage()
     row->addWidget(end_);
     row->addStretch();
     row->addWidget(lattice_);
-    auto* hint = quietLabel(tr("Wheel, +, −, Page Up, Page Down: zoom. Home: reset the zoom."));
+    auto* hint =
+        quietLabel(Text::tr("Wheel, +, −, Page Up, Page Down: zoom. Home: reset the zoom."));
     hint->setFont(captionFont(font()));
     magnified_->setWordWrap(true);
     magnified_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -193,10 +197,10 @@ void ExactnessPanel::paintSummary()
     const bool here = session_.compared().comparable;
     const bool known = here && exactness.asked() && exactness.upToDate();
     const bool wrong = known && exactness.counts().classes.back() > 0;
-    summary_->setText(!here   ? tr("Not judged here.")
+    summary_->setText(!here   ? Text::tr("Not judged here.")
                       : known ? app::sentence(exactness.asked()->variant, exactness.counts(),
                                               exactness.asked()->errorUnit)
-                              : tr("Judging %1… %2")
+                              : Text::tr("Judging %1… %2")
                                     .arg(app::linesText(session_.scene.lines().size()),
                                          app::percentText(exactness.progress())));
     summary_->setColour(wrong ? &Look::differs : known ? &Look::text : &Look::muted);
@@ -224,7 +228,7 @@ void ExactnessPanel::magnify(std::size_t line, int end)
 {
     line_ = line;
     end_->choose(end);
-    heading_->setText(tr("Line %1").arg(app::countText(line + 1)));
+    heading_->setText(Text::tr("Line %1").arg(app::countText(line + 1)));
     pages_->setCurrentIndex(1);
     showEnd();
     magnifier_->setFocus();
@@ -237,9 +241,10 @@ void ExactnessPanel::showEnd()
         app::magnified(variant, session_.scene.lines()[line_], session_.window(), end_->chosen());
     magnifier_->setVisible(seen.has_value());
     if (!seen)
-        return magnified_->setText(tr("There is nothing to magnify: %1 keeps no part of this line, "
-                                      "or an end is not a number.")
-                                       .arg(app::nameOf(variant)));
+        return magnified_->setText(
+            Text::tr("There is nothing to magnify: %1 keeps no part of this line, "
+                     "or an end is not a number.")
+                .arg(app::nameOf(variant)));
     magnifier_->show(*seen, app::nameOf(variant));
     magnified_->setText(app::magnifiedText(*seen, app::nameOf(variant)));
 }

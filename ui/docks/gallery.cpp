@@ -3,6 +3,7 @@
 
 #include "app/view/thumbnail.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/widgets/sample_button.h"
 
 #include <QEvent>
@@ -39,7 +40,7 @@ struct Sitting {
 
 Gallery::Gallery(QWidget* parent) : QWidget(parent), samples_(app::samples())
 {
-    setAccessibleName(tr("Samples"));
+    setAccessibleName(Text::tr("Samples"));
     connect(&watcher_, &QFutureWatcherBase::resultReadyAt, this,
             [this](int i) { buttons_[std::size_t(i)]->setPicture(watcher_.resultAt(i)); });
     for (const app::Sample& sample : samples_) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/history_model.h"
 
+#include "ui/look/text.h"
+
 namespace ui {
 
 HistoryModel::HistoryModel(const app::History& history, QObject* parent)
@@ -16,8 +18,8 @@ QVariant HistoryModel::cell(int row, int, int role) const
     case Qt::DisplayRole:
     case Qt::AccessibleTextRole:
         return row > 0                    ? history_.text(row - 1)
-               : history_.forgotten() > 0 ? tr("Oldest step that can be undone")
-                                          : tr("Start");
+               : history_.forgotten() > 0 ? Text::tr("Oldest step that can be undone")
+                                          : Text::tr("Start");
     case UndoneRole:
         return row > history_.index();
     case SavedRole:

@@ -3,6 +3,7 @@
 
 #include "ui/docks/algorithm_list.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 
 #include <QPainter>
 #include <QSignalBlocker>
@@ -29,7 +30,7 @@ public:
         QRect box = option.rect.adjusted(space::dockMargin, 0, -space::dockMargin, 0);
         painter->setPen(look.muted);
         if (index.data(HistoryModel::SavedRole).toBool()) {
-            const QString saved = HistoryPanel::tr("saved");
+            const QString saved = Text::tr("saved");
             painter->setFont(captionFont(option.font));
             painter->drawText(box, Qt::AlignRight | Qt::AlignVCenter, saved);
             box.setRight(box.right() - painter->fontMetrics().horizontalAdvance(saved) - 6);
@@ -53,8 +54,8 @@ HistoryPanel::HistoryPanel(const app::History& history, QWidget* parent)
     setItemDelegate(new StepDelegate(this));
     setUniformItemSizes(true);
     setFrameShape(QFrame::NoFrame);
-    setAccessibleName(tr("History"));
-    setToolTip(tr("Click a step to go back or forward to it"));
+    setAccessibleName(Text::tr("History"));
+    setToolTip(Text::tr("Click a step to go back or forward to it"));
     setMinimumHeight(3 * space::rowHeight);
     connect(model_, &HistoryModel::dataChanged, this, &HistoryPanel::follow);
     follow();

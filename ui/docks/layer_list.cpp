@@ -2,6 +2,7 @@
 #include "ui/docks/layer_list.h"
 
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 
 #include <QApplication>
 #include <QContextMenuEvent>
@@ -16,7 +17,7 @@ LayerList::LayerList(app::Session& session, LayerModel* model)
     : session_(session), layers_(model), commands_(makeCommands())
 {
     setModel(model);
-    setAccessibleName(tr("Layers"));
+    setAccessibleName(Text::tr("Layers"));
     setFrameShape(QFrame::NoFrame);
     setMouseTracking(true);
     setEditTriggers(DoubleClicked);

@@ -6,6 +6,7 @@
 #include "app/session/layer_report.h"
 #include "app/session/layer_steps.h"
 #include "app/session/limited_steps.h"
+#include "ui/look/text.h"
 
 #include <QColor>
 
@@ -79,12 +80,13 @@ QVariant LayerModel::cell(int row, int, int role) const
             return QColor(colour->red, colour->green, colour->blue);
         return {};
     case Qt::ToolTipRole:
-        return tr("Double click: rename. Click the colour: choose that of new objects. Alt+click "
-                  "on the eye: show only this layer. Drag: move.");
+        return Text::tr(
+            "Double click: rename. Click the colour: choose that of new objects. Alt+click "
+            "on the eye: show only this layer. Drag: move.");
     case Qt::AccessibleTextRole:
-        return tr("%1, %2, %3")
-            .arg(layer.name, layer.visible ? tr("shown") : tr("hidden"),
-                 layer.locked ? tr("locked") : tr("not locked"));
+        return Text::tr("%1, %2, %3")
+            .arg(layer.name, layer.visible ? Text::tr("shown") : Text::tr("hidden"),
+                 layer.locked ? Text::tr("locked") : Text::tr("not locked"));
     default:
         return {};
     }
@@ -101,13 +103,13 @@ bool LayerModel::change(int row, const QVariant& value, int role)
     QString text;
     if (role == VisibleRole) {
         layer.visible = value.toBool();
-        text = layer.visible ? tr("Show layer") : tr("Hide layer");
+        text = layer.visible ? Text::tr("Show layer") : Text::tr("Hide layer");
     } else if (role == LockedRole) {
         layer.locked = value.toBool();
-        text = layer.locked ? tr("Lock layer") : tr("Unlock layer");
+        text = layer.locked ? Text::tr("Lock layer") : Text::tr("Unlock layer");
     } else if (role == Qt::EditRole && !value.toString().trimmed().isEmpty()) {
         layer.name = value.toString().trimmed();
-        text = tr("Rename layer");
+        text = Text::tr("Rename layer");
     }
     if (layer == before)
         return false;
@@ -122,7 +124,7 @@ void LayerModel::showOnly(const QModelIndex& index)
 
 bool LayerModel::addLayer()
 {
-    return app::addLayer(session_, tr("Layer %1").arg(layers_.size() + 1));
+    return app::addLayer(session_, Text::tr("Layer %1").arg(layers_.size() + 1));
 }
 
 bool LayerModel::mayRemove(app::ContainerId layer) const

@@ -7,6 +7,7 @@
 #include "app/session/recent_colours.h"
 #include "app/view/colour_chart.h"
 #include "ui/docks/algorithm_list.h"
+#include "ui/look/text.h"
 #include "ui/widgets/colour_popup.h"
 #include "ui/widgets/icon_button.h"
 #include "ui/widgets/keep_choice.h"
@@ -112,8 +113,8 @@ private:
 
 LayersPanel::LayersPanel(app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session), model_(new LayerModel(session, this)),
-      list_(new LayerList(session, model_)), add_(iconButton("plus", tr("Add layer"))),
-      remove_(iconButton("bin", tr("Delete layer"))), row_(new QWidget(list_->viewport())),
+      list_(new LayerList(session, model_)), add_(iconButton("plus", Text::tr("Add layer"))),
+      remove_(iconButton("bin", Text::tr("Delete layer"))), row_(new QWidget(list_->viewport())),
       colours_(new ColourPopup(this))
 {
     row_->hide();

@@ -6,6 +6,7 @@
 #include "app/view/place.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/look/text.h"
 
 #include <QFontDatabase>
 #include <QVBoxLayout>
@@ -22,10 +23,10 @@ enum Row { Verdict, Header, From, To, VisibleA, VisibleB, Cost };
 
 LinePanel::LinePanel(app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session),
-      nothing_(new QLabel(tr("Click a line to see how it is clipped."))), table_(new QWidget),
+      nothing_(new QLabel(Text::tr("Click a line to see how it is clipped."))), table_(new QWidget),
       grid_(new QGridLayout(table_)), verdict_(new QLabel), cost_(new QLabel),
       steps_(new QPlainTextEdit),
-      microscope_(new QPushButton(icon("microscope"), tr("Open microscope")))
+      microscope_(new QPushButton(icon("microscope"), Text::tr("Open microscope")))
 {
     nothing_->setForegroundRole(QPalette::PlaceholderText);
     nothing_->setContentsMargins(space::dockMargin, space::dockMargin, space::dockMargin, 0);
@@ -51,13 +52,13 @@ LinePanel::LinePanel(app::Session& session, QWidget* parent)
     steps_->setReadOnly(true);
     steps_->setFrameShape(QFrame::NoFrame);
     steps_->setFont(captionFont(font()));
-    steps_->setAccessibleName(tr("Steps"));
+    steps_->setAccessibleName(Text::tr("Steps"));
     steps_->setMinimumHeight(QFontMetrics(steps_->font()).lineSpacing() + 10);
     QPalette quiet = steps_->palette();
     quiet.setColor(QPalette::Base, Qt::transparent);
     steps_->setPalette(quiet);
     microscope_->setIconSize({16, 16});
-    microscope_->setToolTip(tr("Show how this line is clipped, step by step (F2)"));
+    microscope_->setToolTip(Text::tr("Show how this line is clipped, step by step (F2)"));
     connect(microscope_, &QPushButton::clicked, this, &LinePanel::microscopeWanted);
     auto* looking = new QHBoxLayout;
     looking->setContentsMargins(space::dockMargin, 0, space::dockMargin, 0);
@@ -118,7 +119,7 @@ void LinePanel::show()
     if (some)
         showLine(app::inspect(session_, *inspected));
     else
-        emit titled(tr("Line"), {});
+        emit titled(Text::tr("Line"), {});
 }
 
 void LinePanel::showLine(const app::Inspection& line)
@@ -139,21 +140,25 @@ void LinePanel::showLine(const app::Inspection& line)
                          const app::Region& region, const app::Point* after) {
         put(row, Name, name);
         point(row, p);
-        put(row, RegionColumn, tr("%1 (%2)").arg(region.words(), region.outcode()));
-        put(row, AfterColumn, !after ? tr("gone") : *after == p ? tr("kept") : tr("cut"));
+        put(row, RegionColumn, Text::tr("%1 (%2)").arg(region.words(), region.outcode()));
+        put(row, AfterColumn,
+            !after        ? Text::tr("gone")
+            : *after == p ? Text::tr("kept")
+                          : Text::tr("cut"));
     };
     const QString suffix = app::latin(app::infoOf(unit).suffix);
     const auto inUnit = [&](const QString& name) {
-        return suffix.isEmpty() ? name : tr("%1 (%2)").arg(name, suffix);
+        return suffix.isEmpty() ? name : Text::tr("%1 (%2)").arg(name, suffix);
     };
-    put(Header, XColumn, inUnit(tr("x")), Qt::AlignRight);
-    put(Header, YColumn, inUnit(tr("y")), Qt::AlignRight);
-    put(Header, RegionColumn, tr("region"));
-    put(Header, AfterColumn, tr("result"));
-    end(From, tr("End 1"), line.segment.a, line.from, line.visible ? &line.visible->a : nullptr);
-    end(To, tr("End 2"), line.segment.b, line.to, line.visible ? &line.visible->b : nullptr);
+    put(Header, XColumn, inUnit(Text::tr("x")), Qt::AlignRight);
+    put(Header, YColumn, inUnit(Text::tr("y")), Qt::AlignRight);
+    put(Header, RegionColumn, Text::tr("region"));
+    put(Header, AfterColumn, Text::tr("result"));
+    end(From, Text::tr("End 1"), line.segment.a, line.from,
+        line.visible ? &line.visible->a : nullptr);
+    end(To, Text::tr("End 2"), line.segment.b, line.to, line.visible ? &line.visible->b : nullptr);
     verdict_->setText(app::verdictText(line));
-    put(VisibleA, Name, line.visible ? tr("Visible") : QString());
+    put(VisibleA, Name, line.visible ? Text::tr("Visible") : QString());
     for (const int row : {VisibleA, VisibleB})
         for (const int column : {XColumn, YColumn, RegionColumn})
             put(row, column, {});
@@ -162,10 +167,11 @@ void LinePanel::showLine(const app::Inspection& line)
         point(VisibleB, line.visible->b);
     }
     put(VisibleA, RegionColumn, app::words(line.lineClass));
-    put(Cost, Name, tr("Cost"));
-    cost_->setText(line.variant.misprint ? tr("not counted") : app::costText(line.cost));
+    put(Cost, Name, Text::tr("Cost"));
+    cost_->setText(line.variant.misprint ? Text::tr("not counted") : app::costText(line.cost));
     steps_->setPlainText(app::stepTexts(line, unit, page).join(u'\n'));
-    emit titled(tr("Line %1").arg(app::countText(line.number + 1)), tr("in %1").arg(layer));
+    emit titled(Text::tr("Line %1").arg(app::countText(line.number + 1)),
+                Text::tr("in %1").arg(layer));
 }
 
 QLabel* LinePanel::cell(int row, int column)

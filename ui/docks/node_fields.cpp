@@ -2,6 +2,7 @@
 #include "ui/docks/node_fields.h"
 
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/quiet_label.h"
 #include "ui/widgets/segments.h"
@@ -23,14 +24,15 @@ constexpr std::array<std::string_view, 3> typeSteps{"corner-nodes", "smooth-node
 
 NodeFields::NodeFields(app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session),
-      type_(new Segments(tr("Type of node"), {tr("Corner"), tr("Smooth"), tr("Symmetric")}))
+      type_(new Segments(Text::tr("Type of node"),
+                         {Text::tr("Corner"), Text::tr("Smooth"), Text::tr("Symmetric")}))
 {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(space::dockMargin, space::labelToField, space::dockMargin,
                              space::labelToField);
     grid->setHorizontalSpacing(space::labelToField);
     grid->setVerticalSpacing(rowGap);
-    const std::array rows{tr("Node"), tr("In"), tr("Out")};
+    const std::array rows{Text::tr("Node"), Text::tr("In"), Text::tr("Out")};
     for (int row = 0; row < int(rows.size()); ++row)
         grid->addWidget(quietLabel(rows[std::size_t(row)]), row, 0);
     for (const app::NodeNumber& number : app::nodeNumbers()) {
@@ -43,7 +45,7 @@ NodeFields::NodeFields(app::Session& session, QWidget* parent)
     }
     auto* types = new QHBoxLayout;
     types->setSpacing(space::labelToField);
-    types->addWidget(quietLabel(tr("Type")));
+    types->addWidget(quietLabel(Text::tr("Type")));
     types->addWidget(type_);
     types->addStretch();
     grid->addLayout(types, typeRow, 0, 1, 6);

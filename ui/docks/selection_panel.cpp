@@ -7,6 +7,7 @@
 #include "app/session/units.h"
 #include "ui/docks/node_fields.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/widgets/icon_button.h"
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/reference_point.h"
@@ -48,26 +49,26 @@ private:
 /// "3 objects", "group of 3 objects"
 QString remarkOn(const app::Session& session)
 {
-    const auto tr = [](const char* text) { return SelectionPanel::tr(text); };
     if (session.nodes.someSelected())
         return app::nodesText(session);
     const app::ObjectRanges& selection = session.selection();
     if (selection.empty())
-        return tr("nothing selected");
+        return Text::tr("nothing selected");
     const app::ContainerId group = app::groupAt(session, selection.first());
     const bool isGroup =
         group != 0 && selection == app::ObjectRanges(session.now().containers().rangeOf(group));
     const QString count = app::countText(selection.size());
-    return selection.size() == 1 ? isGroup ? tr("group of 1 object") : tr("1 object")
-           : isGroup ? tr("group of %1 objects").arg(count)
-                                 : tr("%1 objects").arg(count);
+    return selection.size() == 1 ? isGroup ? Text::tr("group of 1 object") : Text::tr("1 object")
+           : isGroup ? Text::tr("group of %1 objects").arg(count)
+                                 : Text::tr("%1 objects").arg(count);
 }
 
 } // namespace
 
 SelectionPanel::SelectionPanel(app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session), reference_(new ReferencePoint), chain_(ratioButton()),
-      target_(new ToolList), strokes_(new ShortenedBox({tr("Scale strokes"), tr("Strokes")})),
+      target_(new ToolList),
+      strokes_(new ShortenedBox({Text::tr("Scale strokes"), Text::tr("Strokes")})),
       nodes_(new NodeFields(session)), pages_(new QStackedLayout(this))
 {
     makeOptions();
@@ -110,12 +111,12 @@ void SelectionPanel::makeOptions()
     target_->setFixedHeight(space::fieldHeight);
     target_->setMinimumWidth(leastListWidth);
     target_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    target_->setAccessibleName(tr("Align and spread"));
+    target_->setAccessibleName(Text::tr("Align and spread"));
     connect(target_, &QComboBox::activated, this, [this](int index) {
         app::alignTo(session_, app::alignmentTargets()[std::size_t(index)]);
     });
     connect(target_, &ToolList::done, this, &SelectionPanel::entered);
-    strokes_->setToolTip(tr("Widths and dashes of strokes are scaled with the objects"));
+    strokes_->setToolTip(Text::tr("Widths and dashes of strokes are scaled with the objects"));
     strokes_->setFocusPolicy(Qt::TabFocus);
     connect(strokes_, &QCheckBox::clicked, this, [this](bool on) {
         app::scaleStrokes(session_, on ? app::StrokeScaling::Scale : app::StrokeScaling::Keep);
@@ -236,7 +237,7 @@ void SelectionPanel::followArranging()
     }
     const app::AlignmentTarget& target = app::alignmentTarget(session_);
     target_->setCurrentIndex(int(&target - app::alignmentTargets().data()));
-    target_->setToolTip(tr("Align and spread %1").arg(target.listed));
+    target_->setToolTip(Text::tr("Align and spread %1").arg(target.listed));
     strokes_->setChecked(session_.arrange.strokes == app::StrokeScaling::Scale);
 }
 

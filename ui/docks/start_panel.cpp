@@ -5,6 +5,7 @@
 #include "app/base/numbers.h"
 #include "ui/docks/algorithm_list.h"
 #include "ui/docks/gallery.h"
+#include "ui/look/text.h"
 #include "ui/widgets/row_painter.h"
 #include "ui/widgets/start_button.h"
 
@@ -75,13 +76,14 @@ QHBoxLayout* heading(const QString& text, const QString& remark)
 
 StartPanel::StartPanel(QWidget* parent)
     : QWidget(parent), gallery_(new Gallery),
-      noRecent_(new QLabel(tr("Drawings you open are listed here."))), recent_(new QListWidget)
+      noRecent_(new QLabel(Text::tr("Drawings you open are listed here."))),
+      recent_(new QListWidget)
 {
-    auto* draw = new StartButton("pencil", tr("Draw"), tr("on a new A3 page"));
-    auto* open = new StartButton("folder", tr("Open…"), readableFormats());
-    auto* lesson = new StartButton("book", tr("First lesson"), tr("why clip a line?"));
-    auto* paper = new StartButton("chart", tr("The paper…"), tr("which is fastest?"));
-    recent_->setAccessibleName(tr("Recent drawings"));
+    auto* draw = new StartButton("pencil", Text::tr("Draw"), Text::tr("on a new A3 page"));
+    auto* open = new StartButton("folder", Text::tr("Open…"), readableFormats());
+    auto* lesson = new StartButton("book", Text::tr("First lesson"), Text::tr("why clip a line?"));
+    auto* paper = new StartButton("chart", Text::tr("The paper…"), Text::tr("which is fastest?"));
+    recent_->setAccessibleName(Text::tr("Recent drawings"));
     recent_->setFrameShape(QFrame::NoFrame);
     recent_->setMouseTracking(true);
     recent_->setItemDelegate(new RecentPainter(recent_));
@@ -100,9 +102,9 @@ StartPanel::StartPanel(QWidget* parent)
     column->setSpacing(space::labelToField);
     column->addLayout(buttons);
     column->addSpacing(6);
-    column->addLayout(heading(tr("Samples"), tr("free to use")));
+    column->addLayout(heading(Text::tr("Samples"), Text::tr("free to use")));
     column->addWidget(gallery_);
-    column->addLayout(heading(tr("Recent"), {}));
+    column->addLayout(heading(Text::tr("Recent"), {}));
     column->addWidget(noRecent_);
     column->addWidget(recent_);
     column->addSpacing(6);
@@ -110,7 +112,7 @@ StartPanel::StartPanel(QWidget* parent)
     further->setSpacing(10);
     further->addWidget(lesson);
     further->addWidget(paper);
-    column->addLayout(heading(tr("Learn"), {}));
+    column->addLayout(heading(Text::tr("Learn"), {}));
     column->addLayout(further);
     column->addStretch();
     auto* scroll = new QScrollArea;

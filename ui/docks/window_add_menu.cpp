@@ -7,21 +7,19 @@
 #include "app/session/window_steps.h"
 #include "ui/dialogs/margin_dialog.h"
 #include "ui/look/look_icon.h"
+#include "ui/look/text.h"
 
-#include <QCoreApplication>
 #include <QMenu>
 
 namespace ui {
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("WindowPanel", text); }
 
 void addShapes(app::Session& session, QMenu& menu)
 {
     for (const app::WindowKind& kind : app::windowKinds()) {
         if (!kind.make)
             continue;
-        const QString name = QCoreApplication::translate("WindowKinds", kind.name.data());
+        const QString name = Text::tr(kind.name.data());
         menu.addAction(icon(kind.key), name, &menu, [&session, &kind] {
             const clipping::Window page = session.now().page().rectangle();
             const auto quarter = (page.max - page.min) * 0.25;
@@ -33,7 +31,7 @@ void addShapes(app::Session& session, QMenu& menu)
 void addPlaces(app::Session& session, QMenu& menu, QWidget& parent)
 {
     for (const app::LayingPlace& place : app::windowPlaces()) {
-        const QString text = QCoreApplication::translate("WindowPlaces", place.text.data());
+        const QString text = Text::tr(place.text.data());
         QAction* action =
             menu.addAction(text, &menu, [&session, &place] { app::layWindow(session, place); });
         action->setObjectName(QStringLiteral("add-") + app::latin(place.key));
@@ -41,7 +39,7 @@ void addPlaces(app::Session& session, QMenu& menu, QWidget& parent)
             action->setEnabled(place.box(session).has_value());
         });
     }
-    menu.addAction(tr("Lay window inside the page's &margins…"), &menu,
+    menu.addAction(Text::tr("Lay window inside the page's &margins…"), &menu,
                    [&session, &parent] { MarginDialog::show(session, parent); });
 }
 
@@ -54,7 +52,7 @@ QMenu* makeWindowAddMenu(app::Session& session, QWidget& parent)
     menu->addSeparator();
     addPlaces(session, *menu, parent);
     menu->addSeparator();
-    QAction* selected = menu->addAction(tr("Selected objects"), menu,
+    QAction* selected = menu->addAction(Text::tr("Selected objects"), menu,
                                         [&session] { app::addWindowsOfSelection(session); });
     QObject::connect(menu, &QMenu::aboutToShow, selected, [&session, selected] {
         selected->setEnabled(!app::windowsOfSelection(session).empty());

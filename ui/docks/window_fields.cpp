@@ -5,6 +5,7 @@
 #include "app/session/window_steps.h"
 #include "app/view/place.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/widgets/icon_button.h"
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/unit_box.h"
@@ -56,12 +57,12 @@ WindowFields::WindowFields(app::Session& session)
 {
     using Range = LengthField::Range;
     constexpr auto none = LengthField::Suffix::None;
-    fields_ = {new LengthField(tr("X"), Range::Any, none),
-               new LengthField(tr("Y"), Range::Any, none),
-               new LengthField(tr("Width"), Range::NotNegative, none),
-               new LengthField(tr("Height"), Range::NotNegative, none),
-               new LengthField(tr("Angle"), Range::Any, none)};
-    const QStringList labels{tr("X"), tr("Y"), tr("W"), tr("H")};
+    fields_ = {new LengthField(Text::tr("X"), Range::Any, none),
+               new LengthField(Text::tr("Y"), Range::Any, none),
+               new LengthField(Text::tr("Width"), Range::NotNegative, none),
+               new LengthField(Text::tr("Height"), Range::NotNegative, none),
+               new LengthField(Text::tr("Angle"), Range::Any, none)};
+    const QStringList labels{Text::tr("X"), Text::tr("Y"), Text::tr("W"), Text::tr("H")};
     auto* grid = new QGridLayout(this);
     grid->setHorizontalSpacing(space::labelToField);
     grid->setVerticalSpacing(6);
@@ -78,8 +79,9 @@ WindowFields::WindowFields(app::Session& session)
         grid->addWidget(labelled(labels[qsizetype(i)], *fields_[i]), row, column);
         grid->addWidget(fields_[i], row, column + 1);
     }
-    fields_[Angle]->setToolTip(tr("Degrees, counterclockwise; a shape other than a rectangle is "
-                                  "rotated by them"));
+    fields_[Angle]->setToolTip(
+        Text::tr("Degrees, counterclockwise; a shape other than a rectangle is "
+                 "rotated by them"));
     connect(unit_, &UnitBox::done, this, &WindowFields::entered);
     chain_->setObjectName(QStringLiteral("keep-ratio"));
     grid->addWidget(unit_, 0, 4);
@@ -97,7 +99,7 @@ QWidget* WindowFields::makeAngle()
     auto* row = new QHBoxLayout;
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(space::labelToField);
-    row->addWidget(labelled(tr("∠"), *fields_[Angle]));
+    row->addWidget(labelled(Text::tr("∠"), *fields_[Angle]));
     row->addWidget(fields_[Angle]);
     auto* angle = new QWidget;
     angle->setLayout(row);
@@ -132,9 +134,10 @@ void WindowFields::follow()
         fields_[i]->show(lengths[i], unit, size);
     fields_[Angle]->show(angleOf(frame), app::Unit::User, 1);
     const QString where =
-        frame.angle == 0 ? tr("The left edge of the window, and its top edge")
-                         : tr("The top left corner that the window has without its rotation about "
-                              "its middle");
+        frame.angle == 0
+            ? Text::tr("The left edge of the window, and its top edge")
+            : Text::tr("The top left corner that the window has without its rotation about "
+                       "its middle");
     for (const std::size_t i : {X, Y})
         fields_[i]->setToolTip(where);
 }
@@ -155,7 +158,8 @@ void WindowFields::edit(std::size_t field, double number, app::Merging merging)
         app::setWindowShape(session_,
                             app::fitted(shape, moves ? app::WindowFrame{after, frame.angle}
                                                      : app::resized(frame, after)),
-                            moves ? tr("Move clip window") : tr("Resize clip window"), merging);
+                            moves ? Text::tr("Move clip window") : Text::tr("Resize clip window"),
+                            merging);
 }
 
 void WindowFields::rotate(double degrees, app::Merging merging)
@@ -164,7 +168,7 @@ void WindowFields::rotate(double degrees, app::Merging merging)
     const double by = degrees - angleOf(*session_.windowFrame());
     if (by != 0)
         app::setWindowShape(session_, app::rotated(shape, -glm::radians(by)),
-                            tr("Rotate clip window"), merging);
+                            Text::tr("Rotate clip window"), merging);
 }
 
 } // namespace ui

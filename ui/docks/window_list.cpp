@@ -4,6 +4,7 @@
 #include "app/session/window_steps.h"
 #include "app/session/window_words.h"
 #include "ui/docks/algorithm_list.h"
+#include "ui/look/text.h"
 #include "ui/widgets/keep_choice.h"
 #include "ui/widgets/row_painter.h"
 
@@ -89,7 +90,7 @@ WindowList::WindowList(app::Session& session) : session_(session)
     auto* model = new WindowModel(session, this);
     setModel(model);
     setItemDelegate(new WindowPainter(this));
-    setAccessibleName(tr("Clip windows"));
+    setAccessibleName(Text::tr("Clip windows"));
     setObjectName(QStringLiteral("clip-windows"));
     keepChoice(*this);
     setFrameShape(QFrame::NoFrame);

@@ -4,6 +4,7 @@
 #include "app/base/latin.h"
 #include "app/session/window_steps.h"
 #include "app/session/window_words.h"
+#include "ui/look/text.h"
 
 #include <QColor>
 
@@ -15,9 +16,9 @@ namespace {
 
 QString operationText(app::WindowOperation operation)
 {
-    return operation == app::WindowOperation::Add      ? WindowModel::tr("adds")
-           : operation == app::WindowOperation::CutOut ? WindowModel::tr("cuts out")
-                                                       : WindowModel::tr("intersects");
+    return operation == app::WindowOperation::Add      ? Text::tr("adds")
+           : operation == app::WindowOperation::CutOut ? Text::tr("cuts out")
+                                                       : Text::tr("intersects");
 }
 
 } // namespace
@@ -70,11 +71,12 @@ QVariant WindowModel::cell(int row, int, int role) const
         return window.colour ? QColor(window.colour->red, window.colour->green, window.colour->blue)
                              : QColor();
     case Qt::AccessibleTextRole:
-        return window.visible ? tr("%1, %2").arg(name, operationText(window.operation))
-                              : tr("%1, hidden").arg(name);
+        return window.visible ? Text::tr("%1, %2").arg(name, operationText(window.operation))
+                              : Text::tr("%1, hidden").arg(name);
     case Qt::ToolTipRole:
-        return tr("%1 %2. Windows apply from top to bottom. Drag, or Ctrl+Up, Ctrl+Down: move; "
-                  "double click: rename")
+        return Text::tr(
+                   "%1 %2. Windows apply from top to bottom. Drag, or Ctrl+Up, Ctrl+Down: move; "
+                   "double click: rename")
             .arg(name, operationText(window.operation));
     default:
         return {};
@@ -88,14 +90,14 @@ bool WindowModel::change(int row, const QVariant& value, int role)
         return true;
     };
     if (role == VisibleRole)
-        return change(value.toBool() ? tr("Show clip window") : tr("Hide clip window"),
+        return change(value.toBool() ? Text::tr("Show clip window") : Text::tr("Hide clip window"),
                       [&](app::ClipWindow& window) { window.visible = value.toBool(); });
     if (role == OperationRole)
-        return change(tr("Change clip window's operation"), [&](app::ClipWindow& window) {
+        return change(Text::tr("Change clip window's operation"), [&](app::ClipWindow& window) {
             window.operation = app::WindowOperation(value.toInt());
         });
     if (role == Qt::EditRole)
-        return change(tr("Rename clip window"),
+        return change(Text::tr("Rename clip window"),
                       [&](app::ClipWindow& window) { window.name = value.toString().trimmed(); });
     return false;
 }

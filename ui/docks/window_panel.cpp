@@ -11,6 +11,7 @@
 #include "ui/docks/window_list.h"
 #include "ui/editing/keeping.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/widgets/colour_popup.h"
 #include "ui/widgets/elided_label.h"
 #include "ui/widgets/icon_button.h"
@@ -25,9 +26,9 @@ namespace ui {
 
 WindowPanel::WindowPanel(app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session), list_(new WindowList(session)),
-      keep_(new Segments(tr("Keep"), {tr("Inside"), tr("Outside")})), result_(new ElidedLabel),
-      operation_(new ToolList),
-      colour_(iconButton("plus", tr("Colour of the clip window on the screen"))),
+      keep_(new Segments(Text::tr("Keep"), {Text::tr("Inside"), Text::tr("Outside")})),
+      result_(new ElidedLabel), operation_(new ToolList),
+      colour_(iconButton("plus", Text::tr("Colour of the clip window on the screen"))),
       colours_(new ColourPopup(this)), fields_(new WindowFields(session)),
       tiles_(new QToolButton(this)), pages_(new QStackedLayout(this))
 {
@@ -69,13 +70,13 @@ QWidget* WindowPanel::makeList()
 QWidget* WindowPanel::makeKeep()
 {
     keep_->setObjectName(QStringLiteral("keep"));
-    keep_->setToolTip(tr("Which side of all windows together is kept"));
+    keep_->setToolTip(Text::tr("Which side of all windows together is kept"));
     connect(keep_, &Segments::picked, this, [this](int side) {
         setKeep(session_, app::Keep(side));
         emit entered();
     });
     result_->setForegroundRole(QPalette::PlaceholderText);
-    auto* caption = new QLabel(tr("Keep"));
+    auto* caption = new QLabel(Text::tr("Keep"));
     caption->setForegroundRole(QPalette::PlaceholderText);
     auto* row = new QHBoxLayout;
     row->setContentsMargins(space::dockMargin, 0, space::dockMargin, 4);
@@ -92,16 +93,16 @@ QWidget* WindowPanel::makeTools()
 {
     QToolButton* add = makeAdd();
     add->setObjectName(QStringLiteral("add-window"));
-    auto* remove = iconButton("bin", tr("Remove the clip window"));
+    auto* remove = iconButton("bin", Text::tr("Remove the clip window"));
     connect(remove, &QToolButton::clicked, this, [this] { app::removeWindow(session_); });
     colour_->setObjectName(QStringLiteral("window-colour"));
     colours_->hideEyedropper();
     connect(colour_, &QToolButton::clicked, this, &WindowPanel::openColours);
     connect(colours_, &ColourPopup::picked, this, &WindowPanel::setColour);
-    for (const auto& name : {tr("Add"), tr("Cut out"), tr("Intersect")})
+    for (const auto& name : {Text::tr("Add"), Text::tr("Cut out"), Text::tr("Intersect")})
         operation_->addItem(name);
-    operation_->setAccessibleName(tr("Operation"));
-    operation_->setToolTip(tr("What the window does with those above it"));
+    operation_->setAccessibleName(Text::tr("Operation"));
+    operation_->setToolTip(Text::tr("What the window does with those above it"));
     connect(operation_, &ToolList::done, this, &WindowPanel::entered);
     connect(operation_, &QComboBox::activated, this, &WindowPanel::setOperation);
     auto* row = new QHBoxLayout;
@@ -119,7 +120,7 @@ QWidget* WindowPanel::makeTools()
 
 QToolButton* WindowPanel::makeAdd()
 {
-    QToolButton* add = iconButton("plus", tr("Add a clip window"));
+    QToolButton* add = iconButton("plus", Text::tr("Add a clip window"));
     add->setPopupMode(QToolButton::InstantPopup);
     add->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
     add->setMenu(makeWindowAddMenu(session_, *this));
@@ -128,10 +129,11 @@ QToolButton* WindowPanel::makeAdd()
 
 QWidget* WindowPanel::makeOffer()
 {
-    auto* text = new QLabel(tr("There is no clip window, so nothing is cut. Draw one (W), or:"));
+    auto* text =
+        new QLabel(Text::tr("There is no clip window, so nothing is cut. Draw one (W), or:"));
     text->setWordWrap(true);
-    auto* button = new QPushButton(tr("Lay window on page"));
-    button->setToolTip(tr("Add a clip window that covers the whole page"));
+    auto* button = new QPushButton(Text::tr("Lay window on page"));
+    button->setToolTip(Text::tr("Add a clip window that covers the whole page"));
     connect(button, &QPushButton::clicked, this, [this] {
         layWindowOnPage(session_);
         fields_->startTyping(); // its numbers are typed next
@@ -143,9 +145,9 @@ QWidget* WindowPanel::makeOffer()
     row->setContentsMargins(space::dockMargin, space::dockMargin, space::dockMargin,
                             space::dockMargin);
     auto* more =
-        new QLabel(tr("Several windows make one shape together: each adds to it, cuts out "
-                      "of it, or intersects it. + makes one of any shape, also of selected "
-                      "objects."));
+        new QLabel(Text::tr("Several windows make one shape together: each adds to it, cuts out "
+                            "of it, or intersects it. + makes one of any shape, also of selected "
+                            "objects."));
     more->setWordWrap(true);
     more->setForegroundRole(QPalette::PlaceholderText);
     more->setContentsMargins(space::dockMargin, 0, space::dockMargin, 0);
@@ -170,7 +172,7 @@ void WindowPanel::follow()
     operation_->setCurrentIndex(int(shown.operation));
     colour_->setIcon(windowSwatchIcon(shown.colour));
     result_->setWhole(app::resultOf(session_.windows()));
-    result_->setToolTip(tr("What the windows make together: %1").arg(result_->whole()));
+    result_->setToolTip(Text::tr("What the windows make together: %1").arg(result_->whole()));
 }
 
 void WindowPanel::setOperation(int operation)
@@ -197,11 +199,12 @@ void WindowPanel::setColour(const std::optional<app::Colour>& colour)
     const auto number = session_.windowNumber();
     if (!number)
         return;
-    app::changeWindow(session_, *number, tr("Colour of clip window"), [&](app::ClipWindow& window) {
-        window.colour = colour;
-        if (window.colour)
-            window.colour->alpha = 255;
-    });
+    app::changeWindow(session_, *number, Text::tr("Colour of clip window"),
+                      [&](app::ClipWindow& window) {
+                          window.colour = colour;
+                          if (window.colour)
+                              window.colour->alpha = 255;
+                      });
     if (colour) {
         QSettings settings;
         app::rememberColour(settings, *colour);

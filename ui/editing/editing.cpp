@@ -4,19 +4,13 @@
 #include "app/commands/remove_objects.h"
 #include "app/session/clipboard.h"
 #include "app/session/units.h"
+#include "ui/look/text.h"
 
 #include <QClipboard>
-#include <QCoreApplication>
 #include <QGuiApplication>
 #include <QMimeData>
 
 namespace ui {
-
-namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("Editing", text); }
-
-} // namespace
 
 void copySelection(const app::Session& session)
 {
@@ -31,11 +25,12 @@ void cutSelection(app::Session& session)
     if (session.selection().empty())
         return;
     copySelection(session);
-    session.history.push(new app::RemoveObjects(session.document, session.selection(), tr("Cut")));
+    session.history.push(
+        new app::RemoveObjects(session.document, session.selection(), Text::tr("Cut")));
     session.select({});
 }
 
-QString nothingToPaste() { return tr("The clipboard holds no drawing. Copy lines first."); }
+QString nothingToPaste() { return Text::tr("The clipboard holds no drawing. Copy lines first."); }
 
 bool paste(app::Session& session, app::PastePlace place)
 {

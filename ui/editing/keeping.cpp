@@ -3,6 +3,7 @@
 
 #include "app/commands/set_windows.h"
 #include "app/session/window_places.h"
+#include "ui/look/text.h"
 
 #include <QCoreApplication>
 
@@ -14,10 +15,9 @@ void setKeep(app::Session& session, app::Keep keep)
     if (windows.keep == keep)
         return;
     windows.keep = keep;
-    const char* const text = keep == app::Keep::Inside ? QT_TRANSLATE_NOOP("Clip", "Keep inside")
-                                                       : QT_TRANSLATE_NOOP("Clip", "Keep outside");
-    session.history.push(new app::SetWindows(session.document, std::move(windows),
-                                             QCoreApplication::translate("Clip", text)));
+    const char* const text = keep == app::Keep::Inside ? QT_TRANSLATE_NOOP("Text", "Keep inside")
+                                                       : QT_TRANSLATE_NOOP("Text", "Keep outside");
+    session.history.push(new app::SetWindows(session.document, std::move(windows), Text::tr(text)));
 }
 
 void layWindowOnPage(app::Session& session)

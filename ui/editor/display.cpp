@@ -3,6 +3,7 @@
 
 #include "app/command_line/command.h"
 #include "ui/editor/editor_application.h"
+#include "ui/look/text.h"
 
 #include <algorithm>
 #include <array>
@@ -20,13 +21,9 @@
 namespace ui {
 namespace {
 
-struct DisplayText {
-    Q_DECLARE_TR_FUNCTIONS(Display)
-};
-
 QString instead()
 {
-    return DisplayText::tr(
+    return Text::tr(
         "Start the editor from a desktop, or use a command that needs no display, such as "
         "clearcut clip IN -o OUT (clearcut --help lists all commands).");
 }
@@ -35,12 +32,11 @@ QString instead()
 QString whereAsked()
 {
     if (const QString platform = qEnvironmentVariable("QT_QPA_PLATFORM"); !platform.isEmpty())
-        return DisplayText::tr("the platform “%1” (QT_QPA_PLATFORM)").arg(platform);
+        return Text::tr("the platform “%1” (QT_QPA_PLATFORM)").arg(platform);
     for (const char* variable : {"WAYLAND_DISPLAY", "DISPLAY"})
         if (const QString display = qEnvironmentVariable(variable); !display.isEmpty())
-            return DisplayText::tr("the display “%1” (%2)")
-                .arg(display, QLatin1StringView(variable));
-    return DisplayText::tr("this system");
+            return Text::tr("the display “%1” (%2)").arg(display, QLatin1StringView(variable));
+    return Text::tr("this system");
 }
 
 QtMessageHandler handlerBefore = nullptr; // the previous message handler; set before Qt starts
@@ -56,7 +52,7 @@ std::vector<HeldMessage> held;
 [[noreturn]] void giveUp()
 {
     const QString sentence =
-        DisplayText::tr("The editor cannot show a window on %1. %2").arg(whereAsked(), instead());
+        Text::tr("The editor cannot show a window on %1. %2").arg(whereAsked(), instead());
     std::fprintf(stderr, "clearcut: %s\n", qPrintable(sentence));
     std::_Exit(int(app::Exit::Failed)); // returning from a fatal message aborts
 }
@@ -85,7 +81,7 @@ QString whyNoDisplay()
     for (const char* variable : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
         if (!qEnvironmentVariableIsEmpty(variable))
             return {};
-    return DisplayText::tr("There is no display for the editor. %1").arg(instead());
+    return Text::tr("There is no display for the editor. %1").arg(instead());
 #else
     return {};
 #endif

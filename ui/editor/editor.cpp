@@ -10,6 +10,7 @@
 #include "ui/editor/recovery.h"
 #include "ui/files/files.h"
 #include "ui/look/saved_theme.h"
+#include "ui/look/text.h"
 #include "ui/look/window_place.h"
 #include "ui/menus/actions.h"
 #include "ui/window/main_window.h"
@@ -51,8 +52,6 @@ struct Options {
     QString refusal; ///< why the arguments were refused, for the window; empty: they were not
 };
 
-QString tr(const char* text) { return QCoreApplication::translate("Editor", text); }
-
 void complain(const QString& sentence)
 {
     std::fprintf(stderr, "clearcut: %s\n", qPrintable(sentence));
@@ -93,22 +92,24 @@ std::optional<QString> take(Options& options, const QString& name, const QString
     else if (name == "--screenshot" && !value.isEmpty())
         options.screenshot = value;
     else if (name == "--renderer")
-        return tr("--renderer must be auto, opengl or raster.");
+        return Text::tr("--renderer must be auto, opengl or raster.");
     else if (name == "--theme")
-        return tr("--theme must be system, light or dark.");
+        return Text::tr("--theme must be system, light or dark.");
     else if (name == "--panes")
-        return tr("--panes must be 1, 2, 4 or all.");
+        return Text::tr("--panes must be 1, 2, 4 or all.");
     else if (name == "--microscope")
-        return tr("--microscope must be a line, such as \"10, 20 -> 70, 130\", or first.");
+        return Text::tr("--microscope must be a line, such as \"10, 20 -> 70, 130\", or first.");
     else if (name == "--algorithm")
-        return tr("--algorithm must be one that \"clearcut algorithms\" lists.");
+        return Text::tr("--algorithm must be one that \"clearcut algorithms\" lists.");
     else if (name == "--step")
-        return tr("--step must be a number of at least 1.");
+        return Text::tr("--step must be a number of at least 1.");
     else if (name == "--size")
-        return tr("--size must be a width and a height of at most %1 pixels, such as 1280x800.")
+        return Text::tr(
+                   "--size must be a width and a height of at most %1 pixels, such as 1280x800.")
             .arg(mostPixels);
     else
-        return tr("There is no option %1 with the value \"%2\". Try --help.").arg(name, value);
+        return Text::tr("There is no option %1 with the value \"%2\". Try --help.")
+            .arg(name, value);
     return std::nullopt;
 }
 
@@ -127,7 +128,7 @@ std::optional<app::Refusal> parse(Options& options, const QStringList& arguments
             if (const auto error = take(options, argument.section(u'=', 0, 0), value))
                 return wrong(*error);
         } else if (!options.file.isEmpty()) {
-            return wrong(tr("Name only one file: %1 is the second.").arg(argument));
+            return wrong(Text::tr("Name only one file: %1 is the second.").arg(argument));
         } else {
             const QUrl url(argument);
             options.file = url.isLocalFile() ? url.toLocalFile() : argument;
@@ -156,7 +157,7 @@ std::optional<QString> savePicture(MainWindow& window, const QString& path)
     return app::replaceFile(path, [&](QIODevice& out) -> std::optional<QString> {
         QBuffer buffer;
         if (!picture.save(&buffer, type.toLatin1().constData()))
-            return tr("there is not enough memory for the picture.");
+            return Text::tr("there is not enough memory for the picture.");
         out.write(buffer.data());
         return std::nullopt;
     });
@@ -250,7 +251,7 @@ int show(EditorApplication& application, const Options& options, const QElapsedT
     });
     application.exec();
     if (error)
-        complain(tr("Cannot write %1: %2").arg(options.screenshot, *error));
+        complain(Text::tr("Cannot write %1: %2").arg(options.screenshot, *error));
     return int(error ? app::Exit::Failed : app::Exit::Done);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/editor/editor_application.h"
 
+#include "ui/look/text.h"
 #include "ui/window/main_window.h"
 
 #include <QScopedValueRollback>
@@ -52,10 +53,11 @@ void EditorApplication::sayTooLittle(bool changed) noexcept
     try {
         const QString sentence =
             changed
-                ? tr("The step was done, but there is not enough memory to show all of it. Save "
-                     "the drawing, and close other programs.")
-                : tr("There is not enough memory for this, and the drawing was not changed. "
-                     "Select less, or close other programs.");
+                ? Text::tr(
+                    "The step was done, but there is not enough memory to show all of it. Save "
+                    "the drawing, and close other programs.")
+                : Text::tr("There is not enough memory for this, and the drawing was not changed. "
+                           "Select less, or close other programs.");
         if (window_ && window_->message() != sentence) // otherwise painting it might go on for ever
             window_->tell({Message::Kind::Warning, sentence});
     } catch (const std::bad_alloc&) {

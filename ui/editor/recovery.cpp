@@ -3,6 +3,7 @@
 
 #include "app/base/unfinished.h"
 #include "ui/files/files.h"
+#include "ui/look/text.h"
 #include "ui/window/main_window.h"
 
 #include <QPointer>
@@ -85,11 +86,11 @@ void Recovery::keep(int signal) const
         const auto written =
             journal_.complete() ? app::UnsavedWork::Written{work_.unsaved()} : work_.write();
         if (written.error)
-            say(tr("The unsaved drawing is lost: %1").arg(*written.error));
+            say(Text::tr("The unsaved drawing is lost: %1").arg(*written.error));
         else if (written.unsaved)
-            say(tr("The unsaved drawing is kept; the next start offers to recover it."));
+            say(Text::tr("The unsaved drawing is kept; the next start offers to recover it."));
     } catch (const std::exception&) { // std::bad_alloc
-        say(tr("The unsaved drawing is lost: there was not enough memory to write it."));
+        say(Text::tr("The unsaved drawing is lost: there was not enough memory to write it."));
     }
     app::removeUnfinished(); // the partial file of a Save that the signal interrupted
 }

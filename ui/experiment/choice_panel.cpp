@@ -4,6 +4,7 @@
 #include "app/base/latin.h"
 #include "app/experiment/ranking.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/widgets/segments.h"
 
 #include <QGridLayout>
@@ -46,13 +47,15 @@ QLabel* caption(const QString& text)
 ChoicePanel::ChoicePanel(Drawing drawing, QWidget* parent)
     : QWidget(parent), subjects_(app::subjects()), drawing_(std::move(drawing)),
       subject_(new QComboBox), meaning_(caption({})),
-      lines_(numberField(tr("Lines"), 1, 1'000'000'000)),
-      runs_(numberField(tr("Runs"), 1, int(app::mostRuns))),
-      seed_(numberField(tr("Seed"), 0, std::numeric_limits<int>::max())),
-      order_(new Segments(tr("Order"), {tr("As they come"), tr("Shuffled"), tr("By class")})),
-      forms_(new Segments(tr("Forms"), {tr("Published"), tr("Corrected"), tr("Both")})),
-      drawn_(new QCheckBox(tr("Also draw the visible parts"))),
-      explained_(new QCheckBox(tr("Explain the times")))
+      lines_(numberField(Text::tr("Lines"), 1, 1'000'000'000)),
+      runs_(numberField(Text::tr("Runs"), 1, int(app::mostRuns))),
+      seed_(numberField(Text::tr("Seed"), 0, std::numeric_limits<int>::max())),
+      order_(new Segments(Text::tr("Order"),
+                          {Text::tr("As they come"), Text::tr("Shuffled"), Text::tr("By class")})),
+      forms_(new Segments(Text::tr("Forms"),
+                          {Text::tr("Published"), Text::tr("Corrected"), Text::tr("Both")})),
+      drawn_(new QCheckBox(Text::tr("Also draw the visible parts"))),
+      explained_(new QCheckBox(Text::tr("Explain the times")))
 {
     describeFields();
     own_.assign(clipping::algorithms().size(), true);
@@ -74,23 +77,26 @@ ChoicePanel::ChoicePanel(Drawing drawing, QWidget* parent)
 void ChoicePanel::describeFields()
 {
     const std::size_t all = clipping::algorithms().size();
-    runs_->setToolTip(tr("The paper used ten runs. Ranking %2 algorithms needs at least %1 runs; "
-                         "with fewer there are no ranks.")
-                          .arg(app::leastRounds(all))
-                          .arg(all));
+    runs_->setToolTip(
+        Text::tr("The paper used ten runs. Ranking %2 algorithms needs at least %1 runs; "
+                 "with fewer there are no ranks.")
+            .arg(app::leastRounds(all))
+            .arg(all));
     seed_->setValue(1);
     seed_->setGroupSeparatorShown(false);
-    lines_->setSpecialValueText(tr("as in the paper"));
-    order_->setToolTip(tr("As they come: in the drawing's order. Shuffled: the same lines in "
-                          "random order. By class: lines grouped into inside, rejected, cut and "
-                          "missed, so that the processor predicts branches well."));
-    forms_->setToolTip(tr("Published: as the authors printed the algorithm, faults included. "
-                          "Corrected: without these faults."));
+    lines_->setSpecialValueText(Text::tr("as in the paper"));
+    order_->setToolTip(
+        Text::tr("As they come: in the drawing's order. Shuffled: the same lines in "
+                 "random order. By class: lines grouped into inside, rejected, cut and "
+                 "missed, so that the processor predicts branches well."));
+    forms_->setToolTip(Text::tr("Published: as the authors printed the algorithm, faults included. "
+                                "Corrected: without these faults."));
     drawn_->setChecked(true);
-    drawn_->setToolTip(tr("The paper timed generating, clipping and drawing the lines together."));
+    drawn_->setToolTip(
+        Text::tr("The paper timed generating, clipping and drawing the lines together."));
     explained_->setChecked(true);
-    explained_->setToolTip(
-        tr("Measure the time for each class of lines, the number of operations and the accuracy."));
+    explained_->setToolTip(Text::tr(
+        "Measure the time for each class of lines, the number of operations and the accuracy."));
     meaning_->setMinimumHeight(3 * meaning_->fontMetrics().lineSpacing() + 2);
     meaning_->setAlignment(Qt::AlignTop);
 }
@@ -108,11 +114,11 @@ void ChoicePanel::layOut()
         const bool wide = qobject_cast<QSpinBox*>(field);
         grid->addWidget(field, grid->rowCount() - 1, 1, wide ? Qt::Alignment() : Qt::AlignLeft);
     };
-    row(tr("&Lines"), lines_);
-    row(tr("&Runs"), runs_);
-    row(tr("&Seed"), seed_);
-    row(tr("Order"), order_);
-    row(tr("Forms"), forms_);
+    row(Text::tr("&Lines"), lines_);
+    row(Text::tr("&Runs"), runs_);
+    row(Text::tr("&Seed"), seed_);
+    row(Text::tr("Order"), order_);
+    row(Text::tr("Forms"), forms_);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(6);
@@ -120,7 +126,7 @@ void ChoicePanel::layOut()
     column->addWidget(meaning_);
     column->addLayout(grid);
     column->addSpacing(space::labelToField);
-    column->addWidget(new QLabel(tr("Algorithms")));
+    column->addWidget(new QLabel(Text::tr("Algorithms")));
     column->addWidget(algorithmBoxes());
     column->addSpacing(space::labelToField);
     column->addWidget(drawn_);
@@ -129,7 +135,7 @@ void ChoicePanel::layOut()
 
 void ChoicePanel::addSubjects()
 {
-    subject_->setAccessibleName(tr("What is measured"));
+    subject_->setAccessibleName(Text::tr("What is measured"));
     subject_->setMaxVisibleItems(20);
     bool papers = true;
     for (const app::Subject& subject : subjects_) {
@@ -139,7 +145,7 @@ void ChoicePanel::addSubjects()
         subject_->addItem(subject.name, subject.key);
     }
     subject_->insertSeparator(subject_->count());
-    subject_->addItem(tr("Lines of the current drawing"), QStringLiteral("drawing"));
+    subject_->addItem(Text::tr("Lines of the current drawing"), QStringLiteral("drawing"));
 }
 
 QWidget* ChoicePanel::algorithmBoxes()

@@ -8,6 +8,7 @@
 #include "ui/experiment/results.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/look/text.h"
 #include "ui/look/window_place.h"
 #include "ui/widgets/plain_button.h"
 #include "ui/widgets/progress_row.h"
@@ -43,7 +44,7 @@ QLabel* aside(const QString& text)
 /// The page shown until there are results.
 QWidget* invitation()
 {
-    auto* text = new QLabel(ExperimentWindow::tr(
+    auto* text = new QLabel(Text::tr(
         "<p><b>Which algorithm clips lines fastest?</b></p>"
         "<p>In 2019 D. Matthes and V. Drakopoulos clipped one and ten million random lines at a "
         "window with seven algorithms: six well-known ones and their own. Each ran ten times, and "
@@ -69,8 +70,8 @@ ExperimentWindow::ExperimentWindow(app::Session& session, std::function<QString(
       exports_(new Exports(*this)), choice_(new ChoicePanel([this] {
           return app::drawingSubject(name_(), session_.scene.lines(), session_.now());
       })),
-      run_(plainButton(tr("&Run"), "play")), quick_(plainButton(tr("&Quick run"))),
-      copy_(plainButton(tr("Co&py table"))), export_(new QToolButton), effort_(aside({})),
+      run_(plainButton(Text::tr("&Run"), "play")), quick_(plainButton(Text::tr("&Quick run"))),
+      copy_(plainButton(Text::tr("Co&py table"))), export_(new QToolButton), effort_(aside({})),
       progress_(new ProgressRow), strip_(new MessageStrip), stack_(new QStackedWidget),
       results_(new Results({copy_, export_}))
 {
@@ -90,7 +91,7 @@ ExperimentWindow::ExperimentWindow(app::Session& session, std::function<QString(
 void ExperimentWindow::layOut()
 {
     setObjectName(QStringLiteral("experiment"));
-    setWindowTitle(tr("Reproduce the paper"));
+    setWindowTitle(Text::tr("Reproduce the paper"));
     restorePlace(*this, QStringLiteral("experimentGeometry"), usual, smallest);
     auto* middle = new QHBoxLayout;
     middle->setSpacing(0);
@@ -169,17 +170,17 @@ void ExperimentWindow::addTools()
     });
     connect(export_, &QToolButton::clicked, menu,
             [this, menu] { menu->popup(export_->mapToGlobal(export_->rect().bottomLeft())); });
-    export_->setText(tr("&Export ▾"));
+    export_->setText(Text::tr("&Export ▾"));
     export_->setIcon(icon("export"));
     export_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     export_->setFixedHeight(space::fieldHeight);
     export_->setProperty("framed", true);
     copy_->setFocusPolicy(Qt::TabFocus); // a click leaves the focus in the table
-    copy_->setToolTip(tr("Copy the table that you clicked last, or else the first one, for a "
-                         "spreadsheet (separated by tabs)."));
+    copy_->setToolTip(Text::tr("Copy the table that you clicked last, or else the first one, for a "
+                               "spreadsheet (separated by tabs)."));
     connect(copy_, &QPushButton::clicked, this, [this] {
         results_->copyTable();
-        progress_->tell(tr("The table is on the clipboard."));
+        progress_->tell(Text::tr("The table is on the clipboard."));
     });
     connect(results_, &Results::tabChanged, this,
             [this] { copy_->setEnabled(results_->shownTable() != nullptr); });
@@ -209,7 +210,7 @@ void ExperimentWindow::cancel()
 {
     measuring_.cancel();
     showState();
-    progress_->tell(tr("Cancelled. Nothing was changed."));
+    progress_->tell(Text::tr("Cancelled. Nothing was changed."));
 }
 
 void ExperimentWindow::finish(app::Study study)
@@ -222,14 +223,14 @@ void ExperimentWindow::finish(app::Study study)
     results_->show(std::make_shared<const app::Study>(std::move(study)));
     stack_->setCurrentWidget(results_);
     showEffort();
-    progress_->tell(tr("Done in %1.").arg(app::durationText(taken)));
+    progress_->tell(Text::tr("Done in %1.").arg(app::durationText(taken)));
 }
 
 void ExperimentWindow::showProgress(const app::Progress& progress)
 {
-    progress_->showProgress(
-        progress.share,
-        tr("%1. Other work on this computer distorts the times.").arg(app::progressText(progress)));
+    progress_->showProgress(progress.share,
+                            Text::tr("%1. Other work on this computer distorts the times.")
+                                .arg(app::progressText(progress)));
 }
 
 /// Shows how long the run will take, or why it is impossible.

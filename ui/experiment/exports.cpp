@@ -4,6 +4,7 @@
 #include "app/base/latin.h"
 #include "app/charts/study_charts.h"
 #include "app/settings/remembered.h"
+#include "ui/look/text.h"
 
 #include <QFileInfo>
 #include <QMenu>
@@ -23,14 +24,14 @@ QString entryText(const app::StudyFile& row, const app::Study& study)
 {
     using Group = app::StudyFile::Group;
     if (row.group == Group::Report)
-        return Exports::tr("Report as %1…").arg(row.name);
+        return Text::tr("Report as %1…").arg(row.name);
     const bool tables = row.group == Group::Tables;
     const int parts = int(tables ? app::tablesOf(study).size() : app::chartsOf(study).size());
     const int files = int(row.paths(study, QStringLiteral("/any.") + row.ending).size());
-    const QString what = tables ? Exports::tr("All %n tables as %1", nullptr, parts)
-                                : Exports::tr("All %n charts as %1", nullptr, parts);
-    return files == 1 ? Exports::tr("%1 (one file)…").arg(what.arg(row.name))
-                      : Exports::tr("%1 (%n files)…", nullptr, files).arg(what.arg(row.name));
+    const QString what = tables ? Text::tr("All %n tables as %1", nullptr, parts)
+                                : Text::tr("All %n charts as %1", nullptr, parts);
+    return files == 1 ? Text::tr("%1 (one file)…").arg(what.arg(row.name))
+                      : Text::tr("%1 (%n files)…", nullptr, files).arg(what.arg(row.name));
 }
 
 QString proposal(const QString& name, const QString& ending)
@@ -70,10 +71,10 @@ void Exports::addShown(QMenu& menu, const Current& current)
     };
     for (const app::TableFormat& format : app::tableFormats())
         if (format.key != u"text")
-            add(tr("This table as %1…").arg(format.name), format.ending, &Shown::table,
+            add(Text::tr("This table as %1…").arg(format.name), format.ending, &Shown::table,
                 [this, format](const app::Table& table) { writeTable(table, format); });
     for (const app::ChartFormat& format : app::chartFormats())
-        add(tr("This chart as %1…").arg(format.name), app::latin(format.key), &Shown::chart,
+        add(Text::tr("This chart as %1…").arg(format.name), app::latin(format.key), &Shown::chart,
             [this, format](const app::Chart& chart) { writeChart(chart, format); });
 }
 
@@ -106,7 +107,7 @@ QString Exports::remembered(const QString& path)
 void Exports::writeTable(const app::Table& table, const app::TableFormat& format)
 {
     const QString path = remembered(questions_->fileToWrite(
-        tr("Export"), proposal(table.key, format.ending), format.name, format.ending));
+        Text::tr("Export"), proposal(table.key, format.ending), format.name, format.ending));
     if (path.isEmpty())
         return;
     const auto error = app::writeTable(table, format, path);
@@ -116,8 +117,8 @@ void Exports::writeTable(const app::Table& table, const app::TableFormat& format
 void Exports::writeChart(const app::Chart& chart, const app::ChartFormat& format)
 {
     const QString ending = app::latin(format.key);
-    const QString path = remembered(
-        questions_->fileToWrite(tr("Export"), proposal(chart.key, ending), format.name, ending));
+    const QString path = remembered(questions_->fileToWrite(
+        Text::tr("Export"), proposal(chart.key, ending), format.name, ending));
     if (path.isEmpty())
         return;
     const auto error = app::writeChart(chart, path, app::chartLook(app::Ground::Light));
@@ -135,10 +136,11 @@ QString Exports::pathFor(const app::StudyFile& row, const app::Study& study)
     const QString proposed = proposal(QStringLiteral("clearcut"), row.ending);
     const int files = int(row.paths(study, proposed).size());
     if (files == 1)
-        return remembered(questions_->fileToWrite(tr("Export"), proposed, row.name, row.ending));
-    const QString path = remembered(
-        questions_->filesToWrite(tr("Choose how the names of the %n files begin", nullptr, files),
-                                 proposed, row.name, row.ending));
+        return remembered(
+            questions_->fileToWrite(Text::tr("Export"), proposed, row.name, row.ending));
+    const QString path = remembered(questions_->filesToWrite(
+        Text::tr("Choose how the names of the %n files begin", nullptr, files), proposed, row.name,
+        row.ending));
     if (path.isEmpty())
         return {};
     const QStringList paths = row.paths(study, path);
@@ -154,7 +156,7 @@ void Exports::writeStudy(const app::StudyFile& row, const std::shared_ptr<const 
     if (path.isEmpty())
         return;
     background_.run(
-        tr("Writing…"),
+        Text::tr("Writing…"),
         [study, row, path](const app::Follower& follower) {
             return row.write(*study, path, follower.stop);
         },
@@ -169,10 +171,11 @@ void Exports::tell(const Written& written)
     const QStringList& paths = *written.value;
     if (paths.isEmpty()) // cancelled before the first
         return;
-    emit told({Message::Kind::Done, paths.size() == 1 ? tr("Wrote %1.").arg(paths.front())
-                                                      : tr("Wrote %n files, the first of them %1.",
-                                                           nullptr, int(paths.size()))
-                                                            .arg(paths.front())});
+    emit told({Message::Kind::Done,
+               paths.size() == 1
+                   ? Text::tr("Wrote %1.").arg(paths.front())
+                   : Text::tr("Wrote %n files, the first of them %1.", nullptr, int(paths.size()))
+                         .arg(paths.front())});
 }
 
 } // namespace ui

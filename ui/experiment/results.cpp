@@ -6,6 +6,7 @@
 #include "ui/experiment/charts_page.h"
 #include "ui/experiment/tables_page.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/widgets/chart_view.h"
 #include "ui/widgets/follow_language.h"
 #include "ui/widgets/segments.h"
@@ -45,15 +46,16 @@ TableView::Rows rowsOf(const app::Table& table)
 
 Results::Results(const QList<QWidget*>& tools, QWidget* parent)
     : QWidget(parent), row_(new QHBoxLayout), trial_(new QComboBox),
-      reasons_(new Segments(tr("Explanation"), {tr("By class"), tr("Operations"), tr("Accuracy")})),
-      age_(new QLabel(tr("Results of the previous run"))), verdict_(sentences()),
+      reasons_(new Segments(Text::tr("Explanation"),
+                            {Text::tr("By class"), Text::tr("Operations"), Text::tr("Accuracy")})),
+      age_(new QLabel(Text::tr("Results of the previous run"))), verdict_(sentences()),
       reason_(sentences()), summary_(new QScrollArea), tabs_(new QTabWidget),
       charts_(new ChartsPage), reasonChart_(new ChartView), tables_(new TablesPage),
       why_(new TablesPage), circumstances_(new TablesPage)
 {
-    trial_->setAccessibleName(tr("Result"));
+    trial_->setAccessibleName(Text::tr("Result"));
     trial_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    verdict_->setAccessibleName(tr("Verdict"));
+    verdict_->setAccessibleName(Text::tr("Verdict"));
     row_->setSpacing(space::labelToField);
     row_->addWidget(trial_);
     row_->addStretch();
@@ -112,10 +114,10 @@ void Results::addPages(const QList<QWidget*>& tools)
         row->addWidget(tool);
     tabs_->setCornerWidget(corner);
     tabs_->setDocumentMode(true);
-    tabs_->addTab(tables_, tr("&Tables"));
-    tabs_->addTab(charts_, tr("C&harts"));
-    tabs_->addTab(why_, tr("&Why"));
-    tabs_->addTab(circumstances_, tr("C&ircumstances"));
+    tabs_->addTab(tables_, Text::tr("&Tables"));
+    tabs_->addTab(charts_, Text::tr("C&harts"));
+    tabs_->addTab(why_, Text::tr("&Why"));
+    tabs_->addTab(circumstances_, Text::tr("C&ircumstances"));
 }
 
 void Results::show(std::shared_ptr<const app::Study> study)
@@ -136,7 +138,8 @@ void Results::show(std::shared_ptr<const app::Study> study)
         why,
         study_->explanation
             ? QString()
-            : tr("There is no explanation of this run. Tick “Explain the times” and run again."));
+            : Text::tr(
+                "There is no explanation of this run. Tick “Explain the times” and run again."));
     if (study_->explanation)
         showReasons();
     circumstances_->show({{app::circumstancesTable(*study_), TableView::Rows::Plain}});
@@ -147,7 +150,7 @@ void Results::showMeasures()
 {
     const int chosen = measures_ ? measures_->chosen() : 0;
     delete measures_;
-    measures_ = new Segments(tr("Measure"), namesOf(study_->measures));
+    measures_ = new Segments(Text::tr("Measure"), namesOf(study_->measures));
     measures_->choose(std::min(chosen, int(study_->measures.size()) - 1));
     row_->insertWidget(1, measures_);
     setTabOrder(trial_, measures_);

@@ -12,6 +12,7 @@
 #include "ui/explanation/title_painter.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/look/text.h"
 #include "ui/look/window_place.h"
 #include "ui/widgets/keep_choice.h"
 
@@ -39,7 +40,7 @@ ExplanationWindow::ExplanationWindow(app::Session& session, QWidget& window)
     setObjectName(QStringLiteral("explanation"));
     list_->setModel(new AlgorithmModel(list_));
     list_->setItemDelegate(new TitlePainter(list_));
-    list_->setAccessibleName(tr("Algorithms"));
+    list_->setAccessibleName(Text::tr("Algorithms"));
     keepChoice(*list_);
     list_->setFrameShape(QFrame::NoFrame);
     list_->setMouseTracking(true);
@@ -89,8 +90,9 @@ QToolButton* ExplanationWindow::button(std::string_view iconKey, const QString& 
         made->setIcon(icon(iconKey));
     made->setAutoRaise(true);
     made->setAccessibleName(text);
-    made->setToolTip(
-        keys.isEmpty() ? text : tr("%1 (%2)").arg(text, keys.toString(QKeySequence::NativeText)));
+    made->setToolTip(keys.isEmpty()
+                         ? text
+                         : Text::tr("%1 (%2)").arg(text, keys.toString(QKeySequence::NativeText)));
     made->setFixedHeight(space::toolButton);
     if (!keys.isEmpty())
         connect(new QShortcut(keys, this), &QShortcut::activated, made, &QToolButton::click);
@@ -99,18 +101,19 @@ QToolButton* ExplanationWindow::button(std::string_view iconKey, const QString& 
 
 QWidget* ExplanationWindow::bar()
 {
-    back_ = button("step-back", tr("Back"), QKeySequence(QStringLiteral("Alt+Left")));
-    forward_ = button("step-on", tr("Forward"), QKeySequence(QStringLiteral("Alt+Right")));
-    look_ = button("microscope", tr("Show this algorithm step by step in the microscope"), {});
-    look_->setText(tr("Open microscope"));
+    back_ = button("step-back", Text::tr("Back"), QKeySequence(QStringLiteral("Alt+Left")));
+    forward_ = button("step-on", Text::tr("Forward"), QKeySequence(QStringLiteral("Alt+Right")));
+    look_ =
+        button("microscope", Text::tr("Show this algorithm step by step in the microscope"), {});
+    look_->setText(Text::tr("Open microscope"));
     look_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    contents_ = button("book", tr("All pages of the manual"), {});
-    contents_->setText(tr("Contents"));
+    contents_ = button("book", Text::tr("All pages of the manual"), {});
+    contents_->setText(Text::tr("Contents"));
     contents_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    auto* smaller = button({}, tr("A− Smaller text"), QKeySequence::ZoomOut);
-    auto* larger = button({}, tr("A+ Larger text"), QKeySequence::ZoomIn);
-    auto* search = button("zoom", tr("Find on this page"), QKeySequence::Find);
-    auto* save = button("export", tr("Save as PDF…"), QKeySequence(QStringLiteral("Ctrl+P")));
+    auto* smaller = button({}, Text::tr("A− Smaller text"), QKeySequence::ZoomOut);
+    auto* larger = button({}, Text::tr("A+ Larger text"), QKeySequence::ZoomIn);
+    auto* search = button("zoom", Text::tr("Find on this page"), QKeySequence::Find);
+    auto* save = button("export", Text::tr("Save as PDF…"), QKeySequence(QStringLiteral("Ctrl+P")));
     back_->setEnabled(false);
     forward_->setEnabled(false);
     connect(back_, &QToolButton::clicked, page_, &QTextBrowser::backward);
@@ -125,7 +128,8 @@ QWidget* ExplanationWindow::bar()
         wanted_->selectAll();
     });
     connect(save, &QToolButton::clicked, this, &ExplanationWindow::savePdf);
-    connect(contents_, &QToolButton::clicked, this, [this] { page_->showManual(app::manualIndex); });
+    connect(contents_, &QToolButton::clicked, this,
+            [this] { page_->showManual(app::manualIndex); });
     connect(look_, &QToolButton::clicked, this, [this] {
         app::TracedLine tracedLine = app::firstTracedLine(session_);
         tracedLine.variant = {page_->algorithm(), clipping::Form::Corrected};
@@ -148,14 +152,14 @@ QWidget* ExplanationWindow::bar()
 QWidget* ExplanationWindow::finder()
 {
     finder_ = new QWidget;
-    wanted_->setPlaceholderText(tr("Find on this page"));
-    wanted_->setAccessibleName(tr("Find on this page"));
+    wanted_->setPlaceholderText(Text::tr("Find on this page"));
+    wanted_->setAccessibleName(Text::tr("Find on this page"));
     wanted_->setClearButtonEnabled(true);
     wanted_->setFixedWidth(fieldWidth);
     found_->setForegroundRole(QPalette::PlaceholderText);
-    auto* before = button("step-back", tr("Previous"), {});
-    auto* next = button("step-on", tr("Next"), {});
-    auto* close = button("close", tr("Close"), {});
+    auto* before = button("step-back", Text::tr("Previous"), {});
+    auto* next = button("step-on", Text::tr("Next"), {});
+    auto* close = button("close", Text::tr("Close"), {});
     connect(wanted_, &QLineEdit::textChanged, this, [this] {
         page_->moveCursor(QTextCursor::Start);
         find({});
@@ -226,11 +230,11 @@ void ExplanationWindow::follow(const QUrl& link)
 void ExplanationWindow::find(QTextDocument::FindFlags direction)
 {
     const int count = page_->find(wanted_->text(), direction);
-    found_->setText(wanted_->text().isEmpty() ? QString()
-                    : count == 0              ? tr("Not on this page")
-                    : count == 1
-                        ? tr("Once on this page")
-                        : tr("%1 times on this page").arg(app::countText(std::size_t(count))));
+    found_->setText(
+        wanted_->text().isEmpty() ? QString()
+        : count == 0              ? Text::tr("Not on this page")
+        : count == 1              ? Text::tr("Once on this page")
+                     : Text::tr("%1 times on this page").arg(app::countText(std::size_t(count))));
 }
 
 void ExplanationWindow::stopFinding()
@@ -242,11 +246,10 @@ void ExplanationWindow::stopFinding()
 
 void ExplanationWindow::savePdf()
 {
-    const QString name =
-        (page_->algorithm() ? app::latin(page_->algorithm()->key) : page_->topic())
-        + QStringLiteral(".pdf");
-    const QString file = questions_->fileToWrite(tr("Save page as PDF"), name, tr("PDF document"),
-                                                 QStringLiteral("pdf"));
+    const QString name = (page_->algorithm() ? app::latin(page_->algorithm()->key) : page_->topic())
+                         + QStringLiteral(".pdf");
+    const QString file = questions_->fileToWrite(Text::tr("Save page as PDF"), name,
+                                                 Text::tr("PDF document"), QStringLiteral("pdf"));
     if (file.isEmpty())
         return;
     if (const auto error = page_->saveAsPdf(file))

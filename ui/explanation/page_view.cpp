@@ -8,6 +8,7 @@
 #include "app/teaching/page_figure.h"
 #include "ui/explanation/page_style.h"
 #include "ui/look/focus_ring.h"
+#include "ui/look/text.h"
 #include "ui/widgets/algorithm_marker.h"
 
 #include <QDir>
@@ -51,7 +52,8 @@ void addPictures(QTextDocument& paper, const QString& markdown)
 {
     for (const QString& name : QDir(pictures).entryList())
         if (markdown.contains(name))
-            paper.addResource(QTextDocument::ImageResource, QUrl(QStringLiteral("pictures/") + name),
+            paper.addResource(QTextDocument::ImageResource,
+                              QUrl(QStringLiteral("pictures/") + name),
                               widthOf(QImage(pictures + name), figureWidth, printRatio));
 }
 
@@ -65,7 +67,7 @@ PageView::PageView(QWidget* parent) : QTextBrowser(parent)
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
     soon_.setSingleShot(true);
     connect(&soon_, &QTimer::timeout, this, &PageView::setAnew);
-    setAccessibleName(tr("Page"));
+    setAccessibleName(Text::tr("Page"));
     connect(this, &QTextBrowser::anchorClicked, this, &PageView::follow);
     connect(this, &QTextBrowser::historyChanged, this,
             &PageView::pageChanged); // source() has changed now

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/files/files.h"
 
+#include "ui/look/text.h"
+
 #include <QDir>
 #include <QFileInfo>
 #include <QSettings>
@@ -14,7 +16,8 @@ Files::Files(app::Session& session, QWidget& window, std::unique_ptr<Questions> 
     connect(&background_, &InBackground::ranOutOfMemory, this, [this] {
         emit told(
             {Message::Kind::Warning,
-             tr("There is not enough memory for this. Close other programs, and try again.")});
+             Text::tr(
+                 "There is not enough memory for this. Close other programs, and try again.")});
     });
     watchFile();
 }
@@ -28,7 +31,7 @@ QString Files::name() const
 {
     if (!session_.path().isEmpty())
         return QFileInfo(session_.path()).fileName();
-    return title_.isEmpty() ? tr("Untitled") : title_;
+    return title_.isEmpty() ? Text::tr("Untitled") : title_;
 }
 
 QString Files::folder() const

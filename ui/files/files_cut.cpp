@@ -3,8 +3,8 @@
 #include "app/comparison/cut_text.h"
 #include "app/formats/export_cut.h"
 #include "ui/files/files.h"
+#include "ui/look/text.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 
 #include <new>
@@ -25,13 +25,13 @@ void Files::exportCut()
     background_.inTurn([this](const Turn& turn) {
         emit documentWanted();
         const QString path =
-            questions_->fileToSave(tr("Export cut drawing"), proposal(QStringLiteral("-cut.svg")),
-                                   Questions::Formats::All);
+            questions_->fileToSave(Text::tr("Export cut drawing"),
+                                   proposal(QStringLiteral("-cut.svg")), Questions::Formats::All);
         if (path.isEmpty())
             return;
         const QString name = QFileInfo(path).fileName();
         background_.run(
-            tr("Exporting %1…").arg(name),
+            Text::tr("Exporting %1…").arg(name),
             [document = session_.now(), options = cutAs(app::exportOptions),
              path](const app::Follower& follower) {
                 return app::exportCut(document, options, path, follower);
@@ -42,7 +42,7 @@ void Files::exportCut()
                     emit told({Message::Kind::Warning, cut.error});
                 else if (cut.end == app::CutExport::End::Written)
                     emit told({Message::Kind::Done,
-                               tr("Exported %1: %2").arg(name, app::cutText(cut.counts))});
+                               Text::tr("Exported %1: %2").arg(name, app::cutText(cut.counts))});
             },
             InBackground::Cancel::Stops);
     });
@@ -59,7 +59,7 @@ void Files::cutNow(const app::PermanentCut& kind, const Turn& turn)
     const app::CutOptions options = cutAs(app::permanentOptions);
     using Cropped = std::optional<app::Cut>; // empty: not enough memory
     background_.run(
-        tr("Cutting…"),
+        Text::tr("Cutting…"),
         [document = session_.now(), options, &kind](const app::Follower& follower) -> Cropped {
             try {
                 return kind.make(document, options, follower);
@@ -72,8 +72,8 @@ void Files::cutNow(const app::PermanentCut& kind, const Turn& turn)
                 return;
             if (!*cut)
                 return emit told({Message::Kind::Warning,
-                                  tr("The drawing was not cut: there is not enough memory. "
-                                     "Close other programs, and try again.")});
+                                  Text::tr("The drawing was not cut: there is not enough memory. "
+                                           "Close other programs, and try again.")});
             if (!sameAddress(document, session_.now())) // not by the person, who had to wait
                 return cutNow(kind, turn);
             showCut(std::move(**cut), kind);
@@ -85,18 +85,15 @@ void Files::showCut(app::Cut cut, const app::PermanentCut& kind)
 {
     auto command = std::make_unique<app::CropToWindow>(session_.document, std::move(cut), kind);
     const app::CutCounts counts = command->counts();
-    const auto text = [](const char* each) {
-        return QCoreApplication::translate("PermanentCuts", each);
-    };
     if (!command->changes()) {
         const QString leftAlone = app::leftAloneText(counts);
-        return emit told(
-            {Message::Kind::Done, text(kind.nothing)
-                                      + (leftAlone.isEmpty() ? QStringLiteral(": ") + text(kind.why)
-                                                             : u'.' + leftAlone)});
+        return emit told({Message::Kind::Done,
+                          Text::tr(kind.nothing)
+                              + (leftAlone.isEmpty() ? QStringLiteral(": ") + Text::tr(kind.why)
+                                                     : u'.' + leftAlone)});
     }
     session_.history.push(command.release());
-    emit told({Message::Kind::Done, text(kind.done).arg(app::cutText(counts))});
+    emit told({Message::Kind::Done, Text::tr(kind.done).arg(app::cutText(counts))});
 }
 
 } // namespace ui

@@ -2,6 +2,7 @@
 #include "app/document/new_drawing.h"
 #include "app/formats/loss_text.h"
 #include "ui/files/files.h"
+#include "ui/look/text.h"
 
 #include <QFileInfo>
 
@@ -29,8 +30,8 @@ Opened opened(const QString& path)
             opened.blocks = app::blocksFor(opened.drawing.value->document);
     } catch (const std::bad_alloc&) {
         opened.drawing = app::Result<app::Imported>::failure(
-            Files::tr("Cannot open %1: there is not enough memory. Close other programs, or split "
-                      "the file.")
+            Text::tr("Cannot open %1: there is not enough memory. Close other programs, or split "
+                     "the file.")
                 .arg(path));
     }
     return opened;
@@ -60,10 +61,11 @@ bool Files::show(app::Imported imported, const QString& path, const QString& tit
         title_.clear();
         watch_.follow({}, {});
         emit nameChanged();
-        emit told({Message::Kind::Warning,
-                   tr("There is not enough memory to show %1. Close other programs, and open it "
+        emit told(
+            {Message::Kind::Warning,
+             Text::tr("There is not enough memory to show %1. Close other programs, and open it "
                       "again.")
-                       .arg(path.isEmpty() ? title : path)});
+                 .arg(path.isEmpty() ? title : path)});
         return false;
     }
     session_.pen.style.width = newPenMillimetres / session_.now().page().millimetresPerUnit();
@@ -110,14 +112,14 @@ void Files::open(const QString& path)
 void Files::read(const QString& path, const Turn& turn)
 {
     background_.run(
-        tr("Opening %1…").arg(QFileInfo(path).fileName()),
+        Text::tr("Opening %1…").arg(QFileInfo(path).fileName()),
         [path](const app::Follower&) { return opened(path); },
         [this, path, turn](std::optional<Opened> read) {
             if (!read)
                 return;
             if (!read->drawing)
                 return emit told({Message::Kind::Warning,
-                                  tr("%1 Nothing was changed.").arg(read->drawing.error)});
+                                  Text::tr("%1 Nothing was changed.").arg(read->drawing.error)});
             if (!show(std::move(*read->drawing.value), path, {}, std::move(read->blocks)))
                 return;
             noteRecent();
@@ -132,9 +134,10 @@ void Files::tellLosses()
     if (losses.empty())
         return;
     const QString sentence = app::lossSentence(losses);
-    emit told({Message::Kind::Warning,
-               sentence.isEmpty() ? tr("%1 was opened with some changes.").arg(name()) : sentence,
-               tr("Show details"), [this, losses] { questions_->showLosses(name(), losses); }});
+    emit told(
+        {Message::Kind::Warning,
+         sentence.isEmpty() ? Text::tr("%1 was opened with some changes.").arg(name()) : sentence,
+         Text::tr("Show details"), [this, losses] { questions_->showLosses(name(), losses); }});
 }
 
 void Files::openSample(const app::Sample& sample)

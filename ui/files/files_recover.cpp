@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/files/files.h"
+#include "ui/look/text.h"
 
 #include <QFileInfo>
 
@@ -10,7 +11,7 @@ void Files::recover(const app::Leftover& leftover, const std::function<void(Reco
     using Read = app::Result<app::Recovered>;
     background_.inTurn([this, leftover, recovered](const Turn& turn) {
         background_.run(
-            tr("Recovering %1…").arg(leftover.origin.name),
+            Text::tr("Recovering %1…").arg(leftover.origin.name),
             [leftover](const app::Follower&) { return app::recover(leftover); },
             [this, leftover, recovered, turn](std::optional<Read> read) {
                 auto end = Recovered::NotAtAll;
@@ -49,23 +50,26 @@ void Files::tellRecovered(const QString& lost, const app::Leftover& leftover)
 {
     const QString& name = leftover.origin.name;
     if (!lost.isEmpty())
-        return emit told({Message::Kind::Warning,
-                          tr("%1 was recovered from damaged files, and %2. The files are kept in "
-                             "%3. Save the drawing under a new name.")
-                              .arg(name, lost, QFileInfo(leftover.file).path())});
+        return emit told(
+            {Message::Kind::Warning,
+             Text::tr("%1 was recovered from damaged files, and %2. The files are kept in "
+                      "%3. Save the drawing under a new name.")
+                 .arg(name, lost, QFileInfo(leftover.file).path())});
     const QFileInfo file(session_.path());
     if (file.exists() && file.lastModified() != seen_)
-        return emit told({Message::Kind::Warning,
-                          tr("Recovered %1. Another program has changed its file since.").arg(name),
-                          tr("Save as…"), [this] { saveAs(); }});
-    emit told({Message::Kind::Done, tr("Recovered %1. Save it to keep it.").arg(name)});
+        return emit told(
+            {Message::Kind::Warning,
+             Text::tr("Recovered %1. Another program has changed its file since.").arg(name),
+             Text::tr("Save as…"), [this] { saveAs(); }});
+    emit told({Message::Kind::Done, Text::tr("Recovered %1. Save it to keep it.").arg(name)});
 }
 
 void Files::setAside(app::Leftover leftover, const QString& error)
 {
     const QString aside = app::setAside(leftover);
-    emit told({Message::Kind::Warning, tr("%1 cannot be recovered: %2 Its file is kept as %3.")
-                                           .arg(leftover.origin.name, error, aside)});
+    emit told(
+        {Message::Kind::Warning, Text::tr("%1 cannot be recovered: %2 Its file is kept as %3.")
+                                     .arg(leftover.origin.name, error, aside)});
 }
 
 } // namespace ui

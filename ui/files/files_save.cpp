@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/files/files.h"
+#include "ui/look/text.h"
 
 #include <QFileInfo>
 
@@ -77,14 +78,15 @@ void Files::saveNow(const Answer& saved)
 // Only the native format holds a whole drawing; another format would lose parts of it.
 void Files::askPath(const Answer& saved)
 {
-    const QString path = questions_->fileToSave(tr("Save as"), proposal(QStringLiteral(".svg")),
-                                                Questions::Formats::Native);
+    const QString path = questions_->fileToSave(
+        Text::tr("Save as"), proposal(QStringLiteral(".svg")), Questions::Formats::Native);
     if (!path.isEmpty() && isNative(path))
         return write(path, saved);
     if (!path.isEmpty())
-        emit told({Message::Kind::Warning, tr("%1 was not saved, because drawings are saved only "
+        emit told(
+            {Message::Kind::Warning, Text::tr("%1 was not saved, because drawings are saved only "
                                               "as SVG. “Export cut drawing…” writes other types.")
-                                               .arg(QFileInfo(path).fileName())});
+                                         .arg(QFileInfo(path).fileName())});
     saved(false);
 }
 
@@ -93,7 +95,7 @@ void Files::write(const QString& path, const Answer& saved)
     const bool deleted = path == session_.path() && seen_.isValid() && !QFileInfo::exists(path);
     watch_.pause();
     background_.run(
-        tr("Saving %1…").arg(QFileInfo(path).fileName()),
+        Text::tr("Saving %1…").arg(QFileInfo(path).fileName()),
         [document = session_.beginSaving(), path](const app::Follower& follower) {
             return app::save(document, path, follower.stop);
         },
@@ -102,7 +104,7 @@ void Files::write(const QString& path, const Answer& saved)
             watch_.follow(session_.path(), seen_);
             const bool done = written->end == app::Saved::End::Written;
             if (done && deleted)
-                emit told({Message::Kind::Done, tr("%1 had been deleted; it was saved again.")
+                emit told({Message::Kind::Done, Text::tr("%1 had been deleted; it was saved again.")
                                                     .arg(QFileInfo(path).fileName())});
             saved(done);
         },

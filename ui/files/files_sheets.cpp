@@ -2,6 +2,7 @@
 #include "app/tiles/empty_sheets.h"
 #include "app/tiles/sheet_export.h"
 #include "ui/files/files.h"
+#include "ui/look/text.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -17,13 +18,14 @@ void Files::exportSheets(const app::Sheets& sheets, const QString& pattern)
         const bool oneFile = !app::namesEverySheet(pattern, sheets.tiling);
         if (oneFile) {
             const QString path =
-                questions_->fileToWrite(tr("Export sheets"), QDir(folder()).filePath(pattern),
-                                        tr("PDF document"), QFileInfo(pattern).suffix());
+                questions_->fileToWrite(Text::tr("Export sheets"), QDir(folder()).filePath(pattern),
+                                        Text::tr("PDF document"), QFileInfo(pattern).suffix());
             if (!path.isEmpty())
                 writeSheets(sheets, path, turn);
             return;
         }
-        const QString chosen = questions_->folderToWrite(tr("Export sheets to folder"), folder());
+        const QString chosen =
+            questions_->folderToWrite(Text::tr("Export sheets to folder"), folder());
         if (chosen.isEmpty())
             return;
         const QString path = QDir(chosen).filePath(pattern);
@@ -45,7 +47,7 @@ void Files::writeSheets(const app::Sheets& sheets, const QString& path, const Tu
         names += QStringLiteral(" … ") + QFileInfo(all.back()).fileName();
     const auto pages = int(sheets.count());
     background_.run(
-        pages == 1 ? tr("Exporting 1 sheet…") : tr("Exporting %1 sheets…").arg(pages),
+        pages == 1 ? Text::tr("Exporting 1 sheet…") : Text::tr("Exporting %1 sheets…").arg(pages),
         [sheets, path](const app::Follower& follower) {
             return app::exportSheets(sheets, path, follower);
         },
@@ -55,9 +57,9 @@ void Files::writeSheets(const app::Sheets& sheets, const QString& path, const Tu
             if (result.end != app::WriteResult::End::Written)
                 emit told({Message::Kind::Warning, result.error});
             else {
-                const QString sentence = pages == 1
-                                             ? tr("Exported 1 sheet: %1").arg(names)
-                                             : tr("Exported %1 sheets: %2").arg(pages).arg(names);
+                const QString sentence =
+                    pages == 1 ? Text::tr("Exported 1 sheet: %1").arg(names)
+                               : Text::tr("Exported %1 sheets: %2").arg(pages).arg(names);
                 emit told({Message::Kind::Done,
                            empty.isEmpty() ? sentence : sentence + QStringLiteral(". ") + empty});
             }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/files/files.h"
+#include "ui/look/text.h"
 
 #include <QFileInfo>
 
@@ -10,18 +11,19 @@ namespace ui {
 void Files::watchFile()
 {
     connect(&watch_, &app::FileWatch::changed, this, [this] {
-        emit told({Message::Kind::Warning,
-                   tr("Another program changed %1. After reloading it, the steps so far cannot be "
+        emit told(
+            {Message::Kind::Warning,
+             Text::tr("Another program changed %1. After reloading it, the steps so far cannot be "
                       "undone.")
-                       .arg(name()),
-                   tr("Reload file"), [this] { reload(); }});
+                 .arg(name()),
+             Text::tr("Reload file"), [this] { reload(); }});
     });
     // The drawing is only in this program now: closing it has to ask.
     connect(&watch_, &app::FileWatch::removed, this, [this] {
         session_.history.resetClean();
         emit told({Message::Kind::Warning,
-                   tr("%1 was deleted or moved. Save the drawing to keep it.").arg(name()),
-                   tr("Save drawing"), [this] { save(); }});
+                   Text::tr("%1 was deleted or moved. Save the drawing to keep it.").arg(name()),
+                   Text::tr("Save drawing"), [this] { save(); }});
     });
 }
 

@@ -4,6 +4,7 @@
 #include "app/teaching/narration.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/look/text.h"
 #include "ui/widgets/keep_choice.h"
 #include "ui/widgets/variant_name.h"
 
@@ -101,7 +102,7 @@ QVariant AnswerModel::cell(int row, int column, int role) const
     if (role == Qt::DisplayRole)
         return text(answer, column);
     if (role == Qt::ToolTipRole)
-        return tr("%1: %2\n%3")
+        return Text::tr("%1: %2\n%3")
             .arg(app::titleOf(answer.variant), app::words(answer), app::pieceText(answer.visible));
     if (role == Qt::TextAlignmentRole)
         return sideOf(column == Error);
@@ -110,13 +111,15 @@ QVariant AnswerModel::cell(int row, int column, int role) const
 
 QVariant AnswerModel::heading(int column, int role) const
 {
-    const QStringList names{tr("algorithm"), tr("verdict"), tr("error, ulps"), tr("visible piece")};
+    const QStringList names{Text::tr("algorithm"), Text::tr("verdict"), Text::tr("error, ulps"),
+                            Text::tr("visible piece")};
     if (role == Qt::DisplayRole)
         return names[column];
     if (role == Qt::TextAlignmentRole)
         return sideOf(column == Error);
     if (role == Qt::ToolTipRole && column == Error)
-        return tr("Error of the ends in ulps: units in the last place of the largest coordinate");
+        return Text::tr(
+            "Error of the ends in ulps: units in the last place of the largest coordinate");
     return {};
 }
 
@@ -125,7 +128,7 @@ AnswerTable::AnswerTable(QWidget* parent) : DenseTable(parent)
     setModel(&model_);
     keepChoice(*this);
     setItemDelegate(new AnswerCells(model_, *this));
-    setAccessibleName(tr("Result of each algorithm"));
+    setAccessibleName(Text::tr("Result of each algorithm"));
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     horizontalHeader()->setSectionsClickable(false);

@@ -3,6 +3,7 @@
 
 #include "ui/hard_cases/case_picture_view.h"
 #include "ui/look/focus_ring.h"
+#include "ui/look/text.h"
 #include "ui/widgets/keep_choice.h"
 
 #include <QPainter>
@@ -89,7 +90,7 @@ QVariant CaseModel::cell(int row, int, int role) const
     case Qt::ToolTipRole:
         return hard.title + u'\n' + hard.origin;
     case Qt::AccessibleTextRole:
-        return tr("%1, %2").arg(hard.title, hard.origin);
+        return Text::tr("%1, %2").arg(hard.title, hard.origin);
     default:
         return {};
     }
@@ -99,7 +100,7 @@ CaseList::CaseList(QWidget* parent) : QListView(parent)
 {
     setModel(&model_);
     setItemDelegate(new CasePainter(model_, *this));
-    setAccessibleName(tr("Hard cases"));
+    setAccessibleName(Text::tr("Hard cases"));
     keepChoice(*this);
     setViewMode(IconMode);
     setMovement(Static);

@@ -6,6 +6,7 @@
 #include "ui/hard_cases/case_picture_view.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/look/text.h"
 #include "ui/widgets/follow_language.h"
 #include "ui/widgets/look_label.h"
 
@@ -31,8 +32,8 @@ LookLabel* text(Qt::TextInteractionFlags flags = Qt::TextSelectableByMouse)
 CaseView::CaseView(QWidget* parent)
     : QScrollArea(parent), title_(text()), origin_(text(Qt::TextBrowserInteraction)), why_(text()),
       numbers_(text()), expected_(text()), note_(text()), picture_(new CasePictureView),
-      microscope_(new QPushButton(tr("Open in &microscope"))),
-      draw_(new QPushButton(tr("Open as &drawing"))), table_(new AnswerTable)
+      microscope_(new QPushButton(Text::tr("Open in &microscope"))),
+      draw_(new QPushButton(Text::tr("Open as &drawing"))), table_(new AnswerTable)
 {
     setFrameShape(QFrame::NoFrame);
     setWidgetResizable(true);
@@ -49,7 +50,7 @@ CaseView::CaseView(QWidget* parent)
     expected_->setObjectName(QStringLiteral("expected"));
     note_->setFont(captionFont(font()));
     note_->setForegroundRole(QPalette::PlaceholderText);
-    note_->setText(tr("Not to scale: only the order of the coordinates is true."));
+    note_->setText(Text::tr("Not to scale: only the order of the coordinates is true."));
     microscope_->setIcon(icon("microscope"));
     microscope_->setAutoDefault(false);
     draw_->setIcon(icon("pencil"));
@@ -109,21 +110,22 @@ void CaseView::show(const app::HardCase& hard)
     hard_ = &hard;
     title_->setText(hard.title);
     why_->setText(hard.why);
-    numbers_->setText(tr("Line from %1. Window from %2.")
+    numbers_->setText(Text::tr("Line from %1. Window from %2.")
                           .arg(app::pieceText(hard.line), app::pieceText(clipping::Segment{
                                                               hard.window.min, hard.window.max})));
-    expected_->setText(tr("Exact visible part: %1").arg(app::pieceText(hard.visible)));
+    expected_->setText(Text::tr("Exact visible part: %1").arg(app::pieceText(hard.visible)));
     origin_->setText(hard.isOurs()
-                         ? tr("This case was made for Clearcut.")
-                         : tr("From <a href=\"%1\">%2</a>")
+                         ? Text::tr("This case was made for Clearcut.")
+                         : Text::tr("From <a href=\"%1\">%2</a>")
                                .arg(hard.link.toHtmlEscaped(), hard.origin.toHtmlEscaped()));
     origin_->setToolTip(hard.link);
     origin_->setFocusPolicy(hard.isOurs() ? Qt::NoFocus : Qt::StrongFocus); // for the link
     const auto document = app::documentOf(hard);
     draw_->setEnabled(document.value.has_value());
-    draw_->setToolTip(document ? tr("Open a new drawing with exactly these numbers. It appears "
-                                    "upside down, because y points down in drawings.")
-                               : document.error);
+    draw_->setToolTip(document
+                          ? Text::tr("Open a new drawing with exactly these numbers. It appears "
+                                     "upside down, because y points down in drawings.")
+                          : document.error);
     table_->show(hard, app::firstToLookAt(hard));
     ensureVisible(0, 0);
 }
@@ -136,12 +138,14 @@ void CaseView::showAnswer()
     picture_->show(*hard_, *answer);
     note_->setVisible(!app::isToScale(*hard_, answer));
     picture_->setAccessibleName(
-        tr("%1. %2: %3").arg(hard_->title, app::nameOf(answer->variant), app::words(*answer)));
+        Text::tr("%1. %2: %3")
+            .arg(hard_->title, app::nameOf(answer->variant), app::words(*answer)));
     microscope_->setEnabled(!answer->variant.misprint);
-    microscope_->setToolTip(answer->variant.misprint
-                                ? tr("A known misprint: its steps are not recorded.")
-                                : tr("Show this case step by step with %1, the row selected below")
-                                      .arg(app::nameOf(answer->variant)));
+    microscope_->setToolTip(
+        answer->variant.misprint
+            ? Text::tr("A known misprint: its steps are not recorded.")
+            : Text::tr("Show this case step by step with %1, the row selected below")
+                  .arg(app::nameOf(answer->variant)));
 }
 
 } // namespace ui

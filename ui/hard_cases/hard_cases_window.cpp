@@ -6,6 +6,7 @@
 #include "ui/hard_cases/case_list.h"
 #include "ui/hard_cases/case_view.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/look/window_place.h"
 
 #include <QHBoxLayout>
@@ -25,11 +26,11 @@ constexpr int leastLeft = 330;
 HardCasesWindow::HardCasesWindow(app::Session& session, Files& files, QWidget& window)
     : QDialog(&window, Qt::Window), session_(session), files_(files), window_(window),
       search_(new QLineEdit), choice_(new QComboBox),
-      nothing_(new QLabel(tr("No hard case is like that."))), list_(new CaseList),
+      nothing_(new QLabel(Text::tr("No hard case is like that."))), list_(new CaseList),
       view_(new CaseView), choices_(app::caseChoices())
 {
     setObjectName(QStringLiteral("hard-cases"));
-    setWindowTitle(tr("Hard cases"));
+    setWindowTitle(Text::tr("Hard cases"));
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(0);
@@ -52,10 +53,10 @@ HardCasesWindow::HardCasesWindow(app::Session& session, Files& files, QWidget& w
 
 QWidget* HardCasesWindow::left()
 {
-    search_->setPlaceholderText(tr("Search: corner, SDL, infinite …"));
+    search_->setPlaceholderText(Text::tr("Search: corner, SDL, infinite …"));
     search_->setClearButtonEnabled(true);
-    search_->setAccessibleName(tr("Search"));
-    choice_->setAccessibleName(tr("Which cases"));
+    search_->setAccessibleName(Text::tr("Search"));
+    choice_->setAccessibleName(Text::tr("Which cases"));
     for (const app::CaseChoice& choice : choices_)
         choice_->addItem(choice.name);
     nothing_->setForegroundRole(QPalette::PlaceholderText);

@@ -5,6 +5,7 @@
 #include "app/judge/example_files.h"
 #include "ui/judge/verdict_view.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/look/window_place.h"
 #include "ui/widgets/plain_button.h"
 #include "ui/widgets/progress_row.h"
@@ -36,12 +37,12 @@ QString folderOf(const QString& path)
 JudgeWindow::JudgeWindow(app::Session& session, QWidget* parent)
     : QDialog(parent, Qt::Window), session_(session),
       questions_(std::make_unique<Questions>(*this)),
-      choose_(plainButton(tr("Choose &library…"), "folder")),
-      again_(plainButton(tr("&Judge again"), "play")),
-      example_(plainButton(tr("&Save header and examples…"), "export")),
-      copy_(plainButton(tr("Co&py table"))),
-      follow_(new QCheckBox(tr("Judge again after each re&build"))),
-      strict_(new QCheckBox(tr("S&trict: no end outside"))), file_(new QLabel),
+      choose_(plainButton(Text::tr("Choose &library…"), "folder")),
+      again_(plainButton(Text::tr("&Judge again"), "play")),
+      example_(plainButton(Text::tr("&Save header and examples…"), "export")),
+      copy_(plainButton(Text::tr("Co&py table"))),
+      follow_(new QCheckBox(Text::tr("Judge again after each re&build"))),
+      strict_(new QCheckBox(Text::tr("S&trict: no end outside"))), file_(new QLabel),
       progress_(new ProgressRow), strip_(new MessageStrip), stack_(new QStackedWidget),
       view_(new VerdictView)
 {
@@ -68,7 +69,7 @@ const app::plug_in::Verdict* JudgeWindow::verdict() const { return view_->verdic
 void JudgeWindow::layOut()
 {
     setObjectName(QStringLiteral("judge"));
-    setWindowTitle(tr("Judge your own algorithm"));
+    setWindowTitle(Text::tr("Judge your own algorithm"));
     restorePlace(*this, QStringLiteral("judgeGeometry"), usual, smallest);
     stack_->addWidget(invitation());
     stack_->addWidget(view_);
@@ -89,9 +90,9 @@ QWidget* JudgeWindow::top()
     file_->setObjectName(QStringLiteral("file"));
     file_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long path is cut off
     follow_->setChecked(true);
-    strict_->setToolTip(
-        tr("Demands what Clearcut's own algorithms guarantee: no end outside the window, not even "
-           "by rounding. Textbook algorithms do not promise this."));
+    strict_->setToolTip(Text::tr(
+        "Demands what Clearcut's own algorithms guarantee: no end outside the window, not even "
+        "by rounding. Textbook algorithms do not promise this."));
     auto* whole = new QWidget;
     auto* layout = new QHBoxLayout(whole);
     layout->setContentsMargins(space::betweenGroups, space::labelToField, space::betweenGroups,
@@ -108,7 +109,7 @@ QWidget* JudgeWindow::top()
 /// The page shown until there is a verdict.
 QWidget* JudgeWindow::invitation()
 {
-    auto* text = new QLabel(tr(
+    auto* text = new QLabel(Text::tr(
         "<p><b>Is your own line clipping right, and how fast is it?</b></p>"
         "<p>1. <b>Save header and examples</b>. One of them is skeleton.c, a C function to fill "
         "in, with its contract and the command that compiles it.<br>"
@@ -183,7 +184,7 @@ void JudgeWindow::cancel()
 {
     judging_.cancel();
     showState();
-    progress_->tell(tr("Cancelled."));
+    progress_->tell(Text::tr("Cancelled."));
 }
 
 void JudgeWindow::showProgress(const app::Progress& progress)
@@ -196,7 +197,7 @@ void JudgeWindow::finish(app::plug_in::Verdict verdict)
     view_->show(std::make_shared<const app::plug_in::Verdict>(std::move(verdict)));
     stack_->setCurrentWidget(view_);
     progress_->tell(
-        tr("Judged at %1.").arg(QTime::currentTime().toString(QStringLiteral("HH:mm:ss"))));
+        Text::tr("Judged at %1.").arg(QTime::currentTime().toString(QStringLiteral("HH:mm:ss"))));
     showState();
 }
 
@@ -216,7 +217,7 @@ void JudgeWindow::followFile()
 void JudgeWindow::saveExample()
 {
     const QString folder =
-        questions_->folderToWrite(tr("Save header and examples in"), folderOf(path_));
+        questions_->folderToWrite(Text::tr("Save header and examples in"), folderOf(path_));
     if (folder.isEmpty())
         return;
     QStringList existing;
@@ -228,11 +229,12 @@ void JudgeWindow::saveExample()
         return;
     const auto result = app::plug_in::writeExample(folder, app::plug_in::Existing::Replace);
     const QString skeleton = QDir(folder).filePath(QStringLiteral("skeleton.c"));
-    strip_->tell(result ? Message{Message::Kind::Done,
-                                  tr("Wrote %1 for you to fill in, and a finished example, "
-                                     "example.c. The first lines of each say how to compile it.")
-                                      .arg(QDir::toNativeSeparators(skeleton))}
-                        : Message{Message::Kind::Warning, result.error});
+    strip_->tell(result
+                     ? Message{Message::Kind::Done,
+                               Text::tr("Wrote %1 for you to fill in, and a finished example, "
+                                        "example.c. The first lines of each say how to compile it.")
+                                   .arg(QDir::toNativeSeparators(skeleton))}
+                     : Message{Message::Kind::Warning, result.error});
 }
 
 /// Opens the reference's trace in the editor's microscope.
@@ -240,7 +242,7 @@ void JudgeWindow::lookAt(const app::plug_in::Finding& finding)
 {
     session_.microscope.open({app::exactVariant(), finding.question.line, finding.question.window,
                               app::YAxis::Up,
-                              tr("%1: your algorithm clips this line wrongly")
+                              Text::tr("%1: your algorithm clips this line wrongly")
                                   .arg(app::plug_in::categories()[finding.category].name)});
 }
 
@@ -251,7 +253,7 @@ void JudgeWindow::showState()
     progress_->setWorking(active);
     copy_->setVisible(view_->verdict() && !view_->verdict()->unusable);
     view_->setEnabled(!active);
-    file_->setText(path_.isEmpty() ? tr("No library chosen") : QFileInfo(path_).fileName());
+    file_->setText(path_.isEmpty() ? Text::tr("No library chosen") : QFileInfo(path_).fileName());
     file_->setToolTip(QDir::toNativeSeparators(path_));
 }
 

@@ -3,6 +3,7 @@
 
 #include "ui/experiment/tables_page.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/widgets/follow_language.h"
 #include "ui/widgets/look_label.h"
 
@@ -43,18 +44,19 @@ TableView::Rows rowsOf(const app::Table& table)
 
 VerdictView::VerdictView(QWidget* parent)
     : QWidget(parent), sign_(new LookLabel), sentence_(text()), remarks_(text()),
-      look_(new QPushButton(tr("Open line in &microscope"))), tables_(new TablesPage)
+      look_(new QPushButton(Text::tr("Open line in &microscope"))), tables_(new TablesPage)
 {
     sentence_->setObjectName(QStringLiteral("verdict"));
-    sentence_->setAccessibleName(tr("Verdict"));
+    sentence_->setAccessibleName(Text::tr("Verdict"));
     sentence_->setFont(sentenceFont(font()));
     sign_->setFont(sentence_->font());
     sign_->setAlignment(Qt::AlignTop);
     remarks_->setForegroundRole(QPalette::PlaceholderText);
-    remarks_->setAccessibleName(tr("Remarks"));
+    remarks_->setAccessibleName(Text::tr("Remarks"));
     look_->setAutoDefault(false);
-    look_->setToolTip(tr("Show how the algorithm “exact” clips the line selected below, step by "
-                         "step (or double-click the line)"));
+    look_->setToolTip(
+        Text::tr("Show how the algorithm “exact” clips the line selected below, step by "
+                 "step (or double-click the line)"));
     auto* top = new QHBoxLayout;
     top->setSpacing(space::labelToField);
     top->addWidget(sign_, 0, Qt::AlignTop);

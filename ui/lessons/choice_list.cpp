@@ -3,6 +3,7 @@
 
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/look/text.h"
 
 #include <QAccessible>
 
@@ -26,7 +27,7 @@ QLabel* sentence()
 
 ChoiceList::ChoiceList(QWidget* parent)
     : QWidget(parent), column_(new QVBoxLayout(this)), prompt_(sentence()), verdict_(sentence()),
-      giveUp_(new QPushButton(tr("Show the answer")))
+      giveUp_(new QPushButton(Text::tr("Show the answer")))
 {
     column_->setContentsMargins(0, space::labelToField, 0, 0);
     column_->setSpacing(space::labelToField - 2);
@@ -35,8 +36,8 @@ ChoiceList::ChoiceList(QWidget* parent)
     giveUp_->setFlat(true);
     giveUp_->setMinimumWidth(giveUp_->sizeHint().width() + 2 * space::labelToField);
     giveUp_->setAutoDefault(true); // Enter presses it
-    giveUp_->setToolTip(
-        tr("Show the right answer and its reason. You then get no points for this question."));
+    giveUp_->setToolTip(Text::tr(
+        "Show the right answer and its reason. You then get no points for this question."));
     connect(giveUp_, &QPushButton::clicked, this, &ChoiceList::answerWanted);
     column_->addWidget(prompt_);
     column_->addWidget(verdict_);
@@ -53,9 +54,10 @@ void ChoiceList::show(const app::Course& course)
     }
     buttons_.clear();
     giveUp_->setVisible(course.isOpen());
-    prompt_->setText(question ? question->prompt
-                              : tr("The question of this page cannot be asked about this line. "
-                                   "Choose “Show example”, or drag an end elsewhere."));
+    prompt_->setText(question
+                         ? question->prompt
+                         : Text::tr("The question of this page cannot be asked about this line. "
+                                    "Choose “Show example”, or drag an end elsewhere."));
     if (question)
         showChoices(*question, course);
     verdict_->setText(verdict(course));
@@ -85,10 +87,10 @@ QString ChoiceList::verdict(const app::Course& course) const
     if (course.isOpen())
         return answer.wrong == 0
                    ? QString()
-                   : tr("Not quite. You have one more try. Hint: %1").arg(question.hint);
+                   : Text::tr("Not quite. You have one more try. Hint: %1").arg(question.hint);
     if (answer.shown)
         return question.reason;
-    return (answer.right ? tr("Right. ") : tr("Not quite. ")) + question.reason;
+    return (answer.right ? Text::tr("Right. ") : Text::tr("Not quite. ")) + question.reason;
 }
 
 QPushButton* ChoiceList::firstOpen() const
@@ -101,11 +103,11 @@ QPushButton* ChoiceList::firstOpen() const
 void ChoiceList::addButton(const QString& text)
 {
     const int index = int(buttons_.size());
-    auto* button = new QPushButton(tr("%1  %2", "the digit of an answer, the answer")
+    auto* button = new QPushButton(Text::tr("%1  %2", "the digit of an answer, the answer")
                                        .arg(index + 1)
                                        .arg(QString(text).replace(u'&', QStringLiteral("&&"))));
     button->setAccessibleName(text);
-    button->setToolTip(tr("Press %1 to give this answer").arg(index + 1));
+    button->setToolTip(Text::tr("Press %1 to give this answer").arg(index + 1));
     button->setMinimumHeight(space::toolButton);
     button->setAutoDefault(true); // Enter presses it
     connect(button, &QPushButton::clicked, this, [this, index] { emit chosen(index); });
@@ -125,7 +127,7 @@ void ChoiceList::mark(int button, bool right)
     QPushButton& marked = *buttons_[button];
     marked.setEnabled(right);
     marked.setIcon(icon(right ? "tick" : "close"));
-    marked.setAccessibleDescription(right ? tr("right") : tr("chosen, and wrong"));
+    marked.setAccessibleDescription(right ? Text::tr("right") : Text::tr("chosen, and wrong"));
     QPalette colours = marked.palette();
     for (const auto group : {QPalette::Active, QPalette::Inactive, QPalette::Disabled})
         colours.setColor(group, QPalette::ButtonText, right ? look.good : look.differs);

@@ -4,6 +4,7 @@
 #include "app/lessons/scores.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/look/text.h"
 
 #include <QAbstractButton>
 #include <QKeyEvent>
@@ -39,16 +40,14 @@ public:
         passed_ = points && app::isPassed(*points, lesson_);
         words_ = lesson_.summary;
         if (points)
-            words_ += u'\n'
-                      + LessonList::tr("Best: %1 of %2 points")
-                            .arg(*points)
-                            .arg(app::mostPoints(lesson_));
+            words_ +=
+                u'\n'
+                + Text::tr("Best: %1 of %2 points").arg(*points).arg(app::mostPoints(lesson_));
         if (course_.lesson() == &lesson_)
-            words_ += u'\n'
-                      + LessonList::tr("Go on at page %1 of %2")
-                            .arg(course_.page() + 1)
-                            .arg(course_.pages());
-        setAccessibleDescription(passed_ ? words_ + u'\n' + LessonList::tr("Passed") : words_);
+            words_ +=
+                u'\n'
+                + Text::tr("Go on at page %1 of %2").arg(course_.page() + 1).arg(course_.pages());
+        setAccessibleDescription(passed_ ? words_ + u'\n' + Text::tr("Passed") : words_);
         updateGeometry();
         update();
     }
@@ -116,22 +115,22 @@ LessonList::LessonList(const app::Course& course, QWidget* parent)
                                space::dockMargin);
     column->setSpacing(space::labelToField);
     auto* head = new QHBoxLayout;
-    auto* title = new QLabel(tr("Lessons"));
+    auto* title = new QLabel(Text::tr("Lessons"));
     title->setFont(semiBold(font()));
     auto* close = new QToolButton;
     close->setIcon(icon("close"));
     close->setAutoRaise(true);
-    close->setToolTip(tr("Close the lessons"));
+    close->setToolTip(Text::tr("Close the lessons"));
     close->setAccessibleName(close->toolTip());
     connect(close, &QToolButton::clicked, this, &LessonList::closeWanted);
     head->addWidget(title);
     head->addStretch();
     head->addWidget(close);
     column->addLayout(head);
-    auto* about =
-        new QLabel(tr("Each lesson takes about ten minutes and asks a few questions. Later lessons "
-                      "build on earlier ones, but you may begin anywhere. To pass a lesson you "
-                      "need three quarters of its points; a tick marks it then."));
+    auto* about = new QLabel(
+        Text::tr("Each lesson takes about ten minutes and asks a few questions. Later lessons "
+                 "build on earlier ones, but you may begin anywhere. To pass a lesson you "
+                 "need three quarters of its points; a tick marks it then."));
     about->setWordWrap(true);
     about->setForegroundRole(QPalette::PlaceholderText);
     column->addWidget(about);

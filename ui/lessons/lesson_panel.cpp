@@ -6,6 +6,7 @@
 #include "ui/lessons/lesson_list.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/look/text.h"
 
 #include <QApplication>
 #include <QScrollBar>
@@ -52,13 +53,15 @@ LessonPanel::LessonPanel(app::Course& course, QWidget* parent)
     : QStackedWidget(parent), course_(course), list_(new LessonList(course)), title_(new QLabel),
       place_(new QLabel), text_(new QLabel), told_(new QLabel), ending_(new QLabel),
       body_(new QScrollArea), choices_(new ChoiceList),
-      back_(button(tr("Back"), tr("Previous page (Page Up)"))),
-      again_(button(tr("Show example"), tr("Show this page's example in the microscope again"))),
-      next_(button(tr("Next"), tr("Next page (Page Down)"))),
-      repeat_(button(tr("Repeat lesson"), tr("Start this lesson again; your best points are kept")))
+      back_(button(Text::tr("Back"), Text::tr("Previous page (Page Up)"))),
+      again_(button(Text::tr("Show example"),
+                    Text::tr("Show this page's example in the microscope again"))),
+      next_(button(Text::tr("Next"), Text::tr("Next page (Page Down)"))),
+      repeat_(button(Text::tr("Repeat lesson"),
+                     Text::tr("Start this lesson again; your best points are kept")))
 {
     setObjectName(QStringLiteral("lessons"));
-    setAccessibleName(tr("Lessons"));
+    setAccessibleName(Text::tr("Lessons"));
     addWidget(list_);
     addWidget(makeReader());
     connect(list_, &LessonList::chosen, this,
@@ -106,7 +109,7 @@ QLayout* LessonPanel::makeHead()
     auto* all = new QToolButton;
     all->setIcon(icon("list"));
     all->setAutoRaise(true);
-    all->setToolTip(tr("Show all lessons"));
+    all->setToolTip(Text::tr("Show all lessons"));
     all->setAccessibleName(all->toolTip());
     connect(all, &QToolButton::clicked, this, &LessonPanel::showList);
     title_->setFont(semiBold(font()));
@@ -207,10 +210,11 @@ void LessonPanel::showPage()
         return;
     }
     title_->setText(course_.lesson()->title);
-    QString place = tr("Page %1 of %2").arg(course_.page() + 1).arg(course_.pages());
+    QString place = Text::tr("Page %1 of %2").arg(course_.page() + 1).arg(course_.pages());
     if (const app::Score score = course_.score(); score.settled > 0) {
-        place += QStringLiteral(" · ")
-                 + tr("%1 of %2 points").arg(score.points).arg(app::mostPoints(*course_.lesson()));
+        place +=
+            QStringLiteral(" · ")
+            + Text::tr("%1 of %2 points").arg(score.points).arg(app::mostPoints(*course_.lesson()));
         QSettings settings;
         app::keepPoints(settings, *course_.lesson(), score.points);
     }
@@ -226,13 +230,15 @@ void LessonPanel::showPage()
     back_->setEnabled(course_.page() > 0);
     next_->setEnabled(!course_.isOpen());
     next_->setToolTip(course_.isOpen()
-                          ? tr("First answer the question, or choose “Show the answer”")
-                          : tr("Next page (Page Down)"));
+                          ? Text::tr("First answer the question, or choose “Show the answer”")
+                          : Text::tr("Next page (Page Down)"));
     setFocusProxy(nextInHand());
     if (answers)
         focusNext();
     const bool last = course_.lessonIndex() + 1 == app::lessons().size();
-    next_->setText(!course_.atLastPage() ? tr("Next") : last ? tr("Finish") : tr("Next lesson"));
+    next_->setText(!course_.atLastPage() ? Text::tr("Next")
+                   : last                ? Text::tr("Finish")
+                                         : Text::tr("Next lesson"));
 }
 
 /// Shows the ending below the text, where it is visible without scrolling.

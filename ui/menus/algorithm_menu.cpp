@@ -3,10 +3,10 @@
 
 #include "app/base/latin.h"
 #include "ui/docks/difference_panel.h"
+#include "ui/look/text.h"
 #include "ui/window/main_window.h"
 
 #include <QClipboard>
-#include <QCoreApplication>
 #include <QGuiApplication>
 
 #include <algorithm>
@@ -16,10 +16,6 @@ namespace {
 
 using app::Variant;
 using clipping::Form;
-
-struct AlgorithmMenu {
-    Q_DECLARE_TR_FUNCTIONS(AlgorithmMenu)
-};
 
 void use(MainWindow& window, const Variant& variant)
 {
@@ -58,23 +54,21 @@ void addUses(MainWindow& window, const clipping::Algorithm& algorithm, QMenu& me
             menu.addAction(text, &window, [&window, variant] { use(window, variant); })
                 ->setObjectName(form == Form::Corrected ? "use-corrected" : "use-published");
     };
-    add(algorithm.published ? AlgorithmMenu::tr("Use &corrected form") : AlgorithmMenu::tr("&Use"),
-        Form::Corrected);
+    add(algorithm.published ? Text::tr("Use &corrected form") : Text::tr("&Use"), Form::Corrected);
     if (algorithm.published)
-        add(AlgorithmMenu::tr("Use &published form"), Form::Published);
+        add(Text::tr("Use &published form"), Form::Published);
     menu.addSeparator();
 }
 
 void addComparisons(MainWindow& window, const Variant& variant, QMenu& menu)
 {
     for (const bool asA : {true, false})
-        menu.addAction(asA ? AlgorithmMenu::tr("Compare as &A")
-                           : AlgorithmMenu::tr("Compare as &B"),
-                       &window, [&window, variant, asA] { compareAs(window, variant, asA); })
+        menu.addAction(asA ? Text::tr("Compare as &A") : Text::tr("Compare as &B"), &window,
+                       [&window, variant, asA] { compareAs(window, variant, asA); })
             ->setObjectName(asA ? "compare-as-a" : "compare-as-b");
     const auto choices = window.canvas().panes().choices();
     if (std::ranges::find(choices, variant) == choices.end())
-        menu.addAction(AlgorithmMenu::tr("&Show in another pane"), &window,
+        menu.addAction(Text::tr("&Show in another pane"), &window,
                        [&window, variant] { showInPane(window, variant); })
             ->setObjectName("show-in-pane");
     menu.addSeparator();
@@ -91,10 +85,10 @@ QMenu* algorithmMenu(MainWindow& window, const clipping::Algorithm& algorithm)
     const Variant now = window.session().variant();
     addUses(window, algorithm, *menu);
     addComparisons(window, app::usable({&algorithm, now.form}), *menu);
-    menu->addAction(AlgorithmMenu::tr("&About %1").arg(name), &window,
+    menu->addAction(Text::tr("&About %1").arg(name), &window,
                     [&window, &algorithm] { emit window.explanationWanted(algorithm); })
         ->setObjectName("about-algorithm");
-    menu->addAction(AlgorithmMenu::tr("Copy &name"), &window,
+    menu->addAction(Text::tr("Copy &name"), &window,
                     [name] { QGuiApplication::clipboard()->setText(name); })
         ->setObjectName("copy-name");
     return menu;

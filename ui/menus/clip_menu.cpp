@@ -9,6 +9,7 @@
 #include "ui/docks/window_panel.h"
 #include "ui/editing/keeping.h"
 #include "ui/files/files.h"
+#include "ui/look/text.h"
 #include "ui/menus/actions.h"
 #include "ui/menus/needs.h"
 #include "ui/widgets/algorithm_digit.h"
@@ -16,7 +17,6 @@
 #include "ui/window/workspaces.h"
 
 #include <QActionGroup>
-#include <QCoreApplication>
 #include <QMenu>
 #include <QStatusBar>
 
@@ -26,10 +26,6 @@
 namespace ui {
 
 namespace {
-
-struct ClipMenu {
-    Q_DECLARE_TR_FUNCTIONS(ClipMenu)
-};
 
 void chooseAlgorithm(MainWindow& window, const clipping::Algorithm& algorithm)
 {
@@ -49,7 +45,7 @@ void explainDigits(MainWindow& window)
             digits << QKeySequence(digit);
     QObject::connect(action, &QAction::triggered, &window, [&window] {
         window.statusBar()->showMessage(
-            ClipMenu::tr(
+            Text::tr(
                 "In the workspace Draw digits choose the algorithm only while a clip window is "
                 "chosen. Choose it in the menu Clip, or in another workspace."),
             MainWindow::messageMilliseconds);
@@ -114,20 +110,17 @@ void setRemoved(MainWindow& window)
 std::vector<ActionInfo> placeRows()
 {
     std::vector<ActionInfo> rows;
-    const auto translated = [](std::string_view text) {
-        return QCoreApplication::translate("WindowPlaces", text.data());
-    };
     for (const app::LayingPlace& place : app::windowPlaces())
         rows.push_back({
             .key = place.key,
-            .text = translated(place.text),
+            .text = Text::tr(place.text.data()),
             .run = [&place](MainWindow& w) { app::layWindow(w.session(), place); },
             .enabled = [&place](const MainWindow& w) { return place.box(w.session()).has_value(); },
-            .needs = place.needs.empty() ? QString() : translated(place.needs),
+            .needs = place.needs.empty() ? QString() : Text::tr(place.needs.data()),
         });
     rows.push_back({
         .key = "window-inside-margin",
-        .text = ClipMenu::tr("Lay window inside the page's &margins…"),
+        .text = Text::tr("Lay window inside the page's &margins…"),
         .run = [](MainWindow& w) { MarginDialog::show(w.session(), w); },
     });
     return rows;
@@ -146,8 +139,8 @@ void toggleTiles(MainWindow& window)
 QString whyNoTiles(const MainWindow& window)
 {
     if (window.isPresenting())
-        return ClipMenu::tr("Leave the presentation first (F11).");
-    return window.session().scene.lines().size() == 0 ? ClipMenu::tr("The drawing is empty.")
+        return Text::tr("Leave the presentation first (F11).");
+    return window.session().scene.lines().size() == 0 ? Text::tr("The drawing is empty.")
                                                       : QString();
 }
 
@@ -157,13 +150,13 @@ ActionInfo occludeRow()
 {
     return {
         .key = "occlude",
-        .text = ClipMenu::tr("Remo&ve covered lines"),
+        .text = Text::tr("Remo&ve covered lines"),
         .run = [](MainWindow& w) { w.files().cutPermanently(app::permanentCut("occlude")); },
         .enabled = [](const MainWindow& w) { return w.session().scene.lines().size() > 0; },
     };
 }
 
-QString noWindow() { return ClipMenu::tr("No clip window is visible. Draw one first (W)."); }
+QString noWindow() { return Text::tr("No clip window is visible. Draw one first (W)."); }
 
 } // namespace
 
@@ -176,12 +169,12 @@ MenuInfo clipMenu()
         return w.session().scene.lines().size() > 0 && hasWindow(w);
     };
     MenuInfo menu{
-        .title = ClipMenu::tr("&Clip"),
+        .title = Text::tr("&Clip"),
         .rows =
             {
                 {
                     .key = "crop",
-                    .text = ClipMenu::tr("&Crop to windows"),
+                    .text = Text::tr("&Crop to windows"),
                     .keys = {QKeySequence("Ctrl+Shift+X")},
                     .run =
                         [](MainWindow& w) { w.files().cutPermanently(app::permanentCut("crop")); },
@@ -189,7 +182,7 @@ MenuInfo clipMenu()
                 },
                 {
                     .key = "cut-out",
-                    .text = ClipMenu::tr("Cut o&ut windows"),
+                    .text = Text::tr("Cut o&ut windows"),
                     .run =
                         [](MainWindow& w) {
                             w.files().cutPermanently(app::permanentCut("cut-out"));
@@ -198,7 +191,7 @@ MenuInfo clipMenu()
                 },
                 {
                     .key = "split",
-                    .text = ClipMenu::tr("Spli&t at windows"),
+                    .text = Text::tr("Spli&t at windows"),
                     .run =
                         [](MainWindow& w) { w.files().cutPermanently(app::permanentCut("split")); },
                     .enabled = some,
@@ -206,7 +199,7 @@ MenuInfo clipMenu()
                 occludeRow(),
                 {
                     .key = "tiles",
-                    .text = ClipMenu::tr("Til&es…"),
+                    .text = Text::tr("Til&es…"),
                     .keys = {QKeySequence("Ctrl+T")},
                     .icon = "tiles",
                     .run = toggleTiles,
@@ -219,21 +212,21 @@ MenuInfo clipMenu()
                 },
                 {
                     .key = "windows-of-selection",
-                    .text = ClipMenu::tr("Make clip &windows of selection"),
+                    .text = Text::tr("Make clip &windows of selection"),
                     .run = [](MainWindow& w) { app::addWindowsOfSelection(w.session()); },
                     .enabled = [](const MainWindow& w) { return !w.session().selection().empty(); },
                     .needs = nothingSelected(),
                 },
                 {
                     .key = "window-to-path",
-                    .text = ClipMenu::tr("Draw window's outline as &path"),
+                    .text = Text::tr("Draw window's outline as &path"),
                     .run = [](MainWindow& w) { app::windowToPath(w.session()); },
                     .enabled = hasWindow,
                     .needs = noWindow(),
                 },
                 {
                     .key = "remove-window",
-                    .text = ClipMenu::tr("&Remove clip window"),
+                    .text = Text::tr("&Remove clip window"),
                     .run = removeWindow,
                     .enabled = hasWindow,
                     .needs = noWindow(),
@@ -241,14 +234,14 @@ MenuInfo clipMenu()
                 {},
                 {
                     .key = "keep-inside",
-                    .text = ClipMenu::tr("Keep &inside"),
+                    .text = Text::tr("Keep &inside"),
                     .run = chooseSide<Keep::Inside>,
                     .checked = keeps<Keep::Inside>,
                     .group = "keep",
                 },
                 {
                     .key = "keep-outside",
-                    .text = ClipMenu::tr("Keep &outside"),
+                    .text = Text::tr("Keep &outside"),
                     .run = chooseSide<Keep::Outside>,
                     .checked = keeps<Keep::Outside>,
                     .group = "keep",
@@ -256,28 +249,28 @@ MenuInfo clipMenu()
                 {},
                 {
                     .key = "removed-ghosted",
-                    .text = ClipMenu::tr("Removed part &ghosted"),
+                    .text = Text::tr("Removed part &ghosted"),
                     .run = setRemoved<RemovedPart::Ghosted>,
                     .checked = shows<RemovedPart::Ghosted>,
                     .group = "removed",
                 },
                 {
                     .key = "removed-hidden",
-                    .text = ClipMenu::tr("Removed part &hidden"),
+                    .text = Text::tr("Removed part &hidden"),
                     .run = setRemoved<RemovedPart::Hidden>,
                     .checked = shows<RemovedPart::Hidden>,
                     .group = "removed",
                 },
                 {
                     .key = "removed-shown",
-                    .text = ClipMenu::tr("Removed part &shown"),
+                    .text = Text::tr("Removed part &shown"),
                     .run = setRemoved<RemovedPart::Shown>,
                     .checked = shows<RemovedPart::Shown>,
                     .group = "removed",
                 },
                 {},
                 {
-                    .text = ClipMenu::tr("&Algorithm"),
+                    .text = Text::tr("&Algorithm"),
                     .fill = addAlgorithms,
                 },
             },

@@ -4,12 +4,11 @@
 #include "app/view/looking.h"
 #include "ui/docks/algorithm_panel.h"
 #include "ui/docks/difference_panel.h"
+#include "ui/look/text.h"
 #include "ui/menus/actions.h"
 #include "ui/menus/other_windows.h"
 #include "ui/menus/panes_menu.h"
 #include "ui/window/main_window.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <iterator>
@@ -17,10 +16,6 @@
 namespace ui {
 
 namespace {
-
-struct CompareMenu {
-    Q_DECLARE_TR_FUNCTIONS(CompareMenu)
-};
 
 /// Selects the objects with lines that some algorithm clips differently, except locked ones.
 void selectDisagreements(MainWindow& window)
@@ -86,12 +81,12 @@ bool someLines(const MainWindow& window) { return window.session().scene.lines()
 MenuInfo compareMenu()
 {
     MenuInfo menu{
-        .title = CompareMenu::tr("Co&mpare"),
+        .title = Text::tr("Co&mpare"),
         .rows =
             {
                 {
                     .key = "form-corrected",
-                    .text = CompareMenu::tr("&Corrected form"),
+                    .text = Text::tr("&Corrected form"),
                     .run = [](MainWindow& w) { chooseForm(w, clipping::Form::Corrected); },
                     .checked =
                         [](const MainWindow& w) {
@@ -101,7 +96,7 @@ MenuInfo compareMenu()
                 },
                 {
                     .key = "form-published",
-                    .text = CompareMenu::tr("&Published form"),
+                    .text = Text::tr("&Published form"),
                     .run = [](MainWindow& w) { chooseForm(w, clipping::Form::Published); },
                     .enabled =
                         [](const MainWindow& w) {
@@ -116,7 +111,7 @@ MenuInfo compareMenu()
                 {},
                 {
                     .key = "agree",
-                    .text = CompareMenu::tr("Compare &all algorithms"),
+                    .text = Text::tr("Compare &all algorithms"),
                     .keys = {QKeySequence("F7")},
                     .icon = "compare",
                     .run =
@@ -128,7 +123,7 @@ MenuInfo compareMenu()
                 },
                 {
                     .key = "select-differing",
-                    .text = CompareMenu::tr("&Select lines that differ"),
+                    .text = Text::tr("&Select lines that differ"),
                     .keys = {QKeySequence("Shift+F7")},
                     .run = selectDiffering,
                     .enabled = someLines,
@@ -136,33 +131,33 @@ MenuInfo compareMenu()
                 {},
                 {
                     .key = "compare-live",
-                    .text = CompareMenu::tr("Compare algorithms &live"),
+                    .text = Text::tr("Compare algorithms &live"),
                     .keys = {QKeySequence("F9")},
                     .run = [](MainWindow& w) { w.togglePanel("compare"); },
                     .checked = [](const MainWindow& w) { return w.showsPanel("compare"); },
                 },
                 {
                     .key = "differences",
-                    .text = CompareMenu::tr("&Differences between two algorithms"),
+                    .text = Text::tr("&Differences between two algorithms"),
                     .keys = {QKeySequence("Shift+F9")},
                     .run = [](MainWindow& w) { w.togglePanel("difference"); },
                     .checked = [](const MainWindow& w) { return w.showsPanel("difference"); },
                 },
                 {
                     .key = "misprint",
-                    .text = CompareMenu::tr("Show the paper's &misprint (Step 2)"),
+                    .text = Text::tr("Show the paper's &misprint (Step 2)"),
                     .run = showMisprint,
                 },
                 {
                     .key = "next-difference",
-                    .text = CompareMenu::tr("Next d&ifference"),
+                    .text = Text::tr("Next d&ifference"),
                     .keys = {QKeySequence("F4")},
                     .run = [](MainWindow& w) { goToDifference(w, 1); },
                     .enabled = someLines,
                 },
                 {
                     .key = "previous-difference",
-                    .text = CompareMenu::tr("Previo&us difference"),
+                    .text = Text::tr("Previo&us difference"),
                     .keys = {QKeySequence("Shift+F4")},
                     .run = [](MainWindow& w) { goToDifference(w, -1); },
                     .enabled = someLines,
@@ -170,14 +165,14 @@ MenuInfo compareMenu()
                 {},
                 {
                     .key = "next-line",
-                    .text = CompareMenu::tr("Inspect &next line"),
+                    .text = Text::tr("Inspect &next line"),
                     .keys = {QKeySequence("F8")},
                     .run = [](MainWindow& w) { inspectNext(w, 1); },
                     .enabled = someLines,
                 },
                 {
                     .key = "previous-line",
-                    .text = CompareMenu::tr("Inspect p&revious line"),
+                    .text = Text::tr("Inspect p&revious line"),
                     .keys = {QKeySequence("Shift+F8")},
                     .run = [](MainWindow& w) { inspectNext(w, -1); },
                     .enabled = someLines,
@@ -185,7 +180,7 @@ MenuInfo compareMenu()
                 {},
                 {
                     .key = "reproduce-paper",
-                    .text = CompareMenu::tr("Reproduce t&he paper…"),
+                    .text = Text::tr("Reproduce t&he paper…"),
                     .keys = {QKeySequence("Ctrl+F7")},
                     .icon = "chart",
                     .show = &OtherWindows::showExperiment,

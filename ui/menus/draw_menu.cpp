@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/look/text.h"
 #include "ui/menus/actions.h"
 #include "ui/tools/tool.h"
 #include "ui/window/main_window.h"
 
-#include <QCoreApplication>
 #include <QMenu>
 
 namespace ui {
 
 namespace {
-
-struct DrawMenu {
-    Q_DECLARE_TR_FUNCTIONS(DrawMenu)
-};
 
 /// Adds the tools, grouped as in their catalogue.
 void addTools(MainWindow& window, QMenu& menu)
@@ -27,6 +23,6 @@ void addTools(MainWindow& window, QMenu& menu)
 
 } // namespace
 
-MenuInfo drawMenu() { return {.title = DrawMenu::tr("&Draw"), .begin = addTools}; }
+MenuInfo drawMenu() { return {.title = Text::tr("&Draw"), .begin = addTools}; }
 
 } // namespace ui

@@ -2,6 +2,7 @@
 #include "ui/bars/option_bar.h"
 #include "ui/editing/editing.h"
 #include "ui/look/look_icon.h"
+#include "ui/look/text.h"
 #include "ui/menus/edit_rows.h"
 #include "ui/menus/needs.h"
 #include "ui/window/main_window.h"
@@ -72,13 +73,13 @@ QAction* stepAction(Canvas& canvas, QMenu& menu, const StepEntry& entry)
 
 void addSteps(MainWindow& window, QMenu& menu)
 {
-    QAction* undo = stepAction(
-        window.canvas(), menu,
-        {"undo", EditMenu::tr("&Undo"), &Canvas::undo, &Canvas::canUndo, &Canvas::undoText});
+    QAction* undo =
+        stepAction(window.canvas(), menu,
+                   {"undo", Text::tr("&Undo"), &Canvas::undo, &Canvas::canUndo, &Canvas::undoText});
     undo->setShortcuts(keys(QKeySequence::Undo));
-    QAction* redo = stepAction(
-        window.canvas(), menu,
-        {"redo", EditMenu::tr("&Redo"), &Canvas::redo, &Canvas::canRedo, &Canvas::redoText});
+    QAction* redo =
+        stepAction(window.canvas(), menu,
+                   {"redo", Text::tr("&Redo"), &Canvas::redo, &Canvas::canRedo, &Canvas::redoText});
     redo->setShortcuts(keys(QKeySequence::Redo, {QKeySequence("Ctrl+Y")}));
     menu.addActions({undo, redo});
     menu.addSeparator();
@@ -92,12 +93,12 @@ MenuInfo editMenu()
 {
     using K = QKeySequence;
     MenuInfo menu{
-        .title = EditMenu::tr("&Edit"),
+        .title = Text::tr("&Edit"),
         .rows =
             {
                 {
                     .key = "cut",
-                    .text = EditMenu::tr("Cu&t"),
+                    .text = Text::tr("Cu&t"),
                     .keys = keys(K::Cut),
                     .run =
                         [](MainWindow& w) {
@@ -109,7 +110,7 @@ MenuInfo editMenu()
                 },
                 {
                     .key = "copy",
-                    .text = EditMenu::tr("&Copy"),
+                    .text = Text::tr("&Copy"),
                     .keys = keys(K::Copy),
                     .run =
                         [](MainWindow& w) {
@@ -121,19 +122,19 @@ MenuInfo editMenu()
                 },
                 {
                     .key = "paste",
-                    .text = EditMenu::tr("&Paste"),
+                    .text = Text::tr("&Paste"),
                     .keys = keys(K::Paste),
                     .run = [](MainWindow& w) { pasteOrWarn(w, app::PastePlace::Offset); },
                 },
                 {
                     .key = "paste-in-place",
-                    .text = EditMenu::tr("Paste &in place"),
+                    .text = Text::tr("Paste &in place"),
                     .keys = {K("Ctrl+Alt+V")},
                     .run = [](MainWindow& w) { pasteOrWarn(w, app::PastePlace::InPlace); },
                 },
                 {
                     .key = "duplicate",
-                    .text = EditMenu::tr("Dup&licate in place"),
+                    .text = Text::tr("Dup&licate in place"),
                     .keys = {K("Ctrl+D")},
                     .run = [](MainWindow& w) { app::duplicateInPlace(w.session()); },
                     .enabled = someSelected,
@@ -141,7 +142,7 @@ MenuInfo editMenu()
                 },
                 {
                     .key = "delete",
-                    .text = EditMenu::tr("&Delete"),
+                    .text = Text::tr("&Delete"),
                     .keys = {K(Qt::Key_Delete), K(Qt::Key_Backspace)},
                     .scope = ShortcutScope::Canvas,
                     .icon = "bin",
@@ -152,7 +153,7 @@ MenuInfo editMenu()
                 {},
                 {
                     .key = "select-all",
-                    .text = EditMenu::tr("Select &all"),
+                    .text = Text::tr("Select &all"),
                     .keys = keys(K::SelectAll),
                     .run = selectAllNodesOrObjects,
                     .enabled =
@@ -160,7 +161,7 @@ MenuInfo editMenu()
                 },
                 {
                     .key = "deselect",
-                    .text = EditMenu::tr("D&eselect"),
+                    .text = Text::tr("D&eselect"),
                     .keys = keys(K::Deselect, {K("Ctrl+Shift+A")}),
                     .run = [](MainWindow& w) { w.session().select({}); },
                     .enabled = someSelected,

@@ -2,20 +2,16 @@
 #include "ui/bars/option_bar.h"
 #include "ui/files/files.h"
 #include "ui/look/look_icon.h"
+#include "ui/look/text.h"
 #include "ui/menus/actions.h"
 #include "ui/window/main_window.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 #include <QMenu>
 
 namespace ui {
 
 namespace {
-
-struct FileMenu {
-    Q_DECLARE_TR_FUNCTIONS(FileMenu)
-};
 
 void fillRecent(MainWindow& window, QMenu& menu)
 {
@@ -30,7 +26,7 @@ void fillRecent(MainWindow& window, QMenu& menu)
     }
     menu.addSeparator();
     auto* forget =
-        menu.addAction(FileMenu::tr("&Clear recent files"), &window.files(), &Files::forgetRecent);
+        menu.addAction(Text::tr("&Clear recent files"), &window.files(), &Files::forgetRecent);
     forget->setEnabled(number > 1);
 }
 
@@ -47,44 +43,44 @@ MenuInfo fileMenu()
 {
     using K = QKeySequence;
     return {
-        .title = FileMenu::tr("&File"),
+        .title = Text::tr("&File"),
         .rows =
             {
                 {
                     .key = "new",
-                    .text = FileMenu::tr("&New"),
+                    .text = Text::tr("&New"),
                     .keys = keys(K::New),
                     .icon = "page",
                     .run = [](MainWindow& w) { w.files().startNew(); },
                 },
                 {
                     .key = "open",
-                    .text = FileMenu::tr("&Open…"),
+                    .text = Text::tr("&Open…"),
                     .keys = keys(K::Open),
                     .icon = "folder",
                     .run = [](MainWindow& w) { w.files().open(); },
                 },
                 {
-                    .text = FileMenu::tr("Open &recent"),
+                    .text = Text::tr("Open &recent"),
                     .fill = addRecent,
                 },
                 {},
                 {
                     .key = "save",
-                    .text = FileMenu::tr("&Save"),
+                    .text = Text::tr("&Save"),
                     .keys = keys(K::Save),
                     .run = [](MainWindow& w) { w.files().save(); },
                 },
                 {
                     .key = "save-as",
-                    .text = FileMenu::tr("Save &as…"),
+                    .text = Text::tr("Save &as…"),
                     .keys = keys(K::SaveAs, {K("Ctrl+Shift+S")}),
                     .run = [](MainWindow& w) { w.files().saveAs(); },
                 },
                 {},
                 {
                     .key = "export",
-                    .text = FileMenu::tr("&Export cut drawing…"),
+                    .text = Text::tr("&Export cut drawing…"),
                     .keys = {K("Ctrl+E")},
                     .icon = "export",
                     .run = [](MainWindow& w) { w.files().exportCut(); },
@@ -95,7 +91,7 @@ MenuInfo fileMenu()
                 {},
                 {
                     .key = "close",
-                    .text = FileMenu::tr("&Close"),
+                    .text = Text::tr("&Close"),
                     .keys = {K("Ctrl+W")},
                     .run =
                         [](MainWindow& w) {
@@ -104,7 +100,7 @@ MenuInfo fileMenu()
                 },
                 {
                     .key = "quit",
-                    .text = FileMenu::tr("&Quit"),
+                    .text = Text::tr("&Quit"),
                     .keys = keys(K::Quit, {K("Ctrl+Q")}),
                     .run = [](MainWindow& w) { w.close(); },
                 },

@@ -1,43 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/look/text.h"
 #include "ui/menus/actions.h"
 #include "ui/menus/other_windows.h"
 #include "ui/menus/pages.h"
 #include "ui/window/main_window.h"
 
 #include <QApplication>
-#include <QCoreApplication>
 
 namespace ui {
-
-namespace {
-
-struct HelpMenu {
-    Q_DECLARE_TR_FUNCTIONS(HelpMenu)
-};
-
-} // namespace
 
 MenuInfo helpMenu()
 {
     using K = QKeySequence;
     return {
-        .title = HelpMenu::tr("&Help"),
+        .title = Text::tr("&Help"),
         .rows =
             {
                 {
                     .key = "manual",
-                    .text = HelpMenu::tr("&Manual"),
+                    .text = Text::tr("&Manual"),
                     .icon = "book",
                     .show = &OtherWindows::showManual,
                 },
                 {
                     .key = "start",
-                    .text = HelpMenu::tr("Show &start panel"),
+                    .text = Text::tr("Show &start panel"),
                     .run = [](MainWindow& w) { w.raisePanel("start"); },
                 },
                 {
                     .key = "shortcuts",
-                    .text = HelpMenu::tr("&Keyboard shortcuts"),
+                    .text = Text::tr("&Keyboard shortcuts"),
                     .keys = {K("Ctrl+?")},
                     .icon = "keyboard",
                     .run = [](MainWindow& w) { showShortcuts(w); },
@@ -45,12 +37,12 @@ MenuInfo helpMenu()
                 {},
                 {
                     .key = "about",
-                    .text = HelpMenu::tr("A&bout Clearcut"),
+                    .text = Text::tr("A&bout Clearcut"),
                     .run = [](MainWindow& w) { showAbout(w); },
                 },
                 {
                     .key = "about-qt",
-                    .text = HelpMenu::tr("About &Qt"),
+                    .text = Text::tr("About &Qt"),
                     .run = [](MainWindow&) { QApplication::aboutQt(); },
                 },
             },

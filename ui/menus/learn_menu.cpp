@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/look/text.h"
 #include "ui/menus/actions.h"
 #include "ui/menus/other_windows.h"
 #include "ui/window/main_window.h"
 
-#include <QCoreApplication>
-
 namespace ui {
 
 namespace {
-
-struct LearnMenu {
-    Q_DECLARE_TR_FUNCTIONS(LearnMenu)
-};
 
 void toggleMicroscope(MainWindow& window)
 {
@@ -34,12 +29,12 @@ void toggleOverlay(MainWindow& window)
 MenuInfo learnMenu()
 {
     return {
-        .title = LearnMenu::tr("&Learn"),
+        .title = Text::tr("&Learn"),
         .rows =
             {
                 {
                     .key = "microscope",
-                    .text = LearnMenu::tr("Clip &microscope"),
+                    .text = Text::tr("Clip &microscope"),
                     .keys = {QKeySequence("F2")},
                     .icon = "microscope",
                     .run = toggleMicroscope,
@@ -47,14 +42,14 @@ MenuInfo learnMenu()
                 },
                 {
                     .key = "export-steps",
-                    .text = LearnMenu::tr("Export s&teps…"),
+                    .text = Text::tr("Export s&teps…"),
                     .icon = "export",
                     .show = &OtherWindows::exportSteps,
                     .enabled = [](const MainWindow& w) { return w.session().microscope.isOpen(); },
                 },
                 {
                     .key = "overlay",
-                    .text = LearnMenu::tr("What the algorithm &sees"),
+                    .text = Text::tr("What the algorithm &sees"),
                     .keys = {QKeySequence("F3"), QKeySequence("Ctrl+R")},
                     .icon = "regions",
                     .run = toggleOverlay,
@@ -62,7 +57,7 @@ MenuInfo learnMenu()
                 },
                 {
                     .key = "lessons",
-                    .text = LearnMenu::tr("&Lessons"),
+                    .text = Text::tr("&Lessons"),
                     .keys = {QKeySequence("Ctrl+F1")},
                     .icon = "book",
                     .run = [](MainWindow& w) { w.showLessons(); },
@@ -70,34 +65,34 @@ MenuInfo learnMenu()
                 },
                 {
                     .key = "cost-map",
-                    .text = LearnMenu::tr("&Cost map"),
+                    .text = Text::tr("&Cost map"),
                     .keys = {QKeySequence("Shift+F2")},
                     .run = [](MainWindow& w) { w.togglePanel("cost-map"); },
                     .checked = [](const MainWindow& w) { return w.showsPanel("cost-map"); },
                 },
                 {
                     .key = "exactness",
-                    .text = LearnMenu::tr("E&xactness"),
+                    .text = Text::tr("E&xactness"),
                     .keys = {QKeySequence("Shift+F3")},
                     .run = [](MainWindow& w) { w.togglePanel("exactness"); },
                     .checked = [](const MainWindow& w) { return w.showsPanel("exactness"); },
                 },
                 {
                     .key = "about-algorithm",
-                    .text = LearnMenu::tr("About this &algorithm"),
+                    .text = Text::tr("About this &algorithm"),
                     .keys = keys(QKeySequence::HelpContents, {QKeySequence("F1")}),
                     .icon = "book",
                     .show = &OtherWindows::explainCurrent,
                 },
                 {
                     .key = "hard-cases",
-                    .text = LearnMenu::tr("&Hard cases…"),
+                    .text = Text::tr("&Hard cases…"),
                     .keys = {QKeySequence("Ctrl+F2")},
                     .show = &OtherWindows::showHardCases,
                 },
                 {
                     .key = "judge",
-                    .text = LearnMenu::tr("&Judge your own algorithm…"),
+                    .text = Text::tr("&Judge your own algorithm…"),
                     .keys = {QKeySequence("Ctrl+F3")},
                     .show = &OtherWindows::showJudge,
                 },

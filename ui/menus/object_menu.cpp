@@ -2,6 +2,7 @@
 #include "app/drawing/transformation.h"
 #include "app/session/arrange_selection.h"
 #include "ui/dialogs/repeat_dialog.h"
+#include "ui/look/text.h"
 #include "ui/menus/needs.h"
 #include "ui/menus/object_rows.h"
 #include "ui/window/main_window.h"
@@ -28,7 +29,7 @@ ActionInfo repeat()
 {
     return {
         .key = "repeat",
-        .text = ObjectMenu::tr("Repeat in rows or aroun&d a point…"),
+        .text = Text::tr("Repeat in rows or aroun&d a point…"),
         .keys = {QKeySequence("Ctrl+Shift+D")},
         .run =
             [](MainWindow& w) {
@@ -47,7 +48,7 @@ ActionInfo scaleStrokes()
     using app::StrokeScaling;
     return {
         .key = "scale-strokes",
-        .text = ObjectMenu::tr("Scale stroke &widths too"),
+        .text = Text::tr("Scale stroke &widths too"),
         .run =
             [](MainWindow& w) {
                 const bool on = w.session().arrange.strokes == StrokeScaling::Scale;
@@ -62,7 +63,7 @@ ActionInfo scaleStrokes()
 
 MenuInfo objectMenu()
 {
-    MenuInfo menu{.title = ObjectMenu::tr("&Object"), .rows = groupRows()};
+    MenuInfo menu{.title = Text::tr("&Object"), .rows = groupRows()};
     const auto add = [&menu](const std::vector<ActionInfo>& rows) {
         menu.rows.insert(menu.rows.end(), rows.begin(), rows.end());
     };

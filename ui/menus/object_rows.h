@@ -3,16 +3,9 @@
 
 #include "ui/menus/actions.h"
 
-#include <QCoreApplication>
-
 // Parts of the menu Object.
 
 namespace ui {
-
-/// Translates the texts of the menu Object.
-struct ObjectMenu {
-    Q_DECLARE_TR_FUNCTIONS(ObjectMenu)
-};
 
 std::vector<ActionInfo> groupRows();       ///< group, ungroup, enter, leave
 std::vector<ActionInfo> orderRows();       ///< raise, lower, move to layer

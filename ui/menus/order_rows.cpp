@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/rearrange_selection.h"
+#include "ui/look/text.h"
 #include "ui/menus/needs.h"
 #include "ui/menus/object_rows.h"
 #include "ui/window/main_window.h"
@@ -21,7 +22,7 @@ ActionInfo stack(std::string_view key, const QString& text, const QKeySequence& 
         .run = [how](MainWindow& w) { app::stackSelection(w.session(), how); },
         .enabled = someSelected,
         .needs = nothingSelected(),
-        .submenu = ObjectMenu::tr("&Order"),
+        .submenu = Text::tr("&Order"),
     };
 }
 
@@ -36,7 +37,7 @@ ActionInfo moveBy(std::string_view key, const QString& text, const QKeySequence&
         .run = [layers](MainWindow& w) { app::moveSelectionBy(w.session(), layers); },
         .enabled = someSelected,
         .needs = nothingSelected(),
-        .submenu = ObjectMenu::tr("&Order"),
+        .submenu = Text::tr("&Order"),
     };
 }
 
@@ -68,14 +69,14 @@ std::vector<ActionInfo> orderRows()
     using K = QKeySequence;
     using app::Stacking;
     return {
-        stack("to-front", ObjectMenu::tr("Bring to &front"), K("Home"), Stacking::ToFront),
-        stack("raise", ObjectMenu::tr("&Raise"), K("PgUp"), Stacking::Raise),
-        stack("lower", ObjectMenu::tr("&Lower"), K("PgDown"), Stacking::Lower),
-        stack("to-back", ObjectMenu::tr("Send to &back"), K("End"), Stacking::ToBack),
-        {.submenu = ObjectMenu::tr("&Order")},
-        moveBy("to-layer-above", ObjectMenu::tr("To the layer &above"), K("Shift+PgUp"), 1),
-        moveBy("to-layer-below", ObjectMenu::tr("To the layer b&elow"), K("Shift+PgDown"), -1),
-        {.text = ObjectMenu::tr("Move to la&yer"), .fill = fillLayers},
+        stack("to-front", Text::tr("Bring to &front"), K("Home"), Stacking::ToFront),
+        stack("raise", Text::tr("&Raise"), K("PgUp"), Stacking::Raise),
+        stack("lower", Text::tr("&Lower"), K("PgDown"), Stacking::Lower),
+        stack("to-back", Text::tr("Send to &back"), K("End"), Stacking::ToBack),
+        {.submenu = Text::tr("&Order")},
+        moveBy("to-layer-above", Text::tr("To the layer &above"), K("Shift+PgUp"), 1),
+        moveBy("to-layer-below", Text::tr("To the layer b&elow"), K("Shift+PgDown"), -1),
+        {.text = Text::tr("Move to la&yer"), .fill = fillLayers},
     };
 }
 

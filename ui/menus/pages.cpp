@@ -2,6 +2,7 @@
 #include "ui/menus/pages.h"
 
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/menus/actions.h"
 #include "ui/window/main_window.h"
 
@@ -17,7 +18,6 @@ namespace ui {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Pages", text); }
 QTextBrowser* openPage(MainWindow& window, const QString& title)
 {
     auto* dialog = new QDialog(&window);
@@ -58,7 +58,7 @@ void addShortcuts(QString& rows, const QMenu& menu)
         rows += QStringLiteral("<tr><td style='padding:2px 24px 2px 0'>%1</td><td "
                                "style='padding:2px 0'>%2</td></tr>")
                     .arg(name.remove(u'&').remove(u'…').toHtmlEscaped(),
-                         keysOf(*action).join(tr(" or ")));
+                         keysOf(*action).join(Text::tr(" or ")));
     }
 }
 
@@ -75,29 +75,34 @@ void showShortcuts(MainWindow& window)
             text += QStringLiteral("<tr><td colspan='2'><h3>%1</h3></td></tr>%2")
                         .arg(name.remove(u'&'), rows);
     }
-    text += QStringLiteral("</table><h3>%1</h3><p>%2</p>")
-                .arg(tr("On the canvas"),
-                     tr("Wheel: zoom around the pointer. Middle button or Space and drag: move the "
-                        "view. Alt and arrow keys: move the clip window; Shift: ten times as far. "
-                        "Esc: one step back."));
-    openPage(window, tr("Keyboard shortcuts"))->setHtml(text);
+    text +=
+        QStringLiteral("</table><h3>%1</h3><p>%2</p>")
+            .arg(Text::tr("On the canvas"),
+                 Text::tr(
+                     "Wheel: zoom around the pointer. Middle button or Space and drag: move the "
+                     "view. Alt and arrow keys: move the clip window; Shift: ten times as far. "
+                     "Esc: one step back."));
+    openPage(window, Text::tr("Keyboard shortcuts"))->setHtml(text);
 }
 
 void showAbout(MainWindow& window)
 {
-    openPage(window, tr("About Clearcut"))
+    openPage(window, Text::tr("About Clearcut"))
         ->setMarkdown(
-            tr("# Clearcut %1\n\nAn editor for line art with a movable clip window, and the "
-               "library "
-               "that does the clipping. It grew out of D. Matthes, V. Drakopoulos: *Another Simple "
-               "but Faster Method for 2D Line Clipping*, IJCGA 9, 2019.\n\nThe program is free "
-               "software under the GNU General Public License, version 3 or later; the clipping "
-               "library under the MIT licence; the samples are free for any use (CC0).\n\nThe "
-               "letters "
-               "of strokes are the Hershey Fonts, originally created by Dr. A. V. Hershey while "
-               "working at the U. S. National Bureau of Standards. The format of the font data was "
-               "originally created by James Hurt, Cognition, Inc., 900 Technology Park Drive, "
-               "Billerica, MA 01821.\n\n%2")
+            Text::tr(
+                "# Clearcut %1\n\nAn editor for line art with a movable clip window, and the "
+                "library "
+                "that does the clipping. It grew out of D. Matthes, V. Drakopoulos: *Another "
+                "Simple "
+                "but Faster Method for 2D Line Clipping*, IJCGA 9, 2019.\n\nThe program is free "
+                "software under the GNU General Public License, version 3 or later; the clipping "
+                "library under the MIT licence; the samples are free for any use (CC0).\n\nThe "
+                "letters "
+                "of strokes are the Hershey Fonts, originally created by Dr. A. V. Hershey while "
+                "working at the U. S. National Bureau of Standards. The format of the font data "
+                "was "
+                "originally created by James Hurt, Cognition, Inc., 900 Technology Park Drive, "
+                "Billerica, MA 01821.\n\n%2")
                 .arg(QCoreApplication::applicationVersion(), window.canvas().backendReason()));
 }
 

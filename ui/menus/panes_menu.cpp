@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/menus/panes_menu.h"
 
+#include "ui/look/text.h"
 #include "ui/window/main_window.h"
-
-#include <QCoreApplication>
 
 namespace ui {
 
 namespace {
-
-struct PanesMenu {
-    Q_DECLARE_TR_FUNCTIONS(PanesMenu)
-};
 
 template <std::size_t count>
 void showPanes(MainWindow& window)
@@ -55,11 +50,11 @@ void closePane(MainWindow& window)
 // NOLINTNEXTLINE(readability-function-size): a table, a row for each entry
 std::vector<ActionInfo> panesRows()
 {
-    const QString panes = PanesMenu::tr("Pan&es");
+    const QString panes = Text::tr("Pan&es");
     return {
         {
             .key = "panes-1",
-            .text = PanesMenu::tr("&One pane"),
+            .text = Text::tr("&One pane"),
             .keys = {QKeySequence("Ctrl+1")},
             .run = showPanes<1>,
             .checked = showsPanes<1>,
@@ -68,7 +63,7 @@ std::vector<ActionInfo> panesRows()
         },
         {
             .key = "panes-2",
-            .text = PanesMenu::tr("&Two panes"),
+            .text = Text::tr("&Two panes"),
             .keys = {QKeySequence("Ctrl+2")},
             .run = showPanes<2>,
             .checked = showsPanes<2>,
@@ -77,7 +72,7 @@ std::vector<ActionInfo> panesRows()
         },
         {
             .key = "panes-4",
-            .text = PanesMenu::tr("&Four panes"),
+            .text = Text::tr("&Four panes"),
             .keys = {QKeySequence("Ctrl+4")},
             .icon = "panes",
             .run = showPanes<4>,
@@ -87,7 +82,7 @@ std::vector<ActionInfo> panesRows()
         },
         {
             .key = "panes-all",
-            .text = PanesMenu::tr("A pane for &every algorithm"),
+            .text = Text::tr("A pane for &every algorithm"),
             .keys = {QKeySequence("Ctrl+9")},
             .run = showAllPanes,
             .checked = [](const MainWindow& w) { return w.canvas().panes().showsAll(); },
@@ -96,7 +91,7 @@ std::vector<ActionInfo> panesRows()
         },
         {
             .key = "next-pane",
-            .text = PanesMenu::tr("&Next pane"),
+            .text = Text::tr("&Next pane"),
             .keys = {QKeySequence("F6")},
             .run = [](MainWindow& w) { activatePane(w, 1); },
             .enabled = severalPanes,
@@ -104,7 +99,7 @@ std::vector<ActionInfo> panesRows()
         },
         {
             .key = "previous-pane",
-            .text = PanesMenu::tr("&Previous pane"),
+            .text = Text::tr("&Previous pane"),
             .keys = {QKeySequence("Shift+F6")},
             .run = [](MainWindow& w) { activatePane(w, w.canvas().panes().size() - 1); },
             .enabled = severalPanes,
@@ -112,7 +107,7 @@ std::vector<ActionInfo> panesRows()
         },
         {
             .key = "close-pane",
-            .text = PanesMenu::tr("&Close pane"),
+            .text = Text::tr("&Close pane"),
             .keys = {QKeySequence("Ctrl+Shift+W")},
             .run = closePane,
             .enabled = severalPanes,

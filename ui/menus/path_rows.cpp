@@ -3,6 +3,7 @@
 #include "app/session/convert_selection.h"
 #include "ui/bars/option_bar.h"
 #include "ui/dialogs/join_dialog.h"
+#include "ui/look/text.h"
 #include "ui/menus/object_rows.h"
 #include "ui/window/main_window.h"
 
@@ -45,7 +46,7 @@ ActionInfo nodeStep(std::size_t number, const QKeySequence& shortcut)
         .scope = ShortcutScope::Canvas,
         .icon = step.key,
         .run = [&step](MainWindow& w) { take(step, w); },
-        .submenu = ObjectMenu::tr("&Path"),
+        .submenu = Text::tr("&Path"),
         .refusal = [&step](const MainWindow& w) { return w.session().nodes.refusal(step); },
         .made = [](MainWindow& w, QAction& action) { w.optionBar().addNodeStep(action); },
     };
@@ -73,20 +74,20 @@ std::vector<ActionInfo> pathRows()
     for (std::size_t i = 0; i < app::nodeSteps().size(); ++i) {
         const Row row = i < shortcuts.size() ? shortcuts[i] : Row{""};
         if (row.beginsGroup)
-            rows.push_back({.submenu = ObjectMenu::tr("&Path")}); // a separator
+            rows.push_back({.submenu = Text::tr("&Path")}); // a separator
         rows.push_back(nodeStep(i, QKeySequence(row.shortcut)));
     }
-    rows.push_back({.submenu = ObjectMenu::tr("&Path")}); // a separator
+    rows.push_back({.submenu = Text::tr("&Path")}); // a separator
     rows.push_back({
         .key = "convert-to-path",
-        .text = ObjectMenu::tr("Con&vert to path"),
+        .text = Text::tr("Con&vert to path"),
         .keys = {QKeySequence("Ctrl+Shift+P")},
         .run =
             [](MainWindow& w) {
                 w.canvas().endGesture();
                 app::convertToPaths(w.session());
             },
-        .submenu = ObjectMenu::tr("&Path"),
+        .submenu = Text::tr("&Path"),
         .refusal = [](const MainWindow& w) { return app::convertRefusal(w.session()); },
     });
     return rows;

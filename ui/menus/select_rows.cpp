@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/select_alike.h"
 #include "ui/dialogs/find_dialog.h"
+#include "ui/look/text.h"
 #include "ui/menus/edit_rows.h"
 #include "ui/menus/needs.h"
 #include "ui/window/main_window.h"
@@ -18,8 +19,8 @@ ActionInfo alike(const app::Likeness& likeness)
         .text = likeness.name,
         .run = [&likeness](MainWindow& w) { app::selectAlike(w.session(), likeness); },
         .enabled = someSelected,
-        .needs = EditMenu::tr("Nothing is selected. Select an object first."),
-        .submenu = EditMenu::tr("Select sa&me"),
+        .needs = Text::tr("Nothing is selected. Select an object first."),
+        .submenu = Text::tr("Select sa&me"),
     };
 }
 
@@ -51,14 +52,14 @@ std::vector<ActionInfo> selectRows()
     std::vector<ActionInfo> rows{
         {
             .key = "select-layer",
-            .text = EditMenu::tr("Select all in the la&yer"),
+            .text = Text::tr("Select all in the la&yer"),
             .keys = {K("Ctrl+Alt+A")},
             .run = [](MainWindow& w) { app::selectLayer(w.session(), w.session().pen.layer); },
             .enabled = someObjects,
         },
         {
             .key = "invert-selection",
-            .text = EditMenu::tr("In&vert selection"),
+            .text = Text::tr("In&vert selection"),
             .keys = {K("Ctrl+I")},
             .run = [](MainWindow& w) { app::invertSelection(w.session()); },
             .enabled = someObjects,
@@ -68,7 +69,7 @@ std::vector<ActionInfo> selectRows()
         rows.push_back(alike(likeness));
     rows.push_back({
         .key = "find",
-        .text = EditMenu::tr("&Find…"),
+        .text = Text::tr("&Find…"),
         .keys = keys(K::Find, {K("Ctrl+F")}),
         .run = showFind,
         .enabled = someObjects,

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/latin.h"
 #include "ui/editing/undo_memory.h"
+#include "ui/look/text.h"
 #include "ui/menus/actions.h"
 #include "ui/widgets/unit_box.h"
 #include "ui/window/main_window.h"
 
 #include <QActionGroup>
-#include <QCoreApplication>
 #include <QMenu>
 
 #include <algorithm>
@@ -15,10 +15,6 @@
 namespace ui {
 
 namespace {
-
-struct SettingsMenu {
-    Q_DECLARE_TR_FUNCTIONS(SettingsMenu)
-};
 
 /// Marks the first letter that no earlier entry has: p of pt, x of px.
 QString withLetter(QString name, QString& taken)
@@ -55,19 +51,21 @@ struct UndoMemory {
     const char* text;
     int megabytes;
 };
-constexpr std::array undoMemories{UndoMemory{"&250 MB", 250}, UndoMemory{"&1 GB", 1000},
-                                  UndoMemory{"&4 GB", 4000}, UndoMemory{"1&6 GB", 16000}};
+constexpr std::array undoMemories{UndoMemory{QT_TRANSLATE_NOOP("Text", "&250 MB"), 250},
+                                  UndoMemory{QT_TRANSLATE_NOOP("Text", "&1 GB"), 1000},
+                                  UndoMemory{QT_TRANSLATE_NOOP("Text", "&4 GB"), 4000},
+                                  UndoMemory{QT_TRANSLATE_NOOP("Text", "1&6 GB"), 16000}};
 
 /// When the steps to undo need more, the oldest ones go.
 void addUndoMemories(MainWindow& window, QMenu& menu)
 {
     auto* group = new QActionGroup(&menu);
     for (const UndoMemory& memory : undoMemories) {
-        auto* action = menu.addAction(SettingsMenu::tr(memory.text), &window,
-                                      [&window, megabytes = memory.megabytes] {
-                                          setUndoMegabytes(megabytes);
-                                          window.session().history.setLimit(bytesOf(megabytes));
-                                      });
+        auto* action =
+            menu.addAction(Text::tr(memory.text), &window, [&window, megabytes = memory.megabytes] {
+                setUndoMegabytes(megabytes);
+                window.session().history.setLimit(bytesOf(megabytes));
+            });
         action->setObjectName(QStringLiteral("undo-memory"));
         action->setCheckable(true);
         action->setChecked(undoMegabytes() == memory.megabytes);
@@ -80,15 +78,15 @@ void addUndoMemories(MainWindow& window, QMenu& menu)
 MenuInfo settingsMenu()
 {
     return {
-        .title = SettingsMenu::tr("&Settings"),
+        .title = Text::tr("&Settings"),
         .rows =
             {
                 {
-                    .text = SettingsMenu::tr("&Units"),
+                    .text = Text::tr("&Units"),
                     .fill = addUnits,
                 },
                 {
-                    .text = SettingsMenu::tr("&Memory for undo"),
+                    .text = Text::tr("&Memory for undo"),
                     .fill = addUndoMemories,
                 },
             },

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/bars/option_bar.h"
 #include "ui/editing/style_clipboard.h"
+#include "ui/look/text.h"
 #include "ui/menus/object_rows.h"
 #include "ui/style/style_panel.h"
 #include "ui/window/main_window.h"
@@ -32,7 +33,7 @@ ActionInfo takeColour(std::string_view key, const QString& text, const char* sho
         .keys = {QKeySequence(shortcut)},
         .scope = ShortcutScope::Canvas,
         .run = [part](MainWindow& w) { w.optionBar().takeColour(part); },
-        .submenu = ObjectMenu::tr("S&tyle"),
+        .submenu = Text::tr("S&tyle"),
     };
 }
 
@@ -41,45 +42,44 @@ ActionInfo takeColour(std::string_view key, const QString& text, const char* sho
 std::vector<ActionInfo> styleRows()
 {
     using K = QKeySequence;
-    const QString submenu = ObjectMenu::tr("S&tyle");
+    const QString submenu = Text::tr("S&tyle");
     return {
         {
             .key = "style",
-            .text = ObjectMenu::tr("&Style…"),
+            .text = Text::tr("&Style…"),
             .keys = {K("Ctrl+Shift+F")},
             .icon = "style",
             .run = openStyle,
             .submenu = submenu,
             .made = [](MainWindow& w, QAction& action) { w.optionBar().setStyleCommand(action); },
         },
-        takeColour("take-stroke", ObjectMenu::tr("&Take stroke colour from the drawing"), "I",
+        takeColour("take-stroke", Text::tr("&Take stroke colour from the drawing"), "I",
                    &app::Style::stroke),
-        takeColour("take-fill", ObjectMenu::tr("Take &fill colour from the drawing"), "Shift+I",
+        takeColour("take-fill", Text::tr("Take &fill colour from the drawing"), "Shift+I",
                    &app::Style::fill),
         {.submenu = submenu}, // a separator
         {
             .key = "copy-style",
-            .text = ObjectMenu::tr("&Copy style"),
+            .text = Text::tr("&Copy style"),
             .keys = {K("Ctrl+Shift+C")},
             .run =
                 [](MainWindow& w) {
                     copyStyle(w.session());
                     w.refreshActions();
                     w.statusBar()->showMessage(
-                        ObjectMenu::tr("The style is copied. Select other objects and "
-                                       "paste it (Ctrl+Shift+V)."),
+                        Text::tr("The style is copied. Select other objects and "
+                                 "paste it (Ctrl+Shift+V)."),
                         MainWindow::messageMilliseconds);
                 },
             .submenu = submenu,
         },
         {
             .key = "paste-style",
-            .text = ObjectMenu::tr("&Paste style"),
+            .text = Text::tr("&Paste style"),
             .keys = {K("Ctrl+Shift+V")},
             .run = [](MainWindow& w) { pasteStyle(w.session()); },
             .enabled = [](const MainWindow&) { return hasCopiedStyle(); },
-            .needs =
-                ObjectMenu::tr("No style was copied. Select an object and copy its style first."),
+            .needs = Text::tr("No style was copied. Select an object and copy its style first."),
             .submenu = submenu,
         },
     };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/set_guides.h"
 #include "ui/dialogs/grid_dialog.h"
+#include "ui/look/text.h"
 #include "ui/menus/actions.h"
 #include "ui/microscope/microscope_page.h"
 #include "ui/microscope/microscope_view.h"
@@ -10,16 +11,11 @@
 
 #include <QActionGroup>
 #include <QApplication>
-#include <QCoreApplication>
 #include <QMenu>
 
 namespace ui {
 
 namespace {
-
-struct ViewMenu {
-    Q_DECLARE_TR_FUNCTIONS(ViewMenu)
-};
 
 void toggle(MainWindow& window, bool app::Display::*member)
 {
@@ -51,9 +47,9 @@ void fitDrawing(MainWindow& window)
 void addThemes(MainWindow& window, QMenu& menu)
 {
     auto* group = new QActionGroup(&menu);
-    const std::pair<Theme, QString> themes[]{{Theme::System, ViewMenu::tr("As the &desktop")},
-                                             {Theme::Light, ViewMenu::tr("&Light")},
-                                             {Theme::Dark, ViewMenu::tr("D&ark")}};
+    const std::pair<Theme, QString> themes[]{{Theme::System, Text::tr("As the &desktop")},
+                                             {Theme::Light, Text::tr("&Light")},
+                                             {Theme::Dark, Text::tr("D&ark")}};
     for (const auto& [theme, text] : themes) {
         QAction* action =
             menu.addAction(text, &window, [&window, theme = theme] { window.setTheme(theme); });
@@ -78,7 +74,7 @@ ActionInfo marksRow(std::string_view key, const QString& text)
         .run = [](MainWindow& w) { changeGrid(w, [](app::Grid& grid) { grid.marks = marks; }); },
         .checked = [](const MainWindow& w) { return w.session().display().grid.marks == marks; },
         .group = "grid-marks",
-        .submenu = ViewMenu::tr("Gri&d looks")};
+        .submenu = Text::tr("Gri&d looks")};
 }
 
 template <app::Grid::Pattern pattern>
@@ -92,13 +88,13 @@ ActionInfo patternRow(std::string_view key, const QString& text)
         .checked =
             [](const MainWindow& w) { return w.session().display().grid.pattern == pattern; },
         .group = "grid-pattern",
-        .submenu = ViewMenu::tr("Gri&d looks")};
+        .submenu = Text::tr("Gri&d looks")};
 }
 
 ActionInfo ownGridRow()
 {
     ActionInfo row =
-        patternRow<app::Grid::Pattern::Own>("grid-own", ViewMenu::tr("Own an&gle and spacing…"));
+        patternRow<app::Grid::Pattern::Own>("grid-own", Text::tr("Own an&gle and spacing…"));
     row.run = [](MainWindow& w) {
         changeGrid(w, [](app::Grid& grid) {
             grid.pattern = app::Grid::Pattern::Own;
@@ -122,7 +118,7 @@ std::vector<ActionInfo> workspaceRows()
             .run = [&workspace](MainWindow& w) { w.choose(workspace); },
             .checked = [&workspace](const MainWindow& w) { return &w.workspace() == &workspace; },
             .group = "workspace",
-            .submenu = ViewMenu::tr("Wor&kspace"),
+            .submenu = Text::tr("Wor&kspace"),
         });
     }
     return rows;
@@ -137,37 +133,37 @@ MenuInfo viewMenu()
 {
     using K = QKeySequence;
     MenuInfo menu{
-        .title = ViewMenu::tr("&View"),
+        .title = Text::tr("&View"),
         .rows =
             {
                 {
                     .key = "zoom-in",
-                    .text = ViewMenu::tr("Zoom &in"),
+                    .text = Text::tr("Zoom &in"),
                     .keys = keys(K::ZoomIn, {K("Ctrl+=")}),
                     .run = zoom<5, 4>,
                 },
                 {
                     .key = "zoom-out",
-                    .text = ViewMenu::tr("Zoom &out"),
+                    .text = Text::tr("Zoom &out"),
                     .keys = keys(K::ZoomOut),
                     .run = zoom<4, 5>,
                 },
                 {
                     .key = "zoom-100",
-                    .text = ViewMenu::tr("Ac&tual size"),
+                    .text = Text::tr("Ac&tual size"),
                     .keys = {K("Ctrl+0")},
                     .run = [](MainWindow& w) { w.canvas().setZoom(1); },
                 },
                 {
                     .key = "fit-drawing",
-                    .text = ViewMenu::tr("&Fit drawing"),
+                    .text = Text::tr("&Fit drawing"),
                     .keys = {K("Shift+1")},
                     .scope = ShortcutScope::Canvas,
                     .run = fitDrawing,
                 },
                 {
                     .key = "fit-selection",
-                    .text = ViewMenu::tr("Fit &selection"),
+                    .text = Text::tr("Fit &selection"),
                     .keys = {K("Shift+2")},
                     .scope = ShortcutScope::Canvas,
                     .run = [](MainWindow& w) { w.canvas().fitSelection(); },
@@ -175,24 +171,24 @@ MenuInfo viewMenu()
                 },
                 {
                     .key = "fit-window",
-                    .text = ViewMenu::tr("Fit clip &window"),
+                    .text = Text::tr("Fit clip &window"),
                     .keys = {K("Shift+3")},
                     .scope = ShortcutScope::Canvas,
                     .run = [](MainWindow& w) { w.canvas().fitWindow(); },
                     .enabled =
                         [](const MainWindow& w) { return w.session().clipWindow().has_value(); },
-                    .needs = ViewMenu::tr("There is no clip window. Draw one first (W)."),
+                    .needs = Text::tr("There is no clip window. Draw one first (W)."),
                 },
                 {
                     .key = "previous-view",
-                    .text = ViewMenu::tr("&Previous view"),
+                    .text = Text::tr("&Previous view"),
                     .keys = {K("`")},
                     .scope = ShortcutScope::Canvas,
                     .run = [](MainWindow& w) { w.canvas().previousView(); },
                 },
                 {
                     .key = "next-view",
-                    .text = ViewMenu::tr("&Next view"),
+                    .text = Text::tr("&Next view"),
                     .keys = {K("~")},
                     .scope = ShortcutScope::Canvas,
                     .run = [](MainWindow& w) { w.canvas().nextView(); },
@@ -200,14 +196,14 @@ MenuInfo viewMenu()
                 {},
                 {
                     .key = "snap",
-                    .text = ViewMenu::tr("Snappin&g"),
+                    .text = Text::tr("Snappin&g"),
                     .keys = {K("F5")},
                     .run = [](MainWindow& w) { w.canvas().switchSnapping(!w.canvas().snaps()); },
                     .checked = [](const MainWindow& w) { return w.canvas().snaps(); },
                 },
                 {
                     .key = "grid",
-                    .text = ViewMenu::tr("Show g&rid"),
+                    .text = Text::tr("Show g&rid"),
                     .keys = {K("Shift+F5")},
                     .icon = "grid",
                     .run =
@@ -218,59 +214,59 @@ MenuInfo viewMenu()
                 },
                 {
                     .key = "guides",
-                    .text = ViewMenu::tr("Show guides"),
+                    .text = Text::tr("Show guides"),
                     .keys = {K("Ctrl+F5")},
                     .run = [](MainWindow& w) { toggle(w, &app::Display::guides); },
                     .checked = [](const MainWindow& w) { return w.session().display().guides; },
                 },
                 {
                     .key = "remove-guides",
-                    .text = ViewMenu::tr("Remove all guides"),
+                    .text = Text::tr("Remove all guides"),
                     .run =
                         [](MainWindow& w) {
-                            w.session().history.push(new app::SetGuides(
-                                w.session().document, {}, ViewMenu::tr("Remove guides")));
+                            w.session().history.push(new app::SetGuides(w.session().document, {},
+                                                                        Text::tr("Remove guides")));
                         },
                     .enabled =
                         [](const MainWindow& w) {
                             return !w.session().now().page().guides.list.empty();
                         },
-                    .needs = ViewMenu::tr("The page has no guides. Drag one from a ruler."),
+                    .needs = Text::tr("The page has no guides. Drag one from a ruler."),
                 },
-                marksRow<app::Grid::Marks::Lines>("grid-lines", ViewMenu::tr("&Lines")),
-                marksRow<app::Grid::Marks::Dots>("grid-dots", ViewMenu::tr("&Dots")),
-                patternRow<app::Grid::Pattern::Square>("grid-square", ViewMenu::tr("&Square")),
+                marksRow<app::Grid::Marks::Lines>("grid-lines", Text::tr("&Lines")),
+                marksRow<app::Grid::Marks::Dots>("grid-dots", Text::tr("&Dots")),
+                patternRow<app::Grid::Pattern::Square>("grid-square", Text::tr("&Square")),
                 patternRow<app::Grid::Pattern::Diagonal>("grid-diagonal",
-                                                         ViewMenu::tr("Di&agonal, 45°")),
+                                                         Text::tr("Di&agonal, 45°")),
                 patternRow<app::Grid::Pattern::Isometric>("grid-isometric",
-                                                          ViewMenu::tr("&Isometric, 30°")),
+                                                          Text::tr("&Isometric, 30°")),
                 ownGridRow(),
                 {},
                 {
                     .key = "dark-paper",
-                    .text = ViewMenu::tr("Dark p&aper"),
+                    .text = Text::tr("Dark p&aper"),
                     .run = [](MainWindow& w) { toggle(w, &app::Display::darkPaper); },
                     .checked = [](const MainWindow& w) { return w.session().display().darkPaper; },
                 },
                 {},
                 {
-                    .text = ViewMenu::tr("T&heme"),
+                    .text = Text::tr("T&heme"),
                     .fill = addThemes,
                 },
                 {
-                    .text = ViewMenu::tr("Pane&ls"),
+                    .text = Text::tr("Pane&ls"),
                     .fill = addPanels,
                 },
                 {
                     .key = "presentation",
-                    .text = ViewMenu::tr("Pres&entation"),
+                    .text = Text::tr("Pres&entation"),
                     .keys = {K("F11")},
                     .run = [](MainWindow& w) { w.togglePresenting(); },
                     .checked = [](const MainWindow& w) { return w.isPresenting(); },
                 },
                 {
                     .key = "full-screen",
-                    .text = ViewMenu::tr("F&ull screen"),
+                    .text = Text::tr("F&ull screen"),
                     .keys = {K("Shift+F11")},
                     .run =
                         [](MainWindow& w) {
@@ -280,7 +276,7 @@ MenuInfo viewMenu()
                 },
                 {
                     .key = "reset-layout",
-                    .text = ViewMenu::tr("Reset la&yout"),
+                    .text = Text::tr("Reset la&yout"),
                     .run = [](MainWindow& w) { w.resetLayout(); },
                 },
             },

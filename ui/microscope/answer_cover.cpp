@@ -3,8 +3,8 @@
 
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/look/text.h"
 
-#include <QCoreApplication>
 #include <QEvent>
 #include <QPainter>
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr int eye = 16, besideEye = 6; // pixels
 
-QString words() { return QCoreApplication::translate("AnswerCover", "covered until you answer"); }
+QString words() { return Text::tr("covered until you answer"); }
 
 } // namespace
 

@@ -2,6 +2,7 @@
 #include "ui/microscope/code_view.h"
 
 #include "ui/look/focus_ring.h"
+#include "ui/look/text.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QFontDatabase>
@@ -47,7 +48,7 @@ CodeView::CodeView(QWidget* parent) : QTextEdit(parent), numbers_(new Numbers(*t
     setFrameShape(QFrame::NoFrame);
     setLineWrapMode(NoWrap);
     setFont(codeFont(font()));
-    setAccessibleName(tr("Pseudo-code"));
+    setAccessibleName(Text::tr("Pseudo-code"));
     document()->setDocumentMargin(6);
     setFocusPolicy(Qt::TabFocus);
     viewport()->setAutoFillBackground(false);
@@ -74,7 +75,7 @@ void CodeView::light(int line)
 {
     currentLine_ = line;
     setAccessibleDescription(line > 0 && line <= code_.size()
-                                 ? tr("Line %1: %2").arg(line).arg(code_[line - 1].trimmed())
+                                 ? Text::tr("Line %1: %2").arg(line).arg(code_[line - 1].trimmed())
                                  : QString());
     keepInSight();
     viewport()->update();

@@ -4,6 +4,7 @@
 #include "app/base/latin.h"
 #include "app/settings/remembered.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/microscope/export_steps_dialog.h"
 
 #include <QFileInfo>
@@ -50,10 +51,10 @@ QStringList StepExports::pathsFor(const app::TraceFormat& format, const app::Tra
     const bool several = format.files == app::TraceFormat::Files::OneAStep && !trace.only;
     const QString inFolder = folder() + u'/';
     const QString path =
-        several ? questions_->filesToWrite(tr("Choose how the file names begin"),
+        several ? questions_->filesToWrite(Text::tr("Choose how the file names begin"),
                                            inFolder + app::traceStem(trace) + u'.' + ending,
                                            format.name, ending)
-                : questions_->fileToWrite(tr("Export steps"),
+                : questions_->fileToWrite(Text::tr("Export steps"),
                                           app::tracePaths(trace, format, inFolder).front(),
                                           format.name, ending);
     if (path.isEmpty())
@@ -73,7 +74,7 @@ void StepExports::write(const app::TraceFormat& format, const app::TraceExport& 
         return;
     using Painted = std::optional<std::vector<QByteArray>>; // empty: not enough memory
     background_.run(
-        tr("Painting %n steps…", nullptr, int(trace.steps().size())),
+        Text::tr("Painting %n steps…", nullptr, int(trace.steps().size())),
         [&format, trace](const app::Follower&) { return app::traceBytes(trace, format); },
         [this, paths](const std::optional<Painted>& painted) {
             if (painted) // otherwise cancelled before anything is written
@@ -86,17 +87,17 @@ void StepExports::writePainted(const QStringList& paths,
                                const std::optional<std::vector<QByteArray>>& bytes)
 {
     const auto error =
-        bytes
-            ? app::writeTrace(paths, *bytes)
-            : std::optional(tr("There is not enough memory for the pictures. Export fewer steps."));
+        bytes ? app::writeTrace(paths, *bytes)
+              : std::optional(
+                  Text::tr("There is not enough memory for the pictures. Export fewer steps."));
     if (error)
         emit told({Message::Kind::Warning, *error});
     else
-        emit told({Message::Kind::Done,
-                   paths.size() == 1
-                       ? tr("Wrote %1.").arg(paths.front())
-                       : tr("Wrote %n files, the first of them %1.", nullptr, int(paths.size()))
-                             .arg(paths.front())});
+        emit told({Message::Kind::Done, paths.size() == 1
+                                            ? Text::tr("Wrote %1.").arg(paths.front())
+                                            : Text::tr("Wrote %n files, the first of them %1.",
+                                                       nullptr, int(paths.size()))
+                                                  .arg(paths.front())});
 }
 
 } // namespace ui

@@ -2,6 +2,7 @@
 #include "ui/microscope/export_steps_dialog.h"
 
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -36,12 +37,12 @@ QPixmap previewOf(const app::TraceExport& trace, std::size_t step, const QColor&
 ExportStepsDialog::ExportStepsDialog(app::TraceExport trace, std::size_t step, QWidget* parent)
     : QDialog(parent), trace_(std::move(trace)), step_(step), preview_(new QLabel),
       format_(new QComboBox), ground_(new QComboBox),
-      oneStep_(new QCheckBox(tr("Only &this step (%1 of %2)")
+      oneStep_(new QCheckBox(Text::tr("Only &this step (%1 of %2)")
                                  .arg(step + 1)
                                  .arg(std::max<std::size_t>(trace_.narration.steps.size(), 1)))),
-      pictureOnly_(new QCheckBox(tr("Only the &picture, without text and tables")))
+      pictureOnly_(new QCheckBox(Text::tr("Only the &picture, without text and tables")))
 {
-    setWindowTitle(tr("Export steps"));
+    setWindowTitle(Text::tr("Export steps"));
     setObjectName(QStringLiteral("export-steps-dialog"));
     addFields();
     addButtons();
@@ -52,16 +53,16 @@ void ExportStepsDialog::addFields()
 {
     for (const app::TraceFormat& format : app::traceFormats())
         format_->addItem(format.name);
-    ground_->addItems({tr("Light"), tr("Dark")});
+    ground_->addItems({Text::tr("Light"), Text::tr("Dark")});
     ground_->setCurrentIndex(trace_.ground == app::Ground::Dark ? 1 : 0);
-    preview_->setAccessibleName(tr("Preview"));
+    preview_->setAccessibleName(Text::tr("Preview"));
     auto* form = new QFormLayout(this);
     form->setContentsMargins(space::betweenGroups, space::betweenGroups, space::betweenGroups,
                              space::betweenGroups);
     form->setVerticalSpacing(space::labelToField);
     form->addRow(preview_);
-    form->addRow(tr("File &type"), format_);
-    form->addRow(tr("&Colours"), ground_);
+    form->addRow(Text::tr("File &type"), format_);
+    form->addRow(Text::tr("&Colours"), ground_);
     form->addRow(QString(), oneStep_);
     form->addRow(QString(), pictureOnly_);
     for (const auto* box : {format_, ground_})
@@ -72,7 +73,7 @@ void ExportStepsDialog::addFields()
 void ExportStepsDialog::addButtons()
 {
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
-    auto* go = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
+    auto* go = buttons->addButton(Text::tr("&Export…"), QDialogButtonBox::AcceptRole);
     go->setDefault(true);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -2,6 +2,7 @@
 #include "ui/microscope/legend.h"
 
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/microscope/timeline_mark.h"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ Legend::Legend(QWidget* parent) : QWidget(parent)
 {
     setFont(captionFont(font()));
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-    setAccessibleName(tr("Signs of the timeline"));
+    setAccessibleName(Text::tr("Signs of the timeline"));
 }
 
 void Legend::show(const app::Narration& narration)

@@ -2,6 +2,7 @@
 #include "ui/microscope/line_field.h"
 
 #include "app/teaching/line_text.h"
+#include "ui/look/text.h"
 
 #include <QKeyEvent>
 
@@ -9,9 +10,9 @@ namespace ui {
 
 LineField::LineField(QWidget* parent) : QLineEdit(parent)
 {
-    setAccessibleName(tr("Line"));
+    setAccessibleName(Text::tr("Line"));
     setTextMargins(6, 0, 4, 0);
-    setToolTip(tr("Type a line as x1, y1 to x2, y2"));
+    setToolTip(Text::tr("Type a line as x1, y1 to x2, y2"));
     connect(this, &QLineEdit::returnPressed, this, &LineField::read);
 }
 
@@ -30,8 +31,9 @@ void LineField::read()
         return;
     const auto line = app::lineFrom(text());
     if (!line) {
-        emit refused(tr("Line: \"%1\" is not a line. Type four numbers, such as 10, 20 to 70, 130.")
-                         .arg(text().trimmed()));
+        emit refused(
+            Text::tr("Line: \"%1\" is not a line. Type four numbers, such as 10, 20 to 70, 130.")
+                .arg(text().trimmed()));
         selectAll();
         return;
     }

@@ -3,6 +3,7 @@
 
 #include "app/base/latin.h"
 #include "ui/look/look_icon.h"
+#include "ui/look/text.h"
 #include "ui/microscope/line_field.h"
 #include "ui/widgets/algorithm_marker.h"
 
@@ -13,13 +14,13 @@ namespace ui {
 
 MicroscopeBar::MicroscopeBar(app::Microscope& microscope, app::DrawnLine& drawn, QWidget* parent)
     : QWidget(parent), microscope_(microscope), drawn_(drawn), row_(new QHBoxLayout(this)),
-      algorithm_(new QComboBox), corrected_(new QRadioButton(tr("corrected"))),
-      published_(new QRadioButton(tr("as published"))), line_(new LineField)
+      algorithm_(new QComboBox), corrected_(new QRadioButton(Text::tr("corrected"))),
+      published_(new QRadioButton(Text::tr("as published"))), line_(new LineField)
 {
     row_->setContentsMargins(space::labelToField, 0, space::labelToField, 0);
     row_->setSpacing(4);
     setMinimumHeight(space::optionsHeight);
-    setAccessibleName(tr("Microscope"));
+    setAccessibleName(Text::tr("Microscope"));
     addAlgorithm();
     addLine();
     addEnd();
@@ -53,8 +54,8 @@ QToolButton* MicroscopeBar::addButton(const char* key, const QString& name)
 
 void MicroscopeBar::addAlgorithm()
 {
-    addCaption(tr("Algorithm"));
-    algorithm_->setAccessibleName(tr("Algorithm"));
+    addCaption(Text::tr("Algorithm"));
+    algorithm_->setAccessibleName(Text::tr("Algorithm"));
     algorithm_->setFocusPolicy(Qt::TabFocus);
     algorithm_->setIconSize({14, 14});
     algorithm_->setMaxVisibleItems(30);
@@ -91,14 +92,14 @@ void MicroscopeBar::addAlgorithm()
 void MicroscopeBar::addLine()
 {
     row_->addSpacing(space::labelToField);
-    addCaption(tr("Line"));
+    addCaption(Text::tr("Line"));
     line_->setMinimumWidth(150);
     line_->setMaximumWidth(420);
     line_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     row_->addWidget(line_, 5);
-    QToolButton* swap = addButton("swap", tr("Swap ends"));
-    previous_ = addButton("step-back", tr("Previous line of the drawing (Shift+F8)"));
-    next_ = addButton("step-on", tr("Next line of the drawing (F8)"));
+    QToolButton* swap = addButton("swap", Text::tr("Swap ends"));
+    previous_ = addButton("step-back", Text::tr("Previous line of the drawing (Shift+F8)"));
+    next_ = addButton("step-on", Text::tr("Next line of the drawing (F8)"));
     connect(line_, &LineField::typed, this, &MicroscopeBar::setLine);
     connect(line_, &LineField::done, this, &MicroscopeBar::lineDone);
     connect(line_, &LineField::refused, this, &MicroscopeBar::refused);
@@ -122,8 +123,9 @@ void MicroscopeBar::addEnd()
         row_->addWidget(button);
         return button;
     };
-    export_ = addFramed("export", tr("Export steps…"), tr("Export the steps as pictures or text"));
-    close_ = addFramed("close", tr("Close"), tr("Return to the drawing (Esc)"));
+    export_ = addFramed("export", Text::tr("Export steps…"),
+                        Text::tr("Export the steps as pictures or text"));
+    close_ = addFramed("close", Text::tr("Close"), Text::tr("Return to the drawing (Esc)"));
     export_->setObjectName(QStringLiteral("export-steps-button"));
     close_->setObjectName(QStringLiteral("close-microscope"));
     connect(export_, &QPushButton::clicked, this, &MicroscopeBar::exportWanted);
@@ -151,10 +153,11 @@ void MicroscopeBar::follow()
     algorithm_->setCurrentIndex(int(algorithm - clipping::algorithms().data()));
     const bool both = algorithm->published;
     published_->setEnabled(both);
-    published_->setToolTip(both ? tr("As its authors printed it, faults included")
-                                : tr("%1 has no published form, so the corrected form is used")
-                                      .arg(app::latin(algorithm->name)));
-    corrected_->setToolTip(tr("With the faults of the published form corrected"));
+    published_->setToolTip(both
+                               ? Text::tr("As its authors printed it, faults included")
+                               : Text::tr("%1 has no published form, so the corrected form is used")
+                                     .arg(app::latin(algorithm->name)));
+    corrected_->setToolTip(Text::tr("With the faults of the published form corrected"));
     (tracedLine.variant.form == clipping::Form::Published ? published_ : corrected_)
         ->setChecked(true);
     line_->show(tracedLine.line);
@@ -167,8 +170,8 @@ void MicroscopeBar::arrange()
 {
     const double scale = fontMetrics().height() / 16.0;
     const bool words = width() >= 1000 * scale, captions = width() >= 1150 * scale;
-    export_->setText(words ? tr("Export steps…") : QString());
-    close_->setText(words ? tr("Close") : QString());
+    export_->setText(words ? Text::tr("Export steps…") : QString());
+    close_->setText(words ? Text::tr("Close") : QString());
     for (QPushButton* button : {export_, close_})
         button->setMinimumWidth(button->sizeHint().width() + 8);
     for (QLabel* caption : captions_)

@@ -6,6 +6,7 @@
 #include "app/teaching/traced_edges.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/look/text.h"
 #include "ui/microscope/answer_cover.h"
 #include "ui/microscope/code_view.h"
 #include "ui/microscope/microscope_bar.h"
@@ -64,16 +65,16 @@ MicroscopePage::MicroscopePage(app::Session& session, app::DrawnLine& drawn, QWi
       across_(splitter(Qt::Horizontal)), down_(splitter(Qt::Vertical)),
       right_(splitter(Qt::Vertical))
 {
-    setAccessibleName(tr("Clip microscope"));
+    setAccessibleName(Text::tr("Clip microscope"));
     place_->setFont(captionFont(font()));
     place_->setForegroundRole(QPalette::PlaceholderText);
     place_->setAutoFillBackground(true); // it may cover lines if no corner is free
     place_->setBackgroundRole(QPalette::Base);
     place_->setAttribute(Qt::WA_TransparentForMouseEvents);
-    back_->setText(tr("Return to the drawing's line"));
+    back_->setText(Text::tr("Return to the drawing's line"));
     back_->setObjectName(QStringLiteral("back-to-line"));
-    fit_->setText(tr("Fit"));
-    fit_->setToolTip(tr("Fit the clip window and the line into the view (double click)"));
+    fit_->setText(Text::tr("Fit"));
+    fit_->setToolTip(Text::tr("Fit the clip window and the line into the view (double click)"));
     for (QToolButton* button : {back_, fit_}) {
         button->setProperty("framed", true);
         button->setFocusPolicy(Qt::TabFocus);
@@ -123,9 +124,9 @@ MicroscopePage::MicroscopePage(app::Session& session, app::DrawnLine& drawn, QWi
 
 QWidget* MicroscopePage::makeRight()
 {
-    auto* code = new Heading(tr("Pseudo-code"));
+    auto* code = new Heading(Text::tr("Pseudo-code"));
     auto* about = new QToolButton;
-    about->setText(tr("About this algorithm"));
+    about->setText(Text::tr("About this algorithm"));
     about->setAccessibleName(about->text());
     about->setAutoRaise(true);
     about->setFocusPolicy(Qt::TabFocus);
@@ -137,7 +138,7 @@ QWidget* MicroscopePage::makeRight()
     connect(about, &QToolButton::clicked, this,
             [this] { emit aboutWanted(session_.microscope.tracedLine().variant.algorithm); });
     right_->addWidget(underHeading(code, code_));
-    right_->addWidget(underHeading(new Heading(tr("Variables")), variables_));
+    right_->addWidget(underHeading(new Heading(Text::tr("Variables")), variables_));
     right_->setStretchFactor(0, 3);
     right_->setStretchFactor(1, 2);
     auto* all = new QWidget;
@@ -147,7 +148,7 @@ QWidget* MicroscopePage::makeRight()
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(right_, 1);
-    column->addWidget(new Heading(tr("Operations so far")));
+    column->addWidget(new Heading(Text::tr("Operations so far")));
     column->addWidget(operations_);
     return all;
 }
@@ -210,7 +211,8 @@ void MicroscopePage::showStep()
 void MicroscopePage::showPlace()
 {
     const app::TracedLine& traced = session_.microscope.tracedLine();
-    QStringList lines(drawn_.changed() ? tr("%1, changed").arg(traced.origin) : traced.origin);
+    QStringList lines(drawn_.changed() ? Text::tr("%1, changed").arg(traced.origin)
+                                       : traced.origin);
     const QString at =
         drawn_.line() ? app::atText({traced.window, traced.windowIsPage}) : QString();
     if (!at.isEmpty())
@@ -325,7 +327,8 @@ void MicroscopePage::showEvent(QShowEvent* event)
     if (!ownShares_)
         share();
     view_->setFocus();
-    emit hinted(tr("Drag an end of the line: the whole trace follows. Ctrl suspends snapping."));
+    emit hinted(
+        Text::tr("Drag an end of the line: the whole trace follows. Ctrl suspends snapping."));
 }
 
 void MicroscopePage::changeEvent(QEvent* event)

@@ -3,6 +3,7 @@
 
 #include "app/teaching/figure.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/widgets/algorithm_marker.h"
 
 #include <QFontInfo>
@@ -24,7 +25,7 @@ MicroscopeView::MicroscopeView(app::Microscope& microscope, QWidget* parent)
 {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
-    setAccessibleName(tr("Line under the microscope"));
+    setAccessibleName(Text::tr("Line under the microscope"));
     setAttribute(Qt::WA_OpaquePaintEvent);
     connect(&microscope, &app::Microscope::stepChanged, this, qOverload<>(&QWidget::update));
     connect(&microscope, &app::Microscope::tracedLineChanged, this, &MicroscopeView::follow);
@@ -89,10 +90,11 @@ void MicroscopeView::choose(std::optional<LineEnd> end)
 QString MicroscopeView::hint() const
 {
     if (chosen_)
-        return tr("End %1: arrow keys move it, with Shift ten times as far. After Esc they change "
-                  "the step again.")
+        return Text::tr(
+                   "End %1: arrow keys move it, with Shift ten times as far. After Esc they change "
+                   "the step again.")
             .arg(*chosen_ == LineEnd::One ? 1 : 2);
-    return tr("Drag an end of the line: the whole trace follows. Ctrl suspends snapping.");
+    return Text::tr("Drag an end of the line: the whole trace follows. Ctrl suspends snapping.");
 }
 
 void MicroscopeView::paintEvent(QPaintEvent*)

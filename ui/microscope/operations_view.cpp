@@ -3,6 +3,7 @@
 
 #include "app/base/numbers.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 
 #include <QPainter>
 
@@ -31,7 +32,7 @@ OperationsView::OperationsView(QWidget* parent) : QWidget(parent)
     QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
     policy.setHeightForWidth(true);
     setSizePolicy(policy);
-    setAccessibleName(tr("Operations so far"));
+    setAccessibleName(Text::tr("Operations so far"));
     show({}, {});
 }
 
@@ -42,18 +43,18 @@ void OperationsView::show(const clipping::OperationCounts& now,
         std::uint64_t now, all;
         QString word;
         bool always;
-    } rows[]{{now.comparisons, all.comparisons, tr("comparisons"), true},
-             {now.additions, all.additions, tr("additions"), true},
-             {now.multiplications, all.multiplications, tr("multiplications"), true},
-             {now.divisions, all.divisions, tr("divisions"), true},
-             {now.negations, all.negations, tr("negations"), false}};
+    } rows[]{{now.comparisons, all.comparisons, Text::tr("comparisons"), true},
+             {now.additions, all.additions, Text::tr("additions"), true},
+             {now.multiplications, all.multiplications, Text::tr("multiplications"), true},
+             {now.divisions, all.divisions, Text::tr("divisions"), true},
+             {now.negations, all.negations, Text::tr("negations"), false}};
     cells_.clear();
     QStringList words;
     for (const auto& row : rows)
         if (row.always || row.all > 0) {
             cells_.push_back({app::countText(row.now), app::countText(row.all),
-                              tr("of %1").arg(app::countText(row.all)), row.word});
-            words << tr("%1 of %2 %3").arg(cells_.back().now, cells_.back().all, row.word);
+                              Text::tr("of %1").arg(app::countText(row.all)), row.word});
+            words << Text::tr("%1 of %2 %3").arg(cells_.back().now, cells_.back().all, row.word);
         }
     setAccessibleDescription(words.join(QStringLiteral(", ")));
     updateGeometry();

@@ -4,6 +4,7 @@
 #include "app/session/traced_window.h"
 #include "app/teaching/traced_edges.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 
 #include <QEvent>
 #include <QPainter>
@@ -34,7 +35,7 @@ Overview::Overview(const app::Session& session, QWidget* parent)
     : QWidget(parent), session_(session)
 {
     setAttribute(Qt::WA_TransparentForMouseEvents);
-    setAccessibleName(tr("Overview of the drawing"));
+    setAccessibleName(Text::tr("Overview of the drawing"));
 }
 
 void Overview::forget()

@@ -4,6 +4,7 @@
 #include "app/base/numbers.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/look/text.h"
 #include "ui/microscope/legend.h"
 #include "ui/microscope/timeline.h"
 #include "ui/widgets/follow_language.h"
@@ -24,7 +25,7 @@ enum Button { First, Previous, Play, Next, Last };
 
 QString speedText(double speed)
 {
-    return StepsPanel::tr("%1\u00d7").arg(app::numberText(speed, speed < 1 ? 1 : 0));
+    return Text::tr("%1\u00d7").arg(app::numberText(speed, speed < 1 ? 1 : 0));
 }
 
 QFont sentenceFont(const QFont& body)
@@ -41,7 +42,8 @@ QFont sentenceFont(const QFont& body)
 
 StepsPanel::StepsPanel(app::Microscope& microscope, QWidget* parent)
     : QWidget(parent), microscope_(microscope), playback_(microscope), sentence_(new QLabel),
-      count_(new QLabel), keys_(new QLabel(tr("Left, Right: step. Space: play. Home, End: jump."))),
+      count_(new QLabel),
+      keys_(new QLabel(Text::tr("Left, Right: step. Space: play. Home, End: jump."))),
       speed_(new QComboBox), timeline_(new Timeline(microscope)), legend_(new Legend),
       foot_(new QWidget)
 {
@@ -52,14 +54,14 @@ StepsPanel::StepsPanel(app::Microscope& microscope, QWidget* parent)
     sentence_->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     sentence_->setMinimumHeight(sentenceLines * QFontMetrics(sentence_->font()).lineSpacing());
-    count_->setAccessibleName(tr("Step"));
+    count_->setAccessibleName(Text::tr("Step"));
     keys_->setFont(captionFont(font()));
     keys_->setForegroundRole(QPalette::PlaceholderText);
-    addButton("first", tr("First step"), tr("Home"));
-    addButton("step-back", tr("Previous step"), tr("Left"));
-    addButton("play", tr("Play"), tr("Space"));
-    addButton("step-on", tr("Next step"), tr("Right"));
-    addButton("last", tr("Last step"), tr("End"));
+    addButton("first", Text::tr("First step"), Text::tr("Home"));
+    addButton("step-back", Text::tr("Previous step"), Text::tr("Left"));
+    addButton("play", Text::tr("Play"), Text::tr("Space"));
+    addButton("step-on", Text::tr("Next step"), Text::tr("Right"));
+    addButton("last", Text::tr("Last step"), Text::tr("End"));
     addSpeeds();
     layOut();
     constexpr std::size_t end = -1;
@@ -83,7 +85,7 @@ QToolButton* StepsPanel::addButton(const char* key, const QString& name, const Q
     button->setFixedSize(space::toolButton + 2, space::toolButton + 2);
     button->setFocusPolicy(Qt::TabFocus);
     button->setAccessibleName(name);
-    button->setToolTip(tr("%1 (%2)").arg(name, shortcut));
+    button->setToolTip(Text::tr("%1 (%2)").arg(name, shortcut));
     buttons_ << button;
     return button;
 }
@@ -98,8 +100,8 @@ void StepsPanel::addSpeeds()
     });
     speed_->setCurrentIndex(1);
     speed_->setFocusPolicy(Qt::TabFocus);
-    speed_->setAccessibleName(tr("Speed"));
-    speed_->setToolTip(tr("How fast the steps are played"));
+    speed_->setAccessibleName(Text::tr("Speed"));
+    speed_->setToolTip(Text::tr("How fast the steps are played"));
     connect(speed_, &QComboBox::currentIndexChanged, this,
             [this](int index) { playback_.setSpeed(speeds[std::size_t(index)]); });
 }
@@ -129,7 +131,7 @@ void StepsPanel::layOut()
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(new Heading(tr("Steps")));
+    column->addWidget(new Heading(Text::tr("Steps")));
     column->addLayout(body, 1);
 }
 
@@ -141,16 +143,16 @@ void StepsPanel::showStep()
     const QString before = sentence_->text();
     const bool covered = microscope_.isCovered();
     sentence_->setText(any       ? narrated->sentence
-                       : covered ? tr("The steps are covered until you answer the question.")
+                       : covered ? Text::tr("The steps are covered until you answer the question.")
                                  : narration.refusal);
     const QString total = app::countText(narration.steps.size());
     const QString now = app::countText(microscope_.step() + 1);
-    count_->setText(any && covered ? tr("step <b>%1</b>").arg(now)
-                    : any          ? tr("<b>%1</b> of %2").arg(now, total)
+    count_->setText(any && covered ? Text::tr("step <b>%1</b>").arg(now)
+                    : any          ? Text::tr("<b>%1</b> of %2").arg(now, total)
                     : covered      ? QString()
-                                   : tr("no steps"));
+                                   : Text::tr("no steps"));
     // Wide enough for the longest text, so that nothing moves while stepping.
-    count_->setMinimumWidth(fontMetrics().horizontalAdvance(tr("%1 of %1").arg(total)) + 10);
+    count_->setMinimumWidth(fontMetrics().horizontalAdvance(Text::tr("%1 of %1").arg(total)) + 10);
     const bool start = microscope_.step() == 0, end = microscope_.atEnd();
     for (const int button : {First, Previous})
         buttons_[button]->setEnabled(any && !start);
@@ -169,10 +171,10 @@ void StepsPanel::showStep()
 void StepsPanel::showPlaying()
 {
     const bool playing = playback_.playing();
-    const QString name = playing ? tr("Pause") : tr("Play");
+    const QString name = playing ? Text::tr("Pause") : Text::tr("Play");
     buttons_[Play]->setIcon(icon(playing ? "pause" : "play"));
     buttons_[Play]->setAccessibleName(name);
-    buttons_[Play]->setToolTip(tr("%1 (%2)").arg(name, tr("Space")));
+    buttons_[Play]->setToolTip(Text::tr("%1 (%2)").arg(name, Text::tr("Space")));
 }
 
 int StepsPanel::heightWithoutLegend() const

@@ -3,6 +3,7 @@
 
 #include "app/base/numbers.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/microscope/answer_cover.h"
 #include "ui/microscope/timeline_mark.h"
 
@@ -32,7 +33,7 @@ Timeline::Timeline(app::Microscope& microscope, QWidget* parent)
     : QWidget(parent), microscope_(microscope)
 {
     setFocusPolicy(Qt::StrongFocus);
-    setAccessibleName(tr("Timeline"));
+    setAccessibleName(Text::tr("Timeline"));
     setFont(captionFont(font()));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     connect(&microscope, &app::Microscope::stepChanged, this, &Timeline::follow);
@@ -45,9 +46,9 @@ void Timeline::follow()
     const auto& narration = microscope_.narration();
     QString words;
     if (microscope_.isCovered())
-        words = tr("The later steps are covered until you answer.");
+        words = Text::tr("The later steps are covered until you answer.");
     else if (!narration.steps.empty())
-        words = tr("Step %1 of %2: %3")
+        words = Text::tr("Step %1 of %2: %3")
                     .arg(microscope_.step() + 1)
                     .arg(narration.steps.size())
                     .arg(markWord(microscope_.narrated()->mark));
@@ -250,7 +251,7 @@ bool Timeline::event(QEvent* event)
         const auto& steps = microscope_.narration().steps;
         if (const std::size_t step = stepAt(help->pos().x()); step < steps.size())
             QToolTip::showText(help->globalPos(),
-                               tr("%1. %2").arg(step + 1).arg(steps[step].sentence), this);
+                               Text::tr("%1. %2").arg(step + 1).arg(steps[step].sentence), this);
         return true;
     }
     return QWidget::event(event);

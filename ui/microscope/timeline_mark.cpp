@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/microscope/timeline_mark.h"
 
+#include "ui/look/text.h"
+
 #include <QCoreApplication>
 
 #include <array>
@@ -60,13 +62,13 @@ struct Row {
 };
 
 /// In the order of app::Mark.
-constexpr std::array rows{Row{QT_TRANSLATE_NOOP("Timeline", "compute"), paintDot},
-                          Row{QT_TRANSLATE_NOOP("Timeline", "compare"), paintTick},
-                          Row{QT_TRANSLATE_NOOP("Timeline", "divide"), paintDivided},
-                          Row{QT_TRANSLATE_NOOP("Timeline", "cut"), paintDiamond},
-                          Row{QT_TRANSLATE_NOOP("Timeline", "accept"), paintAccept},
-                          Row{QT_TRANSLATE_NOOP("Timeline", "reject"), paintReject},
-                          Row{QT_TRANSLATE_NOOP("Timeline", "give up"), paintGiveUp}};
+constexpr std::array rows{Row{QT_TRANSLATE_NOOP("Text", "compute"), paintDot},
+                          Row{QT_TRANSLATE_NOOP("Text", "compare"), paintTick},
+                          Row{QT_TRANSLATE_NOOP("Text", "divide"), paintDivided},
+                          Row{QT_TRANSLATE_NOOP("Text", "cut"), paintDiamond},
+                          Row{QT_TRANSLATE_NOOP("Text", "accept"), paintAccept},
+                          Row{QT_TRANSLATE_NOOP("Text", "reject"), paintReject},
+                          Row{QT_TRANSLATE_NOOP("Text", "give up"), paintGiveUp}};
 static_assert(rows.size() == std::size_t(app::Mark::GiveUp) + 1);
 
 } // namespace
@@ -83,9 +85,6 @@ void paintMark(QPainter& painter, const QPointF& middle, app::Mark mark, const Q
     painter.restore();
 }
 
-QString markWord(app::Mark mark)
-{
-    return QCoreApplication::translate("Timeline", rows[std::size_t(mark)].word);
-}
+QString markWord(app::Mark mark) { return Text::tr(rows[std::size_t(mark)].word); }
 
 } // namespace ui

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/microscope/variable_model.h"
 
+#include "ui/look/text.h"
+
 #include <algorithm>
 
 namespace ui {
@@ -39,8 +41,8 @@ QString VariableModel::text(const app::Variable& variable, int column) const
     }
     default:
         return !variable.changed() ? QString()
-               : variable.before   ? QStringLiteral("\u25cf ") + tr("changed")
-                                   : QStringLiteral("+ ") + tr("new");
+               : variable.before   ? QStringLiteral("\u25cf ") + Text::tr("changed")
+                                   : QStringLiteral("+ ") + Text::tr("new");
     }
 }
 
@@ -70,7 +72,8 @@ QVariant VariableModel::heading(int column, int role) const
         return sideOf(column == Value || column == Before);
     if (role != Qt::DisplayRole)
         return {};
-    const QString names[ColumnCount]{tr("name"), tr("value"), tr("before"), QString()};
+    const QString names[ColumnCount]{Text::tr("name"), Text::tr("value"), Text::tr("before"),
+                                     QString()};
     return names[column];
 }
 

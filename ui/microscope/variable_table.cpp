@@ -2,6 +2,7 @@
 #include "ui/microscope/variable_table.h"
 
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/widgets/tabular.h"
 
 #include <QFontDatabase>
@@ -67,7 +68,7 @@ VariableTable::VariableTable(QWidget* parent) : DenseTable(parent)
     setItemDelegate(new VariableCells(*this, this));
     setSelectionMode(NoSelection);
     setFocusPolicy(Qt::TabFocus);
-    setAccessibleName(tr("Variables"));
+    setAccessibleName(Text::tr("Variables"));
     horizontalHeader()->setSortIndicatorShown(false);
     horizontalHeader()->setSectionsClickable(false);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -102,7 +103,7 @@ void VariableTable::fitColumns()
     const int all = viewport()->width();
     const QFontMetrics metrics(font()), bold(semiBold(font()));
     const int word =
-        bold.horizontalAdvance(QStringLiteral("\u25cf ") + tr("changed")) + 2 * gap + 4;
+        bold.horizontalAdvance(QStringLiteral("\u25cf ") + Text::tr("changed")) + 2 * gap + 4;
     const int rest = std::max(0, all - word);
     const QString usual = QStringLiteral("\u2212123.456");
     const int name = std::min(rest * 3 / 10, 8 * metrics.horizontalAdvance(u'm') + 2 * gap);

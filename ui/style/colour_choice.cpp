@@ -6,6 +6,7 @@
 #include "app/session/typed_colour.h"
 #include "app/view/colour_chart.h"
 #include "ui/canvas/eyedropper.h"
+#include "ui/look/text.h"
 #include "ui/widgets/colour_popup.h"
 #include "ui/widgets/swatch.h"
 
@@ -29,7 +30,8 @@ ColourChoice::ColourChoice(app::Session& session, Canvas& canvas, app::PaintPart
 void ColourChoice::setPart(app::PaintPart part)
 {
     part_ = part;
-    const QString name = part == &app::Style::stroke ? tr("Stroke colour") : tr("Fill colour");
+    const QString name =
+        part == &app::Style::stroke ? Text::tr("Stroke colour") : Text::tr("Fill colour");
     setToolTip(name);
     setAccessibleName(name);
     follow();
@@ -44,7 +46,7 @@ void ColourChoice::follow()
 {
     const auto colour = now();
     setIcon(colour ? swatchIcon(*colour) : mixedSwatchIcon());
-    setText(!colour ? tr("mixed") : *colour ? app::hexText(**colour) : tr("none"));
+    setText(!colour ? Text::tr("mixed") : *colour ? app::hexText(**colour) : Text::tr("none"));
 }
 
 void ColourChoice::open()

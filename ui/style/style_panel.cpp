@@ -8,6 +8,7 @@
 #include "app/view/colour_chart.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/look/text.h"
 #include "ui/widgets/dash_icon.h"
 #include "ui/widgets/segments.h"
 #include "ui/widgets/swatches.h"
@@ -33,10 +34,10 @@ QLabel* captionFor(QWidget* field, const QString& text)
 
 QString remarkOn(const app::ObjectRanges& selection)
 {
-    const auto tr = [](const char* text) { return StylePanel::tr(text); };
-    return selection.empty()       ? tr("of new objects")
-           : selection.size() == 1 ? tr("of 1 object")
-                                   : tr("of %1 objects").arg(app::countText(selection.size()));
+    return selection.empty() ? Text::tr("of new objects")
+           : selection.size() == 1
+               ? Text::tr("of 1 object")
+               : Text::tr("of %1 objects").arg(app::countText(selection.size()));
 }
 
 QHBoxLayout* row()
@@ -50,15 +51,18 @@ QHBoxLayout* row()
 
 StylePanel::StylePanel(app::Session& session, Canvas& canvas, QWidget* parent)
     : QWidget(parent), session_(session),
-      part_(new Segments(tr("Colour of"), {tr("Stroke"), tr("Fill")})),
+      part_(new Segments(Text::tr("Colour of"), {Text::tr("Stroke"), Text::tr("Fill")})),
       colour_(new ColourChoice(session, canvas, &app::Style::stroke)),
-      swatches_(new Swatches(tr("Colours of the drawing"), app::coloursInRow, 1)),
-      width_(makeField(tr("Stroke width"), LengthField::Suffix::Unit)), dashes_(new ToolList),
+      swatches_(new Swatches(Text::tr("Colours of the drawing"), app::coloursInRow, 1)),
+      width_(makeField(Text::tr("Stroke width"), LengthField::Suffix::Unit)), dashes_(new ToolList),
       pattern_(new QLineEdit),
-      caps_(new Segments(tr("Caps"), {tr("Butt"), tr("Round"), tr("Square")})),
-      joins_(new Segments(tr("Joins"), {tr("Miter"), tr("Round"), tr("Bevel")})),
-      fillRule_(new Segments(tr("Fill rule"), {tr("Nonzero"), tr("Even-odd")})),
-      miterLimit_(makeField(tr("Miter limit"), LengthField::Suffix::None)), ofLayer_(new QCheckBox)
+      caps_(new Segments(Text::tr("Caps"),
+                         {Text::tr("Butt"), Text::tr("Round"), Text::tr("Square")})),
+      joins_(new Segments(Text::tr("Joins"),
+                          {Text::tr("Miter"), Text::tr("Round"), Text::tr("Bevel")})),
+      fillRule_(new Segments(Text::tr("Fill rule"), {Text::tr("Nonzero"), Text::tr("Even-odd")})),
+      miterLimit_(makeField(Text::tr("Miter limit"), LengthField::Suffix::None)),
+      ofLayer_(new QCheckBox)
 {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(space::dockMargin, space::labelToField, space::dockMargin,
@@ -116,7 +120,7 @@ QLayout* StylePanel::makeColour()
     eyedropper->setFocusPolicy(Qt::StrongFocus);
     eyedropper->setFixedSize(space::fieldHeight, space::fieldHeight);
     eyedropper->setToolTip(
-        tr("Take the colour of a line in the drawing (I; for the fill Shift+I)"));
+        Text::tr("Take the colour of a line in the drawing (I; for the fill Shift+I)"));
     eyedropper->setAccessibleName(eyedropper->toolTip());
     connect(part_, &Segments::picked, this, [this](int part) {
         colour_->setPart(part == 0 ? &app::Style::stroke : &app::Style::fill);
@@ -134,8 +138,8 @@ QLayout* StylePanel::makeColour()
 
 QLayout* StylePanel::makeWidth()
 {
-    dashes_->setToolTip(tr("Dashes"));
-    dashes_->setAccessibleName(tr("Dashes"));
+    dashes_->setToolTip(Text::tr("Dashes"));
+    dashes_->setAccessibleName(Text::tr("Dashes"));
     dashes_->setIconSize({36, 12});
     dashes_->setFixedHeight(space::fieldHeight);
     for (const app::DashPattern& pattern : app::dashPatterns()) {
@@ -144,49 +148,50 @@ QLayout* StylePanel::makeWidth()
         dashes_->setItemData(dashes_->count() - 1, pattern.name, Qt::ToolTipRole);
     }
     connect(width_, &LengthField::edited, this, [this](double width, app::Merging merging) {
-        change([width](app::Style& style) { app::setWidth(style, width); }, tr("Stroke width"),
-               merging);
+        change([width](app::Style& style) { app::setWidth(style, width); },
+               Text::tr("Stroke width"), merging);
     });
     connect(dashes_, &QComboBox::activated, this, [this](int index) {
         const auto& pattern = app::dashPatterns()[std::size_t(index)];
         change([&](app::Style& style) { style.dashes = app::scaled(pattern, style.width); },
-               tr("Dashes"), app::Merging::WithLast);
+               Text::tr("Dashes"), app::Merging::WithLast);
     });
     connect(dashes_, &ToolList::done, this, &StylePanel::entered);
     auto* line = row();
-    line->addWidget(captionFor(width_, tr("Width")));
+    line->addWidget(captionFor(width_, Text::tr("Width")));
     line->addWidget(width_, 1);
-    line->addWidget(captionFor(dashes_, tr("Dashes")));
+    line->addWidget(captionFor(dashes_, Text::tr("Dashes")));
     line->addWidget(dashes_, 1);
     return line;
 }
 
 QLayout* StylePanel::makePattern()
 {
-    pattern_->setAccessibleName(tr("Dash pattern"));
-    pattern_->setToolTip(tr("Your own pattern: alternating lengths of dashes and gaps, such as 3 1 "
-                            "0.5 1, or 2mm 1mm. Empty: solid."));
+    pattern_->setAccessibleName(Text::tr("Dash pattern"));
+    pattern_->setToolTip(
+        Text::tr("Your own pattern: alternating lengths of dashes and gaps, such as 3 1 "
+                 "0.5 1, or 2mm 1mm. Empty: solid."));
     pattern_->setFixedHeight(space::fieldHeight);
     connect(pattern_, &QLineEdit::returnPressed, this, [this] {
         enterPattern();
         emit entered();
     });
     connect(pattern_, &QLineEdit::editingFinished, this, &StylePanel::enterPattern);
-    miterLimit_->setToolTip(tr(
+    miterLimit_->setToolTip(Text::tr(
         "Miter limit: sharper corners are cut off. It is the longest corner, in stroke widths."));
     connect(miterLimit_, &LengthField::edited, this, [this](double limit, app::Merging merging) {
         if (limit < 1) {
-            emit refused(tr("The miter limit must be at least 1."));
+            emit refused(Text::tr("The miter limit must be at least 1."));
             soon_.start(0);
             return;
         }
-        change([limit](app::Style& style) { style.miterLimit = limit; }, tr("Miter limit"),
+        change([limit](app::Style& style) { style.miterLimit = limit; }, Text::tr("Miter limit"),
                merging);
     });
     auto* line = row();
-    line->addWidget(captionFor(pattern_, tr("Pattern")));
+    line->addWidget(captionFor(pattern_, Text::tr("Pattern")));
     line->addWidget(pattern_, 1);
-    line->addWidget(captionFor(miterLimit_, tr("Limit")));
+    line->addWidget(captionFor(miterLimit_, Text::tr("Limit")));
     miterLimit_->setFixedWidth(miterLimit_->fontMetrics().horizontalAdvance(u'0') * 5 + 28);
     line->addWidget(miterLimit_);
     return line;
@@ -194,7 +199,7 @@ QLayout* StylePanel::makePattern()
 
 void StylePanel::makeLayer()
 {
-    ofLayer_->setAccessibleName(tr("For new objects of the layer"));
+    ofLayer_->setAccessibleName(Text::tr("For new objects of the layer"));
     ofLayer_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // a name may be long
     connect(ofLayer_, &QCheckBox::clicked, this, [this](bool on) {
         app::setLayerStyle(session_,
@@ -206,13 +211,14 @@ void StylePanel::makeLayer()
 void StylePanel::followLayer()
 {
     const QString name = session_.now().containers()[app::layerForNew(session_)].name;
-    const QString text = tr("For new objects of the layer “%1”").arg(name);
+    const QString text = Text::tr("For new objects of the layer “%1”").arg(name);
     constexpr int box = 24; // logical pixels, with its distance
     ofLayer_->setText(
         fontMetrics().elidedText(text, Qt::ElideRight, swatches_->sizeHint().width() - box));
-    ofLayer_->setToolTip(tr("What is drawn in the layer “%1” gets this style. It is saved with the "
-                            "drawing.")
-                             .arg(name));
+    ofLayer_->setToolTip(
+        Text::tr("What is drawn in the layer “%1” gets this style. It is saved with the "
+                 "drawing.")
+            .arg(name));
     ofLayer_->setChecked(app::layerStyle(session_).has_value());
 }
 
@@ -221,16 +227,16 @@ QLayout* StylePanel::makeCorners()
     caps_->setIcons({"cap-butt", "cap-round", "cap-square"});
     joins_->setIcons({"join-miter", "join-round", "join-bevel"});
     connect(caps_, &Segments::picked, this, [this](int cap) {
-        change([cap](app::Style& style) { style.cap = app::Cap(cap); }, tr("Caps"));
+        change([cap](app::Style& style) { style.cap = app::Cap(cap); }, Text::tr("Caps"));
     });
     connect(joins_, &Segments::picked, this, [this](int join) {
-        change([join](app::Style& style) { style.join = app::Join(join); }, tr("Joins"));
+        change([join](app::Style& style) { style.join = app::Join(join); }, Text::tr("Joins"));
     });
     auto* line = row();
-    line->addWidget(captionFor(caps_, tr("Caps")));
+    line->addWidget(captionFor(caps_, Text::tr("Caps")));
     line->addWidget(caps_);
     line->addStretch(1);
-    line->addWidget(captionFor(joins_, tr("Joins")));
+    line->addWidget(captionFor(joins_, Text::tr("Joins")));
     line->addWidget(joins_);
     return line;
 }
@@ -239,10 +245,10 @@ QLayout* StylePanel::makeFillRule()
 {
     connect(fillRule_, &Segments::picked, this, [this](int rule) {
         change([rule](app::Style& style) { style.fillRule = app::FillRule(rule); },
-               tr("Fill rule"));
+               Text::tr("Fill rule"));
     });
     auto* line = row();
-    line->addWidget(captionFor(fillRule_, tr("Fill rule")));
+    line->addWidget(captionFor(fillRule_, Text::tr("Fill rule")));
     line->addStretch(1);
     line->addWidget(fillRule_);
     return line;
@@ -271,7 +277,7 @@ void StylePanel::enterPattern()
         return;
     }
     emit taken();
-    change([&](app::Style& style) { style.dashes = *dashes.value; }, tr("Dashes"));
+    change([&](app::Style& style) { style.dashes = *dashes.value; }, Text::tr("Dashes"));
 }
 
 void StylePanel::follow()
@@ -302,7 +308,7 @@ void StylePanel::followLines(std::span<const app::Style> styles)
     const auto dashes = app::common(styles, &app::Style::dashes);
     if (!pattern_->isModified()) {
         pattern_->setText(dashes ? app::dashesText(*dashes, scale()) : QString());
-        pattern_->setPlaceholderText(dashes ? tr("solid") : tr("mixed"));
+        pattern_->setPlaceholderText(dashes ? Text::tr("solid") : Text::tr("mixed"));
     }
     const auto show = [](Segments& segments, const auto& value) {
         value ? segments.choose(int(*value)) : segments.chooseNone();
@@ -314,9 +320,9 @@ void StylePanel::followLines(std::span<const app::Style> styles)
         std::ranges::any_of(styles, [](const app::Style& s) { return s.fill.has_value(); });
     fillRule_->setEnabled(filled);
     fillRule_->setToolTip(
-        filled ? tr("What is filled where a path crosses itself. Nonzero: all that it winds "
-                    "around. Even-odd: every second area stays empty.")
-               : tr("Nothing here has a fill. Choose a fill colour first."));
+        filled ? Text::tr("What is filled where a path crosses itself. Nonzero: all that it winds "
+                          "around. Even-odd: every second area stays empty.")
+               : Text::tr("Nothing here has a fill. Choose a fill colour first."));
 }
 
 void StylePanel::showEvent(QShowEvent* event)

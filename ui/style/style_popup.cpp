@@ -2,6 +2,7 @@
 #include "ui/style/style_popup.h"
 
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 
 #include <QKeyEvent>
 #include <QLabel>
@@ -10,7 +11,7 @@
 namespace ui {
 
 StylePopup::StylePopup(app::Session& session, Canvas& canvas, QWidget& below)
-    : Popup(tr("Style"), &below), canvas_(canvas), below_(below),
+    : Popup(Text::tr("Style"), &below), canvas_(canvas), below_(below),
       panel_(new StylePanel(session, canvas))
 {
     setObjectName(QStringLiteral("style-popup"));
@@ -24,7 +25,7 @@ StylePopup::StylePopup(app::Session& session, Canvas& canvas, QWidget& below)
     column->addWidget(title);
     column->addWidget(panel_);
     connect(panel_, &StylePanel::titled, title,
-            [title](const QString& remark) { title->setText(tr("Style %1").arg(remark)); });
+            [title](const QString& remark) { title->setText(Text::tr("Style %1").arg(remark)); });
     connect(panel_, &StylePanel::eyedropperStarted, this, &QWidget::close);
 }
 

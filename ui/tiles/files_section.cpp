@@ -6,6 +6,7 @@
 #include "app/tiles/empty_sheets.h"
 #include "ui/look/error_colour.h"
 #include "ui/look/look_icon.h"
+#include "ui/look/text.h"
 #include "ui/widgets/elided_label.h"
 #include "ui/widgets/refusal_frame.h"
 #include "ui/widgets/segments.h"
@@ -31,18 +32,19 @@ QStringList namesOf(const std::vector<const app::Format*>& formats)
 } // namespace
 
 FilesSection::FilesSection(app::LiveSheets& sheets, QWidget* parent)
-    : Section(tr("Files"), parent), sheets_(sheets), formats_(app::sheetFormats()),
-      format_(new Segments(tr("Format"), namesOf(formats_))),
-      each_(new QRadioButton(tr("one file a sheet"))), one_(new QRadioButton(tr("one PDF"))),
-      name_(new QLineEdit), frame_(new RefusalFrame(*name_)), files_(new ElidedLabel),
-      overview_(new QCheckBox(tr("Overview sheet with all numbers"))),
-      empty_(new QCheckBox(tr("Leave out empty sheets"))),
+    : Section(Text::tr("Files"), parent), sheets_(sheets), formats_(app::sheetFormats()),
+      format_(new Segments(Text::tr("Format"), namesOf(formats_))),
+      each_(new QRadioButton(Text::tr("one file a sheet"))),
+      one_(new QRadioButton(Text::tr("one PDF"))), name_(new QLineEdit),
+      frame_(new RefusalFrame(*name_)), files_(new ElidedLabel),
+      overview_(new QCheckBox(Text::tr("Overview sheet with all numbers"))),
+      empty_(new QCheckBox(Text::tr("Leave out empty sheets"))),
       export_(new QPushButton(icon("export"), {}))
 {
     addFormat();
     addName();
     overview_->setObjectName(QStringLiteral("overview-sheet"));
-    overview_->setToolTip(tr("A further sheet that shows where each one belongs"));
+    overview_->setToolTip(Text::tr("A further sheet that shows where each one belongs"));
     addWide(overview_);
     empty_->setObjectName(QStringLiteral("leave-out-empty-sheets"));
     addWide(empty_);
@@ -69,9 +71,9 @@ void FilesSection::addFormat()
     format_->setObjectName(QStringLiteral("sheets-format"));
     each_->setObjectName(QStringLiteral("one-file-a-sheet"));
     one_->setObjectName(QStringLiteral("one-pdf"));
-    one_->setToolTip(tr("A PDF file with a page for each sheet"));
-    addRow(tr("Format"), {format_});
-    addRow(tr("As"), {each_, one_});
+    one_->setToolTip(Text::tr("A PDF file with a page for each sheet"));
+    addRow(Text::tr("Format"), {format_});
+    addRow(Text::tr("As"), {each_, one_});
     connect(format_, &Segments::picked, this, [this](int chosen) {
         change(app::withFormat(sheets_.settings(), *formats_[std::size_t(chosen)]));
     });
@@ -82,11 +84,11 @@ void FilesSection::addFormat()
 
 void FilesSection::addName()
 {
-    name_->setAccessibleName(tr("Name"));
+    name_->setAccessibleName(Text::tr("Name"));
     name_->setObjectName(QStringLiteral("sheets-name"));
     name_->setFixedHeight(space::fieldHeight);
-    name_->setToolTip(tr("{row} and {column} become the place of the sheet, {n} its number"));
-    auto* beside = addRow(tr("Name"), {name_});
+    name_->setToolTip(Text::tr("{row} and {column} become the place of the sheet, {n} its number"));
+    auto* beside = addRow(Text::tr("Name"), {name_});
     beside->setStretch(0, 1);
     files_->setFont(captionFont(font()));
     files_->setObjectName(QStringLiteral("sheets-files"));
@@ -142,20 +144,21 @@ void FilesSection::follow()
     empty_->setChecked(now.plan.empty == app::EmptySheets::LeftOut);
     const QString leftOut =
         sheets_.tiling() ? app::emptySheetsText(*sheets_.tiling().value) : QString();
-    empty_->setToolTip(leftOut.isEmpty() ? tr("Sheets without any part of the drawing") : leftOut);
+    empty_->setToolTip(leftOut.isEmpty() ? Text::tr("Sheets without any part of the drawing")
+                                         : leftOut);
     frame_->hide();
     if (!name_->isModified() || !name_->hasFocus())
         name_->setText(app::patternOf(now, sheets_.title()));
     const QStringList files = sheets_.files();
     showFiles(files);
     const int written = sheets_.tiling() ? sheets_.tiling().value->written() : 0;
-    export_->setText(written == 1 ? tr("Export 1 sheet…")
-                                  : tr("Export %1 sheets…").arg(app::countText(written)));
+    export_->setText(written == 1 ? Text::tr("Export 1 sheet…")
+                                  : Text::tr("Export %1 sheets…").arg(app::countText(written)));
     const bool ready = !sheets_.cutting();
     export_->setEnabled(written > 0 && ready);
-    export_->setToolTip(!ready        ? tr("The drawing is being cut at its clip windows.")
-                        : written > 0 ? tr("Choose where to write the files")
-                                      : tr("There is no sheet to export."));
+    export_->setToolTip(!ready        ? Text::tr("The drawing is being cut at its clip windows.")
+                        : written > 0 ? Text::tr("Choose where to write the files")
+                                      : Text::tr("There is no sheet to export."));
 }
 
 void FilesSection::showFiles(const QStringList& files)

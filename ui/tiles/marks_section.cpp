@@ -1,21 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tiles/marks_section.h"
 
+#include "ui/look/text.h"
+
 #include <QCheckBox>
 
 namespace ui {
 
 MarksSection::MarksSection(app::LiveSheets& sheets, QWidget* parent)
-    : Section(tr("Marks"), parent), sheets_(sheets)
+    : Section(Text::tr("Marks"), parent), sheets_(sheets)
 {
-    add(tr("Registration marks"), "registration-marks", &app::SheetMarks::registration);
-    add(tr("Sheet labels"), "sheet-labels", &app::SheetMarks::labels);
-    add(tr("Crop lines at the corners"), "crop-lines", &app::SheetMarks::cropLines);
-    boxes_[0].first->setToolTip(tr("Crosses at the same points of the drawing on neighbouring "
-                                   "sheets: lay one over the other"));
-    boxes_[1].first->setToolTip(tr("Name, row and column of the sheet, and the size of all sheets "
-                                   "together"));
-    boxes_[2].first->setToolTip(tr("Lines along which a sheet is cut"));
+    add(Text::tr("Registration marks"), "registration-marks", &app::SheetMarks::registration);
+    add(Text::tr("Sheet labels"), "sheet-labels", &app::SheetMarks::labels);
+    add(Text::tr("Crop lines at the corners"), "crop-lines", &app::SheetMarks::cropLines);
+    boxes_[0].first->setToolTip(
+        Text::tr("Crosses at the same points of the drawing on neighbouring "
+                 "sheets: lay one over the other"));
+    boxes_[1].first->setToolTip(
+        Text::tr("Name, row and column of the sheet, and the size of all sheets "
+                 "together"));
+    boxes_[2].first->setToolTip(Text::tr("Lines along which a sheet is cut"));
     connect(&sheets, &app::LiveSheets::changed, this, &MarksSection::follow);
     connect(&sheets, &app::LiveSheets::openChanged, this, &MarksSection::follow);
     follow();

@@ -3,8 +3,8 @@
 
 #include "app/tiles/marks.h"
 #include "app/view/painter_path.h"
+#include "ui/look/text.h"
 
-#include <QCoreApplication>
 #include <QPainter>
 
 #include <algorithm>
@@ -12,8 +12,6 @@
 
 namespace ui {
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("TilesView", text); }
 
 constexpr double leastMarks = 5; // pixels of a margin; marks in narrower ones would be specks
 constexpr double leastTag = 26;  // pixels of a sheet's side, for its name
@@ -190,8 +188,8 @@ void SheetPainter::paintTag(std::size_t sheet, const QFont& font, bool large)
     painter_.drawRoundedRect(tag, space::radius - 1, space::radius - 1);
     painter_.setPen(tile.leftOut ? look_.panel : look_.onAccent);
     painter_.drawText(tag, Qt::AlignCenter, name);
-    const QString remark = tile.empty     ? tr("empty, left out")
-                           : tile.leftOut ? tr("left out")
+    const QString remark = tile.empty     ? Text::tr("empty, left out")
+                           : tile.leftOut ? Text::tr("left out")
                                           : app::paperText(sheets_.settings(), tiling_);
     painter_.setFont(font);
     const double room = paper.right() - tag.right() - 8;

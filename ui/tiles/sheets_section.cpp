@@ -5,6 +5,7 @@
 #include "app/tiles/papers.h"
 #include "app/tiles/sheet_names.h"
 #include "ui/look/error_colour.h"
+#include "ui/look/text.h"
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/look_label.h"
 #include "ui/widgets/quiet_label.h"
@@ -34,10 +35,10 @@ QSpinBox* countField(const QString& name)
 } // namespace
 
 SheetsSection::SheetsSection(app::Session& session, app::LiveSheets& sheets, QWidget* parent)
-    : Section(tr("Sheets"), parent), session_(session), sheets_(sheets), paper_(new ToolList),
-      turn_(new Segments(tr("Orientation"), {tr("Portrait"), tr("Landscape")})),
-      by_(new Segments(tr("Cut by"), {tr("Paper size"), tr("Number")})),
-      columns_(countField(tr("Columns"))), rows_(countField(tr("Rows"))),
+    : Section(Text::tr("Sheets"), parent), session_(session), sheets_(sheets), paper_(new ToolList),
+      turn_(new Segments(Text::tr("Orientation"), {Text::tr("Portrait"), Text::tr("Landscape")})),
+      by_(new Segments(Text::tr("Cut by"), {Text::tr("Paper size"), Text::tr("Number")})),
+      columns_(countField(Text::tr("Columns"))), rows_(countField(Text::tr("Rows"))),
       scale_(new QDoubleSpinBox), size_(quietLabel({})), refusal_(new LookLabel)
 {
     addPaper();
@@ -59,14 +60,14 @@ SheetsSection::SheetsSection(app::Session& session, app::LiveSheets& sheets, QWi
 void SheetsSection::addPaper()
 {
     paper_->addItems(app::papers());
-    paper_->setAccessibleName(tr("Paper"));
+    paper_->setAccessibleName(Text::tr("Paper"));
     paper_->setObjectName(QStringLiteral("sheets-paper"));
     paper_->setFixedHeight(space::fieldHeight);
     turn_->setIcons({"portrait", "landscape"});
     turn_->setObjectName(QStringLiteral("sheets-orientation"));
     by_->setObjectName(QStringLiteral("sheets-by"));
-    addRow(tr("Paper"), {paper_, turn_});
-    addRow(tr("Cut by"), {by_});
+    addRow(Text::tr("Paper"), {paper_, turn_});
+    addRow(Text::tr("Cut by"), {by_});
     connect(paper_, &ToolList::done, this, &SheetsSection::entered);
     connect(paper_, &QComboBox::currentTextChanged, this, [this](const QString& paper) {
         change(paper_, [&](app::SheetSettings& next) { next.paper = paper; });
@@ -91,8 +92,8 @@ void SheetsSection::addNumbers()
 {
     columns_->setObjectName(QStringLiteral("sheets-columns"));
     rows_->setObjectName(QStringLiteral("sheets-rows"));
-    auto* beside = addRow(tr("Columns"), {columns_});
-    auto* label = quietLabel(tr("Rows"));
+    auto* beside = addRow(Text::tr("Columns"), {columns_});
+    auto* label = quietLabel(Text::tr("Rows"));
     label->setBuddy(rows_);
     beside->insertWidget(1, label);
     beside->insertWidget(2, rows_);
@@ -121,21 +122,21 @@ LengthField* SheetsSection::addLength(const QString& name, double app::TilePlan:
 
 void SheetsSection::addLengths()
 {
-    overlap_ = addLength(tr("Overlap"), &app::TilePlan::overlap, {});
-    margin_ = addLength(tr("Margins"), &app::TilePlan::margin, tr("all four"));
+    overlap_ = addLength(Text::tr("Overlap"), &app::TilePlan::overlap, {});
+    margin_ = addLength(Text::tr("Margins"), &app::TilePlan::margin, Text::tr("all four"));
     overlap_->setObjectName(QStringLiteral("sheets-overlap"));
     margin_->setObjectName(QStringLiteral("sheets-margin"));
     scale_->setRange(0.1, 100'000);
     scale_->setDecimals(1);
     scale_->setSingleStep(10);
-    scale_->setSuffix(tr(" %"));
+    scale_->setSuffix(Text::tr(" %"));
     scale_->setKeyboardTracking(false);
-    scale_->setAccessibleName(tr("Scale"));
-    scale_->setToolTip(tr("The size of the drawing on the sheets"));
+    scale_->setAccessibleName(Text::tr("Scale"));
+    scale_->setToolTip(Text::tr("The size of the drawing on the sheets"));
     scale_->setObjectName(QStringLiteral("sheets-scale"));
     scale_->setFixedHeight(space::fieldHeight);
     scale_->setFixedWidth(lengthWidth);
-    addRow(tr("Scale"), {scale_, size_});
+    addRow(Text::tr("Scale"), {scale_, size_});
     connect(scale_, &QDoubleSpinBox::valueChanged, this, [this](double percent) {
         change(scale_, [&](app::SheetSettings& next) { next.plan.scale = percent / 100; });
     });
@@ -194,10 +195,10 @@ void SheetsSection::follow()
     scale_->setValue(now.plan.scale * 100);
     columns_->setEnabled(byNumber);
     rows_->setEnabled(byNumber);
-    const QString why = byNumber ? QString() : tr("Choose “Number” to set it.");
+    const QString why = byNumber ? QString() : Text::tr("Choose “Number” to set it.");
     columns_->setToolTip(why);
     rows_->setToolTip(why);
-    const QString whyNoPaper = byNumber ? tr("Choose “Paper size” to set it.") : QString();
+    const QString whyNoPaper = byNumber ? Text::tr("Choose “Paper size” to set it.") : QString();
     paper_->setToolTip(whyNoPaper);
     turn_->setToolTip(whyNoPaper);
     const auto& tiling = sheets_.tiling();
@@ -208,7 +209,7 @@ void SheetsSection::follow()
         return size_->clear();
     }
     setRemark(app::gridText(*tiling.value));
-    size_->setText(tr("%1 × %2 mm")
+    size_->setText(Text::tr("%1 × %2 mm")
                        .arg(app::numberText(tiling.value->drawing.x, 0),
                             app::numberText(tiling.value->drawing.y, 0)));
 }

@@ -3,6 +3,7 @@
 
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/look/text.h"
 #include "ui/widgets/icon_sign.h"
 #include "ui/widgets/quiet_label.h"
 #include "ui/widgets/segments.h"
@@ -14,12 +15,13 @@
 namespace ui {
 
 TilesBar::TilesBar(QWidget* parent)
-    : QWidget(parent), show_(new Segments(tr("Show"), {tr("In place"), tr("Sheets apart")})),
-      overlap_(new Segments(tr("Overlap"), {tr("Tinted"), tr("Plain")}))
+    : QWidget(parent),
+      show_(new Segments(Text::tr("Show"), {Text::tr("In place"), Text::tr("Sheets apart")})),
+      overlap_(new Segments(Text::tr("Overlap"), {Text::tr("Tinted"), Text::tr("Plain")}))
 {
     setFixedHeight(space::optionsHeight);
     auto* sign = new IconSign("tiles", 18);
-    auto* title = new QLabel(tr("Tiles"));
+    auto* title = new QLabel(Text::tr("Tiles"));
     title->setFont(semiBold(font()));
     show_->setObjectName(QStringLiteral("tiles-arrangement"));
     overlap_->setObjectName(QStringLiteral("tiles-overlap"));
@@ -30,8 +32,9 @@ TilesBar::TilesBar(QWidget* parent)
         made->setFocusPolicy(Qt::TabFocus);
         return made;
     };
-    auto* fit = button("page", tr("Fit"), tr("Fit all sheets into the view (double click)"));
-    auto* close = button("close", tr("Close"), tr("Return to the drawing (Esc)"));
+    auto* fit =
+        button("page", Text::tr("Fit"), Text::tr("Fit all sheets into the view (double click)"));
+    auto* close = button("close", Text::tr("Close"), Text::tr("Return to the drawing (Esc)"));
     fit->setObjectName(QStringLiteral("fit-sheets"));
     close->setObjectName(QStringLiteral("close-tiles"));
     auto* row = new QHBoxLayout(this);
@@ -40,10 +43,11 @@ TilesBar::TilesBar(QWidget* parent)
     for (QWidget* widget : std::initializer_list<QWidget*>{sign, title})
         row->addWidget(widget);
     row->addSpacing(space::betweenGroups);
-    for (QWidget* widget : std::initializer_list<QWidget*>{quietLabel(tr("Show")), show_})
+    for (QWidget* widget : std::initializer_list<QWidget*>{quietLabel(Text::tr("Show")), show_})
         row->addWidget(widget);
     row->addSpacing(space::betweenGroups);
-    for (QWidget* widget : std::initializer_list<QWidget*>{quietLabel(tr("Overlap")), overlap_})
+    for (QWidget* widget :
+         std::initializer_list<QWidget*>{quietLabel(Text::tr("Overlap")), overlap_})
         row->addWidget(widget);
     row->addSpacing(space::betweenGroups);
     row->addWidget(fit);

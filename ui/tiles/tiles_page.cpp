@@ -2,6 +2,7 @@
 #include "ui/tiles/tiles_page.h"
 
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/tiles/files_section.h"
 #include "ui/tiles/marks_section.h"
 #include "ui/tiles/sheets_section.h"
@@ -56,7 +57,7 @@ TilesPage::TilesPage(app::Session& session, app::LiveSheets& sheets, QWidget* pa
           new TilesView(session, sheets, app::SheetArrangement::InPlace, TilesView::Use::Overview)),
       sheetsSection_(new SheetsSection(session, sheets))
 {
-    setAccessibleName(tr("Tiles"));
+    setAccessibleName(Text::tr("Tiles"));
     auto* across = new QHBoxLayout;
     across->setSpacing(0);
     across->addWidget(view_, 1);
@@ -80,8 +81,8 @@ TilesPage::TilesPage(app::Session& session, app::LiveSheets& sheets, QWidget* pa
 QWidget* TilesPage::makeColumn()
 {
     auto* marks = new MarksSection(sheets_);
-    auto* overview = new OverviewSection(tr("Overview"), overview_);
-    overview->setRemark(tr("in place, overlaps shaded"));
+    auto* overview = new OverviewSection(Text::tr("Overview"), overview_);
+    overview->setRemark(Text::tr("in place, overlaps shaded"));
     auto* files = new FilesSection(sheets_);
     auto* inner = new QWidget;
     inner->setBackgroundRole(QPalette::AlternateBase);
@@ -117,10 +118,11 @@ void TilesPage::tellHint()
 {
     if (!isVisible())
         return;
-    emit hinted(sheets_.settings().byNumber
-                    ? tr("Click a sheet to leave it out. Drag to move the view.")
-                    : tr("Drag the edge between two sheets to shift the cuts. Click a sheet to "
-                         "leave it out."));
+    emit hinted(
+        sheets_.settings().byNumber
+            ? Text::tr("Click a sheet to leave it out. Drag to move the view.")
+            : Text::tr("Drag the edge between two sheets to shift the cuts. Click a sheet to "
+                       "leave it out."));
 }
 
 void TilesPage::showEvent(QShowEvent* event)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tiles/tiles_view.h"
 
+#include "ui/look/text.h"
 #include "ui/tiles/sheet_painter.h"
 
 #include <QApplication>
@@ -41,10 +42,10 @@ TilesView::TilesView(app::Session& session, app::LiveSheets& sheets,
     if (use == Use::Full) {
         setFocusPolicy(Qt::StrongFocus);
         setMouseTracking(true);
-        setAccessibleName(tr("Sheets"));
+        setAccessibleName(Text::tr("Sheets"));
         setObjectName(QStringLiteral("sheets-view"));
     } else {
-        setAccessibleName(tr("Overview of the sheets"));
+        setAccessibleName(Text::tr("Overview of the sheets"));
     }
     connect(&navigation_, &Navigation::moved, this, qOverload<>(&QWidget::update));
     connect(&art_, &SheetArt::painted, this, qOverload<>(&QWidget::update));
@@ -319,9 +320,10 @@ void TilesView::toggle(std::size_t sheet)
     app::SheetSettings next = sheets_.settings();
     auto& leftOut = next.plan.leftOut;
     if (tile.empty && std::ranges::count(leftOut, number) == 0)
-        return emit hinted(tr("Sheet %1-%2 is empty. Clear “Leave out empty sheets” to export it.")
-                               .arg(tile.row)
-                               .arg(tile.column));
+        return emit hinted(
+            Text::tr("Sheet %1-%2 is empty. Clear “Leave out empty sheets” to export it.")
+                .arg(tile.row)
+                .arg(tile.column));
     if (std::erase(leftOut, number) == 0)
         leftOut.push_back(number);
     std::ranges::sort(leftOut);

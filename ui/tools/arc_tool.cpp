@@ -2,10 +2,9 @@
 #include "app/document/direction.h"
 #include "app/drawing/arc_measures.h"
 #include "app/drawing/circle_arc.h"
+#include "ui/look/text.h"
 #include "ui/tools/last_step.h"
 #include "ui/tools/shape_drawing.h"
-
-#include <QCoreApplication>
 
 #include <cmath>
 
@@ -78,10 +77,7 @@ public:
 
     bool canTakeBack() const override { return busy() && !last_.isOpen(); }
     void takeBack(Workbench&) override { arc_.points.pop_back(); }
-    QString stepText() const override
-    {
-        return QCoreApplication::translate("Commands", "Place point");
-    }
+    QString stepText() const override { return Text::tr("Place point"); }
 
     std::optional<app::Gauge> gauge(const Workbench& bench) const override
     {
@@ -117,9 +113,9 @@ public:
 
     QString hint(const Workbench&) const override
     {
-        return arc_.byCentre ? QCoreApplication::translate(
-                   "Tools", "Click the centre, the start and the end of the arc. C: through three "
-                            "points.")
+        return arc_.byCentre ? Text::tr(
+                   "Click the centre, the start and the end of the arc. C: through three "
+                   "points.")
                              : QString();
     }
     void paint(QPainter& painter, const Workbench& bench) const override
@@ -162,8 +158,8 @@ private:
     void place(const app::Point& point, const Workbench& bench)
     {
         if (!arc_.points.empty() && point == arc_.points.back()) {
-            emit bench.session.refused(QCoreApplication::translate(
-                "Tools", "The last point is already here. Click another place."));
+            emit bench.session.refused(
+                Text::tr("The last point is already here. Click another place."));
             return;
         }
         arc_.points.push_back(point);
@@ -186,15 +182,13 @@ private:
         const auto arc = made();
         if (!arc) { // the gesture goes on
             emit bench.session.refused(
-                arc_.byCentre ? QCoreApplication::translate(
-                    "Tools", "The arc would have no length. Click another place.")
-                              : QCoreApplication::translate(
-                                  "Tools", "These three points lie on a straight line. Click a "
-                                           "place beside it."));
+                arc_.byCentre ? Text::tr("The arc would have no length. Click another place.")
+                              : Text::tr("These three points lie on a straight line. Click a "
+                                         "place beside it."));
             return;
         }
         last_.discard();
-        draw(bench, {app::pathOf(*arc)}, QCoreApplication::translate("Commands", "Draw arc"));
+        draw(bench, {app::pathOf(*arc)}, Text::tr("Draw arc"));
         done_ = arc_;
         cancel(bench);
         last_.remember(bench);

@@ -4,10 +4,9 @@
 #include "app/commands/resize_objects.h"
 #include "app/drawing/transformation_measures.h"
 #include "app/view/snapping/handle_snap.h"
+#include "ui/look/text.h"
 #include "ui/tools/shape_drawing.h"
 #include "ui/tools/transform_gesture.h"
-
-#include <QCoreApplication>
 
 #include <glm/common.hpp>
 
@@ -74,8 +73,8 @@ void BoxResize::accept(const app::GestureEnd& end, Workbench& bench)
     if (session.selection() != state.objects)
         return cancel(bench); // a command has removed objects meanwhile
     if (collapses(state.bounds, to)) {
-        emit session.refused(QCoreApplication::translate(
-            "Tools", "The selection would have no width or no height. Drag the handle elsewhere."));
+        emit session.refused(
+            Text::tr("The selection would have no width or no height. Drag the handle elsewhere."));
         return cancel(bench);
     }
     now_.reset();

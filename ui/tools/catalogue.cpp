@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/look/text.h"
 #include "ui/tools/tool.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <array>
@@ -27,59 +26,84 @@ std::unique_ptr<Tool> makeWindowTool();
 
 std::span<const ToolInfo> tools()
 {
-    const auto tr = [](const char* text) { return QCoreApplication::translate("Tools", text); };
     // THE CATALOGUE. To add a tool: write its file, declare its maker above, and add its row here.
     static const std::array all{
-        ToolInfo{"select", tr("Select"),
-                 tr("Click an object, or drag a box. Shift adds. Double click: show nodes, or enter a "
-                    "group."),
-                 QKeySequence("V"), makeSelectTool},
-        ToolInfo{"nodes", tr("Nodes"),
-                 tr("Click a path, then drag its nodes, handles and segments. Double click on it: add a "
-                    "node."),
+        ToolInfo{
+            "select", Text::tr("Select"),
+            Text::tr(
+                "Click an object, or drag a box. Shift adds. Double click: show nodes, or enter a "
+                "group."),
+            QKeySequence("V"), makeSelectTool},
+        ToolInfo{"nodes", Text::tr("Nodes"),
+                 Text::tr("Click a path, then drag its nodes, handles and segments. Double click "
+                          "on it: add a "
+                          "node."),
                  QKeySequence("N"), makeNodesTool},
-        ToolInfo{"hand", tr("Hand"), tr("Drag to move the view."), QKeySequence("H"), makeHandTool},
-        ToolInfo{"zoom", tr("Zoom"),
-                 tr("Drag a rectangle to zoom to it. Click to zoom in, Alt+click to zoom out."),
-                 QKeySequence("Z"), makeZoomTool},
-        ToolInfo{"line", tr("Line"),
-                 tr("Click points, or drag. Type a length, Tab, an angle, Enter. Esc: begin another "
-                    "line, Shift: 15° steps."),
-                 QKeySequence("L"), makeLineTool, ToolInfo::Group::New},
-        ToolInfo{"polyline", tr("Polyline"),
-                 tr("Click corners, or type a length, Tab, an angle, Enter. Ctrl+Z: corner back, Esc: "
-                    "end."),
-                 QKeySequence("P"), makePolylineTool},
-        ToolInfo{"pen", tr("Pen"),
-                 tr("Click: corner, drag: symmetric node, S: smooth, Alt: cusp. Click the start to "
-                    "close. Esc: end."),
-                 QKeySequence("D"), makePenTool},
-        ToolInfo{"arc", tr("Arc"),
-                 tr("Click the start, the end and a point on the arc. C, or Alt at the first click: by "
-                    "its centre."),
-                 QKeySequence("A"), makeArcTool},
-        ToolInfo{"pencil", tr("Pencil"), tr("Drag to draw freehand. Then Enter, a tolerance, Enter: how smooth it is."), QKeySequence("B"),
-                 makePencilTool},
-        ToolInfo{"rectangle", tr("Rectangle"),
-                 tr("Drag, or type a width, Tab, a height, Tab, a corner radius, Enter. Shift: square, "
-                    "Alt: centre."),
-                 QKeySequence("R"), makeRectangleTool},
-        ToolInfo{"ellipse", tr("Ellipse"),
-                 tr("Drag, or type a width, Tab, a height, Enter. Shift: circle, Alt: from the centre."),
+        ToolInfo{"hand", Text::tr("Hand"), Text::tr("Drag to move the view."), QKeySequence("H"),
+                 makeHandTool},
+        ToolInfo{
+            "zoom", Text::tr("Zoom"),
+            Text::tr("Drag a rectangle to zoom to it. Click to zoom in, Alt+click to zoom out."),
+            QKeySequence("Z"), makeZoomTool},
+        ToolInfo{
+            "line", Text::tr("Line"),
+            Text::tr(
+                "Click points, or drag. Type a length, Tab, an angle, Enter. Esc: begin another "
+                "line, Shift: 15° steps."),
+            QKeySequence("L"), makeLineTool, ToolInfo::Group::New},
+        ToolInfo{
+            "polyline", Text::tr("Polyline"),
+            Text::tr(
+                "Click corners, or type a length, Tab, an angle, Enter. Ctrl+Z: corner back, Esc: "
+                "end."),
+            QKeySequence("P"), makePolylineTool},
+        ToolInfo{
+            "pen", Text::tr("Pen"),
+            Text::tr(
+                "Click: corner, drag: symmetric node, S: smooth, Alt: cusp. Click the start to "
+                "close. Esc: end."),
+            QKeySequence("D"), makePenTool},
+        ToolInfo{
+            "arc", Text::tr("Arc"),
+            Text::tr(
+                "Click the start, the end and a point on the arc. C, or Alt at the first click: by "
+                "its centre."),
+            QKeySequence("A"), makeArcTool},
+        ToolInfo{
+            "pencil", Text::tr("Pencil"),
+            Text::tr("Drag to draw freehand. Then Enter, a tolerance, Enter: how smooth it is."),
+            QKeySequence("B"), makePencilTool},
+        ToolInfo{
+            "rectangle", Text::tr("Rectangle"),
+            Text::tr(
+                "Drag, or type a width, Tab, a height, Tab, a corner radius, Enter. Shift: square, "
+                "Alt: centre."),
+            QKeySequence("R"), makeRectangleTool},
+        ToolInfo{"ellipse", Text::tr("Ellipse"),
+                 Text::tr("Drag, or type a width, Tab, a height, Enter. Shift: circle, Alt: from "
+                          "the centre."),
                  QKeySequence("E"), makeEllipseTool},
-        ToolInfo{"polygon", tr("Polygon"),
-                 tr("Drag from the centre to a corner. Up, Down: corners, Shift: 15° steps, Alt: to a "
-                    "side."),
-                 QKeySequence("Y"), makePolygonTool},
-        ToolInfo{"star", tr("Star"),
-                 tr("Drag from the centre to a point. Up, Down: number of points, Shift: 15° steps. "
-                    "Tab: numbers."),
-                 QKeySequence("S"), makeStarTool},
-        ToolInfo{"text", tr("Text"),
-                 tr("Click where the text begins, or a text to edit it. Enter: end, Shift+Enter: new "
-                    "line."),
-                 QKeySequence("T"), makeTextTool},
-        ToolInfo{"window", tr("Clip window"), tr("Drag beside the windows to draw one, or a window to move it. Click: choose a window."),
+        ToolInfo{
+            "polygon", Text::tr("Polygon"),
+            Text::tr(
+                "Drag from the centre to a corner. Up, Down: corners, Shift: 15° steps, Alt: to a "
+                "side."),
+            QKeySequence("Y"), makePolygonTool},
+        ToolInfo{
+            "star", Text::tr("Star"),
+            Text::tr(
+                "Drag from the centre to a point. Up, Down: number of points, Shift: 15° steps. "
+                "Tab: numbers."),
+            QKeySequence("S"), makeStarTool},
+        ToolInfo{
+            "text", Text::tr("Text"),
+            Text::tr(
+                "Click where the text begins, or a text to edit it. Enter: end, Shift+Enter: new "
+                "line."),
+            QKeySequence("T"), makeTextTool},
+        ToolInfo{"window", Text::tr("Clip window"),
+                 Text::tr("Drag beside the windows to draw one, or a window to move it. Click: "
+                          "choose a window."),
                  QKeySequence("W"), makeWindowTool, ToolInfo::Group::New},
     };
     return all;

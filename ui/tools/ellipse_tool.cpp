@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/recipe_outline.h"
+#include "ui/look/text.h"
 #include "ui/tools/corner_tool.h"
-
-#include <QCoreApplication>
 
 namespace ui {
 namespace {
@@ -18,10 +17,7 @@ protected:
         const app::Point radii = (r.max - r.min) * 0.5;
         return app::EllipseRecipe{r.min + radii, radii};
     }
-    QString undoText() const override
-    {
-        return QCoreApplication::translate("Commands", "Draw ellipse");
-    }
+    QString undoText() const override { return Text::tr("Draw ellipse"); }
 };
 
 } // namespace

@@ -2,10 +2,9 @@
 #include "ui/tools/end_drag.h"
 
 #include "app/commands/change_paths.h"
+#include "ui/look/text.h"
 #include "ui/tools/line_on_screen.h"
 #include "ui/tools/shape_drawing.h"
-
-#include <QCoreApplication>
 
 #include <glm/geometric.hpp>
 
@@ -108,16 +107,15 @@ void EndDrag::accept(const app::Point& point, Workbench& bench)
     state.to = point;
     const clipping::Segment line = moved(state);
     if (line.a == line.b) {
-        emit session.refused(QCoreApplication::translate(
-            "Tools", "The line would have no length. Drag its end elsewhere."));
+        emit session.refused(Text::tr("The line would have no length. Drag its end elsewhere."));
         return cancel(bench);
     }
     last_.discard(); // if the step was open, it stays undone
     if (line == state.line)
         return end(bench);
     const std::array changed{app::ChangedPath{state.object, app::Path(line)}};
-    session.history.push(new app::ChangePaths(
-        session.document, changed, QCoreApplication::translate("Commands", "Move end of line")));
+    session.history.push(
+        new app::ChangePaths(session.document, changed, Text::tr("Move end of line")));
     session.inspect(state.inspected);
     cancel(bench);
     last_.remember(bench);

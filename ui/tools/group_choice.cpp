@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/group_choice.h"
 
+#include "ui/look/text.h"
 #include "ui/tools/shape_drawing.h"
-
-#include <QCoreApplication>
 
 namespace ui {
 
@@ -38,10 +37,9 @@ void refuseLocked(const Pointer& pointer, const Workbench& bench)
     while (id != 0 && !tree[id].locked)
         id = tree.parentOf(id);
     if (id != 0)
-        emit bench.session.refused(
-            QCoreApplication::translate("Tools", "%1 is locked. Unlock it in the panel Layers to "
-                                                 "select what is in it.")
-                .arg(app::groupName(tree[id])));
+        emit bench.session.refused(Text::tr("%1 is locked. Unlock it in the panel Layers to "
+                                            "select what is in it.")
+                                       .arg(app::groupName(tree[id])));
 }
 
 bool enterGroupAt(app::Session& session, std::size_t object)

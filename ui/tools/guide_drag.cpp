@@ -4,9 +4,8 @@
 #include "app/base/numbers.h"
 #include "app/commands/set_guides.h"
 #include "app/drawing/transformation_measures.h"
+#include "ui/look/text.h"
 #include "ui/tools/shape_drawing.h"
-
-#include <QCoreApplication>
 
 #include <cmath>
 
@@ -14,8 +13,6 @@ namespace ui {
 namespace {
 
 constexpr double guideReach = 4; // pixels
-
-QString guideText(const char* text) { return QCoreApplication::translate("Tools", text); }
 
 const std::vector<app::Guide>& guidesOf(const Workbench& bench)
 {
@@ -92,7 +89,7 @@ void GuideDrag::put(double at, Workbench& bench)
         return; // removed meanwhile
     if (!old_ && guides.list.size() == app::Guides::most) {
         emit bench.session.refused(
-            guideText("The page has 1,000 guides already. Remove some first."));
+            Text::tr("The page has 1,000 guides already. Remove some first."));
         return;
     }
     const std::size_t number = old_.value_or(guides.list.size());
@@ -103,7 +100,7 @@ void GuideDrag::put(double at, Workbench& bench)
         guides.list[*old_].at = at;
     else
         guides.list.push_back({axis, at});
-    push(std::move(guides), old_ ? guideText("Move guide") : guideText("Add guide"), bench);
+    push(std::move(guides), old_ ? Text::tr("Move guide") : Text::tr("Add guide"), bench);
     bench.session.guide = number;
 }
 
@@ -114,7 +111,7 @@ void GuideDrag::remove(std::size_t guide, Workbench& bench)
         return;
     guides.list.erase(guides.list.begin() + std::ptrdiff_t(guide));
     bench.session.guide.reset();
-    push(std::move(guides), guideText("Remove guide"), bench);
+    push(std::move(guides), Text::tr("Remove guide"), bench);
 }
 
 std::optional<app::Gauge> GuideDrag::gauge(const Workbench& bench) const
@@ -141,8 +138,8 @@ QString GuideDrag::hint(const Workbench& bench) const
     const QString place = (guide->axis == 0 ? QStringLiteral("x ") : QStringLiteral("y "))
                           + app::lengthText(guide->at - start.origin[guide->axis], start.scale.unit,
                                             start.scale.millimetresPerUnit);
-    return guideText("Guide at %1. Drag it, or press Enter and type another position. Delete, or "
-                     "dragging it out of the drawing, removes it.")
+    return Text::tr("Guide at %1. Drag it, or press Enter and type another position. Delete, or "
+                    "dragging it out of the drawing, removes it.")
         .arg(place);
 }
 

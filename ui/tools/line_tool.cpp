@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/numbers.h"
+#include "ui/look/text.h"
 #include "ui/tools/two_points.h"
-
-#include <QCoreApplication>
 
 #include <glm/geometric.hpp>
 
@@ -58,14 +57,11 @@ protected:
         const clipping::Segment line = lineOf(gesture);
         return {line.a, {app::PathSegment{line.b}}, false};
     }
-    QString undoText() const override
-    {
-        return QCoreApplication::translate("Commands", "Draw line");
-    }
+    QString undoText() const override { return Text::tr("Draw line"); }
     QString historyText(const Workbench& bench) const override
     {
         const clipping::Segment line = lineOf(*gesture_);
-        return QCoreApplication::translate("Commands", "Draw line, %1")
+        return Text::tr("Draw line, %1")
             .arg(app::lengthText(glm::distance(line.a, line.b), bench.session.display().unit,
                                  bench.session.now().page().millimetresPerUnit()));
     }

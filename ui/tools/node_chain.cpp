@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/node_chain.h"
 
-#include <QCoreApplication>
+#include "ui/look/text.h"
 
 #include <glm/geometric.hpp>
 
@@ -25,8 +25,8 @@ void ChainTool::press(const Pointer& pointer, Workbench& bench)
     else if (nodes_.empty() || next != nodes_.back().at)
         add(next);
     else
-        emit bench.session.refused(QCoreApplication::translate(
-            "Tools", "The last point is already here. Click another place, or press Enter."));
+        emit bench.session.refused(
+            Text::tr("The last point is already here. Click another place, or press Enter."));
     to_ = next;
 }
 
@@ -52,8 +52,8 @@ bool ChainTool::key(QKeyEvent& event, Workbench& bench)
 void ChainTool::complete(Workbench& bench)
 {
     if (nodes_.size() == 1 && !corrects())
-        emit bench.session.refused(QCoreApplication::translate(
-            "Tools", "One point is not a path, so nothing was drawn. Click two places or more."));
+        emit bench.session.refused(
+            Text::tr("One point is not a path, so nothing was drawn. Click two places or more."));
     end(bench);
 }
 
@@ -136,9 +136,8 @@ std::optional<app::Subpath> ChainTool::pendingPath() const
 
 QString ChainTool::hint(const Workbench& bench) const
 {
-    return to_ && !corrects() && closesAt(*to_, bench)
-               ? QCoreApplication::translate("Tools", "Click to close the path.")
-               : QString();
+    return to_ && !corrects() && closesAt(*to_, bench) ? Text::tr("Click to close the path.")
+                                                       : QString();
 }
 
 void ChainTool::paint(QPainter& painter, const Workbench& bench) const

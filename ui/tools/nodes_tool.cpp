@@ -3,12 +3,11 @@
 #include "app/commands/remove_objects.h"
 #include "app/document/direction.h"
 #include "app/nodes/fixed_parts.h"
+#include "ui/look/text.h"
 #include "ui/tools/group_choice.h"
 #include "ui/tools/node_painter.h"
 #include "ui/tools/picking_marks.h"
 #include "ui/tools/shape_drawing.h"
-
-#include <QCoreApplication>
 
 #include <glm/geometric.hpp>
 
@@ -23,8 +22,6 @@ constexpr double nodeReach = 8; // pixels
 /// Shows the nodes of the selected objects; selects, moves and adds nodes, and moves handles. What
 /// else can be done with nodes are commands (app/nodes/node_steps.h).
 class NodesTool final : public Tool {
-    Q_DECLARE_TR_FUNCTIONS(NodesTool)
-
 public:
     void takeUp(Workbench& bench) override
     {
@@ -243,9 +240,9 @@ void NodesTool::follow(const app::Point& to, Workbench& bench)
 
 void NodesTool::push(Workbench& bench)
 {
-    const QString done = drag_ == Drag::Handle ? tr("Move handle")
-                         : drag_ == Drag::Bend ? tr("Bend segment")
-                                               : tr("Move nodes");
+    const QString done = drag_ == Drag::Handle ? Text::tr("Move handle")
+                         : drag_ == Drag::Bend ? Text::tr("Bend segment")
+                                               : Text::tr("Move nodes");
     app::NodePath changed = std::move(*preview_);
     cancel(bench);
     bench.session.nodes.apply(std::move(changed), done);
@@ -452,8 +449,9 @@ QString NodesTool::hint(const Workbench& bench) const
     if (nodes.nodes == 0)
         return {};
     if (nodes.selected == 0)
-        return tr("%1 nodes. Click one, drag a box, or press Tab. Double click on the path adds "
-                  "one.")
+        return Text::tr(
+                   "%1 nodes. Click one, drag a box, or press Tab. Double click on the path adds "
+                   "one.")
             .arg(app::countText(nodes.nodes));
     if (nodes.only) {
         const app::Gauge gauge = gaugeOfStart(bench);
@@ -461,11 +459,12 @@ QString NodesTool::hint(const Workbench& bench) const
         const auto number = [&](double value) {
             return app::lengthText(value, gauge.scale.unit, gauge.scale.millimetresPerUnit);
         };
-        return tr("1 of %1 nodes, at x %2, y %3. Drag it, or press Enter and type x,y. Delete "
-                  "keeps the shape.")
+        return Text::tr(
+                   "1 of %1 nodes, at x %2, y %3. Drag it, or press Enter and type x,y. Delete "
+                   "keeps the shape.")
             .arg(app::countText(nodes.nodes), number(at.x), number(at.y));
     }
-    return tr("%1 of %2 nodes. Dragging or the arrow keys move them; Delete keeps the shape.")
+    return Text::tr("%1 of %2 nodes. Dragging or the arrow keys move them; Delete keeps the shape.")
         .arg(app::countText(nodes.selected), app::countText(nodes.nodes));
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/look/text.h"
 #include "ui/tools/node_chain.h"
-
-#include <QCoreApplication>
 
 #include <glm/geometric.hpp>
 
@@ -91,19 +90,15 @@ public:
     {
         return 2 * ChainTool::pendingPoints() - (pressed_ ? 1 : 0);
     }
-    QString stepText() const override
-    {
-        return QCoreApplication::translate("Commands", "Place node");
-    }
+    QString stepText() const override { return Text::tr("Place node"); }
     QString hint(const Workbench& bench) const override
     {
         if (!dragged_)
             return ChainTool::hint(bench);
-        return keptLength_ ? QCoreApplication::translate(
-                   "Tools", "Smooth: the other handle keeps its length. S: symmetric, Alt: cusp.")
-                           : QCoreApplication::translate(
-                               "Tools", "Symmetric: both handles are equally long. S: only in line "
-                                        "(smooth), Alt: cusp.");
+        return keptLength_
+                   ? Text::tr("Smooth: the other handle keeps its length. S: symmetric, Alt: cusp.")
+                   : Text::tr("Symmetric: both handles are equally long. S: only in line "
+                              "(smooth), Alt: cusp.");
     }
     void paint(QPainter& painter, const Workbench& bench) const override
     {
@@ -114,10 +109,7 @@ public:
     }
 
 protected:
-    QString undoText() const override
-    {
-        return QCoreApplication::translate("Commands", "Draw curve");
-    }
+    QString undoText() const override { return Text::tr("Draw curve"); }
     bool showsNext() const override { return !dragged_; }
     bool closes() const override { return closing_ && dragged_; }
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/numbers.h"
 #include "app/drawing/freehand.h"
+#include "ui/look/text.h"
 #include "ui/tools/last_step.h"
 #include "ui/tools/shape_drawing.h"
-
-#include <QCoreApplication>
 
 namespace ui {
 namespace {
@@ -17,8 +16,7 @@ const app::GestureMeasure& toleranceMeasure()
 {
     using Measure = app::GestureMeasure;
     static const Measure measure{
-        {{QCoreApplication::translate("GestureMeasure", "Tolerance"), app::Quantity::Length,
-          HUGE_VAL, true}},
+        {{Text::tr("Tolerance"), app::Quantity::Length, HUGE_VAL, true}},
         [](const app::GestureStart&, const app::Point&) { return app::Numbers{}; },
         [](const app::GestureStart&, const app::Point& pointer, const app::Held&) {
             return pointer;
@@ -27,8 +25,7 @@ const app::GestureMeasure& toleranceMeasure()
         nullptr,
         false,
         [](const app::GestureStart&, const app::Held& held) {
-            return held[0] && *held[0] <= 0 ? QCoreApplication::translate(
-                       "GestureMeasure", "The tolerance must be more than 0.")
+            return held[0] && *held[0] <= 0 ? Text::tr("The tolerance must be more than 0.")
                                             : QString();
         }};
     return measure;
@@ -90,9 +87,8 @@ public:
             finish(bench);
         else if (isLastTooLong_)
             emit bench.session.refused(
-                QCoreApplication::translate(
-                    "Tools", "A freehand line of more than %1 points cannot be smoothed again. The "
-                             "next line gets this tolerance.")
+                Text::tr("A freehand line of more than %1 points cannot be smoothed again. The "
+                         "next line gets this tolerance.")
                     .arg(app::countText(mostCorrected)));
     }
     void reopen(Workbench& bench) override
@@ -135,14 +131,12 @@ private:
     {
         if (points_.size() < 2) {
             if (!points_.empty())
-                emit bench.session.refused(QCoreApplication::translate(
-                    "Tools", "A click draws nothing. Drag to draw a line."));
+                emit bench.session.refused(Text::tr("A click draws nothing. Drag to draw a line."));
             return points_.clear();
         }
         last_.discard();
         const double tolerance = points_.size() <= mostCorrected ? toleranceIn(bench) : fitted_;
-        draw(bench, {smoothed(tolerance)},
-             QCoreApplication::translate("Commands", "Draw freehand"));
+        draw(bench, {smoothed(tolerance)}, Text::tr("Draw freehand"));
         done_ = std::exchange(points_, {});
         isLastTooLong_ = done_.size() > mostCorrected;
         if (!isLastTooLong_)

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/pivot_marks.h"
 
+#include "ui/look/text.h"
 #include "ui/tools/end_drag.h"
-
-#include <QCoreApplication>
 
 #include <glm/geometric.hpp>
 
@@ -46,11 +45,9 @@ PivotMarks::Mark PivotMarks::at(const app::Point& screen, const Workbench& bench
 
 QString PivotMarks::hint(Mark mark)
 {
-    return mark == Mark::Pivot
-               ? QCoreApplication::translate("Tools", "Drag the cross to the point about which the "
-                                                      "selection is rotated, flipped and scaled.")
-           : mark == Mark::Rotation ? QCoreApplication::translate(
-                 "Tools", "Drag to rotate about the cross. Shift: 15° steps.")
+    return mark == Mark::Pivot      ? Text::tr("Drag the cross to the point about which the "
+                                                    "selection is rotated, flipped and scaled.")
+           : mark == Mark::Rotation ? Text::tr("Drag to rotate about the cross. Shift: 15° steps.")
                                     : QString();
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/look/text.h"
 #include "ui/tools/centre_tool.h"
-
-#include <QCoreApplication>
 
 namespace ui {
 namespace {
@@ -20,10 +19,7 @@ protected:
         return app::polygonTo(gesture.from, gesture.to, gesture.numbers,
                               anchorOf(gesture.modifiers));
     }
-    QString undoText() const override
-    {
-        return QCoreApplication::translate("Commands", "Draw polygon");
-    }
+    QString undoText() const override { return Text::tr("Draw polygon"); }
 };
 
 } // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/look/text.h"
 #include "ui/tools/node_chain.h"
-
-#include <QCoreApplication>
 
 namespace ui {
 namespace {
@@ -9,16 +8,10 @@ namespace {
 /// Draws a polyline with a corner at every click.
 class PolylineTool final : public ChainTool {
 public:
-    QString stepText() const override
-    {
-        return QCoreApplication::translate("Commands", "Place corner");
-    }
+    QString stepText() const override { return Text::tr("Place corner"); }
 
 protected:
-    QString undoText() const override
-    {
-        return QCoreApplication::translate("Commands", "Draw polyline");
-    }
+    QString undoText() const override { return Text::tr("Draw polyline"); }
 };
 
 } // namespace

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/numbers.h"
 #include "app/document/recipe_outline.h"
+#include "ui/look/text.h"
 #include "ui/tools/corner_tool.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 
@@ -19,9 +18,8 @@ public:
         if (radius <= 0)
             return {};
         const double size = bench.session.now().page().millimetresPerUnit();
-        return QCoreApplication::translate(
-                   "Tools", "The corner radius of %1 is kept. For sharp corners type Tab, Tab, 0, "
-                            "Enter while drawing.")
+        return Text::tr("The corner radius of %1 is kept. For sharp corners type Tab, Tab, 0, "
+                        "Enter while drawing.")
             .arg(app::lengthText(radius, bench.session.display().unit, size));
     }
 
@@ -41,10 +39,7 @@ protected:
     {
         return app::RectangleRecipe{r.min, r.max - r.min, radiusIn(r, numbers)};
     }
-    QString undoText() const override
-    {
-        return QCoreApplication::translate("Commands", "Draw rectangle");
-    }
+    QString undoText() const override { return Text::tr("Draw rectangle"); }
 
 private:
     /// At most half the shorter side, as in SVG.

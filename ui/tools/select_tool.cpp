@@ -2,6 +2,7 @@
 #include "app/base/numbers.h"
 #include "app/commands/remove_objects.h"
 #include "app/session/inspection.h"
+#include "ui/look/text.h"
 #include "ui/tools/box_resize.h"
 #include "ui/tools/end_drag.h"
 #include "ui/tools/group_choice.h"
@@ -11,8 +12,6 @@
 #include "ui/tools/shape_drawing.h"
 #include "ui/tools/transform_gesture.h"
 #include "ui/tools/window_gesture.h"
-
-#include <QCoreApplication>
 
 #include <glm/geometric.hpp>
 
@@ -388,39 +387,35 @@ QString SelectTool::hint(const Workbench& bench) const
     if (const QString hint = PivotMarks::hint(mark_); !hint.isEmpty() && drag_ == Drag::None)
         return hint;
     if (!busy() && (end_.canReopen(bench) || resize_.canReopen(bench)))
-        return QCoreApplication::translate("Tools",
-                                           "Enter, then another number: change this step.");
+        return Text::tr("Enter, then another number: change this step.");
     if (hoveredEnd_ || end_.going())
-        return QCoreApplication::translate(
-            "Tools", "Drag the end of the line, or type a length, Tab, an angle, Enter. Shift: 15° "
-                     "steps, Alt: from the middle.");
+        return Text::tr(
+            "Drag the end of the line, or type a length, Tab, an angle, Enter. Shift: 15° "
+            "steps, Alt: from the middle.");
     if (const QString hint = guide_.hint(bench); !hint.isEmpty())
         return hint;
     if (hoveredGuide_)
-        return QCoreApplication::translate("Tools", "Drag the guide, or click it and press "
-                                                    "Enter to type its position.");
+        return Text::tr("Drag the guide, or click it and press "
+                        "Enter to type its position.");
     if (hoveredSegment_ && *hoveredSegment_ < session.scene.lines().size() && drag_ == Drag::None) {
         const app::Containers& containers = session.now().containers();
         const std::size_t object = session.scene.lines().objectOf(*hoveredSegment_);
         const auto layer = containers.layerOf(object);
         if (const app::ContainerId group = app::groupAt(session, object))
-            return QCoreApplication::translate(
-                       "Tools", "%1 of %2 objects in %3. Click: select, double click: enter, "
-                                "Alt+click: one object.")
+            return Text::tr("%1 of %2 objects in %3. Click: select, double click: enter, "
+                            "Alt+click: one object.")
                 .arg(app::groupName(containers[group]),
                      app::countText(containers.rangeOf(group).size()), containers[layer].name);
-        return QCoreApplication::translate("Tools", "Line %1 in %2. Click: select, drag: move, "
-                                                    "double click: show its nodes.")
+        return Text::tr("Line %1 in %2. Click: select, drag: move, "
+                        "double click: show its nodes.")
             .arg(app::countText(*hoveredSegment_ + 1), containers[layer].name);
     }
     if (!session.selection().empty())
-        return QCoreApplication::translate("Tools",
-                                           "%1 selected. Drag or arrow keys: move. G, O, K: move, "
-                                           "rotate, scale by numbers. Delete: remove.")
+        return Text::tr("%1 selected. Drag or arrow keys: move. G, O, K: move, "
+                        "rotate, scale by numbers. Delete: remove.")
             .arg(app::countText(session.selection().size()));
     if (const auto line = session.inspected())
-        return QCoreApplication::translate(
-                   "Tools", "The Line panel shows line %1. Click a line to select it.")
+        return Text::tr("The Line panel shows line %1. Click a line to select it.")
             .arg(app::countText(*line + 1));
     return {};
 }

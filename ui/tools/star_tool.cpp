@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/look/text.h"
 #include "ui/tools/centre_tool.h"
-
-#include <QCoreApplication>
 
 namespace ui {
 namespace {
@@ -19,10 +18,7 @@ protected:
     {
         return app::starTo(gesture.from, gesture.to, gesture.numbers);
     }
-    QString undoText() const override
-    {
-        return QCoreApplication::translate("Commands", "Draw star");
-    }
+    QString undoText() const override { return Text::tr("Draw star"); }
 };
 
 } // namespace

@@ -6,10 +6,9 @@
 #include "app/lettering/stroke_fonts.h"
 #include "app/session/selection_style.h"
 #include "app/view/painter_path.h"
+#include "ui/look/text.h"
 #include "ui/tools/picking_marks.h"
 #include "ui/tools/shape_drawing.h"
-
-#include <QCoreApplication>
 
 #include <glm/common.hpp>
 
@@ -79,8 +78,8 @@ public:
     }
     QString hint(const Workbench&) const override
     {
-        return busy() ? QCoreApplication::translate(
-                   "Tools", "Type the text. Shift+Enter: new line, Enter: end, Tab: font and size.")
+        return busy() ? Text::tr(
+                   "Type the text. Shift+Enter: new line, Enter: end, Tab: font and size.")
                       : QString();
     }
     void paint(QPainter& painter, const Workbench& bench) const override;
@@ -167,10 +166,9 @@ void TextTool::end(Workbench& bench)
     app::Session& session = bench.session;
     if (same && changed) {
         const std::array paths{app::ChangedPath{*object, app::Path(letters.paths), text}};
-        session.history.push(new app::ChangePaths(
-            session.document, paths, QCoreApplication::translate("Commands", "Edit text")));
+        session.history.push(new app::ChangePaths(session.document, paths, Text::tr("Edit text")));
     } else if (!same && !letters.paths.empty()) {
-        draw(bench, letters.paths, QCoreApplication::translate("Commands", "Write text"), text);
+        draw(bench, letters.paths, Text::tr("Write text"), text);
         bench.lastPoint = text.at;
     }
     if (!said.isEmpty())

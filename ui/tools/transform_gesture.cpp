@@ -4,17 +4,14 @@
 #include "app/commands/move_objects.h"
 #include "app/commands/transform_objects.h"
 #include "app/document/editable.h"
+#include "ui/look/text.h"
 #include "ui/tools/pivot_marks.h"
 #include "ui/tools/shape_drawing.h"
-
-#include <QCoreApplication>
 
 #include <glm/geometric.hpp>
 
 namespace ui {
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("Tools", text); }
 
 app::OwnPoints onlyPoint(const app::Point& point) { return {{point}, {point, point}}; }
 
@@ -148,20 +145,22 @@ bool TransformGesture::push(const State& state, Workbench& bench) const
     if (session.selection() != state.objects)
         return false; // a command has removed objects meanwhile
     if (!std::ranges::all_of(all, isUsable)) {
-        emit session.refused(tr("These numbers leave nothing of the selection, or make it too "
-                                "large. Type others."));
+        emit session.refused(
+            Text::tr("These numbers leave nothing of the selection, or make it too "
+                     "large. Type others."));
         return false;
     }
     if (state.copies && all.size() * state.objects.size() > app::mostCopied) {
-        emit session.refused(tr("These would be too many objects. Make fewer copies, or select "
-                                "fewer objects."));
+        emit session.refused(
+            Text::tr("These would be too many objects. Make fewer copies, or select "
+                     "fewer objects."));
         return false;
     }
     if (state.copies) {
         app::Edit edit = app::copying(session.now(), state.objects, all, session.entered.id());
         const app::ObjectRanges added = app::addedBy(edit.splices);
         session.history.push(
-            new app::CopyObjects(session.document, std::move(edit), tr("Copy selection")));
+            new app::CopyObjects(session.document, std::move(edit), Text::tr("Copy selection")));
         session.select(common(added, app::editableObjects(session.now())));
     } else if (state.kind->movesPivot) {
         pushKeepingInspected(session,
@@ -243,16 +242,18 @@ void TransformGesture::reopen(Workbench& bench)
 QString TransformGesture::hint(const Workbench& bench) const
 {
     if (now_ && now_->kind->movesPivot)
-        return tr("Type a length, Tab, an angle, or x,y; Enter. X, Y: along an axis. C: copy. "
-                  "Esc: cancel.");
+        return Text::tr(
+            "Type a length, Tab, an angle, or x,y; Enter. X, Y: along an axis. C: copy. "
+            "Esc: cancel.");
     if (now_)
-        return tr("Type a number, Enter. X, Y: along an axis. P: pivot here. C: copy. Shift: 15° "
-                  "steps. Esc: "
-                  "cancel.");
+        return Text::tr(
+            "Type a number, Enter. X, Y: along an axis. P: pivot here. C: copy. Shift: 15° "
+            "steps. Esc: "
+            "cancel.");
     if (last_.canReopen(bench) && done_.copies)
-        return tr("Enter, then another number, or 5x for five copies, 5/ to divide the way.");
+        return Text::tr("Enter, then another number, or 5x for five copies, 5/ to divide the way.");
     if (last_.canReopen(bench))
-        return tr("Enter, then another number: change this step.");
+        return Text::tr("Enter, then another number: change this step.");
     return {};
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/two_point_gesture.h"
 
-#include <QCoreApplication>
+#include "ui/look/text.h"
 
 namespace ui {
 
@@ -96,9 +96,8 @@ bool TwoPointGesture::refusesEmpty(Workbench& bench) const
 {
     const auto zero = firstZero();
     if (zero)
-        emit bench.session.refused(
-            QCoreApplication::translate("Tools", "%1 must not be 0. Click another place.")
-                .arg(measure(gesture_->modifiers).fields[*zero].name));
+        emit bench.session.refused(Text::tr("%1 must not be 0. Click another place.")
+                                       .arg(measure(gesture_->modifiers).fields[*zero].name));
     return zero.has_value();
 }
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/window_drawing.h"
 
+#include "ui/look/text.h"
 #include "ui/tools/centre_tool.h"
 #include "ui/tools/drawn_window.h"
 #include "ui/tools/node_chain.h"
-
-#include <QCoreApplication>
 
 namespace ui {
 namespace {
@@ -88,10 +87,7 @@ public:
         ChainTool::cancel(bench);
         window_.drop(bench);
     }
-    QString stepText() const override
-    {
-        return QCoreApplication::translate("Commands", "Place corner");
-    }
+    QString stepText() const override { return Text::tr("Place corner"); }
 
 protected:
     bool closes() const override { return true; }
@@ -108,8 +104,8 @@ protected:
     {
         if (const auto shape = shapeOf(path))
             return window_.keep(*shape, bench);
-        emit bench.session.refused(QCoreApplication::translate(
-            "Tools", "No clip window was drawn: its corners lie on one line. Place at least three "
+        emit bench.session.refused(
+            Text::tr("No clip window was drawn: its corners lie on one line. Place at least three "
                      "corners that enclose an area."));
     }
 

@@ -3,6 +3,7 @@
 
 #include "app/session/window_steps.h"
 #include "app/view/snapping/window_points.h"
+#include "ui/look/text.h"
 #include "ui/tools/shape_drawing.h"
 
 #include <QCoreApplication>
@@ -18,12 +19,10 @@ namespace ui {
 static QString nameOf(app::Preview::Drag drag)
 {
     using Drag = app::Preview::Drag;
-    const char* const move = QT_TRANSLATE_NOOP("Commands", "Move clip window");
-    const char* const resize = QT_TRANSLATE_NOOP("Commands", "Resize clip window");
-    const char* const rotate = QT_TRANSLATE_NOOP("Commands", "Rotate clip window");
-    return QCoreApplication::translate("Commands", drag == Drag::Moving     ? move
-                                                   : drag == Drag::Rotating ? rotate
-                                                                            : resize);
+    const char* const move = QT_TRANSLATE_NOOP("Text", "Move clip window");
+    const char* const resize = QT_TRANSLATE_NOOP("Text", "Resize clip window");
+    const char* const rotate = QT_TRANSLATE_NOOP("Text", "Rotate clip window");
+    return Text::tr(drag == Drag::Moving ? move : drag == Drag::Rotating ? rotate : resize);
 }
 
 void WindowGesture::start(app::Handle handle, const Pointer& pointer, const Workbench& bench)

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/window_steps.h"
 #include "app/view/window_at.h"
+#include "ui/look/text.h"
 #include "ui/tools/window_drawing.h"
 #include "ui/tools/window_gesture.h"
-
-#include <QCoreApplication>
 
 namespace ui {
 namespace {
@@ -216,7 +215,7 @@ QString WindowTool::hint(const Workbench& bench) const
 {
     const QString now = drawing_ ? drawing_->hint(bench) : QString();
     const auto& kind = app::windowKind(bench.session.windowPen.kind);
-    return now.isEmpty() ? QCoreApplication::translate("WindowKinds", kind.hint.data()) : now;
+    return now.isEmpty() ? Text::tr(kind.hint.data()) : now;
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 
 #include "app/charts/chart_layout.h"
 #include "app/charts/chart_paint.h"
+#include "ui/look/text.h"
 #include "ui/widgets/algorithm_marker.h"
 
 #include <QContextMenuEvent>
@@ -154,7 +155,7 @@ void ChartView::focusOutEvent(QFocusEvent* event)
 void ChartView::contextMenuEvent(QContextMenuEvent* event)
 {
     QMenu menu(this);
-    connect(menu.addAction(tr("Export chart…")), &QAction::triggered, this,
+    connect(menu.addAction(Text::tr("Export chart…")), &QAction::triggered, this,
             &ChartView::exportWanted);
     menu.exec(event->globalPos());
 }

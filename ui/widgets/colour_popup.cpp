@@ -5,6 +5,7 @@
 #include "app/view/colour_chart.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/look/text.h"
 #include "ui/widgets/look_label.h"
 #include "ui/widgets/swatch.h"
 #include "ui/widgets/swatches.h"
@@ -22,14 +23,14 @@ constexpr int rowsOfDrawing = 2, rowsOfChart = 5;
 
 QString hint()
 {
-    return ColourPopup::tr(
+    return Text::tr(
         "Six hexadecimal digits, or a name such as teal. Two more digits make it transparent.");
 }
 
 } // namespace
 
 ColourPopup::ColourPopup(QWidget* parent)
-    : Popup(tr("Colours"), parent), field_(new QLineEdit), sentence_(new LookLabel)
+    : Popup(Text::tr("Colours"), parent), field_(new QLineEdit), sentence_(new LookLabel)
 {
     setObjectName(QStringLiteral("colour-popup"));
     auto* column = new QVBoxLayout(this);
@@ -37,9 +38,9 @@ ColourPopup::ColourPopup(QWidget* parent)
                                space::labelToField);
     column->setSpacing(2);
     column->setSizeConstraint(QLayout::SetFixedSize);
-    inDrawing_ = addSwatches(tr("In this drawing"), rowsOfDrawing);
-    recent_ = addSwatches(tr("Recent colours"), 1);
-    chart_ = addSwatches(tr("All colours"), rowsOfChart);
+    inDrawing_ = addSwatches(Text::tr("In this drawing"), rowsOfDrawing);
+    recent_ = addSwatches(Text::tr("Recent colours"), 1);
+    chart_ = addSwatches(Text::tr("All colours"), rowsOfChart);
     chart_->setColours(app::colourChart());
     addField();
 }
@@ -59,20 +60,20 @@ Swatches* ColourPopup::addSwatches(const QString& name, int rows)
 
 void ColourPopup::addField()
 {
-    field_->setAccessibleName(tr("Colour as digits or name"));
+    field_->setAccessibleName(Text::tr("Colour as digits or name"));
     field_->setFixedHeight(space::fieldHeight);
     field_->setMaxLength(60);
     connect(field_, &QLineEdit::textEdited, this, [this] { say(hint(), false); });
     auto* none = new QToolButton;
     none->setObjectName(QStringLiteral("no-colour"));
-    none->setText(tr("None"));
+    none->setText(Text::tr("None"));
     none->setIconSize({16, 16});
     none->setIcon(swatchIcon(std::nullopt));
     none->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     none->setFixedHeight(space::fieldHeight);
     none->setProperty("framed", true);
     none->setFocusPolicy(Qt::StrongFocus);
-    none->setToolTip(tr("No colour"));
+    none->setToolTip(Text::tr("No colour"));
     connect(none, &QToolButton::clicked, this, [this] { pick(std::nullopt); });
     eyedropper_ = new QToolButton;
     eyedropper_->setObjectName(QStringLiteral("eyedropper"));
@@ -80,7 +81,7 @@ void ColourPopup::addField()
     eyedropper_->setFixedSize(space::fieldHeight, space::fieldHeight);
     eyedropper_->setAutoRaise(true);
     eyedropper_->setFocusPolicy(Qt::StrongFocus);
-    eyedropper_->setToolTip(tr("Take the colour of a line in the drawing"));
+    eyedropper_->setToolTip(Text::tr("Take the colour of a line in the drawing"));
     eyedropper_->setAccessibleName(eyedropper_->toolTip());
     connect(eyedropper_, &QToolButton::clicked, this, [this] {
         close();
@@ -123,7 +124,7 @@ void ColourPopup::open(const QWidget& below, const ColourOffer& offer)
     for (Swatches* swatches : {inDrawing_, recent_, chart_})
         swatches->mark(now);
     field_->setText(now ? app::hexText(*now) : QString());
-    field_->setPlaceholderText(offer.now ? tr("none") : tr("mixed"));
+    field_->setPlaceholderText(offer.now ? Text::tr("none") : Text::tr("mixed"));
     say(hint(), false);
     openBelow(below);
     Swatches* const first = now && !inDrawing_->has(*now) && chart_->has(*now) ? chart_

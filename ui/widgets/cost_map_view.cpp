@@ -2,6 +2,7 @@
 #include "ui/widgets/cost_map_view.h"
 
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/widgets/chart_view.h"
 
 #include <QKeyEvent>
@@ -32,7 +33,7 @@ CostMapView::CostMapView(QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::CrossCursor);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-    setAccessibleName(tr("Cost map"));
+    setAccessibleName(Text::tr("Cost map"));
 }
 
 void CostMapView::show(const app::CostPlan& plan, const app::CostMap* map)

@@ -3,6 +3,7 @@
 
 #include "app/base/numbers.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/widgets/algorithm_marker.h"
 
 #include <QPainter>
@@ -20,7 +21,7 @@ constexpr int row = 18, besideBar = 8, barThickness = 11, leastBar = 2;
 ErrorHistogram::ErrorHistogram(QWidget* parent) : QWidget(parent)
 {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    setAccessibleName(tr("Errors"));
+    setAccessibleName(Text::tr("Errors"));
 }
 
 void ErrorHistogram::show(const app::ErrorCounts& counts)
@@ -30,7 +31,7 @@ void ErrorHistogram::show(const app::ErrorCounts& counts)
     for (std::size_t i = 0; i < counts.classes.size(); ++i)
         texts << QStringLiteral("%1: %2").arg(app::errorClasses()[i].name,
                                               app::countText(counts.classes[i]));
-    setAccessibleDescription(texts.join(tr(", ")));
+    setAccessibleDescription(texts.join(Text::tr(", ")));
     update();
 }
 

@@ -3,6 +3,7 @@
 
 #include "app/lettering/outline_fonts.h"
 #include "app/lettering/stroke_fonts.h"
+#include "ui/look/text.h"
 
 #include <QAbstractItemView>
 #include <QKeyEvent>
@@ -17,7 +18,7 @@ constexpr int popupWidth = 280, mostVisible = 20, minimumLength = 12;
 
 FontList::FontList(QWidget* parent) : ToolList(parent)
 {
-    setAccessibleName(tr("Font"));
+    setAccessibleName(Text::tr("Font"));
     setSizeAdjustPolicy(AdjustToMinimumContentsLengthWithIcon);
     setMinimumContentsLength(minimumLength);
     setMaxVisibleItems(mostVisible);
@@ -28,12 +29,12 @@ FontList::FontList(QWidget* parent) : ToolList(parent)
 // Only when it is first shown: asking the system for its fonts takes time.
 void FontList::fill()
 {
-    addHeading(tr("Single strokes, for plotters"));
+    addHeading(Text::tr("Single strokes, for plotters"));
     for (const app::StrokeFont& font : app::strokeFonts())
         addItem(font.name, font.name);
     if (app::outlineFonts().isEmpty())
         return;
-    addHeading(tr("Outlines, of installed fonts"));
+    addHeading(Text::tr("Outlines, of installed fonts"));
     for (const QString& font : app::outlineFonts())
         addItem(font, font);
 }
@@ -69,9 +70,9 @@ void FontList::show(const QString& font)
     setPlaceholderText(font);
     setCurrentIndex(findData(font));
     const bool strokes = app::findStrokeFont(font);
-    setToolTip(strokes          ? tr("Font: single strokes, which a plotter follows once")
-               : font.isEmpty() ? tr("Font")
-                                : tr("Font: outlines, filled or stroked as the style says"));
+    setToolTip(strokes          ? Text::tr("Font: single strokes, which a plotter follows once")
+               : font.isEmpty() ? Text::tr("Font")
+                                : Text::tr("Font: outlines, filled or stroked as the style says"));
 }
 
 QString FontList::font() const { return currentData().toString(); }

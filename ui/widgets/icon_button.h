@@ -2,8 +2,8 @@
 #pragma once
 
 #include "ui/look/look_icon.h"
+#include "ui/look/text.h"
 
-#include <QCoreApplication>
 #include <QToolButton>
 
 namespace ui {
@@ -24,8 +24,7 @@ inline QToolButton* iconButton(std::string_view key, const QString& name)
 /// The switch beside fields for width and height.
 inline QToolButton* ratioButton()
 {
-    QToolButton* button = iconButton(
-        "chain", QCoreApplication::translate("Fields", "Keep the ratio of width to height"));
+    QToolButton* button = iconButton("chain", Text::tr("Keep the ratio of width to height"));
     button->setCheckable(true);
     return button;
 }

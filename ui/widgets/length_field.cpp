@@ -4,6 +4,7 @@
 #include "app/base/numbers.h"
 #include "app/base/typed_number.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 
 #include <QHelpEvent>
 #include <QLineEdit>
@@ -74,7 +75,7 @@ app::Result<double> LengthField::typed(const QString& text) const
         number.remove(degreeSign);
     auto length = app::typedLength(number, {unit_, millimetresPerUnit_});
     if (length && std::abs(*length.value) > limit)
-        return app::Result<double>::failure(tr("it is too large"));
+        return app::Result<double>::failure(Text::tr("it is too large"));
     return length;
 }
 
@@ -90,11 +91,11 @@ bool LengthField::takesTyped()
             emit taken();
         return fits;
     }
-    const QString refusedText = text().trimmed(), quoted = tr("“%1”").arg(refusedText);
+    const QString refusedText = text().trimmed(), quoted = Text::tr("“%1”").arg(refusedText);
     restore();
     emit refused(length.error.contains(quoted) // the text is not quoted twice
-                     ? tr("%1: %2.").arg(name_, length.error)
-                     : tr("%1: %2 is not a length: %3.").arg(name_, quoted, length.error));
+                     ? Text::tr("%1: %2.").arg(name_, length.error)
+                     : Text::tr("%1: %2 is not a length: %3.").arg(name_, quoted, length.error));
     return false;
 }
 
@@ -139,7 +140,7 @@ void LengthField::showMixed(double length, app::Unit unit, double millimetresPer
     show(length, unit, millimetresPerUnit);
     showNothing();
     shown_ = std::numeric_limits<double>::quiet_NaN(); // whatever is typed is a change
-    lineEdit()->setPlaceholderText(tr("mixed"));
+    lineEdit()->setPlaceholderText(Text::tr("mixed"));
 }
 
 QString LengthField::seenText() const { return static_cast<NumberEdit*>(lineEdit())->seen(); }
@@ -176,7 +177,7 @@ void LengthField::finish()
             showNothing();
         else
             setValue(shown_); // calls this function again, without effect
-        emit refused(tr("%1 must be at least 0.").arg(name_));
+        emit refused(Text::tr("%1 must be at least 0.").arg(name_));
         return;
     }
     shown_ = value();

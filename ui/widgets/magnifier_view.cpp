@@ -2,6 +2,7 @@
 #include "ui/widgets/magnifier_view.h"
 
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/widgets/chart_view.h"
 
 #include <QKeyEvent>
@@ -24,7 +25,7 @@ Magnifier::Magnifier(QWidget* parent) : QWidget(parent)
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setCursor(Qt::OpenHandCursor);
-    setAccessibleName(tr("Magnifier"));
+    setAccessibleName(Text::tr("Magnifier"));
 }
 
 void Magnifier::show(const app::Magnified& seen, const QString& name)

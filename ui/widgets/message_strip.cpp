@@ -3,6 +3,7 @@
 
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
+#include "ui/look/text.h"
 
 #include <QAccessible>
 #include <QHBoxLayout>
@@ -16,11 +17,11 @@ namespace ui {
 MessageStrip::MessageStrip(QWidget* parent)
     : QFrame(parent), text_(new QLabel), button_(new QPushButton)
 {
-    setAccessibleName(tr("Message"));
+    setAccessibleName(Text::tr("Message"));
     auto* close = new QToolButton;
     close->setIcon(icon("close"));
     close->setAutoRaise(true);
-    close->setToolTip(tr("Close this message"));
+    close->setToolTip(Text::tr("Close this message"));
     close->setAccessibleName(close->toolTip());
     text_->setWordWrap(true);
     text_->setTextInteractionFlags(Qt::TextSelectableByMouse);

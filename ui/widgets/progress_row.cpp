@@ -2,6 +2,7 @@
 #include "ui/widgets/progress_row.h"
 
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/widgets/plain_button.h"
 
 #include <QHBoxLayout>
@@ -26,7 +27,7 @@ void keepPlaceWhenHidden(QWidget& widget)
 
 ProgressRow::ProgressRow(QWidget* parent)
     : QWidget(parent), sentence_(new QLabel), bar_(new QProgressBar),
-      cancel_(plainButton(tr("&Cancel"))), row_(new QHBoxLayout(this))
+      cancel_(plainButton(Text::tr("&Cancel"))), row_(new QHBoxLayout(this))
 {
     sentence_->setObjectName(QStringLiteral("state"));
     sentence_->setFont(captionFont(sentence_->font()));
@@ -35,7 +36,7 @@ ProgressRow::ProgressRow(QWidget* parent)
     bar_->setRange(0, steps);
     bar_->setTextVisible(false);
     bar_->setFixedSize(barWidth, barHeight);
-    bar_->setAccessibleName(tr("Progress"));
+    bar_->setAccessibleName(Text::tr("Progress"));
     keepPlaceWhenHidden(*bar_);
     keepPlaceWhenHidden(*cancel_);
     row_->setContentsMargins(space::betweenGroups, aboveAndBelow, space::betweenGroups,
@@ -52,7 +53,7 @@ void ProgressRow::tell(const QString& sentence) { sentence_->setText(sentence); 
 
 QString ProgressRow::sentence() const { return sentence_->text(); }
 
-void ProgressRow::start() { showProgress(0, tr("Starting…")); }
+void ProgressRow::start() { showProgress(0, Text::tr("Starting…")); }
 
 void ProgressRow::showProgress(double share, const QString& sentence)
 {

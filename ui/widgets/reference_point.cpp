@@ -2,6 +2,7 @@
 #include "ui/widgets/reference_point.h"
 
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 
 #include <QHelpEvent>
 #include <QKeyEvent>
@@ -18,10 +19,9 @@ constexpr int side = 44, square = 8, inset = 6; // logical pixels
 
 QString nameOf(app::Handle handle)
 {
-    const auto tr = [](const char* text) { return ReferencePoint::tr(text); };
-    const std::array names{tr("top left"),    tr("top"),    tr("top right"),
-                           tr("left"),        tr("middle"), tr("right"),
-                           tr("bottom left"), tr("bottom"), tr("bottom right")};
+    const std::array names{Text::tr("top left"),    Text::tr("top"),    Text::tr("top right"),
+                           Text::tr("left"),        Text::tr("middle"), Text::tr("right"),
+                           Text::tr("bottom left"), Text::tr("bottom"), Text::tr("bottom right")};
     return names[std::size_t(3 * (handle.y + 1) + handle.x + 1)];
 }
 
@@ -40,7 +40,7 @@ void ReferencePoint::choose(app::Handle handle)
 {
     const bool changes = handle != chosen_;
     chosen_ = handle;
-    setAccessibleName(tr("Reference point: %1").arg(nameOf(handle)));
+    setAccessibleName(Text::tr("Reference point: %1").arg(nameOf(handle)));
     update();
     if (changes)
         emit changed();
@@ -105,7 +105,7 @@ bool ReferencePoint::event(QEvent* event)
     if (event->type() == QEvent::ToolTip) {
         const auto& help = static_cast<const QHelpEvent&>(*event);
         QToolTip::showText(help.globalPos(),
-                           tr("X and Y of the %1; resizing and turning keep it in place")
+                           Text::tr("X and Y of the %1; resizing and turning keep it in place")
                                .arg(nameOf(handleAt(help.pos()))),
                            this);
         return true;

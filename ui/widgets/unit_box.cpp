@@ -3,6 +3,7 @@
 
 #include "app/base/latin.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 
 namespace ui {
 
@@ -14,7 +15,7 @@ std::vector<app::Unit> shownUnits()
 
 UnitBox::UnitBox(app::Session& session, QWidget* parent) : ToolList(parent)
 {
-    setAccessibleName(tr("Unit"));
+    setAccessibleName(Text::tr("Unit"));
     setFixedHeight(space::fieldHeight);
     for (const app::Unit unit : shownUnits()) {
         const auto suffix = app::infoOf(unit).suffix;

@@ -3,6 +3,7 @@
 
 #include "app/base/latin.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/widgets/unit_box.h"
 
 #include <QMenu>
@@ -14,10 +15,10 @@ UnitButton::UnitButton(app::Session& session, QWidget* parent) : QToolButton(par
     setAutoRaise(true);
     setFixedHeight(space::fieldHeight);
     setForegroundRole(QPalette::PlaceholderText);
-    setToolTip(tr("Unit of lengths"));
+    setToolTip(Text::tr("Unit of lengths"));
     const auto follow = [this, &session] {
         setText(app::latin(app::infoOf(session.display().unit).suffix));
-        setAccessibleName(tr("Unit of lengths: %1").arg(text()));
+        setAccessibleName(Text::tr("Unit of lengths: %1").arg(text()));
     };
     connect(this, &QToolButton::clicked, this,
             [this, &session] { openUnits(session, *this, mapToGlobal(rect().bottomLeft())); });

@@ -3,9 +3,9 @@
 
 #include "app/base/latin.h"
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 #include "ui/widgets/algorithm_marker.h"
 
-#include <QCoreApplication>
 #include <QPainter>
 
 namespace ui {
@@ -32,10 +32,9 @@ void paintVariantName(QPainter& painter, const QRect& cell, const QStyleOptionVi
         return;
     if (!variant.misprint)
         text.setLeft(text.left() + QFontMetrics(bold).horizontalAdvance(name) + 8);
-    QString aside = variant.misprint ? variant.misprint->name
-                                     : QCoreApplication::translate("Compare", "as published");
+    QString aside = variant.misprint ? variant.misprint->name : Text::tr("as published");
     if (!variant.misprint && option.fontMetrics.horizontalAdvance(aside) > text.width())
-        aside = QCoreApplication::translate("Compare", "pub.");
+        aside = Text::tr("pub.");
     painter.setFont(option.font);
     painter.setPen(look.muted);
     painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter,

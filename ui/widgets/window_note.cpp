@@ -2,6 +2,7 @@
 #include "ui/widgets/window_note.h"
 
 #include "ui/look/look.h"
+#include "ui/look/text.h"
 
 #include <QPainter>
 
@@ -32,9 +33,9 @@ void WindowNote::follow()
 {
     const QString first =
         session_.clipWindow()
-            ? tr("<b>Drag the clip window,</b> or draw one (W).")
-            : tr("<b>Draw a clip window (W),</b> or press <i>Lay window on page</i>.");
-    setText(first + u' ' + tr("What it removes is cut at every frame."));
+            ? Text::tr("<b>Drag the clip window,</b> or draw one (W).")
+            : Text::tr("<b>Draw a clip window (W),</b> or press <i>Lay window on page</i>.");
+    setText(first + u' ' + Text::tr("What it removes is cut at every frame."));
 }
 
 void WindowNote::paintEvent(QPaintEvent* event)

@@ -7,6 +7,7 @@
 #include "ui/files/files.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/saved_theme.h"
+#include "ui/look/text.h"
 #include "ui/look/window_place.h"
 #include "ui/microscope/microscope_page.h"
 #include "ui/tiles/tiles_page.h"
@@ -73,7 +74,7 @@ MainWindow::~MainWindow()
 
 void MainWindow::addCentre()
 {
-    canvas_->setAccessibleName(tr("Drawing"));
+    canvas_->setAccessibleName(Text::tr("Drawing"));
     centre_ = new Centre(*strip_, *canvas_);
     setCentralWidget(centre_);
     status_ = new StatusBar(session_, *canvas_);

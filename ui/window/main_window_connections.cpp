@@ -4,6 +4,7 @@
 #include "ui/bars/status_bar.h"
 #include "ui/editing/undo_memory.h"
 #include "ui/files/files.h"
+#include "ui/look/text.h"
 #include "ui/microscope/microscope_page.h"
 #include "ui/tiles/tiles_page.h"
 #include "ui/window/main_window.h"
@@ -119,8 +120,9 @@ void MainWindow::limitHistory()
     session_.history.setLimit(bytesOf(undoMegabytes()));
     const auto sayWhy = [this] {
         tell({Message::Kind::Warning,
-              tr("The oldest steps can no longer be undone: undo may use at most %1 MB of memory "
-                 "(menu Settings). Save a copy if you may need this state again.")
+              Text::tr(
+                  "The oldest steps can no longer be undone: undo may use at most %1 MB of memory "
+                  "(menu Settings). Save a copy if you may need this state again.")
                   .arg(app::countText(session_.history.limit() / bytesOf(1)))});
     };
     connect(&session_.history, &app::History::forgot, this, [this, sayWhy](int steps) {
@@ -158,14 +160,14 @@ void MainWindow::showTilesInStatus()
     const auto& tiling = sheets_.tiling();
     const int written = tiling ? tiling.value->written() : 0;
     const QString paper = tiling ? app::paperText(sheets_.settings(), *tiling.value) : QString();
-    status_->setSummary(written == 1 ? tr("1 sheet, %1").arg(paper)
-                                     : tr("%1 sheets, %2").arg(written).arg(paper));
+    status_->setSummary(written == 1 ? Text::tr("1 sheet, %1").arg(paper)
+                                     : Text::tr("%1 sheets, %2").arg(written).arg(paper));
 }
 
 void MainWindow::showTitle()
 {
     sheets_.setTitle(files_->baseName().replace(u'/', u'-'));
-    setWindowTitle(tr("%1[*] – Clearcut").arg(files_->name()));
+    setWindowTitle(Text::tr("%1[*] – Clearcut").arg(files_->name()));
     setWindowFilePath(session_.path());
     setWindowModified(!session_.history.isClean());
 }

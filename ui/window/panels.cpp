@@ -13,17 +13,10 @@
 #include "ui/docks/selection_panel.h"
 #include "ui/docks/start_panel.h"
 #include "ui/docks/window_panel.h"
+#include "ui/look/text.h"
 #include "ui/style/style_panel.h"
 
-#include <QCoreApplication>
-
 namespace ui {
-
-namespace {
-
-QString dockTitle(const char* text) { return QCoreApplication::translate("Panels", text); }
-
-} // namespace
 
 Panels::Panels(app::Session& session, Canvas& canvas)
     : start(new StartPanel), algorithm(new AlgorithmPanel(session)),
@@ -32,19 +25,19 @@ Panels::Panels(app::Session& session, Canvas& canvas)
       layers(new LayersPanel(session)), history(new HistoryPanel(session.history)),
       compare(new ComparePanel(session)), difference(new DifferencePanel(session)),
       costMap(new CostMapPanel(session)), exactness(new ExactnessPanel(session)),
-      docks{.start = new Dock("start", dockTitle("Start"), start),
-            .algorithm = new Dock("algorithm", dockTitle("Algorithm"), algorithm),
-            .narrow = {new Dock("window", dockTitle("Clip windows"),
-                                withCutOptions(*window, session)),
-                       new Dock("selection", dockTitle("Selection"), selection),
-                       new Dock("style", dockTitle("Style"), style),
-                       new Dock("line", dockTitle("Line"), line),
-                       new Dock("layers", dockTitle("Layers"), layers),
-                       new Dock("history", dockTitle("History"), history)},
-            .wide = {new Dock("compare", dockTitle("Compare"), compare),
-                     new Dock("difference", dockTitle("Differences"), difference),
-                     new Dock("cost-map", dockTitle("Cost map"), costMap),
-                     new Dock("exactness", dockTitle("Exactness"), exactness)}}
+      docks{
+          .start = new Dock("start", Text::tr("Start"), start),
+          .algorithm = new Dock("algorithm", Text::tr("Algorithm"), algorithm),
+          .narrow = {new Dock("window", Text::tr("Clip windows"), withCutOptions(*window, session)),
+                     new Dock("selection", Text::tr("Selection"), selection),
+                     new Dock("style", Text::tr("Style"), style),
+                     new Dock("line", Text::tr("Line"), line),
+                     new Dock("layers", Text::tr("Layers"), layers),
+                     new Dock("history", Text::tr("History"), history)},
+          .wide = {new Dock("compare", Text::tr("Compare"), compare),
+                   new Dock("difference", Text::tr("Differences"), difference),
+                   new Dock("cost-map", Text::tr("Cost map"), costMap),
+                   new Dock("exactness", Text::tr("Exactness"), exactness)}}
 {
     Dock* const lineDock = docks.named({"line"}).front();
     QObject::connect(line, &LinePanel::titled, lineDock,

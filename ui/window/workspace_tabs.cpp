@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/workspace_tabs.h"
 
+#include "ui/look/text.h"
 #include "ui/window/panel_layout.h"
 #include "ui/window/workspaces.h"
 
@@ -10,14 +11,14 @@ namespace ui {
 
 WorkspaceTabs::WorkspaceTabs(PanelLayout& layout, QWidget* parent) : QTabBar(parent)
 {
-    setAccessibleName(tr("Workspace"));
+    setAccessibleName(Text::tr("Workspace"));
     setDrawBase(false);
     setExpanding(false);
     setFocusPolicy(Qt::NoFocus); // the menu View and Ctrl+Alt+digit serve the keyboard
     for (const Workspace& workspace : workspaces()) {
         const int tab = addTab(workspace.name);
-        setTabToolTip(tab,
-                      tr("%1: %2 (Ctrl+Alt+%3)").arg(workspace.name, workspace.tip).arg(tab + 1));
+        setTabToolTip(
+            tab, Text::tr("%1: %2 (Ctrl+Alt+%3)").arg(workspace.name, workspace.tip).arg(tab + 1));
     }
     const auto follow = [this, &layout] {
         const QSignalBlocker quiet(this);

@@ -5,9 +5,8 @@
 // and (ymax - x1), where y1 is meant; and they assign to x1 and y1, which later formulas still need
 // as the line's first end. Steps 1 and 3 are those of the pseudo-code.
 
+#include "app/base/text.h"
 #include "app/comparison/misprints/misprint.h"
-
-#include <QCoreApplication>
 
 namespace app {
 namespace {
@@ -15,10 +14,6 @@ namespace {
 using clipping::Clipped;
 using clipping::Segment;
 using clipping::Window;
-
-struct MisprintTexts {
-    Q_DECLARE_TR_FUNCTIONS(MisprintTexts)
-};
 
 /// Prevents line breaks at the signs of formulas.
 QString unbroken(QString text)
@@ -88,8 +83,8 @@ std::size_t clipAll(std::span<const Segment> in, const Window& window, std::span
 Misprint printedStep2()
 {
     return {
-        QStringLiteral("md-step-2"), MisprintTexts::tr("MD with Step 2 as printed"),
-        unbroken(MisprintTexts::tr(
+        QStringLiteral("md-step-2"), Text::tr("MD with Step 2 as printed"),
+        unbroken(Text::tr(
             "The text of the paper cuts at the window's edges ymin and ymax with (ymin − x1) and "
             "(ymax − x1). It should read (ymin − y1) and (ymax − y1), as in the pseudo-code: x = "
             "x1 + (x2 − x1)/(y2 − y1) · (ymin − y1). A line that crosses one of these edges is cut "
@@ -100,9 +95,8 @@ Misprint printedStep2()
 Misprint printedStep2InPlace()
 {
     return {
-        QStringLiteral("md-step-2-in-place"),
-        MisprintTexts::tr("MD with Step 2 as printed, read literally"),
-        unbroken(MisprintTexts::tr(
+        QStringLiteral("md-step-2-in-place"), Text::tr("MD with Step 2 as printed, read literally"),
+        unbroken(Text::tr(
             "Read literally, Step 2 also assigns new values to x1 and y1 before it computes with "
             "them: after x1 = xmin, the difference xmin − x1 is zero, so y1 does not change, and a "
             "later formula may divide 0 by 0. The pseudo-code keeps the cut ends in separate "

@@ -2,12 +2,11 @@
 #include "app/formats/csv/reader.h"
 
 #include "app/base/csv_text.h"
+#include "app/base/text.h"
 #include "app/formats/csv/lines_by_layer.h"
 #include "app/formats/csv/record_blocks.h"
 #include "app/formats/csv/record_fields.h"
 #include "app/formats/csv/row_reader.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 
@@ -55,8 +54,8 @@ private:
     void addRow(std::string_view record, std::size_t line)
     {
         if (lines_.size() == mostRows)
-            throw Refused{
-                line, Words::tr("exceeds the limit of %1 lines. Split the file.").arg(mostRows)};
+            throw Refused{line,
+                          Text::tr("exceeds the limit of %1 lines. Split the file.").arg(mostRows)};
         const Row row = rows_.row(fields_.of(record, line), line);
         const StyleEntry style = styleOf(row, line);
         lines_.turnTo(row.layer);
@@ -79,10 +78,9 @@ private:
         imported_.paged = false;
         imported_.report = rows_.report();
         if (const int beyond = lines_.beyond(); beyond > 0)
-            imported_.report.push_back(
-                {Words::tr("layer names of lines, beyond the first %1 layers")
-                     .arg(Containers::mostLayers),
-                 beyond});
+            imported_.report.push_back({Text::tr("layer names of lines, beyond the first %1 layers")
+                                            .arg(Containers::mostLayers),
+                                        beyond});
         imported_.document = lines_.take();
         imported_.rows = lines_.order();
     }
@@ -103,8 +101,7 @@ Result<Imported> read(QIODevice& in)
     try {
         return Result<Imported>::of(Reader(in).read());
     } catch (const Refused& refused) {
-        return Result<Imported>::failure(
-            Words::tr("line %1 %2").arg(refused.line).arg(refused.why));
+        return Result<Imported>::failure(Text::tr("line %1 %2").arg(refused.line).arg(refused.why));
     }
 }
 

@@ -2,8 +2,7 @@
 #include "app/formats/csv/record_blocks.h"
 
 #include "app/base/csv_text.h"
-
-#include <QCoreApplication>
+#include "app/base/text.h"
 
 #include <cstring>
 
@@ -77,9 +76,8 @@ void RecordBlocks::refuseTooLong() const
 {
     if (size_ > longestRecord)
         throw Refused{line_, scan_.isQuoted()
-                                 ? QCoreApplication::translate(
-                                     "csv", "opens a quotation mark that is never closed.")
-                                 : QCoreApplication::translate("csv", "is too long for CSV.")};
+                                 ? Text::tr("opens a quotation mark that is never closed.")
+                                 : Text::tr("is too long for CSV.")};
 }
 
 std::size_t RecordBlocks::scan(RecordBlock& block, std::size_t most)

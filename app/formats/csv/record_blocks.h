@@ -32,7 +32,7 @@ struct RecordBlock {
     }
 };
 
-/// Divides a file into blocks of whole records, which end where csv::Text (app/base/csv_text.h)
+/// Divides a file into blocks of whole records, which end where csv::Records (app/base/csv_text.h)
 /// ends them. Memory is bounded; a block is complete as soon as the source has given some records.
 class RecordBlocks {
 public:

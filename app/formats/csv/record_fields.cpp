@@ -15,7 +15,7 @@ std::vector<std::string> unquotedFields(std::string_view record, std::size_t lin
     QByteArray bytes = QByteArray::fromRawData(record.data(), qsizetype(record.size()));
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::ReadOnly);
-    Text text(buffer, separator);
+    Records text(buffer, separator);
     text.endComments();
     text.beginWithinFile();
     Record read;

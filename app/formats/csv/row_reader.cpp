@@ -2,6 +2,7 @@
 #include "app/formats/csv/row_reader.h"
 
 #include "app/base/csv_text.h"
+#include "app/base/text.h"
 #include "app/formats/csv/record_fields.h"
 #include "app/formats/svg/colour.h"
 
@@ -19,7 +20,7 @@ QString shownField(std::string_view field)
 
 QString columnsText(std::size_t count)
 {
-    return count == 1 ? Words::tr("1 column") : Words::tr("%1 columns").arg(count);
+    return count == 1 ? Text::tr("1 column") : Text::tr("%1 columns").arg(count);
 }
 
 // "“from”, “to”", the first ones.
@@ -37,23 +38,23 @@ QString namesText(Fields fields)
 
 QString separatorText(char separator)
 {
-    return separator == ';'    ? Words::tr("semicolons")
-           : separator == '\t' ? Words::tr("tabs")
-                               : Words::tr("blanks");
+    return separator == ';'    ? Text::tr("semicolons")
+           : separator == '\t' ? Text::tr("tabs")
+                               : Text::tr("blanks");
 }
 
 // UTF-16 has a zero byte in almost every character of a table.
 void refuseUtf16(std::string_view record, std::size_t line)
 {
     if (record.find('\0') != record.npos)
-        throw Refused{line, Words::tr("is not UTF-8. Save the table as CSV in UTF-8.")};
+        throw Refused{line, Text::tr("is not UTF-8. Save the table as CSV in UTF-8.")};
 }
 
 [[noreturn]] void refuseTooLarge(std::string_view number, std::size_t line)
 {
     throw Refused{
         line,
-        Words::tr("has %1, which is too large; numbers go up to 1e300.").arg(shownField(number))};
+        Text::tr("has %1, which is too large; numbers go up to 1e300.").arg(shownField(number))};
 }
 
 bool isNumber(std::string_view field, const Dialect& dialect)
@@ -70,7 +71,7 @@ bool RowReader::readHeader(std::string_view record, std::size_t line)
     RecordFields divided(dialect_.separator);
     const Fields fields = divided.of(record, line);
     if (dialect_.separator != ',')
-        report_.push_back({Words::tr("table has %1 between its columns; a comma is a decimal comma")
+        report_.push_back({Text::tr("table has %1 between its columns; a comma is a decimal comma")
                                .arg(separatorText(dialect_.separator)),
                            1, true});
     if (isNumber(fields.front(), dialect_)) {
@@ -81,8 +82,8 @@ bool RowReader::readHeader(std::string_view record, std::size_t line)
     readNames(fields, line);
     for (std::size_t i = 0; i < coordinateColumns; ++i)
         if (positions_[i] == none)
-            throw Refused{line, Words::tr("is neither four numbers nor a header with x1, y1, x2 "
-                                          "and y2; it has %1: %2.")
+            throw Refused{line, Text::tr("is neither four numbers nor a header with x1, y1, x2 "
+                                         "and y2; it has %1: %2.")
                                     .arg(columnsText(fields.size()), namesText(fields))};
     mostFields_ = fields.size();
     return true;
@@ -94,12 +95,12 @@ void RowReader::readNames(Fields fields, std::size_t line)
     for (std::size_t i = 0; i < fields.size(); ++i) {
         const auto column = header.columnOf(fields[i]);
         if (!column) {
-            report_.push_back({Words::tr("column %1").arg(shownField(trimmed(fields[i])))});
+            report_.push_back({Text::tr("column %1").arg(shownField(trimmed(fields[i])))});
             continue;
         }
         if (positions_[*column] != none)
             throw Refused{
-                line, Words::tr("names the column %1 twice.").arg(shownField(trimmed(fields[i])))};
+                line, Text::tr("names the column %1 twice.").arg(shownField(trimmed(fields[i])))};
         positions_[*column] = i;
     }
 }
@@ -107,7 +108,7 @@ void RowReader::readNames(Fields fields, std::size_t line)
 Row RowReader::row(Fields fields, std::size_t line) const
 {
     if (fields.size() > mostFields_)
-        throw Refused{line, Words::tr("has %1; at most %2 are possible.")
+        throw Refused{line, Text::tr("has %1; at most %2 are possible.")
                                 .arg(columnsText(fields.size()))
                                 .arg(mostFields_)};
     const Point a{number(fields, X1, line), number(fields, Y1, line)};
@@ -137,7 +138,7 @@ void RowReader::refuseMixture(Fields fields, std::size_t line) const
         withPoint = text.find('.') != text.npos ? text : withPoint;
     }
     if (!withComma.empty() && !withPoint.empty())
-        throw Refused{line, Words::tr("has both decimal commas and points: %1 and %2.")
+        throw Refused{line, Text::tr("has both decimal commas and points: %1 and %2.")
                                 .arg(shownField(withComma), shownField(withPoint))};
 }
 
@@ -146,13 +147,13 @@ double RowReader::number(Fields fields, Column column, std::size_t line) const
     if (positions_[column] >= fields.size())
         throw Refused{
             line,
-            Words::tr("has %1; x1, y1, x2 and y2 are needed.").arg(columnsText(fields.size()))};
+            Text::tr("has %1; x1, y1, x2 and y2 are needed.").arg(columnsText(fields.size()))};
     const auto text = field(fields, column);
     if (const auto value = coordinateOf(text, dialect_))
         return *value;
     if (isTooLarge(text))
         refuseTooLarge(text, line);
-    throw Refused{line, Words::tr("has %1 where a number is needed.").arg(shownField(text))};
+    throw Refused{line, Text::tr("has %1 where a number is needed.").arg(shownField(text))};
 }
 
 Style styleOf(const Row& row, const RowReader& rows, std::size_t line)
@@ -161,7 +162,7 @@ Style styleOf(const Row& row, const RowReader& rows, std::size_t line)
     if (!row.colour.empty()) {
         style.stroke = svg::parseColour(row.colour);
         if (!style.stroke)
-            throw Refused{line, Words::tr("has the colour %1; write it as #rrggbb or #rrggbbaa.")
+            throw Refused{line, Text::tr("has the colour %1; write it as #rrggbb or #rrggbbaa.")
                                     .arg(shownField(row.colour))};
     }
     if (!row.width.empty()) {
@@ -169,7 +170,7 @@ Style styleOf(const Row& row, const RowReader& rows, std::size_t line)
             refuseTooLarge(row.width, line);
         const auto number = coordinateOf(row.width, rows.dialect());
         if (!number || *number < 0)
-            throw Refused{line, Words::tr("has the width %1; write a number that is not negative.")
+            throw Refused{line, Text::tr("has the width %1; write a number that is not negative.")
                                     .arg(shownField(row.width))};
         style.width = *number;
     }

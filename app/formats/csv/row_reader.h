@@ -6,17 +6,11 @@
 #include "app/formats/csv/dialect.h"
 #include "app/formats/format.h"
 
-#include <QCoreApplication>
-
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace app::csv {
-
-struct Words {
-    Q_DECLARE_TR_FUNCTIONS(csv)
-};
 
 /// The line in a row of a table, and how it is drawn. The texts lie in the row's fields.
 struct Row {

@@ -2,13 +2,12 @@
 #include "app/formats/pdf/writer.h"
 
 #include "app/base/number.h"
+#include "app/base/text.h"
 #include "app/base/write_all.h"
 #include "app/formats/paper.h"
 #include "app/formats/pdf/content.h"
 #include "app/formats/rounded.h"
 #include "app/formats/seen_part.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 
@@ -96,9 +95,8 @@ std::optional<QString> faultOfPage(const Page& page)
     const Point size = paperOf(page).millimetres;
     if (std::max(size.x, size.y) <= mostMillimetres && std::min(size.x, size.y) >= leastMillimetres)
         return std::nullopt;
-    return QCoreApplication::translate(
-        "formats", "the page is too large or too small for PDF: its sides can have 0.001 mm to "
-                   "381 km. Change the width and height of the page.");
+    return Text::tr("the page is too large or too small for PDF: its sides can have 0.001 mm to "
+                    "381 km. Change the width and height of the page.");
 }
 
 // Adds a page as the object `number`, and its content as the next one.

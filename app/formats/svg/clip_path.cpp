@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Clip paths, and viewports that hide everything outside them: the content of both is really cut.
+#include "app/base/text.h"
 #include "app/document/flatten.h"
 #include "app/formats/svg/clip_object.h"
 #include "app/formats/svg/limits.h"

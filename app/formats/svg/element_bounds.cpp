@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The bounding box of an element, to which its transform may refer.
+#include "app/base/text.h"
 #include "app/document/bezier.h"
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/refused.h"

@@ -19,195 +19,198 @@ struct LossKind {
 
 namespace losses {
 
-inline constexpr LossKind text{QT_TRANSLATE_NOOP("svg", "text"), QT_TRANSLATE_NOOP("svg", "texts")};
-inline constexpr LossKind image{QT_TRANSLATE_NOOP("svg", "image"),
-                                QT_TRANSLATE_NOOP("svg", "images")};
-inline constexpr LossKind foreignObject{QT_TRANSLATE_NOOP("svg", "foreign object"),
-                                        QT_TRANSLATE_NOOP("svg", "foreign objects")};
-inline constexpr LossKind animation{QT_TRANSLATE_NOOP("svg", "animation"),
-                                    QT_TRANSLATE_NOOP("svg", "animations")};
-inline constexpr LossKind script{QT_TRANSLATE_NOOP("svg", "script"),
-                                 QT_TRANSLATE_NOOP("svg", "scripts")};
-inline constexpr LossKind gradient{QT_TRANSLATE_NOOP("svg", "gradient"),
-                                   QT_TRANSLATE_NOOP("svg", "gradients"), false,
-                                   QT_TRANSLATE_NOOP("svg", "its first colour is used"),
-                                   QT_TRANSLATE_NOOP("svg", "their first colours are used")};
-inline constexpr LossKind pattern{QT_TRANSLATE_NOOP("svg", "pattern"),
-                                  QT_TRANSLATE_NOOP("svg", "patterns")};
-inline constexpr LossKind mask{QT_TRANSLATE_NOOP("svg", "mask"), QT_TRANSLATE_NOOP("svg", "masks")};
-inline constexpr LossKind filter{QT_TRANSLATE_NOOP("svg", "filter"),
-                                 QT_TRANSLATE_NOOP("svg", "filters")};
-inline constexpr LossKind blending{QT_TRANSLATE_NOOP("svg", "blend mode"),
-                                   QT_TRANSLATE_NOOP("svg", "blend modes")};
-inline constexpr LossKind marker{QT_TRANSLATE_NOOP("svg", "arrowhead or other marker"),
-                                 QT_TRANSLATE_NOOP("svg", "arrowheads or other markers"), false,
-                                 QT_TRANSLATE_NOOP("svg", "its line is kept"),
-                                 QT_TRANSLATE_NOOP("svg", "their lines are kept")};
-inline constexpr LossKind clipPath{QT_TRANSLATE_NOOP("svg", "clip path that is not convex"),
-                                   QT_TRANSLATE_NOOP("svg", "clip paths that are not convex")};
+inline constexpr LossKind text{QT_TRANSLATE_NOOP("Text", "text"),
+                               QT_TRANSLATE_NOOP("Text", "texts")};
+inline constexpr LossKind image{QT_TRANSLATE_NOOP("Text", "image"),
+                                QT_TRANSLATE_NOOP("Text", "images")};
+inline constexpr LossKind foreignObject{QT_TRANSLATE_NOOP("Text", "foreign object"),
+                                        QT_TRANSLATE_NOOP("Text", "foreign objects")};
+inline constexpr LossKind animation{QT_TRANSLATE_NOOP("Text", "animation"),
+                                    QT_TRANSLATE_NOOP("Text", "animations")};
+inline constexpr LossKind script{QT_TRANSLATE_NOOP("Text", "script"),
+                                 QT_TRANSLATE_NOOP("Text", "scripts")};
+inline constexpr LossKind gradient{QT_TRANSLATE_NOOP("Text", "gradient"),
+                                   QT_TRANSLATE_NOOP("Text", "gradients"), false,
+                                   QT_TRANSLATE_NOOP("Text", "its first colour is used"),
+                                   QT_TRANSLATE_NOOP("Text", "their first colours are used")};
+inline constexpr LossKind pattern{QT_TRANSLATE_NOOP("Text", "pattern"),
+                                  QT_TRANSLATE_NOOP("Text", "patterns")};
+inline constexpr LossKind mask{QT_TRANSLATE_NOOP("Text", "mask"),
+                               QT_TRANSLATE_NOOP("Text", "masks")};
+inline constexpr LossKind filter{QT_TRANSLATE_NOOP("Text", "filter"),
+                                 QT_TRANSLATE_NOOP("Text", "filters")};
+inline constexpr LossKind blending{QT_TRANSLATE_NOOP("Text", "blend mode"),
+                                   QT_TRANSLATE_NOOP("Text", "blend modes")};
+inline constexpr LossKind marker{QT_TRANSLATE_NOOP("Text", "arrowhead or other marker"),
+                                 QT_TRANSLATE_NOOP("Text", "arrowheads or other markers"), false,
+                                 QT_TRANSLATE_NOOP("Text", "its line is kept"),
+                                 QT_TRANSLATE_NOOP("Text", "their lines are kept")};
+inline constexpr LossKind clipPath{QT_TRANSLATE_NOOP("Text", "clip path that is not convex"),
+                                   QT_TRANSLATE_NOOP("Text", "clip paths that are not convex")};
 inline constexpr LossKind clipPathOfSeveral{
-    QT_TRANSLATE_NOOP("svg", "clip path of several areas"),
-    QT_TRANSLATE_NOOP("svg", "clip paths of several areas")};
+    QT_TRANSLATE_NOOP("Text", "clip path of several areas"),
+    QT_TRANSLATE_NOOP("Text", "clip paths of several areas")};
 inline constexpr LossKind clipPathUnits{
-    QT_TRANSLATE_NOOP("svg", "clip path in units of the bounding box"),
-    QT_TRANSLATE_NOOP("svg", "clip paths in units of the bounding box")};
+    QT_TRANSLATE_NOOP("Text", "clip path in units of the bounding box"),
+    QT_TRANSLATE_NOOP("Text", "clip paths in units of the bounding box")};
 inline constexpr LossKind nestedClipPath{
-    QT_TRANSLATE_NOOP("svg", "clip path that has a clip path itself"),
-    QT_TRANSLATE_NOOP("svg", "clip paths that have clip paths themselves")};
-inline constexpr LossKind clipPathContent{QT_TRANSLATE_NOOP("svg", "clip path with an element %1"),
-                                          QT_TRANSLATE_NOOP("svg", "clip paths with elements %1")};
+    QT_TRANSLATE_NOOP("Text", "clip path that has a clip path itself"),
+    QT_TRANSLATE_NOOP("Text", "clip paths that have clip paths themselves")};
+inline constexpr LossKind clipPathContent{QT_TRANSLATE_NOOP("Text", "clip path with an element %1"),
+                                          QT_TRANSLATE_NOOP("Text", "clip paths with elements %1")};
 inline constexpr LossKind longClipPath{
-    QT_TRANSLATE_NOOP("svg", "clip path with more than 1,000 sides"),
-    QT_TRANSLATE_NOOP("svg", "clip paths with more than 1,000 sides")};
+    QT_TRANSLATE_NOOP("Text", "clip path with more than 1,000 sides"),
+    QT_TRANSLATE_NOOP("Text", "clip paths with more than 1,000 sides")};
 inline constexpr LossKind longClipped{
-    QT_TRANSLATE_NOOP("svg", "clip path of a shape with more than 50,000 curves"),
-    QT_TRANSLATE_NOOP("svg", "clip paths of shapes with more than 50,000 curves")};
+    QT_TRANSLATE_NOOP("Text", "clip path of a shape with more than 50,000 curves"),
+    QT_TRANSLATE_NOOP("Text", "clip paths of shapes with more than 50,000 curves")};
 inline constexpr LossKind wideStroke{
-    QT_TRANSLATE_NOOP("svg", "wide stroke was cut at its centre line, and does not end where its "
-                             "clip path does"),
-    QT_TRANSLATE_NOOP("svg", "wide strokes were cut at their centre lines, and do not end where "
-                             "their clip paths do"),
+    QT_TRANSLATE_NOOP("Text", "wide stroke was cut at its centre line, and does not end where its "
+                              "clip path does"),
+    QT_TRANSLATE_NOOP("Text", "wide strokes were cut at their centre lines, and do not end where "
+                              "their clip paths do"),
     true};
-inline constexpr LossKind unevenStroke{QT_TRANSLATE_NOOP("svg", "unevenly stretched stroke"),
-                                       QT_TRANSLATE_NOOP("svg", "unevenly stretched strokes"),
-                                       false, QT_TRANSLATE_NOOP("svg", "it is made even"),
-                                       QT_TRANSLATE_NOOP("svg", "they are made even")};
-inline constexpr LossKind longDashes{QT_TRANSLATE_NOOP("svg", "dash pattern that is too long"),
-                                     QT_TRANSLATE_NOOP("svg", "dash patterns that are too long")};
-inline constexpr LossKind damaged{QT_TRANSLATE_NOOP("svg", "part of a damaged shape"),
-                                  QT_TRANSLATE_NOOP("svg", "parts of damaged shapes"), false,
-                                  QT_TRANSLATE_NOOP("svg", "the rest is kept"),
-                                  QT_TRANSLATE_NOOP("svg", "the rest is kept")};
+inline constexpr LossKind unevenStroke{QT_TRANSLATE_NOOP("Text", "unevenly stretched stroke"),
+                                       QT_TRANSLATE_NOOP("Text", "unevenly stretched strokes"),
+                                       false, QT_TRANSLATE_NOOP("Text", "it is made even"),
+                                       QT_TRANSLATE_NOOP("Text", "they are made even")};
+inline constexpr LossKind longDashes{QT_TRANSLATE_NOOP("Text", "dash pattern that is too long"),
+                                     QT_TRANSLATE_NOOP("Text", "dash patterns that are too long")};
+inline constexpr LossKind damaged{QT_TRANSLATE_NOOP("Text", "part of a damaged shape"),
+                                  QT_TRANSLATE_NOOP("Text", "parts of damaged shapes"), false,
+                                  QT_TRANSLATE_NOOP("Text", "the rest is kept"),
+                                  QT_TRANSLATE_NOOP("Text", "the rest is kept")};
 // %1 stands for the text found in the file.
-inline constexpr LossKind property{QT_TRANSLATE_NOOP("svg", "use of the style property %1"),
-                                   QT_TRANSLATE_NOOP("svg", "uses of the style property %1"),
+inline constexpr LossKind property{QT_TRANSLATE_NOOP("Text", "use of the style property %1"),
+                                   QT_TRANSLATE_NOOP("Text", "uses of the style property %1"),
                                    false,
                                    nullptr,
                                    nullptr,
                                    true};
-inline constexpr LossKind attribute{QT_TRANSLATE_NOOP("svg", "use of the attribute %1"),
-                                    QT_TRANSLATE_NOOP("svg", "uses of the attribute %1"),
+inline constexpr LossKind attribute{QT_TRANSLATE_NOOP("Text", "use of the attribute %1"),
+                                    QT_TRANSLATE_NOOP("Text", "uses of the attribute %1"),
                                     false,
                                     nullptr,
                                     nullptr,
                                     true};
-inline constexpr LossKind value{QT_TRANSLATE_NOOP("svg", "value %1 that is not understood"),
-                                QT_TRANSLATE_NOOP("svg", "values %1 that are not understood"),
+inline constexpr LossKind value{QT_TRANSLATE_NOOP("Text", "value %1 that is not understood"),
+                                QT_TRANSLATE_NOOP("Text", "values %1 that are not understood"),
                                 false,
                                 nullptr,
                                 nullptr,
                                 true};
-inline constexpr LossKind styleRule{QT_TRANSLATE_NOOP("svg", "style rule %1"),
-                                    QT_TRANSLATE_NOOP("svg", "style rules %1"),
+inline constexpr LossKind styleRule{QT_TRANSLATE_NOOP("Text", "style rule %1"),
+                                    QT_TRANSLATE_NOOP("Text", "style rules %1"),
                                     false,
                                     nullptr,
                                     nullptr,
                                     true};
 inline constexpr LossKind unknownBox{
-    QT_TRANSLATE_NOOP("svg", "transform in the box of something with texts or images"),
-    QT_TRANSLATE_NOOP("svg", "transforms in the box of something with texts or images")};
-inline constexpr LossKind paintServer{QT_TRANSLATE_NOOP("svg", "paint of the kind %1"),
-                                      QT_TRANSLATE_NOOP("svg", "paints of the kind %1")};
+    QT_TRANSLATE_NOOP("Text", "transform in the box of something with texts or images"),
+    QT_TRANSLATE_NOOP("Text", "transforms in the box of something with texts or images")};
+inline constexpr LossKind paintServer{QT_TRANSLATE_NOOP("Text", "paint of the kind %1"),
+                                      QT_TRANSLATE_NOOP("Text", "paints of the kind %1")};
 inline constexpr LossKind strokeBelow{
-    QT_TRANSLATE_NOOP("svg", "stroke below the fill of its shape"),
-    QT_TRANSLATE_NOOP("svg", "strokes below the fills of their shapes"), false,
-    QT_TRANSLATE_NOOP("svg", "it is above the fill"),
-    QT_TRANSLATE_NOOP("svg", "they are above the fills")};
+    QT_TRANSLATE_NOOP("Text", "stroke below the fill of its shape"),
+    QT_TRANSLATE_NOOP("Text", "strokes below the fills of their shapes"), false,
+    QT_TRANSLATE_NOOP("Text", "it is above the fill"),
+    QT_TRANSLATE_NOOP("Text", "they are above the fills")};
 inline constexpr LossKind selfUse{
-    QT_TRANSLATE_NOOP("svg", "<use> that contains itself"),
-    QT_TRANSLATE_NOOP("svg", "<use> elements that contain themselves")};
+    QT_TRANSLATE_NOOP("Text", "<use> that contains itself"),
+    QT_TRANSLATE_NOOP("Text", "<use> elements that contain themselves")};
 inline constexpr LossKind language{
-    QT_TRANSLATE_NOOP("svg", "element for another language than English"),
-    QT_TRANSLATE_NOOP("svg", "elements for other languages than English")};
+    QT_TRANSLATE_NOOP("Text", "element for another language than English"),
+    QT_TRANSLATE_NOOP("Text", "elements for other languages than English")};
 inline constexpr LossKind extension{
-    QT_TRANSLATE_NOOP("svg", "element that only programs with an extension draw was left out"),
-    QT_TRANSLATE_NOOP("svg", "elements that only programs with an extension draw were left out"),
+    QT_TRANSLATE_NOOP("Text", "element that only programs with an extension draw was left out"),
+    QT_TRANSLATE_NOOP("Text", "elements that only programs with an extension draw were left out"),
     true};
 inline constexpr LossKind sizeless{
-    QT_TRANSLATE_NOOP("svg", "element of size 0 or less, which SVG does not draw, was left out"),
-    QT_TRANSLATE_NOOP("svg", "elements of size 0 or less, which SVG does not draw, were left out"),
+    QT_TRANSLATE_NOOP("Text", "element of size 0 or less, which SVG does not draw, was left out"),
+    QT_TRANSLATE_NOOP("Text", "elements of size 0 or less, which SVG does not draw, were left out"),
     true};
 inline constexpr LossKind emptyViewBox{
-    QT_TRANSLATE_NOOP("svg", "viewBox that is no rectangle was ignored"),
-    QT_TRANSLATE_NOOP("svg", "viewBoxes that are no rectangles were ignored"), true};
+    QT_TRANSLATE_NOOP("Text", "viewBox that is no rectangle was ignored"),
+    QT_TRANSLATE_NOOP("Text", "viewBoxes that are no rectangles were ignored"), true};
 inline constexpr LossKind undeclaredPrefix{
-    QT_TRANSLATE_NOOP("svg", "prefix %1 without a declaration was read as usual"),
-    QT_TRANSLATE_NOOP("svg", "prefixes %1 without a declaration were read as usual"), true};
+    QT_TRANSLATE_NOOP("Text", "prefix %1 without a declaration was read as usual"),
+    QT_TRANSLATE_NOOP("Text", "prefixes %1 without a declaration were read as usual"), true};
 inline constexpr LossKind htmlEntity{
-    QT_TRANSLATE_NOOP("svg", "name of a character without a declaration was read as in HTML: %1"),
-    QT_TRANSLATE_NOOP("svg", "names of characters without a declaration were read as in HTML: %1"),
+    QT_TRANSLATE_NOOP("Text", "name of a character without a declaration was read as in HTML: %1"),
+    QT_TRANSLATE_NOOP("Text", "names of characters without a declaration were read as in HTML: %1"),
     true};
 inline constexpr LossKind blankBeginning{
-    QT_TRANSLATE_NOOP("svg", "beginning with blanks before <?xml was skipped"),
-    QT_TRANSLATE_NOOP("svg", "beginnings with blanks before <?xml were skipped"), true};
-inline constexpr LossKind otherFile{QT_TRANSLATE_NOOP("svg", "reference to another file"),
-                                    QT_TRANSLATE_NOOP("svg", "references to other files")};
+    QT_TRANSLATE_NOOP("Text", "beginning with blanks before <?xml was skipped"),
+    QT_TRANSLATE_NOOP("Text", "beginnings with blanks before <?xml were skipped"), true};
+inline constexpr LossKind otherFile{QT_TRANSLATE_NOOP("Text", "reference to another file"),
+                                    QT_TRANSLATE_NOOP("Text", "references to other files")};
 inline constexpr LossKind elementNote{
-    QT_TRANSLATE_NOOP("svg", "title, description or metadata of an element"),
-    QT_TRANSLATE_NOOP("svg", "titles, descriptions or metadata of elements")};
+    QT_TRANSLATE_NOOP("Text", "title, description or metadata of an element"),
+    QT_TRANSLATE_NOOP("Text", "titles, descriptions or metadata of elements")};
 inline constexpr LossKind metadata{
-    QT_TRANSLATE_NOOP("svg", "title, description and metadata of more than 16 MB"),
-    QT_TRANSLATE_NOOP("svg", "titles, descriptions and metadata of more than 16 MB")};
-inline constexpr LossKind layers{QT_TRANSLATE_NOOP("svg", "stack of too many layers"),
-                                 QT_TRANSLATE_NOOP("svg", "stacks of too many layers"), false,
-                                 QT_TRANSLATE_NOOP("svg", "the upper layers became one"),
-                                 QT_TRANSLATE_NOOP("svg", "the upper layers became one")};
+    QT_TRANSLATE_NOOP("Text", "title, description and metadata of more than 16 MB"),
+    QT_TRANSLATE_NOOP("Text", "titles, descriptions and metadata of more than 16 MB")};
+inline constexpr LossKind layers{QT_TRANSLATE_NOOP("Text", "stack of too many layers"),
+                                 QT_TRANSLATE_NOOP("Text", "stacks of too many layers"), false,
+                                 QT_TRANSLATE_NOOP("Text", "the upper layers became one"),
+                                 QT_TRANSLATE_NOOP("Text", "the upper layers became one")};
 
-inline constexpr LossKind windows{QT_TRANSLATE_NOOP("svg", "clip window beyond the first 1,000"),
-                                  QT_TRANSLATE_NOOP("svg", "clip windows beyond the first 1,000")};
+inline constexpr LossKind windows{QT_TRANSLATE_NOOP("Text", "clip window beyond the first 1,000"),
+                                  QT_TRANSLATE_NOOP("Text", "clip windows beyond the first 1,000")};
 
-inline constexpr LossKind guides{QT_TRANSLATE_NOOP("svg", "guide beyond the first 1,000"),
-                                 QT_TRANSLATE_NOOP("svg", "guides beyond the first 1,000")};
+inline constexpr LossKind guides{QT_TRANSLATE_NOOP("Text", "guide beyond the first 1,000"),
+                                 QT_TRANSLATE_NOOP("Text", "guides beyond the first 1,000")};
 inline constexpr LossKind unreadableGuide{
-    QT_TRANSLATE_NOOP("svg", "guide without a finite x or y"),
-    QT_TRANSLATE_NOOP("svg", "guides without a finite x or y")};
+    QT_TRANSLATE_NOOP("Text", "guide without a finite x or y"),
+    QT_TRANSLATE_NOOP("Text", "guides without a finite x or y")};
 
 inline constexpr LossKind unreadableSheets{
-    QT_TRANSLATE_NOOP("svg", "division among sheets with a missing or invalid number"),
-    QT_TRANSLATE_NOOP("svg", "divisions among sheets with a missing or invalid number")};
+    QT_TRANSLATE_NOOP("Text", "division among sheets with a missing or invalid number"),
+    QT_TRANSLATE_NOOP("Text", "divisions among sheets with a missing or invalid number")};
 
 inline constexpr LossKind invertedWindow{
-    QT_TRANSLATE_NOOP("svg", "inverted clip window"),
-    QT_TRANSLATE_NOOP("svg", "inverted clip windows"), false,
-    QT_TRANSLATE_NOOP("svg", "its left or top edge is beyond the opposite one"),
-    QT_TRANSLATE_NOOP("svg", "their left or top edges are beyond the opposite ones")};
+    QT_TRANSLATE_NOOP("Text", "inverted clip window"),
+    QT_TRANSLATE_NOOP("Text", "inverted clip windows"), false,
+    QT_TRANSLATE_NOOP("Text", "its left or top edge is beyond the opposite one"),
+    QT_TRANSLATE_NOOP("Text", "their left or top edges are beyond the opposite ones")};
 inline constexpr LossKind unreadableWindow{
-    QT_TRANSLATE_NOOP("svg", "clip window with a missing or invalid number"),
-    QT_TRANSLATE_NOOP("svg", "clip windows with a missing or invalid number"), false,
+    QT_TRANSLATE_NOOP("Text", "clip window with a missing or invalid number"),
+    QT_TRANSLATE_NOOP("Text", "clip windows with a missing or invalid number"), false,
     QT_TRANSLATE_NOOP(
-        "svg",
+        "Text",
         "xmin, ymin, xmax and ymax, or corners, are needed, all finite; an angle ends with rad"),
     QT_TRANSLATE_NOOP(
-        "svg",
+        "Text",
         "xmin, ymin, xmax and ymax, or corners, are needed, all finite; an angle ends with rad")};
 // %1 stands for the texts found in the file.
 inline constexpr LossKind unknownOperation{
-    QT_TRANSLATE_NOOP("svg", "clip window with the unknown operation %1"),
-    QT_TRANSLATE_NOOP("svg", "clip windows with the unknown operation %1"), false,
-    QT_TRANSLATE_NOOP("svg", "the operations are add, cut-out and intersect"),
-    QT_TRANSLATE_NOOP("svg", "the operations are add, cut-out and intersect")};
+    QT_TRANSLATE_NOOP("Text", "clip window with the unknown operation %1"),
+    QT_TRANSLATE_NOOP("Text", "clip windows with the unknown operation %1"), false,
+    QT_TRANSLATE_NOOP("Text", "the operations are add, cut-out and intersect"),
+    QT_TRANSLATE_NOOP("Text", "the operations are add, cut-out and intersect")};
 inline constexpr LossKind unknownKeep{
-    QT_TRANSLATE_NOOP("svg", "unknown value %1 of “keep” (inside or outside) was read as inside"),
-    QT_TRANSLATE_NOOP("svg", "unknown values %1 of “keep” (inside or outside) were read as inside"),
+    QT_TRANSLATE_NOOP("Text", "unknown value %1 of “keep” (inside or outside) was read as inside"),
+    QT_TRANSLATE_NOOP("Text",
+                      "unknown values %1 of “keep” (inside or outside) were read as inside"),
     true};
 inline constexpr LossKind unknownVisible{
-    QT_TRANSLATE_NOOP("svg", "unknown value %1 of “visible” (yes or no) was read as yes"),
-    QT_TRANSLATE_NOOP("svg", "unknown values %1 of “visible” (yes or no) were read as yes"), true};
+    QT_TRANSLATE_NOOP("Text", "unknown value %1 of “visible” (yes or no) was read as yes"),
+    QT_TRANSLATE_NOOP("Text", "unknown values %1 of “visible” (yes or no) were read as yes"), true};
 inline constexpr LossKind unknownColour{
-    QT_TRANSLATE_NOOP("svg", "unknown colour %1 of a clip window was replaced by the usual one"),
-    QT_TRANSLATE_NOOP("svg", "unknown colours %1 of clip windows were replaced by the usual one"),
+    QT_TRANSLATE_NOOP("Text", "unknown colour %1 of a clip window was replaced by the usual one"),
+    QT_TRANSLATE_NOOP("Text", "unknown colours %1 of clip windows were replaced by the usual one"),
     true};
 inline constexpr LossKind containers{
-    QT_TRANSLATE_NOOP("svg", "group beyond the limit was dissolved"),
-    QT_TRANSLATE_NOOP("svg", "groups beyond the limit were dissolved"), true};
-inline constexpr LossKind doubleId{QT_TRANSLATE_NOOP("svg", "repeated id was removed"),
-                                   QT_TRANSLATE_NOOP("svg", "repeated ids were removed"), true};
+    QT_TRANSLATE_NOOP("Text", "group beyond the limit was dissolved"),
+    QT_TRANSLATE_NOOP("Text", "groups beyond the limit were dissolved"), true};
+inline constexpr LossKind doubleId{QT_TRANSLATE_NOOP("Text", "repeated id was removed"),
+                                   QT_TRANSLATE_NOOP("Text", "repeated ids were removed"), true};
 inline constexpr LossKind cutClipPath{
-    QT_TRANSLATE_NOOP("svg", "clip path was replaced by a real cut"),
-    QT_TRANSLATE_NOOP("svg", "clip paths were replaced by real cuts"), true};
+    QT_TRANSLATE_NOOP("Text", "clip path was replaced by a real cut"),
+    QT_TRANSLATE_NOOP("Text", "clip paths were replaced by real cuts"), true};
 inline constexpr LossKind groupOpacity{
-    QT_TRANSLATE_NOOP("svg", "group opacity was moved to each shape"),
-    QT_TRANSLATE_NOOP("svg", "group opacities were moved to each shape"), true};
+    QT_TRANSLATE_NOOP("Text", "group opacity was moved to each shape"),
+    QT_TRANSLATE_NOOP("Text", "group opacities were moved to each shape"), true};
 
 } // namespace losses
 } // namespace app::svg

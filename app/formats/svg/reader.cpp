@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/reader.h"
 
+#include "app/base/text.h"
 #include "app/document/page_around.h"
 #include "app/formats/paper.h"
 #include "app/formats/svg/guide_text.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QCoreApplication>
 #include <QString>
 
 namespace app::svg {
@@ -13,11 +12,6 @@ struct Refused {
     static constexpr qint64 here = 0, wholeFile = -1;
     QString why;
     qint64 line = here; ///< `here`: the reader inserts its current line
-};
-
-/// The translation context of the sentences.
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(svg)
 };
 
 } // namespace app::svg

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/scanner.h"
 
+#include "app/base/text.h"
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/refused.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/tree.h"
 
+#include "app/base/text.h"
 #include "app/formats/svg/html_entities.h"
 #include "app/formats/svg/lenient_xml.h"
 #include "app/formats/svg/limits.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/tree_drawer.h"
 
+#include "app/base/text.h"
 #include "app/document/flatten.h"
 #include "app/formats/svg/element_transform.h"
 #include "app/formats/svg/limits.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/lessons/question.h"
-#include "app/lessons/questions/translated.h"
 
 #include <algorithm>
 #include <array>
@@ -14,11 +14,15 @@ struct Operation {
     const char* name;
     std::uint64_t clipping::OperationCounts::*count;
 };
-constexpr std::array operations{
-    Operation{"divisions", "divisions", &clipping::OperationCounts::divisions},
-    Operation{"multiplications", "multiplications", &clipping::OperationCounts::multiplications},
-    Operation{"comparisons", "comparisons", &clipping::OperationCounts::comparisons},
-    Operation{"additions", "additions", &clipping::OperationCounts::additions}};
+constexpr std::array operations{Operation{"divisions", QT_TRANSLATE_NOOP("Text", "divisions"),
+                                          &clipping::OperationCounts::divisions},
+                                Operation{"multiplications",
+                                          QT_TRANSLATE_NOOP("Text", "multiplications"),
+                                          &clipping::OperationCounts::multiplications},
+                                Operation{"comparisons", QT_TRANSLATE_NOOP("Text", "comparisons"),
+                                          &clipping::OperationCounts::comparisons},
+                                Operation{"additions", QT_TRANSLATE_NOOP("Text", "additions"),
+                                          &clipping::OperationCounts::additions}};
 
 /// "ask cheaper divisions cs nln": which of two algorithms needs fewer of these operations for the
 /// line.
@@ -38,21 +42,21 @@ std::optional<Question> askCheaper(const TracedLine& tracedLine, const Narration
                .*(operation->count);
     };
     const auto ofOne = count(*one), ofOther = count(*other);
-    const QString what = Questions::tr(operation->name);
+    const QString what = Text::tr(operation->name);
     return Question{
-        Questions::tr("Which algorithm needs fewer %1 for this line?").arg(what),
-        {nameOf(*one), nameOf(*other), Questions::tr("Both need the same number")},
+        Text::tr("Which algorithm needs fewer %1 for this line?").arg(what),
+        {nameOf(*one), nameOf(*other), Text::tr("Both need the same number")},
         ofOne < ofOther   ? 0
         : ofOther < ofOne ? 1
                           : 2,
-        Questions::tr("Number of %5: %1 %2, %3 %4.")
+        Text::tr("Number of %5: %1 %2, %3 %4.")
             .arg(nameOf(*one))
             .arg(ofOne)
             .arg(nameOf(*other))
             .arg(ofOther)
             .arg(what),
-        Questions::tr("What must each algorithm compute before it can decide about this line? "
-                      "Count these operations.")};
+        Text::tr("What must each algorithm compute before it can decide about this line? "
+                 "Count these operations.")};
 }
 
 } // namespace

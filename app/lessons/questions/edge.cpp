@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/lessons/question.h"
-#include "app/lessons/questions/translated.h"
 
 #include <algorithm>
 #include <array>
@@ -24,13 +24,13 @@ std::optional<Question> askEdge(const TracedLine& tracedLine, const Narration& n
                                clipping::Edge::Top};
     QStringList choices;
     for (const clipping::Edge edge : edges)
-        choices << Questions::tr("At %1").arg(edgeWords(edge, tracedLine.y));
+        choices << Text::tr("At %1").arg(edgeWords(edge, tracedLine.y));
     return Question{
-        Questions::tr("At which edge is the line cut next?"), choices,
+        Text::tr("At which edge is the line cut next?"), choices,
         int(std::ranges::find(edges, cut->edge) - edges.begin()),
-        Questions::tr("Step %1: %2").arg(cut - narration.steps.begin() + 1).arg(cut->sentence),
-        Questions::tr("Read the pseudo-code from line %1 on, with the values in the table. Which "
-                      "test is the first to be true?")
+        Text::tr("Step %1: %2").arg(cut - narration.steps.begin() + 1).arg(cut->sentence),
+        Text::tr("Read the pseudo-code from line %1 on, with the values in the table. Which "
+                 "test is the first to be true?")
             .arg(narration.steps[step].line)};
 }
 

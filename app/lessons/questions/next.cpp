@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/lessons/question.h"
-#include "app/lessons/questions/translated.h"
 
 #include <algorithm>
 #include <array>
@@ -14,10 +14,11 @@ struct Event {
     Mark mark;
     const char* words;
 };
-constexpr std::array events{Event{Mark::Cut, "It cuts the line"},
-                            Event{Mark::Accept, "It accepts the line or its remaining part"},
-                            Event{Mark::Reject, "It rejects the line"},
-                            Event{Mark::Divide, "It divides to find where the line may be cut"}};
+constexpr std::array events{
+    Event{Mark::Cut, QT_TRANSLATE_NOOP("Text", "It cuts the line")},
+    Event{Mark::Accept, QT_TRANSLATE_NOOP("Text", "It accepts the line or its remaining part")},
+    Event{Mark::Reject, QT_TRANSLATE_NOOP("Text", "It rejects the line")},
+    Event{Mark::Divide, QT_TRANSLATE_NOOP("Text", "It divides to find where the line may be cut")}};
 
 /// "ask next": which step follows, not counting comparisons.
 std::optional<Question> askNext(const TracedLine&, const Narration& narration, std::size_t step,
@@ -30,12 +31,11 @@ std::optional<Question> askNext(const TracedLine&, const Narration& narration, s
             continue;
         QStringList choices;
         for (const Event& other : events)
-            choices << Questions::tr(other.words);
+            choices << Text::tr(other.words);
         return Question{
-            Questions::tr("Which step follows, not counting comparisons?"), choices,
-            int(event - events.begin()),
-            Questions::tr("Step %1: %2").arg(i + 1).arg(narrated.sentence),
-            Questions::tr("Read the pseudo-code from line %1 on, with the values in the table.")
+            Text::tr("Which step follows, not counting comparisons?"), choices,
+            int(event - events.begin()), Text::tr("Step %1: %2").arg(i + 1).arg(narrated.sentence),
+            Text::tr("Read the pseudo-code from line %1 on, with the values in the table.")
                 .arg(narration.steps[step].line)};
     }
     return std::nullopt;

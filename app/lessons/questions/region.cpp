@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/lessons/question.h"
-#include "app/lessons/questions/translated.h"
 #include "clipping/outcode.h"
 
 namespace app {
@@ -15,8 +15,8 @@ QString whereabouts(unsigned code, YAxis y)
          {clipping::Edge::Top, clipping::Edge::Bottom, clipping::Edge::Right, clipping::Edge::Left})
         if (code >> (unsigned(edge) - 1) & 1U)
             beyond << edgeWords(edge, y);
-    return beyond.isEmpty() ? Questions::tr("inside the window")
-                            : Questions::tr("beyond %1").arg(beyond.join(Questions::tr(" and ")));
+    return beyond.isEmpty() ? Text::tr("inside the window")
+                            : Text::tr("beyond %1").arg(beyond.join(Text::tr(" and ")));
 }
 
 /// "ask region 2": which outcode End 2 has. Wrong choices swap left and right, or above and below.
@@ -35,10 +35,10 @@ std::optional<Question> askRegion(const TracedLine& tracedLine, const Narration&
                                                      && choices.size() < 4)
             choices << text;
     return shuffled(
-        {Questions::tr("Which outcode does End %1 have?").arg(words[0]), choices, 0,
-         Questions::tr("End %1 lies %2: %3.")
+        {Text::tr("Which outcode does End %1 have?").arg(words[0]), choices, 0,
+         Text::tr("End %1 lies %2: %3.")
              .arg(words[0], whereabouts(code, tracedLine.y), outcodeText(code)),
-         Questions::tr("Ask one question for each bit, in this order: %1. A yes is 1, a no is 0.")
+         Text::tr("Ask one question for each bit, in this order: %1. A yes is 1, a no is 0.")
              .arg(outcodeBits())});
 }
 

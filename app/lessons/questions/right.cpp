@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/latin.h"
+#include "app/base/text.h"
 #include "app/comparison/difference.h"
 #include "app/lessons/question.h"
-#include "app/lessons/questions/translated.h"
 
 #include <array>
 
@@ -16,15 +16,21 @@ struct Verdict {
     const char* reason; ///< %1: the error in ulps
 };
 constexpr std::array verdicts{
-    Verdict{"Yes, apart from rounding",
-            "Apart from rounding, its result is that of exact arithmetic."},
-    Verdict{"No, it shows too much",
-            "It shows a part, although no point of the line is inside the window."},
-    Verdict{"No, it shows nothing, but a part is visible",
-            "It shows nothing, although part of the line is inside the window."},
-    Verdict{"No, an end is in the wrong place",
-            "One end of its result is off by %1 ulps of the largest coordinate."},
-    Verdict{"No, it never ends", "It repeats the same cuts forever. The program had to stop it."}};
+    Verdict{
+        QT_TRANSLATE_NOOP("Text", "Yes, apart from rounding"),
+        QT_TRANSLATE_NOOP("Text", "Apart from rounding, its result is that of exact arithmetic.")},
+    Verdict{QT_TRANSLATE_NOOP("Text", "No, it shows too much"),
+            QT_TRANSLATE_NOOP(
+                "Text", "It shows a part, although no point of the line is inside the window.")},
+    Verdict{QT_TRANSLATE_NOOP("Text", "No, it shows nothing, but a part is visible"),
+            QT_TRANSLATE_NOOP("Text",
+                              "It shows nothing, although part of the line is inside the window.")},
+    Verdict{QT_TRANSLATE_NOOP("Text", "No, an end is in the wrong place"),
+            QT_TRANSLATE_NOOP(
+                "Text", "One end of its result is off by %1 ulps of the largest coordinate.")},
+    Verdict{QT_TRANSLATE_NOOP("Text", "No, it never ends"),
+            QT_TRANSLATE_NOOP("Text",
+                              "It repeats the same cuts forever. The program had to stop it.")}};
 
 /// The index of the verdict.
 int verdictOn(const Narration& narration, const std::vector<Difference>& found)
@@ -42,8 +48,8 @@ QString promptFor(const Variant& variant)
 {
     const QString name = latin(variant.algorithm->abbreviation);
     return variant.form == clipping::Form::Published
-               ? Questions::tr("Does the published %1 get this line right?").arg(name)
-               : Questions::tr("Does the corrected %1 get this line right?").arg(name);
+               ? Text::tr("Does the published %1 get this line right?").arg(name)
+               : Text::tr("Does the corrected %1 get this line right?").arg(name);
 }
 
 /// "ask right": whether the result of this form is correct within the ulps of its contract.
@@ -55,16 +61,15 @@ std::optional<Question> askRight(const TracedLine& tracedLine, const Narration& 
     const auto found =
         differences({&tracedLine.line, 1}, tracedLine.window, tracedLine.variant, exact, ulps);
     const int verdict = verdictOn(narration, found);
-    QString reason = Questions::tr(verdicts[std::size_t(verdict)].reason);
+    QString reason = Text::tr(verdicts[std::size_t(verdict)].reason);
     if (!found.empty())
         reason.replace(QStringLiteral("%1"), shortText(found[0].ulps));
     QStringList choices;
     for (const Verdict& row : verdicts)
-        choices << Questions::tr(row.choice);
-    return Question{
-        promptFor(tracedLine.variant), choices, verdict, reason,
-        Questions::tr("Which decisions use a number that was rounded before? What happens "
-                      "if that number is slightly too large or too small?")};
+        choices << Text::tr(row.choice);
+    return Question{promptFor(tracedLine.variant), choices, verdict, reason,
+                    Text::tr("Which decisions use a number that was rounded before? What happens "
+                             "if that number is slightly too large or too small?")};
 }
 
 } // namespace

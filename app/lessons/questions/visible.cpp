@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/lessons/question.h"
-#include "app/lessons/questions/translated.h"
 #include "app/teaching/line_text.h"
 
 #include <glm/geometric.hpp>
@@ -15,23 +15,22 @@ std::optional<Question> askVisible(const TracedLine& tracedLine, const Narration
 {
     const auto piece = clipped(exactVariant(), tracedLine.line, tracedLine.window);
     const QString reason =
-        !piece ? Questions::tr("No point of the line lies inside the window.")
+        !piece ? Text::tr("No point of the line lies inside the window.")
         : *piece == tracedLine.line
-            ? Questions::tr(
-                "Both ends lie inside, and a window is convex, so the whole line is inside.")
-            : Questions::tr("The visible part runs from %1 to %2.")
+            ? Text::tr("Both ends lie inside, and a window is convex, so the whole line is inside.")
+            : Text::tr("The visible part runs from %1 to %2.")
                   .arg(pairText(shortText(piece->a.x), shortText(piece->a.y)),
                        pairText(shortText(piece->b.x), shortText(piece->b.y)));
     const int cutEnds =
         piece ? (piece->a != tracedLine.line.a) + (piece->b != tracedLine.line.b) : 3;
     return Question{
-        Questions::tr("How much of this line is visible in the window?"),
-        {Questions::tr("All of it"), Questions::tr("A part: one end is cut"),
-         Questions::tr("A part: both ends are cut"), Questions::tr("Nothing")},
+        Text::tr("How much of this line is visible in the window?"),
+        {Text::tr("All of it"), Text::tr("A part: one end is cut"),
+         Text::tr("A part: both ends are cut"), Text::tr("Nothing")},
         cutEnds,
         reason,
-        Questions::tr("Follow the line from End 1 to End 2. Does it meet the orange rectangle? How "
-                      "many of its ends lie outside?")};
+        Text::tr("Follow the line from End 1 to End 2. Does it meet the orange rectangle? How "
+                 "many of its ends lie outside?")};
 }
 
 } // namespace

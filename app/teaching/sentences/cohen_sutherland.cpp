@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/overlays/family.h"
 #include "app/teaching/sentences/ends.h"
 #include "app/teaching/sentences/words.h"
@@ -43,7 +44,7 @@ int endOutside(const SentenceContext& context)
 
 QString cohenSutherlandOutcodes(const SentenceContext& context)
 {
-    return Sentences::tr("The outcodes say where the ends lie: End 1 has %1, End 2 has %2.")
+    return Text::tr("The outcodes say where the ends lie: End 1 has %1, End 2 has %2.")
         .arg(cohenSutherlandCodeAndRegion(context, 1), cohenSutherlandCodeAndRegion(context, 2));
 }
 
@@ -51,11 +52,11 @@ QString cohenSutherlandOutcodes(const SentenceContext& context)
 QString anyOutside(const SentenceContext& context, bool outside)
 {
     const unsigned either = codeOf(context, 1) | codeOf(context, 2);
-    return (outside ? Sentences::tr(
-                "At least one end is outside, because %1 | %2 = %3 is not 0000: the line "
-                "cannot be accepted yet.")
-                    : Sentences::tr(
-                        "Both ends are inside, because %1 | %2 = %3: the line can be accepted."))
+    return (outside
+                ? Text::tr(
+                    "At least one end is outside, because %1 | %2 = %3 is not 0000: the line "
+                    "cannot be accepted yet.")
+                : Text::tr("Both ends are inside, because %1 | %2 = %3: the line can be accepted."))
         .arg(cohenSutherlandCodeText(context, 1), cohenSutherlandCodeText(context, 2),
              outcodeText(either));
 }
@@ -65,12 +66,11 @@ QString cohenSutherlandBothBeyond(const SentenceContext& context)
 {
     const unsigned common = codeOf(context, 1) & codeOf(context, 2);
     if (!context.holds())
-        return Sentences::tr(
-                   "No edge has both ends beyond it, because %1 & %2 = %3: the line cannot be "
-                   "rejected yet.")
+        return Text::tr("No edge has both ends beyond it, because %1 & %2 = %3: the line cannot be "
+                        "rejected yet.")
             .arg(cohenSutherlandCodeText(context, 1), cohenSutherlandCodeText(context, 2),
                  outcodeText(common));
-    return Sentences::tr("Both ends lie %4, because %1 & %2 = %3 is not 0000.")
+    return Text::tr("Both ends lie %4, because %1 & %2 = %3 is not 0000.")
         .arg(cohenSutherlandCodeText(context, 1), cohenSutherlandCodeText(context, 2),
              outcodeText(common), words::beyond(words::edgeOf(common), context.tracedLine.y));
 }
@@ -78,7 +78,7 @@ QString cohenSutherlandBothBeyond(const SentenceContext& context)
 QString cohenSutherlandRejected(const SentenceContext& context)
 {
     const unsigned common = codeOf(context, 1) & codeOf(context, 2);
-    return Sentences::tr(
+    return Text::tr(
                "Both ends lie %1, and so does every point between them: nothing of the line is "
                "visible.")
         .arg(words::beyond(words::edgeOf(common), context.tracedLine.y));
@@ -88,9 +88,9 @@ QString cohenSutherlandRejected(const SentenceContext& context)
 QString chosen(const SentenceContext& context)
 {
     return codeOf(context, 1) != 0
-               ? Sentences::tr("End 1 is outside, with the outcode %1, so End 1 is cut.")
+               ? Text::tr("End 1 is outside, with the outcode %1, so End 1 is cut.")
                      .arg(cohenSutherlandCodeAndRegion(context, 1))
-               : Sentences::tr(
+               : Text::tr(
                      "End 1 is inside and End 2 is outside, with the outcode %1, so End 2 is cut.")
                      .arg(cohenSutherlandCodeAndRegion(context, 2));
 }
@@ -101,9 +101,9 @@ QString cutThere(const SentenceContext& context)
     const int number = endOutside(context);
     const QString code = cohenSutherlandCodeText(context, number), end = words::end(number);
     if (!context.holds())
-        return Sentences::tr("The bit of %1 is not set in %2: %3 is not cut at that edge.")
+        return Text::tr("The bit of %1 is not set in %2: %3 is not cut at that edge.")
             .arg(context.edgeText(), code, end);
-    return Sentences::tr("The bit of %1 is set in %2: %3 lies %4 and is cut at that edge.")
+    return Text::tr("The bit of %1 is set in %2: %3 lies %4 and is cut at that edge.")
         .arg(context.edgeText(), code, end, words::beyond(context.edge(), context.tracedLine.y));
 }
 
@@ -115,11 +115,10 @@ QString meets(const SentenceContext& context)
     const double level = clipping::levelOf(context.edge(), window);
     const double there = context.value(along == 0 ? "y" : "x").value_or(0);
     if (!std::isfinite(there))
-        return Sentences::tr(
-                   "The numbers are too large: their product overflows, %1 becomes %2, and "
-                   "everything computed from it is meaningless.")
+        return Text::tr("The numbers are too large: their product overflows, %1 becomes %2, and "
+                        "everything computed from it is meaningless.")
             .arg(along == 0 ? QStringLiteral("y") : QStringLiteral("x"), words::number(there));
-    return Sentences::tr("From End 1 to %1, %3 changes by %2. There the line is at %4.")
+    return Text::tr("From End 1 to %1, %3 changes by %2. There the line is at %4.")
         .arg(context.edgeText(), words::number(level - context.step.segment.a[along]),
              words::axisName(context.edge()),
              words::point(along == 0 ? Point{level, there} : Point{there, level}));
@@ -140,8 +139,7 @@ QString moved(const SentenceContext& context)
         return words::moved(context, endOutside(context));
     const int number = context.value("code1") ? 1 : 2;
     return words::moved(context, number) + u' '
-           + Sentences::tr("Its outcode is now %1.")
-                 .arg(cohenSutherlandCodeAndRegion(context, number));
+           + Text::tr("Its outcode is now %1.").arg(cohenSutherlandCodeAndRegion(context, number));
 }
 
 /// The corrected form's new outcode, before and after the bits of edges that have cut the end are
@@ -150,12 +148,11 @@ QString newCode(const SentenceContext& context)
 {
     const int number = endOutside(context);
     if (context.edge() != clipping::Edge::NoEdge)
-        return Sentences::
-            tr("The distance that %1 has moved, compared with its distances to the other edges, "
-               "gives the outcode %2.")
-                .arg(words::end(number), cohenSutherlandCodeAndRegion(context, number));
+        return Text::tr("The distance that %1 has moved, compared with its distances to the other "
+                        "edges, gives the outcode %2.")
+            .arg(words::end(number), cohenSutherlandCodeAndRegion(context, number));
     const unsigned done = cohenSutherlandKnown(context, number == 1 ? "done[1]" : "done[2]");
-    return Sentences::tr(
+    return Text::tr(
                "An edge that has cut %1 does not cut it again. The bits of these edges, %2, are "
                "cleared, so the outcode is %3.")
         .arg(words::end(number), outcodeText(done), cohenSutherlandCodeAndRegion(context, number));
@@ -173,10 +170,9 @@ QString decided(const SentenceContext& context)
     case 5:
         return cohenSutherlandBothBeyond(context);
     default:
-        return !published ? chosen(context)
-               : context.holds()
-                   ? Sentences::tr("The outcode is that of End 1, so End 1 is cut.")
-                   : Sentences::tr("The outcode is not that of End 1, so End 2 is cut.");
+        return !published        ? chosen(context)
+               : context.holds() ? Text::tr("The outcode is that of End 1, so End 1 is cut.")
+                                 : Text::tr("The outcode is not that of End 1, so End 2 is cut.");
     }
 }
 
@@ -189,7 +185,7 @@ QString cohenSutherlandSentence(const SentenceContext& context)
     if (what == What::Reject)
         return cohenSutherlandRejected(context) + words::lost(context);
     if (what == What::GiveUp)
-        return Sentences::tr(
+        return Text::tr(
             "After 64 cuts the loop still goes on: each cut clears one bit, and rounding "
             "sets another. The published form never ends on this line. It is stopped, and "
             "nothing is drawn.");
@@ -204,7 +200,7 @@ QString cohenSutherlandSentence(const SentenceContext& context)
     if (name == "codeOut")
         return chosen(context);
     if (name == "i")
-        return Sentences::tr("The cut starts from the original position of %1, %2.")
+        return Text::tr("The cut starts from the original position of %1, %2.")
             .arg(words::end(endOutside(context)),
                  words::point(endOutside(context) == 1 ? context.tracedLine.line.a
                                                        : context.tracedLine.line.b));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/overlays/family.h"
 #include "app/teaching/sentences/ends.h"
 #include "app/teaching/sentences/part.h"
@@ -27,33 +28,33 @@ QString cyrusBeckAsked(const SentenceContext& context)
     switch (cyrusBeckLineOf(context)) {
     case 5:
         return (context.holds()
-                    ? Sentences::tr("D = %2: the line is parallel to %1 and never crosses it.")
-                    : Sentences::tr("D = %2 is not 0: the infinite line through both ends crosses "
-                                    "the line of %1."))
+                    ? Text::tr("D = %2: the line is parallel to %1 and never crosses it.")
+                    : Text::tr("D = %2 is not 0: the infinite line through both ends crosses "
+                               "the line of %1."))
             .arg(edge, knownNumber(context, "D"));
     case 6:
         return (context.holds()
-                    ? Sentences::tr(
+                    ? Text::tr(
                         "The line is parallel to %1 and lies beyond it (N = %2 is less than 0).")
-                    : Sentences::tr(
+                    : Text::tr(
                         "End 1 is not beyond %1 (N = %2 is not less than 0), so no point of the "
                         "line is: this edge cuts nothing off."))
             .arg(edge, knownNumber(context, "N"));
     case 9:
-        return (context.holds() ? Sentences::tr("D = %1 is greater than 0: at %2 the line enters.")
-                                : Sentences::tr("D = %1 is less than 0: at %2 the line leaves."))
+        return (context.holds() ? Text::tr("D = %1 is greater than 0: at %2 the line enters.")
+                                : Text::tr("D = %1 is less than 0: at %2 the line leaves."))
             .arg(knownNumber(context, "D"), edge);
     case 10:
         return (context.holds()
-                    ? Sentences::tr("Of all entries so far, the one at %1 is the last (%2).")
-                    : Sentences::tr("The entry at %1 is not after the start of the remaining part "
-                                    "(%2): this edge cuts nothing off."))
+                    ? Text::tr("Of all entries so far, the one at %1 is the last (%2).")
+                    : Text::tr("The entry at %1 is not after the start of the remaining part "
+                               "(%2): this edge cuts nothing off."))
             .arg(edge, knownCompared(context, "t", "tE"));
     default:
         return (context.holds()
-                    ? Sentences::tr("Of all exits so far, the one at %1 is the first (%2).")
-                    : Sentences::tr("The exit at %1 is not before the end of the remaining part "
-                                    "(%2): this edge cuts nothing off."))
+                    ? Text::tr("Of all exits so far, the one at %1 is the first (%2).")
+                    : Text::tr("The exit at %1 is not before the end of the remaining part "
+                               "(%2): this edge cuts nothing off."))
             .arg(edge, knownCompared(context, "t", "tL"));
     }
 }
@@ -62,9 +63,9 @@ QString cyrusBeckAsked(const SentenceContext& context)
 QString concluded(const SentenceContext& context)
 {
     if (context.holds())
-        return Sentences::tr("The line leaves before it enters (tE > tL: %1).")
+        return Text::tr("The line leaves before it enters (tE > tL: %1).")
             .arg(knownCompared(context, "tE", "tL"));
-    return Sentences::tr(
+    return Text::tr(
                "The last entry comes no later than the first exit (tE = %1, tL = %2): the part "
                "between them is visible.")
         .arg(knownNumber(context, "tE"), knownNumber(context, "tL"));
@@ -79,24 +80,22 @@ QString cyrusBeckGiven(const SentenceContext& context)
         return text.arg(edge, knownNumber(context, "nx"), knownNumber(context, "ny"));
     };
     if (name == "ny")
-        return normal(
-            Sentences::tr("The inner normal of %1 is (%2, %3). It is as long as that edge."));
+        return normal(Text::tr("The inner normal of %1 is (%2, %3). It is as long as that edge."));
     if (name == "D")
-        return normal(Sentences::tr(
+        return normal(Text::tr(
                           "The inner normal of %1 is (%2, %3). Along it, the line advances by D = "
                           "%4 from End 1 to End 2."))
             .arg(knownNumber(context, "D"));
     if (name == "N")
-        return Sentences::tr(
-                   "Along the same normal, End 1 lies N = %1 inside %2 (N < 0: beyond it).")
+        return Text::tr("Along the same normal, End 1 lies N = %1 inside %2 (N < 0: beyond it).")
             .arg(knownNumber(context, "N"), edge);
     if (name == "t")
-        return Sentences::tr("The line crosses %1 at t = −N/D = %2 (0 is End 1, 1 is End 2).")
+        return Text::tr("The line crosses %1 at t = −N/D = %2 (0 is End 1, 1 is End 2).")
             .arg(edge, knownNumber(context, "t"));
     if (name == "tE")
-        return Sentences::tr("The remaining part begins at %1, at tE = %2.")
+        return Text::tr("The remaining part begins at %1, at tE = %2.")
             .arg(edge, knownNumber(context, "tE"));
-    return Sentences::tr("The remaining part ends at %1, at tL = %2.")
+    return Text::tr("The remaining part ends at %1, at tL = %2.")
         .arg(edge, knownNumber(context, "tL"));
 }
 
@@ -106,7 +105,7 @@ QString cyrusBeckAccepted(const SentenceContext& context)
     const auto& window = context.tracedLine.window;
     const bool flat = window.min.x == window.max.x || window.min.y == window.max.y;
     if (flat && (words::isOutside(a, window) || words::isOutside(b, window)))
-        return Sentences::tr(
+        return Text::tr(
             "The window has no area, so two of its normals are (0, 0) and cut nothing. The "
             "remaining part is accepted, and that is wrong: it reaches beyond the window.");
     return words::acceptedIfInside(context);
@@ -119,7 +118,7 @@ QString cyrusBeckSentence(const SentenceContext& context)
     if (what == clipping::What::Accept)
         return cyrusBeckAccepted(context);
     if (what == clipping::What::Reject)
-        return Sentences::tr("Nothing of the line is visible.") + words::lost(context);
+        return Text::tr("Nothing of the line is visible.") + words::lost(context);
     if (context.step.line >= names.line)
         return words::endsOfPart(context, names);
     if (what == clipping::What::Let)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/teaching/sentences/ends.h"
 
+#include "app/base/text.h"
 #include "app/overlays/half_plane.h"
 #include "app/teaching/sentences/words.h"
 #include "clipping/outcode.h"
@@ -58,8 +59,8 @@ QString whetherBeyond(const SentenceContext& context, int number)
     const QString relation =
         compared(endOf(number, context), context.edge(), context.tracedLine.window);
     return isBeyond(context, number, context.edge())
-               ? Sentences::tr("%1 lies %2 (%3)").arg(end(number), side, relation)
-               : Sentences::tr("%1 does not lie %2 (%3)").arg(end(number), side, relation);
+               ? Text::tr("%1 lies %2 (%3)").arg(end(number), side, relation)
+               : Text::tr("%1 does not lie %2 (%3)").arg(end(number), side, relation);
 }
 
 bool asksTheWay(const SentenceContext& context)
@@ -73,10 +74,10 @@ QString whetherPassed(const SentenceContext& context, int number)
     const double gap = clipping::levelOf(context.edge(), context.tracedLine.window)
                        - context.known("yi").value_or(0);
     return (context.holds()
-                ? Sentences::tr("%1 has moved by %3 in y, and %2 was %4 away (%5): %1 has passed "
-                                "that edge and lies %6.")
-                : Sentences::tr("%1 has moved by %3 in y, and %2 was %4 away (%5): %1 has not "
-                                "passed that edge and does not lie %6."))
+                ? Text::tr("%1 has moved by %3 in y, and %2 was %4 away (%5): %1 has passed "
+                           "that edge and lies %6.")
+                : Text::tr("%1 has moved by %3 in y, and %2 was %4 away (%5): %1 has not "
+                           "passed that edge and does not lie %6."))
         .arg(end(number), context.edgeText(), words::number(rise), words::number(gap),
              compared(rise, gap), beyond(context.edge(), context.tracedLine.y));
 }
@@ -87,7 +88,7 @@ QString bothBeyond(const SentenceContext& context)
     const Edge edge =
         context.edge() != Edge::NoEdge ? context.edge() : commonEdge(context.tracedLine);
     const auto& window = context.tracedLine.window;
-    return Sentences::tr("Both ends lie %1 (%2 and %3): no point of the line can be inside.")
+    return Text::tr("Both ends lie %1 (%2 and %3): no point of the line can be inside.")
         .arg(beyond(edge, context.tracedLine.y), compared(a, edge, window),
              compared(b, edge, window));
 }
@@ -95,14 +96,16 @@ QString bothBeyond(const SentenceContext& context)
 QString corner(Edge one, Edge other, YAxis y)
 {
     static constexpr std::array<const char*, 4> corners{
-        "the bottom left corner", "the bottom right corner", "the top left corner",
-        "the top right corner"};
+        QT_TRANSLATE_NOOP("Text", "the bottom left corner"),
+        QT_TRANSLATE_NOOP("Text", "the bottom right corner"),
+        QT_TRANSLATE_NOOP("Text", "the top left corner"),
+        QT_TRANSLATE_NOOP("Text", "the top right corner")};
     if (one > other)
         std::swap(one, other);
     if (one == Edge::NoEdge || one > Edge::Right || other < Edge::Bottom)
         return {};
     const bool top = (other == Edge::Top) == (y == YAxis::Up);
-    return Sentences::tr(corners[(top ? 2 : 0) + (one == Edge::Right ? 1 : 0)]);
+    return Text::tr(corners[(top ? 2 : 0) + (one == Edge::Right ? 1 : 0)]);
 }
 
 QString outcodes(const SentenceContext& context)
@@ -110,15 +113,14 @@ QString outcodes(const SentenceContext& context)
     const auto code = [&](const char* name) {
         return outcodeText(unsigned(context.value(name).value_or(0)));
     };
-    return Sentences::tr("The outcode of End 1 is %1, that of End 2 is %2. Their bits mean %3.")
+    return Text::tr("The outcode of End 1 is %1, that of End 2 is %2. Their bits mean %3.")
         .arg(code("code1"), code("code2"), outcodeBits());
 }
 
 QString productsTooLarge(const QString& products, const QString& corner)
 {
-    return Sentences::tr(
-               "The products overflow (%1): what they say about %2 is meaningless, but the "
-               "algorithm relies on it.")
+    return Text::tr("The products overflow (%1): what they say about %2 is meaningless, but the "
+                    "algorithm relies on it.")
         .arg(products, corner);
 }
 
@@ -131,9 +133,9 @@ QString value(const SentenceContext& context, std::string_view name)
 QString held(const SentenceContext& context)
 {
     return context.before && context.before->segment != context.step.segment
-               ? Sentences::tr(
+               ? Text::tr(
                    "Rounding had put an end just outside the window: it is moved back to the edge.")
-               : Sentences::tr(
+               : Text::tr(
                    "Rounding has put no end outside the window, so both stay where they are.");
 }
 
@@ -141,19 +143,19 @@ QString acceptedIfInside(const SentenceContext& context)
 {
     for (const int end : {1, 2})
         if (const Point p = endOf(end, context); std::isnan(p.x) || std::isnan(p.y))
-            return Sentences::tr("The remaining part is accepted, but %1 is no longer a point: %2.")
+            return Text::tr("The remaining part is accepted, but %1 is no longer a point: %2.")
                 .arg(words::end(end), point(p));
     for (const int end : {1, 2})
         if (const double far = outside(endOf(end, context), context.tracedLine.window); far > 0)
             return (std::isfinite(far)
-                        ? Sentences::tr("The remaining part is accepted, but rounding has left "
-                                        "%1 outside the window by %2.")
-                        : Sentences::tr("The remaining part is accepted, but an overflow has "
-                                        "left %1 outside the window by %2."))
+                        ? Text::tr("The remaining part is accepted, but rounding has left "
+                                   "%1 outside the window by %2.")
+                        : Text::tr("The remaining part is accepted, but an overflow has "
+                                   "left %1 outside the window by %2."))
                 .arg(words::end(end), words::number(far));
     if (!exactPiece(context.tracedLine))
         return accepted(context) + QStringLiteral(" ")
-               + Sentences::tr(
+               + Text::tr(
                    "That is wrong: the line misses the window by less than a rounding error.");
     return accepted(context);
 }
@@ -166,11 +168,10 @@ QString lost(const SentenceContext& context)
     if (!piece)
         return {};
     return QStringLiteral(" ")
-           + (piece->a == piece->b
-                  ? Sentences::tr("That is wrong: the line touches the window at %1.")
-                        .arg(point(piece->a))
-                  : Sentences::tr("That is wrong: from %1 to %2 the line is inside.")
-                        .arg(point(piece->a), point(piece->b)));
+           + (piece->a == piece->b ? Text::tr("That is wrong: the line touches the window at %1.")
+                                         .arg(point(piece->a))
+                                   : Text::tr("That is wrong: from %1 to %2 the line is inside.")
+                                         .arg(point(piece->a), point(piece->b)));
 }
 
 } // namespace app::words

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/overlays/family.h"
 #include "app/overlays/half_plane.h"
 #include "app/teaching/sentences/words.h"
@@ -41,9 +42,9 @@ QString exactBothBeyond(const SentenceContext& context)
     const auto axis = context.step.line == 1 ? 0 : 1;
     const auto beyond = [&](Edge edge) { return words::beyond(edge, context.tracedLine.y); };
     if (context.holds())
-        return Sentences::tr("Both ends lie %1, and so does every point between them.")
+        return Text::tr("Both ends lie %1, and so does every point between them.")
             .arg(beyond(context.edge()));
-    return Sentences::tr("The ends lie neither both %1 nor both %2: the line may meet the window.")
+    return Text::tr("The ends lie neither both %1 nor both %2: the line may meet the window.")
         .arg(beyond(clipping::lowerEdge(axis)), beyond(clipping::upperEdge(axis)));
 }
 
@@ -52,9 +53,9 @@ QString exactDirection(const SentenceContext& context)
 {
     const auto& [a, b] = context.tracedLine.line;
     const auto grows = [&](const char* name) {
-        return context.value(name) == 1.0 ? Sentences::tr("grows") : Sentences::tr("does not grow");
+        return context.value(name) == 1.0 ? Text::tr("grows") : Text::tr("does not grow");
     };
-    return Sentences::tr("From End 1 to End 2, x %1 (%2) and y %3 (%4).")
+    return Text::tr("From End 1 to End 2, x %1 (%2) and y %3 (%4).")
         .arg(grows("right"), words::compared(a.x, b.x), grows("up"), words::compared(a.y, b.y));
 }
 
@@ -64,7 +65,7 @@ QString exactNearAndFar(const SentenceContext& context)
     const TracedLine& tracedLine = context.tracedLine;
     const Side in = entryOf(tracedLine), out = exitOf(tracedLine);
     const bool isX = context.step.name == "xfar";
-    return Sentences::tr(
+    return Text::tr(
                "So %1 is the near edge, where the line can enter, and %2 is the far edge, where it "
                "can leave.")
         .arg(edgeWords(isX ? in.x : in.y, tracedLine.y),
@@ -76,8 +77,8 @@ QString exactOneBeyond(const SentenceContext& context)
 {
     const int number = context.step.line <= 10 ? 1 : 2;
     const auto& end = number == 1 ? context.tracedLine.line.a : context.tracedLine.line.b;
-    return (context.value(context.step.name) == 1.0 ? Sentences::tr("%1 is beyond %2 (%3).")
-                                                    : Sentences::tr("%1 is not beyond %2 (%3)."))
+    return (context.value(context.step.name) == 1.0 ? Text::tr("%1 is beyond %2 (%3).")
+                                                    : Text::tr("%1 is not beyond %2 (%3)."))
         .arg(words::end(number), context.edgeText(),
              words::compared(end, context.edge(), context.tracedLine.window));
 }
@@ -91,19 +92,18 @@ QString corner(const SentenceContext& context)
     const QString entry = edgeWords(first ? in.x : in.y, tracedLine.y);
     const QString exit = edgeWords(first ? out.y : out.x, tracedLine.y);
     if (context.holds())
-        return Sentences::tr(
+        return Text::tr(
                    "The line passes %1 before it reaches %2, so it passes the corner between them "
                    "on the outside. Rounding cannot change this decision.")
             .arg(exit, entry);
     if (first ? in.beyondX && out.beyondY : in.beyondY && out.beyondX)
-        return Sentences::tr(
+        return Text::tr(
                    "The line reaches %2 no later than %1, so it does not pass the corner between "
                    "them on the outside. Rounding cannot change this decision.")
             .arg(exit, entry);
-    return Sentences::
-        tr("The line does not have to enter at %2 and leave at %1, so it cannot pass the corner "
-           "between them on the outside.")
-            .arg(exit, entry);
+    return Text::tr("The line does not have to enter at %2 and leave at %1, so it cannot pass the "
+                    "corner between them on the outside.")
+        .arg(exit, entry);
 }
 
 /// Lines 17, 19, 21 and 23: at which of two edges an end is cut.
@@ -116,25 +116,24 @@ QString cutWhere(const SentenceContext& context)
     const QString x = edgeWords(side.x, tracedLine.y), y = edgeWords(side.y, tracedLine.y);
     const bool asksX = context.step.line == 17 || context.step.line == 21;
     if (!asksX)
-        return context.holds()
-                   ? Sentences::tr("%1 is beyond %2: it is cut there.").arg(end, y)
-                   : Sentences::tr("%1 is inside and stays as it is, bit for bit.").arg(end);
+        return context.holds() ? Text::tr("%1 is beyond %2: it is cut there.").arg(end, y)
+                               : Text::tr("%1 is inside and stays as it is, bit for bit.").arg(end);
     if (!side.beyondX)
-        return Sentences::tr("%1 is not beyond %2.").arg(end, x);
+        return Text::tr("%1 is not beyond %2.").arg(end, x);
     if (!side.beyondY)
-        return Sentences::tr("%1 is beyond %2 and no other edge: it is cut there.").arg(end, x);
+        return Text::tr("%1 is beyond %2 and no other edge: it is cut there.").arg(end, x);
     if (entering)
         return (context.holds()
-                    ? Sentences::tr("Of the two edges where the line can enter, it passes %1 no "
-                                    "earlier than %2: End 1 is cut at %1.")
-                    : Sentences::tr("Of the two edges where the line can enter, it passes %2 "
-                                    "later than %1: End 1 is not cut at %1."))
+                    ? Text::tr("Of the two edges where the line can enter, it passes %1 no "
+                               "earlier than %2: End 1 is cut at %1.")
+                    : Text::tr("Of the two edges where the line can enter, it passes %2 "
+                               "later than %1: End 1 is not cut at %1."))
             .arg(x, y);
     return (context.holds()
-                ? Sentences::tr("Of the two edges where the line can leave, it passes %1 no later "
-                                "than %2: End 2 is cut at %1.")
-                : Sentences::tr("Of the two edges where the line can leave, it passes %2 before "
-                                "%1: End 2 is not cut at %1."))
+                ? Text::tr("Of the two edges where the line can leave, it passes %1 no later "
+                           "than %2: End 2 is cut at %1.")
+                : Text::tr("Of the two edges where the line can leave, it passes %2 before "
+                           "%1: End 2 is not cut at %1."))
         .arg(x, y);
 }
 
@@ -154,9 +153,9 @@ QString exactSentence(const SentenceContext& context)
     case clipping::What::Accept:
         return words::accepted(context);
     case clipping::What::Reject:
-        return Sentences::tr("Nothing of the line is visible, and that is certain.");
+        return Text::tr("Nothing of the line is visible, and that is certain.");
     case clipping::What::Cut:
-        return Sentences::tr("%1 moves along the line to %2, to %3: the true point, rounded once.")
+        return Text::tr("%1 moves along the line to %2, to %3: the true point, rounded once.")
             .arg(words::end(end), context.edgeText(),
                  words::point(end == 1 ? context.step.segment.a : context.step.segment.b));
     case clipping::What::Test:

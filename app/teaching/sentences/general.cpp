@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/latin.h"
+#include "app/base/text.h"
 #include "app/teaching/code_line.h"
 #include "app/teaching/page.h"
 #include "app/teaching/sentences/code_values.h"
@@ -25,7 +26,7 @@ QString evenly(const QString& formula)
 QString atEdge(const SentenceContext& context, const QString& said)
 {
     const QString edge = context.edgeText();
-    return edge.isEmpty() ? said : Sentences::tr("At %1, %2").arg(edge, said);
+    return edge.isEmpty() ? said : Text::tr("At %1, %2").arg(edge, said);
 }
 
 QString withCapital(QString sentence)
@@ -44,14 +45,13 @@ QString asked(const SentenceContext& context, const QStringList& code)
     const CodeValues values(context, {});
     const QString condition = chosen(conditionIn(lineOf(context, code)), values);
     if (condition.isEmpty())
-        return withCapital(atEdge(context, context.holds() ? Sentences::tr("the test holds.")
-                                                           : Sentences::tr("the test fails.")));
+        return withCapital(atEdge(context, context.holds() ? Text::tr("the test holds.")
+                                                           : Text::tr("the test fails.")));
     const QString question = evenly(condition), numbers = filledIn(condition, values),
-                  answer = context.holds() ? Sentences::tr("yes") : Sentences::tr("no");
-    return withCapital(
-        atEdge(context, numbers == question
-                            ? Sentences::tr("is %1? %2.").arg(question, answer)
-                            : Sentences::tr("is %1? %2: %3.").arg(question, numbers, answer)));
+                  answer = context.holds() ? Text::tr("yes") : Text::tr("no");
+    return withCapital(atEdge(
+        context, numbers == question ? Text::tr("is %1? %2.").arg(question, answer)
+                                     : Text::tr("is %1? %2: %3.").arg(question, numbers, answer)));
 }
 
 /// "dx = x2 - x1 = 70 - (-160) = 230", without repetition.
@@ -107,8 +107,8 @@ QString whatIsLeft(const SentenceContext& context)
 {
     const auto& now = context.step.segment;
     return (now == leftBefore(context)
-                ? Sentences::tr("The remaining part does not change: it runs from %1 to %2.")
-                : Sentences::tr("The remaining part now runs from %1 to %2."))
+                ? Text::tr("The remaining part does not change: it runs from %1 to %2.")
+                : Text::tr("The remaining part now runs from %1 to %2."))
         .arg(words::point(now.a), words::point(now.b));
 }
 
@@ -118,16 +118,15 @@ QString cut(const SentenceContext& context)
     const auto& now = context.step.segment;
     const QString edge = context.edgeText(), a = words::point(now.a), b = words::point(now.b);
     if (before.a != now.a && before.b != now.b)
-        return Sentences::tr("Both ends are cut: End 1 moves to %1, End 2 to %2.").arg(a, b);
+        return Text::tr("Both ends are cut: End 1 moves to %1, End 2 to %2.").arg(a, b);
     if (before == now)
         return edge.isEmpty()
-                   ? Sentences::tr("The line is cut where an end already lies: nothing moves.")
-                   : Sentences::tr(
-                         "The line is cut at %1, where an end already lies: nothing moves.")
+                   ? Text::tr("The line is cut where an end already lies: nothing moves.")
+                   : Text::tr("The line is cut at %1, where an end already lies: nothing moves.")
                          .arg(edge);
     const QString end = words::end(before.a != now.a ? 1 : 2), to = before.a != now.a ? a : b;
-    return edge.isEmpty() ? Sentences::tr("%1 is cut: it moves to %2.").arg(end, to)
-                          : Sentences::tr("%1 is cut at %2: it moves to %3.").arg(end, edge, to);
+    return edge.isEmpty() ? Text::tr("%1 is cut: it moves to %2.").arg(end, to)
+                          : Text::tr("%1 is cut at %2: it moves to %3.").arg(end, edge, to);
 }
 
 QString given(const SentenceContext& context, const QStringList& code)
@@ -155,9 +154,9 @@ QString generalSentence(const SentenceContext& context)
     case What::Accept:
         return words::acceptedIfInside(context);
     case What::Reject:
-        return Sentences::tr("The line is rejected: nothing is visible.") + words::lost(context);
+        return Text::tr("The line is rejected: nothing is visible.") + words::lost(context);
     default:
-        return Sentences::tr(
+        return Text::tr(
             "The algorithm does not end on this line: it is stopped, and nothing is visible.");
     }
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/overlays/family.h"
 #include "app/teaching/sentences/ends.h"
 #include "app/teaching/sentences/part.h"
@@ -25,20 +26,19 @@ QString liangBarskyDirection(const SentenceContext& context)
     const QString edge = context.edgeText(), p = knownNumber(context, "p");
     if (context.step.line == 12)
         return (context.holds()
-                    ? Sentences::tr(
+                    ? Text::tr(
                         "The line is parallel to %1 and lies beyond it (q = %2 is less than 0).")
-                    : Sentences::tr(
+                    : Text::tr(
                         "End 1 is not beyond %1 (q = %2 is not less than 0), so no point of the "
                         "line is: this edge cuts nothing off."))
             .arg(edge, knownNumber(context, "q"));
     if (context.step.line == 7)
         return (context.holds()
-                    ? Sentences::tr("p = %1 is greater than 0: at %2 the line leaves.")
-                    : Sentences::tr("p = %1: the line is parallel to %2 and never crosses it."))
+                    ? Text::tr("p = %1 is greater than 0: at %2 the line leaves.")
+                    : Text::tr("p = %1: the line is parallel to %2 and never crosses it."))
             .arg(p, edge);
-    return (context.holds()
-                ? Sentences::tr("p = %1 is less than 0: at %2 the line enters.")
-                : Sentences::tr("p = %1 is not less than 0: at %2 the line does not enter."))
+    return (context.holds() ? Text::tr("p = %1 is less than 0: at %2 the line enters.")
+                            : Text::tr("p = %1 is not less than 0: at %2 the line does not enter."))
         .arg(p, edge);
 }
 
@@ -51,33 +51,31 @@ QString crossing(const SentenceContext& context)
     switch (context.step.line) {
     case 4:
         return context.holds()
-                   ? Sentences::tr(
-                         "The entry at %1 comes after the end of the remaining part (%2).")
+                   ? Text::tr("The entry at %1 comes after the end of the remaining part (%2).")
                          .arg(edge, toStop)
-                   : Sentences::tr(
+                   : Text::tr(
                          "The entry is not after the end of the remaining part (%1), so something "
                          "may be visible.")
                          .arg(toStop);
     case 9:
         return context.holds()
-                   ? Sentences::tr(
-                         "The exit at %1 comes before the start of the remaining part (%2).")
+                   ? Text::tr("The exit at %1 comes before the start of the remaining part (%2).")
                          .arg(edge, toStart)
-                   : Sentences::tr("The exit is not before the start of the remaining part (%1), "
-                                   "so something "
-                                   "may be visible.")
+                   : Text::tr("The exit is not before the start of the remaining part (%1), "
+                              "so something "
+                              "may be visible.")
                          .arg(toStart);
     case 5:
         return (context.holds()
-                    ? Sentences::tr("Of all entries so far, the one at %1 is the last (%2).")
-                    : Sentences::tr("The entry at %1 is not after the start of the remaining part "
-                                    "(%2): this edge cuts nothing off."))
+                    ? Text::tr("Of all entries so far, the one at %1 is the last (%2).")
+                    : Text::tr("The entry at %1 is not after the start of the remaining part "
+                               "(%2): this edge cuts nothing off."))
             .arg(edge, toStart);
     default:
         return (context.holds()
-                    ? Sentences::tr("Of all exits so far, the one at %1 is the first (%2).")
-                    : Sentences::tr("The exit at %1 is not before the end of the remaining part "
-                                    "(%2): this edge cuts nothing off."))
+                    ? Text::tr("Of all exits so far, the one at %1 is the first (%2).")
+                    : Text::tr("The exit at %1 is not before the end of the remaining part "
+                               "(%2): this edge cuts nothing off."))
             .arg(edge, toStop);
     }
 }
@@ -86,12 +84,12 @@ QString crossing(const SentenceContext& context)
 QString liangBarskyAtEdge(const SentenceContext& context)
 {
     const double p = context.known("p").value_or(0), q = context.known("q").value_or(0);
-    const QString way = p < 0   ? Sentences::tr("At %1, p = %2 < 0: the line enters.")
-                        : p > 0 ? Sentences::tr("At %1, p = %2 > 0: the line leaves.")
-                                : Sentences::tr("At %1, p = %2: the line is parallel to it.");
+    const QString way = p < 0   ? Text::tr("At %1, p = %2 < 0: the line enters.")
+                        : p > 0 ? Text::tr("At %1, p = %2 > 0: the line leaves.")
+                                : Text::tr("At %1, p = %2: the line is parallel to it.");
     return way.arg(context.edgeText(), words::number(p)) + u' '
-           + (q < 0 ? Sentences::tr("q = %1 < 0: End 1 is beyond that edge.")
-                    : Sentences::tr("q = %1: End 1 is not beyond that edge."))
+           + (q < 0 ? Text::tr("q = %1 < 0: End 1 is beyond that edge.")
+                    : Text::tr("q = %1: End 1 is not beyond that edge."))
                  .arg(words::number(q));
 }
 
@@ -103,16 +101,14 @@ QString liangBarskyGiven(const SentenceContext& context)
     if (name == "q")
         return liangBarskyAtEdge(context);
     if (name == "u0")
-        return Sentences::tr("The remaining part begins at %1, at u0 = %2.")
+        return Text::tr("The remaining part begins at %1, at u0 = %2.")
             .arg(edge, knownNumber(context, "u0"));
     if (name == "u1")
-        return Sentences::tr("The remaining part ends at %1, at u1 = %2.")
+        return Text::tr("The remaining part ends at %1, at u1 = %2.")
             .arg(edge, knownNumber(context, "u1"));
     return (context.step.line == 3
-                ? Sentences::tr(
-                    "The line enters across %1 at r = q/p = %2 (0 is End 1, 1 is End 2).")
-                : Sentences::tr(
-                    "The line leaves across %1 at r = q/p = %2 (0 is End 1, 1 is End 2)."))
+                ? Text::tr("The line enters across %1 at r = q/p = %2 (0 is End 1, 1 is End 2).")
+                : Text::tr("The line leaves across %1 at r = q/p = %2 (0 is End 1, 1 is End 2)."))
         .arg(edge, knownNumber(context, "r"));
 }
 
@@ -124,7 +120,7 @@ QString liangBarskySentence(const SentenceContext& context)
     if (what == clipping::What::Accept)
         return words::acceptedIfInside(context);
     if (what == clipping::What::Reject)
-        return Sentences::tr("Nothing of the line is visible.") + words::lost(context);
+        return Text::tr("Nothing of the line is visible.") + words::lost(context);
     if (line >= names.line)
         return words::endsOfPart(context, names);
     if (what == clipping::What::Let)

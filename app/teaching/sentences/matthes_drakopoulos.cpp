@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/overlays/family.h"
 #include "app/teaching/sentences/ends.h"
 #include "app/teaching/sentences/words.h"
@@ -16,7 +17,7 @@ QString matthesBothBeyond(const SentenceContext& context)
     const auto &a = context.step.segment.a, &b = context.step.segment.b;
     const auto& window = context.tracedLine.window;
     if (context.holds())
-        return Sentences::tr("Both ends lie %1: %2 and %3.")
+        return Text::tr("Both ends lie %1: %2 and %3.")
             .arg(words::beyond(context.edge(), context.tracedLine.y),
                  words::compared(a, context.edge(), window),
                  words::compared(b, context.edge(), window));
@@ -25,12 +26,11 @@ QString matthesBothBeyond(const SentenceContext& context)
         return text.arg(words::number(a[axis]), words::number(b[axis]),
                         words::number(window.min[axis]), words::number(window.max[axis]));
     };
-    return axis == 0 ? numbers(
-               Sentences::tr("From x = %1 to x = %2 the line lies neither wholly left nor "
-                             "wholly right of the window (%3 to %4): x does not rule it out."))
-                     : numbers(Sentences::tr(
-                         "From y = %1 to y = %2 the line lies neither wholly above nor "
-                         "wholly below the window (%3 to %4): y does not rule it out."));
+    return axis == 0
+               ? numbers(Text::tr("From x = %1 to x = %2 the line lies neither wholly left nor "
+                                  "wholly right of the window (%3 to %4): x does not rule it out."))
+               : numbers(Text::tr("From y = %1 to y = %2 the line lies neither wholly above nor "
+                                  "wholly below the window (%3 to %4): y does not rule it out."));
 }
 
 /// Whether one end is beyond an edge.
@@ -42,9 +42,8 @@ QString matthesOneBeyond(const SentenceContext& context, int number)
         return words::whetherPassed(context, number);
     const QString where = words::beyond(edge, context.tracedLine.y), end = words::end(number);
     const QString numbers = words::compared(p, edge, context.tracedLine.window);
-    return (context.holds()
-                ? Sentences::tr("%1 lies %2 (%3), so it has to move along the line to %4.")
-                : Sentences::tr("%1 does not lie %2 (%3), so %4 does not cut it."))
+    return (context.holds() ? Text::tr("%1 lies %2 (%3), so it has to move along the line to %4.")
+                            : Text::tr("%1 does not lie %2 (%3), so %4 does not cut it."))
         .arg(end, where, numbers, context.edgeText());
 }
 
@@ -66,13 +65,13 @@ QString stillBeyond(const SentenceContext& context)
     const auto &a = context.step.segment.a, &b = context.step.segment.b;
     const auto& window = context.tracedLine.window;
     if (context.holds())
-        return Sentences::tr(
+        return Text::tr(
                    "Both ends now lie %1 (%2 and %3): the algorithm concludes that the line misses "
                    "the window.")
             .arg(words::beyond(context.edge(), context.tracedLine.y),
                  words::compared(a, context.edge(), window),
                  words::compared(b, context.edge(), window));
-    return Sentences::tr(
+    return Text::tr(
                "The ends are now at x = %1 and x = %2, neither both left nor both right of the "
                "window: the algorithm concludes that the line meets it.")
         .arg(words::number(a.x), words::number(b.x));
@@ -87,10 +86,10 @@ bool isLastTest(const clipping::Step& step, const SentenceContext& context)
 QString matthesRejected(const SentenceContext& context)
 {
     if (context.before && isLastTest(*context.before, context))
-        return Sentences::tr(
+        return Text::tr(
             "If the line met the window, its ends would lie in the window now. So nothing is "
             "visible.");
-    return Sentences::tr(
+    return Text::tr(
                "Both ends lie %1, and so does every point between them: nothing of the line is "
                "visible.")
         .arg(words::beyond(context.edge(), context.tracedLine.y));
@@ -101,7 +100,7 @@ QString matthesAccepted(const SentenceContext& context)
     const auto& [a, b] = context.step.segment;
     const auto& window = context.tracedLine.window;
     if (words::isOutside(a, window) || words::isOutside(b, window))
-        return Sentences::tr(
+        return Text::tr(
                    "%1 lies outside the window, at %2. The last test finds only ends that are both "
                    "left or both right of the window, so the line is drawn: this is wrong.")
             .arg(words::end(words::isOutside(a, window) ? 1 : 2),
@@ -121,10 +120,10 @@ QString matthesSentence(const SentenceContext& context)
     if (what == clipping::What::Cut)
         return words::moved(context, number);
     if (name == "dy")
-        return Sentences::tr("From End 1 to End 2, x changes by %1 and y by %2.")
+        return Text::tr("From End 1 to End 2, x changes by %1 and y by %2.")
             .arg(words::value(context, "dx"), words::value(context, "dy"));
     if (name == "moved")
-        return Sentences::tr("%1 starts at its original place, %2: it has not been moved yet.")
+        return Text::tr("%1 starts at its original place, %2: it has not been moved yet.")
             .arg(words::end(number),
                  words::point(number == 1 ? context.step.segment.a : context.step.segment.b));
     if (name == "left")

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/overlays/family.h"
 #include "app/teaching/sentences/ends.h"
 #include "app/teaching/sentences/words.h"
@@ -31,7 +32,7 @@ QString numberOf(const SentenceContext& context, const char* name)
 
 QString midpointOutcodes(const SentenceContext& context)
 {
-    return Sentences::tr("The outcodes say where the ends lie: End 1 has %1, End 2 has %2.")
+    return Text::tr("The outcodes say where the ends lie: End 1 has %1, End 2 has %2.")
         .arg(midpointCodeAndRegion(context, "code1"), midpointCodeAndRegion(context, "code2"));
 }
 
@@ -48,10 +49,10 @@ QString midpointBothBeyond(const SentenceContext& context)
     const QString one = midpointCodeText(context, "code1"),
                   two = midpointCodeText(context, "code2");
     return context.holds()
-               ? Sentences::tr("Both ends lie %3, because %1 & %2 is not 0000.")
+               ? Text::tr("Both ends lie %3, because %1 & %2 is not 0000.")
                      .arg(one, two, beyondBoth(context, "code1", "code2"))
-               : Sentences::tr("No edge has both ends beyond it, because %1 & %2 = 0000: the line "
-                               "may meet the window.")
+               : Text::tr("No edge has both ends beyond it, because %1 & %2 = 0000: the line "
+                          "may meet the window.")
                      .arg(one, two);
 }
 
@@ -60,21 +61,20 @@ QString sought(const SentenceContext& context, int number)
 {
     const QString code = midpointCodeText(context, number == 1 ? "code1" : "code2");
     if (context.holds())
-        return Sentences::tr(
-                   "%1 is outside (%2): halving searches for the visible point nearest to it.")
+        return Text::tr("%1 is outside (%2): halving searches for the visible point nearest to it.")
             .arg(words::end(number), code);
     return number == 1 && context.known("contact") == 1.0
-               ? Sentences::tr("The line meets the window in one point, which has been found.")
-               : Sentences::tr("%1 is inside (%2) and stays.").arg(words::end(number), code);
+               ? Text::tr("The line meets the window in one point, which has been found.")
+               : Text::tr("%1 is inside (%2) and stays.").arg(words::end(number), code);
 }
 
 /// Whether the near and the far point share a bit.
 QString midpointNearAndFar(const SentenceContext& context, bool share)
 {
     const QString near = midpointCodeText(context, "near"), far = midpointCodeText(context, "far");
-    return share ? Sentences::tr("The near point (%1) and the far point (%2) both lie %3.")
+    return share ? Text::tr("The near point (%1) and the far point (%2) both lie %3.")
                        .arg(near, far, beyondBoth(context, "near", "far"))
-                 : Sentences::tr(
+                 : Text::tr(
                        "The near point (%1) and the far point (%2) have no bit in common: the end "
                        "that is sought lies between them.")
                        .arg(near, far);
@@ -85,10 +85,10 @@ QString halved(const SentenceContext& context)
 {
     const QString code = midpointCodeAndRegion(context, "M");
     return (context.holds()
-                ? Sentences::tr(
+                ? Text::tr(
                     "The midpoint, with the outcode %1, and the far point lie beyond the same "
                     "edge: the half between them is invisible and is dropped.")
-                : Sentences::tr(
+                : Text::tr(
                     "The midpoint, with the outcode %1, has no bit in common with the far point: "
                     "the end that is sought lies between them, in the far half."))
         .arg(code);
@@ -97,16 +97,15 @@ QString halved(const SentenceContext& context)
 QString midpointRejected(const SentenceContext& context)
 {
     if (context.step.line == 3)
-        return Sentences::tr(
+        return Text::tr(
                    "Both ends lie %1, and so does every point between them: nothing of the line is "
                    "visible.")
             .arg(beyondBoth(context, "code1", "code2"));
     if (words::isPublished(context) && context.step.line == 20)
-        return Sentences::tr(
+        return Text::tr(
             "There is nothing left to halve, and the near point is still outside: nothing is "
             "visible.");
-    return Sentences::tr(
-               "Both points lie %1, and so does every point between them: nothing is visible.")
+    return Text::tr("Both points lie %1, and so does every point between them: nothing is visible.")
         .arg(beyondBoth(context, "near", "far"));
 }
 
@@ -117,8 +116,8 @@ QString found(const SentenceContext& context)
     const int line = context.step.line;
     const int number = published ? (line == 7 ? 2 : 1) : (line == 12 || line == 23 ? 2 : 1);
     if (!published && (line == 14 || line == 23))
-        return Sentences::tr("%1 is at the same point.").arg(words::end(number));
-    return Sentences::tr("There is nothing left to halve: %1 is found at %2, on %3.")
+        return Text::tr("%1 is at the same point.").arg(words::end(number));
+    return Text::tr("There is nothing left to halve: %1 is found at %2, on %3.")
         .arg(words::end(number), words::point(words::endOf(number, context)), context.edgeText());
 }
 
@@ -135,16 +134,16 @@ QString midpointPublishedTest(const SentenceContext& context)
         return midpointNearAndFar(context, context.holds());
     case 18:
         return context.holds()
-                   ? Sentences::tr(
+                   ? Text::tr(
                        "The midpoint is one of the two points: there is nothing left to halve.")
-                   : Sentences::tr(
+                   : Text::tr(
                        "The midpoint lies between the two points and halves the line between "
                        "them.");
     case 19:
         return context.holds()
-                   ? Sentences::tr("The near point is still outside, with the outcode %1.")
+                   ? Text::tr("The near point is still outside, with the outcode %1.")
                          .arg(midpointCodeAndRegion(context, "near"))
-                   : Sentences::tr("The near point is inside: it is the end that was sought.");
+                   : Text::tr("The near point is inside: it is the end that was sought.");
     default:
         return halved(context);
     }
@@ -156,33 +155,31 @@ QString midpointCorrectedTest(const SentenceContext& context)
     case 2:
         return midpointBothBeyond(context);
     case 6:
-        return context.holds()
-                   ? Sentences::tr("At least one end is outside: the line has to be halved.")
-                   : Sentences::tr("Both ends are inside: there is nothing to search for.");
+        return context.holds() ? Text::tr("At least one end is outside: the line has to be halved.")
+                               : Text::tr("Both ends are inside: there is nothing to search for.");
     case 9:
         return sought(context, 2);
     case 13:
         return context.holds()
-                   ? Sentences::tr("The near point (%1) and the far point (%2) are both outside, "
-                                   "but beyond different edges: the window lies between them, and "
-                                   "the line meets it in one point.")
+                   ? Text::tr("The near point (%1) and the far point (%2) are both outside, "
+                              "but beyond different edges: the window lies between them, and "
+                              "the line meets it in one point.")
                          .arg(midpointCodeText(context, "near"), midpointCodeText(context, "far"))
-                   : Sentences::tr("The near point is inside: it is the end that was sought.");
+                   : Text::tr("The near point is inside: it is the end that was sought.");
     case 15:
         return sought(context, 1);
     case 18:
         return context.holds()
-                   ? Sentences::tr(
+                   ? Text::tr(
                        "The two ends are at most 2⁻⁵³ of the line apart: they count as one point.")
-                   : Sentences::tr(
-                       "The two ends are different points: more than one point is visible.");
+                   : Text::tr("The two ends are different points: more than one point is visible.");
     case 22:
-        return context.holds() ? Sentences::tr("The line meets the window in one point.")
-                               : Sentences::tr("The line meets the window in more than one point.");
+        return context.holds() ? Text::tr("The line meets the window in one point.")
+                               : Text::tr("The line meets the window in more than one point.");
     case 27:
         return context.holds() || (bitsOf(context, "near") & bitsOf(context, "far")) != 0
                    ? midpointNearAndFar(context, !context.holds())
-                   : Sentences::tr("After %1 halvings nothing is left to halve.")
+                   : Text::tr("After %1 halvings nothing is left to halve.")
                          .arg(numberOf(context, "halvings"));
     case 35:
         return midpointNearAndFar(context, context.holds());
@@ -199,52 +196,51 @@ QString midpointGiven(const SentenceContext& context)
     if (line == 1)
         return midpointOutcodes(context);
     if (name == "ym")
-        return Sentences::tr("The midpoint between the near and the far point is %1.")
+        return Text::tr("The midpoint between the near and the far point is %1.")
             .arg(words::point({context.known("xm").value_or(0), context.known("ym").value_or(0)}));
     if (name == "M")
-        return Sentences::tr("The outcode of the midpoint is %1.")
+        return Text::tr("The outcode of the midpoint is %1.")
             .arg(midpointCodeAndRegion(context, "M"));
     if (name == "contact")
-        return line == 5 ? Sentences::tr(
-                   "So far, the line is not known to meet the window in only one point.")
+        return line == 5
+                   ? Text::tr("So far, the line is not known to meet the window in only one point.")
                : context.known("contact") == 1.0
-                   ? Sentences::tr(
+                   ? Text::tr(
                        "The near point is outside as well: the line meets the window in one point.")
-                   : Sentences::tr("The near point is inside: it is the end that was sought.");
+                   : Text::tr("The near point is inside: it is the end that was sought.");
     if (name == "toRight" || name == "toTop")
         return name == "toRight"
-                   ? Sentences::tr(
+                   ? Text::tr(
                          "Measured from End 1 in x, End 2 is at %1, xmin at %2 and xmax at %3.")
                          .arg(numberOf(context, "dx"), numberOf(context, "toLeft"),
                               numberOf(context, "toRight"))
-                   : Sentences::tr(
+                   : Text::tr(
                          "Measured from End 1 in y, End 2 is at %1, ymin at %2 and ymax at %3.")
                          .arg(numberOf(context, "dy"), numberOf(context, "toBottom"),
                               numberOf(context, "toTop"));
     if (name == "halvings")
         return context.value("t")
-                   ? Sentences::tr("The midpoint lies at t = %1 (0 is End 1, 1 is End 2).")
+                   ? Text::tr("The midpoint lies at t = %1 (0 is End 1, 1 is End 2).")
                          .arg(numberOf(context, "t"))
-                   : Sentences::tr("Nothing has been halved yet.");
+                   : Text::tr("Nothing has been halved yet.");
     if (name == "s")
-        return Sentences::tr("The end lies at t = %1, on each edge whose bit is set in %2.")
+        return Text::tr("The end lies at t = %1, on each edge whose bit is set in %2.")
             .arg(numberOf(context, "t"), midpointCodeText(context, "s"));
     if (name == "x" || name == "y")
         return context.value("x") && context.value("y")
-                   ? Sentences::tr("There the line is at %1.")
+                   ? Text::tr("There the line is at %1.")
                          .arg(words::point(
                              {context.known("x").value_or(0), context.known("y").value_or(0)}))
-                   : Sentences::tr("On its edge, or held inside the window, %1 is %2.")
+                   : Text::tr("On its edge, or held inside the window, %1 is %2.")
                          .arg(QLatin1StringView(name.data(), qsizetype(name.size())),
                               words::number(context.value(name).value_or(0)));
     if (context.value("near") && context.value("far"))
-        return Sentences::tr("The near point has the outcode %1, the far point %2.")
+        return Text::tr("The near point has the outcode %1, the far point %2.")
             .arg(midpointCodeAndRegion(context, "near"), midpointCodeAndRegion(context, "far"));
-    return name == "far"
-               ? Sentences::tr("The midpoint, with the outcode %1, becomes the far point.")
-                     .arg(midpointCodeAndRegion(context, "far"))
-               : Sentences::tr("The midpoint, with the outcode %1, becomes the near point.")
-                     .arg(midpointCodeAndRegion(context, "near"));
+    return name == "far" ? Text::tr("The midpoint, with the outcode %1, becomes the far point.")
+                               .arg(midpointCodeAndRegion(context, "far"))
+                         : Text::tr("The midpoint, with the outcode %1, becomes the near point.")
+                               .arg(midpointCodeAndRegion(context, "near"));
 }
 
 QString midpointSentence(const SentenceContext& context)
@@ -255,7 +251,7 @@ QString midpointSentence(const SentenceContext& context)
     case What::Reject:
         return midpointRejected(context) + words::lost(context);
     case What::GiveUp:
-        return Sentences::tr(
+        return Text::tr(
             "The halving never ends with these numbers: it is stopped, and nothing is visible.");
     case What::Cut:
         return found(context);

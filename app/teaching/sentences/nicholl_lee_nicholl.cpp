@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/latin.h"
+#include "app/base/text.h"
 #include "app/overlays/family.h"
 #include "app/teaching/sentences/ends.h"
 #include "app/teaching/teaching.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <array>
@@ -18,13 +17,6 @@ namespace app {
 using clipping::Edge;
 
 namespace {
-
-struct NichollText {
-    static QString tr(const char* text)
-    {
-        return QCoreApplication::translate("nicholl-lee-nicholl", text);
-    }
-};
 
 // Lines of the pseudo-code, which are the same in both forms.
 constexpr std::array linesOfEndOne{2, 3, 9, 10, 51, 52};
@@ -57,30 +49,28 @@ QString whereEndOneIs(const SentenceContext& context)
     const QString beyond = words::whetherBeyond(context, 1);
     if (!context.holds())
         return context.step.line == insideLine
-                   ? NichollText::tr(
+                   ? Text::tr(
                          "%1: End 1 is inside the window, so something is certainly visible. Only "
                          "End 2 remains to be tested.")
                          .arg(beyond)
-                   : NichollText::tr("%1.").arg(beyond);
+                   : Text::tr("%1.").arg(beyond);
     switch (context.step.line) {
     case 3:
-        return NichollText::tr(
-                   "%1: the plane will be turned by 180°, so that right becomes left and one "
-                   "procedure serves both sides.")
+        return Text::tr("%1: the plane will be turned by 180°, so that right becomes left and one "
+                        "procedure serves both sides.")
             .arg(beyond);
     case 51:
     case 52:
-        return NichollText::tr(
+        return Text::tr(
                    "%1, neither left nor right of it: the plane will be turned by 90°, so that "
                    "this side becomes the left one.")
             .arg(beyond);
     case 10:
-        return NichollText::tr(
-                   "%1, beyond a corner: the plane will be mirrored, so that this becomes the "
-                   "corner that the procedure was written for.")
+        return Text::tr("%1, beyond a corner: the plane will be mirrored, so that this becomes the "
+                        "corner that the procedure was written for.")
             .arg(beyond);
     default:
-        return NichollText::tr("%1.").arg(beyond);
+        return Text::tr("%1.").arg(beyond);
     }
 }
 
@@ -89,38 +79,37 @@ QString whereEndTwoIs(const SentenceContext& context)
     const QString beyond = words::whetherBeyond(context, 2);
     const bool isBeyond = context.step.line == notBelowLine ? !context.holds() : context.holds();
     if (!isBeyond)
-        return NichollText::tr("%1.").arg(beyond);
+        return Text::tr("%1.").arg(beyond);
     switch (context.step.line) {
     case 8:
     case 13:
     case 33:
-        return NichollText::tr("%1, and so does End 1.").arg(beyond);
+        return Text::tr("%1, and so does End 1.").arg(beyond);
     case 21:
     case 34:
-        return NichollText::tr("%1: the line may miss the window there, which is tested next.")
+        return Text::tr("%1: the line may miss the window there, which is tested next.")
             .arg(beyond);
     case 35:
-        return NichollText::tr(
-                   "%1: the plane will be mirrored, so that one procedure serves both sides.")
+        return Text::tr("%1: the plane will be mirrored, so that one procedure serves both sides.")
             .arg(beyond);
     case 22:
     case 38:
-        return NichollText::tr("%1: the line leaves the window through %2.")
+        return Text::tr("%1: the line leaves the window through %2.")
             .arg(beyond, context.edgeText());
     case 26:
     case 44:
     case 62:
-        return NichollText::tr("%1: the line could leave through either of two edges.").arg(beyond);
+        return Text::tr("%1: the line could leave through either of two edges.").arg(beyond);
     case 63:
-        return NichollText::tr(
+        return Text::tr(
                    "%1: the line could leave through either of two edges. The plane will be turned "
                    "by 90°.")
             .arg(beyond);
     case 56:
-        return NichollText::tr("%1: the plane will be turned by 180°, so that right becomes left.")
+        return Text::tr("%1: the plane will be turned by 180°, so that right becomes left.")
             .arg(beyond);
     default:
-        return NichollText::tr("%1: the line must leave the window.").arg(beyond);
+        return Text::tr("%1: the line must leave the window.").arg(beyond);
     }
 }
 
@@ -156,17 +145,16 @@ QString passesCorner(const SentenceContext& context, const CornerTest& test)
     if (!std::isfinite(first) || !std::isfinite(second))
         return words::productsTooLarge(relation, corner.name);
     if (test.asks == CornerTest::Enters)
-        return NichollText::
-            tr("Slopes are compared as products, without a division (%1): the line passes %2 on "
-               "the side of %3. It can enter only there.")
-                .arg(relation, corner.name, through);
+        return Text::tr("Slopes are compared as products, without a division (%1): the line passes "
+                        "%2 on the side of %3. It can enter only there.")
+            .arg(relation, corner.name, through);
     if (test.asks == CornerTest::Leaves)
-        return NichollText::tr("By the products for %1 (%2), the line leaves through %3.")
+        return Text::tr("By the products for %1 (%2), the line leaves through %3.")
             .arg(corner.name, relation, through);
     if (context.holds())
-        return NichollText::tr("The line passes %1 on the outside (%2): it misses the window.")
+        return Text::tr("The line passes %1 on the outside (%2): it misses the window.")
             .arg(corner.name, relation);
-    return NichollText::tr(
+    return Text::tr(
                "The line passes %1 on the inside (%2): it meets the window and enters through %3.")
         .arg(corner.name, relation, corner.edge);
 }
@@ -176,21 +164,19 @@ QString product(const SentenceContext& context)
 {
     const auto& last = context.step.values.back();
     if (context.step.values.size() == 1)
-        return NichollText::tr("One more product, for the next corner: %1 = %2.")
+        return Text::tr("One more product, for the next corner: %1 = %2.")
             .arg(latin(last.name), words::number(last.value));
     const auto& first = context.step.values.front();
-    return NichollText::
-        tr("Two products compare the line's slope with that of a corner, without a division: %1 "
-           "= %2, %3 = %4.")
-            .arg(latin(first.name), words::number(first.value), latin(last.name),
-                 words::number(last.value));
+    return Text::tr("Two products compare the line's slope with that of a corner, without a "
+                    "division: %1 = %2, %3 = %4.")
+        .arg(latin(first.name), words::number(first.value), latin(last.name),
+             words::number(last.value));
 }
 
 QString nichollCut(const SentenceContext& context)
 {
     const int end = std::ranges::count(cutsOfEndOne, context.step.line) != 0 ? 1 : 2;
-    return NichollText::tr(
-               "%1 moves along the line to %2, to %3. This end is now known to be visible.")
+    return Text::tr("%1 moves along the line to %2, to %3. This end is now known to be visible.")
         .arg(words::end(end), context.edgeText(), words::point(words::endOf(end, context)));
 }
 
@@ -198,9 +184,9 @@ QString extent(const SentenceContext& context)
 {
     const Point d = context.tracedLine.line.b - context.tracedLine.line.a;
     const bool changed = context.value("dx") != d.x || context.value("dy") != d.y;
-    return (changed ? NichollText::tr(
-                "From End 1 to End 2, in the plane of this procedure: dx = %1, dy = %2.")
-                    : NichollText::tr("From End 1 to End 2: dx = %1, dy = %2."))
+    return (changed
+                ? Text::tr("From End 1 to End 2, in the plane of this procedure: dx = %1, dy = %2.")
+                : Text::tr("From End 1 to End 2: dx = %1, dy = %2."))
         .arg(words::value(context, "dx"), words::value(context, "dy"));
 }
 
@@ -210,7 +196,7 @@ QString turned(const SentenceContext& context)
     const auto end = [&](const char* x, const char* y) {
         return words::point({context.value(x).value_or(0), context.value(y).value_or(0)});
     };
-    return NichollText::tr(
+    return Text::tr(
                "In the plane of this procedure, End 1 is at %1 and End 2 at %2. The picture is not "
                "turned.")
         .arg(end("x1", "y1"), end("x2", "y2"));
@@ -223,14 +209,13 @@ QString let(const SentenceContext& context)
         return words::isBeyond(context, 1, context.edge())
                        && words::isBeyond(context, 2, context.edge())
                    ? words::bothBeyond(context)
-                   : NichollText::tr(
-                       "The line misses the window. No division was needed to decide this.");
+                   : Text::tr("The line misses the window. No division was needed to decide this.");
     if (name == "dy")
         return extent(context);
     if (name == "ymin")
         return turned(context);
     if (name == "left")
-        return NichollText::tr("The plane is turned back, and the ends with it.");
+        return Text::tr("The plane is turned back, and the ends with it.");
     return product(context);
 }
 
@@ -241,14 +226,14 @@ QString nichollSentence(const SentenceContext& context)
     case clipping::What::Test:
         if (step.line == displayLine)
             return context.holds()
-                       ? NichollText::tr("A test has found that nothing of the line is visible.")
-                       : NichollText::tr("No test has ruled the line out.");
+                       ? Text::tr("A test has found that nothing of the line is visible.")
+                       : Text::tr("No test has ruled the line out.");
         if (const CornerTest* test = cornerTestOf(context))
             return passesCorner(context, *test);
         return std::ranges::count(linesOfEndOne, step.line) != 0 ? whereEndOneIs(context)
                                                                  : whereEndTwoIs(context);
     case clipping::What::Reject:
-        return NichollText::tr("Nothing of the line is visible.") + words::lost(context);
+        return Text::tr("Nothing of the line is visible.") + words::lost(context);
     case clipping::What::Cut:
         return nichollCut(context);
     case clipping::What::Accept:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/teaching/sentences/part.h"
 
+#include "app/base/text.h"
 #include "app/teaching/sentences/ends.h"
 #include "app/teaching/sentences/words.h"
 
@@ -18,9 +19,9 @@ QString needed(const SentenceContext& context, const PartNames& names)
     const QString value =
         QStringLiteral("%1 = %2").arg(QLatin1StringView(name), knownNumber(context, name));
     if (!context.holds())
-        return Sentences::tr("%1: %2 is inside and stays.").arg(value, end(isEnd2 ? 2 : 1));
-    return (isEnd2 ? Sentences::tr("%1 is less than 1: %2 lies outside and has to move.")
-                   : Sentences::tr("%1 is greater than 0: %2 lies outside and has to move."))
+        return Text::tr("%1: %2 is inside and stays.").arg(value, end(isEnd2 ? 2 : 1));
+    return (isEnd2 ? Text::tr("%1 is less than 1: %2 lies outside and has to move.")
+                   : Text::tr("%1 is greater than 0: %2 lies outside and has to move."))
         .arg(value, end(isEnd2 ? 2 : 1));
 }
 
@@ -29,14 +30,14 @@ QString touches(const SentenceContext& context, const PartNames& names)
 {
     const QString numbers = knownCompared(context, names.start, names.stop);
     if (context.holds())
-        return Sentences::
+        return Text::
             tr("The remaining part begins where it ends (%1): the line only touches the window.")
                 .arg(numbers);
     return context.known(names.start) == context.known(names.stop)
-               ? Sentences::tr(
+               ? Text::tr(
                      "The remaining part begins where it ends (%1), at End 2, which has not moved.")
                      .arg(numbers)
-               : Sentences::tr(
+               : Text::tr(
                      "The remaining part begins before it ends (%1): it is more than one point.")
                      .arg(numbers);
 }
@@ -45,8 +46,8 @@ QString touches(const SentenceContext& context, const PartNames& names)
 QString held(const SentenceContext& context, int number)
 {
     const bool stays = !context.before || context.before->segment == context.step.segment;
-    return (stays ? Sentences::tr("%1 lies in the window, at %2: it stays where it is.")
-                  : Sentences::tr(
+    return (stays ? Text::tr("%1 lies in the window, at %2: it stays where it is.")
+                  : Text::tr(
                       "Rounding had left %1 just outside: it is moved into the window, to %2."))
         .arg(end(number), point(endOf(number, context)));
 }
@@ -67,18 +68,18 @@ QString wholeLine(const SentenceContext& context, const PartNames& names)
 {
     QStringList said;
     if (context.value(names.stop))
-        said << Sentences::tr("The whole line remains, from %1 = 0 (End 1) to %2 = 1 (End 2).")
+        said << Text::tr("The whole line remains, from %1 = 0 (End 1) to %2 = 1 (End 2).")
                     .arg(QLatin1StringView(names.start), QLatin1StringView(names.stop));
     const auto way = [&](const char* name) {
         return context.value(name) ? knownNumber(context, name) : QString();
     };
     const QString dx = way("dx"), dy = way("dy");
     if (!dx.isEmpty() && !dy.isEmpty())
-        said << Sentences::tr("From End 1 to End 2, x changes by %1 and y by %2.").arg(dx, dy);
+        said << Text::tr("From End 1 to End 2, x changes by %1 and y by %2.").arg(dx, dy);
     else if (!dx.isEmpty())
-        said << Sentences::tr("From End 1 to End 2, x changes by %1.").arg(dx);
+        said << Text::tr("From End 1 to End 2, x changes by %1.").arg(dx);
     else if (!dy.isEmpty())
-        said << Sentences::tr("From End 1 to End 2, y changes by %1.").arg(dy);
+        said << Text::tr("From End 1 to End 2, y changes by %1.").arg(dy);
     return said.join(u' ');
 }
 
@@ -89,7 +90,7 @@ QString endsOfPart(const SentenceContext& context, const PartNames& names)
     case What::Test:
         return line == 8 ? touches(context, names) : needed(context, names);
     case What::Cut:
-        return line == 9 ? Sentences::tr("End 1 becomes the same point as End 2, %1.")
+        return line == 9 ? Text::tr("End 1 becomes the same point as End 2, %1.")
                                .arg(point(endOf(1, context)))
                          : moved(context, line <= 2 ? 2 : 1);
     default:

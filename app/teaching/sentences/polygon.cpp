@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/teaching/sentences/polygon.h"
 
+#include "app/base/text.h"
 #include "app/overlays/polygon_edges.h"
 #include "app/teaching/page.h"
 #include "app/teaching/sentences/words.h"
@@ -31,51 +32,48 @@ struct PolygonTeaching {
 };
 
 constexpr auto bothBeside = QT_TRANSLATE_NOOP(
-    "sentences", "Are both ends to the left or both to the right of the polygon's bounding box?");
+    "Text", "Are both ends to the left or both to the right of the polygon's bounding box?");
 constexpr auto bothBelow =
-    QT_TRANSLATE_NOOP("sentences", "Are both ends above or both below the polygon's bounding box?");
+    QT_TRANSLATE_NOOP("Text", "Are both ends above or both below the polygon's bounding box?");
 constexpr auto missed =
-    QT_TRANSLATE_NOOP("sentences", "Does the infinite line through both ends miss the polygon?");
-constexpr auto oneOutside = QT_TRANSLATE_NOOP("sentences", "Is End 1 beyond edge %1?");
-constexpr auto otherOutside = QT_TRANSLATE_NOOP("sentences", "Is End 2 beyond edge %1?");
+    QT_TRANSLATE_NOOP("Text", "Does the infinite line through both ends miss the polygon?");
+constexpr auto oneOutside = QT_TRANSLATE_NOOP("Text", "Is End 1 beyond edge %1?");
+constexpr auto otherOutside = QT_TRANSLATE_NOOP("Text", "Is End 2 beyond edge %1?");
 constexpr auto besideBoth = QT_TRANSLATE_NOOP(
-    "sentences", "Does the line end before it reaches the polygon, or begin beyond it?");
+    "Text", "Does the line end before it reaches the polygon, or begin beyond it?");
 constexpr auto entersThrough =
-    QT_TRANSLATE_NOOP("sentences", "The infinite line enters the polygon through edge %1.");
+    QT_TRANSLATE_NOOP("Text", "The infinite line enters the polygon through edge %1.");
 constexpr auto leavesThrough =
-    QT_TRANSLATE_NOOP("sentences", "The infinite line leaves the polygon through edge %1.");
+    QT_TRANSLATE_NOOP("Text", "The infinite line leaves the polygon through edge %1.");
 
 constexpr std::array cyrusBeck{
-    PolygonStep{4, 3,
-                QT_TRANSLATE_NOOP(
-                    "sentences",
-                    "At edge %1, N = %2 for End 1 (N < 0: it lies beyond the line of this edge)."),
-                "edge"},
-    PolygonStep{6, 4, QT_TRANSLATE_NOOP("sentences", "Do both ends lie beyond edge %1?"), "edge"},
+    PolygonStep{
+        4, 3,
+        QT_TRANSLATE_NOOP(
+            "Text", "At edge %1, N = %2 for End 1 (N < 0: it lies beyond the line of this edge)."),
+        "edge"},
+    PolygonStep{6, 4, QT_TRANSLATE_NOOP("Text", "Do both ends lie beyond edge %1?"), "edge"},
     PolygonStep{8, 6,
-                QT_TRANSLATE_NOOP("sentences",
+                QT_TRANSLATE_NOOP("Text",
                                   "The line crosses the line of edge %1 at t = %2 (0 is End 1, 1 "
                                   "is End 2)."),
                 "edge"},
-    PolygonStep{9, 7, QT_TRANSLATE_NOOP("sentences", "Does the line enter at edge %1?"), "edge"},
-    PolygonStep{10, 8,
-                QT_TRANSLATE_NOOP("sentences",
-                                  "Is the entry at edge %1 after the start of the remaining part?"),
+    PolygonStep{9, 7, QT_TRANSLATE_NOOP("Text", "Does the line enter at edge %1?"), "edge"},
+    PolygonStep{
+        10, 8,
+        QT_TRANSLATE_NOOP("Text", "Is the entry at edge %1 after the start of the remaining part?"),
+        "edge"},
+    PolygonStep{11, 8,
+                QT_TRANSLATE_NOOP("Text", "The remaining part now starts at edge %1, at tE = %2."),
                 "edge"},
     PolygonStep{
-        11, 8,
-        QT_TRANSLATE_NOOP("sentences", "The remaining part now starts at edge %1, at tE = %2."),
+        12, 9,
+        QT_TRANSLATE_NOOP("Text", "Is the exit at edge %1 before the end of the remaining part?"),
         "edge"},
-    PolygonStep{12, 9,
-                QT_TRANSLATE_NOOP("sentences",
-                                  "Is the exit at edge %1 before the end of the remaining part?"),
+    PolygonStep{13, 9,
+                QT_TRANSLATE_NOOP("Text", "The remaining part now ends at edge %1, at tL = %2."),
                 "edge"},
-    PolygonStep{
-        13, 9,
-        QT_TRANSLATE_NOOP("sentences", "The remaining part now ends at edge %1, at tL = %2."),
-        "edge"},
-    PolygonStep{14, 10,
-                QT_TRANSLATE_NOOP("sentences", "Does the remaining part end before it starts?")},
+    PolygonStep{14, 10, QT_TRANSLATE_NOOP("Text", "Does the remaining part end before it starts?")},
     PolygonStep{16, 11},
     PolygonStep{20, 12},
     PolygonStep{22, 12},
@@ -99,7 +97,7 @@ constexpr std::array skala{
     PolygonStep{22, 1, missed},
     PolygonStep{23, 1},
     PolygonStep{24, 2,
-                QT_TRANSLATE_NOOP("sentences",
+                QT_TRANSLATE_NOOP("Text",
                                   "The corners on either side of the infinite line say where it "
                                   "crosses the polygon: it enters through edge %1 and leaves "
                                   "through edge %2."),
@@ -158,24 +156,24 @@ constexpr std::array windingNumber{
     PolygonStep{9, 3, bothBelow},
     PolygonStep{10, 4},
     PolygonStep{4, 5,
-                QT_TRANSLATE_NOOP("sentences",
+                QT_TRANSLATE_NOOP("Text",
                                   "The leftmost corner, as seen along the line, has the side most "
                                   "= %2 (1: left of the line, 0: on it, −1: right of it).")},
     PolygonStep{15, 7,
-                QT_TRANSLATE_NOOP("sentences",
+                QT_TRANSLATE_NOOP("Text",
                                   "The infinite line enters through edge %1. Does the line reach "
                                   "this edge?"),
                 "i"},
-    PolygonStep{16, 8, QT_TRANSLATE_NOOP("sentences", "The winding number becomes w = %2.")},
+    PolygonStep{16, 8, QT_TRANSLATE_NOOP("Text", "The winding number becomes w = %2.")},
     PolygonStep{17, 9, oneOutside, "i"},
     PolygonStep{19, 10,
-                QT_TRANSLATE_NOOP("sentences",
+                QT_TRANSLATE_NOOP("Text",
                                   "The infinite line leaves through edge %1. Does End 2 lie beyond "
                                   "this edge?"),
                 "i"},
     PolygonStep{20, 11, oneOutside, "i"},
-    PolygonStep{21, 12, QT_TRANSLATE_NOOP("sentences", "The winding number becomes w = %2.")},
-    PolygonStep{24, 14, QT_TRANSLATE_NOOP("sentences", "Is the winding number 0?")},
+    PolygonStep{21, 12, QT_TRANSLATE_NOOP("Text", "The winding number becomes w = %2.")},
+    PolygonStep{24, 14, QT_TRANSLATE_NOOP("Text", "Is the winding number 0?")},
     PolygonStep{25, 14},
     PolygonStep{18, 9},
     PolygonStep{23, 13},
@@ -224,7 +222,7 @@ const PolygonStep* rowOf(const Variant& variant, const clipping::Step& step)
 QString filledIn(const SentenceContext& context, const PolygonStep& row)
 {
     const auto value = context.value(context.step.name);
-    return Sentences::tr(row.text)
+    return Text::tr(row.text)
         .replace(QStringLiteral("%1"), QString::number(polygonEdgeOf(context)))
         .replace(QStringLiteral("%2"), words::number(value.value_or(0)));
 }
@@ -243,7 +241,7 @@ MovedEnd movedEnd(const SentenceContext& context)
 QString polygonCut(const SentenceContext& context)
 {
     const auto [number, to] = movedEnd(context);
-    return Sentences::tr("%1 is cut at edge %2: it moves to %3.")
+    return Text::tr("%1 is cut at edge %2: it moves to %3.")
         .arg(words::end(number))
         .arg(polygonEdgeOf(context))
         .arg(words::point(to));
@@ -272,13 +270,12 @@ QString polygonSentence(const SentenceContext& context)
     if (what == What::Accept)
         return words::accepted(context);
     if (what == What::Reject)
-        return Sentences::tr("The line is rejected: nothing is visible.");
+        return Text::tr("The line is rejected: nothing is visible.");
     if (!row || !row->text)
         return generalSentence(context);
     const QString text = filledIn(context, *row);
-    return what == What::Test
-               ? text + u' ' + (context.holds() ? Sentences::tr("Yes.") : Sentences::tr("No."))
-               : text;
+    return what == What::Test ? text + u' ' + (context.holds() ? Text::tr("Yes.") : Text::tr("No."))
+                              : text;
 }
 
 std::size_t polygonEdgeOf(const SentenceContext& context)

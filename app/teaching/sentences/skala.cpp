@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/overlays/corner_signs.h"
 #include "app/overlays/family.h"
 #include "app/teaching/sentences/ends.h"
@@ -34,8 +35,7 @@ QString edgeOfTable(const SentenceContext& context, unsigned k)
 /// "left" or "right" of the line's direction; if y points down, the sides are swapped.
 QString sideOfLine(const SentenceContext& context, bool positive)
 {
-    return positive == (context.tracedLine.y == YAxis::Up) ? Sentences::tr("left")
-                                                           : Sentences::tr("right");
+    return positive == (context.tracedLine.y == YAxis::Up) ? Text::tr("left") : Text::tr("right");
 }
 
 /// The numbers that determine the side of a corner: positive if the first is greater.
@@ -62,21 +62,20 @@ QString cornerSide(const SentenceContext& context)
     const auto [one, other] = numbersOf(context, k);
     const bool isSet = context.value(name) == 1;
     const QString relation = words::isPublished(context)
-                                 ? Sentences::tr("F = %1").arg(words::number(one))
+                                 ? Text::tr("F = %1").arg(words::number(one))
                                  : words::compared(one, other);
-    const QString all = Sentences::tr("%1, so c[%2] = %3")
+    const QString all = Text::tr("%1, so c[%2] = %3")
                             .arg(relation, QString::number(k), QString::number(isSet ? 1 : 0));
     if (!std::isfinite(one) || !std::isfinite(other))
         return words::productsTooLarge(all, corner);
     if (one == other)
-        return (isSet ? Sentences::tr(
+        return (isSet ? Text::tr(
                     "The line passes exactly through %1 (%2): that corner counts as %3 of "
                     "the line.")
-                      : Sentences::tr(
-                          "The line passes exactly through %1 (%2): in the strict test that "
-                          "corner does not count as %3 of the line."))
+                      : Text::tr("The line passes exactly through %1 (%2): in the strict test that "
+                                 "corner does not count as %3 of the line."))
             .arg(corner, all, sideOfLine(context, true));
-    return Sentences::tr("Seen along the line from End 1 to End 2, %1 lies on the %2 (%3).")
+    return Text::tr("Seen along the line from End 1 to End 2, %1 lies on the %2 (%3).")
         .arg(corner, sideOfLine(context, one > other), all);
 }
 
@@ -86,19 +85,17 @@ QString skalaPattern(const SentenceContext& context)
     const unsigned c = skalaKnown(context, "c");
     const QString text = outcodeText(c);
     if (!words::isPublished(context) && context.step.line == 21)
-        return Sentences::
-            tr("The line runs along a window without area: its direction selects the row of the "
-               "table, c = %1.")
-                .arg(text);
+        return Text::tr("The line runs along a window without area: its direction selects the row "
+                        "of the table, c = %1.")
+            .arg(text);
     QStringList crossed;
     for (const clipping::Edge edge : crossedEdges(c))
         crossed << edgeWords(edge, context.tracedLine.y);
     if (crossed.size() != 2)
-        return Sentences::tr(
-                   "The four answers make c = %1: no edge of the window has its corners on "
-                   "different sides of the line.")
+        return Text::tr("The four answers make c = %1: no edge of the window has its corners on "
+                        "different sides of the line.")
             .arg(text);
-    return Sentences::tr(
+    return Text::tr(
                "The four answers make c = %1, row %2 of the table: the side changes along %3 and "
                "%4. The infinite line crosses exactly these two edges.")
         .arg(text, QString::number(c), crossed[0], crossed[1]);
@@ -109,9 +106,9 @@ QString named(const SentenceContext& context)
 {
     const unsigned i = skalaKnown(context, "i"), j = skalaKnown(context, "j");
     if (!words::isPublished(context))
-        return Sentences::tr("By the table, the line enters at %1 and leaves at %2.")
+        return Text::tr("By the table, the line enters at %1 and leaves at %2.")
             .arg(edgeOfTable(context, i), edgeOfTable(context, j));
-    return Sentences::tr("The table names the two edges: edge %1 is %2, edge %3 is %4.")
+    return Text::tr("The table names the two edges: edge %1 is %2, edge %3 is %4.")
         .arg(QString::number(i), edgeOfTable(context, i), QString::number(j),
              edgeOfTable(context, j));
 }
@@ -122,10 +119,10 @@ QString masked(const SentenceContext& context, int end)
     const QString code = skalaCodeText(context, end == 1 ? "code1" : "code2");
     const QString mask = skalaCodeText(context, "MASK[c]");
     if (context.holds())
-        return Sentences::
+        return Text::
             tr("The outcode of %1, %2, has the bit of %3 (MASK = %4): %1 lies beyond that edge.")
                 .arg(words::end(end), code, context.edgeText(), mask);
-    return Sentences::tr(
+    return Text::tr(
                "The outcode of %1, %2, does not have the bit of %3 (MASK = %4): %1 lies beyond the "
                "other edge, %5.")
         .arg(words::end(end), code, context.edgeText(), mask,
@@ -136,8 +133,8 @@ QString masked(const SentenceContext& context, int end)
 QString isOutside(const SentenceContext& context, int end)
 {
     const QString code = skalaCodeText(context, end == 1 ? "code1" : "code2");
-    return (context.holds() ? Sentences::tr("%1 is outside, with the outcode %2, and has to move.")
-                            : Sentences::tr("%1 is inside, with the outcode %2, and stays."))
+    return (context.holds() ? Text::tr("%1 is outside, with the outcode %2, and has to move.")
+                            : Text::tr("%1 is inside, with the outcode %2, and stays."))
         .arg(words::end(end), code);
 }
 
@@ -146,12 +143,11 @@ QString testOfPublished(const SentenceContext& context)
 {
     switch (context.step.line) {
     case 14:
-        return context.holds() ? Sentences::tr("Both ends are outside, so both have to move.")
-                               : Sentences::tr("One end is inside and stays.");
+        return context.holds() ? Text::tr("Both ends are outside, so both have to move.")
+                               : Text::tr("One end is inside and stays.");
     case 19:
-        return context.holds()
-                   ? Sentences::tr("End 1 is inside, so it is End 2 that has to move.")
-                   : Sentences::tr("End 1 is outside, so it is the one that has to move.");
+        return context.holds() ? Text::tr("End 1 is inside, so it is End 2 that has to move.")
+                               : Text::tr("End 1 is outside, so it is the one that has to move.");
     default:
         return masked(context, context.step.line == 20 ? 2 : 1);
     }
@@ -161,13 +157,13 @@ QString testOfCorrected(const SentenceContext& context)
     switch (context.step.line) {
     case 14:
         return context.holds()
-                   ? Sentences::tr("All four bits are set. The line may pass through a corner, so "
-                                   "each corner is tested again, strictly.")
-                   : Sentences::tr("Not all four bits are set: no corner is tested again.");
+                   ? Text::tr("All four bits are set. The line may pass through a corner, so "
+                              "each corner is tested again, strictly.")
+                   : Text::tr("Not all four bits are set: no corner is tested again.");
     case 20:
         return context.holds()
-                   ? Sentences::tr("All four corners lie on the line: the window has no area.")
-                   : Sentences::tr("Not all four corners lie on the line.");
+                   ? Text::tr("All four corners lie on the line: the window has no area.")
+                   : Text::tr("Not all four corners lie on the line.");
     default:
         return isOutside(context, context.step.line == 25 ? 2 : 1);
     }
@@ -178,20 +174,17 @@ QString skalaTest(const SentenceContext& context)
     const bool published = words::isPublished(context);
     if (context.step.line == 2)
         return context.holds()
-                   ? Sentences::tr("Neither outcode has a bit set: both ends are inside.")
-                   : Sentences::tr("At least one outcode has a bit set: that end is outside.");
+                   ? Text::tr("Neither outcode has a bit set: both ends are inside.")
+                   : Text::tr("At least one outcode has a bit set: that end is outside.");
     if (context.step.line == 4)
         return context.holds()
-                   ? Sentences::tr(
-                       "The outcodes have a bit in common: both ends lie beyond one edge.")
-                   : Sentences::tr(
-                       "The outcodes have no bit in common: the line may meet the window.");
+                   ? Text::tr("The outcodes have a bit in common: both ends lie beyond one edge.")
+                   : Text::tr("The outcodes have no bit in common: the line may meet the window.");
     if (context.step.line == (published ? 11 : 22))
         return context.holds()
-                   ? Sentences::tr(
-                         "With c = %1 all corners count as lying on one side of the line.")
+                   ? Text::tr("With c = %1 all corners count as lying on one side of the line.")
                          .arg(skalaCodeText(context, "c"))
-                   : Sentences::tr(
+                   : Text::tr(
                        "The corners do not all lie on one side, so the line meets the window.");
     return published ? testOfPublished(context) : testOfCorrected(context);
 }
@@ -200,12 +193,12 @@ QString skalaTest(const SentenceContext& context)
 QString line(const SentenceContext& context)
 {
     return words::isPublished(context)
-               ? Sentences::tr(
+               ? Text::tr(
                      "The cross product of both ends is the line as a vector: px = %1, py = %2, pw "
                      "= %3. It tells on which side of the line a point lies.")
                      .arg(knownNumber(context, "px"), knownNumber(context, "py"),
                           knownNumber(context, "pw"))
-               : Sentences::tr(
+               : Text::tr(
                      "The line is measured from End 1, so it needs no third number, which could "
                      "lose digits: dx = %1, dy = %2.")
                      .arg(knownNumber(context, "dx"), knownNumber(context, "dy"));
@@ -215,7 +208,7 @@ QString line(const SentenceContext& context)
 QString products(const SentenceContext& context)
 {
     const bool first = context.step.name == "f[1]";
-    return Sentences::tr(
+    return Text::tr(
                "Each edge has a product, and the test of a corner compares the products of its two "
                "edges. The product of %1 is %2, that of %3 is %4.")
         .arg(edgeOfTable(context, first ? 0 : 2), knownNumber(context, first ? "f[0]" : "f[2]"),
@@ -227,21 +220,20 @@ QString meeting(const SentenceContext& context)
 {
     const auto& name = context.step.name;
     if (name == "n")
-        return Sentences::tr(
+        return Text::tr(
                    "The next point to compute is where the line meets %1, edge %2 of the table.")
             .arg(context.edgeText(), knownNumber(context, "n"));
     if (name == "x")
-        return Sentences::tr(
+        return Text::tr(
                    "The cross product of both vectors is the point where the line meets %1, times "
                    "w. Its x is %2.")
             .arg(context.edgeText(), knownNumber(context, "x"));
     if (name == "y")
-        return Sentences::tr("The y of the cross product is %1.").arg(knownNumber(context, "y"));
+        return Text::tr("The y of the cross product is %1.").arg(knownNumber(context, "y"));
     if (name == "w")
-        return Sentences::tr(
-                   "Its third component is w = %1. Dividing x and y by w gives the point.")
+        return Text::tr("Its third component is w = %1. Dividing x and y by w gives the point.")
             .arg(knownNumber(context, "w"));
-    return Sentences::tr("The line of %1 is a vector too: (%2, %3, %4).")
+    return Text::tr("The line of %1 is a vector too: (%2, %3, %4).")
         .arg(context.edgeText(), knownNumber(context, "ex[n]"), knownNumber(context, "ey[n]"),
              knownNumber(context, "ew[n]"));
 }
@@ -256,11 +248,11 @@ QString skalaCut(const SentenceContext& context)
     const Point way = step.segment.b - step.segment.a;
     const Point given = context.tracedLine.line.b - context.tracedLine.line.a;
     if (published && step.line == 18 && glm::dot(way, given) < 0)
-        return Sentences::
-            tr("%1 moves to %2, to %3. The published table does not distinguish the edge where "
-               "the line enters from the edge where it leaves, so the two ends are now swapped.")
+        return Text::
+            tr("%1 moves to %2, to %3. The published table does not distinguish the edge where the "
+               "line enters from the edge where it leaves, so the two ends are now swapped.")
                 .arg(words::end(end), context.edgeText(), at);
-    return Sentences::tr("%1 is outside, so it becomes the point where the line crosses %2: %3.")
+    return Text::tr("%1 is outside, so it becomes the point where the line crosses %2: %3.")
         .arg(words::end(end), context.edgeText(), at);
 }
 
@@ -268,7 +260,7 @@ QString reject(const SentenceContext& context)
 {
     if (context.step.line == 5)
         return words::bothBeyond(context);
-    return Sentences::tr("The line misses the window: nothing is visible.") + words::lost(context);
+    return Text::tr("The line misses the window: nothing is visible.") + words::lost(context);
 }
 
 QString skalaGiven(const SentenceContext& context)
@@ -279,7 +271,7 @@ QString skalaGiven(const SentenceContext& context)
     if (name == "pw" || name == "dy")
         return line(context);
     if (name == "F")
-        return Sentences::tr("At %1, F = %2.")
+        return Text::tr("At %1, F = %2.")
             .arg(cornerText(context, skalaKnown(context, "k")), knownNumber(context, "F"));
     if (name.starts_with("c["))
         return cornerSide(context);

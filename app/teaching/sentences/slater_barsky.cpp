@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/overlays/family.h"
 #include "app/teaching/sentences/ends.h"
 #include "app/teaching/teaching.h"
-
-#include <QCoreApplication>
 
 #include <array>
 #include <cmath>
@@ -13,13 +12,6 @@ namespace app {
 using clipping::Edge;
 
 namespace {
-
-struct SlaterBarskyText {
-    static QString tr(const char* text)
-    {
-        return QCoreApplication::translate("slater-barsky", text);
-    }
-};
 
 /// The walk goes to the right, from End a to End b.
 int first(const SentenceContext& context) { return int(context.known("a").value_or(1)); }
@@ -31,12 +23,11 @@ bool isUp(const SentenceContext& context) { return context.known("dy").value_or(
 QString order(const SentenceContext& context)
 {
     const auto& [a, b] = context.tracedLine.line;
-    return (context.holds() ? SlaterBarskyText::tr(
-                "End 2 lies further left than End 1 (%1). The walk goes to the "
-                "right, so it begins at End 2: a = 2 and b = 1.")
-                            : SlaterBarskyText::tr(
-                                "End 1 does not lie right of End 2 (%1), so the walk begins at "
-                                "End 1: a = 1 and b = 2."))
+    return (context.holds()
+                ? Text::tr("End 2 lies further left than End 1 (%1). The walk goes to the "
+                           "right, so it begins at End 2: a = 2 and b = 1.")
+                : Text::tr("End 1 does not lie right of End 2 (%1), so the walk begins at "
+                           "End 1: a = 1 and b = 2."))
         .arg(words::compared(a.x, b.x));
 }
 
@@ -44,12 +35,12 @@ QString order(const SentenceContext& context)
 QString besideTheWindow(const SentenceContext& context)
 {
     if (context.holds())
-        return SlaterBarskyText::tr("Both ends lie %1.")
+        return Text::tr("Both ends lie %1.")
             .arg(words::beyond(context.edge(), context.tracedLine.y));
     const auto relation = [&](int end, Edge edge) {
         return words::compared(words::endOf(end, context), edge, context.tracedLine.window);
     };
-    return SlaterBarskyText::tr(
+    return Text::tr(
                "%1 does not lie right of the window (%2), and %3 does not lie left of it (%4).")
         .arg(words::end(first(context)), relation(first(context), Edge::Right),
              words::end(last(context)), relation(last(context), Edge::Left));
@@ -63,20 +54,19 @@ QString slaterBarskyPlace(const SentenceContext& context)
     const int row = context.tracedLine.y == YAxis::Up ? cell / 3 : 2 - cell / 3;
     const bool left = cell % 3 == 0;
     if (cell == 4)
-        return SlaterBarskyText::tr("the middle cell, which is the window");
-    return row == 1   ? SlaterBarskyText::tr("the cell left of the window")
-           : row == 0 ? left ? SlaterBarskyText::tr("the cell below and left of the window")
-                             : SlaterBarskyText::tr("the cell below the window")
-           : left ? SlaterBarskyText::tr("the cell above and left of the window")
-                      : SlaterBarskyText::tr("the cell above the window");
+        return Text::tr("the middle cell, which is the window");
+    return row == 1   ? Text::tr("the cell left of the window")
+           : row == 0 ? left ? Text::tr("the cell below and left of the window")
+                             : Text::tr("the cell below the window")
+           : left ? Text::tr("the cell above and left of the window")
+                      : Text::tr("the cell above the window");
 }
 
 QString errorTerm(const SentenceContext& context)
 {
     if (std::isnan(context.known("e").value_or(0)))
-        return SlaterBarskyText::tr(
-            "The products overflow: the error term e is not a number (NaN).");
-    return SlaterBarskyText::tr(
+        return Text::tr("The products overflow: the error term e is not a number (NaN).");
+    return Text::tr(
                "The error term e = %1 tells, without a division, on which side of the corner ahead "
                "the line passes.")
         .arg(words::value(context, "e"));
@@ -88,10 +78,10 @@ QString rising(const SentenceContext& context)
     const QString relation = words::compared(dy, 0);
     if (dy > 0 || dy < 0)
         return ((dy > 0) == (context.tracedLine.y == YAxis::Up)
-                    ? SlaterBarskyText::tr("The walk goes upwards (dy: %1).")
-                    : SlaterBarskyText::tr("The walk goes downwards (dy: %1)."))
+                    ? Text::tr("The walk goes upwards (dy: %1).")
+                    : Text::tr("The walk goes downwards (dy: %1)."))
             .arg(relation);
-    return SlaterBarskyText::tr("The walk goes neither up nor down (dy: %1).").arg(relation);
+    return Text::tr("The walk goes neither up nor down (dy: %1).").arg(relation);
 }
 
 /// The edge whose infinite line contains the side at which the walk leaves its cell.
@@ -111,25 +101,24 @@ QString leaving(const SentenceContext& context)
     const QString relation = words::compared(e, 0);
     const QString edge = edgeWords(crossed(context), context.tracedLine.y);
     if (std::isnan(e))
-        return SlaterBarskyText::tr(
+        return Text::tr(
                    "The products overflow: e is not a number (NaN). The walk nevertheless crosses "
                    "the line of %1.")
             .arg(edge);
     if (e == 0)
-        return SlaterBarskyText::tr(
+        return Text::tr(
                    "The line passes exactly through the corner ahead (e = 0): the walk crosses the "
                    "line of %1.")
             .arg(edge);
     if (!context.holds())
-        return SlaterBarskyText::tr(
-                   "By the sign of e (%1), the line passes left of the corner ahead: the walk "
-                   "crosses the line of %2.")
+        return Text::tr("By the sign of e (%1), the line passes left of the corner ahead: the walk "
+                        "crosses the line of %2.")
             .arg(relation, edge);
     return (isUp(context) == (context.tracedLine.y == YAxis::Up)
-                ? SlaterBarskyText::tr(
+                ? Text::tr(
                     "By the sign of e (%1), the line passes below the corner ahead: the walk goes "
                     "right, across the line of %2.")
-                : SlaterBarskyText::tr(
+                : Text::tr(
                     "By the sign of e (%1), the line passes above the corner ahead: the walk goes "
                     "right, across the line of %2."))
         .arg(relation, edge);
@@ -141,21 +130,17 @@ enum class Fate : std::uint8_t { Misses, Enters, Leaves };
 QString inCell(const SentenceContext& context, const char* cells, Fate fate)
 {
     if (!context.holds())
-        return (fate == Fate::Misses ? SlaterBarskyText::tr(
-                    "The walk is not in cell %1, from where it would miss the window.")
+        return (fate == Fate::Misses
+                    ? Text::tr("The walk is not in cell %1, from where it would miss the window.")
                 : fate == Fate::Enters
-                    ? SlaterBarskyText::tr(
-                        "The walk is not in cell %1, from where it would enter the window.")
-                    : SlaterBarskyText::tr(
-                        "The walk is not in cell %1, from where it would leave the window."))
-            .arg(SlaterBarskyText::tr(cells));
-    return (fate == Fate::Misses ? SlaterBarskyText::tr(
-                "The walk is in cell %1, %2: going on from there, it misses the window.")
+                    ? Text::tr("The walk is not in cell %1, from where it would enter the window.")
+                    : Text::tr("The walk is not in cell %1, from where it would leave the window."))
+            .arg(Text::tr(cells));
+    return (fate == Fate::Misses
+                ? Text::tr("The walk is in cell %1, %2: going on from there, it misses the window.")
             : fate == Fate::Enters
-                ? SlaterBarskyText::tr(
-                    "The walk is in cell %1, %2: from there it enters the window.")
-                : SlaterBarskyText::tr(
-                    "The walk is in cell %1, %2: from there it leaves the window."))
+                ? Text::tr("The walk is in cell %1, %2: from there it enters the window.")
+                : Text::tr("The walk is in cell %1, %2: from there it leaves the window."))
         .arg(cellOf(context))
         .arg(slaterBarskyPlace(context));
 }
@@ -164,15 +149,13 @@ QString insideTest(const SentenceContext& context)
 {
     if (context.step.line == 17)
         return context.holds()
-                   ? SlaterBarskyText::tr(
-                       "The walk begins in the middle cell, and the other end is there too.")
-                   : SlaterBarskyText::tr(
+                   ? Text::tr("The walk begins in the middle cell, and the other end is there too.")
+                   : Text::tr(
                        "At least one end is outside the window: the walk finds the visible part.");
-    return context.holds() ? SlaterBarskyText::tr("%1 is inside: the walk is over.")
-                                 .arg(words::end(last(context)))
-                           : SlaterBarskyText::tr(
-                                 "%1 is not inside: the walk goes on, out of the window again.")
-                                 .arg(words::end(last(context)));
+    return context.holds()
+               ? Text::tr("%1 is inside: the walk is over.").arg(words::end(last(context)))
+               : Text::tr("%1 is not inside: the walk goes on, out of the window again.")
+                     .arg(words::end(last(context)));
 }
 
 /// The tests of the published form only, from line 22 on.
@@ -213,20 +196,19 @@ QString slaterBarskyCorrectedTest(const SentenceContext& context)
 {
     switch (context.step.line) {
     case 19:
-        return context.holds()
-                   ? SlaterBarskyText::tr(
-                       "The line is horizontal or vertical: no division is needed to clip it.")
-                   : SlaterBarskyText::tr("The line is neither horizontal nor vertical.");
+        return context.holds() ? Text::tr(
+                   "The line is horizontal or vertical: no division is needed to clip it.")
+                               : Text::tr("The line is neither horizontal nor vertical.");
     case 27:
         return leaving(context);
     case 28:
-        return inCell(context, "1 or 7", Fate::Misses);
+        return inCell(context, QT_TRANSLATE_NOOP("Text", "1 or 7"), Fate::Misses);
     case 37:
         return inCell(context, "3", Fate::Misses);
     case 29:
         return inCell(context, "3", Fate::Enters);
     case 38:
-        return inCell(context, "1 or 7", Fate::Enters);
+        return inCell(context, QT_TRANSLATE_NOOP("Text", "1 or 7"), Fate::Enters);
     case 32:
     case 41:
         return inCell(context, "4", Fate::Leaves);
@@ -243,7 +225,7 @@ QString slaterBarskyTest(const SentenceContext& context)
     if (line == 5)
         return besideTheWindow(context);
     if (line < 17)
-        return SlaterBarskyText::tr("%1.").arg(words::whetherBeyond(
+        return Text::tr("%1.").arg(words::whetherBeyond(
             context, line == 11 || line == 14 ? last(context) : first(context)));
     if (line == 17)
         return insideTest(context);
@@ -255,9 +237,8 @@ QString slaterBarskyCut(const SentenceContext& context)
 {
     const bool leaves = cellOf(context) == 4;
     const int end = leaves ? last(context) : first(context);
-    return (leaves
-                ? SlaterBarskyText::tr("Here the walk leaves the window: %1 moves to %2, to %3.")
-                : SlaterBarskyText::tr("Here the walk enters the window: %1 moves to %2, to %3."))
+    return (leaves ? Text::tr("Here the walk leaves the window: %1 moves to %2, to %3.")
+                   : Text::tr("Here the walk enters the window: %1 moves to %2, to %3."))
         .arg(words::end(end), context.edgeText(), words::point(words::endOf(end, context)));
 }
 
@@ -265,21 +246,19 @@ QString slaterBarskyRejected(const SentenceContext& context)
 {
     if (context.step.line < 17)
         return words::bothBeyond(context);
-    return SlaterBarskyText::tr(
-               "From here the walk can only go away from the window: nothing of the line is "
-               "visible.")
+    return Text::tr("From here the walk can only go away from the window: nothing of the line is "
+                    "visible.")
            + words::lost(context);
 }
 
 QString nextCorner(const SentenceContext& context)
 {
-    return SlaterBarskyText::tr("The next corner ahead gives e = %1.")
-        .arg(words::value(context, "e"));
+    return Text::tr("The next corner ahead gives e = %1.").arg(words::value(context, "e"));
 }
 
 QString nextCell(const SentenceContext& context)
 {
-    const QString cell = SlaterBarskyText::tr("The walk is in cell %1 now, %2.")
+    const QString cell = Text::tr("The walk is in cell %1 now, %2.")
                              .arg(cellOf(context))
                              .arg(slaterBarskyPlace(context));
     return context.value("e") ? cell + u' ' + nextCorner(context) : cell;
@@ -293,27 +272,27 @@ QString slaterBarskyGiven(const SentenceContext& context)
     const Edge out = isUp(context) ? Edge::Top : Edge::Bottom;
     if (name == "c")
         return context.step.line == 16
-                   ? SlaterBarskyText::tr("%1 is in cell %2, %3: the walk begins there.")
+                   ? Text::tr("%1 is in cell %2, %3: the walk begins there.")
                          .arg(words::end(first(context)), words::value(context, "c"),
                               slaterBarskyPlace(context))
                    : nextCell(context);
     if (name == "dy")
-        return SlaterBarskyText::tr("From %1 to %2: dx = %3, dy = %4.")
+        return Text::tr("From %1 to %2: dx = %3, dy = %4.")
             .arg(words::end(first(context)), words::end(last(context)), words::value(context, "dx"),
                  words::value(context, "dy"));
     if (name == "left")
-        return SlaterBarskyText::tr(
+        return Text::tr(
                    "Both ends are held inside the window: the remaining part runs from %1 to %2.")
             .arg(words::point(context.step.segment.a), words::point(context.step.segment.b));
     if (name == "up")
         return rising(context);
     if (name == "yOut")
-        return SlaterBarskyText::tr(
+        return Text::tr(
                    "Such a line can enter the window at %1 or the left edge, and leave it at %2 or "
                    "the right edge.")
             .arg(edgeWords(in, context.tracedLine.y), edgeWords(out, context.tracedLine.y));
     if (name == "Y")
-        return SlaterBarskyText::tr("The corner ahead is at %1.")
+        return Text::tr("The corner ahead is at %1.")
             .arg(words::point({context.known("X").value_or(0), context.known("Y").value_or(0)}));
     return context.step.line == 44 ? nextCorner(context) : errorTerm(context);
 }

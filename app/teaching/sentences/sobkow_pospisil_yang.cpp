@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/overlays/family.h"
 #include "app/teaching/sentences/ends.h"
 #include "app/teaching/teaching.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <array>
@@ -12,27 +11,20 @@ namespace app {
 
 namespace {
 
-struct SobkowText {
-    static QString tr(const char* text)
-    {
-        return QCoreApplication::translate("sobkow-pospisil-yang", text);
-    }
-};
-
 int endNamed(const SentenceContext& context) { return context.known("i") == 2.0 ? 2 : 1; }
 
 /// The script that the code of both regions selects.
 QString script(const SentenceContext& context)
 {
     const QString code = words::value(context, "code");
-    return SobkowText::tr(
+    return Text::tr(
                "Both outcodes together are the number %1, the code of this pair of regions. The "
                "table has a script for each of the 81 pairs.")
                .arg(code)
            + u' '
            + (context.value("code") == 0.0
-                  ? SobkowText::tr("The script of this pair is empty: both ends are inside.")
-                  : SobkowText::tr(
+                  ? Text::tr("The script of this pair is empty: both ends are inside.")
+                  : Text::tr(
                       "The script of this pair has only the cuts and tests that the pair needs."));
 }
 
@@ -43,28 +35,27 @@ QString question(const SentenceContext& context)
     const bool mayReject = context.step.line <= (words::isPublished(context) ? 17 : 31);
     QString found = words::whetherBeyond(context, end);
     if (context.holds() && !words::isBeyond(context, end, context.edge()))
-        found = SobkowText::tr(
+        found = Text::tr(
                     "%1 lies on %2 after rounding, but the distance that it has moved leads beyond "
                     "that edge")
                     .arg(words::end(end), context.edgeText());
     if (mayReject)
-        return context.holds()
-                   ? SobkowText::tr("%1, so the line misses the window.").arg(found)
-                   : SobkowText::tr("%1: here the line does not miss the window.").arg(found);
-    return context.holds() ? SobkowText::tr("%1: it has to move once more.").arg(found)
-                           : SobkowText::tr("%1, so it need not move again.").arg(found);
+        return context.holds() ? Text::tr("%1, so the line misses the window.").arg(found)
+                               : Text::tr("%1: here the line does not miss the window.").arg(found);
+    return context.holds() ? Text::tr("%1: it has to move once more.").arg(found)
+                           : Text::tr("%1, so it need not move again.").arg(found);
 }
 
 QString tested(const SentenceContext& context)
 {
     if (context.step.line == 3)
         return context.holds()
-                   ? SobkowText::tr("The table has × for this pair: both ends lie beyond one edge.")
-                   : SobkowText::tr("The table has no × for this pair: the line may meet the "
-                                    "window.");
+                   ? Text::tr("The table has × for this pair: both ends lie beyond one edge.")
+                   : Text::tr("The table has no × for this pair: the line may meet the "
+                              "window.");
     if (!words::isPublished(context) && context.step.line == 6)
-        return context.holds() ? SobkowText::tr("The script is not empty: it moves an end.")
-                               : SobkowText::tr("The script is empty: no end has to move.");
+        return context.holds() ? Text::tr("The script is not empty: it moves an end.")
+                               : Text::tr("The script is empty: no end has to move.");
     return question(context);
 }
 
@@ -76,8 +67,7 @@ QString arrival(const SentenceContext& context)
     const QString name = context.step.name == "x" ? QStringLiteral("x") : QStringLiteral("y");
     return words::way(context, words::end(end), end == 1 ? line.a : line.b,
                       context.value(end == 1 ? "way[1]" : "way[2]").value_or(0))
-           + u' '
-           + SobkowText::tr("There %1 = %2.").arg(name, words::value(context, context.step.name));
+           + u' ' + Text::tr("There %1 = %2.").arg(name, words::value(context, context.step.name));
 }
 
 /// Whether rounding has put an end beyond an edge of the other axis.
@@ -90,8 +80,8 @@ QString sobkowHeld(const SentenceContext& context)
     const auto& values = context.before->values;
     const auto before = std::ranges::find(values, name, &clipping::NamedValue::name);
     const bool stays = before != values.end() && before->value == context.value(name);
-    return (stays ? SobkowText::tr("Rounding does not put %1 %2: %3 stays.")
-                  : SobkowText::tr("Rounding would put %1 %2: %3 is held at the edge."))
+    return (stays ? Text::tr("Rounding does not put %1 %2: %3 stays.")
+                  : Text::tr("Rounding would put %1 %2: %3 is held at the edge."))
         .arg(words::end(endNamed(context)), words::beyond(side, context.tracedLine.y),
              name == "x" ? QStringLiteral("x") : QStringLiteral("y"));
 }
@@ -104,7 +94,7 @@ QString sobkowGiven(const SentenceContext& context)
     if (name == "code")
         return script(context);
     if (name == "dy")
-        return SobkowText::tr("From End 1 to End 2, x changes by %1 and y by %2.")
+        return Text::tr("From End 1 to End 2, x changes by %1 and y by %2.")
             .arg(words::value(context, "dx"), words::value(context, "dy"));
     return context.step.line % 4 == 0 ? arrival(context) : sobkowHeld(context);
 }
@@ -112,7 +102,7 @@ QString sobkowGiven(const SentenceContext& context)
 QString sobkowCut(const SentenceContext& context)
 {
     const int end = endNamed(context);
-    return SobkowText::tr("%1 is beyond %2, so it moves along the line to that edge, to %3.")
+    return Text::tr("%1 is beyond %2, so it moves along the line to that edge, to %3.")
         .arg(words::end(end), context.edgeText(), words::point(words::endOf(end, context)));
 }
 
@@ -126,8 +116,7 @@ QString sobkowSentence(const SentenceContext& context)
     case clipping::What::Reject:
         return context.step.line == 4
                    ? words::bothBeyond(context)
-                   : SobkowText::tr(
-                         "The line passes a corner outside the window: nothing is visible.")
+                   : Text::tr("The line passes a corner outside the window: nothing is visible.")
                          + words::lost(context);
     case clipping::What::Accept:
         return words::acceptedIfInside(context);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/teaching/sentences/words.h"
 
+#include "app/base/text.h"
 #include "app/teaching/line_text.h"
 
 #include <bit>
@@ -23,10 +24,13 @@ double axisOf(const Point& p, clipping::Edge edge) { return p[clipping::axisOf(e
 
 QString beyond(clipping::Edge edge, YAxis y)
 {
-    static constexpr std::array<const char*, 5> words{"outside the window", "left of the window",
-                                                      "right of the window", "below the window",
-                                                      "above the window"};
-    return Sentences::tr(words.at(asSeen(edge, y)));
+    static constexpr std::array<const char*, 5> words{
+        QT_TRANSLATE_NOOP("Text", "outside the window"),
+        QT_TRANSLATE_NOOP("Text", "left of the window"),
+        QT_TRANSLATE_NOOP("Text", "right of the window"),
+        QT_TRANSLATE_NOOP("Text", "below the window"),
+        QT_TRANSLATE_NOOP("Text", "above the window")};
+    return Text::tr(words.at(asSeen(edge, y)));
 }
 
 QString axisName(clipping::Edge edge)
@@ -34,16 +38,16 @@ QString axisName(clipping::Edge edge)
     return clipping::axisOf(edge) == 0 ? QStringLiteral("x") : QStringLiteral("y");
 }
 
-QString end(int number) { return Sentences::tr("End %1").arg(number); }
+QString end(int number) { return Text::tr("End %1").arg(number); }
 
 QString point(const Point& p) { return pairText(number(p.x), number(p.y)); }
 
 QString number(double value)
 {
     if (std::isnan(value))
-        return Sentences::tr("NaN");
+        return Text::tr("NaN");
     if (std::isinf(value))
-        return value > 0 ? Sentences::tr("infinity") : Sentences::tr("minus infinity");
+        return value > 0 ? Text::tr("infinity") : Text::tr("minus infinity");
     return shortText(value);
 }
 
@@ -65,12 +69,15 @@ QString compared(const Point& p, clipping::Edge edge, const clipping::Window& wi
 QString region(unsigned code, YAxis y)
 {
     static constexpr std::array<std::array<const char*, 3>, 3> names{
-        {{"below left", "below", "below right"},
-         {"left", "inside", "right"},
-         {"above left", "above", "above right"}}};
+        {{QT_TRANSLATE_NOOP("Text", "below left"), QT_TRANSLATE_NOOP("Text", "below"),
+          QT_TRANSLATE_NOOP("Text", "below right")},
+         {QT_TRANSLATE_NOOP("Text", "left"), QT_TRANSLATE_NOOP("Text", "inside"),
+          QT_TRANSLATE_NOOP("Text", "right")},
+         {QT_TRANSLATE_NOOP("Text", "above left"), QT_TRANSLATE_NOOP("Text", "above"),
+          QT_TRANSLATE_NOOP("Text", "above right")}}};
     const unsigned high = y == YAxis::Up ? code >> 3 & 1U : code >> 2 & 1U;
     const unsigned low = y == YAxis::Up ? code >> 2 & 1U : code >> 3 & 1U;
-    return Sentences::tr(names.at(1 + high - low).at(1 + (code >> 1 & 1U) - (code & 1U)));
+    return Text::tr(names.at(1 + high - low).at(1 + (code >> 1 & 1U) - (code & 1U)));
 }
 
 clipping::Edge edgeOf(unsigned code)
@@ -97,27 +104,24 @@ QString way(const SentenceContext& context, const QString& from, const Point& st
                   y = along == 0 ? QStringLiteral("y") : QStringLiteral("x");
     if (!std::isfinite(gone))
         return slope
-                   ? Sentences::tr(
-                         "The slope overflows (%1): every product with it is meaningless.")
+                   ? Text::tr("The slope overflows (%1): every product with it is meaningless.")
                          .arg(number(*slope))
-                   : Sentences::tr(
+                   : Text::tr(
                          "The numbers are too large: their product overflows (%1), and everything "
                          "computed from it is meaningless.")
                          .arg(number(gone));
-    const QString text = Sentences::tr("From %1 to %2, %4 changes by %3.")
-                             .arg(from, context.edgeText(), number(away), x);
+    const QString text =
+        Text::tr("From %1 to %2, %4 changes by %3.").arg(from, context.edgeText(), number(away), x);
     return text + u' '
-           + (slope ? Sentences::tr(
-                          "For each unit of %1, %3 changes by %2; in all, %3 changes by %4.")
+           + (slope ? Text::tr("For each unit of %1, %3 changes by %2; in all, %3 changes by %4.")
                           .arg(x, number(*slope), y, number(gone))
-                    : Sentences::tr("Meanwhile %2 changes by %1.").arg(number(gone), y));
+                    : Text::tr("Meanwhile %2 changes by %1.").arg(number(gone), y));
 }
 
 QString moved(const SentenceContext& context, int number)
 {
     const auto& p = number == 1 ? context.step.segment.a : context.step.segment.b;
-    return Sentences::tr(
-               "%1 moves along the line to %2, to %3. The part beyond that edge is removed.")
+    return Text::tr("%1 moves along the line to %2, to %3. The part beyond that edge is removed.")
         .arg(end(number), context.edgeText(), point(p));
 }
 
@@ -126,13 +130,11 @@ QString accepted(const SentenceContext& context)
     const auto& [a, b] = context.step.segment;
     const auto& line = context.tracedLine.line;
     if (a == line.a && b == line.b)
-        return Sentences::tr("Both ends lie inside the window, so all of the line is visible.");
+        return Text::tr("Both ends lie inside the window, so all of the line is visible.");
     if (a == b)
-        return Sentences::tr(
-                   "The line meets the window in a single point, %1: that point is visible.")
+        return Text::tr("The line meets the window in a single point, %1: that point is visible.")
             .arg(point(a));
-    return Sentences::tr(
-               "The remaining part, from %1 to %2, lies inside the window: it is visible.")
+    return Text::tr("The remaining part, from %1 to %2, lies inside the window: it is visible.")
         .arg(point(a), point(b));
 }
 

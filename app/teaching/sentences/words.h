@@ -3,16 +3,9 @@
 
 #include "app/teaching/sentence.h"
 
-#include <QCoreApplication>
-
 // Words that many sentences share.
 
 namespace app {
-
-/// The texts of sentences, for translators: `Sentences::tr("Text")`.
-struct Sentences {
-    Q_DECLARE_TR_FUNCTIONS(sentences)
-};
 
 } // namespace app
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/view/snapping/kinds.h"
 
 namespace app {
@@ -17,8 +18,8 @@ constexpr clipping::Segment edgesAndPoint[]{{{-1, -1}, {-1, 1}},
 SnapKind alignmentKind()
 {
     return {.key = "alignment",
-            .name = snapText("Alignment when moving"),
-            .word = snapText("aligned"),
+            .name = Text::tr("Alignment when moving"),
+            .word = Text::tr("aligned"),
             .rank = SnapRank::Along,
             .glyph = edges};
 }
@@ -26,8 +27,8 @@ SnapKind alignmentKind()
 SnapKind drawnAlignment()
 {
     return {.key = "drawn-alignment",
-            .name = snapText("Alignment when drawing"),
-            .word = snapText("in line"),
+            .name = Text::tr("Alignment when drawing"),
+            .word = Text::tr("in line"),
             .rank = SnapRank::Along,
             .usual = false,
             .glyph = edgesAndPoint};

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/view/snapping/kinds.h"
 
 #include <cmath>
@@ -11,8 +12,8 @@ SnapKind axes()
 {
     static constexpr clipping::Segment cross[]{{{-1, 0.8}, {1, 0.8}}, {{-0.8, -1}, {-0.8, 1}}};
     return {.key = "axes",
-            .name = snapText("Horizontal and vertical"),
-            .word = snapText("along an axis"),
+            .name = Text::tr("Horizontal and vertical"),
+            .word = Text::tr("along an axis"),
             .rank = SnapRank::Along,
             .glyph = cross,
             .find = [](const SnapSurroundings& near, SnapOffers& offers) {

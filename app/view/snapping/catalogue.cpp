@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/snapping/kinds.h"
 
-#include <QCoreApplication>
-
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -25,7 +23,5 @@ const SnapKind& snapKind(std::string_view key)
     assert(found != snapKinds().end());
     return *found;
 }
-
-QString snapText(const char* text) { return QCoreApplication::translate("Snap", text); }
 
 } // namespace app

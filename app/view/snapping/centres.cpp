@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/view/snapping/kinds.h"
 
 namespace app {
@@ -9,8 +10,8 @@ SnapKind centres()
         {{0, -1}, {1, 0}},  {{1, 0}, {0, 1}},      {{0, 1}, {-1, 0}},
         {{-1, 0}, {0, -1}}, {{-0.4, 0}, {0.4, 0}}, {{0, -0.4}, {0, 0.4}}};
     return {.key = "centres",
-            .name = snapText("Centres"),
-            .word = snapText("centre"),
+            .name = Text::tr("Centres"),
+            .word = Text::tr("centre"),
             .glyph = crossInDiamond,
             .find = [](const SnapSurroundings& near, SnapOffers& offers) {
                 for (const Point& centre : near.centres)

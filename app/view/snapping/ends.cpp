@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/view/snapping/kinds.h"
 
 namespace app {
@@ -8,8 +9,8 @@ SnapKind ends()
     static constexpr clipping::Segment square[]{
         {{-1, -1}, {1, -1}}, {{1, -1}, {1, 1}}, {{1, 1}, {-1, 1}}, {{-1, 1}, {-1, -1}}};
     return {.key = "ends",
-            .name = snapText("Ends"),
-            .word = snapText("end"),
+            .name = Text::tr("Ends"),
+            .word = Text::tr("end"),
             .glyph = square,
             .find = [](const SnapSurroundings& near, SnapOffers& offers) {
                 for (const auto& line : near.lines) {

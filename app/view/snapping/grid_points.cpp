@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/view/snapping/kinds.h"
 
 namespace app {
@@ -10,8 +11,8 @@ SnapKind gridKind()
                                               {{-1, -0.4}, {1, -0.4}},
                                               {{-1, 0.4}, {1, 0.4}}};
     return {.key = "grid",
-            .name = snapText("Grid"),
-            .word = snapText("grid"),
+            .name = Text::tr("Grid"),
+            .word = Text::tr("grid"),
             .rank = SnapRank::Grid,
             .glyph = hash,
             .find = [](const SnapSurroundings& near, SnapOffers& offers) {

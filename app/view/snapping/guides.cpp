@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/view/snapping/kinds.h"
 
 namespace app {
@@ -8,9 +9,9 @@ SnapKind guideKind()
     static constexpr clipping::Segment cross[]{
         {{-1, 0.3}, {1, 0.3}}, {{-0.3, -1}, {-0.3, -0.2}}, {{-0.3, 0.8}, {-0.3, 1}}};
     return {.key = "guide",
-            .name = snapText("Guides"),
-            .word = snapText("guide"),
-            .cornerWord = snapText("crossing of guides"),
+            .name = Text::tr("Guides"),
+            .word = Text::tr("guide"),
+            .cornerWord = Text::tr("crossing of guides"),
             .rank = SnapRank::Along,
             .glyph = cross,
             .find = [](const SnapSurroundings& near, SnapOffers& offers) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/view/block_grid.h"
 #include "app/view/snapping/kinds.h"
 #include "app/view/snapping/places.h"
@@ -36,8 +37,8 @@ SnapKind intersections()
 {
     static constexpr clipping::Segment diagonals[]{{{-1, -1}, {1, 1}}, {{-1, 1}, {1, -1}}};
     return {.key = "intersections",
-            .name = snapText("Intersections"),
-            .word = snapText("intersection"),
+            .name = Text::tr("Intersections"),
+            .word = Text::tr("intersection"),
             .glyph = diagonals,
             .find = [](const SnapSurroundings& near, SnapOffers& offers) {
                 const auto lines = nearest(near);

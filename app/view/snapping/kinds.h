@@ -22,7 +22,4 @@ SnapKind gridKind();
 SnapKind alignmentKind();
 SnapKind drawnAlignment();
 
-/// Names and words, translated.
-QString snapText(const char* text);
-
 } // namespace app

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/view/snapping/kinds.h"
 
 namespace app {
@@ -8,8 +9,8 @@ SnapKind middles()
     static constexpr clipping::Segment triangle[]{
         {{-1, 0.9}, {1, 0.9}}, {{1, 0.9}, {0, -0.9}}, {{0, -0.9}, {-1, 0.9}}};
     return {.key = "middles",
-            .name = snapText("Middles"),
-            .word = snapText("middle"),
+            .name = Text::tr("Middles"),
+            .word = Text::tr("middle"),
             .glyph = triangle,
             .find = [](const SnapSurroundings& near, SnapOffers& offers) {
                 for (const auto& line : near.lines)

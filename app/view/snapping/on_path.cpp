@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/view/snapping/kinds.h"
 #include "app/view/snapping/places.h"
 
@@ -9,8 +10,8 @@ SnapKind onPath()
     static constexpr clipping::Segment hourglass[]{
         {{-1, -1}, {1, -1}}, {{1, -1}, {-1, 1}}, {{-1, 1}, {1, 1}}, {{1, 1}, {-1, -1}}};
     return {.key = "on-path",
-            .name = snapText("On path"),
-            .word = snapText("on path"),
+            .name = Text::tr("On path"),
+            .word = Text::tr("on path"),
             .rank = SnapRank::Along,
             .usual = false,
             .glyph = hourglass,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/view/snapping/kinds.h"
 #include "app/view/snapping/places.h"
 
@@ -12,9 +13,9 @@ SnapKind pageEdges()
                                                {{0.8, 1}, {-0.8, 1}},
                                                {{-0.8, 1}, {-0.8, -1}}};
     return {.key = "page",
-            .name = snapText("Page edges and corners"),
-            .word = snapText("page edge"),
-            .cornerWord = snapText("page corner"),
+            .name = Text::tr("Page edges and corners"),
+            .word = Text::tr("page edge"),
+            .cornerWord = Text::tr("page corner"),
             .rank = SnapRank::Along,
             .glyph = sheet,
             .find = [](const SnapSurroundings& near, SnapOffers& offers) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/view/snapping/kinds.h"
 #include "app/view/snapping/places.h"
 
@@ -9,8 +10,8 @@ SnapKind perpendicular()
     static constexpr clipping::Segment rightAngle[]{
         {{-1, -1}, {-1, 1}}, {{-1, 1}, {1, 1}}, {{-1, 0}, {0, 0}}, {{0, 0}, {0, 1}}};
     return {.key = "perpendicular",
-            .name = snapText("Perpendicular"),
-            .word = snapText("perpendicular"),
+            .name = Text::tr("Perpendicular"),
+            .word = Text::tr("perpendicular"),
             .glyph = rightAngle,
             .find = [](const SnapSurroundings& near, SnapOffers& offers) {
                 if (!near.from)

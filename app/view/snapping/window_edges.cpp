@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/text.h"
 #include "app/view/snapping/kinds.h"
 #include "app/view/snapping/places.h"
 
@@ -12,9 +13,9 @@ SnapKind windowEdges()
                                                 {{-1, 1}, {-1, -1}},
                                                 {{-1, 0.2}, {1, -0.4}}};
     return {.key = "window",
-            .name = snapText("Window edges and corners"),
-            .word = snapText("window edge"),
-            .cornerWord = snapText("window corner"),
+            .name = Text::tr("Window edges and corners"),
+            .word = Text::tr("window edge"),
+            .cornerWord = Text::tr("window corner"),
             .rank = SnapRank::Along,
             .glyph = window,
             .find = [](const SnapSurroundings& near, SnapOffers& offers) {

@@ -188,7 +188,7 @@ private slots:
         QByteArray csv = textAs(u"csv", teasing()).toUtf8();
         QBuffer buffer(&csv);
         buffer.open(QIODevice::ReadOnly);
-        app::csv::Text records(buffer);
+        app::csv::Records records(buffer);
         app::csv::Record record;
         QVERIFY(records.next(record) && records.next(record));
         using Fields = std::vector<std::string>;
@@ -237,7 +237,7 @@ private slots:
         QByteArray bytes = textAs(u"csv", twoTables()).toUtf8();
         QBuffer buffer(&bytes);
         buffer.open(QIODevice::ReadOnly);
-        app::csv::Text text(buffer);
+        app::csv::Records text(buffer);
         app::csv::Record record;
         std::vector<std::vector<std::string>> records;
         while (text.next(record))

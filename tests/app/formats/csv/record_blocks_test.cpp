@@ -22,7 +22,7 @@ using Rows = std::vector<std::pair<std::size_t, std::vector<std::string>>>; // l
 // What the reader of whole files finds, and where it refuses.
 Rows whole(QIODevice& in)
 {
-    Text text(in);
+    Records text(in);
     Rows rows;
     try {
         for (Record record; text.next(record);)
