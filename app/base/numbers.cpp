@@ -40,6 +40,13 @@ QString numberText(double value, int decimals)
     return value < 0 && !zero ? u'\u2212' + text : text;
 }
 
+QString shortText(double value, int digits)
+{
+    return QLocale().toString(value, 'g', digits).replace(u'-', u'\u2212');
+}
+
+QString exactText(double value) { return shortText(value, QLocale::FloatingPointShortest); }
+
 QString countText(std::size_t count) { return QLocale().toString(qulonglong(count)); }
 
 QString linesText(std::size_t count)

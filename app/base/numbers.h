@@ -16,6 +16,10 @@ namespace app {
 /// and so is what is less than a half by rounding errors only (1e-7 of the last decimal).
 QString numberText(double value, int decimals);
 QString countText(std::size_t count);
+/// "0.1875", "−1.5e−7": that many significant digits, without zeros at the end.
+QString shortText(double value, int digits = 6);
+/// The shortest text that reads back as the number: "−9.0625".
+QString exactText(double value);
 /// "1 line", "1,234 lines".
 QString linesText(std::size_t count);
 

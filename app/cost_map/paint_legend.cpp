@@ -6,7 +6,6 @@
 #include "app/view/sequential_scale.h"
 
 #include <QFontMetricsF>
-#include <QLocale>
 #include <QPainter>
 
 #include <bit>
@@ -90,8 +89,7 @@ void paintScale(QPainter& painter, const QRectF& room, const CostMap& map, const
     for (const double tick : legend.ticks) {
         const double x = bar.left() + legend.shareOf(tick) * bar.width();
         const bool last = tick == legend.ticks.back();
-        const QString text =
-            last ? costText(*map.plan.measure, tick) : QLocale().toString(tick, 'g', 3);
+        const QString text = last ? costText(*map.plan.measure, tick) : shortText(tick, 3);
         const double wide = metrics.horizontalAdvance(text);
         const double left = std::clamp(x - wide / 2, bar.left(), bar.right() - wide);
         painter.drawLine(QPointF(x, bar.bottom() - 4), QPointF(x, bar.bottom()));

@@ -4,8 +4,6 @@
 #include "app/base/numbers.h"
 #include "app/base/text.h"
 
-#include <QLocale>
-
 namespace app {
 
 namespace {
@@ -25,8 +23,7 @@ FixedEnd other(FixedEnd end) { return end == FixedEnd::End1 ? FixedEnd::End2 : F
 
 QString coordinatesText(const Point& point)
 {
-    const auto number = [](double x) { return QLocale().toString(x, 'g', 6).replace(u'-', u'−'); };
-    return Text::tr("%1; %2", "coordinates").arg(number(point.x), number(point.y));
+    return Text::tr("%1; %2", "coordinates").arg(shortText(point.x), shortText(point.y));
 }
 
 } // namespace

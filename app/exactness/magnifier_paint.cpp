@@ -2,11 +2,11 @@
 #include "app/exactness/magnifier_paint.h"
 
 #include "app/base/number.h"
+#include "app/base/numbers.h"
 #include "app/base/text.h"
 #include "app/exactness/error_class.h"
 
 #include <QFontMetricsF>
-#include <QLocale>
 #include <QPainter>
 
 #include <glm/common.hpp>
@@ -111,7 +111,7 @@ public:
         painter_.drawLine(left, left + QPointF(shown, 0));
         painter_.drawLine(left - QPointF(0, 4), left + QPointF(0, 4));
         painter_.drawLine(left + QPointF(shown, -4), left + QPointF(shown, 4));
-        const QString size = QLocale().toString(std::max(seen_.ulp.x, seen_.ulp.y) * ulps, 'g', 3);
+        const QString size = shortText(std::max(seen_.ulp.x, seen_.ulp.y) * ulps, 3);
         QString text = Text::tr("%1 = %2").arg(errorText(ulps), size);
         if (!latticeSeen)
             text += view_.lattice == Lattice::Double
@@ -221,11 +221,6 @@ private:
     QPointF origin_;
 };
 
-QString inFull(double number)
-{
-    return QLocale().toString(number, 'g', QLocale::FloatingPointShortest).replace(u'-', u'−');
-}
-
 } // namespace
 
 MagnifierView usualView(const Magnified& seen, const QSizeF& size)
@@ -269,7 +264,7 @@ void paintMagnified(QPainter& painter, const QRectF& area, const NamedEnd& end,
 QString magnifiedText(const Magnified& seen, const QString& name)
 {
     const auto point = [](const glm::dvec2& p) {
-        return Text::tr("%1; %2", "coordinates").arg(inFull(p.x), inFull(p.y));
+        return Text::tr("%1; %2", "coordinates").arg(exactText(p.x), exactText(p.y));
     };
     if (!seen.exactness)
         return Text::tr("%1 ends at %2, but nothing of the line is visible.")

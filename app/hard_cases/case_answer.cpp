@@ -2,13 +2,11 @@
 #include "app/hard_cases/case_answer.h"
 
 #include "app/base/finite.h"
+#include "app/base/numbers.h"
 #include "app/base/text.h"
 #include "app/comparison/ulps.h"
 #include "app/comparison/variants.h"
 #include "app/teaching/line_text.h"
-#include "app/teaching/narration.h"
-
-#include <QLocale>
 
 #include <algorithm>
 #include <cmath>
@@ -73,12 +71,7 @@ Ruling rulingOf(const CaseAnswer& answer, const HardCase& hard)
 }
 
 /// Two significant digits show how bad the error is.
-QString roughText(double length)
-{
-    return QLocale()
-        .toString(length, 'g', length >= 10 && length < 1e6 ? 3 : 2)
-        .replace(u'-', u'\u2212');
-}
+QString roughText(double length) { return shortText(length, length >= 10 && length < 1e6 ? 3 : 2); }
 
 QString point(const glm::dvec2& p) { return pairText(exactText(p.x), exactText(p.y)); }
 

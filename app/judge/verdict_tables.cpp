@@ -4,7 +4,6 @@
 #include "app/comparison/ulps.h"
 #include "app/judge/points.h"
 #include "app/teaching/line_text.h"
-#include "app/teaching/narration.h"
 
 #include <QLocale>
 

@@ -2,8 +2,6 @@
 #include "app/base/text.h"
 #include "app/overlays/parts.h"
 
-#include <QLocale>
-
 namespace app {
 
 using clipping::Edge;
@@ -33,8 +31,6 @@ QString edgeLetter(Edge edge, YAxis y)
     static constexpr std::array<const char*, 5> letters{"", "L", "R", "B", "T"};
     return QString::fromLatin1(letters[seenEdge(edge, y)]);
 }
-
-QString parameterText(double t) { return QLocale().toString(t, 'g', 4).replace(u'-', u'\u2212'); }
 
 QString endName(bool ofB) { return ofB ? Text::tr("End 2") : Text::tr("End 1"); }
 

@@ -63,8 +63,8 @@ struct OverlayAxis {
     double from = 0, to = 1;   ///< the visible part is between them; empty if from > to
 };
 
-/// A parameter with four digits: between 0 and 1 this is finer than the pixels of a screen.
-QString parameterText(double t);
+/// Digits of a parameter: between 0 and 1, four are finer than the pixels of a screen.
+constexpr int parameterDigits = 4;
 
 struct OverlayTable {
     QStringList heading{};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/finite.h"
+#include "app/base/numbers.h"
 #include "app/base/text.h"
 #include "app/overlays/half_plane.h"
 #include "app/overlays/parts.h"
@@ -89,14 +90,15 @@ QString parametersCaption(const OverlayContext& context, const Bounds& bounds)
     if (const Edge edge = shutOut(context); edge != Edge::NoEdge)
         return Text::tr("The line is parallel to %1 and lies beyond it: nothing is visible.")
             .arg(words(edge));
-    const QString start = bounds.enter == Edge::NoEdge
-                              ? Text::tr("The line starts inside all four half-planes")
-                              : Text::tr("The line enters the last half-plane at t = %1, at %2,")
-                                    .arg(parameterText(bounds.from), words(bounds.enter));
+    const QString start =
+        bounds.enter == Edge::NoEdge
+            ? Text::tr("The line starts inside all four half-planes")
+            : Text::tr("The line enters the last half-plane at t = %1, at %2,")
+                  .arg(shortText(bounds.from, parameterDigits), words(bounds.enter));
     const QString stop = bounds.leave == Edge::NoEdge
                              ? Text::tr("leaves none of them before its end")
                              : Text::tr("leaves the first one at t = %1, at %2")
-                                   .arg(parameterText(bounds.to), words(bounds.leave));
+                                   .arg(shortText(bounds.to, parameterDigits), words(bounds.leave));
     const bool whole = bounds.enter == Edge::NoEdge && bounds.leave == Edge::NoEdge;
     const QString end = bounds.from > bounds.to
                             ? Text::tr("The line leaves before it has entered: nothing is visible.")
@@ -141,7 +143,7 @@ Overlay parameterOverlay(const OverlayContext& context)
             {.at = c.at,
              .symbol = c.enters ? Symbol::Filled : Symbol::Hollow,
              .label = (c.enters ? Text::tr("enters  t = %1") : Text::tr("leaves  t = %1"))
-                          .arg(parameterText(c.t)),
+                          .arg(shortText(c.t, parameterDigits)),
              .emphasis = emphasis});
         axis.ticks.push_back({c.t, c.enters, edgeName(c.edge, context.y), emphasis});
     }

@@ -8,8 +8,6 @@
 #include "app/view/place.h"
 #include "clipping/outcode.h"
 
-#include <QLocale>
-
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -61,13 +59,6 @@ struct Measure {
     }
 };
 
-/// Six significant digits are enough here; seventeen would be unreadable.
-QString shortNumber(double number)
-{
-    QString text = QLocale().toString(number, 'g', 6);
-    return text.startsWith(u'-') ? u'\u2212' + text.mid(1) : text;
-}
-
 /// A number in the unit of the inspection; empty: it has no meaning there.
 std::optional<double> shownNumber(const clipping::NamedValue& value, const Measure& measure)
 {
@@ -103,7 +94,7 @@ QString valueText(const clipping::NamedValue& value, const Measure& measure)
         return {};
     return latin(value.name) + QStringLiteral(" = ")
            + (value.kind == clipping::ValueKind::Bits ? outcodeText(unsigned(*number))
-                                                      : shortNumber(*number));
+                                                      : shortText(*number));
 }
 
 /// A step in one word: the variable that it assigns, otherwise its kind.

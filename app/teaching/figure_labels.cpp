@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/teaching/figure_labels.h"
 
+#include "app/base/numbers.h"
 #include "app/base/text.h"
 #include "app/overlays/polygon_edges.h"
 #include "app/teaching/label_places.h"

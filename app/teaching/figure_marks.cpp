@@ -2,6 +2,7 @@
 #include "app/teaching/figure_marks.h"
 
 #include "app/base/finite.h"
+#include "app/base/numbers.h"
 #include "app/base/text.h"
 
 #include <algorithm>

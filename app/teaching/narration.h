@@ -51,10 +51,6 @@ struct Narration {
 };
 Narration narrationOf(const TracedLine& tracedLine);
 
-/// The shortest text that reads back as the number, with a real minus: "−9.0625".
-QString exactText(double value);
-/// At most six significant digits, for sentences.
-QString shortText(double value);
 /// A variable's value for people: bits as an outcode, a truth value as yes or no.
 QString valueText(const Variable& variable);
 

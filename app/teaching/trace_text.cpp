@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/numbers.h"
 #include "app/base/text.h"
 #include "app/teaching/figure_marks.h"
 #include "app/teaching/trace_file.h"

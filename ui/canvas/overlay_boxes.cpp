@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/overlay_boxes.h"
 
+#include "app/base/numbers.h"
 #include "app/overlays/label_places.h"
 #include "ui/look/text.h"
 
@@ -169,7 +170,8 @@ std::vector<AxisWord> axisWords(const OverlayAxis& axis)
     const auto add = [&](Emphasis emphasis) {
         for (const OverlayAxis::Tick& tick : axis.ticks)
             if (tick.emphasis == emphasis)
-                words.push_back({tick.edge + QStringLiteral("  ") + app::parameterText(tick.t),
+                words.push_back({tick.edge + QStringLiteral("  ")
+                                     + app::shortText(tick.t, app::parameterDigits),
                                  tick.t, tick.enters, emphasis == Emphasis::Highlighted});
     };
     add(Emphasis::Highlighted);

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/hard_cases/answer_table.h"
 
-#include "app/teaching/narration.h"
+#include "app/base/numbers.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
 #include "ui/widgets/keep_choice.h"
 #include "ui/widgets/variant_name.h"
 
-#include <QLocale>
 #include <QPainter>
 
 #include <algorithm>
@@ -61,8 +60,8 @@ private:
 QString ulpsText(double ulps)
 {
     if (ulps > 0 && ulps < 0.01)
-        return QStringLiteral("< %1").arg(QLocale().toString(0.01));
-    return QLocale().toString(ulps, 'g', ulps < 1000 ? 3 : 2);
+        return QStringLiteral("< %1").arg(app::shortText(0.01));
+    return app::shortText(ulps, ulps < 1000 ? 3 : 2);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/microscope/variable_model.h"
 
+#include "app/base/numbers.h"
 #include "ui/look/text.h"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/teaching/sentences/code_values.h"
 
+#include "app/base/numbers.h"
 #include "app/teaching/code_line.h"
 #include "app/teaching/sentences/words.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/teaching/sentences/words.h"
 
+#include "app/base/numbers.h"
 #include "app/base/text.h"
 #include "app/teaching/line_text.h"
 

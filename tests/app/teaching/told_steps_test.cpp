@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The sentences of the algorithms that test regions, corners and cells, computed by hand from the
 // published forms.
+#include "app/base/numbers.h"
 #include "app/teaching/narration.h"
 
 #include <QLocale>
