@@ -175,8 +175,7 @@ Table againstPaper(const PaperTable& paper, const Record& record, const Measure&
         .title = Text::tr("Against the paper: %1").arg(titleOf(paper, record, measure)),
         .key = QStringLiteral("%1-%2-%3-against-paper")
                    .arg(paper.key, measure.key, wordOf(record.timings.front().variant.form)),
-        .facts = factsOf(record),
-        .late = {"paper_letters", "our_letters"}};
+        .facts = factsOf(record)};
     for (std::size_t i = 0; i < ours.size(); ++i) {
         const PaperColumn& column = paper.columns[i];
         const double average = column.printedAverage;

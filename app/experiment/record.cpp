@@ -156,8 +156,7 @@ Table timesTable(const Record& record, const Measure& measure)
                 .title = Text::tr("%1: nanoseconds per line").arg(measure.name),
                 .key = measure.key,
                 .facts = factsOf(record),
-                .notes = {measure.meaning},
-                .late = {"letters", "ratio_fastest", "p_fastest"}};
+                .notes = {measure.meaning}};
     const auto times = summaries(record, measure);
     const Ranking ranking = rankingOf(record, measure);
     for (std::size_t i = 0; i < times.size(); ++i)

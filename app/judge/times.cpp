@@ -139,7 +139,6 @@ Table raceTable(const Times& times, Reader reader)
                           Text::tr("Race on the paper's scene: nanoseconds per line"),
                           {"algorithm", "rank", "median_ns", "low_ns", "high_ns", "ratio",
                            "visible", "lost", "shown", "letters"});
-    table.late = QStringList{"letters"};
     const auto summaries = summariesOf(times);
     const Ranking ranking = rankingOf(times);
     for (const std::size_t i : ranking.order) {

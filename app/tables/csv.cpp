@@ -19,7 +19,7 @@ QString csvLine(const QStringList& fields)
 } // namespace
 
 /// Each table starts with a line of its names. Facts become further columns with the same value in
-/// each row; the late columns follow. An empty line separates tables. Title and notes are for
+/// each row. An empty line separates tables. Title and notes are for
 /// people and left out.
 QString csvText(std::span<const Table> tables)
 {
@@ -32,15 +32,9 @@ QString csvText(std::span<const Table> tables)
             names << name;
             values << value;
         }
-        const auto line = [&](const QStringList& row, const QStringList& facts) {
-            QStringList early, late;
-            for (qsizetype c = 0; c < row.size(); ++c)
-                (table.late.contains(table.names[c]) ? late : early) << row[c];
-            return csvLine(early + facts + late);
-        };
-        text += line(table.names, names);
+        text += csvLine(table.names + names);
         for (const QStringList& row : table.rows)
-            text += line(row, values);
+            text += csvLine(row + values);
     }
     return text;
 }

@@ -20,9 +20,6 @@ struct Table {
     /// Names (single words) and values that hold for all rows.
     std::vector<std::pair<QString, QString>> facts{};
     QStringList notes{}; ///< sentences
-    /// Names of columns added after other programs already read these tables. In CSV they come
-    /// after the facts, so that all other columns keep their positions.
-    QStringList late{};
 };
 
 /// One row of the catalogue of output formats for tables.
