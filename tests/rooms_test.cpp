@@ -18,14 +18,22 @@ namespace {
 struct Rooms {
     QStringList order{};
     QMap<QString, QSet<QString>> below{};
+    QSet<QString> withoutMoc{};
     QStringList faults{}; ///< of the list itself
 };
+
+QStringList sorted(const QSet<QString>& names)
+{
+    QStringList list(names.begin(), names.end());
+    list.sort();
+    return list;
+}
 
 Rooms roomsIn(const QString& cmake)
 {
     static const QRegularExpression row(
         QStringLiteral(
-            "^room\\((\\w+)(?: ON ([a-z_ ]+?))?(?:\\s+(?:USES|DATA)\\b[^)]*)?\\)"),
+            "^room\\((\\w+)(?: ON ([a-z_ ]+?))?( NO_MOC)?(?:\\s+(?:USES|DATA)\\b[^)]*)?\\)"),
         QRegularExpression::MultilineOption);
     Rooms rooms;
     for (auto match = row.globalMatch(cmake); match.hasNext();) {
@@ -40,6 +48,8 @@ Rooms roomsIn(const QString& cmake)
             below += rooms.below.value(on);
         }
         rooms.order << name;
+        if (!found.captured(3).isEmpty())
+            rooms.withoutMoc << name;
     }
     return rooms;
 }
@@ -51,7 +61,8 @@ QStringList includesOf(const QString& text)
                                             QRegularExpression::MultilineOption);
     QStringList paths;
     for (auto match = include.globalMatch(text); match.hasNext();)
-        if (const QString path = match.next().captured(1); !path.endsWith(QStringLiteral(".moc")))
+        if (const QString path = match.next().captured(1);
+            !path.endsWith(QStringLiteral(".moc")) && !path.startsWith(QStringLiteral("moc_")))
             paths << path;
     return paths;
 }
@@ -180,6 +191,22 @@ private slots:
         QVERIFY2(found.isEmpty(), qPrintable(found.join(u'\n')));
     }
 
+    /// NO_MOC saves the search for Q_OBJECT; with a Q_OBJECT, the program does not link.
+    void aRoomWithoutMocHasNoQObject_data() { theListIsInOrder_data(); }
+    void aRoomWithoutMocHasNoQObject()
+    {
+        QFETCH(QString, layer);
+        static const QRegularExpression macro(QStringLiteral("^\\s+Q_(OBJECT|GADGET)\\b"),
+                                              QRegularExpression::MultilineOption);
+        const Rooms rooms = roomsOf(layer);
+        QSet<QString> without(rooms.order.begin(), rooms.order.end());
+        for (const QString& path : filesOf(layer))
+            if (QString::fromUtf8(contentOf(source_.filePath(path))).contains(macro))
+                without.remove(path.section(u'/', 1, 1));
+        QVERIFY(without.size() < rooms.order.size());
+        QCOMPARE(sorted(rooms.withoutMoc), sorted(without));
+    }
+
     void everyIncludeIsAPathFromTheRoot_data()
     {
         QTest::addColumn<QString>("folder");
@@ -215,9 +242,8 @@ private slots:
 
     void anIncludeThatPointsUpIsNamed()
     {
-        const Rooms rooms =
-            roomsIn(QStringLiteral("room(base)\nroom(document ON base)\n"
-                                   "room(view ON document\n  USES X::y)\n"));
+        const Rooms rooms = roomsIn(QStringLiteral("room(base)\nroom(document ON base)\n"
+                                                   "room(view ON document\n  USES X::y)\n"));
         const auto from = [&](const char* room, const char* text) {
             return upward(rooms, QLatin1StringView(room) + QStringLiteral("/x.h"),
                           QString::fromUtf8(text));

@@ -219,3 +219,5 @@ void History::setLimit(std::size_t bytes)
 }
 
 } // namespace app
+
+#include "moc_history.cpp"

@@ -138,3 +138,5 @@ std::span<const Clipped> LiveDifferences::piecesAt(const Window& window) const
 }
 
 } // namespace app
+
+#include "moc_live_differences.cpp"

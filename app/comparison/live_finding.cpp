@@ -150,3 +150,5 @@ void LiveFinding::finish()
 }
 
 } // namespace app
+
+#include "moc_live_finding.cpp"

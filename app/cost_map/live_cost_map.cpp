@@ -67,3 +67,5 @@ void LiveCostMap::finish()
 }
 
 } // namespace app
+
+#include "moc_live_cost_map.cpp"

@@ -86,3 +86,5 @@ void EditedDocument::sayOwed()
 }
 
 } // namespace app
+
+#include "moc_edited_document.cpp"

@@ -76,3 +76,5 @@ std::span<const SharedPieces> LiveExactness::piecesAt(const Window& window) cons
 }
 
 } // namespace app
+
+#include "moc_live_exactness.cpp"

@@ -207,3 +207,5 @@ QString Course::ending() const
 }
 
 } // namespace app
+
+#include "moc_course.cpp"

@@ -146,3 +146,5 @@ bool LiveRace::enough() const
 }
 
 } // namespace app
+
+#include "moc_live_race.cpp"

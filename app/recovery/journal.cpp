@@ -422,3 +422,5 @@ void Journal::discard()
 }
 
 } // namespace app
+
+#include "moc_journal.cpp"

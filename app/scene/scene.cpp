@@ -47,3 +47,5 @@ void Scene::update()
 }
 
 } // namespace app
+
+#include "moc_scene.cpp"

@@ -175,3 +175,5 @@ void DrawnLine::followInspected()
 }
 
 } // namespace app
+
+#include "moc_drawn_line.cpp"

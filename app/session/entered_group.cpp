@@ -56,3 +56,5 @@ void EnteredGroup::set(std::vector<ContainerId> chain)
 }
 
 } // namespace app
+
+#include "moc_entered_group.cpp"

@@ -61,3 +61,5 @@ void FileWatch::look()
 }
 
 } // namespace app
+
+#include "moc_file_watch.cpp"

@@ -175,3 +175,5 @@ QStringList LiveSheets::files() const
 }
 
 } // namespace app
+
+#include "moc_live_sheets.cpp"

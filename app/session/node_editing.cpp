@@ -370,3 +370,5 @@ bool NodeEditing::run(const NodeStep& step)
 }
 
 } // namespace app
+
+#include "moc_node_editing.cpp"

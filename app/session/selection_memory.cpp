@@ -88,3 +88,5 @@ void SelectionMemory::restore(int from, int index)
 }
 
 } // namespace app
+
+#include "moc_selection_memory.cpp"

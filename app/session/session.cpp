@@ -214,3 +214,5 @@ void Session::say(const DocumentChange& change)
 }
 
 } // namespace app
+
+#include "moc_session.cpp"

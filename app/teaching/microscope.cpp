@@ -73,3 +73,5 @@ void Microscope::goTo(std::size_t step)
 }
 
 } // namespace app
+
+#include "moc_microscope.cpp"

@@ -180,3 +180,5 @@ void LivePicture::paint(QPainter& painter) const
 }
 
 } // namespace app
+
+#include "moc_live_picture.cpp"

@@ -61,3 +61,5 @@ void GridChoice::follow()
 }
 
 } // namespace ui
+
+#include "moc_grid_choice.cpp"

@@ -75,3 +75,5 @@ void NodeRow::add(QAction& action)
 }
 
 } // namespace ui
+
+#include "moc_node_row.cpp"

@@ -319,3 +319,5 @@ void OptionBar::followStyle()
 }
 
 } // namespace ui
+
+#include "moc_option_bar.cpp"

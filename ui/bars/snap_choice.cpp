@@ -80,3 +80,5 @@ void SnapChoice::follow()
 }
 
 } // namespace ui
+
+#include "moc_snap_choice.cpp"

@@ -353,3 +353,5 @@ void StatusBar::addZoomMenu()
 }
 
 } // namespace ui
+
+#include "moc_status_bar.cpp"

@@ -60,3 +60,5 @@ void ToolBar::addTool(QAction* action)
 }
 
 } // namespace ui
+
+#include "moc_tool_bar.cpp"

@@ -101,3 +101,5 @@ void WindowOptions::followSelection()
 }
 
 } // namespace ui
+
+#include "moc_window_options.cpp"

@@ -117,3 +117,5 @@ void Canvas::changeEvent(QEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_canvas.cpp"

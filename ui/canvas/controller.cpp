@@ -168,3 +168,5 @@ bool Controller::handle(QEvent& event)
 }
 
 } // namespace ui
+
+#include "moc_controller.cpp"

@@ -187,3 +187,5 @@ void Eyedropper::take(const QPointF& place)
 }
 
 } // namespace ui
+
+#include "moc_eyedropper.cpp"

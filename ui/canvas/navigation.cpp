@@ -136,3 +136,5 @@ bool Navigation::gesture(const QNativeGestureEvent& event)
 }
 
 } // namespace ui
+
+#include "moc_navigation.cpp"

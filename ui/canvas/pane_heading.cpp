@@ -247,3 +247,5 @@ void PaneHeading::addChoice(QMenu& menu, const app::Variant& choice)
 }
 
 } // namespace ui
+
+#include "moc_pane_heading.cpp"

@@ -85,3 +85,5 @@ void PaneWidget::place()
 void PaneWidget::resizeEvent(QResizeEvent*) { place(); }
 
 } // namespace ui
+
+#include "moc_pane_widget.cpp"

@@ -238,3 +238,5 @@ void ReadoutBox::paintEvent(QPaintEvent*)
 }
 
 } // namespace ui
+
+#include "moc_readout_box.cpp"

@@ -160,3 +160,5 @@ void RulerCorner::paintEvent(QPaintEvent*)
 }
 
 } // namespace ui
+
+#include "moc_ruler.cpp"

@@ -189,3 +189,5 @@ void TextBox::paintEvent(QPaintEvent*)
 }
 
 } // namespace ui
+
+#include "moc_text_box.cpp"

@@ -32,3 +32,5 @@ const std::vector<QRectF>& TextBoxes::in(const app::View& view)
 }
 
 } // namespace ui
+
+#include "moc_text_boxes.cpp"

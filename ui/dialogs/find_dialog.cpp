@@ -45,3 +45,5 @@ void FindDialog::search()
 }
 
 } // namespace ui
+
+#include "moc_find_dialog.cpp"

@@ -95,3 +95,5 @@ void GridDialog::follow()
 }
 
 } // namespace ui
+
+#include "moc_grid_dialog.cpp"

@@ -129,3 +129,5 @@ void InBackground::wait(QDeadlineTimer deadline)
 }
 
 } // namespace ui
+
+#include "moc_in_background.cpp"

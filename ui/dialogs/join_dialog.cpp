@@ -61,3 +61,5 @@ void JoinDialog::accept()
 }
 
 } // namespace ui
+
+#include "moc_join_dialog.cpp"

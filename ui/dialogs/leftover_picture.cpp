@@ -54,3 +54,5 @@ void LeftoverPicture::paintEvent(QPaintEvent*)
 }
 
 } // namespace ui
+
+#include "moc_leftover_picture.cpp"

@@ -116,3 +116,5 @@ void MarginDialog::accept()
 }
 
 } // namespace ui
+
+#include "moc_margin_dialog.cpp"

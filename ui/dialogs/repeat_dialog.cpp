@@ -172,3 +172,5 @@ void RepeatDialog::showEvent(QShowEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_repeat_dialog.cpp"

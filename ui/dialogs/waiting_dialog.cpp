@@ -61,3 +61,5 @@ void WaitingDialog::reject()
 }
 
 } // namespace ui
+
+#include "moc_waiting_dialog.cpp"

@@ -203,3 +203,5 @@ void AlgorithmList::follow()
 }
 
 } // namespace ui
+
+#include "moc_algorithm_list.cpp"

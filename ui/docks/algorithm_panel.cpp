@@ -200,3 +200,5 @@ void AlgorithmPanel::showEvent(QShowEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_algorithm_panel.cpp"

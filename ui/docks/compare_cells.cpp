@@ -67,3 +67,5 @@ void CompareCells::paintNumber(QPainter& painter, const QStyleOptionViewItem& op
 }
 
 } // namespace ui
+
+#include "moc_compare_cells.cpp"

@@ -181,3 +181,5 @@ QVariant CompareModel::heading(int column, int role) const
 }
 
 } // namespace ui
+
+#include "moc_compare_model.cpp"

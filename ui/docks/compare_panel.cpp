@@ -152,3 +152,5 @@ QSize ComparePanel::sizeHint() const
 }
 
 } // namespace ui
+
+#include "moc_compare_panel.cpp"

@@ -160,3 +160,5 @@ void CompareTable::changeEvent(QEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_compare_table.cpp"

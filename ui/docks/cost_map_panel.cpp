@@ -219,3 +219,5 @@ void CostMapPanel::hideEvent(QHideEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_cost_map_panel.cpp"

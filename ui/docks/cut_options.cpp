@@ -125,3 +125,5 @@ QWidget* withCutOptions(WindowPanel& panel, app::Session& session)
 }
 
 } // namespace ui
+
+#include "moc_cut_options.cpp"

@@ -93,3 +93,5 @@ void DifferenceModel::follow()
 }
 
 } // namespace ui
+
+#include "moc_difference_model.cpp"

@@ -301,3 +301,5 @@ void DifferencePanel::hideEvent(QHideEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_difference_panel.cpp"

@@ -68,3 +68,5 @@ void Dock::setTitle(Title where)
 }
 
 } // namespace ui
+
+#include "moc_dock.cpp"

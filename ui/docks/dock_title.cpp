@@ -93,3 +93,5 @@ void DockTitle::showButtons()
 }
 
 } // namespace ui
+
+#include "moc_dock_title.cpp"

@@ -80,3 +80,5 @@ int ExactnessModel::rowOf(std::size_t line) const
 void ExactnessModel::follow() { sortBy(column_, order_); }
 
 } // namespace ui
+
+#include "moc_exactness_model.cpp"

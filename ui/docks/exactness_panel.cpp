@@ -282,3 +282,5 @@ void ExactnessPanel::keyPressEvent(QKeyEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_exactness_panel.cpp"

@@ -102,3 +102,5 @@ void Gallery::paintPictures()
 }
 
 } // namespace ui
+
+#include "moc_gallery.cpp"

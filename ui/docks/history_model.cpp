@@ -46,3 +46,5 @@ void HistoryModel::follow()
 }
 
 } // namespace ui
+
+#include "moc_history_model.cpp"

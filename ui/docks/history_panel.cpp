@@ -78,3 +78,5 @@ void HistoryPanel::currentChanged(const QModelIndex& current, const QModelIndex&
 }
 
 } // namespace ui
+
+#include "moc_history_panel.cpp"

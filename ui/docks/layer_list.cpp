@@ -165,3 +165,5 @@ void LayerList::paintEvent(QPaintEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_layer_list.cpp"

@@ -156,3 +156,5 @@ void LayerModel::follow(const app::DocumentChange& change)
 }
 
 } // namespace ui
+
+#include "moc_layer_model.cpp"

@@ -173,3 +173,5 @@ void LayersPanel::follow()
 }
 
 } // namespace ui
+
+#include "moc_layers_panel.cpp"

@@ -198,3 +198,5 @@ void LinePanel::put(int row, int column, const QString& text, Qt::Alignment alig
 }
 
 } // namespace ui
+
+#include "moc_line_panel.cpp"

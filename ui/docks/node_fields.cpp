@@ -110,3 +110,5 @@ void NodeFields::setType(int type)
 }
 
 } // namespace ui
+
+#include "moc_node_fields.cpp"

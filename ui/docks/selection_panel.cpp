@@ -266,3 +266,5 @@ void SelectionPanel::edit(const app::SelectionNumber& number, double value, app:
 }
 
 } // namespace ui
+
+#include "moc_selection_panel.cpp"

@@ -162,3 +162,5 @@ void StartPanel::showRecent(const std::vector<app::RecentFile>& files)
 void StartPanel::markSample(const QString& key) { gallery_->mark(key); }
 
 } // namespace ui
+
+#include "moc_start_panel.cpp"

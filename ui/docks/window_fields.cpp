@@ -172,3 +172,5 @@ void WindowFields::rotate(double degrees, app::Merging merging)
 }
 
 } // namespace ui
+
+#include "moc_window_fields.cpp"

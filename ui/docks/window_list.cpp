@@ -211,3 +211,5 @@ void WindowList::paintEvent(QPaintEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_window_list.cpp"

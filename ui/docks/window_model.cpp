@@ -103,3 +103,5 @@ bool WindowModel::change(int row, const QVariant& value, int role)
 }
 
 } // namespace ui
+
+#include "moc_window_model.cpp"

@@ -213,3 +213,5 @@ void WindowPanel::setColour(const std::optional<app::Colour>& colour)
 }
 
 } // namespace ui
+
+#include "moc_window_panel.cpp"

@@ -66,3 +66,5 @@ void EditorApplication::sayTooLittle(bool changed) noexcept
 }
 
 } // namespace ui
+
+#include "moc_editor_application.cpp"

@@ -141,3 +141,5 @@ void Recovery::recover(const app::Leftover& chosen, const std::function<void()>&
 }
 
 } // namespace ui
+
+#include "moc_recovery.cpp"

@@ -65,3 +65,5 @@ const app::Chart* ChartsPage::current() const
 }
 
 } // namespace ui
+
+#include "moc_charts_page.cpp"

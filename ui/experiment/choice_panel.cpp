@@ -262,3 +262,5 @@ app::Choice ChoicePanel::choice() const
 }
 
 } // namespace ui
+
+#include "moc_choice_panel.cpp"

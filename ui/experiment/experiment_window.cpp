@@ -288,3 +288,5 @@ void ExperimentWindow::keyPressEvent(QKeyEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_experiment_window.cpp"

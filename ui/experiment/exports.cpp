@@ -179,3 +179,5 @@ void Exports::tell(const Written& written)
 }
 
 } // namespace ui
+
+#include "moc_exports.cpp"

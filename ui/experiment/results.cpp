@@ -248,3 +248,5 @@ void Results::copyTable() const
 }
 
 } // namespace ui
+
+#include "moc_results.cpp"

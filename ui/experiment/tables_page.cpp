@@ -150,3 +150,5 @@ void TablesPage::copy() const
 }
 
 } // namespace ui
+
+#include "moc_tables_page.cpp"

@@ -276,3 +276,5 @@ void ExplanationWindow::keyPressEvent(QKeyEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_explanation_window.cpp"

@@ -271,3 +271,5 @@ void PageView::wheelEvent(QWheelEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_page_view.cpp"

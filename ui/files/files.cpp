@@ -76,3 +76,5 @@ void Files::forgetRecent()
 }
 
 } // namespace ui
+
+#include "moc_files.cpp"

@@ -171,3 +171,5 @@ void AnswerTable::resizeEvent(QResizeEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_answer_table.cpp"

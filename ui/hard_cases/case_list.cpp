@@ -167,3 +167,5 @@ void CaseList::resizeEvent(QResizeEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_case_list.cpp"

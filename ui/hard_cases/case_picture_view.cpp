@@ -42,3 +42,5 @@ void CasePictureView::paintEvent(QPaintEvent*)
 }
 
 } // namespace ui
+
+#include "moc_case_picture_view.cpp"

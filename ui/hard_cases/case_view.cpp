@@ -149,3 +149,5 @@ void CaseView::showAnswer()
 }
 
 } // namespace ui
+
+#include "moc_case_view.cpp"

@@ -131,3 +131,5 @@ void HardCasesWindow::hideEvent(QHideEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_hard_cases_window.cpp"

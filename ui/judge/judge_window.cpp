@@ -282,3 +282,5 @@ void JudgeWindow::keyPressEvent(QKeyEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_judge_window.cpp"

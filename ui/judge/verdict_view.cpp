@@ -145,3 +145,5 @@ void VerdictView::copy() const
 }
 
 } // namespace ui
+
+#include "moc_verdict_view.cpp"

@@ -135,3 +135,5 @@ void ChoiceList::mark(int button, bool right)
 }
 
 } // namespace ui
+
+#include "moc_choice_list.cpp"

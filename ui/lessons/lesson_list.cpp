@@ -158,3 +158,5 @@ void LessonList::refresh()
 }
 
 } // namespace ui
+
+#include "moc_lesson_list.cpp"

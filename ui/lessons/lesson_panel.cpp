@@ -261,3 +261,5 @@ QSize LessonPanel::sizeHint() const { return {usualWidth, 600}; }
 QSize LessonPanel::minimumSizeHint() const { return {leastWidth, 200}; }
 
 } // namespace ui
+
+#include "moc_lesson_panel.cpp"

@@ -399,3 +399,5 @@ int LookStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidg
 }
 
 } // namespace ui
+
+#include "moc_look_style.cpp"

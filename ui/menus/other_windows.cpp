@@ -98,3 +98,5 @@ void OtherWindows::exportSteps()
 }
 
 } // namespace ui
+
+#include "moc_other_windows.cpp"

@@ -61,3 +61,5 @@ void paintAnswerCover(QPainter& painter, const QRect& area, const QPalette& pale
 }
 
 } // namespace ui
+
+#include "moc_answer_cover.cpp"

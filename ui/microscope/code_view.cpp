@@ -174,3 +174,5 @@ void CodeView::changeEvent(QEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_code_view.cpp"

@@ -101,3 +101,5 @@ void StepExports::writePainted(const QStringList& paths,
 }
 
 } // namespace ui
+
+#include "moc_export_steps.cpp"

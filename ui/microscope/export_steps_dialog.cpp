@@ -103,3 +103,5 @@ void ExportStepsDialog::refresh()
 }
 
 } // namespace ui
+
+#include "moc_export_steps_dialog.cpp"

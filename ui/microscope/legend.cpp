@@ -60,3 +60,5 @@ void Legend::paintEvent(QPaintEvent*)
 }
 
 } // namespace ui
+
+#include "moc_legend.cpp"

@@ -69,3 +69,5 @@ void LineField::focusOutEvent(QFocusEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_line_field.cpp"

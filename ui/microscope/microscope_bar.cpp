@@ -199,3 +199,5 @@ void MicroscopeBar::changeEvent(QEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_microscope_bar.cpp"

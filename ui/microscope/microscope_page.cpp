@@ -339,3 +339,5 @@ void MicroscopePage::changeEvent(QEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_microscope_page.cpp"

@@ -312,3 +312,5 @@ bool MicroscopeView::event(QEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_microscope_view.cpp"

@@ -124,3 +124,5 @@ void OperationsView::paintEvent(QPaintEvent*)
 }
 
 } // namespace ui
+
+#include "moc_operations_view.cpp"

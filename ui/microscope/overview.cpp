@@ -139,3 +139,5 @@ void Overview::paintEvent(QPaintEvent*)
 void Overview::resizeEvent(QResizeEvent*) { forget(); }
 
 } // namespace ui
+
+#include "moc_overview.cpp"

@@ -45,3 +45,5 @@ void Playback::step()
 }
 
 } // namespace ui
+
+#include "moc_playback.cpp"

@@ -200,3 +200,5 @@ void StepsPanel::resizeEvent(QResizeEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_steps_panel.cpp"

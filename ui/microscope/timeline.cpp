@@ -258,3 +258,5 @@ bool Timeline::event(QEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_timeline.cpp"

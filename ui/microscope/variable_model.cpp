@@ -79,3 +79,5 @@ QVariant VariableModel::heading(int column, int role) const
 }
 
 } // namespace ui
+
+#include "moc_variable_model.cpp"

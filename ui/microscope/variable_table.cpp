@@ -116,3 +116,5 @@ void VariableTable::fitColumns()
 }
 
 } // namespace ui
+
+#include "moc_variable_table.cpp"

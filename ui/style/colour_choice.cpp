@@ -85,3 +85,5 @@ void ColourChoice::startEyedropper()
 }
 
 } // namespace ui
+
+#include "moc_colour_choice.cpp"

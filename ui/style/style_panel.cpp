@@ -332,3 +332,5 @@ void StylePanel::showEvent(QShowEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_style_panel.cpp"

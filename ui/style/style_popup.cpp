@@ -55,3 +55,5 @@ void StylePopup::closeEvent(QCloseEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_style_popup.cpp"

@@ -171,3 +171,5 @@ void FilesSection::showFiles(const QStringList& files)
 }
 
 } // namespace ui
+
+#include "moc_files_section.cpp"

@@ -49,3 +49,5 @@ void MarksSection::follow()
 }
 
 } // namespace ui
+
+#include "moc_marks_section.cpp"

@@ -40,3 +40,5 @@ QHBoxLayout* Section::addRow(const QString& label, const QList<QWidget*>& fields
 void Section::addWide(QWidget* widget) { grid_->addWidget(widget, grid_->rowCount(), 0, 1, 2); }
 
 } // namespace ui
+
+#include "moc_section.cpp"

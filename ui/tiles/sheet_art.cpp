@@ -121,3 +121,5 @@ void SheetArt::forget()
 }
 
 } // namespace ui
+
+#include "moc_sheet_art.cpp"

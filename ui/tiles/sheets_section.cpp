@@ -215,3 +215,5 @@ void SheetsSection::follow()
 }
 
 } // namespace ui
+
+#include "moc_sheets_section.cpp"

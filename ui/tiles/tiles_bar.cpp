@@ -74,3 +74,5 @@ void TilesBar::paintEvent(QPaintEvent*)
 }
 
 } // namespace ui
+
+#include "moc_tiles_bar.cpp"

@@ -141,3 +141,5 @@ void TilesPage::keyPressEvent(QKeyEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_tiles_page.cpp"

@@ -341,3 +341,5 @@ void TilesView::shift(const QPointF& to)
 }
 
 } // namespace ui
+
+#include "moc_tiles_view.cpp"

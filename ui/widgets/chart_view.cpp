@@ -161,3 +161,5 @@ void ChartView::contextMenuEvent(QContextMenuEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_chart_view.cpp"

@@ -166,3 +166,5 @@ void ColourPopup::keyPressEvent(QKeyEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_colour_popup.cpp"

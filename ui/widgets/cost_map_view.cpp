@@ -174,3 +174,5 @@ void CostMapView::focusOutEvent(QFocusEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_cost_map_view.cpp"

@@ -218,3 +218,5 @@ void DenseTable::hover(int row)
 }
 
 } // namespace ui
+
+#include "moc_dense_table.cpp"

@@ -71,3 +71,5 @@ void ErrorHistogram::paintEvent(QPaintEvent*)
 }
 
 } // namespace ui
+
+#include "moc_error_histogram.cpp"

@@ -78,3 +78,5 @@ void FontList::show(const QString& font)
 QString FontList::font() const { return currentData().toString(); }
 
 } // namespace ui
+
+#include "moc_font_list.cpp"

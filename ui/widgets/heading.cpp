@@ -38,3 +38,5 @@ void Heading::paintEvent(QPaintEvent*)
 }
 
 } // namespace ui
+
+#include "moc_heading.cpp"

@@ -267,3 +267,5 @@ void LengthField::keyPressEvent(QKeyEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_length_field.cpp"

@@ -143,3 +143,5 @@ void Magnifier::focusOutEvent(QFocusEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_magnifier_view.cpp"

@@ -93,3 +93,5 @@ void MessageStrip::paintEvent(QPaintEvent*)
 }
 
 } // namespace ui
+
+#include "moc_message_strip.cpp"

@@ -26,3 +26,5 @@ void PageCaption::follow()
 }
 
 } // namespace ui
+
+#include "moc_page_caption.cpp"

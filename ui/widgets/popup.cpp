@@ -60,3 +60,5 @@ void Popup::keyPressEvent(QKeyEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_popup.cpp"

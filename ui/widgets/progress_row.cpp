@@ -70,3 +70,5 @@ void ProgressRow::setWorking(bool working)
 void ProgressRow::addButton(QPushButton* button) { row_->addWidget(button); }
 
 } // namespace ui
+
+#include "moc_progress_row.cpp"

@@ -114,3 +114,5 @@ bool ReferencePoint::event(QEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_reference_point.cpp"

@@ -36,3 +36,5 @@ void RefusalFrame::paintEvent(QPaintEvent*)
 }
 
 } // namespace ui
+
+#include "moc_refusal_frame.cpp"

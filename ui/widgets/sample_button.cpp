@@ -57,3 +57,5 @@ void SampleButton::paintEvent(QPaintEvent*)
 }
 
 } // namespace ui
+
+#include "moc_sample_button.cpp"

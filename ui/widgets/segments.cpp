@@ -117,3 +117,5 @@ void Segments::chooseNone()
 }
 
 } // namespace ui
+
+#include "moc_segments.cpp"

@@ -43,3 +43,5 @@ void StartButton::paintEvent(QPaintEvent*)
 }
 
 } // namespace ui
+
+#include "moc_start_button.cpp"

@@ -41,3 +41,5 @@ void StatusCell::paintEvent(QPaintEvent*)
 }
 
 } // namespace ui
+
+#include "moc_status_cell.cpp"

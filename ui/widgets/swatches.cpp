@@ -163,3 +163,5 @@ bool Swatches::event(QEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_swatches.cpp"

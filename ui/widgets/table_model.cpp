@@ -114,3 +114,5 @@ QVariant TableModel::heading(int column, int role) const
 }
 
 } // namespace ui
+
+#include "moc_table_model.cpp"

@@ -230,3 +230,5 @@ void TableView::resizeEvent(QResizeEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_table_view.cpp"

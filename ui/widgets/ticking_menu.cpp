@@ -30,3 +30,5 @@ void TickingMenu::keyPressEvent(QKeyEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_ticking_menu.cpp"

@@ -31,3 +31,5 @@ void ToolList::keyPressEvent(QKeyEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_tool_list.cpp"

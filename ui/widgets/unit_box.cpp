@@ -34,3 +34,5 @@ UnitBox::UnitBox(app::Session& session, QWidget* parent) : ToolList(parent)
 }
 
 } // namespace ui
+
+#include "moc_unit_box.cpp"

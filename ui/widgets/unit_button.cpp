@@ -42,3 +42,5 @@ void openUnits(app::Session& session, QWidget& parent, const QPoint& place)
 }
 
 } // namespace ui
+
+#include "moc_unit_button.cpp"

@@ -46,3 +46,5 @@ void VariantBox::offer(const std::function<bool(const app::Variant&)>& fits)
 }
 
 } // namespace ui
+
+#include "moc_variant_box.cpp"

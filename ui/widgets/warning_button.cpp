@@ -62,3 +62,5 @@ void WarningButton::paintEvent(QPaintEvent*)
 }
 
 } // namespace ui
+
+#include "moc_warning_button.cpp"

@@ -50,3 +50,5 @@ void WindowNote::paintEvent(QPaintEvent* event)
 }
 
 } // namespace ui
+
+#include "moc_window_note.cpp"

@@ -35,3 +35,5 @@ void ZoomButton::paintEvent(QPaintEvent*)
 }
 
 } // namespace ui
+
+#include "moc_zoom_button.cpp"

@@ -119,3 +119,5 @@ void Centre::show(QWidget& page)
 }
 
 } // namespace ui
+
+#include "moc_centre.cpp"

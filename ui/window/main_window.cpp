@@ -167,3 +167,5 @@ bool MainWindow::showsLessons() const { return modes_->microscope().showsLessons
 void MainWindow::togglePresenting() { modes_->togglePresenting(); }
 
 } // namespace ui
+
+#include "moc_main_window.cpp"

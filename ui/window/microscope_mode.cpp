@@ -82,3 +82,5 @@ void MicroscopeMode::closeLessons()
 }
 
 } // namespace ui
+
+#include "moc_microscope_mode.cpp"

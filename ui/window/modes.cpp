@@ -96,3 +96,5 @@ void Modes::fitBars(const ModeParts& shown)
 }
 
 } // namespace ui
+
+#include "moc_modes.cpp"

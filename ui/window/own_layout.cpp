@@ -102,3 +102,5 @@ void OwnLayout::restore(const QString& workspace)
 }
 
 } // namespace ui
+
+#include "moc_own_layout.cpp"

@@ -193,3 +193,5 @@ void PanelLayout::restore()
 }
 
 } // namespace ui
+
+#include "moc_panel_layout.cpp"

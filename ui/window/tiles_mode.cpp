@@ -32,3 +32,5 @@ void TilesMode::returnFocus()
 }
 
 } // namespace ui
+
+#include "moc_tiles_mode.cpp"

@@ -38,3 +38,5 @@ QSize WorkspaceTabs::tabSizeHint(int tab) const
 }
 
 } // namespace ui
+
+#include "moc_workspace_tabs.cpp"
