@@ -84,8 +84,8 @@ std::vector<Subject> subjects()
     const auto papers = paperTables();
     std::vector<Subject> all{
         {"all", Text::tr("Tables 1 and 2 of the paper"),
-         Text::tr("The paper's seven algorithms clip one million, then ten million random "
-                  "lines with both ends anywhere in an area of 1,920 × 1,440 units."),
+         Text::tr("The paper's seven algorithms clip one million, then ten million random lines. "
+                  "Both ends lie anywhere in an area of 1,920 × 1,440 units."),
          papers}};
     for (const PaperTable& paper : papers)
         all.push_back({paper.key,

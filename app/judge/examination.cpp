@@ -30,7 +30,7 @@ QString deathText(const ChildProcess& child)
                            : Text::tr("exit code %1").arg(child.exitCode());
 }
 
-/// From the first word of the child.
+/// Why the library cannot be used, by the first word that its process writes.
 std::optional<Unusable> whyUnusable(const QString& word)
 {
     if (word == QLatin1StringView(hello::notLoadable))

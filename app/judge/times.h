@@ -21,7 +21,7 @@ struct Contender {
     Findings found{};
 };
 
-/// The library beside every algorithm, on the paper's scene.
+/// What the library and each algorithm took on the paper's scene.
 struct Times {
     std::vector<Contender> contenders;               ///< the library is the first
     std::array<double, lineClasses.size()> shares{}; ///< of the lines of the scene, by class
@@ -35,7 +35,7 @@ struct Times {
 QByteArray jsonOf(const Times& times);
 std::optional<Times> timesOf(const QByteArray& json);
 
-/// Which contenders differ significantly, in their order.
+/// The ranks of the contenders, in the order of `contenders`.
 Ranking rankingOf(const Times& times);
 
 /// The library's time ÷ the time of contender `to`, by medians.

@@ -121,8 +121,8 @@ QString roundingText(const Verdict& v)
 {
     const QString ulps = QString::number(v.mostOff, 'g', 3);
     if (v.outside() == 0)
-        return Text::tr("No end lies outside the window, not even by rounding, and none is off "
-                        "by more than %1 ulps of the largest coordinate.")
+        return Text::tr("No end lies outside the window, not even by rounding. None is off by more "
+                        "than %1 ulps of the largest coordinate.")
             .arg(ulps);
     const QString rounded = v.outside() == 1
                                 ? Text::tr("Rounding left an end of 1 result outside the window")

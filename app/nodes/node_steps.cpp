@@ -174,7 +174,7 @@ std::array<NodeStep, 12> allSteps()
 std::span<const NodeStep> nodeSteps()
 {
     // THE CATALOGUE. To add a step: add its row to allSteps(), and its row in
-    // ui/menus/object_menu.cpp.
+    // ui/menus/path_rows.cpp.
     static const std::array all = allSteps();
     return all;
 }

@@ -126,9 +126,8 @@ QString Questions::libraryToOpen(const QString& folder)
 bool Questions::trustLibrary(const QString& path)
 {
     return ask(window_, Text::tr("Run %1?").arg(QFileInfo(path).fileName()),
-               Text::tr(
-                   "A library is a program with all your rights. It runs in a process of its own, "
-                   "so a crash does no harm, but run only libraries from people you trust."),
+               Text::tr("A library is a program with all your rights. It runs in a process of its "
+                        "own, so a crash does no harm. Run only libraries from people you trust."),
                {Text::tr("Run library")}, Usual::Cancel)
            == 0;
 }

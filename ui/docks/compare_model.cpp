@@ -104,11 +104,10 @@ QString tipOf(const app::RaceRow& row, int column, std::size_t lines)
     QString tip = Text::tr("%1 (%2)\n%3")
                       .arg(name, QString::number(algorithm.year), app::latin(algorithm.idea));
     if (&algorithm == &clipping::exactAlgorithm())
-        tip +=
-            u'\n'
-            + Text::tr(
-                "Here it clips line by line, like the others. In the editor's own frames it also "
-                "uses bounding boxes of many lines, which is faster and gives the same result.");
+        tip += u'\n'
+               + Text::tr(
+                   "Here it clips line by line, like the others. In the editor's own frames it "
+                   "also uses bounding boxes of many lines. This is faster, with the same result.");
     return tip;
 }
 

@@ -77,9 +77,10 @@ void ExactnessPanel::addChoosers()
     grid->addWidget(errorUnit_, 1, 1, Qt::AlignLeft);
     grid->setColumnStretch(1, 1);
     static_cast<QVBoxLayout*>(layout())->addLayout(grid);
-    errorUnit_->setToolTip(Text::tr(
-        "One ulp is one unit in the last place of a number: of the largest coordinate of the line "
-        "and the clip window, as in the library's contract, or of the wrong coordinate itself."));
+    errorUnit_->setToolTip(
+        Text::tr("One ulp is one unit in the last place of a number. The library's contract counts "
+                 "those of the largest coordinate of line and clip window; the other choice those "
+                 "of the wrong coordinate."));
     connect(algorithm_, &VariantBox::currentIndexChanged, this, &ExactnessPanel::ask);
     connect(algorithm_, &VariantBox::done, this, &ExactnessPanel::entered);
     connect(errorUnit_, &Segments::picked, this, &ExactnessPanel::ask);

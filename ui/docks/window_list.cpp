@@ -156,7 +156,7 @@ void WindowList::mousePressEvent(QMouseEvent* event)
 {
     const QModelIndex row = indexAt(event->pos());
     if (event->button() == Qt::LeftButton && row.isValid())
-        pressed_ = Grip{row.row(), event->pos()};
+        pressed_ = Press{row.row(), event->pos()};
     PanelList::mousePressEvent(event);
 }
 

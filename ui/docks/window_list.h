@@ -28,11 +28,11 @@ private:
     void drop();
 
     app::Session& session_;
-    struct Grip {
+    struct Press {
         int row;
         QPoint at;
     };
-    std::optional<Grip> pressed_; ///< the row under the pressed button
+    std::optional<Press> pressed_; ///< the row under the pressed button
     std::optional<int> gap_;      ///< where the dragged row would go; empty: none is dragged
 };
 

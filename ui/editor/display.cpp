@@ -23,9 +23,8 @@ namespace {
 
 QString instead()
 {
-    return Text::tr(
-        "Start the editor from a desktop, or use a command that needs no display, such as "
-        "clearcut clip IN -o OUT (clearcut --help lists all commands).");
+    return Text::tr("Start the editor from a desktop. Commands such as clearcut clip IN -o OUT "
+                    "need no display; clearcut --help lists them.");
 }
 
 /// The display or platform that was requested.

@@ -117,8 +117,8 @@ QWidget* JudgeWindow::invitation()
         "3. <b>Choose library</b>. Clearcut tests it on more than 100,000 lines: at corners and "
         "edges, with infinities, and random ones. Every result is compared with exact arithmetic; "
         "each category of lines gives points. Then your algorithm is timed beside the others.</p>"
-        "<p>A crash or an endless loop does no harm, because the library runs in a process of its "
-        "own. But it is a program with all your rights, so choose only libraries from people you "
+        "<p>The library runs in a process of its own: a crash or an endless loop does no harm. But "
+        "it is a program with all your rights, so choose only libraries from people you "
         "trust.</p>"));
     text->setWordWrap(true);
     text->setMaximumWidth(textWidth);

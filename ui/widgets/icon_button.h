@@ -8,7 +8,7 @@
 
 namespace ui {
 
-/// A small flat button of a panel with an icon (`app/resources`) and a tooltip.
+/// A small flat button of a panel with an icon (`resources/icons`) and a tooltip.
 inline QToolButton* iconButton(std::string_view key, const QString& name)
 {
     auto* button = new QToolButton;

@@ -27,7 +27,7 @@ struct SnapKind {
     QString word;            ///< at the pointer
     QString cornerWord = {}; ///< at the pointer, at a corner of an edge
     SnapRank rank = SnapRank::Single;
-    bool usual = true; ///< on, until somebody chooses
+    bool usual = true; ///< on, until a person chooses
     /// The strokes of its glyph, in a square from -1 to 1, y down.
     std::span<const clipping::Segment> glyph = {};
     /// Offers the places near the pointer. Null: `Snapper` finds them.

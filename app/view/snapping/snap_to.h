@@ -9,7 +9,7 @@ namespace app {
 class SnapTo {
 public:
     static const SnapTo Nothing, All;
-    static SnapTo usual(); ///< the kinds that are on until somebody chooses
+    static SnapTo usual(); ///< the kinds that are on until a person chooses
 
     bool has(const SnapKind& kind) const { return bits_ & bitOf(kind); }
     bool has(std::string_view key) const { return has(snapKind(key)); }
