@@ -3,6 +3,7 @@
 
 #include "app/view/caps.h"
 #include "app/view/coverage.h"
+#include "app/view/hairlines.h"
 #include "app/view/long_stroke.h"
 
 #include <QPainter>
@@ -19,15 +20,16 @@ namespace {
 // caps. With round caps it must build outlines, which takes ten times as long.
 constexpr double roundEndsShow = 3; // device pixels; round caps are visible from this width on
 constexpr qsizetype batch = 1024;
-constexpr std::size_t stretch = 64; // points of a long thin polyline painted at a time
+constexpr std::uint32_t manyLines = 64; // of one colour: worth tiles of their own
+constexpr std::size_t stretch = 64;     // points of a long thin polyline painted at a time
 
 QColor qColor(const Colour& c) { return QColor(c.red, c.green, c.blue, c.alpha); }
 
 class Painting {
 public:
     Painting(QImage& image, int top, const RasterOptions& options)
-        : painter_(&image), cancelled_(options.cancelled), device_(image.rect()),
-          ratio_(options.pixelRatio)
+        : image_(image), painter_(&image), cancelled_(options.cancelled),
+          device_(image.rect()), band_{top, image.height()}, ratio_(options.pixelRatio)
     {
         painter_.setRenderHint(QPainter::Antialiasing);
         painter_.translate(0, -top);
@@ -123,6 +125,10 @@ private:
         const QPen pen = penFor(strokeStyle, strokeStyle.cap == Cap::Butt ? Qt::FlatCap
                                              : roundShows                 ? Qt::RoundCap
                                                                           : Qt::SquareCap);
+        const bool hair = thin && strokeStyle.colour.alpha == 255;
+        const bool many = hair && command.polylines >= manyLines;
+        if (many && !hairlines_)
+            hairlines_.emplace(image_.width(), band_);
         const QPen flat =
             penFor(strokeStyle, Qt::FlatCap); // for polylines of which an end was made by clipping
         for (const Polyline& polyline : drawList.polylinesOf(command)) {
@@ -132,7 +138,8 @@ private:
             const bool own =
                 (polyline.capAtStart && polyline.capAtEnd) || thin || strokeStyle.cap == Cap::Butt;
             if (points.size() == 2 && own && !roundShows) {
-                line(points[0], points[1], pen);
+                if (!hair || !hairline(points[0], points[1], strokeStyle, many))
+                    line(points[0], points[1], pen);
                 continue;
             }
             flush(pen);
@@ -148,6 +155,21 @@ private:
                 ends(points, polyline, strokeStyle);
         }
         flush(pen);
+        if (many)
+            hairlines_->paintOn(image_, strokeStyle.colour);
+    }
+
+    /// False if it must be painted otherwise.
+    bool hairline(const QPointF& a, const QPointF& b, const StrokeStyle& strokeStyle, bool many)
+    {
+        if (outside(a, b))
+            return true;
+        const auto line =
+            Hairline::of(a * ratio_, b * ratio_, strokeStyle.width * ratio_, strokeStyle.cap);
+        if (line)
+            many ? hairlines_->add(*line)
+                 : paintHairline(image_, band_.top, *line, strokeStyle.colour);
+        return line.has_value();
     }
 
     // Every pixel is painted once, however often the stroke crosses itself.
@@ -247,13 +269,16 @@ private:
                 qColor(strokeStyle.colour));
     }
 
+    QImage& image_;
     QPainter painter_;
     const Cancelled& cancelled_;
     QRect device_;
+    Band band_;
     double ratio_;
     double top_ = 0, bottom_ = 0; // logical pixels
     double margin_ = 0;
     std::vector<QLineF> lines_;
+    std::optional<Hairlines> hairlines_;
 };
 
 QImage transparent(int width, int height)
