@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measures the canvas at 1280 x 800 on a drawing or on many scattered lines of 3 to 17 pixels:
-// frames [LINES|FILE] [raster|gl] [PICTURE.png]
+// Measures the canvas at 1280 x 800 on a drawing, on many scattered lines of 3 to 17 pixels, or on
+// the paper's lines, which are as long as the page:
+// frames [LINES|longLINES|FILE] [raster|gl] [PICTURE.png]
 // and what it takes while all algorithms race on each frame.
 #include "app/race/live_race.h"
 #include "ui/canvas/canvas.h"
@@ -14,6 +15,7 @@
 #include <functional>
 
 #include "tests/app/document/one_window.h"
+#include "tests/benchmarks/long_lines.h"
 #include "tests/benchmarks/short_lines.h"
 
 namespace {
@@ -22,6 +24,8 @@ app::Imported drawingOf(const QString& argument)
 {
     if (const int lines = argument.toInt(); lines > 0)
         return {shortLines(lines), {}};
+    if (const int lines = argument.startsWith(u"long") ? argument.mid(4).toInt() : 0; lines > 0)
+        return {longLines(std::size_t(lines)), {}};
     auto read = app::readFile(argument);
     if (!read)
         qFatal("%s", qPrintable(read.error));

@@ -4,8 +4,6 @@
 // [SEED]]] Of each kind of event, the longest in processor time is printed, which other programs on
 // the machine do not make longer.
 #include "app/base/clock.h"
-#include "app/document/document_builder.h"
-#include "app/experiment/paper_scene.h"
 
 #include <QElapsedTimer>
 #include <QMetaEnum>
@@ -18,6 +16,7 @@
 #include <random>
 #include <ranges>
 
+#include "tests/benchmarks/long_lines.h"
 #include "tests/ui/test_window.h"
 
 namespace {
@@ -86,21 +85,6 @@ private:
 };
 
 WatchedApplication& application() { return *static_cast<WatchedApplication*>(qApp); }
-
-app::Document longLines(std::size_t count)
-{
-    app::PaperScene scene(1);
-    std::vector<clipping::Segment> lines(count);
-    scene.fill(lines);
-    app::DocumentBuilder builder;
-    builder.open({.name = "Lines"});
-    const app::StyleEntry style = builder.style({.stroke = app::Colour{}, .width = 1});
-    for (const clipping::Segment& line : lines)
-        builder.addLine(line, style);
-    builder.close();
-    return builder.take({{-960, -720}, {1920, 1440}, {1920, app::Unit::Px}, {1440, app::Unit::Px}},
-                        {}, {{{.shape = app::RectangleShape{app::paperWindow}}}});
-}
 
 /// A person at the window: every gesture is made of events.
 class Person {
