@@ -16,7 +16,7 @@
 namespace app {
 namespace {
 
-// QPainter is fast for lines of at most one pixel and for many single lines with flat or square
+// QPainter is fast for polylines of at most one pixel and for many single lines with flat or square
 // caps. With round caps it must build outlines, which takes ten times as long.
 constexpr double roundEndsShow = 3; // device pixels; round caps are visible from this width on
 constexpr qsizetype batch = 1024;
