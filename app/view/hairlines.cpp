@@ -14,7 +14,7 @@ constexpr std::uint16_t shows = 128; // less is half a step of 255: nothing is s
 
 /// `share` of 256 of what shows is covered. Rounded down: lines above each other cover a pixel in
 /// the end.
-void cover(std::uint16_t& shown, unsigned share)
+void hide(std::uint16_t& shown, unsigned share)
 {
     shown = std::uint16_t(shown * (256 - share) >> 8);
 }
@@ -66,7 +66,7 @@ void Hairlines::walkTile(const Hairline& line, int along, int across)
     const int last = std::min(int(std::floor(line.to)), start + length - 1);
     line.visitPixels(first, last, [&](int pixel, int row, unsigned share) {
         if (row >= level && row < level + depth)
-            cover(shown[(pixel - start) * next + (row - level) * beside], share);
+            hide(shown[(pixel - start) * next + (row - level) * beside], share);
     });
     visited(tile);
 }
