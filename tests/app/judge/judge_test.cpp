@@ -399,11 +399,12 @@ private slots:
         QVERIFY2(sentence(verdict).contains("In the race"), qPrintable(sentence(verdict)));
         if (!verdict.times)
             return;
-        QVERIFY(verdict.wrong() > 10'000 && !verdict.findings.empty());
+        // How many lines are raced depends on the time that they take.
+        QVERIFY(verdict.wrong() > 0 && !verdict.findings.empty());
         for (const Finding& one : verdict.findings)
             QVERIFY((one.fault == fault || one.fault == Fault::Changed) && one.expected
                     && !one.got);
-        QCOMPARE(verdict.byFault[std::size_t(Fault::Changed)] > 10'000,
+        QCOMPARE(verdict.byFault[std::size_t(Fault::Changed)] > 0,
                  QTest::currentDataTag() == QByteArray("race_later"));
         for (const QStringList& row : raceTable(*verdict.times).rows)
             QCOMPARE(row[1] == "wrong", row[0] == ownKey);
