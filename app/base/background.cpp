@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/background.h"
 
+#include <QCoreApplication>
 #include <QThreadPool>
 
 namespace app {
