@@ -21,7 +21,7 @@ struct Contender {
     Findings found{};
 };
 
-/// What the library and each algorithm took on the paper's scene.
+/// The times of the judged library and of each algorithm, on the paper's scene.
 struct Times {
     std::vector<Contender> contenders;               ///< the library is the first
     std::array<double, lineClasses.size()> shares{}; ///< of the lines of the scene, by class

@@ -24,7 +24,7 @@ void hide(std::uint16_t& shown, unsigned share)
 Hairlines::Hairlines(int width, Band band)
     : width_(width), columns_((width + tileWidth - 1) / tileWidth), band_(band),
       tiles_(std::size_t(columns_) * std::size_t((band.height + tileHeight - 1) / tileHeight)),
-      shown_(tiles_.size() * tileSize)
+      shown_(std::make_unique_for_overwrite<std::uint16_t[]>(tiles_.size() * tileSize))
 {
 }
 
@@ -73,7 +73,7 @@ void Hairlines::walkTile(const Hairline& line, int along, int across)
 
 std::uint16_t* Hairlines::shownIn(int tile)
 {
-    std::uint16_t* const shown = shown_.data() + std::size_t(tile) * tileSize;
+    std::uint16_t* const shown = shown_.get() + std::size_t(tile) * tileSize;
     if (!tiles_[std::size_t(tile)].begun) {
         tiles_[std::size_t(tile)] = {.begun = true};
         begun_.push_back(tile);

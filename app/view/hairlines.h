@@ -4,6 +4,7 @@
 #include "app/view/hairline.h"
 #include "app/view/raster.h"
 
+#include <memory>
 #include <vector>
 
 namespace app {
@@ -37,8 +38,8 @@ private:
     int width_, columns_;
     Band band_;
     std::vector<Tile> tiles_;
-    std::vector<std::uint16_t> shown_; ///< of what is below, for each pixel of the tiles in turn
-    std::vector<int> begun_;           ///< tiles with ink
+    std::unique_ptr<std::uint16_t[]> shown_; ///< of what is below, for each pixel of the tiles
+    std::vector<int> begun_;                 ///< tiles with ink
 };
 
 } // namespace app

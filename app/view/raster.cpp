@@ -150,7 +150,7 @@ private:
                 continue;
             }
             painter_.setPen(own ? pen : flat);
-            strokePolyline(points, polyline.closed, thin && strokeStyle.colour.alpha == 255);
+            strokePolyline(points, polyline.closed, hair);
             if (!own)
                 ends(points, polyline, strokeStyle);
         }
