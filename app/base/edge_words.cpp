@@ -12,12 +12,9 @@ QString edgeWords(clipping::Edge edge, YAxis y)
     static constexpr std::array<const char*, 5> up{
         "", QT_TRANSLATE_NOOP("Text", "the left edge"), QT_TRANSLATE_NOOP("Text", "the right edge"),
         QT_TRANSLATE_NOOP("Text", "the bottom edge"), QT_TRANSLATE_NOOP("Text", "the top edge")};
-    auto at = std::size_t(edge);
-    if (at >= up.size())
+    if (edge == clipping::Edge::NoEdge || edge > clipping::Edge::Top)
         return {};
-    if (y == YAxis::Down && at >= 3)
-        at = 7 - at;
-    return at == 0 ? QString() : Text::tr(up[at]);
+    return Text::tr(up[seenEdge(edge, y)]);
 }
 
 } // namespace app

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/outcode_text.h"
 
+#include "app/base/text.h"
+
+#include <array>
+
 namespace app {
 
 QString outcodeText(unsigned code)
@@ -10,6 +14,20 @@ QString outcodeText(unsigned code)
         .arg(code >> 2 & 1U)
         .arg(code >> 1 & 1U)
         .arg(code & 1U);
+}
+
+QString regionText(unsigned code, YAxis y)
+{
+    static constexpr std::array<std::array<const char*, 3>, 3> names{
+        {{QT_TRANSLATE_NOOP("Text", "below left"), QT_TRANSLATE_NOOP("Text", "below"),
+          QT_TRANSLATE_NOOP("Text", "below right")},
+         {QT_TRANSLATE_NOOP("Text", "left"), QT_TRANSLATE_NOOP("Text", "inside"),
+          QT_TRANSLATE_NOOP("Text", "right")},
+         {QT_TRANSLATE_NOOP("Text", "above left"), QT_TRANSLATE_NOOP("Text", "above"),
+          QT_TRANSLATE_NOOP("Text", "above right")}}};
+    const unsigned high = y == YAxis::Up ? code >> 3 & 1U : code >> 2 & 1U;
+    const unsigned low = y == YAxis::Up ? code >> 2 & 1U : code >> 3 & 1U;
+    return Text::tr(names.at(1 + high - low).at(1 + (code >> 1 & 1U) - (code & 1U)));
 }
 
 QString outcodeBits() { return QStringLiteral("y > ymax, y < ymin, x > xmax, x < xmin"); }

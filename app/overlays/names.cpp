@@ -6,17 +6,6 @@ namespace app {
 
 using clipping::Edge;
 
-namespace {
-
-/// None, left, right, bottom, top, as seen on screen.
-std::size_t seenEdge(Edge edge, YAxis y)
-{
-    const auto at = std::size_t(edge);
-    return y == YAxis::Down && at >= 3 ? 7 - at : at;
-}
-
-} // namespace
-
 QString edgeName(Edge edge, YAxis y)
 {
     static constexpr std::array<const char*, 5> names{

@@ -142,33 +142,6 @@ QString endText(const Inspection& line, const Measure& measure)
 
 } // namespace
 
-QString Region::outcode() const
-{
-    using namespace clipping::outcode;
-    return outcodeText((row > 0 ? top : 0) | (row < 0 ? bottom : 0) | (column > 0 ? right : 0)
-                       | (column < 0 ? left : 0));
-}
-
-QString Region::words() const
-{
-    static constexpr std::array<std::array<const char*, 3>, 3> names{
-        {{QT_TRANSLATE_NOOP("Text", "above left"), QT_TRANSLATE_NOOP("Text", "above"),
-          QT_TRANSLATE_NOOP("Text", "above right")},
-         {QT_TRANSLATE_NOOP("Text", "left"), QT_TRANSLATE_NOOP("Text", "inside"),
-          QT_TRANSLATE_NOOP("Text", "right")},
-         {QT_TRANSLATE_NOOP("Text", "below left"), QT_TRANSLATE_NOOP("Text", "below"),
-          QT_TRANSLATE_NOOP("Text", "below right")}}};
-    return Text::tr(names[row + 1][column + 1]);
-}
-
-Region regionOf(const Point& point, const clipping::Window& window)
-{
-    const auto side = [](double x, double low, double high) {
-        return x < low ? -1 : x > high ? 1 : 0;
-    };
-    return {side(point.x, window.min.x, window.max.x), side(point.y, window.min.y, window.max.y)};
-}
-
 Variant explaining(const Session& session, std::size_t segment)
 {
     const auto& asked = session.differences.asked();
@@ -196,8 +169,8 @@ Inspection inspect(const Session& session, std::size_t segment)
                     .number = segment,
                     .object = session.scene.lines().objectOf(segment),
                     .segment = session.scene.lines()[segment]};
-    line.from = regionOf(line.segment.a, window);
-    line.to = regionOf(line.segment.b, window);
+    line.fromCode = clipping::outcodeOf(line.segment.a, window);
+    line.toCode = clipping::outcodeOf(line.segment.b, window);
     line.visible = clipped(line.variant, line.segment, window);
     line.lineClass = lineClassOf(line.segment, window, line.visible.has_value());
     if (!line.variant.misprint) {

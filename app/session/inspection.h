@@ -9,17 +9,6 @@
 
 namespace app {
 
-/// The region of a point as it appears on the screen (y down): above is the library's Bottom.
-struct Region {
-    int column = 0; ///< -1 left of the window, 0 between, 1 right
-    int row = 0;    ///< -1 above, 0 between, 1 below
-    bool inside() const { return column == 0 && row == 0; }
-    QString outcode() const; ///< as in app/comparison/outcode_text.h
-    /// "inside", "left", "above right".
-    QString words() const;
-};
-Region regionOf(const Point& point, const clipping::Window& window);
-
 /// The explanation of one line at the compared window.
 struct Inspection {
     /// The variant that is explained. For a line that differs between A and B, while a panel shows
@@ -28,7 +17,7 @@ struct Inspection {
     std::size_t number = 0; ///< in the scene's lines
     std::size_t object = 0; ///< the object of the line
     clipping::Segment segment{};
-    Region from{}, to{};
+    unsigned fromCode = 0, toCode = 0; ///< outcodes of the ends
     LineClass lineClass = LineClass::Inside;
     std::optional<clipping::Segment> visible{}; ///< the part that the algorithm leaves
     double share = 0;                           ///< share of the length; for a point: 1 if visible

@@ -3,6 +3,7 @@
 
 #include "app/base/latin.h"
 #include "app/base/numbers.h"
+#include "app/comparison/outcode_text.h"
 #include "app/view/place.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
@@ -136,11 +137,13 @@ void LinePanel::showLine(const app::Inspection& line)
         put(row, XColumn, number(p.x - origin.x), Qt::AlignRight);
         put(row, YColumn, number(p.y - origin.y), Qt::AlignRight);
     };
-    const auto end = [&](int row, const QString& name, const app::Point& p,
-                         const app::Region& region, const app::Point* after) {
+    const auto end = [&](int row, const QString& name, const app::Point& p, unsigned code,
+                         const app::Point* after) {
         put(row, Name, name);
         point(row, p);
-        put(row, RegionColumn, Text::tr("%1 (%2)").arg(region.words(), region.outcode()));
+        put(row, RegionColumn,
+            Text::tr("%1 (%2)").arg(app::regionText(code, app::YAxis::Down),
+                                    app::outcodeText(code)));
         put(row, AfterColumn,
             !after        ? Text::tr("gone")
             : *after == p ? Text::tr("kept")
@@ -154,9 +157,10 @@ void LinePanel::showLine(const app::Inspection& line)
     put(Header, YColumn, inUnit(Text::tr("y")), Qt::AlignRight);
     put(Header, RegionColumn, Text::tr("region"));
     put(Header, AfterColumn, Text::tr("result"));
-    end(From, Text::tr("End 1"), line.segment.a, line.from,
+    end(From, Text::tr("End 1"), line.segment.a, line.fromCode,
         line.visible ? &line.visible->a : nullptr);
-    end(To, Text::tr("End 2"), line.segment.b, line.to, line.visible ? &line.visible->b : nullptr);
+    end(To, Text::tr("End 2"), line.segment.b, line.toCode,
+        line.visible ? &line.visible->b : nullptr);
     verdict_->setText(app::verdictText(line));
     put(VisibleA, Name, line.visible ? Text::tr("Visible") : QString());
     for (const int row : {VisibleA, VisibleB})

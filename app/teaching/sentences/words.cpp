@@ -12,13 +12,6 @@ namespace app::words {
 
 namespace {
 
-/// The edge that is seen in the place of this edge, with y up.
-std::size_t asSeen(clipping::Edge edge, YAxis y)
-{
-    const auto at = std::size_t(edge);
-    return y == YAxis::Down && at >= 3 ? 7 - at : at;
-}
-
 double axisOf(const Point& p, clipping::Edge edge) { return p[clipping::axisOf(edge)]; }
 
 } // namespace
@@ -31,7 +24,7 @@ QString beyond(clipping::Edge edge, YAxis y)
         QT_TRANSLATE_NOOP("Text", "right of the window"),
         QT_TRANSLATE_NOOP("Text", "below the window"),
         QT_TRANSLATE_NOOP("Text", "above the window")};
-    return Text::tr(words.at(asSeen(edge, y)));
+    return Text::tr(words.at(seenEdge(edge, y)));
 }
 
 QString axisName(clipping::Edge edge)
@@ -67,20 +60,6 @@ QString compared(const Point& p, clipping::Edge edge, const clipping::Window& wi
     return compared(axisOf(p, edge), clipping::levelOf(edge, window));
 }
 
-QString region(unsigned code, YAxis y)
-{
-    static constexpr std::array<std::array<const char*, 3>, 3> names{
-        {{QT_TRANSLATE_NOOP("Text", "below left"), QT_TRANSLATE_NOOP("Text", "below"),
-          QT_TRANSLATE_NOOP("Text", "below right")},
-         {QT_TRANSLATE_NOOP("Text", "left"), QT_TRANSLATE_NOOP("Text", "inside"),
-          QT_TRANSLATE_NOOP("Text", "right")},
-         {QT_TRANSLATE_NOOP("Text", "above left"), QT_TRANSLATE_NOOP("Text", "above"),
-          QT_TRANSLATE_NOOP("Text", "above right")}}};
-    const unsigned high = y == YAxis::Up ? code >> 3 & 1U : code >> 2 & 1U;
-    const unsigned low = y == YAxis::Up ? code >> 2 & 1U : code >> 3 & 1U;
-    return Text::tr(names.at(1 + high - low).at(1 + (code >> 1 & 1U) - (code & 1U)));
-}
-
 clipping::Edge edgeOf(unsigned code)
 {
     return code == 0 ? clipping::Edge::NoEdge : clipping::Edge(std::countr_zero(code) + 1);
@@ -88,7 +67,7 @@ clipping::Edge edgeOf(unsigned code)
 
 QString codeAndRegion(unsigned code, YAxis y)
 {
-    return QStringLiteral("%1 (%2)").arg(outcodeText(code), region(code, y));
+    return QStringLiteral("%1 (%2)").arg(outcodeText(code), regionText(code, y));
 }
 
 unsigned bits(const SentenceContext& context, std::string_view name)

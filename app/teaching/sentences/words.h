@@ -27,8 +27,6 @@ QString compared(double one, double other);
 /// "130 > 75": the end's coordinate and that of the edge.
 QString compared(const Point& p, clipping::Edge edge, const clipping::Window& window);
 
-/// "inside", "above left": the region that has this outcode.
-QString region(unsigned code, YAxis y);
 /// An edge whose bit is set in an outcode; None for 0.
 clipping::Edge edgeOf(unsigned code);
 /// "1001 (above left)".

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/comparison/outcode_text.h"
 #include "app/session/inspection.h"
+#include "clipping/outcode.h"
 
 #include <QTest>
 
@@ -45,11 +47,16 @@ private slots:
     void regionsAreNamedAsTheyAreSeen() // y down
     {
         const clipping::Window window{{0, 0}, {10, 10}};
-        QCOMPARE(app::regionOf({-1, -1}, window).words(), "above left");
-        QCOMPARE(app::regionOf({11, 11}, window).words(), "below right");
-        QCOMPARE(app::regionOf({0, 10}, window).words(), "inside");  // edges belong to the window
-        QCOMPARE(app::regionOf({-1, -1}, window).outcode(), "0101"); // y < ymin, x < xmin
-        QCOMPARE(app::regionOf({11, 11}, window).outcode(), "1010"); // y > ymax, x > xmax
+        QCOMPARE(app::regionText(clipping::outcodeOf(app::Point{-1, -1}, window), app::YAxis::Down),
+                 "above left");
+        QCOMPARE(app::regionText(clipping::outcodeOf(app::Point{11, 11}, window), app::YAxis::Down),
+                 "below right");
+        QCOMPARE(app::regionText(clipping::outcodeOf(app::Point{0, 10}, window), app::YAxis::Down),
+                 "inside"); // edges belong to the window
+        QCOMPARE(app::outcodeText(clipping::outcodeOf(app::Point{-1, -1}, window)),
+                 "0101"); // y < ymin, x < xmin
+        QCOMPARE(app::outcodeText(clipping::outcodeOf(app::Point{11, 11}, window)),
+                 "1010"); // y > ymax, x > xmax
     }
     void classesOfLines()
     {
@@ -73,7 +80,7 @@ private slots:
         display.variant.algorithm = clipping::findAlgorithm("cs");
         session.setDisplay(display);
         const auto line = app::inspect(session, 0);
-        QCOMPARE(line.from.outcode(), "0101");
+        QCOMPARE(app::outcodeText(line.fromCode), "0101");
         const QString first = stepTexts(line).front();
         QVERIFY2(first.contains("code[1] = 0101, code[2] = 0010"), qPrintable(first));
     }
