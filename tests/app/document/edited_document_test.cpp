@@ -3,11 +3,10 @@
 
 #include <QTest>
 
-#include <cstdlib>
 #include <limits>
-#include <new>
 
 #include "tests/app/document/random_documents.h"
+#include "tests/replaced_heap.h"
 #include "tests/test_class.h"
 
 namespace {
@@ -18,17 +17,13 @@ std::size_t mostAllocations = std::numeric_limits<std::size_t>::max();
 } // namespace
 
 // Counts what is taken from the heap, which can be short of memory.
-void* operator new(std::size_t size)
+bool heapRefuses(std::size_t)
 {
     if (allocations >= mostAllocations)
-        throw std::bad_alloc();
+        return true;
     ++allocations;
-    if (void* taken = std::malloc(size > 0 ? size : 1))
-        return taken;
-    throw std::bad_alloc();
+    return false;
 }
-void operator delete(void* given) noexcept { std::free(given); }
-void operator delete(void* given, std::size_t) noexcept { std::free(given); }
 
 using namespace app;
 

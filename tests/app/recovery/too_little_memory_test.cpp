@@ -6,12 +6,11 @@
 #include <QTest>
 
 #include <atomic>
-#include <cstdlib>
 #include <limits>
-#include <new>
 
 #include "tests/app/commands/random_commands.h"
 #include "tests/app/recovery/recorded_drawing.h"
+#include "tests/replaced_heap.h"
 #include "tests/test_class.h"
 #include "tests/verify.h"
 
@@ -30,7 +29,9 @@ std::atomic<std::size_t> leftForOthers = enough;
 constexpr std::size_t large = 1000; // bytes
 thread_local bool isTestThread = false;
 
-bool isRefused(std::size_t size)
+} // namespace
+
+bool heapRefuses(std::size_t size)
 {
     if (!isTestThread)
         return size >= large && leftForOthers != enough && leftForOthers-- == 0;
@@ -39,18 +40,6 @@ bool isRefused(std::size_t size)
     heap.left = --heap.refuses > 0 ? 0 : enough;
     return true;
 }
-
-} // namespace
-
-void* operator new(std::size_t size)
-{
-    void* const taken = isRefused(size) ? nullptr : std::malloc(size > 0 ? size : 1);
-    if (!taken)
-        throw std::bad_alloc();
-    return taken;
-}
-void operator delete(void* given) noexcept { std::free(given); }
-void operator delete(void* given, std::size_t) noexcept { std::free(given); }
 
 using namespace app;
 
