@@ -26,6 +26,7 @@ class StylePanel : public QWidget {
 public:
     StylePanel(app::Session& session, Canvas& canvas, QWidget* parent = nullptr);
 
+    void follow();     ///< shows the style of the selection, without waiting for the event loop
     void focusFirst(); ///< gives the keyboard to the width
 
 signals:
@@ -46,7 +47,6 @@ private:
     QLayout* makeFillRule();
     void makeLayer();
     LengthField* makeField(const QString& name, LengthField::Suffix suffix);
-    void follow();
     void followLayer();
     void followLines(std::span<const app::Style> styles);
     void change(const app::ChangeStyle& change, const QString& text,

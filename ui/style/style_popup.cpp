@@ -31,6 +31,7 @@ StylePopup::StylePopup(app::Session& session, Canvas& canvas, QWidget& below)
 
 void StylePopup::open()
 {
+    panel_->follow(); // so that it opens in its size
     openBelow(below_);
     panel_->focusFirst();
 }

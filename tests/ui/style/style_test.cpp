@@ -366,6 +366,14 @@ private slots:
         auto* button = p.t.window->optionBar().findChild<QToolButton*>("style");
         QVERIFY2(button->toolTip().contains("Ctrl+Shift+F"), qPrintable(button->toolTip()));
     }
+    void panelOpensInItsSize()
+    {
+        Person p;
+        QTest::keyClick(&p.surface(), Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
+        const QSize size = p.popup().size();
+        Person::settle();
+        QCOMPARE(p.popup().size(), size);
+    }
     void panelKeepsItsSize()
     {
         Person p;
