@@ -46,7 +46,9 @@ struct PaintedFrame {
     double drawMs = 0; ///< building the picture and painting it
 };
 
-/// Clips and paints frames, one at a time, on any thread. Keeps its buffers from one to the next.
+/// Clips and paints frames, one at a time, on any thread. Keeps its buffers from one to the next,
+/// and the picture of all lines: while only the clip windows move, frames are put together from it
+/// (composed.h).
 class FramePainter {
 public:
     /// If a stop is requested, the result is of no use.
@@ -59,8 +61,21 @@ public:
 
 private:
     SceneFrame clipped(const FrameWish& wish, const std::stop_token& stop);
+    bool composes(const FrameWish& wish, const SceneFrame& frame, const std::stop_token& stop);
+    QImage composedFrame(const FrameWish& wish, const SceneFrame& frame, const Follower& follower,
+                         const std::shared_ptr<FrameParts>& parts, QThreadPool& helpers);
 
-    SceneClipping clipping_;
+    SceneClipping clipping_, exact_;
+    /// What the picture of all lines depends on.
+    struct DrawingKey {
+        FrameKey frame; ///< lines, view and pixels alone
+        std::optional<Colour> page{};
+        double leastWidth = 0, strokes = 0;
+        friend bool operator==(const DrawingKey&, const DrawingKey&) = default;
+    };
+    static DrawingKey drawingKeyOf(const FrameWish& wish);
+    DrawingKey drawingKey_;
+    QImage drawing_; ///< all lines in the view, whatever the windows remove; may be null
 };
 
 } // namespace app

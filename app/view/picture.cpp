@@ -161,6 +161,22 @@ bool outlines(const SceneLines& lines, std::span<const ObjectRange> selection)
     });
 }
 
+DrawList wholeDrawing(const StyleTable& styles, const SceneLines& lines, const SceneFrame& frame,
+                      const PictureOptions& options)
+{
+    return drawList(styles, lines, PaintedPart(frame, Painted::All), options);
+}
+
+Picture pictureAround(const StyleTable& styles, const SceneLines& lines,
+                      const PictureOptions& options)
+{
+    return {.selected = selected(styles, lines, options),
+            .ghost = {},
+            .kept = {},
+            .differing = differenceMarks(styles, lines, options),
+            .borders = windowBorders(options)};
+}
+
 Picture picture(const StyleTable& styles, const SceneLines& lines, const SceneFrame& frame,
                 const PictureOptions& options)
 {

@@ -25,4 +25,11 @@ bool outlines(const SceneLines& lines, std::span<const ObjectRange> selection);
 Picture picture(const StyleTable& styles, const SceneLines& lines, const SceneFrame& frame,
                 const PictureOptions& options);
 
+/// All lines and areas of a frame, whatever its windows remove.
+DrawList wholeDrawing(const StyleTable& styles, const SceneLines& lines, const SceneFrame& frame,
+                      const PictureOptions& options);
+/// What lies below and above the drawing: a frame without its ghost and its kept part.
+Picture pictureAround(const StyleTable& styles, const SceneLines& lines,
+                      const PictureOptions& options);
+
 } // namespace app

@@ -290,7 +290,8 @@ QImage transparent(int width, int height)
 
 } // namespace
 
-QImage rasterised(const Picture& picture, Band band, const RasterOptions& options)
+QImage rasterised(const Picture& picture, Band band, const RasterOptions& options,
+                  const QImage& base)
 {
     QImage image = transparent(options.width, band.height);
     if (!picture.selected.commands.empty())
@@ -302,6 +303,8 @@ QImage rasterised(const Picture& picture, Band band, const RasterOptions& option
         painter.setOpacity(options.ghost);
         painter.drawImage(0, 0, below);
     }
+    if (!base.isNull())
+        QPainter(&image).drawImage(0, 0, base);
     Painting painting(image, band.top, options);
     painting.paint(picture.kept);
     painting.paint(picture.differing);

@@ -23,8 +23,9 @@ struct RasterOptions {
 
 /// Paints the rows of `band` without a graphics card, on a transparent background. Several threads
 /// may paint bands of one picture at the same time. If cancelled, the image has its full size but
-/// undefined content.
-QImage rasterised(const Picture& picture, Band band, const RasterOptions& options);
+/// undefined content. `base` is an image of the band above the selection and the ghost; null: none.
+QImage rasterised(const Picture& picture, Band band, const RasterOptions& options,
+                  const QImage& base = {});
 
 /// The bands of an image for up to `threads` threads; each is large enough to be worth a thread.
 std::vector<Band> bandsOf(int height, int threads);

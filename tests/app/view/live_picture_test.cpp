@@ -146,13 +146,13 @@ private slots:
     }
     void whatIsFinishedIsShown()
     {
-        app::FrameWish wish = wishFor(longLines(60'000));
+        app::FrameWish wish = wishFor(longLines(400'000));
         app::LivePicture picture;
         QSignalSpy advanced(&picture, &app::LivePicture::advanced);
         picture.want(wish, 0us);
         QVERIFY(advanced.wait(60'000));
         QVERIFY(picture.times().painting);
-        QCOMPARE(picture.times().total, std::size_t(60'000)); // clipped already
+        QCOMPARE(picture.times().total, std::size_t(400'000)); // clipped already
         const QImage part = paintedBy(picture);
         QImage blank(part.size(), part.format());
         blank.fill(Qt::white);
@@ -231,7 +231,7 @@ private slots:
     }
     void itMayEndWhileItPaints()
     {
-        const app::FrameWish wish = wishFor(longLines(60'000));
+        const app::FrameWish wish = wishFor(longLines(400'000));
         for (int i = 0; i < 3; ++i) {
             app::LivePicture picture;
             picture.want(wish, 0us);

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/view/region_mask.h"
+
+#include "app/view/area.h"
+
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+// QPainter's time for one path grows with the square of the edges in a row of pixels.
+constexpr std::size_t mostCorners = 1000;
+
+/// What a window's border surrounds, in device pixels. Only what is near the view, so that there
+/// are no huge numbers at a deep zoom.
+QPainterPath pathOf(const ClipRegion::Step& step, const View& view, double pixelRatio)
+{
+    const auto& [min, max] = step.box;
+    const std::vector<std::vector<Point>> box{{min, {max.x, min.y}, max, {min.x, max.y}}};
+    const clipping::Window seen = view.visible();
+    const Point room = (seen.max - seen.min) * 0.01;
+    QPainterPath path;
+    path.setFillRule(step.rule == FillRule::EvenOdd ? Qt::OddEvenFill : Qt::WindingFill);
+    for (const auto& ring : step.rings.empty() ? box : step.rings) {
+        QPolygonF polygon;
+        for (const Point& p : areaInside(ring, {seen.min - room, seen.max + room})) {
+            const Point at = view.toScreen(p) * pixelRatio;
+            polygon << QPointF(at.x, at.y);
+        }
+        path.addPolygon(polygon);
+        path.closeSubpath();
+    }
+    return path;
+}
+
+QImage filled(const QPainterPath& path, const QSize& pixels)
+{
+    QImage image(pixels, QImage::Format_Alpha8);
+    image.fill(0);
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.fillPath(path, Qt::black);
+    return image;
+}
+
+/// Combines each pixel of `mask` with that of `window`.
+template <class Combine>
+void combine(QImage& mask, const QImage& window, const Combine& combined)
+{
+    for (int y = 0; y < mask.height(); ++y) {
+        uchar* const to = mask.scanLine(y);
+        const uchar* const from = window.constScanLine(y);
+        for (int x = 0; x < mask.width(); ++x)
+            to[x] = uchar(combined(int(to[x]), int(from[x])));
+    }
+}
+
+bool isEmpty(const ClipRegion::Step& step)
+{
+    return !(step.box.min.x < step.box.max.x && step.box.min.y < step.box.max.y);
+}
+
+} // namespace
+
+bool isMaskable(const ClipRegion& region)
+{
+    std::size_t corners = 0;
+    for (const ClipRegion::Step& step : region.steps)
+        for (const auto& ring : step.rings)
+            corners += ring.size();
+    return corners <= mostCorners;
+}
+
+QImage regionMask(const ClipRegion& region, const View& view, const QSize& pixels,
+                  double pixelRatio)
+{
+    QImage mask(pixels, QImage::Format_Alpha8);
+    mask.fill(region.startsFull() ? 255 : 0);
+    for (const ClipRegion::Step& step : region.steps) {
+        const QImage window =
+            filled(isEmpty(step) ? QPainterPath() : pathOf(step, view, pixelRatio), pixels);
+        if (step.operation == WindowOperation::Add)
+            combine(mask, window, [](int all, int one) { return std::min(255, all + one); });
+        else if (step.operation == WindowOperation::CutOut)
+            combine(mask, window, [](int all, int one) { return std::max(0, all - one); });
+        else
+            combine(mask, window, [](int all, int one) { return std::min(all, one); });
+    }
+    if (region.keep == Keep::Outside && !region.everything())
+        combine(mask, mask, [](int all, int) { return 255 - all; });
+    return mask;
+}
+
+void openAlong(QImage& mask, const DrawList& strokes, double pixelRatio)
+{
+    constexpr double room = 1; // device pixels: beside the stroke its edge is blurred
+    if (strokes.commands.empty())
+        return;
+    QPainter painter(&mask);
+    for (const DrawCommand& command : strokes.commands) {
+        painter.setPen(
+            QPen(Qt::black, command.stroke->width * pixelRatio + room, Qt::SolidLine, Qt::FlatCap));
+        for (const Polyline& polyline : strokes.polylinesOf(command)) {
+            const auto points = strokes.pointsOf(polyline);
+            for (std::size_t i = 1; i < points.size(); ++i)
+                painter.drawLine(points[i - 1] * pixelRatio, points[i] * pixelRatio);
+        }
+    }
+}
+
+} // namespace app

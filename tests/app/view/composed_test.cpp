@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Frames that are put together from the picture of all lines, beside those painted from the pieces.
+#include "app/base/usual_algorithm.h"
+#include "app/document/document_builder.h"
+#include "app/scene/document_lines.h"
+#include "app/scene/same_frames.h"
+#include "app/view/composed.h"
+#include "app/view/frame_painting.h"
+#include "app/view/region_mask.h"
+
+#include <QTest>
+#include <QThreadPool>
+
+#include <random>
+
+#include "tests/app/scene/mixed_windows.h"
+#include "tests/test_class.h"
+
+namespace view_composed_test {
+
+namespace {
+
+constexpr int side = 300; // pixels
+
+/// Lines with both ends anywhere, of some colours, thinner than a pixel and a half.
+app::Document thinLines(int count, unsigned seed)
+{
+    std::mt19937 random(seed);
+    const auto point = [&] { return app::Point(random() % 1100, random() % 1100) / 10.0 - 5.0; };
+    const std::array colours{app::Colour{}, app::Colour{200, 30, 40}, app::Colour{0, 90, 200, 120}};
+    app::DocumentBuilder builder;
+    builder.open({.name = "Lines"});
+    for (int i = 0; i < count; ++i) {
+        const app::Style style{.stroke = colours[random() % 3], .width = double(random() % 5) / 10};
+        builder.addLine({point(), point()}, builder.style(style));
+    }
+    builder.close();
+    return builder.take({{0, 0}, {100, 100}, {100, app::Unit::Mm}, {100, app::Unit::Mm}});
+}
+
+app::FrameWish wishFor(const app::Document& document, const app::ClipWindows& windows)
+{
+    app::FrameWish wish{.key = {}, .document = document, .lines = app::linesOf(document)};
+    wish.key = {.lines = wish.lines.revision(),
+                .view = {.size = {side, side}, .centre = {50, 50}, .zoom = 3},
+                .region = regionOf(windows, 0.001),
+                .variant = {&clipping::exactAlgorithm()},
+                .pixels = {side, side}};
+    wish.ghost = 0.3;
+    return wish;
+}
+
+QImage paintedWith(app::FramePainter& painter, const app::FrameWish& wish)
+{
+    QThreadPool helpers;
+    return painter
+        .paint(wish, {{}, [](const app::Progress&) {}}, std::make_shared<app::FrameParts>(),
+               helpers)
+        .image;
+}
+
+/// The same from the pieces of its lines.
+int threads() { return QThreadPool().maxThreadCount(); }
+QImage paintedFromPieces(const app::FrameWish& wish, int scale = 1)
+{
+    app::SceneClipping clipping;
+    const auto* uses = clipping::functionsOf(*wish.key.variant.algorithm, wish.key.variant.form);
+    const app::SceneFrame frame = clipping.clip(wish.lines, wish.key.region, uses->clipAll);
+    const app::PictureOptions options = wish.pictureOptions();
+    const app::Picture shown = picture(wish.document.styles(), wish.lines, frame, options);
+    std::vector<QImage> bands; // as many: edges are rounded from where a band begins
+    for (const app::Band& band : app::bandsOf(side * scale, scale > 1 ? 1 : threads()))
+        bands.push_back(rasterised(shown, band, {side * scale, double(scale), wish.ghost}));
+    return app::joined(bands);
+}
+
+/// The truth: the pieces on 8 by 8 times as many pixels.
+QImage supersampled(const app::FrameWish& wish)
+{
+    constexpr int times = 8;
+    const QImage large = paintedFromPieces(wish, times);
+    QImage image(side, side, QImage::Format_ARGB32_Premultiplied);
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            std::array<int, 4> sum{};
+            for (int i = 0; i < times * times; ++i) {
+                const QRgb p = reinterpret_cast<const QRgb*>(
+                    large.constScanLine(y * times + i / times))[x * times + i % times];
+                const std::array channels{qRed(p), qGreen(p), qBlue(p), qAlpha(p)};
+                for (std::size_t k = 0; k < 4; ++k)
+                    sum[k] += channels[k];
+            }
+            for (int& channel : sum)
+                channel /= times * times;
+            reinterpret_cast<QRgb*>(image.scanLine(y))[x] = qRgba(sum[0], sum[1], sum[2], sum[3]);
+        }
+    return image;
+}
+
+int differenceOf(const QImage& a, const QImage& b, int x, int y) // of premultiplied channels
+{
+    const QRgb p = reinterpret_cast<const QRgb*>(a.constScanLine(y))[x];
+    const QRgb q = reinterpret_cast<const QRgb*>(b.constScanLine(y))[x];
+    return std::max({std::abs(qRed(p) - qRed(q)), std::abs(qGreen(p) - qGreen(q)),
+                     std::abs(qBlue(p) - qBlue(q)), std::abs(qAlpha(p) - qAlpha(q))});
+}
+
+/// Whether no edge is within two pixels of a pixel.
+bool isFarFromEdges(const QImage& mask, int x, int y)
+{
+    const int here = mask.constScanLine(y)[x];
+    for (int v = std::max(0, y - 2); v <= std::min(side - 1, y + 2); ++v)
+        for (int u = std::max(0, x - 2); u <= std::min(side - 1, x + 2); ++u)
+            if (const int other = mask.constScanLine(v)[u]; other != here || other % 255 != 0)
+                return false;
+    return true;
+}
+
+struct Compared {
+    int most = 0;               ///< far from the edges
+    double sum = 0, pixels = 0; ///< near them
+    int mostNear = 0;
+};
+void compare(const QImage& a, const QImage& b, const QImage& mask, Compared& into)
+{
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const int difference = differenceOf(a, b, x, y);
+            if (isFarFromEdges(mask, x, y)) {
+                into.most = std::max(into.most, difference);
+                continue;
+            }
+            into.sum += difference, into.pixels += 1;
+            into.mostNear = std::max(into.mostNear, difference);
+        }
+}
+
+} // namespace
+
+class ComposedTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void itLooksLikeThePieces_data()
+    {
+        QTest::addColumn<Mixed>("most");
+        QTest::addColumn<int>("windows");
+        QTest::newRow("a rectangle") << Mixed::Rectangle << 1;
+        QTest::newRow("a rotated one") << Mixed::Rotated << 1;
+        QTest::newRow("a convex one") << Mixed::Convex << 1;
+        QTest::newRow("any") << Mixed::Any << 1;
+        QTest::newRow("several rectangles") << Mixed::Rectangle << 3;
+        QTest::newRow("several of any shape") << Mixed::Any << 4;
+    }
+    void itLooksLikeThePieces()
+    {
+        QFETCH(Mixed, most);
+        QFETCH(int, windows);
+        Compared beside, composed, pieces;
+        for (unsigned seed = 1; seed <= 12; ++seed) {
+            MixedWindows mixed(seed);
+            app::FrameWish wish = wishFor(thinLines(120, seed), mixed.windows(windows, most));
+            wish.options.removed = app::RemovedPart(seed % 3);
+            app::FramePainter painter;
+            const QImage image = paintedWith(painter, wish), old = paintedFromPieces(wish),
+                         truth = supersampled(wish),
+                         mask = regionMask(wish.key.region, wish.key.view, wish.key.pixels, 1);
+            compare(image, old, mask, beside);
+            compare(image, truth, mask, composed);
+            compare(old, truth, mask, pieces);
+        }
+        qInfo("far from edges at most %d; near them %.2f on average, at most %d, and of the pieces "
+              "%.2f, at most %d",
+              beside.most, composed.sum / composed.pixels, composed.mostNear,
+              pieces.sum / pieces.pixels, pieces.mostNear);
+        // A piece is rounded from its own start. In a pixel that an edge crosses a mask does not
+        // know on which side of the edge a line lies, which is seen where they are almost parallel.
+        QVERIFY(beside.most <= 6);
+        QVERIFY(composed.sum / composed.pixels <= 1.3 * pieces.sum / pieces.pixels);
+        QVERIFY(composed.mostNear <= 190);
+    }
+    /// A window that moves changes nothing else: the picture of all lines is painted once.
+    void onlyTheMaskMoves()
+    {
+        app::ClipWindows windows{{{.shape = app::RectangleShape{{{20, 20}, {60, 70}}}}}};
+        app::FrameWish wish = wishFor(thinLines(200, 1), windows);
+        app::FramePainter painter;
+        paintedWith(painter, wish);
+        for (int step = 1; step < 20; ++step) {
+            windows.list[0].shape =
+                app::RectangleShape{{{20 + step * 0.37, 20}, {60, 70 - step * 1.1}}};
+            wish.key.region = regionOf(windows, 0.001);
+            app::FramePainter another;
+            QCOMPARE(paintedWith(painter, wish), paintedWith(another, wish));
+        }
+        wish.key.view.pan({10, 3}); // another view is painted anew
+        app::FramePainter another;
+        QCOMPARE(paintedWith(painter, wish), paintedWith(another, wish));
+        wish.key.look = 1; // and another look
+        wish.options.page = app::Colour{20, 20, 20};
+        app::FramePainter third;
+        QCOMPARE(paintedWith(painter, wish), paintedWith(third, wish));
+    }
+    /// A published form that loses lines is shown to lose them.
+    void whatARowLosesIsSeenToBeLost()
+    {
+        app::DocumentBuilder builder;
+        builder.open({.name = "Line"});
+        const auto style = builder.style({.stroke = app::Colour{}, .width = 0.3});
+        builder.addLine({{39.7, 30}, {40.3, 50}}, style); // KWC: shorter than 1 in x
+        builder.close();
+        const app::Document document =
+            builder.take({{0, 0}, {100, 100}, {100, app::Unit::Mm}, {100, app::Unit::Mm}});
+        const app::ClipWindows windows{{{.shape = app::RectangleShape{{{20, 20}, {60, 70}}}}}};
+        app::FrameWish wish = wishFor(document, windows);
+        wish.key.variant = {clipping::findAlgorithm("kodituwakku-wijeweera-chamikara"),
+                            clipping::Form::Published};
+        app::FramePainter painter;
+        const QImage lost = paintedWith(painter, wish);
+        QCOMPARE(lost, paintedFromPieces(wish));
+        wish.key.variant = {&clipping::exactAlgorithm()};
+        QVERIFY(paintedWith(painter, wish) != lost);
+    }
+    void aLineAlongAnEdgeIsKeptWhole()
+    {
+        app::DocumentBuilder builder;
+        builder.open({.name = "Lines"});
+        const auto style = builder.style({.stroke = app::Colour{}, .width = 0.4});
+        builder.addLine({{0, 20}, {100, 20}}, style); // on the window's lower edge
+        builder.addLine({{60, 90}, {60, 10}}, style); // and on its right one
+        builder.close();
+        const app::Document document =
+            builder.take({{0, 0}, {100, 100}, {100, app::Unit::Mm}, {100, app::Unit::Mm}});
+        const app::FrameWish wish =
+            wishFor(document, {{{.shape = app::RectangleShape{{{20, 20}, {60, 70}}}}}});
+        app::FramePainter painter;
+        const QImage composed = paintedWith(painter, wish), pieces = paintedFromPieces(wish);
+        for (int x = 62; x < 178; ++x) // between the corners
+            for (int y = 58; y < 63; ++y)
+                QVERIFY(differenceOf(composed, pieces, x, y) <= 3);
+        for (int y = 62; y < 208; ++y)
+            for (int x = 178; x < 183; ++x)
+                QVERIFY(differenceOf(composed, pieces, x, y) <= 3);
+    }
+    /// Thick strokes end at the cut at right angles to themselves, which a mask cannot show.
+    void thickStrokesArePaintedFromPieces()
+    {
+        app::DocumentBuilder builder;
+        builder.open({.name = "Lines"});
+        builder.addLine({{10, 10}, {90, 80}}, builder.style({.stroke = app::Colour{}, .width = 2}));
+        builder.close();
+        const app::Document document =
+            builder.take({{0, 0}, {100, 100}, {100, app::Unit::Mm}, {100, app::Unit::Mm}});
+        const app::FrameWish wish =
+            wishFor(document, {{{.shape = app::RectangleShape{{{20, 20}, {60, 70}}}}}});
+        app::FramePainter painter;
+        QCOMPARE(paintedWith(painter, wish), paintedFromPieces(wish));
+    }
+    void opacities()
+    {
+        QImage drawing(256, 2, QImage::Format_ARGB32_Premultiplied),
+            mask(256, 2, QImage::Format_Alpha8);
+        for (int x = 0; x < 256; ++x)
+            for (int y = 0; y < 2; ++y) {
+                drawing.setPixel(x, y, qRgba(x, x / 2, 0, x));
+                mask.scanLine(y)[x] = uchar(y * 255);
+            }
+        const QImage image = app::composed(drawing, mask, {0, 2}, 0.5);
+        for (int x = 0; x < 256; ++x) {
+            QCOMPARE(reinterpret_cast<const QRgb*>(image.constScanLine(1))[x],
+                     reinterpret_cast<const QRgb*>(drawing.constScanLine(1))[x]);
+            QVERIFY(
+                std::abs(qAlpha(reinterpret_cast<const QRgb*>(image.constScanLine(0))[x]) - x / 2.0)
+                <= 1);
+        }
+    }
+};
+
+} // namespace view_composed_test
+
+TEST_CLASS(view_composed_test::ComposedTest, Gui)
+#include "tests/app/view/composed_test.moc"
