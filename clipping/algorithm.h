@@ -82,17 +82,17 @@ struct CLEARCUT_HOLDS_CONTAINERS Algorithm {
     std::string_view idea;                ///< one sentence
     double ulps;                          ///< k of the contract
     Functions<Segment, Window> corrected; ///< the form to use: keeps the contract
-    const Functions<Segment, Window>* published; ///< as its authors printed it
+    const Functions<Segment, Window>* published;                      ///< as its authors printed it
     const Functions<BasicSegment<float>, BasicWindow<float>>* floats; ///< corrected, for floats
-    const Functions<Segment, ConvexPolygon>* polygon; ///< clips at a convex polygon
+    const Functions<Segment, ConvexPolygon>* polygon;                 ///< clips at a convex polygon
     /// Same result, bit for bit, in O(log corners).
     const Functions<Segment, ConvexPolygon>* polygonBySearch;
     const Functions<Segment3, Window3>*
         box; ///< in three dimensions; keeps the contract with `boxUlps`
     const Functions<Line, Window, Segment>* line; ///< infinite lines; keeps the contract
     const Functions<Ray, Window, Segment>* ray;   ///< rays; keeps the contract
-    /// The pseudo-code of each form, for display: lines without numbers, counted from 1 in a
-    /// trace's steps; empty if there is none.
+    /// The pseudo-code of each form, with the labels that a trace's steps name (pseudo_code.h);
+    /// empty if there is none.
     std::string_view correctedCode;
     std::string_view publishedCode; ///< of the published form
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "clipping/labels.h"
 #include "clipping/limits.h"
 #include "clipping/line_or_ray.h"
 #include "clipping/outcode.h"
@@ -259,6 +260,8 @@ template <class Method>
 Algorithm describe()
 {
     constexpr About about = Method::about;
+    static_assert(labelsAreUnique(codeBeside<Method, Form::Corrected>()));
+    static_assert(labelsAreUnique(codeBeside<Method, Form::Published>()));
     return {about.key,
             about.abbreviation,
             about.name,

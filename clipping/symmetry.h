@@ -92,14 +92,14 @@ constexpr Edge edgeIn(Edge edge)
 template <class Symmetry, class Step>
 struct TurnedStep {
     Step& step;
-    bool test(int line, bool condition, Edge edge) const
+    bool test(std::string_view label, bool condition, Edge edge) const
     {
-        return step.test(line, condition, edgeIn<Symmetry>(edge));
+        return step.test(label, condition, edgeIn<Symmetry>(edge));
     }
     template <class T>
-    T let(int line, std::string_view name, T value, Edge edge = Edge::NoEdge) const
+    T let(std::string_view label, std::string_view name, T value, Edge edge = Edge::NoEdge) const
     {
-        return step.let(line, name, value, edgeIn<Symmetry>(edge));
+        return step.let(label, name, value, edgeIn<Symmetry>(edge));
     }
     template <class T>
     T set(std::string_view name, T value) const
@@ -107,22 +107,22 @@ struct TurnedStep {
         return step.set(name, value);
     }
     template <class T>
-    void cut(int line, int end, T x, T y, Edge edge) const
+    void cut(std::string_view label, int end, T x, T y, Edge edge) const
     {
         set(end == 0 ? "x1" : "x2", x), set(end == 0 ? "y1" : "y2", y);
-        cut(line, end, glm::vec<2, T>(x, y), edge);
+        cut(label, end, glm::vec<2, T>(x, y), edge);
     }
     template <class T>
-    void cut(int line, int end, const glm::vec<2, Counted<T>>& to, Edge edge) const
+    void cut(std::string_view label, int end, const glm::vec<2, Counted<T>>& to, Edge edge) const
     {
-        step.cut(line, end, counted(glm::vec<2, T>(Symmetry::of(values(to)))),
+        step.cut(label, end, counted(glm::vec<2, T>(Symmetry::of(values(to)))),
                  edgeIn<Symmetry>(edge));
     }
     template <class T>
-    void left(int line, const BasicSegment<Counted<T>>& segment) const
+    void left(std::string_view label, const BasicSegment<Counted<T>>& segment) const
     {
         const BasicSegment<T> seen = plain(segment);
-        step.left(line, counted(BasicSegment<T>{Symmetry::of(seen.a), Symmetry::of(seen.b)}));
+        step.left(label, counted(BasicSegment<T>{Symmetry::of(seen.a), Symmetry::of(seen.b)}));
     }
 };
 

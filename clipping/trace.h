@@ -40,9 +40,9 @@ struct CLEARCUT_HOLDS_CONTAINERS BasicStep {
     What what;             ///< the kind of the step
     bool holds;            ///< the result of a Test; false for other steps
     std::string_view name; ///< of the assigned variable, for Let
-    /// Line of the form's pseudo-code (`codeOf` in algorithm.h), from 1; 0 for a step on the third
+    /// Label of its line in the form's pseudo-code (pseudo_code.h); empty for a step on the third
     /// axis, for which the pseudo-code has no line.
-    int line;
+    std::string_view label;
     BasicSegment<double, N> segment; ///< the remaining segment after the step
     Edge edge;                       ///< the edge that the step concerns
     std::vector<NamedValue> values;  ///< variables assigned since the previous step
@@ -65,18 +65,20 @@ using Trace = BasicTrace<2>;
 
 /// Records nothing and costs nothing: the `step` argument of an algorithm on the fast path.
 ///
-/// Its functions are those by which an algorithm reports its steps, each with the step's line in
-/// the form's pseudo-code. They return their argument, so that a line of the code and its step are
-/// one expression: here `step.test(l, c)` is just `(c)`, and `step.let(l, n, v)` is `(v)`.
+/// Its functions are those by which an algorithm reports its steps, each with the label of
+/// the step's line in the form's pseudo-code. They return their argument, so that a line of the
+/// code and its step are one expression: here `step.test(l, c)` is just `(c)`, and `step.let(l, n,
+/// v)` is `(v)`.
 struct Unwatched {
     /// Tests a condition about an edge, or about the two edges of an axis; returns the condition.
-    constexpr bool test(int, bool condition, Edge = Edge::NoEdge, Edge = Edge::NoEdge) const
+    constexpr bool test(std::string_view, bool condition, Edge = Edge::NoEdge,
+                        Edge = Edge::NoEdge) const
     {
         return condition;
     }
     /// Assigns a variable, possibly for an intersection with an edge; returns the value.
     template <class T>
-    constexpr T let(int, std::string_view, T value, Edge = Edge::NoEdge) const
+    constexpr T let(std::string_view, std::string_view, T value, Edge = Edge::NoEdge) const
     {
         return value;
     }
@@ -89,16 +91,16 @@ struct Unwatched {
     /// Moves an end of the segment, 0 for a and 1 for b, to a point (or x, y) on an edge. Instead
     /// of the edge, the name of a variable may be given: then it is the edge of that variable's
     /// Let.
-    constexpr void cut(int, int, const auto&...) const {}
+    constexpr void cut(std::string_view, int, const auto&...) const {}
     /// Replaces both ends of the remaining segment.
-    constexpr void left(int, const auto&, Edge = Edge::NoEdge) const {}
+    constexpr void left(std::string_view, const auto&, Edge = Edge::NoEdge) const {}
     /// Ends the run: nothing is visible.
-    constexpr std::nullopt_t reject(int) const { return std::nullopt; }
+    constexpr std::nullopt_t reject(std::string_view) const { return std::nullopt; }
     /// Ends the run: a published form does not end and is stopped.
-    constexpr std::nullopt_t giveUp(int) const { return std::nullopt; }
+    constexpr std::nullopt_t giveUp(std::string_view) const { return std::nullopt; }
     /// Ends the run: a segment is visible; returns the segment.
     template <class S>
-    constexpr std::optional<S> accept(int, const S& visible) const
+    constexpr std::optional<S> accept(std::string_view, const S& visible) const
     {
         return visible;
     }
@@ -116,16 +118,17 @@ public:
     }
     /// The functions of Unwatched, which record here.
     /// @{
-    bool test(int line, bool condition, Edge edge = Edge::NoEdge, Edge other = Edge::NoEdge)
+    bool test(std::string_view label, bool condition, Edge edge = Edge::NoEdge,
+              Edge other = Edge::NoEdge)
     {
         if (other != Edge::NoEdge) // if it holds, the edge that both ends are beyond
             edge = !condition ? Edge::NoEdge : isBeyond(other) ? other : edge;
-        return tell({What::Test, condition}, line, edge), condition;
+        return tell({What::Test, condition}, label, edge), condition;
     }
     template <class T>
-    T let(int line, std::string_view name, T value, Edge edge = Edge::NoEdge)
+    T let(std::string_view label, std::string_view name, T value, Edge edge = Edge::NoEdge)
     {
-        return set(name, value), tell({What::Let, false, name}, line, edge), value;
+        return set(name, value), tell({What::Let, false, name}, label, edge), value;
     }
     template <class T>
     T set(std::string_view name, T value)
@@ -134,46 +137,46 @@ public:
         return value;
     }
     template <class T>
-    void cut(int line, int end, const glm::vec<N, Counted<T>>& to, Edge edge)
+    void cut(std::string_view label, int end, const glm::vec<N, Counted<T>>& to, Edge edge)
     {
         (end == 0 ? left_.a : left_.b) = glm::vec<N, double>(values(to));
-        tell({What::Cut}, line, edge);
+        tell({What::Cut}, label, edge);
     }
     template <class T>
-    void cut(int line, int end, T x, T y, Edge edge)
+    void cut(std::string_view label, int end, T x, T y, Edge edge)
     {
-        cut(line, end, glm::vec<2, T>(x, y), edge);
+        cut(label, end, glm::vec<2, T>(x, y), edge);
     }
     template <class T>
-    void cut(int line, int end, T x, T y, std::string_view variable)
+    void cut(std::string_view label, int end, T x, T y, std::string_view variable)
     {
         Edge edge = Edge::NoEdge;
         for (const BasicStep<N>& step : trace_.steps)
             if (step.what == What::Let && step.name == variable)
                 edge = step.edge;
-        cut(line, end, x, y, edge);
+        cut(label, end, x, y, edge);
     }
     template <class S>
-    void left(int line, const S& segment, Edge edge = Edge::NoEdge)
+    void left(std::string_view label, const S& segment, Edge edge = Edge::NoEdge)
     {
         left_ = inDouble(plain(segment));
-        tell({What::Let, false, "left"}, line, edge);
+        tell({What::Let, false, "left"}, label, edge);
     }
-    std::nullopt_t giveUp(int line)
+    std::nullopt_t giveUp(std::string_view label)
     {
         trace_.outcome = Outcome::DidNotEnd;
-        return tell({What::GiveUp}, line, Edge::NoEdge), std::nullopt;
+        return tell({What::GiveUp}, label, Edge::NoEdge), std::nullopt;
     }
-    std::nullopt_t reject(int line)
+    std::nullopt_t reject(std::string_view label)
     {
-        tell({What::Reject}, line, trace_.steps.empty() ? Edge::NoEdge : trace_.steps.back().edge);
+        tell({What::Reject}, label, trace_.steps.empty() ? Edge::NoEdge : trace_.steps.back().edge);
         return std::nullopt;
     }
     template <class S>
-    std::optional<S> accept(int line, const S& visible)
+    std::optional<S> accept(std::string_view label, const S& visible)
     {
         left_ = inDouble(plain(visible));
-        return tell({What::Accept}, line, Edge::NoEdge), visible;
+        return tell({What::Accept}, label, Edge::NoEdge), visible;
     }
     /// @}
     /// Returns the recorded trace; the recorder is empty afterwards.
@@ -190,9 +193,9 @@ private:
         bool holds = false;
         std::string_view name{};
     };
-    void tell(Word word, int line, Edge edge)
+    void tell(Word word, std::string_view label, Edge edge)
     {
-        trace_.steps.push_back({word.what, word.holds, word.name, line, left_, edge,
+        trace_.steps.push_back({word.what, word.holds, word.name, label, left_, edge,
                                 std::exchange(new_, {}), operations});
     }
     /// Whether both ends of the remaining segment are beyond an edge.

@@ -60,7 +60,7 @@ QString readingOf(const clipping::Algorithm& algorithm)
 {
     static const QRegularExpression comment(QStringLiteral("<!--.*?-->"),
                                             QRegularExpression::DotMatchesEverythingOption);
-    return pageOf(algorithm).markdown.remove(comment).trimmed() + hardCasesOf(algorithm);
+    return pageOf(algorithm).remove(comment).trimmed() + hardCasesOf(algorithm);
 }
 
 const clipping::Algorithm* algorithmOfPage(const QString& link)

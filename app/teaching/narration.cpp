@@ -5,6 +5,7 @@
 #include "app/teaching/page.h"
 #include "app/teaching/sentences/polygon.h"
 #include "app/teaching/teaching.h"
+#include "clipping/pseudo_code.h"
 
 #include <QRegularExpression>
 
@@ -90,12 +91,13 @@ std::optional<Point> candidateOf(const SentenceContext& context, const Teaching&
 }
 
 NarratedStep narratedStepOf(SentenceContext context, const Teaching& teaching,
-                            const QStringList& ends, const NarratedStep* earlier)
+                            const std::vector<clipping::CodeLine>& code, const QStringList& ends,
+                            const NarratedStep* earlier)
 {
     const Step& step = context.step;
     NarratedStep narrated{.mark =
                               markOf(step, earlier ? earlier->cost : clipping::OperationCounts{}),
-                          .line = step.line,
+                          .line = clipping::lineOf(code, step.label),
                           .sentence = {},
                           .variables = variablesAfter(step, ends, earlier),
                           .left = step.segment,
@@ -106,7 +108,6 @@ NarratedStep narratedStepOf(SentenceContext context, const Teaching& teaching,
     if (context.tracedLine.corners.empty()) {
         narrated.sentence = sentenceOf(teaching, context);
     } else {
-        narrated.line = polygonLine(context.tracedLine.variant, step);
         narrated.edge = clipping::Edge::NoEdge; // those of the bounding box
         narrated.polygonEdge = polygonEdgeOf(context);
         narrated.sentence = polygonSentence(context);
@@ -144,10 +145,11 @@ clipping::Trace traceOf(const TracedLine& tracedLine)
 
 Narration narrationOf(const TracedLine& tracedLine)
 {
-    Narration narration{.code = tracedLine.corners.empty() ? codeOf(tracedLine.variant)
-                                                           : polygonCode(tracedLine.variant),
-                        .refusal = refusalOf(tracedLine)};
-    if (tracedLine.variant.misprint)
+    const auto& [algorithm, form, misprint] = tracedLine.variant;
+    const std::string_view code = tracedLine.corners.empty() ? clipping::codeOf(*algorithm, form)
+                                                             : polygonCode(tracedLine.variant);
+    Narration narration{.code = shownCode(code), .refusal = refusalOf(tracedLine)};
+    if (misprint)
         narration.visible = clipped(tracedLine.variant, tracedLine.line, tracedLine.window);
     if (!narration.refusal.isEmpty())
         return narration;
@@ -155,12 +157,14 @@ Narration narrationOf(const TracedLine& tracedLine)
     narration.outcome = trace.outcome;
     if (trace.outcome == clipping::Outcome::Visible)
         narration.visible = trace.visible;
-    const Teaching teaching = teachingOf(*tracedLine.variant.algorithm);
+    const Teaching teaching = teachingOf(*algorithm);
+    const auto lines = clipping::linesOf(code);
     const QStringList ends = endsIn(narration.code);
     const Step* before = nullptr;
     for (const Step& step : trace.steps) {
         const NarratedStep* earlier = narration.steps.empty() ? nullptr : &narration.steps.back();
-        NarratedStep narrated = narratedStepOf({tracedLine, step, before}, teaching, ends, earlier);
+        NarratedStep narrated =
+            narratedStepOf({tracedLine, step, before}, teaching, lines, ends, earlier);
         narration.steps.push_back(std::move(narrated));
         before = &step;
     }

@@ -8,19 +8,14 @@
 
 namespace app {
 
-/// The page of an algorithm in resources/algorithms/KEY.md.
-struct AlgorithmPage {
-    QString markdown; ///< the whole page; without a page, the description in the algorithm's row
-    QStringList code; ///< its first pseudo-code, without line numbers
-};
-/// Reads a page, in which a line {published code} or {corrected code} is replaced by the library's
-/// pseudo-code of that form.
-AlgorithmPage pageOf(const clipping::Algorithm& algorithm);
+/// The page of an algorithm in resources/algorithms/KEY.md, in Markdown; without a page, the
+/// description in the algorithm's row. A line {published code} or {corrected code} of the file is
+/// replaced by the library's pseudo-code of that form.
+QString pageOf(const clipping::Algorithm& algorithm);
 
-/// The pseudo-code of a form without line numbers: line 1 of a trace is the first.
+/// The lines of a labelled pseudo-code (clipping/pseudo_code.h) as they are shown.
+QStringList shownCode(std::string_view code);
+/// The same of a form.
 QStringList codeOf(const Variant& variant);
-
-/// The numbered lines of the first code block that has any.
-QStringList pseudoCode(const QString& markdown);
 
 } // namespace app

@@ -26,6 +26,8 @@ struct SentenceContext {
     std::optional<double> known(std::string_view name) const;
     /// Whether the test held; false if the step is not a test.
     bool holds() const { return step.holds; }
+    /// Whether the step is at a line of the pseudo-code with one of these labels.
+    bool at(auto... labels) const { return ((step.label == std::string_view(labels)) || ...); }
 };
 
 /// The default sentence of a step: the current line of the pseudo-code, with the values of its

@@ -43,8 +43,8 @@ constexpr T dot(const glm::vec<dimensions, T>& u, const glm::vec<dimensions, T>&
     return sum;
 }
 
-/// Cuts a part at one edge: one pass of Cyrus and Beck's loop, lines 3 to 13 of the corrected
-/// pseudo-code; d is b - a. Returns false if nothing is visible.
+/// Cuts a part at one edge: one pass of Cyrus and Beck's loop in the corrected pseudo-code; d is
+/// b - a. Returns false if nothing is visible.
 template <class T, glm::length_t dimensions, class Step>
 constexpr bool cutAt(Edge edge, Part<T>& part, const BasicSegment<T, dimensions>& s,
                      const glm::vec<dimensions, T>& d, const BasicWindow<T, dimensions>& w,
@@ -52,20 +52,20 @@ constexpr bool cutAt(Edge edge, Part<T>& part, const BasicSegment<T, dimensions>
 {
     const auto v = cornerOn(edge, w), n = innerNormal<T, dimensions>(edge);
     step.set("xv", v.x), step.set("yv", v.y), step.set("nx", n.x), step.set("ny", n.y);
-    const T D = step.let(3, "D", dot(n, d), edge);
-    const T N = step.let(4, "N", dot(n, s.a - v), edge);
-    if (step.test(5, D == T(0), edge)) {
-        if (step.test(6, N < T(0), edge)) {
-            step.reject(6);
+    const T D = step.let("D", "D", dot(n, d), edge);
+    const T N = step.let("N", "N", dot(n, s.a - v), edge);
+    if (step.test("parallel", D == T(0), edge)) {
+        if (step.test("outside", N < T(0), edge)) {
+            step.reject("outside");
             return false;
         }
     } else {
-        const T t = step.let(8, "t", -N / D, edge);
-        if (step.test(9, D > T(0), edge)) {
-            if (step.test(10, t > part.start, edge))
-                part.start = step.let(11, "tE", t, edge), part.startEdge = edge;
-        } else if (step.test(12, t < part.stop, edge))
-            part.stop = step.let(13, "tL", t, edge), part.stopEdge = edge;
+        const T t = step.let("t", "t", -N / D, edge);
+        if (step.test("entering", D > T(0), edge)) {
+            if (step.test("later", t > part.start, edge))
+                part.start = step.let("start", "tE", t, edge), part.startEdge = edge;
+        } else if (step.test("sooner", t < part.stop, edge))
+            part.stop = step.let("stop", "tL", t, edge), part.stopEdge = edge;
     }
     return true;
 }

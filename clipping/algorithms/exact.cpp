@@ -46,31 +46,31 @@ struct Exact {
     }
 
     static constexpr std::string_view correctedCode = R"(
-if (x1 < xmin and x2 < xmin) or (x1 > xmax and x2 > xmax)
-  reject
-if (y1 < ymin and y2 < ymin) or (y1 > ymax and y2 > ymax)
-  reject
+if (x1 < xmin and x2 < xmin) or (x1 > xmax and x2 > xmax)  #besideX
+  reject  #rejectX
+if (y1 < ymin and y2 < ymin) or (y1 > ymax and y2 > ymax)  #besideY
+  reject  #rejectY
 x[1] = x1,  y[1] = y1,  x[2] = x2,  y[2] = y2
-right = x1 < x2,  up = y1 < y2
-xnear = right ? xmin : xmax,  xfar = right ? xmax : xmin
-ynear = up ? ymin : ymax,  yfar = up ? ymax : ymin
-enterX = right ? x1 < xnear : x1 > xnear
-enterY = up ? y1 < ynear : y1 > ynear
-leaveX = right ? x2 > xfar : x2 < xfar
-leaveY = up ? y2 > yfar : y2 < yfar
-if enterX and leaveY and order(xnear, yfar) > 0
-  reject
-if enterY and leaveX and order(xfar, ynear) < 0
-  reject
-if enterX and (not enterY or order(xnear, ynear) >= 0)
-  x[1] = xnear,  y[1] = yAt(xnear)
-else if enterY
-  y[1] = ynear,  x[1] = xAt(ynear)
-if leaveX and (not leaveY or order(xfar, yfar) <= 0)
-  x[2] = xfar,  y[2] = yAt(xfar)
-else if leaveY
-  y[2] = yfar,  x[2] = xAt(yfar)
-accept the line from x[1], y[1] to x[2], y[2]
+right = x1 < x2,  up = y1 < y2  #direction
+xnear = right ? xmin : xmax,  xfar = right ? xmax : xmin  #levelsX
+ynear = up ? ymin : ymax,  yfar = up ? ymax : ymin  #levelsY
+enterX = right ? x1 < xnear : x1 > xnear  #enterX
+enterY = up ? y1 < ynear : y1 > ynear  #enterY
+leaveX = right ? x2 > xfar : x2 < xfar  #leaveX
+leaveY = up ? y2 > yfar : y2 < yfar  #leaveY
+if enterX and leaveY and order(xnear, yfar) > 0  #leavesYFirst
+  reject  #rejectYFirst
+if enterY and leaveX and order(xfar, ynear) < 0  #leavesXFirst
+  reject  #rejectXFirst
+if enterX and (not enterY or order(xnear, ynear) >= 0)  #end1AtX
+  x[1] = xnear,  y[1] = yAt(xnear)  #move1ToX
+else if enterY  #end1AtY
+  y[1] = ynear,  x[1] = xAt(ynear)  #move1ToY
+if leaveX and (not leaveY or order(xfar, yfar) <= 0)  #end2AtX
+  x[2] = xfar,  y[2] = yAt(xfar)  #move2ToX
+else if leaveY  #end2AtY
+  y[2] = yfar,  x[2] = xAt(yfar)  #move2ToY
+accept the line from x[1], y[1] to x[2], y[2]  #accept
 )";
     /// The visible piece, and the edges at which it enters and leaves; NoEdge at an end of the
     /// input. (The coordinates alone do not tell the edge, because a new end may be rounded onto
@@ -87,47 +87,51 @@ accept the line from x[1], y[1] to x[2], y[2]
     {
         const T x1 = s.a.x, y1 = s.a.y, x2 = s.b.x, y2 = s.b.y;
         const T xmin = w.min.x, ymin = w.min.y, xmax = w.max.x, ymax = w.max.y;
-        if (step.test(1, (x1 < xmin && x2 < xmin) || (x1 > xmax && x2 > xmax), Edge::Left,
+        if (step.test("besideX", (x1 < xmin && x2 < xmin) || (x1 > xmax && x2 > xmax), Edge::Left,
                       Edge::Right))
-            return step.reject(2);
-        if (step.test(3, (y1 < ymin && y2 < ymin) || (y1 > ymax && y2 > ymax), Edge::Bottom,
+            return step.reject("rejectX");
+        if (step.test("besideY", (y1 < ymin && y2 < ymin) || (y1 > ymax && y2 > ymax), Edge::Bottom,
                       Edge::Top))
-            return step.reject(4);
-        const bool right = step.set("right", x1 < x2), up = step.let(6, "up", y1 < y2);
+            return step.reject("rejectY");
+        const bool right = step.set("right", x1 < x2), up = step.let("direction", "up", y1 < y2);
         const Edge nearX = right ? Edge::Left : Edge::Right,
                    farX = right ? Edge::Right : Edge::Left;
         const Edge nearY = up ? Edge::Bottom : Edge::Top, farY = up ? Edge::Top : Edge::Bottom;
         const T xnear = step.set("xnear", right ? xmin : xmax);
-        const T xfar = step.let(7, "xfar", right ? xmax : xmin);
+        const T xfar = step.let("levelsX", "xfar", right ? xmax : xmin);
         const T ynear = step.set("ynear", up ? ymin : ymax);
-        const T yfar = step.let(8, "yfar", up ? ymax : ymin);
-        const bool enterX = step.let(9, "enterX", right ? x1 < xnear : x1 > xnear, nearX);
-        const bool enterY = step.let(10, "enterY", up ? y1 < ynear : y1 > ynear, nearY);
-        const bool leaveX = step.let(11, "leaveX", right ? x2 > xfar : x2 < xfar, farX);
-        const bool leaveY = step.let(12, "leaveY", up ? y2 > yfar : y2 < yfar, farY);
+        const T yfar = step.let("levelsY", "yfar", up ? ymax : ymin);
+        const bool enterX = step.let("enterX", "enterX", right ? x1 < xnear : x1 > xnear, nearX);
+        const bool enterY = step.let("enterY", "enterY", up ? y1 < ynear : y1 > ynear, nearY);
+        const bool leaveX = step.let("leaveX", "leaveX", right ? x2 > xfar : x2 < xfar, farX);
+        const bool leaveY = step.let("leaveY", "leaveY", up ? y2 > yfar : y2 < yfar, farY);
 
         const LineThrough line(s);
-        if (step.test(13, enterX && leaveY && std::is_gt(line.order(xnear, yfar)), farY))
-            return step.reject(14);
-        if (step.test(15, enterY && leaveX && std::is_lt(line.order(xfar, ynear)), farX))
-            return step.reject(16);
+        if (step.test("leavesYFirst", enterX && leaveY && std::is_gt(line.order(xnear, yfar)),
+                      farY))
+            return step.reject("rejectYFirst");
+        if (step.test("leavesXFirst", enterY && leaveX && std::is_lt(line.order(xfar, ynear)),
+                      farX))
+            return step.reject("rejectXFirst");
         Piece<T> piece{s};
         auto& [a, b] = piece.visible;
-        if (step.test(17, enterX && (!enterY || std::is_gteq(line.order(xnear, ynear))), nearX)) {
+        if (step.test("end1AtX", enterX && (!enterY || std::is_gteq(line.order(xnear, ynear))),
+                      nearX)) {
             a = {xnear, line.yAt(xnear)}, piece.enter = nearX;
-            step.cut(18, 0, a, nearX);
-        } else if (step.test(19, enterY, nearY)) {
+            step.cut("move1ToX", 0, a, nearX);
+        } else if (step.test("end1AtY", enterY, nearY)) {
             a = {line.xAt(ynear), ynear}, piece.enter = nearY;
-            step.cut(20, 0, a, nearY);
+            step.cut("move1ToY", 0, a, nearY);
         }
-        if (step.test(21, leaveX && (!leaveY || std::is_lteq(line.order(xfar, yfar))), farX)) {
+        if (step.test("end2AtX", leaveX && (!leaveY || std::is_lteq(line.order(xfar, yfar))),
+                      farX)) {
             b = {xfar, line.yAt(xfar)}, piece.leave = farX;
-            step.cut(22, 1, b, farX);
-        } else if (step.test(23, leaveY, farY)) {
+            step.cut("move2ToX", 1, b, farX);
+        } else if (step.test("end2AtY", leaveY, farY)) {
             b = {line.xAt(yfar), yfar}, piece.leave = farY;
-            step.cut(24, 1, b, farY);
+            step.cut("move2ToY", 1, b, farY);
         }
-        step.accept(25, piece.visible);
+        step.accept("accept", piece.visible);
         return piece;
     }
 

@@ -31,45 +31,45 @@ struct KodituwakkuWijeweeraChamikara {
 
     static constexpr std::string_view publishedCode = R"(
 x[1] = x1,  y[1] = y1,  x[2] = x2,  y[2] = y2
-if x[1] != x[2]
-  if y[1] != y[2]
-    m = (y[1]-y[2])/(x[1]-x[2])
-    c = (x[1]*y[2]-x[2]*y[1])/(x[1]-x[2])
+if x[1] != x[2]  #notUpright
+  if y[1] != y[2]  #notLevel
+    m = (y[1]-y[2])/(x[1]-x[2])  #m
+    c = (x[1]*y[2]-x[2]*y[1])/(x[1]-x[2])  #c
     for i = 1, 2
-      if x[i] < xmin
-        x[i] = xmin,  y[i] = m*xmin + c
-      else if x[i] > xmax
-        x[i] = xmax,  y[i] = m*xmax + c
-      if y[i] < ymin
-        x[i] = (ymin-c)/m,  y[i] = ymin
-      else if y[i] > ymax
-        x[i] = (ymax-c)/m,  y[i] = ymax
-    if x[1]-x[2] < 1 and x[2]-x[1] < 1
-      reject
+      if x[i] < xmin  #left
+        x[i] = xmin,  y[i] = m*xmin + c  #toLeft
+      else if x[i] > xmax  #right
+        x[i] = xmax,  y[i] = m*xmax + c  #toRight
+      if y[i] < ymin  #bottom
+        x[i] = (ymin-c)/m,  y[i] = ymin  #toBottom
+      else if y[i] > ymax  #top
+        x[i] = (ymax-c)/m,  y[i] = ymax  #toTop
+    if x[1]-x[2] < 1 and x[2]-x[1] < 1  #short
+      reject  #rejectShort
   else
-    if y[1] <= ymin or y[1] >= ymax
-      reject
+    if y[1] <= ymin or y[1] >= ymax  #levelOutside
+      reject  #rejectLevel
     for i = 1, 2
-      if x[i] < xmin
-        x[i] = xmin
-      else if x[i] > xmax
-        x[i] = xmax
-    if x[1]-x[2] < 1 and x[2]-x[1] < 1
-      reject
-else if y[1] == y[2]
-  if y[1] <= ymin or y[1] >= ymax or x[1] <= xmin or x[1] >= xmax
-    reject
+      if x[i] < xmin  #levelLeft
+        x[i] = xmin  #levelToLeft
+      else if x[i] > xmax  #levelRight
+        x[i] = xmax  #levelToRight
+    if x[1]-x[2] < 1 and x[2]-x[1] < 1  #levelShort
+      reject  #rejectLevelShort
+else if y[1] == y[2]  #point
+  if y[1] <= ymin or y[1] >= ymax or x[1] <= xmin or x[1] >= xmax  #pointOutside
+    reject  #rejectPoint
 else
-  if x[1] <= xmin or x[1] >= xmax
-    reject
+  if x[1] <= xmin or x[1] >= xmax  #uprightOutside
+    reject  #rejectUpright
   for i = 1, 2
-    if y[i] < ymin
-      y[i] = ymin
-    else if y[i] > ymax
-      y[i] = ymax
-  if y[1]-y[2] < 1 and y[2]-y[1] < 1
-    reject
-accept the line from x[1], y[1] to x[2], y[2]
+    if y[i] < ymin  #uprightBottom
+      y[i] = ymin  #uprightToBottom
+    else if y[i] > ymax  #uprightTop
+      y[i] = ymax  #uprightToTop
+  if y[1]-y[2] < 1 and y[2]-y[1] < 1  #uprightShort
+    reject  #rejectUprightShort
+accept the line from x[1], y[1] to x[2], y[2]  #accept
 )";
     template <class T, class Step>
     // NOLINTNEXTLINE(readability-function-size): one function, as its authors list it
@@ -78,118 +78,119 @@ accept the line from x[1], y[1] to x[2], y[2]
     {
         const T xmin = w.min.x, ymin = w.min.y, xmax = w.max.x, ymax = w.max.y;
         T x[]{s.a.x, s.b.x}, y[]{s.a.y, s.b.y};
-        if (step.test(2, x[0] != x[1])) {
-            if (step.test(3, y[0] != y[1])) {
-                const T m = step.let(4, "m", (y[0] - y[1]) / (x[0] - x[1]));
-                const T c = step.let(5, "c", (x[0] * y[1] - x[1] * y[0]) / (x[0] - x[1]));
+        if (step.test("notUpright", x[0] != x[1])) {
+            if (step.test("notLevel", y[0] != y[1])) {
+                const T m = step.let("m", "m", (y[0] - y[1]) / (x[0] - x[1]));
+                const T c = step.let("c", "c", (x[0] * y[1] - x[1] * y[0]) / (x[0] - x[1]));
                 for (int i = 0; i < 2; ++i) {
                     step.set("i", i + 1);
-                    if (step.test(7, x[i] < xmin, Edge::Left)) {
+                    if (step.test("left", x[i] < xmin, Edge::Left)) {
                         x[i] = xmin, y[i] = m * xmin + c;
-                        step.cut(8, i, x[i], y[i], Edge::Left);
-                    } else if (step.test(9, x[i] > xmax, Edge::Right)) {
+                        step.cut("toLeft", i, x[i], y[i], Edge::Left);
+                    } else if (step.test("right", x[i] > xmax, Edge::Right)) {
                         x[i] = xmax, y[i] = m * xmax + c;
-                        step.cut(10, i, x[i], y[i], Edge::Right);
+                        step.cut("toRight", i, x[i], y[i], Edge::Right);
                     }
-                    if (step.test(11, y[i] < ymin, Edge::Bottom)) {
+                    if (step.test("bottom", y[i] < ymin, Edge::Bottom)) {
                         x[i] = (ymin - c) / m, y[i] = ymin;
-                        step.cut(12, i, x[i], y[i], Edge::Bottom);
-                    } else if (step.test(13, y[i] > ymax, Edge::Top)) {
+                        step.cut("toBottom", i, x[i], y[i], Edge::Bottom);
+                    } else if (step.test("top", y[i] > ymax, Edge::Top)) {
                         x[i] = (ymax - c) / m, y[i] = ymax;
-                        step.cut(14, i, x[i], y[i], Edge::Top);
+                        step.cut("toTop", i, x[i], y[i], Edge::Top);
                     }
                 }
-                if (step.test(15, x[0] - x[1] < T(1) && x[1] - x[0] < T(1)))
-                    return step.reject(16);
+                if (step.test("short", x[0] - x[1] < T(1) && x[1] - x[0] < T(1)))
+                    return step.reject("rejectShort");
             } else {
-                if (step.test(18, y[0] <= ymin || y[0] >= ymax))
-                    return step.reject(19);
+                if (step.test("levelOutside", y[0] <= ymin || y[0] >= ymax))
+                    return step.reject("rejectLevel");
                 for (int i = 0; i < 2; ++i) {
                     step.set("i", i + 1);
-                    if (step.test(21, x[i] < xmin, Edge::Left)) {
+                    if (step.test("levelLeft", x[i] < xmin, Edge::Left)) {
                         x[i] = xmin;
-                        step.cut(22, i, x[i], y[i], Edge::Left);
-                    } else if (step.test(23, x[i] > xmax, Edge::Right)) {
+                        step.cut("levelToLeft", i, x[i], y[i], Edge::Left);
+                    } else if (step.test("levelRight", x[i] > xmax, Edge::Right)) {
                         x[i] = xmax;
-                        step.cut(24, i, x[i], y[i], Edge::Right);
+                        step.cut("levelToRight", i, x[i], y[i], Edge::Right);
                     }
                 }
-                if (step.test(25, x[0] - x[1] < T(1) && x[1] - x[0] < T(1)))
-                    return step.reject(26);
+                if (step.test("levelShort", x[0] - x[1] < T(1) && x[1] - x[0] < T(1)))
+                    return step.reject("rejectLevelShort");
             }
-        } else if (step.test(27, y[0] == y[1])) {
-            if (step.test(28, y[0] <= ymin || y[0] >= ymax || x[0] <= xmin || x[0] >= xmax))
-                return step.reject(29);
+        } else if (step.test("point", y[0] == y[1])) {
+            if (step.test("pointOutside",
+                          y[0] <= ymin || y[0] >= ymax || x[0] <= xmin || x[0] >= xmax))
+                return step.reject("rejectPoint");
         } else {
-            if (step.test(31, x[0] <= xmin || x[0] >= xmax))
-                return step.reject(32);
+            if (step.test("uprightOutside", x[0] <= xmin || x[0] >= xmax))
+                return step.reject("rejectUpright");
             for (int i = 0; i < 2; ++i) {
                 step.set("i", i + 1);
-                if (step.test(34, y[i] < ymin, Edge::Bottom)) {
+                if (step.test("uprightBottom", y[i] < ymin, Edge::Bottom)) {
                     y[i] = ymin;
-                    step.cut(35, i, x[i], y[i], Edge::Bottom);
-                } else if (step.test(36, y[i] > ymax, Edge::Top)) {
+                    step.cut("uprightToBottom", i, x[i], y[i], Edge::Bottom);
+                } else if (step.test("uprightTop", y[i] > ymax, Edge::Top)) {
                     y[i] = ymax;
-                    step.cut(37, i, x[i], y[i], Edge::Top);
+                    step.cut("uprightToTop", i, x[i], y[i], Edge::Top);
                 }
             }
-            if (step.test(38, y[0] - y[1] < T(1) && y[1] - y[0] < T(1)))
-                return step.reject(39);
+            if (step.test("uprightShort", y[0] - y[1] < T(1) && y[1] - y[0] < T(1)))
+                return step.reject("rejectUprightShort");
         }
-        return step.accept(40, BasicSegment<T>{{x[0], y[0]}, {x[1], y[1]}});
+        return step.accept("accept", BasicSegment<T>{{x[0], y[0]}, {x[1], y[1]}});
     }
 
     static constexpr std::string_view correctedCode = R"(
 x[1] = x1,  y[1] = y1,  x[2] = x2,  y[2] = y2
-if x1 != x2
-  if y1 != y2
-    dx = x2-x1,  dy = y2-y1
-    push(1, x1, y1, x2, y2)
-    push(2, x2, y2, x1, y1)
-    hold new ends inside the window
+if x1 != x2  #notUpright
+  if y1 != y2  #notLevel
+    dx = x2-x1,  dy = y2-y1  #extent
+    push(1, x1, y1, x2, y2)  #push1
+    push(2, x2, y2, x1, y1)  #push2
+    hold new ends inside the window  #hold
   else
-    if y1 < ymin or y1 > ymax: reject
-    pushInX(1, x1, x2)
-    pushInX(2, x2, x1)
-else if y1 == y2
-  if y1 < ymin or y1 > ymax or x1 < xmin or x1 > xmax: reject
+    if y1 < ymin or y1 > ymax: reject  #levelOutside
+    pushInX(1, x1, x2)  #level1
+    pushInX(2, x2, x1)  #level2
+else if y1 == y2  #point
+  if y1 < ymin or y1 > ymax or x1 < xmin or x1 > xmax: reject  #pointOutside
 else
-  if x1 < xmin or x1 > xmax: reject
-  pushInY(1, y1, y2)
-  pushInY(2, y2, y1)
-accept the line from x[1], y[1] to x[2], y[2]
+  if x1 < xmin or x1 > xmax: reject  #uprightOutside
+  pushInY(1, y1, y2)  #upright1
+  pushInY(2, y2, y1)  #upright2
+accept the line from x[1], y[1] to x[2], y[2]  #accept
 push(i, xi, yi, xo, yo):
   moved = false
-  if xi < xmin
-    if xo < xmin: reject
-    rise = dy * (xmin-xi) / dx
-    x[i] = xmin,  y[i] = yi + rise,  moved = true
-  else if xi > xmax
-    if xo > xmax: reject
-    rise = dy * (xmax-xi) / dx
-    x[i] = xmax,  y[i] = yi + rise,  moved = true
-  if (moved ? rise < ymin-yi : yi < ymin)
-    if yo < ymin: reject
-    run = dx * (ymin-yi) / dy
-    x[i] = xi + run,  y[i] = ymin
-  else if (moved ? rise > ymax-yi : yi > ymax)
-    if yo > ymax: reject
-    run = dx * (ymax-yi) / dy
-    x[i] = xi + run,  y[i] = ymax
+  if xi < xmin  #left
+    if xo < xmin: reject  #bothLeft
+    rise = dy * (xmin-xi) / dx  #riseToLeft
+    x[i] = xmin,  y[i] = yi + rise,  moved = true  #toLeft
+  else if xi > xmax  #right
+    if xo > xmax: reject  #bothRight
+    rise = dy * (xmax-xi) / dx  #riseToRight
+    x[i] = xmax,  y[i] = yi + rise,  moved = true  #toRight
+  if (moved ? rise < ymin-yi : yi < ymin)  #bottom
+    if yo < ymin: reject  #bothBelow
+    run = dx * (ymin-yi) / dy  #runToBottom
+    x[i] = xi + run,  y[i] = ymin  #toBottom
+  else if (moved ? rise > ymax-yi : yi > ymax)  #top
+    if yo > ymax: reject  #bothAbove
+    run = dx * (ymax-yi) / dy  #runToTop
+    x[i] = xi + run,  y[i] = ymax  #toTop
 pushInX(i, xi, xo):
-  if xi < xmin
-    if xo < xmin: reject
-    x[i] = xmin
-  else if xi > xmax
-    if xo > xmax: reject
-    x[i] = xmax
+  if xi < xmin  #levelLeft
+    if xo < xmin: reject  #levelBothLeft
+    x[i] = xmin  #levelToLeft
+  else if xi > xmax  #levelRight
+    if xo > xmax: reject  #levelBothRight
+    x[i] = xmax  #levelToRight
 pushInY(i, yi, yo):
-  if yi < ymin
-    if yo < ymin: reject
-    y[i] = ymin
-  else if yi > ymax
-    if yo > ymax: reject
-    y[i] = ymax
+  if yi < ymin  #uprightBottom
+    if yo < ymin: reject  #uprightBothBelow
+    y[i] = ymin  #uprightToBottom
+  else if yi > ymax  #uprightTop
+    if yo > ymax: reject  #uprightBothAbove
+    y[i] = ymax  #uprightToTop
 )";
     template <class T, class Step>
     static constexpr std::optional<BasicSegment<T>> corrected(const BasicSegment<T>& s,
@@ -197,20 +198,20 @@ pushInY(i, yi, yo):
     {
         const T x1 = s.a.x, y1 = s.a.y, x2 = s.b.x, y2 = s.b.y;
         const T xmin = w.min.x, ymin = w.min.y, xmax = w.max.x, ymax = w.max.y;
-        if (step.test(2, x1 != x2)) {
-            if (step.test(3, y1 != y2))
+        if (step.test("notUpright", x1 != x2)) {
+            if (step.test("notLevel", y1 != y2))
                 return slanted(s, w, step);
-            if (step.test(9, y1 < ymin || y1 > ymax, Edge::Bottom, Edge::Top))
-                return step.reject(9);
+            if (step.test("levelOutside", y1 < ymin || y1 > ymax, Edge::Bottom, Edge::Top))
+                return step.reject("levelOutside");
             return straight(0, s, w, step);
         }
-        if (step.test(12, y1 == y2)) {
-            if (step.test(13, y1 < ymin || y1 > ymax || x1 < xmin || x1 > xmax))
-                return step.reject(13);
-            return step.accept(18, s);
+        if (step.test("point", y1 == y2)) {
+            if (step.test("pointOutside", y1 < ymin || y1 > ymax || x1 < xmin || x1 > xmax))
+                return step.reject("pointOutside");
+            return step.accept("accept", s);
         }
-        if (step.test(15, x1 < xmin || x1 > xmax, Edge::Left, Edge::Right))
-            return step.reject(15);
+        if (step.test("uprightOutside", x1 < xmin || x1 > xmax, Edge::Left, Edge::Right))
+            return step.reject("uprightOutside");
         return straight(1, s, w, step);
     }
 
@@ -218,7 +219,7 @@ pushInY(i, yi, yo):
     static constexpr std::optional<BasicSegment<T>> slanted(const BasicSegment<T>& s,
                                                             const BasicWindow<T>& w, Step& step)
     {
-        const T dx = step.set("dx", s.b.x - s.a.x), dy = step.let(4, "dy", s.b.y - s.a.y);
+        const T dx = step.set("dx", s.b.x - s.a.x), dy = step.let("extent", "dy", s.b.y - s.a.y);
         BasicSegment<T> visible = s;
         const auto edge1 = push(1, visible.a, s, {dx, dy}, w, step);
         if (!edge1)
@@ -227,8 +228,8 @@ pushInY(i, yi, yo):
         if (!edge2)
             return std::nullopt;
         visible = {clampedAlong(*edge1, visible.a, w), clampedAlong(*edge2, visible.b, w)};
-        step.left(7, visible);
-        return step.accept(18, visible);
+        step.left("hold", visible);
+        return step.accept("accept", visible);
     }
 
     /// Moves End i from `at` to the edges that it is beyond. Returns the last of them, or nothing
@@ -244,40 +245,41 @@ pushInY(i, yi, yo):
         step.set("i", i);
         bool moved = step.set("moved", false);
         const T xi = step.set("xi", end.x), yi = step.set("yi", end.y);
-        const T xo = step.set("xo", other.x), yo = step.let(4 + i, "yo", other.y);
+        const T xo = step.set("xo", other.x),
+                yo = step.let(i == 1 ? "push1" : "push2", "yo", other.y);
         Edge edge = Edge::NoEdge;
         T rise(0);
-        if (step.test(21, xi < xmin, Edge::Left)) {
-            if (step.test(22, xo < xmin, Edge::Left))
-                return step.reject(22);
-            rise = step.let(23, "rise", dy * (xmin - xi) / dx, Edge::Left);
+        if (step.test("left", xi < xmin, Edge::Left)) {
+            if (step.test("bothLeft", xo < xmin, Edge::Left))
+                return step.reject("bothLeft");
+            rise = step.let("riseToLeft", "rise", dy * (xmin - xi) / dx, Edge::Left);
             at = {xmin, yi + rise}, edge = Edge::Left, moved = step.set("moved", true);
-            step.cut(24, i - 1, at, edge);
-        } else if (step.test(25, xi > xmax, Edge::Right)) {
-            if (step.test(26, xo > xmax, Edge::Right))
-                return step.reject(26);
-            rise = step.let(27, "rise", dy * (xmax - xi) / dx, Edge::Right);
+            step.cut("toLeft", i - 1, at, edge);
+        } else if (step.test("right", xi > xmax, Edge::Right)) {
+            if (step.test("bothRight", xo > xmax, Edge::Right))
+                return step.reject("bothRight");
+            rise = step.let("riseToRight", "rise", dy * (xmax - xi) / dx, Edge::Right);
             at = {xmax, yi + rise}, edge = Edge::Right, moved = step.set("moved", true);
-            step.cut(28, i - 1, at, edge);
+            step.cut("toRight", i - 1, at, edge);
         }
-        if (step.test(29, moved ? rise < ymin - yi : yi < ymin, Edge::Bottom)) {
-            if (step.test(30, yo < ymin, Edge::Bottom))
-                return step.reject(30);
-            const T run = step.let(31, "run", dx * (ymin - yi) / dy, Edge::Bottom);
+        if (step.test("bottom", moved ? rise < ymin - yi : yi < ymin, Edge::Bottom)) {
+            if (step.test("bothBelow", yo < ymin, Edge::Bottom))
+                return step.reject("bothBelow");
+            const T run = step.let("runToBottom", "run", dx * (ymin - yi) / dy, Edge::Bottom);
             at = {xi + run, ymin}, edge = Edge::Bottom;
-            step.cut(32, i - 1, at, edge);
-        } else if (step.test(33, moved ? rise > ymax - yi : yi > ymax, Edge::Top)) {
-            if (step.test(34, yo > ymax, Edge::Top))
-                return step.reject(34);
-            const T run = step.let(35, "run", dx * (ymax - yi) / dy, Edge::Top);
+            step.cut("toBottom", i - 1, at, edge);
+        } else if (step.test("top", moved ? rise > ymax - yi : yi > ymax, Edge::Top)) {
+            if (step.test("bothAbove", yo > ymax, Edge::Top))
+                return step.reject("bothAbove");
+            const T run = step.let("runToTop", "run", dx * (ymax - yi) / dy, Edge::Top);
             at = {xi + run, ymax}, edge = Edge::Top;
-            step.cut(36, i - 1, at, edge);
+            step.cut("toTop", i - 1, at, edge);
         }
         return edge;
     }
 
-    /// Clips a segment parallel to x (axis 0: lines 10 and 11) or y (axis 1: lines 16 and 17) that
-    /// is within the window's range on the other axis.
+    /// Clips a segment parallel to x (axis 0) or y (axis 1) that is within the window's range on
+    /// the other axis.
     template <class T, class Step>
     static constexpr std::optional<BasicSegment<T>> straight(int axis, const BasicSegment<T>& s,
                                                              const BasicWindow<T>& w, Step& step)
@@ -288,31 +290,52 @@ pushInY(i, yi, yo):
         const auto end2 = pushAlong(axis, 2, s, w, step);
         if (!end2)
             return std::nullopt;
-        return step.accept(18, BasicSegment<T>{*end1, *end2});
+        return step.accept("accept", BasicSegment<T>{*end1, *end2});
     }
+
+    /// The labels of pushInX or pushInY, and of its calls for End 1 and End 2.
+    struct PushLabels {
+        std::array<std::string_view, 2> calls;
+        std::string_view below, bothBelow, toLow, above, bothAbove, toHigh;
+    };
+    static constexpr std::array<PushLabels, 2> pushLabels{{{{"level1", "level2"},
+                                                            "levelLeft",
+                                                            "levelBothLeft",
+                                                            "levelToLeft",
+                                                            "levelRight",
+                                                            "levelBothRight",
+                                                            "levelToRight"},
+                                                           {{"upright1", "upright2"},
+                                                            "uprightBottom",
+                                                            "uprightBothBelow",
+                                                            "uprightToBottom",
+                                                            "uprightTop",
+                                                            "uprightBothAbove",
+                                                            "uprightToTop"}}};
 
     /// pushInX (axis 0) or pushInY (axis 1): returns the new position of End i.
     template <class T, class Step>
     static constexpr std::optional<glm::vec<2, T>>
     pushAlong(int axis, int i, const BasicSegment<T>& s, const BasicWindow<T>& w, Step& step)
     {
-        const int call = (axis == 0 ? 9 : 15) + i, line = axis == 0 ? 38 : 45;
+        const PushLabels& labels = pushLabels[std::size_t(axis)];
         const Edge lower = lowerEdge(axis), upper = upperEdge(axis);
         const T low = w.min[axis], high = w.max[axis];
         glm::vec<2, T> end = i == 1 ? s.a : s.b;
         step.set("i", i);
         const T vi = step.set(axis == 0 ? "xi" : "yi", end[axis]);
-        const T vo = step.let(call, axis == 0 ? "xo" : "yo", i == 1 ? s.b[axis] : s.a[axis]);
-        if (step.test(line, vi < low, lower)) {
-            if (step.test(line + 1, vo < low, lower))
-                return step.reject(line + 1);
+        const T vo = step.let(labels.calls[std::size_t(i - 1)], axis == 0 ? "xo" : "yo",
+                              i == 1 ? s.b[axis] : s.a[axis]);
+        if (step.test(labels.below, vi < low, lower)) {
+            if (step.test(labels.bothBelow, vo < low, lower))
+                return step.reject(labels.bothBelow);
             end[axis] = low;
-            step.cut(line + 2, i - 1, end, lower);
-        } else if (step.test(line + 3, vi > high, upper)) {
-            if (step.test(line + 4, vo > high, upper))
-                return step.reject(line + 4);
+            step.cut(labels.toLow, i - 1, end, lower);
+        } else if (step.test(labels.above, vi > high, upper)) {
+            if (step.test(labels.bothAbove, vo > high, upper))
+                return step.reject(labels.bothAbove);
             end[axis] = high;
-            step.cut(line + 5, i - 1, end, upper);
+            step.cut(labels.toHigh, i - 1, end, upper);
         }
         return end;
     }

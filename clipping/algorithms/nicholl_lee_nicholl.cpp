@@ -38,7 +38,7 @@ struct NichollLeeNicholl {
     /// The parameters of a procedure that runs in the plane transformed by Symmetry.
     template <class Symmetry, class T, class Step>
     struct Turned {
-        int line; ///< of the call
+        std::string_view call; ///< its label
         Parameters<T>& outside;
         Step& outsideStep;
         Parameters<T> inside;
@@ -53,13 +53,14 @@ struct NichollLeeNicholl {
             outside.x1 = a.x, outside.y1 = a.y, outside.x2 = b.x, outside.y2 = b.y;
             outside.display = inside.display;
             tell(outside, outsideStep), outsideStep.set("ymin", outside.ymin);
-            outsideStep.left(line, BasicSegment<T>{a, b});
+            outsideStep.left(call, BasicSegment<T>{a, b});
         }
     };
 
     /// Transforms window and ends for a call.
     template <class Symmetry, class T, class Step>
-    static constexpr Turned<Symmetry, T, Step> turned(int line, Parameters<T>& p, Step& step)
+    static constexpr Turned<Symmetry, T, Step> turned(std::string_view call, Parameters<T>& p,
+                                                      Step& step)
     {
         using V = glm::vec<2, T>;
         const auto w = Symmetry::window(BasicWindow<T>{{p.xmin, p.ymin}, {p.xmax, p.ymax}});
@@ -67,8 +68,8 @@ struct NichollLeeNicholl {
         const Parameters<T> inside{w.min.x, w.max.y, w.max.x, w.min.y,  a.x,
                                    a.y,     b.x,     b.y,     p.display};
         tell(inside, step);
-        step.let(line, "ymin", inside.ymin);
-        return {line, p, step, inside, turnedStep<typename Symmetry::Inverse>(step)};
+        step.let(call, "ymin", inside.ymin);
+        return {call, p, step, inside, turnedStep<typename Symmetry::Inverse>(step)};
     }
 
     /// Reports the parameters of a procedure, except ymin.
@@ -81,74 +82,74 @@ struct NichollLeeNicholl {
 
     static constexpr std::string_view publishedCode = R"(
 display = true
-if x1 < xmin: leftColumn(xmin, ymax, xmax, ymin)
-else if x1 > xmax: turn leftColumn(-xmax, -ymin, -xmin, -ymax)
+if x1 < xmin: leftColumn(xmin, ymax, xmax, ymin)  #left
+else if x1 > xmax: turn leftColumn(-xmax, -ymin, -xmin, -ymax)  #right
 else: centreColumn(xmin, ymax, xmax, ymin)
-if not display: reject
-accept the line from x1, y1 to x2, y2
+if not display: reject  #hidden
+accept the line from x1, y1 to x2, y2  #accept
 leftColumn(xmin, ymax, xmax, ymin):
-  if x2 < xmin: display = false
-  else if y1 > ymax: topLeftCorner(xmin, ymax, xmax, ymin)
-  else if y1 < ymin: mirror topLeftCorner(xmin, -ymin, xmax, -ymax)
+  if x2 < xmin: display = false  #bothLeft
+  else if y1 > ymax: topLeftCorner(xmin, ymax, xmax, ymin)  #leftAbove
+  else if y1 < ymin: mirror topLeftCorner(xmin, -ymin, xmax, -ymax)  #leftBelow
   else: leftEdge(xmin, ymax, xmax, ymin)
 topLeftCorner(xmin, ymax, xmax, ymin):
-  if y2 > ymax: display = false,  return
-  dx = x2-x1,  dy = y2-y1
-  pymax = (ymax-y1) * dx,  pxmin = (xmin-x1) * dy
-  if pymax > pxmin
+  if y2 > ymax: display = false,  return  #bothAbove
+  dx = x2-x1,  dy = y2-y1  #cornerExtent
+  pymax = (ymax-y1) * dx,  pxmin = (xmin-x1) * dy  #cornerProducts
+  if pymax > pxmin  #cornerSide
     leftBottomRegion(xmin, ymax, xmax, ymin, dx, dy, pxmin)
   else
-    mirror leftBottomRegion(-ymax, -xmin, -ymin, -xmax, -dy, -dx, pymax)
+    mirror leftBottomRegion(-ymax, -xmin, -ymin, -xmax, -dy, -dx, pymax)  #mirrorCorner
 leftBottomRegion(xmin, ymax, xmax, ymin, dx, dy, pxmin):
-  if y2 >= ymin
-    if x2 > xmax: y2 = y1 + (xmax-x1) * dy / dx,  x2 = xmax
+  if y2 >= ymin  #notBelow
+    if x2 > xmax: y2 = y1 + (xmax-x1) * dy / dx,  x2 = xmax  #cornerRight
   else
-    pymin = (ymin-y1) * dx
-    if pymin > pxmin: display = false,  return
-    if x2 > xmax
-      pxmax = (xmax-x1) * dy
-      if pymin > pxmax: x2 = x1 + pymin / dy,  y2 = ymin
-      else: y2 = y1 + pxmax / dx,  x2 = xmax
-    else: x2 = x1 + pymin / dy,  y2 = ymin
-  y1 = y1 + pxmin / dx,  x1 = xmin
+    pymin = (ymin-y1) * dx  #cornerBottom
+    if pymin > pxmin: display = false,  return  #cornerMisses
+    if x2 > xmax  #cornerBeyond
+      pxmax = (xmax-x1) * dy  #cornerFar
+      if pymin > pxmax: x2 = x1 + pymin / dy,  y2 = ymin  #cornerToBottom
+      else: y2 = y1 + pxmax / dx,  x2 = xmax  #cornerToRight
+    else: x2 = x1 + pymin / dy,  y2 = ymin  #cornerDown
+  y1 = y1 + pxmin / dx,  x1 = xmin  #cornerEnters
 leftEdge(xmin, ymax, xmax, ymin):
-  if x2 < xmin: display = false
-  else if y2 < ymin: p2Bottom(xmin, ymax, xmax, ymin)
-  else if y2 > ymax: mirror p2Bottom(xmin, -ymin, xmax, -ymax)
+  if x2 < xmin: display = false  #edgeBothLeft
+  else if y2 < ymin: p2Bottom(xmin, ymax, xmax, ymin)  #edgeBelow
+  else if y2 > ymax: mirror p2Bottom(xmin, -ymin, xmax, -ymax)  #edgeAbove
   else
-    dx = x2-x1,  dy = y2-y1
-    if x2 > xmax: y2 = y1 + dy * (xmax-x1) / dx,  x2 = xmax
-    y1 = y1 + dy * (xmin-x1) / dx,  x1 = xmin
+    dx = x2-x1,  dy = y2-y1  #edgeExtent
+    if x2 > xmax: y2 = y1 + dy * (xmax-x1) / dx,  x2 = xmax  #edgeRight
+    y1 = y1 + dy * (xmin-x1) / dx,  x1 = xmin  #edgeEnters
 p2Bottom(xmin, ymax, xmax, ymin):
-  dx = x2-x1,  dy = y2-y1
-  pxmin = (xmin-x1) * dy,  pymin = (ymin-y1) * dx
-  if pymin > pxmin: display = false,  return
-  if x2 > xmax
-    pxmax = (xmax-x1) * dy
-    if pymin > pxmax: x2 = x1 + pymin / dy,  y2 = ymin
-    else: y2 = y1 + pxmax / dx,  x2 = xmax
-  else: x2 = x1 + pymin / dy,  y2 = ymin
-  y1 = y1 + pxmin / dx,  x1 = xmin
+  dx = x2-x1,  dy = y2-y1  #bottomExtent
+  pxmin = (xmin-x1) * dy,  pymin = (ymin-y1) * dx  #bottomProducts
+  if pymin > pxmin: display = false,  return  #bottomMisses
+  if x2 > xmax  #bottomBeyond
+    pxmax = (xmax-x1) * dy  #bottomFar
+    if pymin > pxmax: x2 = x1 + pymin / dy,  y2 = ymin  #bottomToBottom
+    else: y2 = y1 + pxmax / dx,  x2 = xmax  #bottomToRight
+  else: x2 = x1 + pymin / dy,  y2 = ymin  #bottomDown
+  y1 = y1 + pxmin / dx,  x1 = xmin  #bottomEnters
 centreColumn(xmin, ymax, xmax, ymin):
-  if y1 > ymax: turn leftEdge(-ymax, xmax, -ymin, xmin)
-  else if y1 < ymin: turn leftEdge(ymin, -xmin, ymax, -xmax)
+  if y1 > ymax: turn leftEdge(-ymax, xmax, -ymin, xmin)  #above
+  else if y1 < ymin: turn leftEdge(ymin, -xmin, ymax, -xmax)  #below
   else: inside(xmin, ymax, xmax, ymin)
 inside(xmin, ymax, xmax, ymin):
-  if x2 < xmin: p2Left(xmin, ymax, xmax, ymin)
-  else if x2 > xmax: turn p2Left(-xmax, -ymin, -xmin, -ymax)
-  else if y2 > ymax
-    x2 = x1 + (x2-x1) * (ymax-y1) / (y2-y1),  y2 = ymax
-  else if y2 < ymin
-    x2 = x1 + (x2-x1) * (ymin-y1) / (y2-y1),  y2 = ymin
+  if x2 < xmin: p2Left(xmin, ymax, xmax, ymin)  #insideLeft
+  else if x2 > xmax: turn p2Left(-xmax, -ymin, -xmin, -ymax)  #insideRight
+  else if y2 > ymax  #insideAbove
+    x2 = x1 + (x2-x1) * (ymax-y1) / (y2-y1),  y2 = ymax  #insideToTop
+  else if y2 < ymin  #insideBelow
+    x2 = x1 + (x2-x1) * (ymin-y1) / (y2-y1),  y2 = ymin  #insideToBottom
 p2Left(xmin, ymax, xmax, ymin):
-  if y2 > ymax: p2LeftTop(xmin, ymax, xmax, ymin)
-  else if y2 < ymin: turn p2LeftTop(ymin, -xmin, ymax, -xmax)
-  else: y2 = y1 + (y2-y1) * (xmin-x1) / (x2-x1),  x2 = xmin
+  if y2 > ymax: p2LeftTop(xmin, ymax, xmax, ymin)  #leftTop
+  else if y2 < ymin: turn p2LeftTop(ymin, -xmin, ymax, -xmax)  #leftBottom
+  else: y2 = y1 + (y2-y1) * (xmin-x1) / (x2-x1),  x2 = xmin  #leftDirect
 p2LeftTop(xmin, ymax, xmax, ymin):
-  dx = x2-x1,  dy = y2-y1
-  pxmin = dy * (xmin-x1),  pymax = dx * (ymax-y1)
-  if pymax > pxmin: x2 = x1 + pymax / dy,  y2 = ymax
-  else: y2 = y1 + pxmin / dx,  x2 = xmin
+  dx = x2-x1,  dy = y2-y1  #leftExtent
+  pxmin = dy * (xmin-x1),  pymax = dx * (ymax-y1)  #leftProducts
+  if pymax > pxmin: x2 = x1 + pymax / dy,  y2 = ymax  #leftToTop
+  else: y2 = y1 + pxmin / dx,  x2 = xmin  #leftToLeft
 )";
     template <class T, class Step>
     static constexpr std::optional<BasicSegment<T>> published(const BasicSegment<T>& s,
@@ -157,17 +158,17 @@ p2LeftTop(xmin, ymax, xmax, ymin):
         Parameters<T> p{w.min.x, w.max.y, w.max.x, w.min.y, s.a.x, s.a.y, s.b.x, s.b.y, true};
         auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
         step.set("display", display);
-        if (step.test(2, x1 < xmin, Edge::Left))
+        if (step.test("left", x1 < xmin, Edge::Left))
             Published::leftColumn(p, step);
-        else if (step.test(3, x1 > xmax, Edge::Right)) {
-            auto half = turned<HalfTurn>(3, p, step);
+        else if (step.test("right", x1 > xmax, Edge::Right)) {
+            auto half = turned<HalfTurn>("right", p, step);
             Published::leftColumn(half.inside, half.step);
             half.back();
         } else
             Published::centreColumn(p, step);
-        if (step.test(5, !display))
-            return step.reject(5);
-        return step.accept(6, BasicSegment<T>{{x1, y1}, {x2, y2}});
+        if (step.test("hidden", !display))
+            return step.reject("hidden");
+        return step.accept("accept", BasicSegment<T>{{x1, y1}, {x2, y2}});
     }
     /// The procedures, in the order of the pseudo-code.
     struct Published {
@@ -175,12 +176,12 @@ p2LeftTop(xmin, ymax, xmax, ymin):
         static constexpr void leftColumn(auto& p, auto& step)
         {
             auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
-            if (step.test(8, x2 < xmin, Edge::Left))
-                display = step.let(8, "display", false, Edge::Left);
-            else if (step.test(9, y1 > ymax, Edge::Top))
+            if (step.test("bothLeft", x2 < xmin, Edge::Left))
+                display = step.let("bothLeft", "display", false, Edge::Left);
+            else if (step.test("leftAbove", y1 > ymax, Edge::Top))
                 topLeftCorner(p, step);
-            else if (step.test(10, y1 < ymin, Edge::Bottom)) {
-                auto mirrored = turned<MirrorInX>(10, p, step);
+            else if (step.test("leftBelow", y1 < ymin, Edge::Bottom)) {
+                auto mirrored = turned<MirrorInX>("leftBelow", p, step);
                 topLeftCorner(mirrored.inside, mirrored.step);
                 mirrored.back();
             } else
@@ -191,17 +192,17 @@ p2LeftTop(xmin, ymax, xmax, ymin):
         static constexpr void topLeftCorner(auto& p, auto& step)
         {
             auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
-            if (step.test(13, y2 > ymax, Edge::Top))
-                return void(display = step.let(13, "display", false, Edge::Top));
-            const auto dx = step.set("dx", x2 - x1), dy = step.let(14, "dy", y2 - y1);
+            if (step.test("bothAbove", y2 > ymax, Edge::Top))
+                return void(display = step.let("bothAbove", "display", false, Edge::Top));
+            const auto dx = step.set("dx", x2 - x1), dy = step.let("cornerExtent", "dy", y2 - y1);
             const auto pymax = step.set("pymax", (ymax - y1) * dx);
-            const auto pxmin = step.let(15, "pxmin", (xmin - x1) * dy, Edge::Left);
-            if (step.test(16, pymax > pxmin, Edge::Left))
+            const auto pxmin = step.let("cornerProducts", "pxmin", (xmin - x1) * dy, Edge::Left);
+            if (step.test("cornerSide", pymax > pxmin, Edge::Left))
                 leftBottomRegion(p, dx, dy, pxmin, step);
             else {
                 const auto right = step.set("dx", -dy), up = step.set("dy", -dx);
                 step.set("pxmin", pymax);
-                auto mirrored = turned<MirrorInDiagonal>(19, p, step);
+                auto mirrored = turned<MirrorInDiagonal>("mirrorCorner", p, step);
                 leftBottomRegion(mirrored.inside, right, up, pymax, mirrored.step);
                 mirrored.back();
             }
@@ -213,53 +214,53 @@ p2LeftTop(xmin, ymax, xmax, ymin):
         static constexpr void leftBottomRegion(Parameters<T>& p, T dx, T dy, T pxmin, auto& step)
         {
             auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
-            if (step.test(21, y2 >= ymin, Edge::Bottom)) {
-                if (step.test(22, x2 > xmax, Edge::Right)) {
+            if (step.test("notBelow", y2 >= ymin, Edge::Bottom)) {
+                if (step.test("cornerRight", x2 > xmax, Edge::Right)) {
                     y2 = y1 + (xmax - x1) * dy / dx, x2 = xmax;
-                    step.cut(22, 1, x2, y2, Edge::Right);
+                    step.cut("cornerRight", 1, x2, y2, Edge::Right);
                 }
             } else {
-                const T pymin = step.let(24, "pymin", (ymin - y1) * dx, Edge::Bottom);
-                if (step.test(25, pymin > pxmin, Edge::Left))
-                    return void(display = step.let(25, "display", false, Edge::Bottom));
-                if (step.test(26, x2 > xmax, Edge::Right)) {
-                    const T pxmax = step.let(27, "pxmax", (xmax - x1) * dy, Edge::Right);
-                    if (step.test(28, pymin > pxmax, Edge::Bottom)) {
+                const T pymin = step.let("cornerBottom", "pymin", (ymin - y1) * dx, Edge::Bottom);
+                if (step.test("cornerMisses", pymin > pxmin, Edge::Left))
+                    return void(display = step.let("cornerMisses", "display", false, Edge::Bottom));
+                if (step.test("cornerBeyond", x2 > xmax, Edge::Right)) {
+                    const T pxmax = step.let("cornerFar", "pxmax", (xmax - x1) * dy, Edge::Right);
+                    if (step.test("cornerToBottom", pymin > pxmax, Edge::Bottom)) {
                         x2 = x1 + pymin / dy, y2 = ymin;
-                        step.cut(28, 1, x2, y2, Edge::Bottom);
+                        step.cut("cornerToBottom", 1, x2, y2, Edge::Bottom);
                     } else {
                         y2 = y1 + pxmax / dx, x2 = xmax;
-                        step.cut(29, 1, x2, y2, Edge::Right);
+                        step.cut("cornerToRight", 1, x2, y2, Edge::Right);
                     }
                 } else {
                     x2 = x1 + pymin / dy, y2 = ymin;
-                    step.cut(30, 1, x2, y2, Edge::Bottom);
+                    step.cut("cornerDown", 1, x2, y2, Edge::Bottom);
                 }
             }
             y1 = y1 + pxmin / dx, x1 = xmin;
-            step.cut(31, 0, x1, y1, Edge::Left);
+            step.cut("cornerEnters", 0, x1, y1, Edge::Left);
         }
 
         /// End 1 is left of the window, neither above nor below it.
         static constexpr void leftEdge(auto& p, auto& step)
         {
             auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
-            if (step.test(33, x2 < xmin, Edge::Left))
-                display = step.let(33, "display", false, Edge::Left);
-            else if (step.test(34, y2 < ymin, Edge::Bottom))
+            if (step.test("edgeBothLeft", x2 < xmin, Edge::Left))
+                display = step.let("edgeBothLeft", "display", false, Edge::Left);
+            else if (step.test("edgeBelow", y2 < ymin, Edge::Bottom))
                 p2Bottom(p, step);
-            else if (step.test(35, y2 > ymax, Edge::Top)) {
-                auto mirrored = turned<MirrorInX>(35, p, step);
+            else if (step.test("edgeAbove", y2 > ymax, Edge::Top)) {
+                auto mirrored = turned<MirrorInX>("edgeAbove", p, step);
                 p2Bottom(mirrored.inside, mirrored.step);
                 mirrored.back();
             } else {
-                const auto dx = step.set("dx", x2 - x1), dy = step.let(37, "dy", y2 - y1);
-                if (step.test(38, x2 > xmax, Edge::Right)) {
+                const auto dx = step.set("dx", x2 - x1), dy = step.let("edgeExtent", "dy", y2 - y1);
+                if (step.test("edgeRight", x2 > xmax, Edge::Right)) {
                     y2 = y1 + dy * (xmax - x1) / dx, x2 = xmax;
-                    step.cut(38, 1, x2, y2, Edge::Right);
+                    step.cut("edgeRight", 1, x2, y2, Edge::Right);
                 }
                 y1 = y1 + dy * (xmin - x1) / dx, x1 = xmin;
-                step.cut(39, 0, x1, y1, Edge::Left);
+                step.cut("edgeEnters", 0, x1, y1, Edge::Left);
             }
         }
 
@@ -267,38 +268,38 @@ p2LeftTop(xmin, ymax, xmax, ymin):
         static constexpr void p2Bottom(auto& p, auto& step)
         {
             auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
-            const auto dx = step.set("dx", x2 - x1), dy = step.let(41, "dy", y2 - y1);
+            const auto dx = step.set("dx", x2 - x1), dy = step.let("bottomExtent", "dy", y2 - y1);
             const auto pxmin = step.set("pxmin", (xmin - x1) * dy);
-            const auto pymin = step.let(42, "pymin", (ymin - y1) * dx, Edge::Bottom);
-            if (step.test(43, pymin > pxmin, Edge::Left))
-                return void(display = step.let(43, "display", false, Edge::Bottom));
-            if (step.test(44, x2 > xmax, Edge::Right)) {
-                const auto pxmax = step.let(45, "pxmax", (xmax - x1) * dy, Edge::Right);
-                if (step.test(46, pymin > pxmax, Edge::Bottom)) {
+            const auto pymin = step.let("bottomProducts", "pymin", (ymin - y1) * dx, Edge::Bottom);
+            if (step.test("bottomMisses", pymin > pxmin, Edge::Left))
+                return void(display = step.let("bottomMisses", "display", false, Edge::Bottom));
+            if (step.test("bottomBeyond", x2 > xmax, Edge::Right)) {
+                const auto pxmax = step.let("bottomFar", "pxmax", (xmax - x1) * dy, Edge::Right);
+                if (step.test("bottomToBottom", pymin > pxmax, Edge::Bottom)) {
                     x2 = x1 + pymin / dy, y2 = ymin;
-                    step.cut(46, 1, x2, y2, Edge::Bottom);
+                    step.cut("bottomToBottom", 1, x2, y2, Edge::Bottom);
                 } else {
                     y2 = y1 + pxmax / dx, x2 = xmax;
-                    step.cut(47, 1, x2, y2, Edge::Right);
+                    step.cut("bottomToRight", 1, x2, y2, Edge::Right);
                 }
             } else {
                 x2 = x1 + pymin / dy, y2 = ymin;
-                step.cut(48, 1, x2, y2, Edge::Bottom);
+                step.cut("bottomDown", 1, x2, y2, Edge::Bottom);
             }
             y1 = y1 + pxmin / dx, x1 = xmin;
-            step.cut(49, 0, x1, y1, Edge::Left);
+            step.cut("bottomEnters", 0, x1, y1, Edge::Left);
         }
 
         /// End 1 is neither left nor right of the window.
         static constexpr void centreColumn(auto& p, auto& step)
         {
             auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
-            if (step.test(51, y1 > ymax, Edge::Top)) {
-                auto left = turned<ThreeQuarterTurn>(51, p, step);
+            if (step.test("above", y1 > ymax, Edge::Top)) {
+                auto left = turned<ThreeQuarterTurn>("above", p, step);
                 leftEdge(left.inside, left.step);
                 left.back();
-            } else if (step.test(52, y1 < ymin, Edge::Bottom)) {
-                auto right = turned<QuarterTurn>(52, p, step);
+            } else if (step.test("below", y1 < ymin, Edge::Bottom)) {
+                auto right = turned<QuarterTurn>("below", p, step);
                 leftEdge(right.inside, right.step);
                 right.back();
             } else
@@ -309,18 +310,18 @@ p2LeftTop(xmin, ymax, xmax, ymin):
         static constexpr void inside(auto& p, auto& step)
         {
             auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
-            if (step.test(55, x2 < xmin, Edge::Left))
+            if (step.test("insideLeft", x2 < xmin, Edge::Left))
                 p2Left(p, step);
-            else if (step.test(56, x2 > xmax, Edge::Right)) {
-                auto half = turned<HalfTurn>(56, p, step);
+            else if (step.test("insideRight", x2 > xmax, Edge::Right)) {
+                auto half = turned<HalfTurn>("insideRight", p, step);
                 p2Left(half.inside, half.step);
                 half.back();
-            } else if (step.test(57, y2 > ymax, Edge::Top)) {
+            } else if (step.test("insideAbove", y2 > ymax, Edge::Top)) {
                 x2 = x1 + (x2 - x1) * (ymax - y1) / (y2 - y1), y2 = ymax;
-                step.cut(58, 1, x2, y2, Edge::Top);
-            } else if (step.test(59, y2 < ymin, Edge::Bottom)) {
+                step.cut("insideToTop", 1, x2, y2, Edge::Top);
+            } else if (step.test("insideBelow", y2 < ymin, Edge::Bottom)) {
                 x2 = x1 + (x2 - x1) * (ymin - y1) / (y2 - y1), y2 = ymin;
-                step.cut(60, 1, x2, y2, Edge::Bottom);
+                step.cut("insideToBottom", 1, x2, y2, Edge::Bottom);
             }
         }
 
@@ -328,15 +329,15 @@ p2LeftTop(xmin, ymax, xmax, ymin):
         static constexpr void p2Left(auto& p, auto& step)
         {
             auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
-            if (step.test(62, y2 > ymax, Edge::Top))
+            if (step.test("leftTop", y2 > ymax, Edge::Top))
                 p2LeftTop(p, step);
-            else if (step.test(63, y2 < ymin, Edge::Bottom)) {
-                auto right = turned<QuarterTurn>(63, p, step);
+            else if (step.test("leftBottom", y2 < ymin, Edge::Bottom)) {
+                auto right = turned<QuarterTurn>("leftBottom", p, step);
                 p2LeftTop(right.inside, right.step);
                 right.back();
             } else {
                 y2 = y1 + (y2 - y1) * (xmin - x1) / (x2 - x1), x2 = xmin;
-                step.cut(64, 1, x2, y2, Edge::Left);
+                step.cut("leftDirect", 1, x2, y2, Edge::Left);
             }
         }
 
@@ -344,89 +345,89 @@ p2LeftTop(xmin, ymax, xmax, ymin):
         static constexpr void p2LeftTop(auto& p, auto& step)
         {
             auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
-            const auto dx = step.set("dx", x2 - x1), dy = step.let(66, "dy", y2 - y1);
+            const auto dx = step.set("dx", x2 - x1), dy = step.let("leftExtent", "dy", y2 - y1);
             const auto pxmin = step.set("pxmin", dy * (xmin - x1));
-            const auto pymax = step.let(67, "pymax", dx * (ymax - y1), Edge::Top);
-            if (step.test(68, pymax > pxmin, Edge::Top)) {
+            const auto pymax = step.let("leftProducts", "pymax", dx * (ymax - y1), Edge::Top);
+            if (step.test("leftToTop", pymax > pxmin, Edge::Top)) {
                 x2 = x1 + pymax / dy, y2 = ymax;
-                step.cut(68, 1, x2, y2, Edge::Top);
+                step.cut("leftToTop", 1, x2, y2, Edge::Top);
             } else {
                 y2 = y1 + pxmin / dx, x2 = xmin;
-                step.cut(69, 1, x2, y2, Edge::Left);
+                step.cut("leftToLeft", 1, x2, y2, Edge::Left);
             }
         }
     };
 
     static constexpr std::string_view correctedCode = R"(
 display = true
-if x1 < xmin: leftColumn(xmin, ymax, xmax, ymin)
-else if x1 > xmax: turn leftColumn(-xmax, -ymin, -xmin, -ymax)
+if x1 < xmin: leftColumn(xmin, ymax, xmax, ymin)  #left
+else if x1 > xmax: turn leftColumn(-xmax, -ymin, -xmin, -ymax)  #right
 else: centreColumn(xmin, ymax, xmax, ymin)
-if not display: reject
-accept the line from x1, y1 to x2, y2
+if not display: reject  #hidden
+accept the line from x1, y1 to x2, y2  #accept
 leftColumn(xmin, ymax, xmax, ymin):
-  if x2 < xmin: display = false
-  else if y1 > ymax: topLeftCorner(xmin, ymax, xmax, ymin)
-  else if y1 < ymin: mirror topLeftCorner(xmin, -ymin, xmax, -ymax)
+  if x2 < xmin: display = false  #bothLeft
+  else if y1 > ymax: topLeftCorner(xmin, ymax, xmax, ymin)  #leftAbove
+  else if y1 < ymin: mirror topLeftCorner(xmin, -ymin, xmax, -ymax)  #leftBelow
   else: leftEdge(xmin, ymax, xmax, ymin)
 topLeftCorner(xmin, ymax, xmax, ymin):
-  if y2 > ymax: display = false,  return
-  dx = x2-x1,  dy = y2-y1
-  pymax = (ymax-y1) * dx,  pxmin = (xmin-x1) * dy
-  if pymax > pxmin
+  if y2 > ymax: display = false,  return  #bothAbove
+  dx = x2-x1,  dy = y2-y1  #cornerExtent
+  pymax = (ymax-y1) * dx,  pxmin = (xmin-x1) * dy  #cornerProducts
+  if pymax > pxmin  #cornerSide
     leftBottomRegion(xmin, ymax, xmax, ymin, dx, dy, pxmin)
   else
-    mirror leftBottomRegion(-ymax, -xmin, -ymin, -xmax, -dy, -dx, pymax)
+    mirror leftBottomRegion(-ymax, -xmin, -ymin, -xmax, -dy, -dx, pymax)  #mirrorCorner
 leftBottomRegion(xmin, ymax, xmax, ymin, dx, dy, pxmin):
-  if y2 >= ymin
-    if x2 > xmax: y2 = held(y1 + (xmax-x1) * dy / dx),  x2 = xmax
+  if y2 >= ymin  #notBelow
+    if x2 > xmax: y2 = held(y1 + (xmax-x1) * dy / dx),  x2 = xmax  #cornerRight
   else
-    pymin = (ymin-y1) * dx
-    if pymin > pxmin: display = false,  return
-    if x2 > xmax
-      pxmax = (xmax-x1) * dy
-      if pymin > pxmax: x2 = held(x1 + pymin / dy),  y2 = ymin
-      else: y2 = held(y1 + pxmax / dx),  x2 = xmax
-    else: x2 = held(x1 + pymin / dy),  y2 = ymin
-  y1 = held(y1 + pxmin / dx),  x1 = xmin
+    pymin = (ymin-y1) * dx  #cornerBottom
+    if pymin > pxmin: display = false,  return  #cornerMisses
+    if x2 > xmax  #cornerBeyond
+      pxmax = (xmax-x1) * dy  #cornerFar
+      if pymin > pxmax: x2 = held(x1 + pymin / dy),  y2 = ymin  #cornerToBottom
+      else: y2 = held(y1 + pxmax / dx),  x2 = xmax  #cornerToRight
+    else: x2 = held(x1 + pymin / dy),  y2 = ymin  #cornerDown
+  y1 = held(y1 + pxmin / dx),  x1 = xmin  #cornerEnters
 leftEdge(xmin, ymax, xmax, ymin):
-  if x2 < xmin: display = false
-  else if y2 < ymin: p2Bottom(xmin, ymax, xmax, ymin)
-  else if y2 > ymax: mirror p2Bottom(xmin, -ymin, xmax, -ymax)
+  if x2 < xmin: display = false  #edgeBothLeft
+  else if y2 < ymin: p2Bottom(xmin, ymax, xmax, ymin)  #edgeBelow
+  else if y2 > ymax: mirror p2Bottom(xmin, -ymin, xmax, -ymax)  #edgeAbove
   else
-    dx = x2-x1,  dy = y2-y1
-    if x2 > xmax: y2 = held(y1 + dy * (xmax-x1) / dx),  x2 = xmax
-    y1 = held(y1 + dy * (xmin-x1) / dx),  x1 = xmin
+    dx = x2-x1,  dy = y2-y1  #edgeExtent
+    if x2 > xmax: y2 = held(y1 + dy * (xmax-x1) / dx),  x2 = xmax  #edgeRight
+    y1 = held(y1 + dy * (xmin-x1) / dx),  x1 = xmin  #edgeEnters
 p2Bottom(xmin, ymax, xmax, ymin):
-  dx = x2-x1,  dy = y2-y1
-  pxmin = (xmin-x1) * dy,  pymin = (ymin-y1) * dx
-  if pymin > pxmin: display = false,  return
-  if x2 > xmax
-    pxmax = (xmax-x1) * dy
-    if pymin > pxmax: x2 = held(x1 + pymin / dy),  y2 = ymin
-    else: y2 = held(y1 + pxmax / dx),  x2 = xmax
-  else: x2 = held(x1 + pymin / dy),  y2 = ymin
-  y1 = held(y1 + pxmin / dx),  x1 = xmin
+  dx = x2-x1,  dy = y2-y1  #bottomExtent
+  pxmin = (xmin-x1) * dy,  pymin = (ymin-y1) * dx  #bottomProducts
+  if pymin > pxmin: display = false,  return  #bottomMisses
+  if x2 > xmax  #bottomBeyond
+    pxmax = (xmax-x1) * dy  #bottomFar
+    if pymin > pxmax: x2 = held(x1 + pymin / dy),  y2 = ymin  #bottomToBottom
+    else: y2 = held(y1 + pxmax / dx),  x2 = xmax  #bottomToRight
+  else: x2 = held(x1 + pymin / dy),  y2 = ymin  #bottomDown
+  y1 = held(y1 + pxmin / dx),  x1 = xmin  #bottomEnters
 centreColumn(xmin, ymax, xmax, ymin):
-  if y1 > ymax: turn leftEdge(-ymax, xmax, -ymin, xmin)
-  else if y1 < ymin: turn leftEdge(ymin, -xmin, ymax, -xmax)
+  if y1 > ymax: turn leftEdge(-ymax, xmax, -ymin, xmin)  #above
+  else if y1 < ymin: turn leftEdge(ymin, -xmin, ymax, -xmax)  #below
   else: inside(xmin, ymax, xmax, ymin)
 inside(xmin, ymax, xmax, ymin):
-  if x2 < xmin: p2Left(xmin, ymax, xmax, ymin)
-  else if x2 > xmax: turn p2Left(-xmax, -ymin, -xmin, -ymax)
-  else if y2 > ymax
-    x2 = held(x1 + (x2-x1) * (ymax-y1) / (y2-y1)),  y2 = ymax
-  else if y2 < ymin
-    x2 = held(x1 + (x2-x1) * (ymin-y1) / (y2-y1)),  y2 = ymin
+  if x2 < xmin: p2Left(xmin, ymax, xmax, ymin)  #insideLeft
+  else if x2 > xmax: turn p2Left(-xmax, -ymin, -xmin, -ymax)  #insideRight
+  else if y2 > ymax  #insideAbove
+    x2 = held(x1 + (x2-x1) * (ymax-y1) / (y2-y1)),  y2 = ymax  #insideToTop
+  else if y2 < ymin  #insideBelow
+    x2 = held(x1 + (x2-x1) * (ymin-y1) / (y2-y1)),  y2 = ymin  #insideToBottom
 p2Left(xmin, ymax, xmax, ymin):
-  if y2 > ymax: p2LeftTop(xmin, ymax, xmax, ymin)
-  else if y2 < ymin: turn p2LeftTop(ymin, -xmin, ymax, -xmax)
-  else: y2 = held(y1 + (y2-y1) * (xmin-x1) / (x2-x1)),  x2 = xmin
+  if y2 > ymax: p2LeftTop(xmin, ymax, xmax, ymin)  #leftTop
+  else if y2 < ymin: turn p2LeftTop(ymin, -xmin, ymax, -xmax)  #leftBottom
+  else: y2 = held(y1 + (y2-y1) * (xmin-x1) / (x2-x1)),  x2 = xmin  #leftDirect
 p2LeftTop(xmin, ymax, xmax, ymin):
-  dx = x2-x1,  dy = y2-y1
-  pxmin = dy * (xmin-x1),  pymax = dx * (ymax-y1)
-  if pymax > pxmin: x2 = held(x1 + pymax / dy),  y2 = ymax
-  else: y2 = held(y1 + pxmin / dx),  x2 = xmin
+  dx = x2-x1,  dy = y2-y1  #leftExtent
+  pxmin = dy * (xmin-x1),  pymax = dx * (ymax-y1)  #leftProducts
+  if pymax > pxmin: x2 = held(x1 + pymax / dy),  y2 = ymax  #leftToTop
+  else: y2 = held(y1 + pxmin / dx),  x2 = xmin  #leftToLeft
 )";
     template <class T, class Step>
     static constexpr std::optional<BasicSegment<T>> corrected(const BasicSegment<T>& s,
@@ -435,17 +436,17 @@ p2LeftTop(xmin, ymax, xmax, ymin):
         Parameters<T> p{w.min.x, w.max.y, w.max.x, w.min.y, s.a.x, s.a.y, s.b.x, s.b.y, true};
         auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
         step.set("display", display);
-        if (step.test(2, x1 < xmin, Edge::Left))
+        if (step.test("left", x1 < xmin, Edge::Left))
             Corrected::leftColumn(p, step);
-        else if (step.test(3, x1 > xmax, Edge::Right)) {
-            auto half = turned<HalfTurn>(3, p, step);
+        else if (step.test("right", x1 > xmax, Edge::Right)) {
+            auto half = turned<HalfTurn>("right", p, step);
             Corrected::leftColumn(half.inside, half.step);
             half.back();
         } else
             Corrected::centreColumn(p, step);
-        if (step.test(5, !display))
-            return step.reject(5);
-        return step.accept(6, BasicSegment<T>{{x1, y1}, {x2, y2}});
+        if (step.test("hidden", !display))
+            return step.reject("hidden");
+        return step.accept("accept", BasicSegment<T>{{x1, y1}, {x2, y2}});
     }
     /// The procedures, in the order of the pseudo-code.
     struct Corrected {
@@ -453,12 +454,12 @@ p2LeftTop(xmin, ymax, xmax, ymin):
         static constexpr void leftColumn(auto& p, auto& step)
         {
             auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
-            if (step.test(8, x2 < xmin, Edge::Left))
-                display = step.let(8, "display", false, Edge::Left);
-            else if (step.test(9, y1 > ymax, Edge::Top))
+            if (step.test("bothLeft", x2 < xmin, Edge::Left))
+                display = step.let("bothLeft", "display", false, Edge::Left);
+            else if (step.test("leftAbove", y1 > ymax, Edge::Top))
                 topLeftCorner(p, step);
-            else if (step.test(10, y1 < ymin, Edge::Bottom)) {
-                auto mirrored = turned<MirrorInX>(10, p, step);
+            else if (step.test("leftBelow", y1 < ymin, Edge::Bottom)) {
+                auto mirrored = turned<MirrorInX>("leftBelow", p, step);
                 topLeftCorner(mirrored.inside, mirrored.step);
                 mirrored.back();
             } else
@@ -469,17 +470,17 @@ p2LeftTop(xmin, ymax, xmax, ymin):
         static constexpr void topLeftCorner(auto& p, auto& step)
         {
             auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
-            if (step.test(13, y2 > ymax, Edge::Top))
-                return void(display = step.let(13, "display", false, Edge::Top));
-            const auto dx = step.set("dx", x2 - x1), dy = step.let(14, "dy", y2 - y1);
+            if (step.test("bothAbove", y2 > ymax, Edge::Top))
+                return void(display = step.let("bothAbove", "display", false, Edge::Top));
+            const auto dx = step.set("dx", x2 - x1), dy = step.let("cornerExtent", "dy", y2 - y1);
             const auto pymax = step.set("pymax", (ymax - y1) * dx);
-            const auto pxmin = step.let(15, "pxmin", (xmin - x1) * dy, Edge::Left);
-            if (step.test(16, pymax > pxmin, Edge::Left))
+            const auto pxmin = step.let("cornerProducts", "pxmin", (xmin - x1) * dy, Edge::Left);
+            if (step.test("cornerSide", pymax > pxmin, Edge::Left))
                 leftBottomRegion(p, dx, dy, pxmin, step);
             else {
                 const auto right = step.set("dx", -dy), up = step.set("dy", -dx);
                 step.set("pxmin", pymax);
-                auto mirrored = turned<MirrorInDiagonal>(19, p, step);
+                auto mirrored = turned<MirrorInDiagonal>("mirrorCorner", p, step);
                 leftBottomRegion(mirrored.inside, right, up, pymax, mirrored.step);
                 mirrored.back();
             }
@@ -491,53 +492,53 @@ p2LeftTop(xmin, ymax, xmax, ymin):
         static constexpr void leftBottomRegion(Parameters<T>& p, T dx, T dy, T pxmin, auto& step)
         {
             auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
-            if (step.test(21, y2 >= ymin, Edge::Bottom)) {
-                if (step.test(22, x2 > xmax, Edge::Right)) {
+            if (step.test("notBelow", y2 >= ymin, Edge::Bottom)) {
+                if (step.test("cornerRight", x2 > xmax, Edge::Right)) {
                     y2 = clamped(y1 + (xmax - x1) * dy / dx, ymin, ymax), x2 = xmax;
-                    step.cut(22, 1, x2, y2, Edge::Right);
+                    step.cut("cornerRight", 1, x2, y2, Edge::Right);
                 }
             } else {
-                const T pymin = step.let(24, "pymin", (ymin - y1) * dx, Edge::Bottom);
-                if (step.test(25, pymin > pxmin, Edge::Left))
-                    return void(display = step.let(25, "display", false, Edge::Bottom));
-                if (step.test(26, x2 > xmax, Edge::Right)) {
-                    const T pxmax = step.let(27, "pxmax", (xmax - x1) * dy, Edge::Right);
-                    if (step.test(28, pymin > pxmax, Edge::Bottom)) {
+                const T pymin = step.let("cornerBottom", "pymin", (ymin - y1) * dx, Edge::Bottom);
+                if (step.test("cornerMisses", pymin > pxmin, Edge::Left))
+                    return void(display = step.let("cornerMisses", "display", false, Edge::Bottom));
+                if (step.test("cornerBeyond", x2 > xmax, Edge::Right)) {
+                    const T pxmax = step.let("cornerFar", "pxmax", (xmax - x1) * dy, Edge::Right);
+                    if (step.test("cornerToBottom", pymin > pxmax, Edge::Bottom)) {
                         x2 = clamped(x1 + pymin / dy, xmin, xmax), y2 = ymin;
-                        step.cut(28, 1, x2, y2, Edge::Bottom);
+                        step.cut("cornerToBottom", 1, x2, y2, Edge::Bottom);
                     } else {
                         y2 = clamped(y1 + pxmax / dx, ymin, ymax), x2 = xmax;
-                        step.cut(29, 1, x2, y2, Edge::Right);
+                        step.cut("cornerToRight", 1, x2, y2, Edge::Right);
                     }
                 } else {
                     x2 = clamped(x1 + pymin / dy, xmin, xmax), y2 = ymin;
-                    step.cut(30, 1, x2, y2, Edge::Bottom);
+                    step.cut("cornerDown", 1, x2, y2, Edge::Bottom);
                 }
             }
             y1 = clamped(y1 + pxmin / dx, ymin, ymax), x1 = xmin;
-            step.cut(31, 0, x1, y1, Edge::Left);
+            step.cut("cornerEnters", 0, x1, y1, Edge::Left);
         }
 
         /// End 1 is left of the window, neither above nor below it.
         static constexpr void leftEdge(auto& p, auto& step)
         {
             auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
-            if (step.test(33, x2 < xmin, Edge::Left))
-                display = step.let(33, "display", false, Edge::Left);
-            else if (step.test(34, y2 < ymin, Edge::Bottom))
+            if (step.test("edgeBothLeft", x2 < xmin, Edge::Left))
+                display = step.let("edgeBothLeft", "display", false, Edge::Left);
+            else if (step.test("edgeBelow", y2 < ymin, Edge::Bottom))
                 p2Bottom(p, step);
-            else if (step.test(35, y2 > ymax, Edge::Top)) {
-                auto mirrored = turned<MirrorInX>(35, p, step);
+            else if (step.test("edgeAbove", y2 > ymax, Edge::Top)) {
+                auto mirrored = turned<MirrorInX>("edgeAbove", p, step);
                 p2Bottom(mirrored.inside, mirrored.step);
                 mirrored.back();
             } else {
-                const auto dx = step.set("dx", x2 - x1), dy = step.let(37, "dy", y2 - y1);
-                if (step.test(38, x2 > xmax, Edge::Right)) {
+                const auto dx = step.set("dx", x2 - x1), dy = step.let("edgeExtent", "dy", y2 - y1);
+                if (step.test("edgeRight", x2 > xmax, Edge::Right)) {
                     y2 = clamped(y1 + dy * (xmax - x1) / dx, ymin, ymax), x2 = xmax;
-                    step.cut(38, 1, x2, y2, Edge::Right);
+                    step.cut("edgeRight", 1, x2, y2, Edge::Right);
                 }
                 y1 = clamped(y1 + dy * (xmin - x1) / dx, ymin, ymax), x1 = xmin;
-                step.cut(39, 0, x1, y1, Edge::Left);
+                step.cut("edgeEnters", 0, x1, y1, Edge::Left);
             }
         }
 
@@ -545,38 +546,38 @@ p2LeftTop(xmin, ymax, xmax, ymin):
         static constexpr void p2Bottom(auto& p, auto& step)
         {
             auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
-            const auto dx = step.set("dx", x2 - x1), dy = step.let(41, "dy", y2 - y1);
+            const auto dx = step.set("dx", x2 - x1), dy = step.let("bottomExtent", "dy", y2 - y1);
             const auto pxmin = step.set("pxmin", (xmin - x1) * dy);
-            const auto pymin = step.let(42, "pymin", (ymin - y1) * dx, Edge::Bottom);
-            if (step.test(43, pymin > pxmin, Edge::Left))
-                return void(display = step.let(43, "display", false, Edge::Bottom));
-            if (step.test(44, x2 > xmax, Edge::Right)) {
-                const auto pxmax = step.let(45, "pxmax", (xmax - x1) * dy, Edge::Right);
-                if (step.test(46, pymin > pxmax, Edge::Bottom)) {
+            const auto pymin = step.let("bottomProducts", "pymin", (ymin - y1) * dx, Edge::Bottom);
+            if (step.test("bottomMisses", pymin > pxmin, Edge::Left))
+                return void(display = step.let("bottomMisses", "display", false, Edge::Bottom));
+            if (step.test("bottomBeyond", x2 > xmax, Edge::Right)) {
+                const auto pxmax = step.let("bottomFar", "pxmax", (xmax - x1) * dy, Edge::Right);
+                if (step.test("bottomToBottom", pymin > pxmax, Edge::Bottom)) {
                     x2 = clamped(x1 + pymin / dy, xmin, xmax), y2 = ymin;
-                    step.cut(46, 1, x2, y2, Edge::Bottom);
+                    step.cut("bottomToBottom", 1, x2, y2, Edge::Bottom);
                 } else {
                     y2 = clamped(y1 + pxmax / dx, ymin, ymax), x2 = xmax;
-                    step.cut(47, 1, x2, y2, Edge::Right);
+                    step.cut("bottomToRight", 1, x2, y2, Edge::Right);
                 }
             } else {
                 x2 = clamped(x1 + pymin / dy, xmin, xmax), y2 = ymin;
-                step.cut(48, 1, x2, y2, Edge::Bottom);
+                step.cut("bottomDown", 1, x2, y2, Edge::Bottom);
             }
             y1 = clamped(y1 + pxmin / dx, ymin, ymax), x1 = xmin;
-            step.cut(49, 0, x1, y1, Edge::Left);
+            step.cut("bottomEnters", 0, x1, y1, Edge::Left);
         }
 
         /// End 1 is neither left nor right of the window.
         static constexpr void centreColumn(auto& p, auto& step)
         {
             auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
-            if (step.test(51, y1 > ymax, Edge::Top)) {
-                auto left = turned<ThreeQuarterTurn>(51, p, step);
+            if (step.test("above", y1 > ymax, Edge::Top)) {
+                auto left = turned<ThreeQuarterTurn>("above", p, step);
                 leftEdge(left.inside, left.step);
                 left.back();
-            } else if (step.test(52, y1 < ymin, Edge::Bottom)) {
-                auto right = turned<QuarterTurn>(52, p, step);
+            } else if (step.test("below", y1 < ymin, Edge::Bottom)) {
+                auto right = turned<QuarterTurn>("below", p, step);
                 leftEdge(right.inside, right.step);
                 right.back();
             } else
@@ -587,18 +588,18 @@ p2LeftTop(xmin, ymax, xmax, ymin):
         static constexpr void inside(auto& p, auto& step)
         {
             auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
-            if (step.test(55, x2 < xmin, Edge::Left))
+            if (step.test("insideLeft", x2 < xmin, Edge::Left))
                 p2Left(p, step);
-            else if (step.test(56, x2 > xmax, Edge::Right)) {
-                auto half = turned<HalfTurn>(56, p, step);
+            else if (step.test("insideRight", x2 > xmax, Edge::Right)) {
+                auto half = turned<HalfTurn>("insideRight", p, step);
                 p2Left(half.inside, half.step);
                 half.back();
-            } else if (step.test(57, y2 > ymax, Edge::Top)) {
+            } else if (step.test("insideAbove", y2 > ymax, Edge::Top)) {
                 x2 = clamped(x1 + (x2 - x1) * (ymax - y1) / (y2 - y1), xmin, xmax), y2 = ymax;
-                step.cut(58, 1, x2, y2, Edge::Top);
-            } else if (step.test(59, y2 < ymin, Edge::Bottom)) {
+                step.cut("insideToTop", 1, x2, y2, Edge::Top);
+            } else if (step.test("insideBelow", y2 < ymin, Edge::Bottom)) {
                 x2 = clamped(x1 + (x2 - x1) * (ymin - y1) / (y2 - y1), xmin, xmax), y2 = ymin;
-                step.cut(60, 1, x2, y2, Edge::Bottom);
+                step.cut("insideToBottom", 1, x2, y2, Edge::Bottom);
             }
         }
 
@@ -606,15 +607,15 @@ p2LeftTop(xmin, ymax, xmax, ymin):
         static constexpr void p2Left(auto& p, auto& step)
         {
             auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
-            if (step.test(62, y2 > ymax, Edge::Top))
+            if (step.test("leftTop", y2 > ymax, Edge::Top))
                 p2LeftTop(p, step);
-            else if (step.test(63, y2 < ymin, Edge::Bottom)) {
-                auto right = turned<QuarterTurn>(63, p, step);
+            else if (step.test("leftBottom", y2 < ymin, Edge::Bottom)) {
+                auto right = turned<QuarterTurn>("leftBottom", p, step);
                 p2LeftTop(right.inside, right.step);
                 right.back();
             } else {
                 y2 = clamped(y1 + (y2 - y1) * (xmin - x1) / (x2 - x1), ymin, ymax), x2 = xmin;
-                step.cut(64, 1, x2, y2, Edge::Left);
+                step.cut("leftDirect", 1, x2, y2, Edge::Left);
             }
         }
 
@@ -622,15 +623,15 @@ p2LeftTop(xmin, ymax, xmax, ymin):
         static constexpr void p2LeftTop(auto& p, auto& step)
         {
             auto& [xmin, ymax, xmax, ymin, x1, y1, x2, y2, display] = p;
-            const auto dx = step.set("dx", x2 - x1), dy = step.let(66, "dy", y2 - y1);
+            const auto dx = step.set("dx", x2 - x1), dy = step.let("leftExtent", "dy", y2 - y1);
             const auto pxmin = step.set("pxmin", dy * (xmin - x1));
-            const auto pymax = step.let(67, "pymax", dx * (ymax - y1), Edge::Top);
-            if (step.test(68, pymax > pxmin, Edge::Top)) {
+            const auto pymax = step.let("leftProducts", "pymax", dx * (ymax - y1), Edge::Top);
+            if (step.test("leftToTop", pymax > pxmin, Edge::Top)) {
                 x2 = clamped(x1 + pymax / dy, xmin, xmax), y2 = ymax;
-                step.cut(68, 1, x2, y2, Edge::Top);
+                step.cut("leftToTop", 1, x2, y2, Edge::Top);
             } else {
                 y2 = clamped(y1 + pxmin / dx, ymin, ymax), x2 = xmin;
-                step.cut(69, 1, x2, y2, Edge::Left);
+                step.cut("leftToLeft", 1, x2, y2, Edge::Left);
             }
         }
     };

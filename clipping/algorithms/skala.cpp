@@ -39,41 +39,41 @@ struct Skala {
     static constexpr auto ray = &skalaRay;
 
     static constexpr std::string_view publishedCode = R"(
-code1 = outcode(x1, y1),  code2 = outcode(x2, y2)
-if code1 | code2 == 0000
-  accept the line from x1, y1 to x2, y2
-if code1 & code2 != 0000
-  reject
-px = y1-y2,  py = x2-x1,  pw = x1*y2 - x2*y1
+code1 = outcode(x1, y1),  code2 = outcode(x2, y2)  #codes
+if code1 | code2 == 0000  #inside
+  accept the line from x1, y1 to x2, y2  #acceptWhole
+if code1 & code2 != 0000  #beyond
+  reject  #rejectBeyond
+px = y1-y2,  py = x2-x1,  pw = x1*y2 - x2*y1  #line
 for k = 0, 1, 2, 3
-  F = px*X[k] + py*Y[k] + pw
-  c[k] = F >= 0 ? 1 : 0
-c = c[0] + 2*c[1] + 4*c[2] + 8*c[3]
-if c == 0000 or c == 1111
-  reject
-i = TAB1[c],  j = TAB2[c]
-if code1 != 0000 and code2 != 0000
-  meet(i)
-  x1 = x/w,  y1 = y/w
-  meet(j)
-  x2 = x/w,  y2 = y/w
-else if code1 == 0000
-  if code2 & MASK[c] != 0000: meet(i)
-  else: meet(j)
-  x2 = x/w,  y2 = y/w
+  F = px*X[k] + py*Y[k] + pw  #F
+  c[k] = F >= 0 ? 1 : 0  #corner
+c = c[0] + 2*c[1] + 4*c[2] + 8*c[3]  #pattern
+if c == 0000 or c == 1111  #missed
+  reject  #reject
+i = TAB1[c],  j = TAB2[c]  #edges
+if code1 != 0000 and code2 != 0000  #bothOutside
+  meet(i)  #meetFirst
+  x1 = x/w,  y1 = y/w  #moveFirst
+  meet(j)  #meetSecond
+  x2 = x/w,  y2 = y/w  #moveSecond
+else if code1 == 0000  #onlyEnd2
+  if code2 & MASK[c] != 0000: meet(i)  #masked2
+  else: meet(j)  #unmasked2
+  x2 = x/w,  y2 = y/w  #move2
 else
-  if code1 & MASK[c] != 0000: meet(i)
-  else: meet(j)
-  x1 = x/w,  y1 = y/w
-accept the line from x1, y1 to x2, y2
+  if code1 & MASK[c] != 0000: meet(i)  #masked1
+  else: meet(j)  #unmasked1
+  x1 = x/w,  y1 = y/w  #move1
+accept the line from x1, y1 to x2, y2  #accept
 meet(n):
-  x = py*ew[n] - pw*ey[n]
-  y = pw*ex[n] - px*ew[n]
-  w = px*ey[n] - py*ex[n]
-ex[0] = 0,  ey[0] = 1,  ew[0] = -ymin
-ex[1] = 1,  ey[1] = 0,  ew[1] = -xmax
-ex[2] = 0,  ey[2] = 1,  ew[2] = -ymax
-ex[3] = 1,  ey[3] = 0,  ew[3] = -xmin
+  x = py*ew[n] - pw*ey[n]  #x
+  y = pw*ex[n] - px*ew[n]  #y
+  w = px*ey[n] - py*ex[n]  #w
+ex[0] = 0,  ey[0] = 1,  ew[0] = -ymin  #edge0
+ex[1] = 1,  ey[1] = 0,  ew[1] = -xmax  #edge1
+ex[2] = 0,  ey[2] = 1,  ew[2] = -ymax  #edge2
+ex[3] = 1,  ey[3] = 0,  ew[3] = -xmin  #edge3
 X[0] = xmin,  Y[0] = ymin
 X[1] = xmax,  Y[1] = ymin
 X[2] = xmax,  Y[2] = ymax
@@ -106,10 +106,12 @@ TAB1[1110] = 0,  TAB2[1110] = 3,  MASK[1110] = BOTTOM
                                      8U, 4U, 0U, 2U, 2U, 4U, 4U, 0U};
     /// The pseudo-code's names of the corners' bits.
     static constexpr std::array bits{"c[0]", "c[1]", "c[2]", "c[3]"};
+    /// The labels of the edges' vectors.
+    static constexpr std::array edges{"edge0", "edge1", "edge2", "edge3"};
 
-    /// The cross product of the line p and edge n. `call` is the line of the call.
+    /// The cross product of the line p and edge n. `call` is the label of the call.
     template <class T, class Step>
-    static constexpr Homogeneous<T> meet(int call, int n, const Homogeneous<T>& p,
+    static constexpr Homogeneous<T> meet(std::string_view call, int n, const Homogeneous<T>& p,
                                          const BasicWindow<T>& window, Step& step)
     {
         const Edge edge = edgesFromCorners[n];
@@ -119,10 +121,10 @@ TAB1[1110] = 0,  TAB2[1110] = 3,  MASK[1110] = BOTTOM
                                   : n == 1 ? Homogeneous<T>{T(1), T(0), -window.max.x}
                                   : n == 2 ? Homogeneous<T>{T(0), T(1), -window.max.y}
                                            : Homogeneous<T>{T(1), T(0), -window.min.x};
-        step.set("ex[n]", ex), step.set("ey[n]", ey), step.let(32 + n, "ew[n]", ew, edge);
-        return {step.let(29, "x", py * ew - pw * ey, edge),
-                step.let(30, "y", pw * ex - px * ew, edge),
-                step.let(31, "w", px * ey - py * ex, edge)};
+        step.set("ex[n]", ex), step.set("ey[n]", ey), step.let(edges[n], "ew[n]", ew, edge);
+        return {step.let("x", "x", py * ew - pw * ey, edge),
+                step.let("y", "y", pw * ex - px * ew, edge),
+                step.let("w", "w", px * ey - py * ex, edge)};
     }
 
     template <class T, class Step>
@@ -133,77 +135,77 @@ TAB1[1110] = 0,  TAB2[1110] = 3,  MASK[1110] = BOTTOM
         const auto& [min, max] = window;
         const std::array X{min.x, max.x, max.x, min.x}, Y{min.y, min.y, max.y, max.y};
         const unsigned code1 = step.set("code1", outcodeOf(s.a, window));
-        const unsigned code2 = step.let(1, "code2", outcodeOf(s.b, window));
-        if (step.test(2, (code1 | code2) == 0))
-            return step.accept(3, s);
-        if (step.test(4, (code1 & code2) != 0))
-            return step.reject(5);
+        const unsigned code2 = step.let("codes", "code2", outcodeOf(s.b, window));
+        if (step.test("inside", (code1 | code2) == 0))
+            return step.accept("acceptWhole", s);
+        if (step.test("beyond", (code1 & code2) != 0))
+            return step.reject("rejectBeyond");
         const T px = step.set("px", y1 - y2), py = step.set("py", x2 - x1);
-        const T pw = step.let(6, "pw", x1 * y2 - x2 * y1);
+        const T pw = step.let("line", "pw", x1 * y2 - x2 * y1);
         unsigned c = 0;
         for (int k = 0; k < 4; ++k) {
             step.set("k", k), step.set("X[k]", X[k]), step.set("Y[k]", Y[k]);
-            const T F = step.let(8, "F", px * X[k] + py * Y[k] + pw);
-            c |= unsigned(step.let(9, bits[k], F >= T(0) ? 1 : 0)) << k;
+            const T F = step.let("F", "F", px * X[k] + py * Y[k] + pw);
+            c |= unsigned(step.let("corner", bits[k], F >= T(0) ? 1 : 0)) << k;
         }
-        step.let(10, "c", c);
-        if (step.test(11, c == 0b0000 || c == 0b1111))
-            return step.reject(12);
+        step.let("pattern", "c", c);
+        if (step.test("missed", c == 0b0000 || c == 0b1111))
+            return step.reject("reject");
         step.set("TAB1[c]", TAB1[c]), step.set("TAB2[c]", TAB2[c]), step.set("MASK[c]", MASK[c]);
-        const int i = step.set("i", TAB1[c]), j = step.let(13, "j", TAB2[c]);
+        const int i = step.set("i", TAB1[c]), j = step.let("edges", "j", TAB2[c]);
         const Homogeneous<T> p{px, py, pw};
-        if (step.test(14, code1 != 0 && code2 != 0)) {
-            const auto [xi, yi, wi] = meet(15, i, p, window, step);
-            x1 = xi / wi, y1 = yi / wi, step.cut(16, 0, x1, y1, "w");
-            const auto [xj, yj, wj] = meet(17, j, p, window, step);
-            x2 = xj / wj, y2 = yj / wj, step.cut(18, 1, x2, y2, "w");
-        } else if (step.test(19, code1 == 0)) {
-            const auto [x, y, w] = step.test(20, (code2 & MASK[c]) != 0, edgesFromCorners[i])
-                                       ? meet(20, i, p, window, step)
-                                       : meet(21, j, p, window, step);
-            x2 = x / w, y2 = y / w, step.cut(22, 1, x2, y2, "w");
+        if (step.test("bothOutside", code1 != 0 && code2 != 0)) {
+            const auto [xi, yi, wi] = meet("meetFirst", i, p, window, step);
+            x1 = xi / wi, y1 = yi / wi, step.cut("moveFirst", 0, x1, y1, "w");
+            const auto [xj, yj, wj] = meet("meetSecond", j, p, window, step);
+            x2 = xj / wj, y2 = yj / wj, step.cut("moveSecond", 1, x2, y2, "w");
+        } else if (step.test("onlyEnd2", code1 == 0)) {
+            const auto [x, y, w] = step.test("masked2", (code2 & MASK[c]) != 0, edgesFromCorners[i])
+                                       ? meet("masked2", i, p, window, step)
+                                       : meet("unmasked2", j, p, window, step);
+            x2 = x / w, y2 = y / w, step.cut("move2", 1, x2, y2, "w");
         } else {
-            const auto [x, y, w] = step.test(24, (code1 & MASK[c]) != 0, edgesFromCorners[i])
-                                       ? meet(24, i, p, window, step)
-                                       : meet(25, j, p, window, step);
-            x1 = x / w, y1 = y / w, step.cut(26, 0, x1, y1, "w");
+            const auto [x, y, w] = step.test("masked1", (code1 & MASK[c]) != 0, edgesFromCorners[i])
+                                       ? meet("masked1", i, p, window, step)
+                                       : meet("unmasked1", j, p, window, step);
+            x1 = x / w, y1 = y / w, step.cut("move1", 0, x1, y1, "w");
         }
-        return step.accept(27, BasicSegment<T>{{x1, y1}, {x2, y2}});
+        return step.accept("accept", BasicSegment<T>{{x1, y1}, {x2, y2}});
     }
 
     // held(v) is v clamped to the window's range on its axis.
     static constexpr std::string_view correctedCode = R"(
-code1 = outcode(x1, y1),  code2 = outcode(x2, y2)
-if code1 | code2 == 0000
-  accept the line from x1, y1 to x2, y2
-if code1 & code2 != 0000
-  reject
-dx = x2-x1,  dy = y2-y1
-f[0] = dx*(ymin-y1),  f[1] = dy*(xmax-x1)
-f[2] = dx*(ymax-y1),  f[3] = dy*(xmin-x1)
-c[0] = f[0] >= f[3] ? 1 : 0
-c[1] = f[0] >= f[1] ? 1 : 0
-c[2] = f[2] >= f[1] ? 1 : 0
-c[3] = f[2] >= f[3] ? 1 : 0
-c = c[0] + 2*c[1] + 4*c[2] + 8*c[3]
-if c == 1111
-  c[0] = f[0] > f[3] ? 1 : 0
-  c[1] = f[0] > f[1] ? 1 : 0
-  c[2] = f[2] > f[1] ? 1 : 0
-  c[3] = f[2] > f[3] ? 1 : 0
-  c = c[0] + 2*c[1] + 4*c[2] + 8*c[3]
-  if c == 0000
-    c = dx > 0 ? 1100 : dx < 0 ? 0011 : dy > 0 ? 1001 : 0110
-if c == 0000 or c == 1111
-  reject
-i = enter[c],  j = leave[c]
-if code2 != 0000
-  if j == 1 or j == 3: x2 = ex[j],  y2 = held(y1 + f[j]/dx)
-  else: x2 = held(x1 + f[j]/dy),  y2 = ey[j]
-if code1 != 0000
-  if i == 1 or i == 3: x1 = ex[i],  y1 = held(y1 + f[i]/dx)
-  else: x1 = held(x1 + f[i]/dy),  y1 = ey[i]
-accept the line from x1, y1 to x2, y2
+code1 = outcode(x1, y1),  code2 = outcode(x2, y2)  #codes
+if code1 | code2 == 0000  #inside
+  accept the line from x1, y1 to x2, y2  #acceptWhole
+if code1 & code2 != 0000  #beyond
+  reject  #rejectBeyond
+dx = x2-x1,  dy = y2-y1  #line
+f[0] = dx*(ymin-y1),  f[1] = dy*(xmax-x1)  #f01
+f[2] = dx*(ymax-y1),  f[3] = dy*(xmin-x1)  #f23
+c[0] = f[0] >= f[3] ? 1 : 0  #c0
+c[1] = f[0] >= f[1] ? 1 : 0  #c1
+c[2] = f[2] >= f[1] ? 1 : 0  #c2
+c[3] = f[2] >= f[3] ? 1 : 0  #c3
+c = c[0] + 2*c[1] + 4*c[2] + 8*c[3]  #pattern
+if c == 1111  #allLeft
+  c[0] = f[0] > f[3] ? 1 : 0  #strict0
+  c[1] = f[0] > f[1] ? 1 : 0  #strict1
+  c[2] = f[2] > f[1] ? 1 : 0  #strict2
+  c[3] = f[2] > f[3] ? 1 : 0  #strict3
+  c = c[0] + 2*c[1] + 4*c[2] + 8*c[3]  #strictPattern
+  if c == 0000  #flat
+    c = dx > 0 ? 1100 : dx < 0 ? 0011 : dy > 0 ? 1001 : 0110  #flatPattern
+if c == 0000 or c == 1111  #missed
+  reject  #reject
+i = enter[c],  j = leave[c]  #edges
+if code2 != 0000  #end2
+  if j == 1 or j == 3: x2 = ex[j],  y2 = held(y1 + f[j]/dx)  #upright2
+  else: x2 = held(x1 + f[j]/dy),  y2 = ey[j]  #level2
+if code1 != 0000  #end1
+  if i == 1 or i == 3: x1 = ex[i],  y1 = held(y1 + f[i]/dx)  #upright1
+  else: x1 = held(x1 + f[i]/dy),  y1 = ey[i]  #level1
+accept the line from x1, y1 to x2, y2  #accept
 ey[0] = ymin,  ex[1] = xmax,  ey[2] = ymax,  ex[3] = xmin
 enter[0001] = 0,  leave[0001] = 3
 enter[0010] = 1,  leave[0010] = 0
@@ -223,28 +225,28 @@ enter[1110] = 3,  leave[1110] = 0
                                                               const BasicWindow<T>& w, Step&& step)
     {
         const unsigned code1 = step.set("code1", outcodeOf(s.a, w));
-        const unsigned code2 = step.let(1, "code2", outcodeOf(s.b, w));
-        if (step.test(2, (code1 | code2) == 0))
-            return step.accept(3, s);
-        if (step.test(4, (code1 & code2) != 0))
-            return step.reject(5);
+        const unsigned code2 = step.let("codes", "code2", outcodeOf(s.b, w));
+        if (step.test("inside", (code1 | code2) == 0))
+            return step.accept("acceptWhole", s);
+        if (step.test("beyond", (code1 & code2) != 0))
+            return step.reject("rejectBeyond");
         const auto crossing = crossingOf(s, w, step);
         if (!crossing)
             return std::nullopt;
         BasicSegment<T> visible = s;
-        if (step.test(25, code2 != 0)) {
+        if (step.test("end2", code2 != 0)) {
             visible.b = crossedAt(crossing->j, *crossing, s.a, w);
             const Edge edge = edgesFromCorners[crossing->j];
             step.set(axisOf(edge) == 0 ? "ex[j]" : "ey[j]", levelOf(edge, w));
-            step.cut(lineAt(edge, 26), 1, visible.b, edge);
+            step.cut(labelAt(edge, "upright2", "level2"), 1, visible.b, edge);
         }
-        if (step.test(28, code1 != 0)) {
+        if (step.test("end1", code1 != 0)) {
             visible.a = crossedAt(crossing->i, *crossing, s.a, w);
             const Edge edge = edgesFromCorners[crossing->i];
             step.set(axisOf(edge) == 0 ? "ex[i]" : "ey[i]", levelOf(edge, w));
-            step.cut(lineAt(edge, 29), 0, visible.a, edge);
+            step.cut(labelAt(edge, "upright1", "level1"), 0, visible.a, edge);
         }
-        return step.accept(31, visible);
+        return step.accept("accept", visible);
     }
 };
 

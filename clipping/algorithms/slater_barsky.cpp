@@ -7,10 +7,10 @@
 //
 // Published: the function CLIPLINE of the program EnergyPlus, which implements the paper; only
 // parts of the paper itself were available. CLIPLINE repeats the first lines for each cell, and
-// tests line 22 once for the whole walk. Where line 52 has c <= 3, CLIPLINE tests c == 3 and loops
-// forever if y2 is NaN. Corrected: the ends of an axis-parallel segment are clamped to the window,
-// so that there is no division by 0; a tie at a corner goes towards the window; the sign of dy is
-// tested once; a new end is clamped to the window on the side where rounding may have left it
+// tests dy > 0 once for the whole walk. Where the pseudo-code has c <= 3, CLIPLINE tests c == 3 and
+// loops forever if y2 is NaN. Corrected: the ends of an axis-parallel segment are clamped to the
+// window, so that there is no division by 0; a tie at a corner goes towards the window; the sign of
+// dy is tested once; a new end is clamped to the window on the side where rounding may have left it
 // outside.
 //
 // The walk goes to the right, from End a to End b. c is its current cell: 3*row + col. Column 0 is
@@ -51,63 +51,63 @@ struct SlaterBarsky {
     static constexpr std::string_view publishedCode = R"(
 x[1] = x1,  y[1] = y1,  x[2] = x2,  y[2] = y2
 a = 1,  b = 2
-if x1 > x2
+if x1 > x2  #swap
   a = 2,  b = 1
-if x[a] > xmax or x[b] < xmin: reject
+if x[a] > xmax or x[b] < xmin: reject  #besideX
 col = 1,  X = xmax
-if x[a] < xmin
+if x[a] < xmin  #left
   col = 0,  X = xmin
 row = 1
-if y[a] < ymin
-  if y[b] < ymin: reject
+if y[a] < ymin  #below
+  if y[b] < ymin: reject  #bothBelow
   row = 0
-else if y[a] > ymax
-  if y[b] > ymax: reject
+else if y[a] > ymax  #above
+  if y[b] > ymax: reject  #bothAbove
   row = 2
-c = 3*row + col
-if c == 4 and x[b] <= xmax and y[b] >= ymin and y[b] <= ymax: accept
-dx = x[b]-x[a],  dy = y[b]-y[a]
-Y = row == 0 ? ymin : row == 2 or dy > 0 ? ymax : ymin
-e = dy*(X-x[a]) + dx*(y[a]-Y)
+c = 3*row + col  #cell
+if c == 4 and x[b] <= xmax and y[b] >= ymin and y[b] <= ymax: accept  #inside
+dx = x[b]-x[a],  dy = y[b]-y[a]  #extent
+Y = row == 0 ? ymin : row == 2 or dy > 0 ? ymax : ymin  #Y
+e = dy*(X-x[a]) + dx*(y[a]-Y)  #e
 repeat
-  if dy > 0
-    if e < 0
-      if c == 1: reject
-      else if c == 3
-        x[a] = xmin,  y[a] = ymax + e/dx
-        if x[b] <= xmax and y[b] <= ymax: accept
-      else if c == 4
-        x[b] = xmax,  y[b] = ymax + e/dx
-        accept the line from x[1], y[1] to x[2], y[2]
-      e = e + dy*(xmax-xmin),  c = c+1
+  if dy > 0  #up
+    if e < 0  #upRight
+      if c == 1: reject  #upMissesRight
+      else if c == 3  #upFromLeft
+        x[a] = xmin,  y[a] = ymax + e/dx  #upAtLeft
+        if x[b] <= xmax and y[b] <= ymax: accept  #upEndsLeft
+      else if c == 4  #upToRight
+        x[b] = xmax,  y[b] = ymax + e/dx  #upAtRight
+        accept the line from x[1], y[1] to x[2], y[2]  #upAcceptRight
+      e = e + dy*(xmax-xmin),  c = c+1  #upGoRight
     else
-      if c == 3: reject
-      else if c == 1
-        x[a] = xmax - e/dy,  y[a] = ymin
-        if x[b] <= xmax and y[b] <= ymax: accept
-      else if c == 4
-        x[b] = xmax - e/dy,  y[b] = ymax
-        accept the line from x[1], y[1] to x[2], y[2]
-      e = e - dx*(ymax-ymin),  c = c+3
+      if c == 3: reject  #upMissesTop
+      else if c == 1  #upFromBottom
+        x[a] = xmax - e/dy,  y[a] = ymin  #upAtBottom
+        if x[b] <= xmax and y[b] <= ymax: accept  #upEndsBottom
+      else if c == 4  #upToTop
+        x[b] = xmax - e/dy,  y[b] = ymax  #upAtTop
+        accept the line from x[1], y[1] to x[2], y[2]  #upAcceptTop
+      e = e - dx*(ymax-ymin),  c = c+3  #goUp
   else
-    if e >= 0
-      if c == 7: reject
-      else if c == 3
-        x[a] = xmin,  y[a] = ymin + e/dx
-        if x[b] <= xmax and y[b] >= ymin: accept
-      else if c == 4
-        x[b] = xmax,  y[b] = ymin + e/dx
-        accept the line from x[1], y[1] to x[2], y[2]
-      e = e + dy*(xmax-xmin),  c = c+1
+    if e >= 0  #downRight
+      if c == 7: reject  #downMissesRight
+      else if c == 3  #downFromLeft
+        x[a] = xmin,  y[a] = ymin + e/dx  #downAtLeft
+        if x[b] <= xmax and y[b] >= ymin: accept  #downEndsLeft
+      else if c == 4  #downToRight
+        x[b] = xmax,  y[b] = ymin + e/dx  #downAtRight
+        accept the line from x[1], y[1] to x[2], y[2]  #downAcceptRight
+      e = e + dy*(xmax-xmin),  c = c+1  #downGoRight
     else
-      if c <= 3: reject
-      else if c == 7
-        x[a] = xmax - e/dy,  y[a] = ymax
-        if x[b] <= xmax and y[b] >= ymin: accept
-      else if c == 4
-        x[b] = xmax - e/dy,  y[b] = ymin
-        accept the line from x[1], y[1] to x[2], y[2]
-      e = e + dx*(ymax-ymin),  c = c-3
+      if c <= 3: reject  #downMissesBottom
+      else if c == 7  #downFromTop
+        x[a] = xmax - e/dy,  y[a] = ymax  #downAtTop
+        if x[b] <= xmax and y[b] >= ymin: accept  #downEndsTop
+      else if c == 4  #downToBottom
+        x[b] = xmax - e/dy,  y[b] = ymin  #downAtBottom
+        accept the line from x[1], y[1] to x[2], y[2]  #downAcceptBottom
+      e = e + dx*(ymax-ymin),  c = c-3  #goDown
 )";
     template <class T, class Step>
     // NOLINTNEXTLINE(readability-function-size): one function, as EnergyPlus has it
@@ -116,97 +116,99 @@ repeat
     {
         const T xmin = w.min.x, ymin = w.min.y, xmax = w.max.x, ymax = w.max.y;
         const T x1 = s.a.x, y1 = s.a.y, x2 = s.b.x, y2 = s.b.y;
-        const bool swapped = step.test(3, x1 > x2);
+        const bool swapped = step.test("swap", x1 > x2);
         const int a = swapped ? 1 : 0, b = swapped ? 0 : 1;
         step.set("a", a + 1), step.set("b", b + 1);
         // x[a], y[a], x[b], y[b]: an array indexed by a would cost a fifth of the time.
         T xa = swapped ? x2 : x1, ya = swapped ? y2 : y1;
         T xb = swapped ? x1 : x2, yb = swapped ? y1 : y2;
-        if (step.test(5, xa > xmax || xb < xmin, Edge::Right, Edge::Left))
-            return step.reject(5);
-        const bool isLeft = step.test(7, xa < xmin, Edge::Left);
+        if (step.test("besideX", xa > xmax || xb < xmin, Edge::Right, Edge::Left))
+            return step.reject("besideX");
+        const bool isLeft = step.test("left", xa < xmin, Edge::Left);
         const int col = step.set("col", isLeft ? 0 : 1);
         const T X = step.set("X", isLeft ? xmin : xmax);
         int row = step.set("row", 1);
-        if (step.test(10, ya < ymin, Edge::Bottom)) {
-            if (step.test(11, yb < ymin, Edge::Bottom))
-                return step.reject(11);
+        if (step.test("below", ya < ymin, Edge::Bottom)) {
+            if (step.test("bothBelow", yb < ymin, Edge::Bottom))
+                return step.reject("bothBelow");
             row = step.set("row", 0);
-        } else if (step.test(13, ya > ymax, Edge::Top)) {
-            if (step.test(14, yb > ymax, Edge::Top))
-                return step.reject(14);
+        } else if (step.test("above", ya > ymax, Edge::Top)) {
+            if (step.test("bothAbove", yb > ymax, Edge::Top))
+                return step.reject("bothAbove");
             row = step.set("row", 2);
         }
-        int c = step.let(16, "c", 3 * row + col);
-        if (step.test(17, c == 4 && xb <= xmax && yb >= ymin && yb <= ymax))
-            return step.accept(17, s);
-        const T dx = step.set("dx", xb - xa), dy = step.let(18, "dy", yb - ya);
-        const T Y = step.let(19, "Y", row == 0 ? ymin : row == 2 || dy > T(0) ? ymax : ymin);
-        T e = step.let(20, "e", dy * (X - xa) + dx * (ya - Y));
+        int c = step.let("cell", "c", 3 * row + col);
+        if (step.test("inside", c == 4 && xb <= xmax && yb >= ymin && yb <= ymax))
+            return step.accept("inside", s);
+        const T dx = step.set("dx", xb - xa), dy = step.let("extent", "dy", yb - ya);
+        const T Y = step.let("Y", "Y", row == 0 ? ymin : row == 2 || dy > T(0) ? ymax : ymin);
+        T e = step.let("e", "e", dy * (X - xa) + dx * (ya - Y));
         const auto visible = [&] {
             return swapped ? BasicSegment<T>{{xb, yb}, {xa, ya}}
                            : BasicSegment<T>{{xa, ya}, {xb, yb}};
         };
         for (;;) {
-            if (step.test(22, dy > T(0))) {
-                if (step.test(23, e < T(0), rightOf(c))) {
-                    if (step.test(24, c == 1)) {
-                        return step.reject(24);
-                    } else if (step.test(25, c == 3)) {
+            if (step.test("up", dy > T(0))) {
+                if (step.test("upRight", e < T(0), rightOf(c))) {
+                    if (step.test("upMissesRight", c == 1)) {
+                        return step.reject("upMissesRight");
+                    } else if (step.test("upFromLeft", c == 3)) {
                         xa = xmin, ya = ymax + e / dx;
-                        step.cut(26, a, xa, ya, Edge::Left);
-                        if (step.test(27, xb <= xmax && yb <= ymax))
-                            return step.accept(27, visible());
-                    } else if (step.test(28, c == 4)) {
+                        step.cut("upAtLeft", a, xa, ya, Edge::Left);
+                        if (step.test("upEndsLeft", xb <= xmax && yb <= ymax))
+                            return step.accept("upEndsLeft", visible());
+                    } else if (step.test("upToRight", c == 4)) {
                         xb = xmax, yb = ymax + e / dx;
-                        step.cut(29, b, xb, yb, Edge::Right);
-                        return step.accept(30, visible());
+                        step.cut("upAtRight", b, xb, yb, Edge::Right);
+                        return step.accept("upAcceptRight", visible());
                     }
-                    e = step.set("e", e + dy * (xmax - xmin)), c = step.let(31, "c", c + 1);
+                    e = step.set("e", e + dy * (xmax - xmin)),
+                    c = step.let("upGoRight", "c", c + 1);
                 } else {
-                    if (step.test(33, c == 3)) {
-                        return step.reject(33);
-                    } else if (step.test(34, c == 1)) {
+                    if (step.test("upMissesTop", c == 3)) {
+                        return step.reject("upMissesTop");
+                    } else if (step.test("upFromBottom", c == 1)) {
                         xa = xmax - e / dy, ya = ymin;
-                        step.cut(35, a, xa, ya, Edge::Bottom);
-                        if (step.test(36, xb <= xmax && yb <= ymax))
-                            return step.accept(36, visible());
-                    } else if (step.test(37, c == 4)) {
+                        step.cut("upAtBottom", a, xa, ya, Edge::Bottom);
+                        if (step.test("upEndsBottom", xb <= xmax && yb <= ymax))
+                            return step.accept("upEndsBottom", visible());
+                    } else if (step.test("upToTop", c == 4)) {
                         xb = xmax - e / dy, yb = ymax;
-                        step.cut(38, b, xb, yb, Edge::Top);
-                        return step.accept(39, visible());
+                        step.cut("upAtTop", b, xb, yb, Edge::Top);
+                        return step.accept("upAcceptTop", visible());
                     }
-                    e = step.set("e", e - dx * (ymax - ymin)), c = step.let(40, "c", c + 3);
+                    e = step.set("e", e - dx * (ymax - ymin)), c = step.let("goUp", "c", c + 3);
                 }
             } else {
-                if (step.test(42, e >= T(0), rightOf(c))) {
-                    if (step.test(43, c == 7)) {
-                        return step.reject(43);
-                    } else if (step.test(44, c == 3)) {
+                if (step.test("downRight", e >= T(0), rightOf(c))) {
+                    if (step.test("downMissesRight", c == 7)) {
+                        return step.reject("downMissesRight");
+                    } else if (step.test("downFromLeft", c == 3)) {
                         xa = xmin, ya = ymin + e / dx;
-                        step.cut(45, a, xa, ya, Edge::Left);
-                        if (step.test(46, xb <= xmax && yb >= ymin))
-                            return step.accept(46, visible());
-                    } else if (step.test(47, c == 4)) {
+                        step.cut("downAtLeft", a, xa, ya, Edge::Left);
+                        if (step.test("downEndsLeft", xb <= xmax && yb >= ymin))
+                            return step.accept("downEndsLeft", visible());
+                    } else if (step.test("downToRight", c == 4)) {
                         xb = xmax, yb = ymin + e / dx;
-                        step.cut(48, b, xb, yb, Edge::Right);
-                        return step.accept(49, visible());
+                        step.cut("downAtRight", b, xb, yb, Edge::Right);
+                        return step.accept("downAcceptRight", visible());
                     }
-                    e = step.set("e", e + dy * (xmax - xmin)), c = step.let(50, "c", c + 1);
+                    e = step.set("e", e + dy * (xmax - xmin)),
+                    c = step.let("downGoRight", "c", c + 1);
                 } else {
-                    if (step.test(52, c <= 3)) {
-                        return step.reject(52);
-                    } else if (step.test(53, c == 7)) {
+                    if (step.test("downMissesBottom", c <= 3)) {
+                        return step.reject("downMissesBottom");
+                    } else if (step.test("downFromTop", c == 7)) {
                         xa = xmax - e / dy, ya = ymax;
-                        step.cut(54, a, xa, ya, Edge::Top);
-                        if (step.test(55, xb <= xmax && yb >= ymin))
-                            return step.accept(55, visible());
-                    } else if (step.test(56, c == 4)) {
+                        step.cut("downAtTop", a, xa, ya, Edge::Top);
+                        if (step.test("downEndsTop", xb <= xmax && yb >= ymin))
+                            return step.accept("downEndsTop", visible());
+                    } else if (step.test("downToBottom", c == 4)) {
                         xb = xmax - e / dy, yb = ymin;
-                        step.cut(57, b, xb, yb, Edge::Bottom);
-                        return step.accept(58, visible());
+                        step.cut("downAtBottom", b, xb, yb, Edge::Bottom);
+                        return step.accept("downAcceptBottom", visible());
                     }
-                    e = step.set("e", e + dx * (ymax - ymin)), c = step.let(59, "c", c - 3);
+                    e = step.set("e", e + dx * (ymax - ymin)), c = step.let("goDown", "c", c - 3);
                 }
             }
         }
@@ -215,55 +217,55 @@ repeat
     static constexpr std::string_view correctedCode = R"(
 x[1] = x1,  y[1] = y1,  x[2] = x2,  y[2] = y2
 a = 1,  b = 2
-if x1 > x2
+if x1 > x2  #swap
   a = 2,  b = 1
-if x[a] > xmax or x[b] < xmin: reject
+if x[a] > xmax or x[b] < xmin: reject  #besideX
 col = 1,  X = xmax
-if x[a] < xmin
+if x[a] < xmin  #left
   col = 0,  X = xmin
 row = 1
-if y[a] < ymin
-  if y[b] < ymin: reject
+if y[a] < ymin  #below
+  if y[b] < ymin: reject  #bothBelow
   row = 0
-else if y[a] > ymax
-  if y[b] > ymax: reject
+else if y[a] > ymax  #above
+  if y[b] > ymax: reject  #bothAbove
   row = 2
-c = 3*row + col
-if c == 4 and x[b] <= xmax and y[b] >= ymin and y[b] <= ymax: accept
-dx = x[b]-x[a],  dy = y[b]-y[a],  s = sign(dy)
-if dx == 0 or s == 0
-  hold both ends inside the window
-  accept
-up = s > 0
-yIn = up ? ymin : ymax,  yOut = up ? ymax : ymin
-Y = row == 1 ? yOut : yIn
-e = dy*(X-x[a]) + dx*(y[a]-Y)
+c = 3*row + col  #cell
+if c == 4 and x[b] <= xmax and y[b] >= ymin and y[b] <= ymax: accept  #inside
+dx = x[b]-x[a],  dy = y[b]-y[a],  s = sign(dy)  #extent
+if dx == 0 or s == 0  #straight
+  hold both ends inside the window  #hold
+  accept  #acceptStraight
+up = s > 0  #up
+yIn = up ? ymin : ymax,  yOut = up ? ymax : ymin  #sides
+Y = row == 1 ? yOut : yIn  #Y
+e = dy*(X-x[a]) + dx*(y[a]-Y)  #e
 repeat
-  if (e == 0 ? col == 0 : up ? e < 0 : e > 0)
-    if c == 1 or c == 7: reject
-    else if c == 3
-      x[a] = xmin,  y[a] = held(yOut + e/dx)
-      if x[b] <= xmax and (up ? y[b] <= yOut : y[b] >= yOut): accept
-    else if c == 4
-      x[b] = xmax,  y[b] = held(yOut + e/dx)
-      accept the line from x[1], y[1] to x[2], y[2]
-    e = e + dy*(xmax-xmin),  c = c+1,  col = 1
+  if (e == 0 ? col == 0 : up ? e < 0 : e > 0)  #right
+    if c == 1 or c == 7: reject  #missesRight
+    else if c == 3  #fromLeft
+      x[a] = xmin,  y[a] = held(yOut + e/dx)  #atLeft
+      if x[b] <= xmax and (up ? y[b] <= yOut : y[b] >= yOut): accept  #endsLeft
+    else if c == 4  #toRight
+      x[b] = xmax,  y[b] = held(yOut + e/dx)  #atRight
+      accept the line from x[1], y[1] to x[2], y[2]  #acceptRight
+    e = e + dy*(xmax-xmin),  c = c+1,  col = 1  #goRight
   else
-    if c == 3: reject
-    else if c == 1 or c == 7
-      x[a] = held(xmax - e/dy),  y[a] = yIn
-      if x[b] <= xmax and (up ? y[b] <= yOut : y[b] >= yOut): accept
-    else if c == 4
-      x[b] = held(xmax - e/dy),  y[b] = yOut
-      accept the line from x[1], y[1] to x[2], y[2]
-    e = up ? e - dx*(ymax-ymin) : e + dx*(ymax-ymin)
-    c = up ? c+3 : c-3
+    if c == 3: reject  #missesAcross
+    else if c == 1 or c == 7  #fromAcross
+      x[a] = held(xmax - e/dy),  y[a] = yIn  #atEntry
+      if x[b] <= xmax and (up ? y[b] <= yOut : y[b] >= yOut): accept  #endsAcross
+    else if c == 4  #toAcross
+      x[b] = held(xmax - e/dy),  y[b] = yOut  #atExit
+      accept the line from x[1], y[1] to x[2], y[2]  #acceptAcross
+    e = up ? e - dx*(ymax-ymin) : e + dx*(ymax-ymin)  #nextError
+    c = up ? c+3 : c-3  #nextCell
 )";
     template <class T, class Step>
     static constexpr std::optional<BasicSegment<T>> corrected(const BasicSegment<T>& s,
                                                               const BasicWindow<T>& w, Step&& step)
     {
-        return step.test(3, s.a.x > s.b.x) ? fromEnd(1, s, w, step) : fromEnd(0, s, w, step);
+        return step.test("swap", s.a.x > s.b.x) ? fromEnd(1, s, w, step) : fromEnd(0, s, w, step);
     }
 
     static constexpr int signOf(auto order)
@@ -282,18 +284,18 @@ repeat
         const auto cell = cellOf(from, to, w, step);
         if (!cell)
             return std::nullopt;
-        const int c = step.let(16, "c", 3 * cell->row + cell->col);
-        if (step.test(17, c == 4 && to.x <= w.max.x && to.y >= w.min.y && to.y <= w.max.y))
-            return step.accept(17, s);
+        const int c = step.let("cell", "c", 3 * cell->row + cell->col);
+        if (step.test("inside", c == 4 && to.x <= w.max.x && to.y >= w.min.y && to.y <= w.max.y))
+            return step.accept("inside", s);
         const T dx = step.set("dx", to.x - from.x), dy = to.y - from.y;
         const int sign = step.set("s", signOf(dy <=> T(0)));
-        step.let(18, "dy", dy);
-        if (step.test(19, dx == T(0) || sign == 0)) {
+        step.let("extent", "dy", dy);
+        if (step.test("straight", dx == T(0) || sign == 0)) {
             const BasicSegment<T> visible{clamped(s.a, w), clamped(s.b, w)};
-            step.left(20, visible);
-            return step.accept(21, visible);
+            step.left("hold", visible);
+            return step.accept("acceptStraight", visible);
         }
-        const Way<T> way{a, b, dx, dy, step.let(22, "up", sign > 0)};
+        const Way<T> way{a, b, dx, dy, step.let("up", "up", sign > 0)};
         return walk(s, *cell, way, w, step);
     }
 
@@ -310,19 +312,19 @@ repeat
                                                    const BasicWindow<T>& w, Step& step)
     {
         const T xmin = w.min.x, ymin = w.min.y, xmax = w.max.x, ymax = w.max.y;
-        if (step.test(5, a.x > xmax || b.x < xmin, Edge::Right, Edge::Left))
-            return step.reject(5);
-        const bool isLeft = step.test(7, a.x < xmin, Edge::Left);
+        if (step.test("besideX", a.x > xmax || b.x < xmin, Edge::Right, Edge::Left))
+            return step.reject("besideX");
+        const bool isLeft = step.test("left", a.x < xmin, Edge::Left);
         const int col = step.set("col", isLeft ? 0 : 1);
         const T X = step.set("X", isLeft ? xmin : xmax);
         int row = step.set("row", 1);
-        if (step.test(10, a.y < ymin, Edge::Bottom)) {
-            if (step.test(11, b.y < ymin, Edge::Bottom))
-                return step.reject(11);
+        if (step.test("below", a.y < ymin, Edge::Bottom)) {
+            if (step.test("bothBelow", b.y < ymin, Edge::Bottom))
+                return step.reject("bothBelow");
             row = step.set("row", 0);
-        } else if (step.test(13, a.y > ymax, Edge::Top)) {
-            if (step.test(14, b.y > ymax, Edge::Top))
-                return step.reject(14);
+        } else if (step.test("above", a.y > ymax, Edge::Top)) {
+            if (step.test("bothAbove", b.y > ymax, Edge::Top))
+                return step.reject("bothAbove");
             row = step.set("row", 2);
         }
         return Cell<T>{col, row, X};
@@ -336,7 +338,7 @@ repeat
         bool up;
     };
 
-    /// Lines 23 to 45: the walk from cell to cell.
+    /// The walk from cell to cell.
     template <class T, class Step>
     // NOLINTNEXTLINE(readability-function-size): nested as in the pseudo-code
     static constexpr std::optional<BasicSegment<T>> walk(const BasicSegment<T>& s,
@@ -349,9 +351,9 @@ repeat
         BasicSegment<T> visible = s;
         glm::vec<2, T>&from = a == 0 ? visible.a : visible.b, &to = a == 0 ? visible.b : visible.a;
         const T yIn = step.set("yIn", up ? ymin : ymax);
-        const T yOut = step.let(23, "yOut", up ? ymax : ymin);
-        const T Y = step.let(24, "Y", cell.row == 1 ? yOut : yIn);
-        T e = step.let(25, "e", dy * (cell.X - from.x) + dx * (from.y - Y));
+        const T yOut = step.let("sides", "yOut", up ? ymax : ymin);
+        const T Y = step.let("Y", "Y", cell.row == 1 ? yOut : yIn);
+        T e = step.let("e", "e", dy * (cell.X - from.x) + dx * (from.y - Y));
         // On the opposite side no clamping is needed: by the sign of e, rounding cannot move a new
         // end out of the window there.
         const auto heldX = [&](T x) { return x < xmin ? xmin : x; };
@@ -361,36 +363,37 @@ repeat
             const bool right = std::is_eq(sign) ? col == 0
                                : up             ? std::is_lt(sign)
                                                 : std::is_gt(sign);
-            if (step.test(27, right, rightOf(c))) {
-                if (step.test(28, c == 1 || c == 7)) {
-                    return step.reject(28);
-                } else if (step.test(29, c == 3)) {
+            if (step.test("right", right, rightOf(c))) {
+                if (step.test("missesRight", c == 1 || c == 7)) {
+                    return step.reject("missesRight");
+                } else if (step.test("fromLeft", c == 3)) {
                     from = {xmin, heldY(yOut + e / dx)};
-                    step.cut(30, a, from, Edge::Left);
-                    if (step.test(31, to.x <= xmax && (up ? to.y <= yOut : to.y >= yOut)))
-                        return step.accept(31, visible);
-                } else if (step.test(32, c == 4)) {
+                    step.cut("atLeft", a, from, Edge::Left);
+                    if (step.test("endsLeft", to.x <= xmax && (up ? to.y <= yOut : to.y >= yOut)))
+                        return step.accept("endsLeft", visible);
+                } else if (step.test("toRight", c == 4)) {
                     to = {xmax, heldY(yOut + e / dx)};
-                    step.cut(33, b, to, Edge::Right);
-                    return step.accept(34, visible);
+                    step.cut("atRight", b, to, Edge::Right);
+                    return step.accept("acceptRight", visible);
                 }
                 col = step.set("col", 1), e = step.set("e", e + dy * (xmax - xmin));
-                c = step.let(35, "c", c + 1);
+                c = step.let("goRight", "c", c + 1);
             } else {
-                if (step.test(37, c == 3)) {
-                    return step.reject(37);
-                } else if (step.test(38, c == 1 || c == 7)) {
+                if (step.test("missesAcross", c == 3)) {
+                    return step.reject("missesAcross");
+                } else if (step.test("fromAcross", c == 1 || c == 7)) {
                     from = {heldX(xmax - e / dy), yIn};
-                    step.cut(39, a, from, up ? Edge::Bottom : Edge::Top);
-                    if (step.test(40, to.x <= xmax && (up ? to.y <= yOut : to.y >= yOut)))
-                        return step.accept(40, visible);
-                } else if (step.test(41, c == 4)) {
+                    step.cut("atEntry", a, from, up ? Edge::Bottom : Edge::Top);
+                    if (step.test("endsAcross", to.x <= xmax && (up ? to.y <= yOut : to.y >= yOut)))
+                        return step.accept("endsAcross", visible);
+                } else if (step.test("toAcross", c == 4)) {
                     to = {heldX(xmax - e / dy), yOut};
-                    step.cut(42, b, to, up ? Edge::Top : Edge::Bottom);
-                    return step.accept(43, visible);
+                    step.cut("atExit", b, to, up ? Edge::Top : Edge::Bottom);
+                    return step.accept("acceptAcross", visible);
                 }
-                e = step.let(44, "e", up ? e - dx * (ymax - ymin) : e + dx * (ymax - ymin));
-                c = step.let(45, "c", up ? c + 3 : c - 3);
+                e = step.let("nextError", "e",
+                             up ? e - dx * (ymax - ymin) : e + dx * (ymax - ymin));
+                c = step.let("nextCell", "c", up ? c + 3 : c - 3);
             }
         }
     }

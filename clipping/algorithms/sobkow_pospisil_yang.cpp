@@ -66,31 +66,35 @@ struct SobkowPospisilYang {
     template <Form form, class T, class Step>
     static constexpr auto player = players<form, T, Step>();
 
-    /// The line of an edge, if the four edges have one line each, starting at `first`.
-    static constexpr int lineOf(int first, Edge edge) { return first + static_cast<int>(edge) - 1; }
+    static constexpr LabelsOfEdges cuts{"toLeft", "toRight", "toBottom", "toTop"};
+    static constexpr LabelsOfEdges rejects{"notLeft", "notRight", "notBottom", "notTop"};
+    static constexpr LabelsOfEdges tests{"ifLeft", "ifRight", "ifBottom", "ifTop"};
+    static constexpr LabelsOfEdges ways{"wayToLeft", "wayToRight", "wayToBottom", "wayToTop"};
+    static constexpr LabelsOfEdges lows{"lowAtLeft", "lowAtRight", "lowAtBottom", "lowAtTop"};
+    static constexpr LabelsOfEdges highs{"highAtLeft", "highAtRight", "highAtBottom", "highAtTop"};
 
     static constexpr std::string_view publishedCode = R"(
-code1 = outcode(x1, y1),  code2 = outcode(x2, y2)
-code = 16 * code1 + code2
-if code1 & code2 != 0000
-  reject
+code1 = outcode(x1, y1),  code2 = outcode(x2, y2)  #codes
+code = 16 * code1 + code2  #code
+if code1 & code2 != 0000  #beyond
+  reject  #reject
 x[1] = x1,  y[1] = y1,  x[2] = x2,  y[2] = y2
 for each instruction of the script of this code
   if P: i = 1,  k = 2
   if Q: i = 2,  k = 1
-accept the line from x[1], y[1] to x[2], y[2]
-L(): y[i] = y[i] + (y[k]-y[i]) * (xmin-x[i]) / (x[k]-x[i]),  x[i] = xmin
-R(): y[i] = y[i] + (y[k]-y[i]) * (xmax-x[i]) / (x[k]-x[i]),  x[i] = xmax
-B(): x[i] = x[i] + (x[k]-x[i]) * (ymin-y[i]) / (y[k]-y[i]),  y[i] = ymin
-T(): x[i] = x[i] + (x[k]-x[i]) * (ymax-y[i]) / (y[k]-y[i]),  y[i] = ymax
-notL(): if x[i] < xmin: reject
-notR(): if x[i] > xmax: reject
-notB(): if y[i] < ymin: reject
-notT(): if y[i] > ymax: reject
-ifL(): if x[i] < xmin: L()
-ifR(): if x[i] > xmax: R()
-ifB(): if y[i] < ymin: B()
-ifT(): if y[i] > ymax: T()
+accept the line from x[1], y[1] to x[2], y[2]  #accept
+L(): y[i] = y[i] + (y[k]-y[i]) * (xmin-x[i]) / (x[k]-x[i]),  x[i] = xmin  #toLeft
+R(): y[i] = y[i] + (y[k]-y[i]) * (xmax-x[i]) / (x[k]-x[i]),  x[i] = xmax  #toRight
+B(): x[i] = x[i] + (x[k]-x[i]) * (ymin-y[i]) / (y[k]-y[i]),  y[i] = ymin  #toBottom
+T(): x[i] = x[i] + (x[k]-x[i]) * (ymax-y[i]) / (y[k]-y[i]),  y[i] = ymax  #toTop
+notL(): if x[i] < xmin: reject  #notLeft
+notR(): if x[i] > xmax: reject  #notRight
+notB(): if y[i] < ymin: reject  #notBottom
+notT(): if y[i] > ymax: reject  #notTop
+ifL(): if x[i] < xmin: L()  #ifLeft
+ifR(): if x[i] > xmax: R()  #ifRight
+ifB(): if y[i] < ymin: B()  #ifBottom
+ifT(): if y[i] > ymax: T()  #ifTop
 )";
     /// The state of both ends while a script runs as published.
     template <class T, class Step>
@@ -108,17 +112,17 @@ ifT(): if y[i] > ymax: T()
             constexpr int i = what.i, k = 1 - i;
             step.set("i", i + 1), step.set("k", k + 1);
             if constexpr (what.kind != Kind::Move) {
-                constexpr bool rejects = what.kind == Kind::RejectIfBeyond;
-                constexpr int line = lineOf(rejects ? 14 : 18, edge);
-                const bool beyond = step.test(line,
+                constexpr bool mayReject = what.kind == Kind::RejectIfBeyond;
+                constexpr auto label = labelOf(edge, mayReject ? rejects : tests);
+                const bool beyond = step.test(label,
                                               edge == Edge::Left     ? x[i] < xmin
                                               : edge == Edge::Right  ? x[i] > xmax
                                               : edge == Edge::Bottom ? y[i] < ymin
                                                                      : y[i] > ymax,
                                               edge);
-                if (beyond && rejects)
-                    step.reject(line);
-                if (!beyond || rejects)
+                if (beyond && mayReject)
+                    step.reject(label);
+                if (!beyond || mayReject)
                     return !beyond;
             }
             if constexpr (edge == Edge::Left)
@@ -129,7 +133,7 @@ ifT(): if y[i] > ymax: T()
                 x[i] = x[i] + (x[k] - x[i]) * (ymin - y[i]) / (y[k] - y[i]), y[i] = ymin;
             else
                 x[i] = x[i] + (x[k] - x[i]) * (ymax - y[i]) / (y[k] - y[i]), y[i] = ymax;
-            step.cut(lineOf(10, edge), i, x[i], y[i], edge);
+            step.cut(labelOf(edge, cuts), i, x[i], y[i], edge);
             return true;
         }
     };
@@ -141,7 +145,8 @@ ifT(): if y[i] > ymax: T()
         AsPublished<T, Step> ends{w, step, {s.a.x, s.b.x}, {s.a.y, s.b.y}};
         if (!followAll<script>(ends))
             return std::nullopt;
-        return step.accept(9, BasicSegment<T>{{ends.x[0], ends.y[0]}, {ends.x[1], ends.y[1]}});
+        return step.accept("accept",
+                           BasicSegment<T>{{ends.x[0], ends.y[0]}, {ends.x[1], ends.y[1]}});
     }
 
     template <class T, class Step>
@@ -150,49 +155,49 @@ ifT(): if y[i] > ymax: T()
     {
         static_assert(rejectsByOutcodes());
         const unsigned code1 = step.set("code1", outcodeOf(s.a, w));
-        const unsigned code2 = step.let(1, "code2", outcodeOf(s.b, w));
-        const std::size_t code = step.let(2, "code", 16 * std::size_t(code1) + code2);
-        if (step.test(3, (code1 & code2) != 0)) // the rejected cases of the table
-            return step.reject(4);
+        const unsigned code2 = step.let("codes", "code2", outcodeOf(s.b, w));
+        const std::size_t code = step.let("code", "code", 16 * std::size_t(code1) + code2);
+        if (step.test("beyond", (code1 & code2) != 0)) // the rejected cases of the table
+            return step.reject("reject");
         return player<Form::Published, T, std::remove_reference_t<Step>>[code](s, w, step);
     }
 
     static constexpr std::string_view correctedCode = R"(
-code1 = outcode(x1, y1),  code2 = outcode(x2, y2)
-code = 16 * code1 + code2
-if code1 & code2 != 0000
-  reject
+code1 = outcode(x1, y1),  code2 = outcode(x2, y2)  #codes
+code = 16 * code1 + code2  #code
+if code1 & code2 != 0000  #beyond
+  reject  #reject
 x[1] = x1,  y[1] = y1,  x[2] = x2,  y[2] = y2
-if code != 0
-  dx = x2-x1,  dy = y2-y1
+if code != 0  #outside
+  dx = x2-x1,  dy = y2-y1  #extent
 for each instruction of the script of this code, its holdLow, holdHigh
   if P: i = 1,  xi = x1,  yi = y1
   if Q: i = 2,  xi = x2,  yi = y2
-accept the line from x[1], y[1] to x[2], y[2]
-L(): way[i] = dy * (xmin-xi) / dx,  y = yi + way[i]
-  if holdLow: y = max(y, ymin)
-  if holdHigh: y = min(y, ymax)
-  x[i] = xmin,  y[i] = y
-R(): way[i] = dy * (xmax-xi) / dx,  y = yi + way[i]
-  if holdLow: y = max(y, ymin)
-  if holdHigh: y = min(y, ymax)
-  x[i] = xmax,  y[i] = y
-B(): way[i] = dx * (ymin-yi) / dy,  x = xi + way[i]
-  if holdLow: x = max(x, xmin)
-  if holdHigh: x = min(x, xmax)
-  y[i] = ymin,  x[i] = x
-T(): way[i] = dx * (ymax-yi) / dy,  x = xi + way[i]
-  if holdLow: x = max(x, xmin)
-  if holdHigh: x = min(x, xmax)
-  y[i] = ymax,  x[i] = x
-notL(): if x[i] < xmin or x[i] == xmin and way[i] < xmin-xi: reject
-notR(): if x[i] > xmax or x[i] == xmax and way[i] > xmax-xi: reject
-notB(): if y[i] < ymin or y[i] == ymin and way[i] < ymin-yi: reject
-notT(): if y[i] > ymax or y[i] == ymax and way[i] > ymax-yi: reject
-ifL(): if x[i] < xmin or x[i] == xmin and way[i] < xmin-xi: L()
-ifR(): if x[i] > xmax or x[i] == xmax and way[i] > xmax-xi: R()
-ifB(): if y[i] < ymin or y[i] == ymin and way[i] < ymin-yi: B()
-ifT(): if y[i] > ymax or y[i] == ymax and way[i] > ymax-yi: T()
+accept the line from x[1], y[1] to x[2], y[2]  #accept
+L(): way[i] = dy * (xmin-xi) / dx,  y = yi + way[i]  #wayToLeft
+  if holdLow: y = max(y, ymin)  #lowAtLeft
+  if holdHigh: y = min(y, ymax)  #highAtLeft
+  x[i] = xmin,  y[i] = y  #toLeft
+R(): way[i] = dy * (xmax-xi) / dx,  y = yi + way[i]  #wayToRight
+  if holdLow: y = max(y, ymin)  #lowAtRight
+  if holdHigh: y = min(y, ymax)  #highAtRight
+  x[i] = xmax,  y[i] = y  #toRight
+B(): way[i] = dx * (ymin-yi) / dy,  x = xi + way[i]  #wayToBottom
+  if holdLow: x = max(x, xmin)  #lowAtBottom
+  if holdHigh: x = min(x, xmax)  #highAtBottom
+  y[i] = ymin,  x[i] = x  #toBottom
+T(): way[i] = dx * (ymax-yi) / dy,  x = xi + way[i]  #wayToTop
+  if holdLow: x = max(x, xmin)  #lowAtTop
+  if holdHigh: x = min(x, xmax)  #highAtTop
+  y[i] = ymax,  x[i] = x  #toTop
+notL(): if x[i] < xmin or x[i] == xmin and way[i] < xmin-xi: reject  #notLeft
+notR(): if x[i] > xmax or x[i] == xmax and way[i] > xmax-xi: reject  #notRight
+notB(): if y[i] < ymin or y[i] == ymin and way[i] < ymin-yi: reject  #notBottom
+notT(): if y[i] > ymax or y[i] == ymax and way[i] > ymax-yi: reject  #notTop
+ifL(): if x[i] < xmin or x[i] == xmin and way[i] < xmin-xi: L()  #ifLeft
+ifR(): if x[i] > xmax or x[i] == xmax and way[i] > xmax-xi: R()  #ifRight
+ifB(): if y[i] < ymin or y[i] == ymin and way[i] < ymin-yi: B()  #ifBottom
+ifT(): if y[i] > ymax or y[i] == ymax and way[i] > ymax-yi: T()  #ifTop
 )";
     /// The state of both ends while a script runs as corrected, with each end's distance moved
     /// along its edge.
@@ -222,21 +227,23 @@ ifT(): if y[i] > ymax or y[i] == ymax and way[i] > ymax-yi: T()
         template <Instruction what>
         constexpr void move()
         {
-            constexpr std::array names{"x", "y"}, ways{"way[1]", "way[2]"};
-            constexpr int i = what.i, line = 8 + 4 * static_cast<int>(what.edge);
+            constexpr std::array names{"x", "y"}, wayNames{"way[1]", "way[2]"};
+            constexpr int i = what.i;
             constexpr glm::length_t axis = axisOf(what.edge), across = 1 - axis;
             const glm::vec<2, T>& from = i == 0 ? s.a : s.b;
             const T to = levelOf(what.edge, w), low = w.min[across], high = w.max[across];
             step.set("holdLow", what.holdLow), step.set("holdHigh", what.holdHigh);
-            way[i] = step.set(ways[i], d[across] * (to - from[axis]) / d[axis]);
-            T y = step.let(line, names[across], from[across] + way[i], what.edge);
+            way[i] = step.set(wayNames[i], d[across] * (to - from[axis]) / d[axis]);
+            T y =
+                step.let(labelOf(what.edge, ways), names[across], from[across] + way[i], what.edge);
             if constexpr (what.holdLow)
-                y = step.let(line + 1, names[across], y < low ? low : y, what.edge);
+                y = step.let(labelOf(what.edge, lows), names[across], y < low ? low : y, what.edge);
             if constexpr (what.holdHigh)
-                y = step.let(line + 2, names[across], y > high ? high : y, what.edge);
+                y = step.let(labelOf(what.edge, highs), names[across], y > high ? high : y,
+                             what.edge);
             glm::vec<2, T>& p = i == 0 ? visible.a : visible.b;
             p[axis] = to, p[across] = y;
-            step.cut(line + 3, i, p, what.edge);
+            step.cut(labelOf(what.edge, cuts), i, p, what.edge);
         }
 
         /// false: nothing is visible.
@@ -246,12 +253,12 @@ ifT(): if y[i] > ymax or y[i] == ymax and way[i] > ymax-yi: T()
             const glm::vec<2, T>& from = what.i == 0 ? s.a : s.b;
             step.set("i", what.i + 1), step.set("xi", from.x), step.set("yi", from.y);
             if constexpr (what.kind != Kind::Move) {
-                constexpr bool rejects = what.kind == Kind::RejectIfBeyond;
-                constexpr int line = lineOf(rejects ? 28 : 32, what.edge);
-                const bool beyond = step.test(line, isBeyond<what>(), what.edge);
-                if (beyond && rejects)
-                    step.reject(line);
-                if (!beyond || rejects)
+                constexpr bool mayReject = what.kind == Kind::RejectIfBeyond;
+                constexpr auto label = labelOf(what.edge, mayReject ? rejects : tests);
+                const bool beyond = step.test(label, isBeyond<what>(), what.edge);
+                if (beyond && mayReject)
+                    step.reject(label);
+                if (!beyond || mayReject)
                     return !beyond;
             }
             move<what>();
@@ -264,11 +271,11 @@ ifT(): if y[i] > ymax or y[i] == ymax and way[i] > ymax-yi: T()
     playCorrected(const BasicSegment<T>& s, const BasicWindow<T>& w, Step& step)
     {
         AsCorrected<T, Step> ends{s, w, step, s};
-        if (step.test(6, 16 * script.code1 + script.code2 != 0))
-            ends.d = {step.set("dx", s.b.x - s.a.x), step.let(7, "dy", s.b.y - s.a.y)};
+        if (step.test("outside", 16 * script.code1 + script.code2 != 0))
+            ends.d = {step.set("dx", s.b.x - s.a.x), step.let("extent", "dy", s.b.y - s.a.y)};
         if (!followAll<script>(ends))
             return std::nullopt;
-        return step.accept(11, ends.visible);
+        return step.accept("accept", ends.visible);
     }
 
     template <class T, class Step>
@@ -276,10 +283,10 @@ ifT(): if y[i] > ymax or y[i] == ymax and way[i] > ymax-yi: T()
                                                               const BasicWindow<T>& w, Step&& step)
     {
         const unsigned code1 = step.set("code1", outcodeOf(s.a, w));
-        const unsigned code2 = step.let(1, "code2", outcodeOf(s.b, w));
-        const std::size_t code = step.let(2, "code", 16 * std::size_t(code1) + code2);
-        if (step.test(3, (code1 & code2) != 0))
-            return step.reject(4);
+        const unsigned code2 = step.let("codes", "code2", outcodeOf(s.b, w));
+        const std::size_t code = step.let("code", "code", 16 * std::size_t(code1) + code2);
+        if (step.test("beyond", (code1 & code2) != 0))
+            return step.reject("reject");
         return player<Form::Corrected, T, std::remove_reference_t<Step>>[code](s, w, step);
     }
 };

@@ -49,31 +49,31 @@ struct WindingNumber {
 
     static constexpr std::string_view correctedCode = R"(
 x[1] = x1,  y[1] = y1,  x[2] = x2,  y[2] = y2
-s[1] = side(xmin, ymin),  s[2] = side(xmax, ymin)
-s[3] = side(xmax, ymax),  s[4] = side(xmin, ymax)
-most = max(max(s[1], s[2]), max(s[3], s[4]))
-w = 0
-if s[1] == 0 and s[2] == 0 and s[3] == 0 and s[4] == 0
-  if (x1 < xmin and x2 < xmin) or (x1 > xmax and x2 > xmax)
-    reject
-  if (y1 < ymin and y2 < ymin) or (y1 > ymax and y2 > ymax)
-    reject
-  hold both ends in the window
-  accept
+s[1] = side(xmin, ymin),  s[2] = side(xmax, ymin)  #sides12
+s[3] = side(xmax, ymax),  s[4] = side(xmin, ymax)  #sides34
+most = max(max(s[1], s[2]), max(s[3], s[4]))  #most
+w = 0  #zero
+if s[1] == 0 and s[2] == 0 and s[3] == 0 and s[4] == 0  #allOnLine
+  if (x1 < xmin and x2 < xmin) or (x1 > xmax and x2 > xmax)  #besideX
+    reject  #rejectX
+  if (y1 < ymin and y2 < ymin) or (y1 > ymax and y2 > ymax)  #besideY
+    reject  #rejectY
+  hold both ends in the window  #hold
+  accept  #acceptHeld
 for i = 1, 2, 3, 4
-  j = i < 4 ? i+1 : 1,  level = i == 1 or i == 3
-  if s[i] == most and s[j] != most and not beyond(x2, y2)
-    w = w+1
-    if beyond(x1, y1)
-      x[1] = level ? xAt(Y[i]) : X[i],  y[1] = level ? Y[i] : yAt(X[i])
-  if s[i] != most and s[j] == most and beyond(x2, y2)
-    if beyond(x1, y1)
-      w = w-1
+  j = i < 4 ? i+1 : 1,  level = i == 1 or i == 3  #edge
+  if s[i] == most and s[j] != most and not beyond(x2, y2)  #enters
+    w = w+1  #countUp
+    if beyond(x1, y1)  #end1
+      x[1] = level ? xAt(Y[i]) : X[i],  y[1] = level ? Y[i] : yAt(X[i])  #move1
+  if s[i] != most and s[j] == most and beyond(x2, y2)  #leaves
+    if beyond(x1, y1)  #notEntered
+      w = w-1  #countDown
     else
-      x[2] = level ? xAt(Y[i]) : X[i],  y[2] = level ? Y[i] : yAt(X[i])
-if w == 0
-  reject
-accept the line from x[1], y[1] to x[2], y[2]
+      x[2] = level ? xAt(Y[i]) : X[i],  y[2] = level ? Y[i] : yAt(X[i])  #move2
+if w == 0  #missed
+  reject  #reject
+accept the line from x[1], y[1] to x[2], y[2]  #accept
 X[1] = xmin,  Y[1] = ymin
 X[2] = xmax,  Y[2] = ymin
 X[3] = xmax,  Y[3] = ymax
@@ -105,46 +105,46 @@ X[4] = xmin,  Y[4] = ymax
         }
     };
 
-    /// Lines 16 to 18: the line enters through an edge, unless End 2 comes before.
+    /// The line enters through an edge, unless End 2 comes before.
     template <class T, class Step>
     static int enter(int w, BasicSegment<T>& visible, const BasicSegment<T>& s,
                      const Border<T>& border, Step& step)
     {
-        w = step.let(16, "w", w + 1, border.edge);
-        if (step.test(17, border.isBeyond(s.a), border.edge)) {
+        w = step.let("countUp", "w", w + 1, border.edge);
+        if (step.test("end1", border.isBeyond(s.a), border.edge)) {
             visible.a = border.crossing(LineThrough(s));
-            step.cut(18, 0, visible.a, border.edge);
+            step.cut("move1", 0, visible.a, border.edge);
         }
         return w;
     }
-    /// Lines 20 to 23: the line leaves through an edge, before End 2.
+    /// The line leaves through an edge, before End 2.
     template <class T, class Step>
     static int leave(int w, BasicSegment<T>& visible, const BasicSegment<T>& s,
                      const Border<T>& border, Step& step)
     {
-        if (step.test(20, border.isBeyond(s.a), border.edge))
-            return step.let(21, "w", w - 1, border.edge);
+        if (step.test("notEntered", border.isBeyond(s.a), border.edge))
+            return step.let("countDown", "w", w - 1, border.edge);
         visible.b = border.crossing(LineThrough(s));
-        step.cut(23, 1, visible.b, border.edge);
+        step.cut("move2", 1, visible.b, border.edge);
         return w;
     }
 
-    /// Lines 7 to 12: all corners are on the line, or the segment is a point.
+    /// All corners are on the line, or the segment is a point.
     template <class T, class Step>
     static std::optional<BasicSegment<T>> commonPart(const BasicSegment<T>& s,
                                                      const BasicWindow<T>& window, Step& step)
     {
         const auto& [a, b] = s;
         const auto& [min, max] = window;
-        if (step.test(7, (a.x < min.x && b.x < min.x) || (a.x > max.x && b.x > max.x), Edge::Left,
-                      Edge::Right))
-            return step.reject(8);
-        if (step.test(9, (a.y < min.y && b.y < min.y) || (a.y > max.y && b.y > max.y), Edge::Bottom,
-                      Edge::Top))
-            return step.reject(10);
+        if (step.test("besideX", (a.x < min.x && b.x < min.x) || (a.x > max.x && b.x > max.x),
+                      Edge::Left, Edge::Right))
+            return step.reject("rejectX");
+        if (step.test("besideY", (a.y < min.y && b.y < min.y) || (a.y > max.y && b.y > max.y),
+                      Edge::Bottom, Edge::Top))
+            return step.reject("rejectY");
         const BasicSegment<T> common{clamped(a, window), clamped(b, window)};
-        step.left(11, common);
-        return step.accept(12, common);
+        step.left("hold", common);
+        return step.accept("acceptHeld", common);
     }
 
     template <class T, class Step>
@@ -157,28 +157,29 @@ X[4] = xmin,  Y[4] = ymax
                                                 {Edge::Top, xmax, ymax},
                                                 {Edge::Left, xmin, ymax}}};
         const LineThrough line(s);
-        const std::array sides{
-            step.set("s[1]", line.side(xmin, ymin)), step.let(2, "s[2]", line.side(xmax, ymin)),
-            step.set("s[3]", line.side(xmax, ymax)), step.let(3, "s[4]", line.side(xmin, ymax))};
-        const int most = step.let(4, "most", std::ranges::max(sides));
-        int w = step.let(5, "w", 0);
-        if (step.test(6, most == 0 && std::ranges::min(sides) == 0))
+        const std::array sides{step.set("s[1]", line.side(xmin, ymin)),
+                               step.let("sides12", "s[2]", line.side(xmax, ymin)),
+                               step.set("s[3]", line.side(xmax, ymax)),
+                               step.let("sides34", "s[4]", line.side(xmin, ymax))};
+        const int most = step.let("most", "most", std::ranges::max(sides));
+        int w = step.let("zero", "w", 0);
+        if (step.test("allOnLine", most == 0 && std::ranges::min(sides) == 0))
             return commonPart(s, window, step);
         BasicSegment<T> visible = s;
         for (std::size_t i = 0; i < 4; ++i) {
             const std::size_t j = (i + 1) % 4;
             const Border<T>& border = borders[i];
             step.set("i", int(i + 1)), step.set("X[i]", border.X), step.set("Y[i]", border.Y);
-            step.set("j", int(j + 1)), step.let(14, "level", border.isLevel(), border.edge);
+            step.set("j", int(j + 1)), step.let("edge", "level", border.isLevel(), border.edge);
             const bool isLeft = sides[i] == most, isNextLeft = sides[j] == most;
-            if (step.test(15, isLeft && !isNextLeft && !border.isBeyond(s.b), border.edge))
+            if (step.test("enters", isLeft && !isNextLeft && !border.isBeyond(s.b), border.edge))
                 w = enter(w, visible, s, border, step);
-            if (step.test(19, !isLeft && isNextLeft && border.isBeyond(s.b), border.edge))
+            if (step.test("leaves", !isLeft && isNextLeft && border.isBeyond(s.b), border.edge))
                 w = leave(w, visible, s, border, step);
         }
-        if (step.test(24, w == 0))
-            return step.reject(25);
-        return step.accept(26, visible);
+        if (step.test("missed", w == 0))
+            return step.reject("reject");
+        return step.accept("accept", visible);
     }
 };
 

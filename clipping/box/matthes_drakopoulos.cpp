@@ -12,8 +12,7 @@
 // ends are those of the visible part, or both are the same point, which is within the last axis's
 // interval but outside another one.
 //
-// Steps have the line numbers of the corrected pseudo-code for the plane, which has no lines for
-// near and far.
+// Steps have the labels of the corrected pseudo-code for the plane.
 
 #include "clipping/box/moving_end.h"
 #include "clipping/box/uses.h"
@@ -24,10 +23,7 @@ namespace clipping {
 namespace {
 
 struct MatthesDrakopoulosBox {
-    static constexpr int lineOf(Edge side)
-    {
-        return side < Edge::Near ? 7 + 3 * static_cast<int>(side) : 0; // 10, 13, 16, 19
-    }
+    static constexpr LabelsOfEdges cuts{"toLeft", "toRight", "toBottom", "toTop"};
 
     /// Moves end number `end` to the sides it is beyond.
     template <class T, class Step>
@@ -40,7 +36,7 @@ struct MatthesDrakopoulosBox {
             if (side == Edge::NoEdge)
                 continue;
             moving.moveTo(side);
-            step.cut(lineOf(side), end, moving.at(), side);
+            step.cut(labelOf(side, cuts), end, moving.at(), side);
         }
     }
 
@@ -49,23 +45,24 @@ struct MatthesDrakopoulosBox {
     corrected(const BasicSegment<T, 3>& s, const BasicWindow<T, 3>& w, Step&& step)
     {
         for (glm::length_t k = 0; k < 3; ++k)
-            if (step.test(k < 2 ? 1 + 2 * k : 0,
+            if (step.test(labelOn(k, "besideX", "besideY"),
                           (s.a[k] < w.min[k] && s.b[k] < w.min[k])
                               || (s.a[k] > w.max[k] && s.b[k] > w.max[k]),
                           lowerEdge(k), upperEdge(k)))
-                return step.reject(k < 2 ? 2 + 2 * k : 0);
+                return step.reject(labelOn(k, "rejectX", "rejectY"));
         const glm::vec<3, T> d{s.b.x - s.a.x, s.b.y - s.a.y, s.b.z - s.a.z};
         MovingEnd<T> a(s.a, d, w), b(s.b, d, w);
         push(0, a, step);
         push(1, b, step);
         constexpr glm::length_t lastAxis = 2; // not tested
         for (glm::length_t k = 0; k < lastAxis; ++k)
-            if (step.test(20, (a.isBelow(k) && b.isBelow(k)) || (a.isAbove(k) && b.isAbove(k)),
+            if (step.test("missed",
+                          (a.isBelow(k) && b.isBelow(k)) || (a.isAbove(k) && b.isAbove(k)),
                           lowerEdge(k), upperEdge(k)))
-                return step.reject(21);
+                return step.reject("reject");
         const BasicSegment<T, 3> visible = between(a, b);
-        step.left(22, visible);
-        return step.accept(23, visible);
+        step.left("hold", visible);
+        return step.accept("accept", visible);
     }
 };
 

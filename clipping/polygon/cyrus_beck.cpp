@@ -5,8 +5,7 @@
 //
 // The inner normal of an edge gives the depth of each end inside the edge. The difference of the
 // two depths is the authors' D, the speed along the normal. The signs of the depths are exact, so
-// an end that is inside is never cut and no quotient has D = 0. Steps have the line numbers of the
-// corrected pseudo-code for windows.
+// an end that is inside is never cut and no quotient has D = 0.
 
 #include "clipping/ieee_numbers.h"
 #include "clipping/polygon/describe.h"
@@ -15,7 +14,7 @@ namespace clipping {
 namespace {
 
 struct CyrusBeckPolygon {
-    static constexpr int rejectLine = 14, acceptLine = 25;
+    static constexpr std::string_view rejected = "missed";
 
     /// A bound of the visible part: its parameter on the segment, and the edge that set it.
     template <class T>
@@ -72,19 +71,19 @@ struct CyrusBeckPolygon {
         const auto along = polygon.edge(i);
         const Cross<T> a = cross(along, from, to, from, s.a);
         const Cross<T> b = cross(along, from, to, from, s.b);
-        step.set("edge", int(polygon.number(i))), step.let(4, "N", a.value);
-        if (step.test(6, a.sign < 0 && b.sign < 0)) {
-            step.reject(6);
+        step.set("edge", int(polygon.number(i))), step.let("N", "N", a.value);
+        if (step.test("outside", a.sign < 0 && b.sign < 0)) {
+            step.reject("outside");
             return false;
         }
         if (a.sign >= 0 && b.sign >= 0)
             return true;
-        const T t = step.let(8, "t", shareBefore(a, b));
-        if (step.test(9, a.sign < 0)) {
-            if (step.test(10, !entry.edge || t > entry.t))
-                entry = {step.let(11, "tE", t), i};
-        } else if (step.test(12, !exit.edge || t < exit.t))
-            exit = {step.let(13, "tL", t), i};
+        const T t = step.let("t", "t", shareBefore(a, b));
+        if (step.test("entering", a.sign < 0)) {
+            if (step.test("later", !entry.edge || t > entry.t))
+                entry = {step.let("start", "tE", t), i};
+        } else if (step.test("sooner", !exit.edge || t < exit.t))
+            exit = {step.let("stop", "tL", t), i};
         return true;
     }
 
@@ -102,21 +101,21 @@ struct CyrusBeckPolygon {
         const bool outside = clamped(a, box) != a || clamped(b, box) != b;
         const bool missed = outside && !holdIn(box, s, entry, exit);
         step.set("tE", entry.t), step.set("tL", exit.t);
-        if (step.test(14, missed || entry.t > exit.t))
-            return step.reject(rejectLine);
+        if (step.test("missed", missed || entry.t > exit.t))
+            return step.reject("missed");
         PolygonPiece<T> piece{s};
         if (exit.edge) {
             piece.segment.b = clamped(at(exit.t, s), box);
             piece.numberOfB = polygon.number(*exit.edge);
-            step.cut(16, 1, piece.segment.b, Edge::NoEdge);
+            step.cut("move2", 1, piece.segment.b, Edge::NoEdge);
         }
         if (entry.edge) {
             const bool contact = exit.edge && entry.t == exit.t;
             piece.segment.a = contact ? piece.segment.b : clamped(at(entry.t, s), box);
             piece.numberOfA = polygon.number(*entry.edge);
-            step.cut(contact ? 22 : 20, 0, piece.segment.a, Edge::NoEdge);
+            step.cut(contact ? "contact" : "move1", 0, piece.segment.a, Edge::NoEdge);
         }
-        step.accept(acceptLine, piece.segment);
+        step.accept("accept", piece.segment);
         return piece;
     }
 };

@@ -12,9 +12,6 @@
 // of entry or a beyond that of exit. If the line passes through a corner, the new end is that
 // corner, with the number of the edge that begins there; a rule that does not depend on the
 // direction.
-//
-// Steps have the line numbers of the pseudo-code for windows (algorithms/exact.cpp): the bounding
-// box stands for lines 1 to 4, the two edges for lines 9 and 11.
 
 #include "clipping/batch/kernels.h"
 #include "clipping/batch/sets.h"
@@ -33,7 +30,7 @@ std::size_t clipAllInPolygon(std::span<const Segment> in, const ConvexPolygon& p
 
 template <class Search>
 struct ExactPolygon : ExactEnds {
-    static constexpr int rejectLine = 14, acceptLine = 25;
+    static constexpr std::string_view rejected = "reject";
     static constexpr bool unframed = true; // it handles all finite numbers itself
     static constexpr auto many = clipAllInPolygon;
 
@@ -42,37 +39,39 @@ struct ExactPolygon : ExactEnds {
                                                const PolygonIn<T>& polygon, Step&& step)
     {
         const auto [min, max] = polygon.box();
-        if (step.test(1, (s.a.x < min.x && s.b.x < min.x) || (s.a.x > max.x && s.b.x > max.x),
+        if (step.test("besideX",
+                      (s.a.x < min.x && s.b.x < min.x) || (s.a.x > max.x && s.b.x > max.x),
                       Edge::Left, Edge::Right))
-            return step.reject(2);
-        if (step.test(3, (s.a.y < min.y && s.b.y < min.y) || (s.a.y > max.y && s.b.y > max.y),
+            return step.reject("rejectX");
+        if (step.test("besideY",
+                      (s.a.y < min.y && s.b.y < min.y) || (s.a.y > max.y && s.b.y > max.y),
                       Edge::Bottom, Edge::Top))
-            return step.reject(4);
+            return step.reject("rejectY");
         const OrientedLine<T> line(s);
         const auto crossed = Search::crossed(line, polygon);
-        if (step.test(13, !crossed))
-            return step.reject(rejectLine);
+        if (step.test("missed", !crossed))
+            return step.reject("reject");
         const auto [enter, leave] = *crossed;
-        step.let(9, "enter", int(polygon.number(enter)));
-        step.let(11, "leave", int(polygon.number(leave)));
+        step.let("enter", "enter", int(polygon.number(enter)));
+        step.let("leave", "leave", int(polygon.number(leave)));
         const int bEnters = sideOf(s.b, enter, polygon);
         const int aLeaves = bEnters < 0 ? -1 : sideOf(s.a, leave, polygon);
-        if (step.test(15, bEnters < 0 || aLeaves < 0))
-            return step.reject(16);
+        if (step.test("beyond", bEnters < 0 || aLeaves < 0))
+            return step.reject("rejectBeyond");
         PolygonPiece<T> piece{s};
-        if (step.test(17, sideOf(s.a, enter, polygon) < 0)) {
+        if (step.test("end1", sideOf(s.a, enter, polygon) < 0)) {
             const auto end = endOn(enter, line, polygon);
             piece.segment.a = bEnters == 0 ? s.b : end.at;
             piece.numberOfA = end.number;
-            step.cut(18, 0, piece.segment.a, Edge::NoEdge);
+            step.cut("move1", 0, piece.segment.a, Edge::NoEdge);
         }
-        if (step.test(21, sideOf(s.b, leave, polygon) < 0)) {
+        if (step.test("end2", sideOf(s.b, leave, polygon) < 0)) {
             const auto end = endOn(leave, line, polygon);
             piece.segment.b = aLeaves == 0 ? s.a : end.at;
             piece.numberOfB = end.number;
-            step.cut(22, 1, piece.segment.b, Edge::NoEdge);
+            step.cut("move2", 1, piece.segment.b, Edge::NoEdge);
         }
-        step.accept(acceptLine, piece.segment);
+        step.accept("accept", piece.segment);
         return piece;
     }
 };

@@ -55,8 +55,8 @@ glm::vec<2, T> meetFlat(const BasicSegment<T>& edge, const Cross<T>& ofA, const 
 }
 
 /// Clips at a polygon without area, for which normals and sides are undefined: intersects two
-/// segments. All decisions are exact, and so is the common part of collinear segments. Steps have
-/// the line numbers of the method's corrected pseudo-code for windows.
+/// segments. All decisions are exact, and so is the common part of collinear segments. `rejected`
+/// is the label of the method's rejection of a line that misses the polygon.
 template <class Method, class T, class Step>
 std::optional<PolygonPiece<T>> clipFlat(const BasicSegment<T>& s, const PolygonIn<T>& polygon,
                                         Step&& step)
@@ -67,7 +67,7 @@ std::optional<PolygonPiece<T>> clipFlat(const BasicSegment<T>& s, const PolygonI
     const auto a = leftOf(edge.a, edge.b, s.a), b = leftOf(edge.a, edge.b, s.b);
     PolygonPiece<T> piece{s};
     if (edgeA.sign * edgeB.sign > 0 || a.sign * b.sign > 0)
-        return step.reject(Method::rejectLine);
+        return step.reject(Method::rejected);
     if (edgeA.sign == 0 && edgeB.sign == 0 && a.sign == 0 && b.sign == 0) { // all collinear
         const auto before = [](const glm::vec<2, T>& p, const glm::vec<2, T>& q) {
             return p.x < q.x || (p.x == q.x && p.y < q.y);
@@ -83,7 +83,7 @@ std::optional<PolygonPiece<T>> clipFlat(const BasicSegment<T>& s, const PolygonI
         if (later(s.b, out))
             piece.segment.b = out, piece.numberOfB = polygon.number(swapped ? 0 : last);
         if (later(piece.segment.a, piece.segment.b))
-            return step.reject(Method::rejectLine);
+            return step.reject(Method::rejected);
     } else {
         const auto met = a.sign == 0   ? s.a
                          : b.sign == 0 ? s.b
@@ -91,7 +91,7 @@ std::optional<PolygonPiece<T>> clipFlat(const BasicSegment<T>& s, const PolygonI
         piece = {
             {met, met}, a.sign == 0 ? 0 : polygon.number(0), b.sign == 0 ? 0 : polygon.number(0)};
     }
-    step.accept(Method::acceptLine, piece.segment);
+    step.accept("accept", piece.segment);
     return piece;
 }
 

@@ -6,9 +6,7 @@
 // (exact/meeting.h). All decisions are exact. So the result is that of `exact`, bit for bit, edge
 // numbers included: 1/2 ulp of the coordinate itself.
 //
-// Steps have the line numbers of the pseudo-code for windows: the bounding box stands for lines 1
-// to
-// 4. Only edges that the line crosses have steps.
+// Only edges that the line crosses have steps.
 
 #include "clipping/ieee_numbers.h"
 #include "clipping/polygon/describe.h"
@@ -18,7 +16,7 @@ namespace clipping {
 namespace {
 
 struct WindingNumberPolygon : ExactEnds {
-    static constexpr int rejectLine = 25, acceptLine = 26;
+    static constexpr std::string_view rejected = "reject";
     static constexpr bool unframed = true; // it handles all finite numbers itself
 
     /// The winding number at the first visible point, and the edges that cut the ends.
@@ -37,7 +35,7 @@ struct WindingNumberPolygon : ExactEnds {
         return left;
     }
 
-    /// Lines 15 to 23, for an edge that the line crosses.
+    /// Counts an edge that the line crosses.
     template <class T, class Step>
     static void pass(Count& count, std::size_t i, bool isEntry, const BasicSegment<T>& s,
                      const PolygonIn<T>& polygon, Step& step)
@@ -45,14 +43,14 @@ struct WindingNumberPolygon : ExactEnds {
         step.set("i", int(polygon.number(i)));
         const bool endIsBeyond = sideOf(s.b, i, polygon) < 0;
         if (isEntry) {
-            if (!step.test(15, !endIsBeyond))
+            if (!step.test("enters", !endIsBeyond))
                 return;
-            count.w = step.let(16, "w", count.w + 1);
-            if (step.test(17, sideOf(s.a, i, polygon) < 0))
+            count.w = step.let("countUp", "w", count.w + 1);
+            if (step.test("end1", sideOf(s.a, i, polygon) < 0))
                 count.enter = i;
-        } else if (step.test(19, endIsBeyond)) {
-            if (step.test(20, sideOf(s.a, i, polygon) < 0))
-                count.w = step.let(21, "w", count.w - 1);
+        } else if (step.test("leaves", endIsBeyond)) {
+            if (step.test("notEntered", sideOf(s.a, i, polygon) < 0))
+                count.w = step.let("countDown", "w", count.w - 1);
             else
                 count.leave = i;
         }
@@ -61,7 +59,7 @@ struct WindingNumberPolygon : ExactEnds {
     template <class T, class Step>
     static Count countAlong(const OrientedLine<T>& line, const PolygonIn<T>& polygon, Step& step)
     {
-        const int left = step.let(4, "most", leftmost(line, polygon));
+        const int left = step.let("most", "most", leftmost(line, polygon));
         Count count;
         const std::size_t last = polygon.size() - 1;
         bool wasLeft = line.leftOf(polygon.corner(last)).sign == left;
@@ -79,31 +77,33 @@ struct WindingNumberPolygon : ExactEnds {
                                                const PolygonIn<T>& polygon, Step&& step)
     {
         const auto [min, max] = polygon.box();
-        if (step.test(7, (s.a.x < min.x && s.b.x < min.x) || (s.a.x > max.x && s.b.x > max.x),
+        if (step.test("besideX",
+                      (s.a.x < min.x && s.b.x < min.x) || (s.a.x > max.x && s.b.x > max.x),
                       Edge::Left, Edge::Right))
-            return step.reject(8);
-        if (step.test(9, (s.a.y < min.y && s.b.y < min.y) || (s.a.y > max.y && s.b.y > max.y),
+            return step.reject("rejectX");
+        if (step.test("besideY",
+                      (s.a.y < min.y && s.b.y < min.y) || (s.a.y > max.y && s.b.y > max.y),
                       Edge::Bottom, Edge::Top))
-            return step.reject(10);
+            return step.reject("rejectY");
         const OrientedLine<T> line(s);
         const Count count = countAlong(line, polygon, step);
-        if (step.test(24, count.w == 0))
-            return step.reject(rejectLine);
+        if (step.test("missed", count.w == 0))
+            return step.reject("reject");
         PolygonPiece<T> piece{s};
         // If a segment only reaches an edge, both new ends are the end that reaches it.
         if (count.enter) {
             const auto end = endOn(*count.enter, line, polygon);
             piece.segment.a = sideOf(s.b, *count.enter, polygon) == 0 ? s.b : end.at;
             piece.numberOfA = end.number;
-            step.cut(18, 0, piece.segment.a, Edge::NoEdge);
+            step.cut("move1", 0, piece.segment.a, Edge::NoEdge);
         }
         if (count.leave) {
             const auto end = endOn(*count.leave, line, polygon);
             piece.segment.b = sideOf(s.a, *count.leave, polygon) == 0 ? s.a : end.at;
             piece.numberOfB = end.number;
-            step.cut(23, 1, piece.segment.b, Edge::NoEdge);
+            step.cut("move2", 1, piece.segment.b, Edge::NoEdge);
         }
-        step.accept(acceptLine, piece.segment);
+        step.accept("accept", piece.segment);
         return piece;
     }
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "clipping/algorithm.h"
+#include "clipping/pseudo_code.h"
 #include "clipping/python/arguments.h"
 #include "clipping/python/module.h"
 
@@ -40,16 +41,15 @@ py::object valueOf(const NamedValue& value)
     return py::int_(static_cast<long long>(value.value));
 }
 
-py::dict dictOf(const Step& step, std::string_view code)
+py::dict dictOf(const Step& step, const std::vector<CodeLine>& code)
 {
     py::dict values;
     for (const NamedValue& value : step.values)
         values[py::str(text(value.name))] = valueOf(value);
-    for (int line = 1; line < step.line && !code.empty(); ++line)
-        code.remove_prefix(std::min(code.find('\n'), code.size() - 1) + 1);
+    const int line = lineOf(code, step.label);
     return py::dict("what"_a = stepNames[static_cast<std::size_t>(step.what)],
-                    "holds"_a = step.holds, "name"_a = text(step.name), "line"_a = step.line,
-                    "code"_a = text(code.substr(0, code.find('\n'))),
+                    "holds"_a = step.holds, "name"_a = text(step.name), "line"_a = line,
+                    "code"_a = line > 0 ? text(code[std::size_t(line) - 1].text) : std::string(),
                     "segment"_a = py::tuple(py::cast(numbersOf(step.segment))),
                     "edge"_a = edgeNames[static_cast<std::size_t>(step.edge)], "values"_a = values);
 }
@@ -66,8 +66,9 @@ py::list traceOf(py::handle segment, py::handle window, py::handle algorithm, py
         throw py::value_error("'" + text(row.key) + "' has no published form");
     const Trace trace = uses->trace(given, edges);
     py::list steps;
+    const auto code = clipping::linesOf(codeOf(row, chosen));
     for (const Step& step : trace.steps)
-        steps.append(dictOf(step, codeOf(row, chosen)));
+        steps.append(dictOf(step, code));
     return steps;
 }
 

@@ -23,7 +23,7 @@ struct Plain {
     {
         if constexpr (std::is_same_v<T, double>)
             largest = std::abs(s.b.x);
-        return step.accept(1, s);
+        return step.accept("accept", s);
     }
 };
 

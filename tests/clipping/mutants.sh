@@ -4,11 +4,41 @@
 # tests against each: tests/clipping/mutants.sh [KEY...]
 # Prints who killed what; ends with 1 if a mutant lives. The faults are in mutants.txt beside this.
 # They take some minutes, which is why tests/run.sh leaves them out: run this by hand after a change
-# to an algorithm or to its tests. Needs what tests/run.sh installs.
+# to an algorithm or to its tests. Needs what tests/run.sh installs. `mutants.sh --check` only looks
+# whether each fault still has its place in the sources; a test calls it.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 build=$root/build/release
+# The file of a key: an algorithm's, or with its folder and, if a header, its ending.
+setFile() { # KEY
+    file=${1//-/_}
+    [[ $file != lines_and_rays/* ]] || file=algorithms/$file
+    [[ $file == */* || $file == *.h || $file == polyline_runs || $file == turned_window ]] || file=algorithms/$file
+    [[ $file == *.h ]] || file+=.cpp
+    file=clipping/$file
+}
+
+# Reads an entry "KEY[@FORM]: FROM => TO" into key, file, from, to, and the text before and after the
+# form's code.
+declare -A texts
+place() { # ENTRY
+    local change=${1#*: } part text
+    key=${1%%: *} part=${key#*@} key=${key%@*}
+    from=${change%% => *} to=${change#* => } before=
+    setFile "$key"
+    [[ ${texts[$file]-} ]] || texts[$file]=$(<"$root/$file")
+    text=${texts[$file]}
+    [[ $part == "$key" ]] || before=${text%%"$part"Code*}
+    after=${text#"$before"}
+    [[ $after == *"$from"* ]] || { echo "not in $file: $from"; return 1; }
+}
+if [[ ${1-} == --check ]]; then
+    lost=0
+    while IFS= read -r entry; do place "$entry" || lost=1; done < <(grep -v '^\(#\|$\)' "$here/mutants.txt")
+    exit "$lost"
+fi
+
 # What tests a file: the quickest first.
 testsOf() { # KEY
     case $1 in
@@ -55,14 +85,6 @@ for test in "${tests[@]}"; do
     }
     limit[$test]=$((3 * (SECONDS - begun) + 30))
 done
-
-# The file of a key: an algorithm's, or with its folder and, if a header, its ending.
-fileOf() { # KEY
-    local path=${1//-/_}
-    [[ $path != lines_and_rays/* ]] || path=algorithms/$path
-    [[ $path == */* || $path == *.h || $path == polyline_runs || $path == turned_window ]] || path=algorithms/$path
-    [[ $path == *.h ]] && echo "clipping/$path" || echo "clipping/$path.cpp"
-}
 
 # The sources of the library that include a header, by way of others, too.
 includersOf() { # FILE
@@ -112,16 +134,8 @@ killer() { # KEY
 alive=0 total=0
 while IFS= read -r entry; do
     [[ $entry && $entry != \#* ]] || continue
-    key=${entry%%: *} change=${entry#*: }
-    part=${key#*@} key=${key%@*}
-    isWanted "$key" || continue
-    from=${change%% => *} to=${change#* => }
-    file=$(fileOf "$key")
-    text=$(<"$root/$file")
-    before=
-    [[ $part == "$key" ]] || before=${text%%"$part"Code*}
-    after=${text#"$before"}
-    [[ $after == *"$from"* ]] || { echo "not in $file: $from"; exit 1; }
+    isWanted "${entry%%[@:]*}" || continue
+    place "$entry" || exit 1
     rm -rf "$work/tree"
     mkdir -p "$work/tree/$(dirname "$file")"
     printf '%s\n' "$before${after/"$from"/"$to"}" >"$work/tree/$file"

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // clip, clipAll, count and trace agree; and if a window and a segment are mirrored,
 // exchanged or reversed, the result is transformed in the same way.
-#include <QFile>
-#include <QRegularExpression>
 
-#include <set>
+#include "clipping/pseudo_code.h"
 
 #include "tests/clipping/contract.h"
 #include "tests/clipping/rows.h"
@@ -105,34 +103,6 @@ std::string disagreement(const Algorithm& algorithm, const Symmetry& symmetry, c
     return ulpsOff(result, input, as) <= 2 * algorithm.ulps ? "" : "not the same ends";
 }
 
-/// The numbers at the start of the lines of the first fenced block.
-std::set<int> linesOfPage(std::string_view key)
-{
-    QFile page(QStringLiteral(SOURCE_DIR "/resources/algorithms/%1.md")
-                   .arg(QLatin1StringView(key.data(), qsizetype(key.size()))));
-    std::set<int> lines;
-    if (!page.open(QIODevice::ReadOnly))
-        return lines;
-    const auto parts = QString::fromUtf8(page.readAll()).split(QStringLiteral("```"));
-    static const QRegularExpression number(QStringLiteral("^ *(\\d+) "),
-                                           QRegularExpression::MultilineOption);
-    for (auto found = number.globalMatch(parts.value(1)); found.hasNext();)
-        lines.insert(found.next().captured(1).toInt());
-    return lines;
-}
-
-/// The numbers of a form's lines of pseudo-code: beside its function, or on its page.
-std::set<int> linesOf(const Algorithm& algorithm, Form form)
-{
-    const std::string_view code = codeOf(algorithm, form);
-    if (code.empty())
-        return linesOfPage(algorithm.key);
-    std::set<int> lines;
-    for (int i = 1; i <= std::ranges::count(code, '\n'); ++i)
-        lines.insert(i);
-    return lines;
-}
-
 } // namespace
 
 class UsesTest : public QObject {
@@ -198,15 +168,13 @@ private slots:
     {
         QFETCH(const Algorithm*, algorithm);
         for (const Form form : formsOf(*algorithm)) {
-            const auto lines = linesOf(*algorithm, form);
+            const auto lines = linesOf(codeOf(*algorithm, form));
             QVERIFY2(!lines.empty(), "no pseudo-code");
-            QCOMPARE(*lines.begin(), 1);
-            QCOMPARE(*lines.rbegin(), int(lines.size()));
             for (const Input& input : grid())
                 for (const Step& step :
                      functionsOf(*algorithm, form)->trace(input.segment, input.window).steps)
-                    if (!lines.contains(step.line))
-                        QFAIL(qPrintable(QString::number(step.line)));
+                    if (lineOf(lines, step.label) == 0)
+                        QFAIL(step.label.data());
         }
     }
 

@@ -92,7 +92,7 @@ bool isRight(const Claim& claim, const Algorithm& algorithm)
     return !claim.command.isEmpty() && agrees(claim.number, measured(claim));
 }
 
-QString pageOf(const Algorithm& algorithm) { return app::pageOf(algorithm).markdown; }
+QString pageOf(const Algorithm& algorithm) { return app::pageOf(algorithm); }
 
 std::array<double, 4> numbersOf(const clipping::OperationCounts& c)
 {

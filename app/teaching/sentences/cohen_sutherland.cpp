@@ -161,19 +161,15 @@ QString newCode(const SentenceContext& context)
 /// The tests without an edge.
 QString decided(const SentenceContext& context)
 {
-    const bool published = words::isPublished(context);
-    switch (context.step.line) {
-    case 3:
+    if (context.at("inside"))
         return anyOutside(context, !context.holds());
-    case 4:
+    if (context.at("outside"))
         return anyOutside(context, context.holds());
-    case 5:
+    if (context.at("beyond"))
         return cohenSutherlandBothBeyond(context);
-    default:
-        return !published        ? chosen(context)
-               : context.holds() ? Text::tr("The outcode is that of End 1, so End 1 is cut.")
-                                 : Text::tr("The outcode is not that of End 1, so End 2 is cut.");
-    }
+    return !words::isPublished(context) ? chosen(context)
+           : context.holds()            ? Text::tr("The outcode is that of End 1, so End 1 is cut.")
+                             : Text::tr("The outcode is not that of End 1, so End 2 is cut.");
 }
 
 QString cohenSutherlandSentence(const SentenceContext& context)
@@ -193,7 +189,7 @@ QString cohenSutherlandSentence(const SentenceContext& context)
         return moved(context);
     if (what == What::Test)
         return context.edge() == clipping::Edge::NoEdge ? decided(context) : cutThere(context);
-    if (context.step.line == 1)
+    if (context.at("codes"))
         return cohenSutherlandOutcodes(context);
     if (name == "left")
         return words::held(context);

@@ -15,24 +15,19 @@ namespace {
 using words::knownCompared;
 using words::knownNumber;
 
-/// The corresponding line of the corrected form: in the published form, line 3 computes the normal.
-int cyrusBeckLineOf(const SentenceContext& context)
-{
-    return context.step.line - (words::isPublished(context) ? 1 : 0);
-}
+constexpr words::PartNames cyrusBeckPart{"tE", "tL"};
 
-/// Lines 5 to 12: the tests at one edge.
+/// The tests at one edge.
 QString cyrusBeckAsked(const SentenceContext& context)
 {
     const QString edge = context.edgeText();
-    switch (cyrusBeckLineOf(context)) {
-    case 5:
+    if (context.at("parallel"))
         return (context.holds()
                     ? Text::tr("D = %2: the line is parallel to %1 and never crosses it.")
                     : Text::tr("D = %2 is not 0: the infinite line through both ends crosses "
                                "the line of %1."))
             .arg(edge, knownNumber(context, "D"));
-    case 6:
+    if (context.at("outside"))
         return (context.holds()
                     ? Text::tr(
                         "The line is parallel to %1 and lies beyond it (N = %2 is less than 0).")
@@ -40,26 +35,23 @@ QString cyrusBeckAsked(const SentenceContext& context)
                         "End 1 is not beyond %1 (N = %2 is not less than 0), so no point of the "
                         "line is: this edge cuts nothing off."))
             .arg(edge, knownNumber(context, "N"));
-    case 9:
+    if (context.at("entering"))
         return (context.holds() ? Text::tr("D = %1 is greater than 0: at %2 the line enters.")
                                 : Text::tr("D = %1 is less than 0: at %2 the line leaves."))
             .arg(knownNumber(context, "D"), edge);
-    case 10:
+    if (context.at("later"))
         return (context.holds()
                     ? Text::tr("Of all entries so far, the one at %1 is the last (%2).")
                     : Text::tr("The entry at %1 is not after the start of the remaining part "
                                "(%2): this edge cuts nothing off."))
             .arg(edge, knownCompared(context, "t", "tE"));
-    default:
-        return (context.holds()
-                    ? Text::tr("Of all exits so far, the one at %1 is the first (%2).")
-                    : Text::tr("The exit at %1 is not before the end of the remaining part "
-                               "(%2): this edge cuts nothing off."))
-            .arg(edge, knownCompared(context, "t", "tL"));
-    }
+    return (context.holds() ? Text::tr("Of all exits so far, the one at %1 is the first (%2).")
+                            : Text::tr("The exit at %1 is not before the end of the remaining part "
+                                       "(%2): this edge cuts nothing off."))
+        .arg(edge, knownCompared(context, "t", "tL"));
 }
 
-/// Line 14: what remains after all edges.
+/// What remains after all edges.
 QString concluded(const SentenceContext& context)
 {
     if (context.holds())
@@ -114,17 +106,16 @@ QString cyrusBeckAccepted(const SentenceContext& context)
 QString cyrusBeckSentence(const SentenceContext& context)
 {
     const auto what = context.step.what;
-    const words::PartNames names{"tE", "tL", words::isPublished(context) ? 16 : 15};
     if (what == clipping::What::Accept)
         return cyrusBeckAccepted(context);
     if (what == clipping::What::Reject)
         return Text::tr("Nothing of the line is visible.") + words::lost(context);
-    if (context.step.line >= names.line)
-        return words::endsOfPart(context, names);
+    if (words::isEndOfPart(context))
+        return words::endsOfPart(context, cyrusBeckPart);
     if (what == clipping::What::Let)
-        return context.edge() == clipping::Edge::NoEdge ? words::wholeLine(context, names)
+        return context.edge() == clipping::Edge::NoEdge ? words::wholeLine(context, cyrusBeckPart)
                                                         : cyrusBeckGiven(context);
-    return cyrusBeckLineOf(context) == 14 ? concluded(context) : cyrusBeckAsked(context);
+    return context.at("missed") ? concluded(context) : cyrusBeckAsked(context);
 }
 
 constexpr auto cyrusBeckVariables = std::to_array<VariableUnit>({

@@ -36,10 +36,10 @@ Side exitOf(const TracedLine& tracedLine)
                   tracedLine.window);
 }
 
-/// Lines 1 and 3: whether both ends are beyond the same edge of an axis.
+/// Whether both ends are beyond the same edge of an axis.
 QString exactBothBeyond(const SentenceContext& context)
 {
-    const auto axis = context.step.line == 1 ? 0 : 1;
+    const auto axis = context.at("besideX") ? 0 : 1;
     const auto beyond = [&](Edge edge) { return words::beyond(edge, context.tracedLine.y); };
     if (context.holds())
         return Text::tr("Both ends lie %1, and so does every point between them.")
@@ -48,7 +48,7 @@ QString exactBothBeyond(const SentenceContext& context)
         .arg(beyond(clipping::lowerEdge(axis)), beyond(clipping::upperEdge(axis)));
 }
 
-/// Line 6: the direction of the line.
+/// The direction of the line.
 QString exactDirection(const SentenceContext& context)
 {
     const auto& [a, b] = context.tracedLine.line;
@@ -59,7 +59,7 @@ QString exactDirection(const SentenceContext& context)
         .arg(grows("right"), words::compared(a.x, b.x), grows("up"), words::compared(a.y, b.y));
 }
 
-/// Lines 7 and 8: the near and the far edge of an axis.
+/// The near and the far edge of an axis.
 QString exactNearAndFar(const SentenceContext& context)
 {
     const TracedLine& tracedLine = context.tracedLine;
@@ -72,10 +72,10 @@ QString exactNearAndFar(const SentenceContext& context)
              edgeWords(isX ? out.x : out.y, tracedLine.y));
 }
 
-/// Lines 9 to 12: whether an end is beyond the near or the far edge of an axis.
+/// Whether an end is beyond the near or the far edge of an axis.
 QString exactOneBeyond(const SentenceContext& context)
 {
-    const int number = context.step.line <= 10 ? 1 : 2;
+    const int number = context.at("enterX", "enterY") ? 1 : 2;
     const auto& end = number == 1 ? context.tracedLine.line.a : context.tracedLine.line.b;
     return (context.value(context.step.name) == 1.0 ? Text::tr("%1 is beyond %2 (%3).")
                                                     : Text::tr("%1 is not beyond %2 (%3)."))
@@ -83,12 +83,12 @@ QString exactOneBeyond(const SentenceContext& context)
              words::compared(end, context.edge(), context.tracedLine.window));
 }
 
-/// Lines 13 and 15: whether the line passes the corner between an entry and an exit on the outside.
+/// Whether the line passes the corner between an entry and an exit on the outside.
 QString corner(const SentenceContext& context)
 {
     const TracedLine& tracedLine = context.tracedLine;
     const Side in = entryOf(tracedLine), out = exitOf(tracedLine);
-    const bool first = context.step.line == 13;
+    const bool first = context.at("leavesYFirst");
     const QString entry = edgeWords(first ? in.x : in.y, tracedLine.y);
     const QString exit = edgeWords(first ? out.y : out.x, tracedLine.y);
     if (context.holds())
@@ -106,15 +106,15 @@ QString corner(const SentenceContext& context)
         .arg(exit, entry);
 }
 
-/// Lines 17, 19, 21 and 23: at which of two edges an end is cut.
+/// At which of two edges an end is cut.
 QString cutWhere(const SentenceContext& context)
 {
     const TracedLine& tracedLine = context.tracedLine;
-    const bool entering = context.step.line < 21;
+    const bool entering = context.at("end1AtX", "end1AtY");
     const Side side = entering ? entryOf(tracedLine) : exitOf(tracedLine);
     const QString end = words::end(entering ? 1 : 2);
     const QString x = edgeWords(side.x, tracedLine.y), y = edgeWords(side.y, tracedLine.y);
-    const bool asksX = context.step.line == 17 || context.step.line == 21;
+    const bool asksX = context.at("end1AtX", "end2AtX");
     if (!asksX)
         return context.holds() ? Text::tr("%1 is beyond %2: it is cut there.").arg(end, y)
                                : Text::tr("%1 is inside and stays as it is, bit for bit.").arg(end);
@@ -147,8 +147,7 @@ QString exactGiven(const SentenceContext& context)
 
 QString exactSentence(const SentenceContext& context)
 {
-    const int line = context.step.line;
-    const int end = line <= 20 ? 1 : 2;
+    const int end = context.at("move1ToX", "move1ToY") ? 1 : 2;
     switch (context.step.what) {
     case clipping::What::Accept:
         return words::accepted(context);
@@ -159,9 +158,9 @@ QString exactSentence(const SentenceContext& context)
             .arg(words::end(end), context.edgeText(),
                  words::point(end == 1 ? context.step.segment.a : context.step.segment.b));
     case clipping::What::Test:
-        return line <= 3    ? exactBothBeyond(context)
-               : line <= 15 ? corner(context)
-                            : cutWhere(context);
+        return context.at("besideX", "besideY")             ? exactBothBeyond(context)
+               : context.at("leavesYFirst", "leavesXFirst") ? corner(context)
+                                                            : cutWhere(context);
     default:
         return exactGiven(context);
     }

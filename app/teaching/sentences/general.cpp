@@ -6,6 +6,7 @@
 #include "app/teaching/sentences/code_values.h"
 #include "app/teaching/sentences/ends.h"
 #include "app/teaching/sentences/words.h"
+#include "clipping/pseudo_code.h"
 
 #include <algorithm>
 
@@ -37,7 +38,9 @@ QString withCapital(QString sentence)
 
 QString lineOf(const SentenceContext& context, const QStringList& code)
 {
-    return code.value(context.step.line - 1);
+    const auto& [algorithm, form, misprint] = context.tracedLine.variant;
+    const auto lines = clipping::linesOf(clipping::codeOf(*algorithm, form));
+    return code.value(clipping::lineOf(lines, context.step.label) - 1);
 }
 
 QString asked(const SentenceContext& context, const QStringList& code)

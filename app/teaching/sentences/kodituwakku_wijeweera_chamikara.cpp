@@ -15,12 +15,12 @@ namespace {
 QString kodituwakkuDirection(const SentenceContext& context)
 {
     const auto& [a, b] = context.tracedLine.line;
-    if (context.step.line == 2)
+    if (context.at("notUpright"))
         return context.holds()
                    ? Text::tr("The line is not vertical (%1).").arg(words::compared(a.x, b.x))
                    : Text::tr("The line is vertical (x1 = x2 = %1): it has no slope.")
                          .arg(words::number(a.x));
-    if (context.step.line == 3)
+    if (context.at("notLevel"))
         return context.holds()
                    ? Text::tr("The line is not horizontal (%1).").arg(words::compared(a.y, b.y))
                    : Text::tr("The line is horizontal (y1 = y2 = %1).").arg(words::number(a.y));
@@ -96,54 +96,24 @@ QString other(const SentenceContext& context)
                      .arg(where, context.edgeText());
 }
 
-QString kodituwakkuPublishedTest(const SentenceContext& context, int number)
+QString kodituwakkuTest(const SentenceContext& context, int number)
 {
-    switch (context.step.line) {
-    case 2:
-    case 3:
-    case 27:
+    if (context.at("notUpright", "notLevel", "point"))
         return kodituwakkuDirection(context);
-    case 15:
-    case 25:
+    if (context.at("short", "levelShort"))
         return tooShort(context, 0);
-    case 38:
+    if (context.at("uprightShort"))
         return tooShort(context, 1);
-    case 18:
+    if (context.at("levelOutside"))
         return between(context, 1);
-    case 31:
+    if (context.at("uprightOutside"))
         return between(context, 0);
-    case 28:
+    if (context.at("pointOutside"))
         return point(context);
-    default:
-        return push(context, number);
-    }
-}
-
-QString kodituwakkuCorrectedTest(const SentenceContext& context, int number)
-{
-    switch (context.step.line) {
-    case 2:
-    case 3:
-    case 12:
-        return kodituwakkuDirection(context);
-    case 9:
-        return between(context, 1);
-    case 15:
-        return between(context, 0);
-    case 13:
-        return point(context);
-    case 22:
-    case 26:
-    case 30:
-    case 34:
-    case 39:
-    case 42:
-    case 46:
-    case 49:
+    if (context.at("bothLeft", "bothRight", "bothBelow", "bothAbove", "levelBothLeft",
+                   "levelBothRight", "uprightBothBelow", "uprightBothAbove"))
         return other(context);
-    default:
-        return push(context, number);
-    }
+    return push(context, number);
 }
 
 /// The new value of a variable.
@@ -182,8 +152,7 @@ QString kodituwakkuSentence(const SentenceContext& context)
     const int number = int(context.known("i").value_or(1));
     switch (context.step.what) {
     case clipping::What::Test:
-        return words::isPublished(context) ? kodituwakkuPublishedTest(context, number)
-                                           : kodituwakkuCorrectedTest(context, number);
+        return kodituwakkuTest(context, number);
     case clipping::What::Cut:
         return words::moved(context, number);
     case clipping::What::Reject:

@@ -15,16 +15,13 @@ namespace {
 using words::knownCompared;
 using words::knownNumber;
 
-words::PartNames namesIn(const SentenceContext& context)
-{
-    return {"u0", "u1", words::isPublished(context) ? 19 : 20};
-}
+constexpr words::PartNames liangBarskyPart{"u0", "u1"};
 
-/// Lines 2, 7 and 12: the direction of the line at one edge.
+/// The direction of the line at one edge.
 QString liangBarskyDirection(const SentenceContext& context)
 {
     const QString edge = context.edgeText(), p = knownNumber(context, "p");
-    if (context.step.line == 12)
+    if (context.at("beside"))
         return (context.holds()
                     ? Text::tr(
                         "The line is parallel to %1 and lies beyond it (q = %2 is less than 0).")
@@ -32,7 +29,7 @@ QString liangBarskyDirection(const SentenceContext& context)
                         "End 1 is not beyond %1 (q = %2 is not less than 0), so no point of the "
                         "line is: this edge cuts nothing off."))
             .arg(edge, knownNumber(context, "q"));
-    if (context.step.line == 7)
+    if (context.at("leaving"))
         return (context.holds()
                     ? Text::tr("p = %1 is greater than 0: at %2 the line leaves.")
                     : Text::tr("p = %1: the line is parallel to %2 and never crosses it."))
@@ -42,14 +39,13 @@ QString liangBarskyDirection(const SentenceContext& context)
         .arg(p, edge);
 }
 
-/// Lines 4, 5, 9 and 10: the effect of a crossing.
+/// The effect of a crossing.
 QString crossing(const SentenceContext& context)
 {
     const QString edge = context.edgeText();
     const QString toStop = knownCompared(context, "r", "u1");
     const QString toStart = knownCompared(context, "r", "u0");
-    switch (context.step.line) {
-    case 4:
+    if (context.at("tooLate"))
         return context.holds()
                    ? Text::tr("The entry at %1 comes after the end of the remaining part (%2).")
                          .arg(edge, toStop)
@@ -57,7 +53,7 @@ QString crossing(const SentenceContext& context)
                          "The entry is not after the end of the remaining part (%1), so something "
                          "may be visible.")
                          .arg(toStop);
-    case 9:
+    if (context.at("tooEarly"))
         return context.holds()
                    ? Text::tr("The exit at %1 comes before the start of the remaining part (%2).")
                          .arg(edge, toStart)
@@ -65,19 +61,16 @@ QString crossing(const SentenceContext& context)
                               "so something "
                               "may be visible.")
                          .arg(toStart);
-    case 5:
+    if (context.at("later"))
         return (context.holds()
                     ? Text::tr("Of all entries so far, the one at %1 is the last (%2).")
                     : Text::tr("The entry at %1 is not after the start of the remaining part "
                                "(%2): this edge cuts nothing off."))
             .arg(edge, toStart);
-    default:
-        return (context.holds()
-                    ? Text::tr("Of all exits so far, the one at %1 is the first (%2).")
-                    : Text::tr("The exit at %1 is not before the end of the remaining part "
-                               "(%2): this edge cuts nothing off."))
-            .arg(edge, toStop);
-    }
+    return (context.holds() ? Text::tr("Of all exits so far, the one at %1 is the first (%2).")
+                            : Text::tr("The exit at %1 is not before the end of the remaining part "
+                                       "(%2): this edge cuts nothing off."))
+        .arg(edge, toStop);
 }
 
 /// The meaning of the signs of p and q for the line at an edge.
@@ -93,7 +86,7 @@ QString liangBarskyAtEdge(const SentenceContext& context)
                  .arg(words::number(q));
 }
 
-/// The assignment of a variable at an edge, on lines 1 to 12 or at the calls.
+/// The assignment of a variable at an edge, in `clipt` or at its calls.
 QString liangBarskyGiven(const SentenceContext& context)
 {
     const auto& name = context.step.name;
@@ -106,7 +99,7 @@ QString liangBarskyGiven(const SentenceContext& context)
     if (name == "u1")
         return Text::tr("The remaining part ends at %1, at u1 = %2.")
             .arg(edge, knownNumber(context, "u1"));
-    return (context.step.line == 3
+    return (context.at("entry")
                 ? Text::tr("The line enters across %1 at r = q/p = %2 (0 is End 1, 1 is End 2).")
                 : Text::tr("The line leaves across %1 at r = q/p = %2 (0 is End 1, 1 is End 2)."))
         .arg(edge, knownNumber(context, "r"));
@@ -115,18 +108,17 @@ QString liangBarskyGiven(const SentenceContext& context)
 QString liangBarskySentence(const SentenceContext& context)
 {
     const auto what = context.step.what;
-    const int line = context.step.line;
-    const auto names = namesIn(context);
     if (what == clipping::What::Accept)
         return words::acceptedIfInside(context);
     if (what == clipping::What::Reject)
         return Text::tr("Nothing of the line is visible.") + words::lost(context);
-    if (line >= names.line)
-        return words::endsOfPart(context, names);
+    if (words::isEndOfPart(context))
+        return words::endsOfPart(context, liangBarskyPart);
     if (what == clipping::What::Let)
-        return context.edge() == clipping::Edge::NoEdge ? words::wholeLine(context, names)
+        return context.edge() == clipping::Edge::NoEdge ? words::wholeLine(context, liangBarskyPart)
                                                         : liangBarskyGiven(context);
-    return line == 2 || line == 7 || line == 12 ? liangBarskyDirection(context) : crossing(context);
+    return context.at("entering", "leaving", "beside") ? liangBarskyDirection(context)
+                                                       : crossing(context);
 }
 
 constexpr auto liangBarskyVariables = std::to_array<VariableUnit>({

@@ -21,7 +21,7 @@ QString matthesBothBeyond(const SentenceContext& context)
             .arg(words::beyond(context.edge(), context.tracedLine.y),
                  words::compared(a, context.edge(), window),
                  words::compared(b, context.edge(), window));
-    const int axis = context.step.line == 3 ? 1 : 0;
+    const int axis = context.at("besideY") ? 1 : 0;
     const auto numbers = [&](const QString& text) {
         return text.arg(words::number(a[axis]), words::number(b[axis]),
                         words::number(window.min[axis]), words::number(window.max[axis]));
@@ -77,15 +77,9 @@ QString stillBeyond(const SentenceContext& context)
         .arg(words::number(a.x), words::number(b.x));
 }
 
-/// The last test: on line 19 of the published form, on line 20 of the corrected one.
-bool isLastTest(const clipping::Step& step, const SentenceContext& context)
-{
-    return step.line == (words::isPublished(context) ? 19 : 20);
-}
-
 QString matthesRejected(const SentenceContext& context)
 {
-    if (context.before && isLastTest(*context.before, context))
+    if (context.at("reject"))
         return Text::tr(
             "If the line met the window, its ends would lie in the window now. So nothing is "
             "visible.");
@@ -130,10 +124,9 @@ QString matthesSentence(const SentenceContext& context)
         return words::held(context);
     if (name == "rise" || name == "run")
         return wayTo(context, number);
-    if (context.step.line <= 3)
+    if (context.at("besideX", "besideY"))
         return matthesBothBeyond(context);
-    return isLastTest(context.step, context) ? stillBeyond(context)
-                                             : matthesOneBeyond(context, number);
+    return context.at("missed") ? stillBeyond(context) : matthesOneBeyond(context, number);
 }
 
 } // namespace

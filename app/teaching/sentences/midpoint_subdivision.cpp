@@ -96,12 +96,12 @@ QString halved(const SentenceContext& context)
 
 QString midpointRejected(const SentenceContext& context)
 {
-    if (context.step.line == 3)
+    if (context.at("rejectBeyond"))
         return Text::tr(
                    "Both ends lie %1, and so does every point between them: nothing of the line is "
                    "visible.")
             .arg(beyondBoth(context, "code1", "code2"));
-    if (words::isPublished(context) && context.step.line == 20)
+    if (context.at("rejectNear"))
         return Text::tr(
             "There is nothing left to halve, and the near point is still outside: nothing is "
             "visible.");
@@ -112,88 +112,71 @@ QString midpointRejected(const SentenceContext& context)
 /// The result of the search for an end.
 QString found(const SentenceContext& context)
 {
-    const bool published = words::isPublished(context);
-    const int line = context.step.line;
-    const int number = published ? (line == 7 ? 2 : 1) : (line == 12 || line == 23 ? 2 : 1);
-    if (!published && (line == 14 || line == 23))
+    const int number = context.at("move2", "contact1") ? 2 : 1;
+    if (context.at("contact1", "contact2"))
         return Text::tr("%1 is at the same point.").arg(words::end(number));
     return Text::tr("There is nothing left to halve: %1 is found at %2, on %3.")
         .arg(words::end(number), words::point(words::endOf(number, context)), context.edgeText());
 }
 
-QString midpointPublishedTest(const SentenceContext& context)
+QString searchTest(const SentenceContext& context)
 {
-    switch (context.step.line) {
-    case 2:
-        return midpointBothBeyond(context);
-    case 5:
-        return sought(context, 2);
-    case 8:
-        return sought(context, 1);
-    case 14:
+    if (context.at("bothBeyond"))
         return midpointNearAndFar(context, context.holds());
-    case 18:
+    if (context.at("goOn"))
+        return context.holds() || (bitsOf(context, "near") & bitsOf(context, "far")) != 0
+                   ? midpointNearAndFar(context, !context.holds())
+                   : Text::tr("After %1 halvings nothing is left to halve.")
+                         .arg(numberOf(context, "halvings"));
+    if (context.at("noneLeft"))
         return context.holds()
                    ? Text::tr(
                        "The midpoint is one of the two points: there is nothing left to halve.")
                    : Text::tr(
                        "The midpoint lies between the two points and halves the line between "
                        "them.");
-    case 19:
+    if (context.at("nearOutside"))
         return context.holds()
                    ? Text::tr("The near point is still outside, with the outcode %1.")
                          .arg(midpointCodeAndRegion(context, "near"))
                    : Text::tr("The near point is inside: it is the end that was sought.");
-    default:
-        return halved(context);
-    }
+    return halved(context);
 }
 
-QString midpointCorrectedTest(const SentenceContext& context)
+QString midpointTest(const SentenceContext& context)
 {
-    switch (context.step.line) {
-    case 2:
+    if (context.at("beyond"))
         return midpointBothBeyond(context);
-    case 6:
+    if (context.at("outside"))
         return context.holds() ? Text::tr("At least one end is outside: the line has to be halved.")
                                : Text::tr("Both ends are inside: there is nothing to search for.");
-    case 9:
+    if (context.at("end2"))
         return sought(context, 2);
-    case 13:
+    if (context.at("end1"))
+        return sought(context, 1);
+    if (context.at("touches2"))
         return context.holds()
                    ? Text::tr("The near point (%1) and the far point (%2) are both outside, "
                               "but beyond different edges: the window lies between them, and "
                               "the line meets it in one point.")
                          .arg(midpointCodeText(context, "near"), midpointCodeText(context, "far"))
                    : Text::tr("The near point is inside: it is the end that was sought.");
-    case 15:
-        return sought(context, 1);
-    case 18:
+    if (context.at("onePoint"))
         return context.holds()
                    ? Text::tr(
                        "The two ends are at most 2⁻⁵³ of the line apart: they count as one point.")
                    : Text::tr("The two ends are different points: more than one point is visible.");
-    case 22:
+    if (context.at("isContact"))
         return context.holds() ? Text::tr("The line meets the window in one point.")
                                : Text::tr("The line meets the window in more than one point.");
-    case 27:
-        return context.holds() || (bitsOf(context, "near") & bitsOf(context, "far")) != 0
-                   ? midpointNearAndFar(context, !context.holds())
-                   : Text::tr("After %1 halvings nothing is left to halve.")
-                         .arg(numberOf(context, "halvings"));
-    case 35:
-        return midpointNearAndFar(context, context.holds());
-    default:
-        return halved(context);
-    }
+    return searchTest(context);
 }
 
 /// The assignment of a variable.
 QString midpointGiven(const SentenceContext& context)
 {
     const auto& name = context.step.name;
-    const int line = context.step.line;
-    if (line == 1)
+    if (context.at("codes"))
         return midpointOutcodes(context);
     if (name == "ym")
         return Text::tr("The midpoint between the near and the far point is %1.")
@@ -202,7 +185,7 @@ QString midpointGiven(const SentenceContext& context)
         return Text::tr("The outcode of the midpoint is %1.")
             .arg(midpointCodeAndRegion(context, "M"));
     if (name == "contact")
-        return line == 5
+        return context.at("contact")
                    ? Text::tr("So far, the line is not known to meet the window in only one point.")
                : context.known("contact") == 1.0
                    ? Text::tr(
@@ -256,8 +239,7 @@ QString midpointSentence(const SentenceContext& context)
     case What::Cut:
         return found(context);
     case What::Test:
-        return words::isPublished(context) ? midpointPublishedTest(context)
-                                           : midpointCorrectedTest(context);
+        return midpointTest(context);
     default:
         return midpointGiven(context);
     }

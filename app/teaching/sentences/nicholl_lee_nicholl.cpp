@@ -18,11 +18,6 @@ using clipping::Edge;
 
 namespace {
 
-// Lines of the pseudo-code, which are the same in both forms.
-constexpr std::array linesOfEndOne{2, 3, 9, 10, 51, 52};
-constexpr std::array cutsOfEndOne{31, 39, 49};
-constexpr int displayLine = 5, notBelowLine = 21, insideLine = 52;
-
 /// The edge of the other axis that an end is beyond.
 Edge otherEdge(const SentenceContext& context, int end)
 {
@@ -48,89 +43,76 @@ QString whereEndOneIs(const SentenceContext& context)
 {
     const QString beyond = words::whetherBeyond(context, 1);
     if (!context.holds())
-        return context.step.line == insideLine
+        return context.at("below")
                    ? Text::tr(
                          "%1: End 1 is inside the window, so something is certainly visible. Only "
                          "End 2 remains to be tested.")
                          .arg(beyond)
                    : Text::tr("%1.").arg(beyond);
-    switch (context.step.line) {
-    case 3:
+    if (context.at("right"))
         return Text::tr("%1: the plane will be turned by 180°, so that right becomes left and one "
                         "procedure serves both sides.")
             .arg(beyond);
-    case 51:
-    case 52:
+    if (context.at("above", "below"))
         return Text::tr(
                    "%1, neither left nor right of it: the plane will be turned by 90°, so that "
                    "this side becomes the left one.")
             .arg(beyond);
-    case 10:
+    if (context.at("leftBelow"))
         return Text::tr("%1, beyond a corner: the plane will be mirrored, so that this becomes the "
                         "corner that the procedure was written for.")
             .arg(beyond);
-    default:
-        return Text::tr("%1.").arg(beyond);
-    }
+    return Text::tr("%1.").arg(beyond);
 }
 
 QString whereEndTwoIs(const SentenceContext& context)
 {
     const QString beyond = words::whetherBeyond(context, 2);
-    const bool isBeyond = context.step.line == notBelowLine ? !context.holds() : context.holds();
+    const bool isBeyond = context.at("notBelow") ? !context.holds() : context.holds();
     if (!isBeyond)
         return Text::tr("%1.").arg(beyond);
-    switch (context.step.line) {
-    case 8:
-    case 13:
-    case 33:
+    if (context.at("bothLeft", "bothAbove", "edgeBothLeft"))
         return Text::tr("%1, and so does End 1.").arg(beyond);
-    case 21:
-    case 34:
+    if (context.at("notBelow", "edgeBelow"))
         return Text::tr("%1: the line may miss the window there, which is tested next.")
             .arg(beyond);
-    case 35:
+    if (context.at("edgeAbove"))
         return Text::tr("%1: the plane will be mirrored, so that one procedure serves both sides.")
             .arg(beyond);
-    case 22:
-    case 38:
+    if (context.at("cornerRight", "edgeRight"))
         return Text::tr("%1: the line leaves the window through %2.")
             .arg(beyond, context.edgeText());
-    case 26:
-    case 44:
-    case 62:
+    if (context.at("cornerBeyond", "bottomBeyond", "leftTop"))
         return Text::tr("%1: the line could leave through either of two edges.").arg(beyond);
-    case 63:
+    if (context.at("leftBottom"))
         return Text::tr(
                    "%1: the line could leave through either of two edges. The plane will be turned "
                    "by 90°.")
             .arg(beyond);
-    case 56:
+    if (context.at("insideRight"))
         return Text::tr("%1: the plane will be turned by 180°, so that right becomes left.")
             .arg(beyond);
-    default:
-        return Text::tr("%1: the line must leave the window.").arg(beyond);
-    }
+    return Text::tr("%1: the line must leave the window.").arg(beyond);
 }
 
 /// A test for a corner of the window: which of two products is larger.
 struct CornerTest {
-    int line;
+    std::string_view label;
     std::string_view first, second;
     int end; ///< the end that lies beyond the corner
     enum { Enters, Leaves, Misses } asks;
 };
 constexpr std::array cornerTests{
-    CornerTest{16, "pymax", "pxmin", 1, CornerTest::Enters},
-    CornerTest{25, "pymin", "pxmin", 2, CornerTest::Misses},
-    CornerTest{28, "pymin", "pxmax", 2, CornerTest::Leaves},
-    CornerTest{43, "pymin", "pxmin", 2, CornerTest::Misses},
-    CornerTest{46, "pymin", "pxmax", 2, CornerTest::Leaves},
-    CornerTest{68, "pymax", "pxmin", 2, CornerTest::Leaves},
+    CornerTest{"cornerSide", "pymax", "pxmin", 1, CornerTest::Enters},
+    CornerTest{"cornerMisses", "pymin", "pxmin", 2, CornerTest::Misses},
+    CornerTest{"cornerToBottom", "pymin", "pxmax", 2, CornerTest::Leaves},
+    CornerTest{"bottomMisses", "pymin", "pxmin", 2, CornerTest::Misses},
+    CornerTest{"bottomToBottom", "pymin", "pxmax", 2, CornerTest::Leaves},
+    CornerTest{"leftToTop", "pymax", "pxmin", 2, CornerTest::Leaves},
 };
 const CornerTest* cornerTestOf(const SentenceContext& context)
 {
-    const auto* const test = std::ranges::find(cornerTests, context.step.line, &CornerTest::line);
+    const auto* const test = std::ranges::find(cornerTests, context.step.label, &CornerTest::label);
     return context.step.what == clipping::What::Test && test != cornerTests.end() ? test : nullptr;
 }
 
@@ -175,7 +157,7 @@ QString product(const SentenceContext& context)
 
 QString nichollCut(const SentenceContext& context)
 {
-    const int end = std::ranges::count(cutsOfEndOne, context.step.line) != 0 ? 1 : 2;
+    const int end = context.at("cornerEnters", "edgeEnters", "bottomEnters") ? 1 : 2;
     return Text::tr("%1 moves along the line to %2, to %3. This end is now known to be visible.")
         .arg(words::end(end), context.edgeText(), words::point(words::endOf(end, context)));
 }
@@ -224,14 +206,15 @@ QString nichollSentence(const SentenceContext& context)
     const auto& step = context.step;
     switch (step.what) {
     case clipping::What::Test:
-        if (step.line == displayLine)
+        if (context.at("hidden"))
             return context.holds()
                        ? Text::tr("A test has found that nothing of the line is visible.")
                        : Text::tr("No test has ruled the line out.");
         if (const CornerTest* test = cornerTestOf(context))
             return passesCorner(context, *test);
-        return std::ranges::count(linesOfEndOne, step.line) != 0 ? whereEndOneIs(context)
-                                                                 : whereEndTwoIs(context);
+        return context.at("left", "right", "leftAbove", "leftBelow", "above", "below")
+                   ? whereEndOneIs(context)
+                   : whereEndTwoIs(context);
     case clipping::What::Reject:
         return Text::tr("Nothing of the line is visible.") + words::lost(context);
     case clipping::What::Cut:

@@ -14,7 +14,7 @@ namespace {
 /// Whether an end has to move.
 QString needed(const SentenceContext& context, const PartNames& names)
 {
-    const bool isEnd2 = context.step.line == names.line;
+    const bool isEnd2 = context.at("end2");
     const char* const name = isEnd2 ? names.stop : names.start;
     const QString value =
         QStringLiteral("%1 = %2").arg(QLatin1StringView(name), knownNumber(context, name));
@@ -83,18 +83,24 @@ QString wholeLine(const SentenceContext& context, const PartNames& names)
     return said.join(u' ');
 }
 
+bool isEndOfPart(const SentenceContext& context)
+{
+    return context.at("end2", "move2", "upright2", "level2", "hold2", "end1", "move1", "upright1",
+                      "level1", "touches", "contact", "hold1");
+}
+
 QString endsOfPart(const SentenceContext& context, const PartNames& names)
 {
-    const int line = context.step.line - names.line;
     switch (context.step.what) {
     case What::Test:
-        return line == 8 ? touches(context, names) : needed(context, names);
+        return context.at("touches") ? touches(context, names) : needed(context, names);
     case What::Cut:
-        return line == 9 ? Text::tr("End 1 becomes the same point as End 2, %1.")
-                               .arg(point(endOf(1, context)))
-                         : moved(context, line <= 2 ? 2 : 1);
+        return context.at("contact")
+                   ? Text::tr("End 1 becomes the same point as End 2, %1.")
+                         .arg(point(endOf(1, context)))
+                   : moved(context, context.at("move2", "upright2", "level2") ? 2 : 1);
     default:
-        return held(context, line == 4 ? 2 : 1);
+        return held(context, context.at("hold2") ? 2 : 1);
     }
 }
 

@@ -7,11 +7,9 @@
 
 namespace app::words {
 
-/// The names of the parameters at the start and the end of the part, and the pseudo-code line that
-/// tests whether End 2 moves.
+/// The names of the parameters at the start and the end of the part.
 struct PartNames {
     const char *start, *stop;
-    int line;
 };
 
 /// The current value of a variable with six significant digits.
@@ -21,7 +19,9 @@ QString knownCompared(const SentenceContext& context, const char* one, const cha
 
 /// The first steps: the whole line remains, and its extent along each axis.
 QString wholeLine(const SentenceContext& context, const PartNames& names);
-/// The steps from `names.line` on except the last one; they move the ends.
+/// Whether a step is one of those that move the ends.
+bool isEndOfPart(const SentenceContext& context);
+/// Such a step.
 QString endsOfPart(const SentenceContext& context, const PartNames& names);
 
 } // namespace app::words

@@ -3,7 +3,6 @@
 
 #include "app/base/text.h"
 #include "app/overlays/polygon_edges.h"
-#include "app/teaching/page.h"
 #include "app/teaching/sentences/words.h"
 
 #include <algorithm>
@@ -15,19 +14,17 @@ using clipping::What;
 
 namespace {
 
-/// A step of the library by its line in the pseudo-code for windows, and how it is shown: a line
-/// of the code here, and a question or sentence in which %1 is the number of the edge that the
-/// variable `edge` names, and %2 the assigned value.
+/// How a step of the library is told, by its label in the code here: a question or sentence in
+/// which %1 is the number of the edge that the variable `edge` names, and %2 the assigned value.
 struct PolygonStep {
-    int told;
-    int line;
-    const char* text = nullptr; ///< null: the general words
+    std::string_view label;
+    const char* text;
     const char* edge = nullptr;
 };
 
 struct PolygonTeaching {
     std::string_view key;
-    const char* code;
+    std::string_view code; ///< with labels (clipping/pseudo_code.h)
     std::span<const PolygonStep> steps;
 };
 
@@ -48,152 +45,134 @@ constexpr auto leavesThrough =
 
 constexpr std::array cyrusBeck{
     PolygonStep{
-        4, 3,
+        "N",
         QT_TRANSLATE_NOOP(
             "Text", "At edge %1, N = %2 for End 1 (N < 0: it lies beyond the line of this edge)."),
         "edge"},
-    PolygonStep{6, 4, QT_TRANSLATE_NOOP("Text", "Do both ends lie beyond edge %1?"), "edge"},
-    PolygonStep{8, 6,
+    PolygonStep{"outside", QT_TRANSLATE_NOOP("Text", "Do both ends lie beyond edge %1?"), "edge"},
+    PolygonStep{"t",
                 QT_TRANSLATE_NOOP("Text",
                                   "The line crosses the line of edge %1 at t = %2 (0 is End 1, 1 "
                                   "is End 2)."),
                 "edge"},
-    PolygonStep{9, 7, QT_TRANSLATE_NOOP("Text", "Does the line enter at edge %1?"), "edge"},
+    PolygonStep{"entering", QT_TRANSLATE_NOOP("Text", "Does the line enter at edge %1?"), "edge"},
     PolygonStep{
-        10, 8,
+        "later",
         QT_TRANSLATE_NOOP("Text", "Is the entry at edge %1 after the start of the remaining part?"),
         "edge"},
-    PolygonStep{11, 8,
+    PolygonStep{"start",
                 QT_TRANSLATE_NOOP("Text", "The remaining part now starts at edge %1, at tE = %2."),
                 "edge"},
     PolygonStep{
-        12, 9,
+        "sooner",
         QT_TRANSLATE_NOOP("Text", "Is the exit at edge %1 before the end of the remaining part?"),
         "edge"},
-    PolygonStep{13, 9,
+    PolygonStep{"stop",
                 QT_TRANSLATE_NOOP("Text", "The remaining part now ends at edge %1, at tL = %2."),
                 "edge"},
-    PolygonStep{14, 10, QT_TRANSLATE_NOOP("Text", "Does the remaining part end before it starts?")},
-    PolygonStep{16, 11},
-    PolygonStep{20, 12},
-    PolygonStep{22, 12},
-    PolygonStep{25, 13},
+    PolygonStep{"missed",
+                QT_TRANSLATE_NOOP("Text", "Does the remaining part end before it starts?")},
 };
-constexpr auto cyrusBeckCode = "tE = 0,  tL = 1\n"
-                               "for each edge, in order\n"
-                               "  N = depth(x1, y1),  M = depth(x2, y2)\n"
-                               "  if N < 0 and M < 0: reject\n"
-                               "  if N < 0 or M < 0\n"
-                               "    t = N/(N-M)\n"
-                               "    if N < 0\n"
-                               "      if t > tE: tE = t\n"
-                               "    else if t < tL: tL = t\n"
-                               "if tE > tL: reject\n"
-                               "if tL < 1: x2, y2 = the point at tL\n"
-                               "if tE > 0: x1, y1 = the point at tE\n"
-                               "accept the line from x1, y1 to x2, y2";
+constexpr std::string_view cyrusBeckCode = R"(tE = 0,  tL = 1
+for each edge, in order
+  N = depth(x1, y1),  M = depth(x2, y2)  #N
+  if N < 0 and M < 0: reject  #outside
+  if N < 0 or M < 0
+    t = N/(N-M)  #t
+    if N < 0  #entering
+      if t > tE: tE = t  #later start
+    else if t < tL: tL = t  #sooner stop
+if tE > tL: reject  #missed
+if tL < 1: x2, y2 = the point at tL  #move2
+if tE > 0: x1, y1 = the point at tE  #move1 contact
+accept the line from x1, y1 to x2, y2  #accept)";
 
 constexpr std::array skala{
-    PolygonStep{22, 1, missed},
-    PolygonStep{23, 1},
-    PolygonStep{24, 2,
+    PolygonStep{"missed", missed},
+    PolygonStep{"edges",
                 QT_TRANSLATE_NOOP("Text",
                                   "The corners on either side of the infinite line say where it "
                                   "crosses the polygon: it enters through edge %1 and leaves "
                                   "through edge %2."),
                 "i"},
-    PolygonStep{4, 3, besideBoth},
-    PolygonStep{5, 3},
-    PolygonStep{27, 4, oneOutside, "i"},
-    PolygonStep{28, 5},
-    PolygonStep{25, 6, otherOutside, "j"},
-    PolygonStep{26, 7},
-    PolygonStep{29, 8},
+    PolygonStep{"beyond", besideBoth},
+    PolygonStep{"end1", oneOutside, "i"},
+    PolygonStep{"end2", otherOutside, "j"},
 };
-constexpr auto skalaCode = "if all corners lie on one side of the line: reject\n"
-                           "i = the edge of entry,  j = the edge of exit\n"
-                           "if x2, y2 is beyond i or x1, y1 is beyond j: reject\n"
-                           "if x1, y1 is beyond i\n"
-                           "  x1, y1 = where the line meets edge i\n"
-                           "if x2, y2 is beyond j\n"
-                           "  x2, y2 = where the line meets edge j\n"
-                           "accept the line from x1, y1 to x2, y2";
+constexpr std::string_view skalaCode =
+    R"(if all corners lie on one side of the line: reject  #missed reject
+i = the edge of entry,  j = the edge of exit  #edges
+if x2, y2 is beyond i or x1, y1 is beyond j: reject  #beyond rejectBeyond
+if x1, y1 is beyond i  #end1
+  x1, y1 = where the line meets edge i  #move1
+if x2, y2 is beyond j  #end2
+  x2, y2 = where the line meets edge j  #move2
+accept the line from x1, y1 to x2, y2  #accept)";
 
 constexpr std::array exact{
-    PolygonStep{1, 1, bothBeside},
-    PolygonStep{2, 2},
-    PolygonStep{3, 3, bothBelow},
-    PolygonStep{4, 4},
-    PolygonStep{13, 5, missed},
-    PolygonStep{14, 5},
-    PolygonStep{9, 6, entersThrough, "enter"},
-    PolygonStep{11, 7, leavesThrough, "leave"},
-    PolygonStep{15, 8, besideBoth},
-    PolygonStep{16, 8},
-    PolygonStep{17, 9, oneOutside, "enter"},
-    PolygonStep{18, 10},
-    PolygonStep{21, 11, otherOutside, "leave"},
-    PolygonStep{22, 12},
-    PolygonStep{25, 13},
+    PolygonStep{"besideX", bothBeside},
+    PolygonStep{"besideY", bothBelow},
+    PolygonStep{"missed", missed},
+    PolygonStep{"enter", entersThrough, "enter"},
+    PolygonStep{"leave", leavesThrough, "leave"},
+    PolygonStep{"beyond", besideBoth},
+    PolygonStep{"end1", oneOutside, "enter"},
+    PolygonStep{"end2", otherOutside, "leave"},
 };
-constexpr auto exactCode = "if (x1 < xmin and x2 < xmin) or (x1 > xmax and x2 > xmax)\n"
-                           "  reject\n"
-                           "if (y1 < ymin and y2 < ymin) or (y1 > ymax and y2 > ymax)\n"
-                           "  reject\n"
-                           "if all corners lie on one side of the line: reject\n"
-                           "enter = the edge of entry\n"
-                           "leave = the edge of exit\n"
-                           "if x2, y2 is beyond enter or x1, y1 is beyond leave: reject\n"
-                           "if x1, y1 is beyond enter\n"
-                           "  x1, y1 = where the line meets enter, rounded once\n"
-                           "if x2, y2 is beyond leave\n"
-                           "  x2, y2 = where the line meets leave, rounded once\n"
-                           "accept the line from x1, y1 to x2, y2";
+constexpr std::string_view exactCode =
+    R"(if (x1 < xmin and x2 < xmin) or (x1 > xmax and x2 > xmax)  #besideX
+  reject  #rejectX
+if (y1 < ymin and y2 < ymin) or (y1 > ymax and y2 > ymax)  #besideY
+  reject  #rejectY
+if all corners lie on one side of the line: reject  #missed reject
+enter = the edge of entry  #enter
+leave = the edge of exit  #leave
+if x2, y2 is beyond enter or x1, y1 is beyond leave: reject  #beyond rejectBeyond
+if x1, y1 is beyond enter  #end1
+  x1, y1 = where the line meets enter, rounded once  #move1
+if x2, y2 is beyond leave  #end2
+  x2, y2 = where the line meets leave, rounded once  #move2
+accept the line from x1, y1 to x2, y2  #accept)";
 
 constexpr std::array windingNumber{
-    PolygonStep{7, 1, bothBeside},
-    PolygonStep{8, 2},
-    PolygonStep{9, 3, bothBelow},
-    PolygonStep{10, 4},
-    PolygonStep{4, 5,
+    PolygonStep{"besideX", bothBeside},
+    PolygonStep{"besideY", bothBelow},
+    PolygonStep{"most",
                 QT_TRANSLATE_NOOP("Text",
                                   "The leftmost corner, as seen along the line, has the side most "
                                   "= %2 (1: left of the line, 0: on it, −1: right of it).")},
-    PolygonStep{15, 7,
+    PolygonStep{"enters",
                 QT_TRANSLATE_NOOP("Text",
                                   "The infinite line enters through edge %1. Does the line reach "
                                   "this edge?"),
                 "i"},
-    PolygonStep{16, 8, QT_TRANSLATE_NOOP("Text", "The winding number becomes w = %2.")},
-    PolygonStep{17, 9, oneOutside, "i"},
-    PolygonStep{19, 10,
+    PolygonStep{"countUp", QT_TRANSLATE_NOOP("Text", "The winding number becomes w = %2.")},
+    PolygonStep{"end1", oneOutside, "i"},
+    PolygonStep{"leaves",
                 QT_TRANSLATE_NOOP("Text",
                                   "The infinite line leaves through edge %1. Does End 2 lie beyond "
                                   "this edge?"),
                 "i"},
-    PolygonStep{20, 11, oneOutside, "i"},
-    PolygonStep{21, 12, QT_TRANSLATE_NOOP("Text", "The winding number becomes w = %2.")},
-    PolygonStep{24, 14, QT_TRANSLATE_NOOP("Text", "Is the winding number 0?")},
-    PolygonStep{25, 14},
-    PolygonStep{18, 9},
-    PolygonStep{23, 13},
-    PolygonStep{26, 15},
+    PolygonStep{"notEntered", oneOutside, "i"},
+    PolygonStep{"countDown", QT_TRANSLATE_NOOP("Text", "The winding number becomes w = %2.")},
+    PolygonStep{"missed", QT_TRANSLATE_NOOP("Text", "Is the winding number 0?")},
 };
-constexpr auto windingNumberCode = "if (x1 < xmin and x2 < xmin) or (x1 > xmax and x2 > xmax)\n"
-                                   "  reject\n"
-                                   "if (y1 < ymin and y2 < ymin) or (y1 > ymax and y2 > ymax)\n"
-                                   "  reject\n"
-                                   "w = 0,  most = the side of the leftmost corner\n"
-                                   "for each edge i that the line crosses, in order\n"
-                                   "  if the line enters at i and x2, y2 is not beyond i\n"
-                                   "    w = w+1\n"
-                                   "    if x1, y1 is beyond i: x1, y1 = where the line meets i\n"
-                                   "  if the line leaves at i and x2, y2 is beyond i\n"
-                                   "    if x1, y1 is beyond i\n"
-                                   "      w = w-1\n"
-                                   "    else: x2, y2 = where the line meets i\n"
-                                   "if w == 0: reject\n"
-                                   "accept the line from x1, y1 to x2, y2";
+constexpr std::string_view windingNumberCode =
+    R"(if (x1 < xmin and x2 < xmin) or (x1 > xmax and x2 > xmax)  #besideX
+  reject  #rejectX
+if (y1 < ymin and y2 < ymin) or (y1 > ymax and y2 > ymax)  #besideY
+  reject  #rejectY
+w = 0,  most = the side of the leftmost corner  #most
+for each edge i that the line crosses, in order
+  if the line enters at i and x2, y2 is not beyond i  #enters
+    w = w+1  #countUp
+    if x1, y1 is beyond i: x1, y1 = where the line meets i  #end1 move1
+  if the line leaves at i and x2, y2 is beyond i  #leaves
+    if x1, y1 is beyond i  #notEntered
+      w = w-1  #countDown
+    else: x2, y2 = where the line meets i  #move2
+if w == 0: reject  #missed reject
+accept the line from x1, y1 to x2, y2  #accept)";
 
 // THE CATALOGUE. Another row with a form for polygons has general sentences.
 constexpr std::array rows{
@@ -214,7 +193,7 @@ const PolygonStep* rowOf(const Variant& variant, const clipping::Step& step)
     const PolygonTeaching* teaching = rowOf(variant);
     if (!teaching)
         return nullptr;
-    const auto row = std::ranges::find(teaching->steps, step.line, &PolygonStep::told);
+    const auto row = std::ranges::find(teaching->steps, step.label, &PolygonStep::label);
     return row == teaching->steps.end() ? nullptr : &*row;
 }
 
@@ -249,16 +228,10 @@ QString polygonCut(const SentenceContext& context)
 
 } // namespace
 
-QStringList polygonCode(const Variant& variant)
+std::string_view polygonCode(const Variant& variant)
 {
     const PolygonTeaching* row = rowOf(variant);
-    return row ? QString::fromLatin1(row->code).split(u'\n') : codeOf(variant);
-}
-
-int polygonLine(const Variant& variant, const clipping::Step& step)
-{
-    const PolygonStep* row = rowOf(variant, step);
-    return row ? row->line : rowOf(variant) ? 0 : step.line;
+    return row ? row->code : clipping::codeOf(*variant.algorithm, variant.form);
 }
 
 QString polygonSentence(const SentenceContext& context)
@@ -271,7 +244,7 @@ QString polygonSentence(const SentenceContext& context)
         return words::accepted(context);
     if (what == What::Reject)
         return Text::tr("The line is rejected: nothing is visible.");
-    if (!row || !row->text)
+    if (!row)
         return generalSentence(context);
     const QString text = filledIn(context, *row);
     return what == What::Test ? text + u' ' + (context.holds() ? Text::tr("Yes.") : Text::tr("No."))

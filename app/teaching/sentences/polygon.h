@@ -3,17 +3,15 @@
 
 #include "app/teaching/sentence.h"
 
-#include <QStringList>
+#include <string_view>
 
 // How a step at a convex polygon is described. Edges are numbered from 1, from corner to corner.
 
 namespace app {
 
-/// The pseudo-code of a row's form for convex polygons; a row without its own has that of its form
-/// for windows.
-QStringList polygonCode(const Variant& variant);
-/// The line of that pseudo-code, from 1, for a step of the library's trace.
-int polygonLine(const Variant& variant, const clipping::Step& step);
+/// The pseudo-code of a row's form for convex polygons, with labels (clipping/pseudo_code.h); a row
+/// without its own has that of its form for windows.
+std::string_view polygonCode(const Variant& variant);
 /// The sentence of a step, with the numbers of edges; never empty.
 QString polygonSentence(const SentenceContext& context);
 

@@ -84,7 +84,7 @@ QString skalaPattern(const SentenceContext& context)
 {
     const unsigned c = skalaKnown(context, "c");
     const QString text = outcodeText(c);
-    if (!words::isPublished(context) && context.step.line == 21)
+    if (context.at("flatPattern"))
         return Text::tr("The line runs along a window without area: its direction selects the row "
                         "of the table, c = %1.")
             .arg(text);
@@ -138,55 +138,48 @@ QString isOutside(const SentenceContext& context, int end)
         .arg(words::end(end), code);
 }
 
-/// The tests that only one of the forms has, or has on another line.
+/// The tests that only one of the forms has.
 QString testOfPublished(const SentenceContext& context)
 {
-    switch (context.step.line) {
-    case 14:
+    if (context.at("bothOutside"))
         return context.holds() ? Text::tr("Both ends are outside, so both have to move.")
                                : Text::tr("One end is inside and stays.");
-    case 19:
+    if (context.at("onlyEnd2"))
         return context.holds() ? Text::tr("End 1 is inside, so it is End 2 that has to move.")
                                : Text::tr("End 1 is outside, so it is the one that has to move.");
-    default:
-        return masked(context, context.step.line == 20 ? 2 : 1);
-    }
+    return masked(context, context.at("masked2") ? 2 : 1);
 }
 QString testOfCorrected(const SentenceContext& context)
 {
-    switch (context.step.line) {
-    case 14:
+    if (context.at("allLeft"))
         return context.holds()
                    ? Text::tr("All four bits are set. The line may pass through a corner, so "
                               "each corner is tested again, strictly.")
                    : Text::tr("Not all four bits are set: no corner is tested again.");
-    case 20:
+    if (context.at("flat"))
         return context.holds()
                    ? Text::tr("All four corners lie on the line: the window has no area.")
                    : Text::tr("Not all four corners lie on the line.");
-    default:
-        return isOutside(context, context.step.line == 25 ? 2 : 1);
-    }
+    return isOutside(context, context.at("end2") ? 2 : 1);
 }
 
 QString skalaTest(const SentenceContext& context)
 {
-    const bool published = words::isPublished(context);
-    if (context.step.line == 2)
+    if (context.at("inside"))
         return context.holds()
                    ? Text::tr("Neither outcode has a bit set: both ends are inside.")
                    : Text::tr("At least one outcode has a bit set: that end is outside.");
-    if (context.step.line == 4)
+    if (context.at("beyond"))
         return context.holds()
                    ? Text::tr("The outcodes have a bit in common: both ends lie beyond one edge.")
                    : Text::tr("The outcodes have no bit in common: the line may meet the window.");
-    if (context.step.line == (published ? 11 : 22))
+    if (context.at("missed"))
         return context.holds()
                    ? Text::tr("With c = %1 all corners count as lying on one side of the line.")
                          .arg(skalaCodeText(context, "c"))
                    : Text::tr(
                        "The corners do not all lie on one side, so the line meets the window.");
-    return published ? testOfPublished(context) : testOfCorrected(context);
+    return words::isPublished(context) ? testOfPublished(context) : testOfCorrected(context);
 }
 
 /// The line before the corners are tested.
@@ -241,13 +234,11 @@ QString meeting(const SentenceContext& context)
 QString skalaCut(const SentenceContext& context)
 {
     const auto& step = context.step;
-    const bool published = words::isPublished(context);
-    const bool two = published ? step.line == 18 || step.line == 22 : step.line <= 27;
-    const int end = two ? 2 : 1;
+    const int end = context.at("moveSecond", "move2", "upright2", "level2") ? 2 : 1;
     const QString at = words::point(words::endOf(end, context));
     const Point way = step.segment.b - step.segment.a;
     const Point given = context.tracedLine.line.b - context.tracedLine.line.a;
-    if (published && step.line == 18 && glm::dot(way, given) < 0)
+    if (context.at("moveSecond") && glm::dot(way, given) < 0)
         return Text::
             tr("%1 moves to %2, to %3. The published table does not distinguish the edge where the "
                "line enters from the edge where it leaves, so the two ends are now swapped.")
@@ -258,7 +249,7 @@ QString skalaCut(const SentenceContext& context)
 
 QString reject(const SentenceContext& context)
 {
-    if (context.step.line == 5)
+    if (context.at("rejectBeyond"))
         return words::bothBeyond(context);
     return Text::tr("The line misses the window: nothing is visible.") + words::lost(context);
 }

@@ -147,7 +147,7 @@ QString inCell(const SentenceContext& context, const char* cells, Fate fate)
 
 QString insideTest(const SentenceContext& context)
 {
-    if (context.step.line == 17)
+    if (context.at("inside"))
         return context.holds()
                    ? Text::tr("The walk begins in the middle cell, and the other end is there too.")
                    : Text::tr(
@@ -158,79 +158,49 @@ QString insideTest(const SentenceContext& context)
                      .arg(words::end(last(context)));
 }
 
-/// The tests of the published form only, from line 22 on.
-QString slaterBarskyPublishedTest(const SentenceContext& context)
+/// The tests of the walk from cell to cell.
+QString walkTest(const SentenceContext& context)
 {
-    switch (context.step.line) {
-    case 22:
+    if (context.at("up"))
         return rising(context);
-    case 23:
-    case 42:
-        return leaving(context);
-    case 24:
-        return inCell(context, "1", Fate::Misses);
-    case 33:
-    case 52:
-        return inCell(context, "3", Fate::Misses);
-    case 43:
-        return inCell(context, "7", Fate::Misses);
-    case 25:
-    case 44:
-        return inCell(context, "3", Fate::Enters);
-    case 34:
-        return inCell(context, "1", Fate::Enters);
-    case 53:
-        return inCell(context, "7", Fate::Enters);
-    case 28:
-    case 37:
-    case 47:
-    case 56:
-        return inCell(context, "4", Fate::Leaves);
-    default:
-        return insideTest(context);
-    }
-}
-
-/// The tests of the corrected form, from line 19 on.
-QString slaterBarskyCorrectedTest(const SentenceContext& context)
-{
-    switch (context.step.line) {
-    case 19:
+    if (context.at("straight"))
         return context.holds() ? Text::tr(
                    "The line is horizontal or vertical: no division is needed to clip it.")
                                : Text::tr("The line is neither horizontal nor vertical.");
-    case 27:
+    if (context.at("upRight", "downRight", "right"))
         return leaving(context);
-    case 28:
-        return inCell(context, QT_TRANSLATE_NOOP("Text", "1 or 7"), Fate::Misses);
-    case 37:
+    if (context.at("upMissesRight"))
+        return inCell(context, "1", Fate::Misses);
+    if (context.at("upMissesTop", "downMissesBottom", "missesAcross"))
         return inCell(context, "3", Fate::Misses);
-    case 29:
+    if (context.at("downMissesRight"))
+        return inCell(context, "7", Fate::Misses);
+    if (context.at("missesRight"))
+        return inCell(context, QT_TRANSLATE_NOOP("Text", "1 or 7"), Fate::Misses);
+    if (context.at("upFromLeft", "downFromLeft", "fromLeft"))
         return inCell(context, "3", Fate::Enters);
-    case 38:
+    if (context.at("upFromBottom"))
+        return inCell(context, "1", Fate::Enters);
+    if (context.at("downFromTop"))
+        return inCell(context, "7", Fate::Enters);
+    if (context.at("fromAcross"))
         return inCell(context, QT_TRANSLATE_NOOP("Text", "1 or 7"), Fate::Enters);
-    case 32:
-    case 41:
+    if (context.at("upToRight", "upToTop", "downToRight", "downToBottom", "toRight", "toAcross"))
         return inCell(context, "4", Fate::Leaves);
-    default:
-        return insideTest(context);
-    }
+    return insideTest(context);
 }
 
 QString slaterBarskyTest(const SentenceContext& context)
 {
-    const int line = context.step.line;
-    if (line == 3)
+    if (context.at("swap"))
         return order(context);
-    if (line == 5)
+    if (context.at("besideX"))
         return besideTheWindow(context);
-    if (line < 17)
-        return Text::tr("%1.").arg(words::whetherBeyond(
-            context, line == 11 || line == 14 ? last(context) : first(context)));
-    if (line == 17)
-        return insideTest(context);
-    return words::isPublished(context) ? slaterBarskyPublishedTest(context)
-                                       : slaterBarskyCorrectedTest(context);
+    if (context.at("left", "below", "above"))
+        return Text::tr("%1.").arg(words::whetherBeyond(context, first(context)));
+    if (context.at("bothBelow", "bothAbove"))
+        return Text::tr("%1.").arg(words::whetherBeyond(context, last(context)));
+    return walkTest(context);
 }
 
 QString slaterBarskyCut(const SentenceContext& context)
@@ -244,7 +214,7 @@ QString slaterBarskyCut(const SentenceContext& context)
 
 QString slaterBarskyRejected(const SentenceContext& context)
 {
-    if (context.step.line < 17)
+    if (context.at("besideX", "bothBelow", "bothAbove"))
         return words::bothBeyond(context);
     return Text::tr("From here the walk can only go away from the window: nothing of the line is "
                     "visible.")
@@ -271,11 +241,10 @@ QString slaterBarskyGiven(const SentenceContext& context)
     const Edge in = isUp(context) ? Edge::Bottom : Edge::Top;
     const Edge out = isUp(context) ? Edge::Top : Edge::Bottom;
     if (name == "c")
-        return context.step.line == 16
-                   ? Text::tr("%1 is in cell %2, %3: the walk begins there.")
-                         .arg(words::end(first(context)), words::value(context, "c"),
-                              slaterBarskyPlace(context))
-                   : nextCell(context);
+        return context.at("cell") ? Text::tr("%1 is in cell %2, %3: the walk begins there.")
+                                        .arg(words::end(first(context)), words::value(context, "c"),
+                                             slaterBarskyPlace(context))
+                                  : nextCell(context);
     if (name == "dy")
         return Text::tr("From %1 to %2: dx = %3, dy = %4.")
             .arg(words::end(first(context)), words::end(last(context)), words::value(context, "dx"),
@@ -294,7 +263,7 @@ QString slaterBarskyGiven(const SentenceContext& context)
     if (name == "Y")
         return Text::tr("The corner ahead is at %1.")
             .arg(words::point({context.known("X").value_or(0), context.known("Y").value_or(0)}));
-    return context.step.line == 44 ? nextCorner(context) : errorTerm(context);
+    return context.at("nextError") ? nextCorner(context) : errorTerm(context);
 }
 
 QString slaterBarskySentence(const SentenceContext& context)

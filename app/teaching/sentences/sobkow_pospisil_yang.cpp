@@ -32,7 +32,7 @@ QString script(const SentenceContext& context)
 QString question(const SentenceContext& context)
 {
     const int end = endNamed(context);
-    const bool mayReject = context.step.line <= (words::isPublished(context) ? 17 : 31);
+    const bool mayReject = context.at("notLeft", "notRight", "notBottom", "notTop");
     QString found = words::whetherBeyond(context, end);
     if (context.holds() && !words::isBeyond(context, end, context.edge()))
         found = Text::tr(
@@ -48,12 +48,12 @@ QString question(const SentenceContext& context)
 
 QString tested(const SentenceContext& context)
 {
-    if (context.step.line == 3)
+    if (context.at("beyond"))
         return context.holds()
                    ? Text::tr("The table has × for this pair: both ends lie beyond one edge.")
                    : Text::tr("The table has no × for this pair: the line may meet the "
                               "window.");
-    if (!words::isPublished(context) && context.step.line == 6)
+    if (context.at("outside"))
         return context.holds() ? Text::tr("The script is not empty: it moves an end.")
                                : Text::tr("The script is empty: no end has to move.");
     return question(context);
@@ -73,7 +73,7 @@ QString arrival(const SentenceContext& context)
 /// Whether rounding has put an end beyond an edge of the other axis.
 QString sobkowHeld(const SentenceContext& context)
 {
-    const bool isLow = context.step.line % 4 == 1; // the second line of a procedure
+    const bool isLow = context.at("lowAtLeft", "lowAtRight", "lowAtBottom", "lowAtTop");
     const auto axis = 1 - clipping::axisOf(context.edge());
     const auto side = isLow ? clipping::lowerEdge(axis) : clipping::upperEdge(axis);
     const auto name = context.step.name;
@@ -96,7 +96,8 @@ QString sobkowGiven(const SentenceContext& context)
     if (name == "dy")
         return Text::tr("From End 1 to End 2, x changes by %1 and y by %2.")
             .arg(words::value(context, "dx"), words::value(context, "dy"));
-    return context.step.line % 4 == 0 ? arrival(context) : sobkowHeld(context);
+    return context.at("wayToLeft", "wayToRight", "wayToBottom", "wayToTop") ? arrival(context)
+                                                                            : sobkowHeld(context);
 }
 
 QString sobkowCut(const SentenceContext& context)
@@ -114,7 +115,7 @@ QString sobkowSentence(const SentenceContext& context)
     case clipping::What::Cut:
         return sobkowCut(context);
     case clipping::What::Reject:
-        return context.step.line == 4
+        return context.at("reject")
                    ? words::bothBeyond(context)
                    : Text::tr("The line passes a corner outside the window: nothing is visible.")
                          + words::lost(context);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Cyrus-Beck (1978) for infinite lines and rays: the remaining part begins at -infinity or at a,
-// and ends at infinity. Steps have the line numbers of the corrected pseudo-code for segments.
+// and ends at infinity. Steps have the labels of the corrected pseudo-code for segments.
 
 #include "clipping/algorithms/cyrus_beck.h"
 
@@ -20,13 +20,14 @@ struct OnLinesAndRays {
     {
         Part<T> part{beginning<reach, T>(), ending<reach, T>()};
         step.set("tE", part.start), step.set("tL", part.stop);
-        const T dx = step.let(1, "dx", s.b.x - s.a.x), dy = step.let(1, "dy", s.b.y - s.a.y);
+        const T dx = step.let("whole", "dx", s.b.x - s.a.x),
+                dy = step.let("whole", "dy", s.b.y - s.a.y);
         for (const Edge edge : {Edge::Bottom, Edge::Right, Edge::Top, Edge::Left})
             if (!cutAt(edge, part, s, {dx, dy}, w, step))
                 return std::nullopt;
-        if (step.test(14, part.start > part.stop))
-            return step.reject(14);
-        return step.accept(27, endsOf<reach>(part, s, {dx, dy}, w, 15, step));
+        if (step.test("missed", part.start > part.stop))
+            return step.reject("missed");
+        return step.accept("accept", endsOf<reach>(part, s, {dx, dy}, w, step));
     }
 };
 

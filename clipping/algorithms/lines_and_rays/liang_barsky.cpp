@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Liang-Barsky (1984) for infinite lines and rays: the remaining part begins at -infinity or at a,
-// and ends at infinity. Steps have the line numbers of the corrected pseudo-code for segments.
+// and ends at infinity. Steps have the labels of the corrected pseudo-code for segments.
 
 #include "clipping/algorithms/liang_barsky.h"
 
@@ -19,16 +19,16 @@ struct OnLinesAndRays {
                                                          const BasicWindow<T>& w, Step&& step)
     {
         Part<T> part{beginning<reach, T>(), ending<reach, T>()};
-        step.set("u0", part.start), step.let(13, "u1", part.stop);
-        const T dx = step.let(14, "dx", s.b.x - s.a.x);
-        if (!clipt(-dx, s.a.x - w.min.x, part, 15, Edge::Left, step)
-            || !clipt(dx, w.max.x - s.a.x, part, 16, Edge::Right, step))
+        step.set("u0", part.start), step.let("whole", "u1", part.stop);
+        const T dx = step.let("dx", "dx", s.b.x - s.a.x);
+        if (!clipt(-dx, s.a.x - w.min.x, part, "atLeft", Edge::Left, step)
+            || !clipt(dx, w.max.x - s.a.x, part, "atRight", Edge::Right, step))
             return std::nullopt;
-        const T dy = step.let(17, "dy", s.b.y - s.a.y);
-        if (!clipt(-dy, s.a.y - w.min.y, part, 18, Edge::Bottom, step)
-            || !clipt(dy, w.max.y - s.a.y, part, 19, Edge::Top, step))
+        const T dy = step.let("dy", "dy", s.b.y - s.a.y);
+        if (!clipt(-dy, s.a.y - w.min.y, part, "atBottom", Edge::Bottom, step)
+            || !clipt(dy, w.max.y - s.a.y, part, "atTop", Edge::Top, step))
             return std::nullopt;
-        return step.accept(32, endsOf<reach>(part, s, {dx, dy}, w, 20, step));
+        return step.accept("accept", endsOf<reach>(part, s, {dx, dy}, w, step));
     }
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Matthes-Drakopoulos (2019) for infinite lines and rays. An end at infinity, before a or behind b,
-// is beyond the sides that the line comes from or goes to. Steps have the line numbers of the
+// is beyond the sides that the line comes from or goes to. Steps have the labels of the
 // corrected pseudo-code for segments.
 
 #include "clipping/algorithms/lines_and_rays/uses.h"
@@ -41,30 +41,32 @@ struct OnLinesAndRays {
         glm::vec<2, T> p = from;
         T rise(0);
         edge = infinite ? side(d.x, backwards, Edge::Left, Edge::Right)
-               : step.test(8, p.x < w.min.x, Edge::Left)   ? Edge::Left
-               : step.test(11, p.x > w.max.x, Edge::Right) ? Edge::Right
-                                                           : Edge::NoEdge;
+               : step.test("left", p.x < w.min.x, Edge::Left)   ? Edge::Left
+               : step.test("right", p.x > w.max.x, Edge::Right) ? Edge::Right
+                                                                : Edge::NoEdge;
         const bool moved = edge != Edge::NoEdge;
         if (moved) {
             const T x = edge == Edge::Left ? w.min.x : w.max.x;
-            rise = step.let(edge == Edge::Left ? 9 : 12, "rise", d.y * (x - from.x) / d.x, edge);
+            rise = step.let(edge == Edge::Left ? "riseToLeft" : "riseToRight", "rise",
+                            d.y * (x - from.x) / d.x, edge);
             p = {x, rise + from.y};
-            step.cut(edge == Edge::Left ? 10 : 13, i, p, edge);
+            step.cut(edge == Edge::Left ? "toLeft" : "toRight", i, p, edge);
         }
         const T low = w.min.y, high = w.max.y;
         const Edge next =
             infinite && !moved ? side(d.y, backwards, Edge::Bottom, Edge::Top)
-            : step.test(14, moved ? rise < low - from.y : p.y < low, Edge::Bottom) ? Edge::Bottom
-            : step.test(17, moved ? rise > high - from.y : p.y > high, Edge::Top)  ? Edge::Top
-                                                                                   : Edge::NoEdge;
+            : step.test("bottom", moved ? rise < low - from.y : p.y < low, Edge::Bottom)
+                ? Edge::Bottom
+            : step.test("top", moved ? rise > high - from.y : p.y > high, Edge::Top) ? Edge::Top
+                                                                                     : Edge::NoEdge;
         if (next == Edge::NoEdge)
             return p;
         edge = next;
         const T y = next == Edge::Bottom ? low : high;
-        const T run =
-            step.let(next == Edge::Bottom ? 15 : 18, "run", d.x * (y - from.y) / d.y, next);
+        const T run = step.let(next == Edge::Bottom ? "runToBottom" : "runToTop", "run",
+                               d.x * (y - from.y) / d.y, next);
         p = {run + from.x, y};
-        step.cut(next == Edge::Bottom ? 16 : 19, i, p, next);
+        step.cut(next == Edge::Bottom ? "toBottom" : "toTop", i, p, next);
         return p;
     }
 
@@ -73,19 +75,22 @@ struct OnLinesAndRays {
                                                          const BasicWindow<T>& w, Step&& step)
     {
         const auto& [a, b] = s;
-        if (step.test(1, missed<reach>(a.x, b.x, w.min.x, w.max.x), Edge::Left, Edge::Right))
-            return step.reject(2);
-        if (step.test(3, missed<reach>(a.y, b.y, w.min.y, w.max.y), Edge::Bottom, Edge::Top))
-            return step.reject(4);
+        if (step.test("besideX", missed<reach>(a.x, b.x, w.min.x, w.max.x), Edge::Left,
+                      Edge::Right))
+            return step.reject("rejectX");
+        if (step.test("besideY", missed<reach>(a.y, b.y, w.min.y, w.max.y), Edge::Bottom,
+                      Edge::Top))
+            return step.reject("rejectY");
         const glm::vec<2, T> d{b.x - a.x, b.y - a.y};
         Edge edgeOfA, edgeOfB;
         const auto p = pushed<reach == Reach::BothWays>(0, a, d, w, edgeOfA, step);
         const auto q = pushed<true>(1, b, d, w, edgeOfB, step);
-        if (step.test(20, (p.x < w.min.x && q.x < w.min.x) || (p.x > w.max.x && q.x > w.max.x),
+        if (step.test("missed",
+                      (p.x < w.min.x && q.x < w.min.x) || (p.x > w.max.x && q.x > w.max.x),
                       Edge::Left, Edge::Right))
-            return step.reject(21);
+            return step.reject("reject");
         return step.accept(
-            23, BasicSegment<T>{clampedAlong(edgeOfA, p, w), clampedAlong(edgeOfB, q, w)});
+            "accept", BasicSegment<T>{clampedAlong(edgeOfA, p, w), clampedAlong(edgeOfB, q, w)});
     }
 };
 

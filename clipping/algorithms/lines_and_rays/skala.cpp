@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Skala (2005) for infinite lines and rays. A line has no end with an outcode, a ray has one; at
-// infinity there is always a cut. Steps have the line numbers of the corrected pseudo-code for
+// infinity there is always a cut. Steps have the labels of the corrected pseudo-code for
 // segments.
 
 #include "clipping/algorithms/skala.h"
@@ -32,9 +32,9 @@ struct OnLinesAndRays {
     {
         bool isCut = true; // whether End 1 is cut
         if constexpr (reach == Reach::OneWay) {
-            const unsigned code = step.let(1, "code1", outcodeOf(s.a, w));
-            if (step.test(4, missed(code, s)))
-                return step.reject(5);
+            const unsigned code = step.let("codes", "code1", outcodeOf(s.a, w));
+            if (step.test("beyond", missed(code, s)))
+                return step.reject("rejectBeyond");
             isCut = code != 0;
         }
         const auto crossing = crossingOf(s, w, step);
@@ -42,12 +42,12 @@ struct OnLinesAndRays {
             return std::nullopt;
         BasicSegment<T> visible{s.a, crossedAt(crossing->j, *crossing, s.a, w)};
         const Edge leave = edgesFromCorners[crossing->j], enter = edgesFromCorners[crossing->i];
-        step.cut(lineAt(leave, 26), 1, visible.b, leave);
-        if (reach == Reach::BothWays || step.test(28, isCut)) {
+        step.cut(labelAt(leave, "upright2", "level2"), 1, visible.b, leave);
+        if (reach == Reach::BothWays || step.test("end1", isCut)) {
             visible.a = crossedAt(crossing->i, *crossing, s.a, w);
-            step.cut(lineAt(enter, 29), 0, visible.a, enter);
+            step.cut(labelAt(enter, "upright1", "level1"), 0, visible.a, enter);
         }
-        return step.accept(31, visible);
+        return step.accept("accept", visible);
     }
 };
 

@@ -29,7 +29,9 @@ QStringList told(const char* key, const clipping::Segment& line = across)
         const app::SentenceContext context{tracedLine, trace.steps[i],
                                            i > 0 ? &trace.steps[i - 1] : nullptr,
                                            narration.steps[i].variables};
-        all << QStringLiteral("%1: %2").arg(trace.steps[i].line).arg(app::generalSentence(context));
+        all << QStringLiteral("%1: %2")
+                   .arg(narration.steps[i].line)
+                   .arg(app::generalSentence(context));
     }
     return all;
 }

@@ -167,10 +167,14 @@ private slots:
     }
     void pagesHavePseudoCode()
     {
-        for (const auto& row : clipping::algorithms())
-            QVERIFY2(app::pageOf(row).code.size() > 5, row.key.data());
-        QCOMPARE(app::pseudoCode(QStringLiteral("```\nx\n```\n```\n 1  if a\n 2    b\n10  c\n```")),
-                 (QStringList{"if a", "  b"}));
+        for (const auto& row : clipping::algorithms()) {
+            const QStringList code = app::shownCode(row.correctedCode);
+            QVERIFY2(code.size() > 5 && !code.last().isEmpty(), row.key.data());
+            const QString page = app::pageOf(row);
+            for (const QString& line : code)
+                QVERIFY2(page.contains(line + u'\n'), qPrintable(line));
+        }
+        QCOMPARE(app::shownCode("if a  #x\n  b  #y z\nc"), (QStringList{"if a", "  b", "c"}));
     }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/session/inspection.h"
+#include "app/comparison/outcode_text.h"
 #include "app/teaching/overlay_of.h"
 #include "app/teaching/page.h"
 
@@ -34,7 +34,7 @@ bool holds(const QString& question, const Point& p)
     return words[1] == QStringLiteral(">") ? value > level : value < level;
 }
 
-QString pageText() { return app::pageOf(*clipping::findAlgorithm("cohen-sutherland")).markdown; }
+QString pageText() { return app::pageOf(*clipping::findAlgorithm("cohen-sutherland")); }
 
 /// The bits as the page defines them, the first digit first.
 QStringList bitsOfThePage()
@@ -111,7 +111,7 @@ private slots:
         QCOMPARE(bitsOfThePage().size(), 4);
         QCOMPARE(bitsOfThePage().join(QStringLiteral(", ")), app::outcodeBits());
         for (const clipping::Algorithm& algorithm : clipping::algorithms()) {
-            const QString text = app::pageOf(algorithm).markdown;
+            const QString text = app::pageOf(algorithm);
             if (algorithm.key != "cohen-sutherland" && text.contains(QStringLiteral("outcode(")))
                 QVERIFY2(text.contains(QStringLiteral("(cohen-sutherland.md)")),
                          algorithm.key.data());
@@ -190,11 +190,6 @@ private slots:
                         pointed << area.label;
                 QCOMPARE(pointed, QStringList(codeByThePage(p)));
             }
-    }
-    void theLinePanelShowsThePagesBits()
-    {
-        for (const Point& p : points())
-            QCOMPARE(app::regionOf(p, window).outcode(), codeByThePage(p));
     }
 };
 

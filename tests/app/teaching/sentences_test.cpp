@@ -2,6 +2,7 @@
 // The sentences of the steps: every step has its own, next to the right line of pseudo-code.
 #include "app/teaching/page.h"
 #include "app/teaching/teaching.h"
+#include "clipping/pseudo_code.h"
 
 #include <QLocale>
 #include <QMap>
@@ -79,14 +80,14 @@ void forEachStep(const app::Variant& variant, const clipping::Segment& line,
 QByteArray told(const app::SentenceContext& context, const QString& sentence)
 {
     const auto& [a, b] = context.tracedLine.line;
-    return QStringLiteral("%1, %2 %3 to %4 %5, line %6 (%7): %8")
+    return QStringLiteral("%1, %2 %3 to %4 %5, at %6 (%7): %8")
         .arg(app::keyOf(context.tracedLine.variant))
         .arg(a.x, 0, 'g', 17)
         .arg(a.y, 0, 'g', 17)
         .arg(b.x, 0, 'g', 17)
         .arg(b.y, 0, 'g', 17)
-        .arg(context.step.line)
-        .arg(QLatin1StringView(context.step.name.data(), qsizetype(context.step.name.size())),
+        .arg(QLatin1StringView(context.step.label.data(), qsizetype(context.step.label.size())),
+             QLatin1StringView(context.step.name.data(), qsizetype(context.step.name.size())),
              sentence)
         .toUtf8();
 }
@@ -169,26 +170,29 @@ private slots:
     {
         for (const app::Variant& variant : toldVariants()) {
             const QStringList code = app::codeOf(variant);
+            const auto labelled =
+                clipping::linesOf(clipping::codeOf(*variant.algorithm, variant.form));
             for (const auto& line : lines(40)) {
                 QByteArray wrong;
                 QMap<QString, QString> saidAt; // the line of the code, by the sentence
-                forEachStep(variant, line, window, app::YAxis::Up,
-                            [&](const app::SentenceContext& t) {
-                                const QString sentence = app::generalSentence(t);
-                                const QString at = code.value(t.step.line - 1).trimmed();
-                                const bool isEnd = t.step.what == clipping::What::Cut
-                                                   || t.step.what == clipping::What::Reject
-                                                   || t.step.name == "left";
-                                if (!fault(sentence).isEmpty())
-                                    wrong = told(t, sentence);
-                                if (!isEnd && saidAt.value(sentence, at) != at
-                                    && !clipping::codeOf(*variant.algorithm, variant.form).empty())
-                                    wrong = told(t, sentence + " is said of " + saidAt[sentence]);
-                                saidAt[sentence] = at;
-                                if (hasItsOwnWords(variant) && t.step.what != clipping::What::Accept
-                                    && sentenceOf(variant, t) == sentence)
-                                    wrong = told(t, sentence);
-                            });
+                forEachStep(
+                    variant, line, window, app::YAxis::Up, [&](const app::SentenceContext& t) {
+                        const QString sentence = app::generalSentence(t);
+                        const QString at =
+                            code.value(clipping::lineOf(labelled, t.step.label) - 1).trimmed();
+                        const bool isEnd = t.step.what == clipping::What::Cut
+                                           || t.step.what == clipping::What::Reject
+                                           || t.step.name == "left";
+                        if (!fault(sentence).isEmpty())
+                            wrong = told(t, sentence);
+                        if (!isEnd && saidAt.value(sentence, at) != at
+                            && !clipping::codeOf(*variant.algorithm, variant.form).empty())
+                            wrong = told(t, sentence + " is said of " + saidAt[sentence]);
+                        saidAt[sentence] = at;
+                        if (hasItsOwnWords(variant) && t.step.what != clipping::What::Accept
+                            && sentenceOf(variant, t) == sentence)
+                            wrong = told(t, sentence);
+                    });
                 QVERIFY2(wrong.isEmpty(), wrong);
             }
         }
@@ -276,7 +280,7 @@ private slots:
     void pseudoCodeIsPlain()
     {
         for (const app::Variant& variant : toldVariants())
-            for (const QString& code : notEmpty(app::pageOf(*variant.algorithm).code))
+            for (const QString& code : notEmpty(app::codeOf(variant)))
                 for (const QChar c : code)
                     QVERIFY2(c.unicode() >= 32 && c.unicode() < 127, code.toUtf8());
     }

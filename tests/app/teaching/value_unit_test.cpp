@@ -60,7 +60,7 @@ void forEachNumber(const Variant& variant, const clipping::Segment& line, double
 {
     const auto here = stepsOf(variant, line, 1, {}), there = stepsOf(variant, line, size, by);
     for (std::size_t i = 0; i < std::min(here.size(), there.size()); ++i) {
-        if (here[i].line != there[i].line || here[i].values.size() != there[i].values.size())
+        if (here[i].label != there[i].label || here[i].values.size() != there[i].values.size())
             return; // rounding has led it another way
         for (std::size_t k = 0; k < here[i].values.size(); ++k)
             if (const auto& value = here[i].values[k]; value.kind == clipping::ValueKind::Number)

@@ -43,7 +43,6 @@ private slots:
     // nothing is left to halve, and the point found is not visible.
     void publishedRejectsASegmentPastACorner()
     {
-        constexpr int line20 = 20; // of the pseudo-code: reject, for near != 0000
         Random random(1);
         int neighbours = 0;
         for (int i = 0; i < 10'000; ++i) {
@@ -57,7 +56,8 @@ private slots:
                 VERIFY_OR_SAY(contains(input.window, trace.visible.a)
                                   && contains(input.window, trace.visible.b),
                               exactly(input).c_str());
-            neighbours += trace.outcome == Outcome::Invisible && trace.steps.back().line == line20;
+            neighbours +=
+                trace.outcome == Outcome::Invisible && trace.steps.back().label == "rejectNear";
         }
         QVERIFY(neighbours > 100);
     }

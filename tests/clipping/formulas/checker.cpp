@@ -20,7 +20,7 @@ std::optional<Fault> Checker::check(const clipping::Segment& segment,
     };
     try {
         for (const clipping::Step& step : trace.steps) {
-            number = step.line;
+            number = clipping::lineOf(code_.labels, step.label);
             run.step(step);
         }
         run.end(operations);

@@ -16,18 +16,18 @@ using clipping::What;
 
 namespace {
 
-constexpr const char* code = "dx = x2-x1,  half = dx/2\n"
+constexpr const char* code = "dx = x2-x1,  half = dx/2  #half\n"
                              "for i = 1, 2\n"
                              "  moved = false\n"
-                             "  if move(dx*2, xi): reject\n"
-                             "  x[i] = held(x1 - dx),  y[i] = held(y1)\n"
+                             "  if move(dx*2, xi): reject  #move\n"
+                             "  x[i] = held(x1 - dx),  y[i] = held(y1)  #ends\n"
                              "move(p, q):\n"
-                             "  if p < q and not moved\n"
-                             "    reject\n"
+                             "  if p < q and not moved  #asks\n"
+                             "    reject  #reject\n"
                              "    give up after a while\n"
-                             "hold the ends inside the window\n"
+                             "hold the ends inside the window  #hold\n"
                              "for each edge, of normal nx\n"
-                             "accept the line from x[1], y[1] to x[2], y[2]\n";
+                             "accept the line from x[1], y[1] to x[2], y[2]  #accept\n";
 const clipping::Segment given{{-3, 1}, {5, 1}};
 const clipping::Window window{{0, 0}, {4, 4}};
 const clipping::Segment cut{{0, 1}, {5, 1}}, held{{0, 1}, {4, 1}};
@@ -39,7 +39,7 @@ std::vector<Step> goodRun()
         {What::Let,
          false,
          "half",
-         1,
+         "half",
          given,
          Edge::NoEdge,
          {{"dx", 8}, {"half", 4}},
@@ -47,34 +47,41 @@ std::vector<Step> goodRun()
         {What::Let,
          false,
          "q",
-         4,
+         "move",
          given,
          Edge::NoEdge,
          {{"i", 1}, {"xi", -3}, {"moved", 0}, {"p", 16}, {"q", -3}},
          {1, 1, 1, 0, 0}},
-        {What::Test, false, "", 7, given, Edge::NoEdge, {}, {1, 1, 1, 1, 0}},
-        {What::Cut, false, "", 5, cut, Edge::Left, {}, {2, 1, 1, 3, 0}},
-        {What::Let, false, "left", 10, held, Edge::NoEdge, {{"nx", -1}}, {2, 1, 1, 9, 0}},
-        {What::Accept, false, "", 12, held, Edge::NoEdge, {}, {2, 1, 1, 9, 0}},
+        {What::Test, false, "", "asks", given, Edge::NoEdge, {}, {1, 1, 1, 1, 0}},
+        {What::Cut, false, "", "ends", cut, Edge::Left, {}, {2, 1, 1, 3, 0}},
+        {What::Let, false, "left", "hold", held, Edge::NoEdge, {{"nx", -1}}, {2, 1, 1, 9, 0}},
+        {What::Accept, false, "", "accept", held, Edge::NoEdge, {}, {2, 1, 1, 9, 0}},
     };
 }
 
 /// In the plane turned to the left the given line comes from (-1, -3) to (-1, 5), and the window's
 /// top is its left edge.
-constexpr const char* turningCode = "if y1 < ymax: turn f(-ymax, xmax, -ymin, xmin)\n"
-                                    "accept the line from x1, y1 to x2, y2\n"
+constexpr const char* turningCode = "if y1 < ymax: turn f(-ymax, xmax, -ymin, xmin)  #turn\n"
+                                    "accept the line from x1, y1 to x2, y2  #accept\n"
                                     "f(xmin, ymax, xmax, ymin):\n"
-                                    "  y1 = ymin,  x1 = held(x1)\n";
+                                    "  y1 = ymin,  x1 = held(x1)  #cut\n";
 std::vector<Step> turningRun()
 {
     const std::vector<clipping::NamedValue> inside{{"ymax", 4}, {"xmax", -0.0}, {"ymin", 0},
                                                    {"x1", -1},  {"y2", 5},      {"xmin", -4}};
     return {
-        {What::Test, true, "", 1, given, Edge::Top, {}, {0, 0, 0, 1, 0}},
-        {What::Let, false, "xmin", 1, given, Edge::NoEdge, inside, {0, 0, 0, 1, 4}},
-        {What::Cut, false, "", 4, cut, Edge::Left, {{"y1", 0}}, {0, 0, 0, 3, 4}},
-        {What::Let, false, "left", 1, cut, Edge::NoEdge, {{"x1", 0}, {"ymax", 4}}, {0, 0, 0, 3, 6}},
-        {What::Accept, false, "", 2, cut, Edge::NoEdge, {}, {0, 0, 0, 3, 6}},
+        {What::Test, true, "", "turn", given, Edge::Top, {}, {0, 0, 0, 1, 0}},
+        {What::Let, false, "xmin", "turn", given, Edge::NoEdge, inside, {0, 0, 0, 1, 4}},
+        {What::Cut, false, "", "cut", cut, Edge::Left, {{"y1", 0}}, {0, 0, 0, 3, 4}},
+        {What::Let,
+         false,
+         "left",
+         "turn",
+         cut,
+         Edge::NoEdge,
+         {{"x1", 0}, {"ymax", 4}},
+         {0, 0, 0, 3, 6}},
+        {What::Accept, false, "", "accept", cut, Edge::NoEdge, {}, {0, 0, 0, 3, 6}},
     };
 }
 
@@ -118,17 +125,17 @@ private slots:
         row("an argument", 4, [](auto& s) { s[1].values[3].value = 17; });
         row("a variable that the line has not", 4, [](auto& s) { s[1].name = "moved"; });
         row("a condition", 7, [](auto& s) { s[2].holds = true; });
-        row("no condition", 8, [](auto& s) { s[2].line = 8; });
-        row("no such line", 13, [](auto& s) { s[2].line = 13; });
-        row("line 0", 0, [](auto& s) { s[2].line = 0; });
+        row("no condition", 8, [](auto& s) { s[2].label = "reject"; });
+        row("no such label", 0, [](auto& s) { s[2].label = "ask"; });
+        row("no label", 0, [](auto& s) { s[2].label = ""; });
         row("an end", 5, [](auto& s) { s[3].segment.a.x = 1; });
         row("the other end", 5, [](auto& s) { s[3].segment.b.y = 2; });
         row("an edge", 5, [](auto& s) { s[3].edge = Edge::Right; });
         row("an end moves in a test", 7, [](auto& s) { s[2].segment = cut; });
-        row("a line that cuts nothing", 1, [](auto& s) { s[3].line = 1; });
+        row("a line that cuts nothing", 1, [](auto& s) { s[3].label = "half"; });
         row("an end outside the window", 10, [](auto& s) { s[4].segment = cut; });
         row("another segment is accepted", 12, [](auto& s) { s[5].segment = given; });
-        row("no accept", 7, [](auto& s) { s[5].line = 7; });
+        row("no accept", 7, [](auto& s) { s[5].label = "asks"; });
         row("no reject", 12, [](auto& s) { s[5].what = What::Reject; });
         row("no give up", 12, [](auto& s) { s[5].what = What::GiveUp; });
         row("an addition", 7, [](auto& s) { s[2].cost.additions = 2; });
@@ -177,7 +184,7 @@ private slots:
         row("the edge of a cut", 4, [](auto& s) { s[2].edge = Edge::Top; });
         row("an end that is turned back", 1, [](auto& s) { s[3].values[0].value = -1; });
         row("an edge that is turned back", 1, [](auto& s) { s[3].values[1].value = 0; });
-        row("another line turns back", 2, [](auto& s) { s[3].line = 2; });
+        row("another line turns back", 2, [](auto& s) { s[3].label = "accept"; });
         row("never turned back", 2, [](auto& s) { s.erase(s.begin() + 3); });
         row("turned back twice", 1, [](auto& s) { s.insert(s.begin() + 4, s[3]); });
     }

@@ -9,22 +9,11 @@ namespace formulas {
 
 namespace {
 
-std::vector<std::string_view> linesOf(std::string_view code)
-{
-    std::vector<std::string_view> lines;
-    while (!code.empty()) {
-        const std::size_t end = std::min(code.find('\n'), code.size());
-        lines.push_back(code.substr(0, end));
-        code.remove_prefix(std::min(end + 1, code.size()));
-    }
-    return lines;
-}
-
-std::set<std::string> loopsIn(const std::vector<std::string_view>& lines)
+std::set<std::string> loopsIn(const std::vector<clipping::CodeLine>& lines)
 {
     std::set<std::string> loops;
-    for (const std::string_view line : lines)
-        if (const auto tokens = tokensOf(line);
+    for (const clipping::CodeLine& line : lines)
+        if (const auto tokens = tokensOf(line.text);
             tokens.size() > 2 && tokens[0].text == "for" && tokens[2].text == "=")
             loops.emplace(tokens[1].text);
     return loops;
@@ -94,12 +83,20 @@ bool hasCall(const Expression& e)
 
 } // namespace
 
+std::string withoutLabels(std::string_view code)
+{
+    std::string text;
+    for (const clipping::CodeLine& line : clipping::linesOf(code))
+        (text += line.text) += '\n';
+    return text;
+}
+
 Code read(std::string_view text)
 {
     Code code;
-    const auto lines = linesOf(text);
-    code.loops = loopsIn(lines);
-    for (const std::string_view line : lines)
+    code.labels = clipping::linesOf(text);
+    code.loops = loopsIn(code.labels);
+    for (const auto& [line, labels] : code.labels)
         try {
             code.lines.push_back(LineReader(code, line, code.loops).read());
         } catch (const Unreadable& e) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "clipping/counted.h"
+#include "clipping/pseudo_code.h"
 
 #include <array>
 #include <optional>
@@ -46,7 +47,7 @@ struct Line {
     std::vector<Expression> rounds{}; ///< the values that it gets, one after another
     std::vector<int> ofEach{};        ///< names in a `for each` line
     std::vector<Formula> accepted{};  ///< the four coordinates after "accept the line from"
-    clipping::OperationCounts mostOperations{}; ///< that its formulas can cost
+    clipping::OperationCounts mostOperations{};                    ///< that its formulas can cost
     bool comparesInFunctions = false, computesInFunctions = false; ///< some of them, unseen
     bool comparesLess = false; ///< a run may need fewer comparisons than it shows (exceptions.h)
 };
@@ -55,12 +56,15 @@ struct Line {
 struct Code {
     Names names;
     std::vector<Line> lines;
+    std::vector<clipping::CodeLine> labels;  ///< that steps name, of each line
     std::array<int, 4> ends{-1, -1, -1, -1}; ///< the names of what is left, as slots: x, y, x, y
     std::size_t formulas = 0;                ///< how many there are, copies among them
     std::set<std::string> loops;             ///< the variables of `for` lines
 };
 
-/// Reads a pseudo-code. Throws Unreadable, which says in which line.
+/// The text of a labelled pseudo-code (clipping/pseudo_code.h) without the labels.
+std::string withoutLabels(std::string_view code);
+/// Reads a pseudo-code with or without labels. Throws Unreadable, which says in which line.
 Code read(std::string_view code);
 
 /// What a formula can cost at most, whichever way its conditions go.

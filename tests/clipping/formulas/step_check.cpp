@@ -34,10 +34,10 @@ StepCheck::StepCheck(const Code& code, std::vector<char>& evaluated,
 
 void StepCheck::step(const clipping::Step& step)
 {
-    if (step.line < 1 || step.line > int(code_.lines.size()))
-        throw Wrong{"the code has " + std::to_string(code_.lines.size()) + " lines",
-                    "line " + std::to_string(step.line)};
-    line_ = &code_.lines[std::size_t(step.line) - 1];
+    const int line = clipping::lineOf(code_.labels, step.label);
+    if (line < 1)
+        throw Wrong{"no line has this label", std::string(step.label)};
+    line_ = &code_.lines[std::size_t(line) - 1];
     next_ = ends_, assignsEnds_ = false;
     shown_ = {};
     windowBefore_ = scope_.window();

@@ -30,7 +30,7 @@ void StepCheck::cost(const clipping::Step& step)
         check(cost_.comparisons, step.cost.comparisons, shown_.comparisons, most.comparisons,
               line_->comparesInFunctions || line_->comparesLess, "comparisons");
     if (step.cost.comparisons - cost_.comparisons < shown_.comparisons)
-        comparedLess_[std::size_t(step.line) - 1] = 1;
+        comparedLess_[std::size_t(line_ - code_.lines.data())] = 1;
     cost_ = step.cost;
 }
 

@@ -62,7 +62,7 @@ void tryUses(const clipping::Functions<S, W, Piece>& uses, std::string_view row,
                && trace.visible.a == decltype(trace.visible.a)(visible.a),
            row, "trace");
     const auto& step = trace.steps.front();
-    expect(step.line >= 0 && step.edge <= clipping::Edge::Far, row, "the first step");
+    expect(!step.label.empty() && step.edge <= clipping::Edge::Far, row, "the first step");
     expect(uses.trace(missing, window).outcome == clipping::Outcome::Invisible, row,
            "trace of a miss");
 }
@@ -80,7 +80,8 @@ void tryRow(const clipping::Algorithm& row)
         expect(clipping::functionsOf(row, clipping::Form::Published) == row.published, row.key,
                "functionsOf");
     }
-    expect(clipping::functionsOf(row, clipping::Form::Corrected) == &row.corrected, row.key, "functionsOf");
+    expect(clipping::functionsOf(row, clipping::Form::Corrected) == &row.corrected, row.key,
+           "functionsOf");
 
     using Single = clipping::BasicSegment<float>;
     tryUses(*row.floats, row.key, Single{{-2, 0}, {2, 0}}, Single{{5, 5}, {6, 6}},
