@@ -7,8 +7,6 @@
 
 #include <QStringList>
 
-#include <algorithm>
-
 namespace app {
 
 using clipping::Clipped;
@@ -19,32 +17,13 @@ namespace {
 // Two variants keep their contracts (at most 64 ulps each) if they are at most this far apart.
 constexpr double contractOfTwo = 128;
 
-/// The lines that more than half of the answers keep, with the pieces of the first such answer.
-std::vector<Clipped> majorityOf(std::span<const std::vector<Clipped>> answers, std::size_t segments)
+void add(Disagreement& to, std::span<const Difference> fromExact, std::size_t firstLine)
 {
-    std::vector<std::size_t> votes(segments, 0);
-    for (const auto& answer : answers)
-        for (const Clipped& piece : answer)
-            ++votes[piece.source];
-    std::vector<Clipped> kept;
-    std::vector<bool> has(segments, false);
-    for (const auto& answer : answers)
-        for (const Clipped& piece : answer)
-            if (2 * votes[piece.source] > answers.size() && !has[piece.source]) {
-                has[piece.source] = true;
-                kept.push_back(piece);
-            }
-    std::ranges::sort(kept, {}, &Clipped::source); // the first answer has nearly all of them
-    return kept;
-}
-
-void add(Disagreement& to, std::span<const Difference> fromMajority, std::size_t firstLine)
-{
-    const DifferenceCounts counts = counted(fromMajority);
+    const DifferenceCounts counts = counted(fromExact);
     to.lost += counts.onlyB;
     to.shown += counts.onlyA;
     to.moved += counts.endsApart;
-    for (const Difference& difference : fromMajority)
+    for (const Difference& difference : fromExact)
         to.segments.push_back(std::uint32_t(firstLine) + difference.source);
 }
 
@@ -59,19 +38,15 @@ std::vector<Disagreement> allToJudge(const Variant& chosen)
     return all;
 }
 
-/// Adds the differences in the lines of one run. The majority is known line by line.
-void judge(std::vector<Disagreement>& all, const SceneLines::Run& run, const Window& window,
-           const Variant& corrected)
+/// Adds the differences in the lines of one run.
+void judge(std::vector<Disagreement>& all, const SceneLines::Run& run, const Window& window)
 {
-    std::vector<std::vector<Clipped>> answers;
-    for (const Disagreement& one : all)
-        answers.push_back(clipped(one.variant, run.segments, window));
-    const auto votes = std::span(answers).last(clipping::algorithms().size());
-    const auto majority = majorityOf(votes, run.segments.size());
-    for (std::size_t i = 0; i < all.size(); ++i)
-        add(all[i],
-            differences(run.segments, window, answers[i], majority,
-                        {contractOfTwo, endsOf(all[i].variant, corrected)}),
+    const Variant exact{&clipping::exactAlgorithm()};
+    const std::vector<Clipped> truth = clipped(exact, run.segments, window);
+    for (Disagreement& one : all)
+        add(one,
+            differences(run.segments, window, clipped(one.variant, run.segments, window), truth,
+                        {contractOfTwo, endsOf(one.variant, exact)}),
             run.firstLine);
 }
 
@@ -104,10 +79,9 @@ std::vector<Disagreement> disagreements(const SceneLines& lines, const Window& w
                                         const Variant& chosen, const std::stop_token& stop)
 {
     std::vector<Disagreement> found = allToJudge(chosen);
-    const Variant corrected{chosen.algorithm}; // the majority's contract
     for (const SceneLines::Run& run : lines.runs())
         if (!stop.stop_requested())
-            judge(found, run, window, corrected);
+            judge(found, run, window);
     std::erase_if(found, [](const Disagreement& one) { return one.none(); });
     return found;
 }

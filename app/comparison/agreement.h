@@ -12,7 +12,7 @@
 
 namespace app {
 
-/// How one variant differs from the majority of algorithms on many segments.
+/// How one variant differs from `exact`, which is never wrong, on many segments.
 struct Disagreement {
     Variant variant;
     std::size_t lost = 0;  ///< visible segments that it drops
@@ -24,8 +24,8 @@ struct Disagreement {
 };
 
 /// The verdict on a drawing and a window: one entry for each corrected form of the catalogue that
-/// differs from the majority, and one for `chosen` if it is a published form that differs. Empty:
-/// they agree. Takes as long as clipping once with every algorithm. When a stop is requested, the
+/// differs from `exact`, and one for `chosen` if it is a published form that differs. Empty: they
+/// agree. Takes as long as clipping once with every algorithm. When a stop is requested, the
 /// result is of no use.
 std::vector<Disagreement> disagreements(const SceneLines& lines, const clipping::Window& window,
                                         const Variant& chosen, const std::stop_token& stop = {});

@@ -3,6 +3,7 @@
 
 #include <QTest>
 
+#include <array>
 #include <random>
 
 #include "tests/app/scene/scene_lines_of.h"
@@ -69,6 +70,31 @@ private slots:
                 QCOMPARE(some[i].moved, whole[i].moved);
             }
         }
+    }
+    /// A corner that was snapped to where two lines meet lies within an ulp of both: there most
+    /// rows are wrong about one of them, and `exact` must not be told to be.
+    void exactIsTheTruth()
+    {
+        std::mt19937_64 random(3);
+        std::uniform_real_distribution<double> number(-100, 100);
+        const auto point = [&] { return glm::dvec2(number(random), number(random)); };
+        std::size_t wrong = 0;
+        for (int i = 0; i < 300; ++i) {
+            const std::array lines{Segment{point(), point()}, Segment{point(), point()}};
+            const auto d = lines[0].b - lines[0].a, e = lines[1].b - lines[1].a;
+            const auto from = lines[1].a - lines[0].a;
+            const double t = (from.x * e.y - from.y * e.x) / (d.x * e.y - d.y * e.x);
+            const glm::dvec2 corner = lines[0].a + t * d;
+            const Window window{corner - glm::dvec2(50, 40), corner};
+            const auto found =
+                app::disagreements(sceneLinesOf(std::vector<Segment>(lines.begin(), lines.end())),
+                                   window, {&algorithms()[0]});
+            for (const app::Disagreement& one : found) {
+                QVERIFY(one.variant.algorithm != &exactAlgorithm());
+                wrong += one.segments.size();
+            }
+        }
+        QVERIFY(wrong > 0);
     }
     void nothingToCompare()
     {
