@@ -28,4 +28,9 @@ PictureOptions FrameWish::pictureOptions() const
     return all;
 }
 
+RasterOptions FrameWish::rasterOptions(const std::stop_token& stop) const
+{
+    return {key.pixels.width(), key.pixelRatio, ghost, [stop] { return stop.stop_requested(); }};
+}
+
 } // namespace app

@@ -5,7 +5,7 @@
 #include "app/document/document.h"
 #include "app/document/object_ranges.h"
 #include "app/scene/scene_lines.h"
-#include "app/view/picture.h"
+#include "app/view/raster.h"
 
 #include <QSize>
 
@@ -56,6 +56,7 @@ struct FrameWish {
 
     /// The options with everything, as long as the wish lives.
     PictureOptions pictureOptions() const;
+    RasterOptions rasterOptions(const std::stop_token& stop) const;
 };
 
 } // namespace app

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/base/progress.h"
+#include "app/view/frame_parts.h"
+
+#include <functional>
+#include <memory>
+
+class QThreadPool;
+
+namespace app {
+
+/// Paints a band; several threads call it at the same time.
+using PaintBand = std::function<QImage(Band)>;
+
+/// An image, painted in bands by the calling thread and by those of `helpers` that are free.
+/// Each band is put into `parts` as soon as it is finished. `slow`: in more bands than there are
+/// threads, so that the first are seen early. If a stop is requested, the result is of no use.
+QImage paintedInBands(PaintBand paint, int height, bool slow, const Follower& follower,
+                      const std::shared_ptr<FrameParts>& parts, QThreadPool& helpers);
+
+} // namespace app

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/scene/scene_clipping.h"
+#include "app/view/band_painting.h"
+#include "app/view/frame_wish.h"
+
+namespace app {
+
+/// Frames that are put together from the picture of all lines, which does not depend on the clip
+/// windows and is kept: inside them as it is, outside with the ghost's opacity. So a window that
+/// moves changes a mask (region_mask.h) and nothing else.
+class ComposedFrame {
+public:
+    /// Whether a frame can be put together: its strokes are so thin that a straight cut looks like
+    /// that of a mask, and the row's pieces are those of `exact`, as far as can be seen.
+    bool canShow(const FrameWish& wish, const SceneFrame& frame, const std::stop_token& stop);
+    /// Such a frame. The picture of all lines is painted first if another drawing or view is wanted
+    /// than before.
+    QImage paint(const FrameWish& wish, const SceneFrame& frame, const Follower& follower,
+                 const std::shared_ptr<FrameParts>& parts, QThreadPool& helpers);
+
+private:
+    /// What the picture of all lines depends on.
+    struct DrawingKey {
+        FrameKey frame; ///< lines, view and pixels alone
+        std::optional<Colour> page{};
+        double leastWidth = 0, strokes = 0;
+        friend bool operator==(const DrawingKey&, const DrawingKey&) = default;
+    };
+    static DrawingKey drawingKeyOf(const FrameWish& wish);
+    DrawingKey key_;
+    QImage drawing_; ///< all lines in the view, whatever the windows remove; may be null
+    SceneClipping exact_;
+};
+
+} // namespace app
