@@ -11,7 +11,7 @@
 namespace app {
 namespace {
 
-constexpr std::size_t manyLines = 25'000; // painted in more bands than there are threads
+constexpr std::size_t slowLines = 25'000; // painted in more bands than there are threads
 
 /// Whether the strokes are so thin, in device pixels, that a straight cut looks like that of a
 /// mask.
@@ -96,7 +96,7 @@ QImage ComposedFrame::paint(const FrameWish& wish, const SceneFrame& frame,
         const QImage shown = composed(drawing, mask, band, ghost);
         return isAlone ? shown : rasterised(around, band, raster, shown);
     };
-    const bool slow = !isKnown && wish.lines.size() > manyLines;
+    const bool slow = !isKnown && wish.lines.size() > slowLines;
     const QImage image =
         paintedInBands(std::move(paint), wish.key.pixels.height(), slow, follower, parts, helpers);
     if (!follower.stop.stop_requested())
