@@ -27,14 +27,15 @@ void add(Disagreement& to, std::span<const Difference> fromExact, std::size_t fi
         to.segments.push_back(std::uint32_t(firstLine) + difference.source);
 }
 
-/// The variants that are judged: the published form first.
+/// The variants that are judged by `exact`: the published form first.
 std::vector<Disagreement> allToJudge(const Variant& chosen)
 {
     std::vector<Disagreement> all;
     if (chosen.form == clipping::Form::Published)
         all.push_back({.variant = chosen});
     for (const clipping::Algorithm& algorithm : clipping::algorithms())
-        all.push_back({.variant = {&algorithm}});
+        if (&algorithm != &clipping::exactAlgorithm())
+            all.push_back({.variant = {&algorithm}});
     return all;
 }
 

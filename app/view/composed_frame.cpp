@@ -2,7 +2,6 @@
 #include "app/view/composed_frame.h"
 
 #include "app/scene/same_frames.h"
-#include "app/view/composed.h"
 #include "app/view/edge_lines.h"
 #include "app/view/region_mask.h"
 

@@ -21,7 +21,7 @@ public:
                  const std::shared_ptr<FrameParts>& parts, QThreadPool& helpers);
 
 private:
-    /// What the picture of all lines depends on.
+    /// The inputs of the picture of all lines.
     struct DrawingKey {
         FrameKey frame; ///< lines, view and pixels alone
         std::optional<Colour> page{};

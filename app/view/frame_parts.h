@@ -21,7 +21,7 @@ struct FinishedBand {
     QImage image;
 };
 
-/// What is finished of a frame so far. The threads that work on it share it and add to it; others
+/// The finished parts of a frame. The threads that work on it share it and add to it; others
 /// read it.
 class FrameParts {
 public:

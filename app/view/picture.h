@@ -28,7 +28,8 @@ Picture picture(const StyleTable& styles, const SceneLines& lines, const SceneFr
 /// All lines and areas of a frame, whatever its windows remove.
 DrawList wholeDrawing(const StyleTable& styles, const SceneLines& lines, const SceneFrame& frame,
                       const PictureOptions& options);
-/// What lies below and above the drawing: a frame without its ghost and its kept part.
+/// The parts of a frame below and above the drawing: bands of the selection, marks of differences,
+/// borders.
 Picture pictureAround(const StyleTable& styles, const SceneLines& lines,
                       const PictureOptions& options);
 

@@ -7,6 +7,7 @@
 #include <QPainterPath>
 
 #include <algorithm>
+#include <cmath>
 
 namespace app {
 namespace {
@@ -14,8 +15,8 @@ namespace {
 // QPainter's time for one path grows with the square of the edges in a row of pixels.
 constexpr std::size_t mostCorners = 1000;
 
-/// What a window's border surrounds, in device pixels. Only what is near the view, so that there
-/// are no huge numbers at a deep zoom.
+/// The inside of a window, in device pixels, cut off near the view: at a deep zoom there would be
+/// huge numbers.
 QPainterPath pathOf(const ClipRegion::Step& step, const View& view, double pixelRatio)
 {
     const auto& [min, max] = step.box;
@@ -61,6 +62,17 @@ void combine(QImage& mask, const QImage& window, const Combine& combined)
 bool isEmpty(const ClipRegion::Step& step)
 {
     return !(step.box.min.x < step.box.max.x && step.box.min.y < step.box.max.y);
+}
+
+/// A premultiplied pixel with the opacity of a pixel reduced to `of255`, rounded: two channels at a
+/// time.
+QRgb reduced(QRgb pixel, unsigned of255)
+{
+    const auto scaled = [&](unsigned channels) {
+        const unsigned all = channels * of255 + 0x800080U;
+        return (all + (all >> 8U & 0xff00ffU)) >> 8U & 0xff00ffU;
+    };
+    return scaled(pixel & 0xff00ffU) | scaled(pixel >> 8U & 0xff00ffU) << 8U;
 }
 
 } // namespace
@@ -109,6 +121,21 @@ void openAlong(QImage& mask, const DrawList& strokes, double pixelRatio)
                 painter.drawLine(points[i - 1] * pixelRatio, points[i] * pixelRatio);
         }
     }
+}
+
+QImage composed(const QImage& drawing, const QImage& mask, Band band, double ghost)
+{
+    QImage image(drawing.width(), band.height, QImage::Format_ARGB32_Premultiplied);
+    const auto least = unsigned(std::lround(255 * ghost));
+    for (int row = 0; row < band.height; ++row) {
+        const int y = band.top + row;
+        const auto* const from = reinterpret_cast<const QRgb*>(drawing.constScanLine(y));
+        const uchar* const covered = mask.constScanLine(y);
+        auto* const to = reinterpret_cast<QRgb*>(image.scanLine(row));
+        for (int x = 0; x < image.width(); ++x)
+            to[x] = reduced(from[x], least + ((255 - least) * covered[x] + 127) / 255);
+    }
+    return image;
 }
 
 } // namespace app

@@ -2,10 +2,8 @@
 #pragma once
 
 #include "app/scene/region.h"
-#include "app/view/draw_list.h"
+#include "app/view/raster.h"
 #include "app/view/view.h"
-
-#include <QImage>
 
 namespace app {
 
@@ -19,5 +17,10 @@ QImage regionMask(const ClipRegion& region, const View& view, const QSize& pixel
 
 /// Opens a mask along strokes, which are painted on its edge, over their whole width.
 void openAlong(QImage& mask, const DrawList& strokes, double pixelRatio);
+
+/// The rows of `band` of a frame that is put together from the picture of all lines, which does not
+/// depend on the clip windows: as it is where `mask` is 255, with the opacity
+/// `ghost`, 0 to 1, where it is 0, and in between where an edge crosses a pixel.
+QImage composed(const QImage& drawing, const QImage& mask, Band band, double ghost);
 
 } // namespace app

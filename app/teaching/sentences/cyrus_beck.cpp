@@ -51,7 +51,7 @@ QString cyrusBeckAsked(const SentenceContext& context)
         .arg(edge, knownCompared(context, "t", "tL"));
 }
 
-/// What remains after all edges.
+/// The test of the remaining part after all edges.
 QString concluded(const SentenceContext& context)
 {
     if (context.holds())

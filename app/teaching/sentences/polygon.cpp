@@ -4,6 +4,7 @@
 #include "app/base/text.h"
 #include "app/overlays/polygon_edges.h"
 #include "app/teaching/sentences/words.h"
+#include "clipping/pseudo_code.h"
 
 #include <algorithm>
 #include <array>
@@ -181,6 +182,15 @@ constexpr std::array rows{
     PolygonTeaching{"exact", exactCode, exact},
     PolygonTeaching{"winding-number", windingNumberCode, windingNumber},
 };
+
+constexpr bool haveLines(const PolygonTeaching& row)
+{
+    const auto lines = clipping::linesOf(row.code);
+    return std::ranges::all_of(row.steps, [&](const PolygonStep& step) {
+        return clipping::lineOf(lines, step.label) > 0;
+    });
+}
+static_assert(std::ranges::all_of(rows, haveLines));
 
 const PolygonTeaching* rowOf(const Variant& variant)
 {

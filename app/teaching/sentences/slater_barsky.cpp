@@ -4,6 +4,7 @@
 #include "app/teaching/sentences/ends.h"
 #include "app/teaching/teaching.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -158,6 +159,33 @@ QString insideTest(const SentenceContext& context)
                      .arg(words::end(last(context)));
 }
 
+/// A test of the cell in which the walk is.
+struct CellTest {
+    std::string_view label;
+    const char* cells;
+    Fate fate;
+};
+constexpr std::array cellTests{
+    CellTest{"upMissesRight", "1", Fate::Misses},
+    CellTest{"upMissesTop", "3", Fate::Misses},
+    CellTest{"downMissesBottom", "3", Fate::Misses},
+    CellTest{"missesAcross", "3", Fate::Misses},
+    CellTest{"downMissesRight", "7", Fate::Misses},
+    CellTest{"missesRight", QT_TRANSLATE_NOOP("Text", "1 or 7"), Fate::Misses},
+    CellTest{"upFromLeft", "3", Fate::Enters},
+    CellTest{"downFromLeft", "3", Fate::Enters},
+    CellTest{"fromLeft", "3", Fate::Enters},
+    CellTest{"upFromBottom", "1", Fate::Enters},
+    CellTest{"downFromTop", "7", Fate::Enters},
+    CellTest{"fromAcross", QT_TRANSLATE_NOOP("Text", "1 or 7"), Fate::Enters},
+    CellTest{"upToRight", "4", Fate::Leaves},
+    CellTest{"upToTop", "4", Fate::Leaves},
+    CellTest{"downToRight", "4", Fate::Leaves},
+    CellTest{"downToBottom", "4", Fate::Leaves},
+    CellTest{"toRight", "4", Fate::Leaves},
+    CellTest{"toAcross", "4", Fate::Leaves},
+};
+
 /// The tests of the walk from cell to cell.
 QString walkTest(const SentenceContext& context)
 {
@@ -169,25 +197,8 @@ QString walkTest(const SentenceContext& context)
                                : Text::tr("The line is neither horizontal nor vertical.");
     if (context.at("upRight", "downRight", "right"))
         return leaving(context);
-    if (context.at("upMissesRight"))
-        return inCell(context, "1", Fate::Misses);
-    if (context.at("upMissesTop", "downMissesBottom", "missesAcross"))
-        return inCell(context, "3", Fate::Misses);
-    if (context.at("downMissesRight"))
-        return inCell(context, "7", Fate::Misses);
-    if (context.at("missesRight"))
-        return inCell(context, QT_TRANSLATE_NOOP("Text", "1 or 7"), Fate::Misses);
-    if (context.at("upFromLeft", "downFromLeft", "fromLeft"))
-        return inCell(context, "3", Fate::Enters);
-    if (context.at("upFromBottom"))
-        return inCell(context, "1", Fate::Enters);
-    if (context.at("downFromTop"))
-        return inCell(context, "7", Fate::Enters);
-    if (context.at("fromAcross"))
-        return inCell(context, QT_TRANSLATE_NOOP("Text", "1 or 7"), Fate::Enters);
-    if (context.at("upToRight", "upToTop", "downToRight", "downToBottom", "toRight", "toAcross"))
-        return inCell(context, "4", Fate::Leaves);
-    return insideTest(context);
+    const auto* const test = std::ranges::find(cellTests, context.step.label, &CellTest::label);
+    return test == cellTests.end() ? insideTest(context) : inCell(context, test->cells, test->fate);
 }
 
 QString slaterBarskyTest(const SentenceContext& context)

@@ -4,7 +4,6 @@
 #include "app/document/document_builder.h"
 #include "app/scene/document_lines.h"
 #include "app/scene/same_frames.h"
-#include "app/view/composed.h"
 #include "app/view/frame_painting.h"
 #include "app/view/region_mask.h"
 
@@ -21,6 +20,7 @@ namespace view_composed_test {
 namespace {
 
 constexpr int side = 300; // pixels
+const app::Page page{{0, 0}, {100, 100}, {100, app::Unit::Mm}, {100, app::Unit::Mm}};
 
 /// Lines with both ends anywhere, of some colours, thinner than a pixel and a half.
 app::Document thinLines(int count, unsigned seed)
@@ -35,7 +35,7 @@ app::Document thinLines(int count, unsigned seed)
         builder.addLine({point(), point()}, builder.style(style));
     }
     builder.close();
-    return builder.take({{0, 0}, {100, 100}, {100, app::Unit::Mm}, {100, app::Unit::Mm}});
+    return builder.take(page);
 }
 
 app::FrameWish wishFor(const app::Document& document, const app::ClipWindows& windows)
@@ -48,6 +48,17 @@ app::FrameWish wishFor(const app::Document& document, const app::ClipWindows& wi
                 .pixels = {side, side}};
     wish.ghost = 0.3;
     return wish;
+}
+
+/// Black lines of one width, at a rectangular window.
+app::FrameWish wishFor(std::initializer_list<clipping::Segment> lines, double width)
+{
+    app::DocumentBuilder builder;
+    builder.open({.name = "Lines"});
+    for (const clipping::Segment& line : lines)
+        builder.addLine(line, builder.style({.stroke = app::Colour{}, .width = width}));
+    builder.close();
+    return wishFor(builder.take(page), {{{.shape = app::RectangleShape{{{20, 20}, {60, 70}}}}}});
 }
 
 QImage paintedWith(app::FramePainter& painter, const app::FrameWish& wish)
@@ -204,15 +215,7 @@ private slots:
     /// A published form that loses lines is shown to lose them.
     void whatARowLosesIsSeenToBeLost()
     {
-        app::DocumentBuilder builder;
-        builder.open({.name = "Line"});
-        const auto style = builder.style({.stroke = app::Colour{}, .width = 0.3});
-        builder.addLine({{39.7, 30}, {40.3, 50}}, style); // KWC: shorter than 1 in x
-        builder.close();
-        const app::Document document =
-            builder.take({{0, 0}, {100, 100}, {100, app::Unit::Mm}, {100, app::Unit::Mm}});
-        const app::ClipWindows windows{{{.shape = app::RectangleShape{{{20, 20}, {60, 70}}}}}};
-        app::FrameWish wish = wishFor(document, windows);
+        app::FrameWish wish = wishFor({{{39.7, 30}, {40.3, 50}}}, 0.3); // less than 1 in x
         wish.key.variant = {clipping::findAlgorithm("kodituwakku-wijeweera-chamikara"),
                             clipping::Form::Published};
         app::FramePainter painter;
@@ -223,16 +226,8 @@ private slots:
     }
     void aLineAlongAnEdgeIsKeptWhole()
     {
-        app::DocumentBuilder builder;
-        builder.open({.name = "Lines"});
-        const auto style = builder.style({.stroke = app::Colour{}, .width = 0.4});
-        builder.addLine({{0, 20}, {100, 20}}, style); // on the window's lower edge
-        builder.addLine({{60, 90}, {60, 10}}, style); // and on its right one
-        builder.close();
-        const app::Document document =
-            builder.take({{0, 0}, {100, 100}, {100, app::Unit::Mm}, {100, app::Unit::Mm}});
-        const app::FrameWish wish =
-            wishFor(document, {{{.shape = app::RectangleShape{{{20, 20}, {60, 70}}}}}});
+        // On the window's lower and right edges.
+        const app::FrameWish wish = wishFor({{{0, 20}, {100, 20}}, {{60, 90}, {60, 10}}}, 0.4);
         app::FramePainter painter;
         const QImage composed = paintedWith(painter, wish), pieces = paintedFromPieces(wish);
         for (int x = 62; x < 178; ++x) // between the corners
@@ -245,14 +240,7 @@ private slots:
     /// Thick strokes end at the cut at right angles to themselves, which a mask cannot show.
     void thickStrokesArePaintedFromPieces()
     {
-        app::DocumentBuilder builder;
-        builder.open({.name = "Lines"});
-        builder.addLine({{10, 10}, {90, 80}}, builder.style({.stroke = app::Colour{}, .width = 2}));
-        builder.close();
-        const app::Document document =
-            builder.take({{0, 0}, {100, 100}, {100, app::Unit::Mm}, {100, app::Unit::Mm}});
-        const app::FrameWish wish =
-            wishFor(document, {{{.shape = app::RectangleShape{{{20, 20}, {60, 70}}}}}});
+        const app::FrameWish wish = wishFor({{{10, 10}, {90, 80}}}, 2);
         app::FramePainter painter;
         QCOMPARE(paintedWith(painter, wish), paintedFromPieces(wish));
     }
