@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/composed_frame.h"
 
-#include "app/scene/same_frames.h"
 #include "app/view/edge_lines.h"
 #include "app/view/region_mask.h"
 
@@ -10,7 +9,8 @@
 namespace app {
 namespace {
 
-constexpr std::size_t slowLines = 25'000; // painted in more bands than there are threads
+constexpr std::size_t slowLines = 25'000;     // painted in more bands than there are threads
+constexpr std::size_t mostDiffering = 20'000; // lines; more are painted no sooner than all
 
 /// Whether the strokes are so thin, in device pixels, that a straight cut looks like that of a
 /// mask.
@@ -33,22 +33,31 @@ bool areThin(const SceneLines& lines, const StyleTable& styles, const PictureOpt
 
 } // namespace
 
-bool ComposedFrame::canShow(const FrameWish& wish, const SceneFrame& frame,
-                            const std::stop_token& stop)
+ComposedFrame::Plan ComposedFrame::plan(const FrameWish& wish, const SceneFrame& frame,
+                                        const std::stop_token& stop)
 {
     const PictureOptions options = wish.pictureOptions();
-    const bool same = wish.key.variant.algorithm == &clipping::exactAlgorithm();
     if (wish.make || wish.key.pixels.isEmpty() || options.ghosting || options.leastLength > 0
         || !isMaskable(wish.key.region))
-        return false;
-    if (!areThin(wish.lines, wish.document.styles(), options, wish.key.pixelRatio))
-        return false;
-    if (same || options.removed == RemovedPart::Shown)
-        return true;
+        return {};
+    const bool isRoughAllowed = wish.rough && wish.lines.size() > slowLines;
+    const bool isThin = areThin(wish.lines, wish.document.styles(), options, wish.key.pixelRatio);
+    if (!isThin && !isRoughAllowed)
+        return {};
+    Plan plan{.kind = isThin ? Plan::Kind::Truly : Plan::Kind::Roughly};
+    if (options.removed == RemovedPart::Shown
+        || wish.key.variant.algorithm == &clipping::exactAlgorithm())
+        return plan;
     constexpr double visible = 1.0 / 16; // device pixels
+    const std::size_t most = isRoughAllowed ? mostDiffering : 0;
     const auto clipAll = clipping::exactAlgorithm().corrected.clipAll;
-    return areSame(frame, exact_.clip(wish.lines, wish.key.region, clipAll, stop),
-                   visible / (wish.key.view.zoom * wish.key.pixelRatio));
+    plan.differing = differingLines(frame, exact_.clip(wish.lines, wish.key.region, clipAll, stop),
+                                    visible / (wish.key.view.zoom * wish.key.pixelRatio), most);
+    if (plan.differing.size() > most)
+        return {};
+    if (!plan.differing.empty())
+        plan.kind = Plan::Kind::Roughly;
+    return plan;
 }
 
 ComposedFrame::DrawingKey ComposedFrame::drawingKeyOf(const FrameWish& wish)
@@ -61,7 +70,7 @@ ComposedFrame::DrawingKey ComposedFrame::drawingKeyOf(const FrameWish& wish)
         wish.options.strokes};
 }
 
-QImage ComposedFrame::paint(const FrameWish& wish, const SceneFrame& frame,
+QImage ComposedFrame::paint(const FrameWish& wish, const SceneFrame& frame, const Plan& plan,
                             const Follower& follower, const std::shared_ptr<FrameParts>& parts,
                             QThreadPool& helpers)
 {
@@ -82,17 +91,21 @@ QImage ComposedFrame::paint(const FrameWish& wish, const SceneFrame& frame,
     Picture all, around = pictureAround(styles, wish.lines, options);
     const bool isAlone = around.selected.commands.empty() && around.differing.commands.empty()
                          && around.borders.commands.empty();
+    DifferingLayer differing = differingLayer(styles, wish.lines, frame, plan.differing, options);
     if (!isKnown)
         all.kept = wholeDrawing(styles, wish.lines, frame, options);
-    auto paint = [drawing, pixels, ghost, raster = wish.rasterOptions(follower.stop),
-                  all = std::move(all), around = std::move(around), isAlone,
-                  mask = std::move(mask)](Band band) {
+    RasterOptions raster = wish.rasterOptions(follower.stop);
+    raster.ghost = ghost;
+    auto paint = [drawing, pixels, raster, all = std::move(all), around = std::move(around),
+                  differing = std::move(differing), isAlone, mask = std::move(mask)](Band band) {
         if (pixels) { // each thread writes rows of its own
             const QImage drawn = rasterised(all, band, raster);
             std::memcpy(pixels + band.top * drawing.bytesPerLine(), drawn.constBits(),
                         std::size_t(drawn.sizeInBytes()));
         }
-        const QImage shown = composed(drawing, mask, band, ghost);
+        QImage shown = composed(drawing, mask, band, raster.ghost);
+        if (!differing.isEmpty())
+            paintAnew(shown, differing, band, raster);
         return isAlone ? shown : rasterised(around, band, raster, shown);
     };
     const bool slow = !isKnown && wish.lines.size() > slowLines;

@@ -3,22 +3,30 @@
 
 #include "app/scene/scene_clipping.h"
 #include "app/view/band_painting.h"
+#include "app/view/differing_layer.h"
 #include "app/view/frame_wish.h"
 
 namespace app {
 
 /// Frames that are put together from the picture of all lines, which does not depend on the clip
 /// windows and is kept: inside them as it is, outside with the ghost's opacity. So a window that
-/// moves changes a mask (region_mask.h) and nothing else.
+/// moves changes a mask (region_mask.h) and, above it, the lines that its row cuts differently from
+/// `exact` (differing_layer.h).
 class ComposedFrame {
 public:
-    /// Whether a frame can be put together: its strokes are so thin that a straight cut looks like
-    /// that of a mask, and the row's pieces are those of `exact`, as far as can be seen.
-    bool canShow(const FrameWish& wish, const SceneFrame& frame, const std::stop_token& stop);
+    /// A frame put together, or why it cannot be.
+    struct Plan {
+        /// Truly: as well as from the pieces. Strokes are so thin that a straight cut looks like
+        /// that of a mask, and no line differs. Roughly: only for a moment.
+        enum class Kind : std::uint8_t { No, Roughly, Truly } kind = Kind::No;
+        std::vector<FrameLine> differing{};
+    };
+    Plan plan(const FrameWish& wish, const SceneFrame& frame, const std::stop_token& stop);
     /// Such a frame. The picture of all lines is painted first if another drawing or view is wanted
     /// than before.
-    QImage paint(const FrameWish& wish, const SceneFrame& frame, const Follower& follower,
-                 const std::shared_ptr<FrameParts>& parts, QThreadPool& helpers);
+    QImage paint(const FrameWish& wish, const SceneFrame& frame, const Plan& plan,
+                 const Follower& follower, const std::shared_ptr<FrameParts>& parts,
+                 QThreadPool& helpers);
 
 private:
     /// The inputs of the picture of all lines.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/edge_lines.h"
 
-#include "app/view/scene_draw_list_builder.h"
+#include "app/view/stroke_list_builder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,36 +60,25 @@ DrawList linesAlongEdges(const StyleTable& styles, const SceneLines& lines, cons
 {
     const Edges edges(*options.region, 1 / (options.view.zoom * pixelRatio));
     PaintedPart kept(frame, Painted::Kept);
-    SceneDrawListBuilder builder(lines, kept, options, 0);
-    Style style;
-    std::optional<StyleIndex> index;
+    StrokeListBuilder builder(styles, lines, kept, options);
     std::vector<Clipped> along;
     for (std::size_t at = 0; at < lines.blocks().size(); ++at) {
         const SceneBlock& block = *lines.blocks()[at];
         for (std::size_t i = 0; i < block.chunks.size() && !options.stop.stop_requested(); ++i) {
             const SceneChunk& chunk = block.chunks[i];
             const Remains remains = kept.remains(at, i);
-            if (remains == Remains::Gone || !styles[chunk.style].stroke
-                || !edges.areNear(chunk.box))
+            if (remains == Remains::Gone || !edges.areNear(chunk.box))
                 continue;
             along.clear();
-            const std::size_t end = block.endOfChunk(i);
             if (remains == Remains::Pieces)
                 std::ranges::copy_if(
                     kept.pieces(at, i), std::back_inserter(along),
                     [&](const Clipped& piece) { return edges.runsAlong(piece.segment); });
             else
-                for (std::size_t line = chunk.first; line < end; ++line)
+                for (std::size_t line = chunk.first; line < block.endOfChunk(i); ++line)
                     if (edges.runsAlong(block.segments[line]))
                         along.push_back({block.segments[line], std::uint32_t(line), 0});
-            if (along.empty())
-                continue;
-            if (index != chunk.style) {
-                style = styles[*(index = chunk.style)];
-                style.fill.reset();
-                builder.setStyle(style);
-            }
-            builder.addPieces(at, i, chunk.first, end, along);
+            builder.add(at, i, along);
         }
     }
     return builder.take();

@@ -56,8 +56,10 @@ PaintedFrame FramePainter::paint(const FrameWish& wish, const Follower& follower
     QElapsedTimer clock;
     clock.start();
     PaintedFrame made;
-    if (composed_.canShow(wish, frame, follower.stop))
-        made.image = composed_.paint(wish, frame, follower, parts, helpers);
+    const auto plan = composed_.plan(wish, frame, follower.stop);
+    made.rough = plan.kind == ComposedFrame::Plan::Kind::Roughly;
+    if (plan.kind != ComposedFrame::Plan::Kind::No)
+        made.image = composed_.paint(wish, frame, plan, follower, parts, helpers);
     else
         made = framePainted(wish, frame, follower, parts, helpers);
     made.drawMs = double(clock.nsecsElapsed()) * 1e-6;

@@ -9,7 +9,8 @@ namespace app {
 struct PaintedFrame {
     QImage image{};
     std::shared_ptr<const void> made{};
-    double drawMs = 0; ///< building the picture and painting it
+    double drawMs = 0;  ///< building the picture and painting it
+    bool rough = false; ///< to be painted again without FrameWish::rough
 };
 
 /// Clips and paints frames, one at a time, on any thread. Keeps its buffers from one to the next.

@@ -6,6 +6,7 @@ namespace app {
 FrameSchedule::Step FrameSchedule::start(Step step)
 {
     painting_ = wanted_;
+    fine_ = false;
     return step;
 }
 
@@ -21,6 +22,8 @@ FrameSchedule::Step FrameSchedule::want(const FrameKey& key)
         painting_.reset();
         return Step::Cancel;
     }
+    if (fine_)
+        return start(Step::Replace);
     if (isSameBase(*painting_, key) || spares_)
         return Step::Nothing;
     spares_ = true;
@@ -29,14 +32,21 @@ FrameSchedule::Step FrameSchedule::want(const FrameKey& key)
 
 FrameSchedule::Step FrameSchedule::rested()
 {
-    return isLate() ? start(Step::Replace) : Step::Nothing;
+    if (isLate())
+        return start(Step::Replace);
+    if (painting_ || !isRough())
+        return Step::Nothing;
+    start(Step::Start);
+    fine_ = true;
+    return Step::Start;
 }
 
-FrameSchedule::Step FrameSchedule::finished()
+FrameSchedule::Step FrameSchedule::finished(bool rough)
 {
     shown_ = std::move(painting_);
     painting_.reset();
-    spares_ = false;
+    rough_ = rough;
+    fine_ = spares_ = false;
     return isCurrent() ? Step::Nothing : start(Step::Start);
 }
 

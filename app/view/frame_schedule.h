@@ -19,6 +19,8 @@ namespace app {
 ///    picture. Of the frames that wait, the newest one is next.
 /// 3. When no other frame has been wanted for half a second, nothing starves any more: a frame that
 ///    is out of date is cancelled.
+/// 4. A rough frame that is still wanted then is painted once more, finely, which may take long:
+///    for any other frame this is cancelled.
 class FrameSchedule {
 public:
     /// What the caller must do now.
@@ -31,7 +33,7 @@ public:
 
     Step want(const FrameKey& key); ///< at each event that asks for a frame
     Step rested();                  ///< no other frame has been wanted for half a second
-    Step finished();                ///< the painting
+    Step finished(bool rough);      ///< the painting
     void forget();                  ///< nothing is wanted, finished or painted any more
 
     /// The frame that is being painted; the last finished one.
@@ -40,11 +42,16 @@ public:
     bool isCurrent() const { return wanted_ == shown_; } ///< the wanted frame is finished
     /// Another frame than the wanted one is being painted.
     bool isLate() const { return painting_ && painting_ != wanted_; }
+    /// The wanted frame is finished, but only roughly.
+    bool isRough() const { return isCurrent() && rough_; }
+    /// The frame that is being painted must not be rough.
+    bool paintsFinely() const { return fine_; }
 
 private:
     Step start(Step step);
 
     std::optional<FrameKey> wanted_, painting_, shown_;
+    bool rough_ = false, fine_ = false;
     bool spares_ = false; ///< the last painting was cancelled, so the next one is not
 };
 

@@ -14,6 +14,11 @@ bool isSameBase(const FrameKey& a, const FrameKey& b)
            && a.pixelRatio == b.pixelRatio;
 }
 
+bool isSameView(const FrameKey& a, const FrameKey& b)
+{
+    return isSameBase(a, b) && a.view == b.view;
+}
+
 PictureOptions FrameWish::pictureOptions() const
 {
     PictureOptions all = options;

@@ -32,6 +32,8 @@ struct FrameKey {
 bool isSameClipping(const FrameKey& a, const FrameKey& b);
 /// Whether the lines and the size of the picture are the same.
 bool isSameBase(const FrameKey& a, const FrameKey& b);
+/// Whether they are seen in the same view, too.
+bool isSameView(const FrameKey& a, const FrameKey& b);
 
 /// Pieces that several owners read.
 using SharedPieces = std::shared_ptr<const std::vector<clipping::Clipped>>;
@@ -50,7 +52,8 @@ struct FrameWish {
         Colour colour;
     };
     std::vector<Graded> graded{};
-    double ghost = 1; ///< opacity of the removed part
+    double ghost = 1;   ///< opacity of the removed part
+    bool rough = false; ///< for a moment a frame will do that is painted sooner, if only roughly
     /// Makes what is wanted instead of an image, on the thread that paints; null: nothing.
     std::function<std::shared_ptr<const void>(const Picture&)> make{};
 

@@ -37,7 +37,7 @@ void LivePicture::want(FrameWish wish, std::chrono::microseconds patience)
         clip();
     else if (frame_.drawMs < tooLong)
         painting_.waitFor(patience);
-    if (isNew && schedule_.isLate())
+    if (isNew && (schedule_.isLate() || schedule_.isRough()))
         rest_.start();
 }
 
@@ -57,6 +57,9 @@ void LivePicture::start()
     clipsAgain_ = false;
     parts_ = std::make_shared<FrameParts>();
     partsNoted_ = false;
+    // In another view a rough frame would not be finished sooner.
+    wish_.rough =
+        !schedule_.paintsFinely() && schedule_.shown() && isSameView(*schedule_.shown(), wish_.key);
     painting_.start(
         [wish = wish_, painter = painter_, parts = parts_](const Follower& follower) {
             return painter->paint(wish, follower, parts, *QThreadPool::globalInstance());
@@ -75,7 +78,9 @@ void LivePicture::deliver(PaintedFrame frame)
     parts_.reset();
     frame_ = std::move(frame);
     times_.drawMs = frame_.drawMs;
-    follow(schedule_.finished());
+    follow(schedule_.finished(frame_.rough));
+    if (schedule_.isRough())
+        rest_.start();
     emit advanced();
 }
 
@@ -127,11 +132,10 @@ FrameTimes LivePicture::times() const
 void LivePicture::settle()
 {
     do {
-        if (schedule_.isLate())
-            follow(schedule_.rested());
+        follow(schedule_.rested());
         painting_.wait();
         clipping_.wait();
-    } while (painting_.active() || clipping_.active());
+    } while (painting_.active() || clipping_.active() || schedule_.isRough());
 }
 
 void LivePicture::forget()

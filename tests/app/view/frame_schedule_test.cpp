@@ -40,7 +40,10 @@ public:
     {
         if (left_ > 0 && --left_ == 0) {
             finished.push_back(*schedule.painting());
-            follow(schedule.finished());
+            const bool rough = finished.size() % 3 == 0 && !schedule.paintsFinely();
+            follow(schedule.finished(rough));
+            if (schedule.isRough())
+                quiet_ = 0;
         }
         if (++quiet_ == rest)
             follow(schedule.rested());
@@ -80,7 +83,7 @@ private slots:
         QVERIFY(schedule.want(frame(1)) == Step::Start);
         QVERIFY(!schedule.isCurrent());
         QVERIFY(schedule.want(frame(1)) == Step::Nothing);
-        QVERIFY(schedule.finished() == Step::Nothing);
+        QVERIFY(schedule.finished(false) == Step::Nothing);
         QVERIFY(schedule.isCurrent());
         QVERIFY(schedule.want(frame(1)) == Step::Nothing);
     }
@@ -91,7 +94,7 @@ private slots:
         QVERIFY(schedule.want(frame(2)) == Step::Nothing);
         QVERIFY(schedule.want(frame(3)) == Step::Nothing);
         QVERIFY(schedule.isLate());
-        QVERIFY(schedule.finished() == Step::Start);
+        QVERIFY(schedule.finished(false) == Step::Start);
         QVERIFY(schedule.shown() == frame(1));
         QVERIFY(schedule.painting() == frame(3));
     }
@@ -103,7 +106,7 @@ private slots:
         QVERIFY(schedule.want(frame(1, 2)) == Step::Replace);
         QVERIFY(schedule.want(frame(1, 3)) == Step::Nothing);
         QVERIFY(schedule.painting() == frame(1, 2));
-        QVERIFY(schedule.finished() == Step::Start);
+        QVERIFY(schedule.finished(false) == Step::Start);
         QVERIFY(schedule.want(frame(1, 4)) == Step::Replace);
     }
     void anotherSizeCancels()
@@ -127,16 +130,45 @@ private slots:
     {
         FrameSchedule schedule;
         schedule.want(frame(1));
-        schedule.finished();
+        schedule.finished(false);
         schedule.want(frame(2));
         QVERIFY(schedule.want(frame(1)) == Step::Cancel);
         QVERIFY(schedule.isCurrent() && !schedule.painting());
+    }
+    void aRoughFrameIsPaintedFinelyAtRest()
+    {
+        FrameSchedule schedule;
+        schedule.want(frame(1));
+        QVERIFY(!schedule.paintsFinely());
+        QVERIFY(schedule.finished(true) == Step::Nothing);
+        QVERIFY(schedule.isCurrent() && schedule.isRough());
+        QVERIFY(schedule.want(frame(1)) == Step::Nothing);
+        QVERIFY(schedule.rested() == Step::Start);
+        QVERIFY(schedule.painting() == frame(1) && schedule.paintsFinely());
+        QVERIFY(schedule.want(frame(1)) == Step::Nothing); // it goes on
+        QVERIFY(schedule.rested() == Step::Nothing);
+        QVERIFY(schedule.finished(false) == Step::Nothing);
+        QVERIFY(schedule.isCurrent() && !schedule.isRough() && !schedule.paintsFinely());
+        QVERIFY(schedule.rested() == Step::Nothing);
+    }
+    void finePaintingWaitsForNoOtherFrame()
+    {
+        FrameSchedule schedule;
+        schedule.want(frame(1));
+        schedule.finished(true);
+        schedule.rested();
+        QVERIFY(schedule.want(frame(2)) == Step::Replace);
+        QVERIFY(!schedule.paintsFinely());
+        QVERIFY(schedule.want(frame(3)) == Step::Nothing); // this one may be finished first
+        QVERIFY(schedule.want(frame(1)) == Step::Cancel);  // back to the rough one
+        QVERIFY(schedule.isRough());
+        QVERIFY(schedule.rested() == Step::Start);
     }
     void whatWasForgottenIsPaintedAgain()
     {
         FrameSchedule schedule;
         schedule.want(frame(1));
-        schedule.finished();
+        schedule.finished(false);
         schedule.forget();
         QVERIFY(schedule.want(frame(1)) == Step::Start);
     }
@@ -177,10 +209,10 @@ private slots:
             }
             const FrameKey last = frame(9, 9);
             painter.want(last);
-            for (int i = 0; i < Painter::rest + duration; ++i)
+            for (int i = 0; i < 2 * (Painter::rest + duration); ++i)
                 painter.tick();
             VERIFY_OR_SAY(painter.schedule.isCurrent() && !painter.schedule.painting()
-                              && painter.schedule.shown() == last,
+                              && painter.schedule.shown() == last && !painter.schedule.isRough(),
                           qPrintable(QString::number(round)));
             VERIFY_OR_SAY(painter.begun >= int(painter.finished.size()),
                           qPrintable(QString::number(round)));

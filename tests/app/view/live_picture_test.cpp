@@ -161,6 +161,24 @@ private slots:
         picture.want(wish, 0us);
         QVERIFY(paintedBy(picture) != blank);
     }
+    /// Lines that the row loses are shown at once, though roughly.
+    void aRoughFrameIsPaintedFinelyAtRest()
+    {
+        app::FrameWish wish = wishFor(longLines(30'000));
+        wish.key.variant = {clipping::findAlgorithm("kwc"), clipping::Form::Published};
+        app::LivePicture picture;
+        bool wasRough = false;
+        connect(&picture, &app::LivePicture::advanced, this,
+                [&] { wasRough = wasRough || picture.frame().rough; });
+        picture.want(wish, 0us);
+        picture.settle();
+        QVERIFY(!wasRough && !picture.frame().rough);
+        const app::ClipWindows moved{{{.shape = app::RectangleShape{{{120, 70}, {320, 210}}}}}};
+        wish.key.region = regionOf(moved, wish.document.page());
+        picture.want(wish, 0us);
+        QTRY_VERIFY_WITH_TIMEOUT(wasRough && !picture.frame().rough, 60'000);
+        QCOMPARE(paintedBy(picture), paintedAtOnce(wish));
+    }
     void eventsFasterThanFramesStarveNeither_data()
     {
         QTest::addColumn<bool>("edits");
