@@ -2,6 +2,7 @@
 #include "app/view/composed_frame.h"
 
 #include "app/view/edge_lines.h"
+#include "app/view/hairline_drawing.h"
 #include "app/view/region_mask.h"
 
 #include <cstring>
@@ -92,14 +93,18 @@ QImage ComposedFrame::paint(const FrameWish& wish, const SceneFrame& frame, cons
     const bool isAlone = around.selected.commands.empty() && around.differing.commands.empty()
                          && around.borders.commands.empty();
     DifferingLayer differing = differingLayer(styles, wish.lines, frame, plan.differing, options);
-    if (!isKnown)
+    const bool hairlines = hasOnlyHairlines(wish.lines, styles, options, wish.key.pixelRatio);
+    if (!isKnown && !hairlines)
         all.kept = wholeDrawing(styles, wish.lines, frame, options);
     RasterOptions raster = wish.rasterOptions(follower.stop);
     raster.ghost = ghost;
     auto paint = [drawing, pixels, raster, all = std::move(all), around = std::move(around),
-                  differing = std::move(differing), isAlone, mask = std::move(mask)](Band band) {
+                  differing = std::move(differing), isAlone, mask = std::move(mask), hairlines,
+                  wish](Band band) {
         if (pixels) { // each thread writes rows of its own
-            const QImage drawn = rasterised(all, band, raster);
+            const QImage drawn = hairlines ? paintedHairlines(wish.lines, wish.document.styles(),
+                                                              wish.pictureOptions(), band, raster)
+                                           : rasterised(all, band, raster);
             std::memcpy(pixels + band.top * drawing.bytesPerLine(), drawn.constBits(),
                         std::size_t(drawn.sizeInBytes()));
         }

@@ -4,6 +4,7 @@
 #include "app/document/document_builder.h"
 #include "app/scene/document_lines.h"
 #include "app/view/frame_painting.h"
+#include "app/view/hairline_drawing.h"
 #include "app/view/region_mask.h"
 
 #include <QTest>
@@ -271,6 +272,68 @@ private slots:
                                   qPrintable(QString("%1, %2").arg(x).arg(y)));
             }
         QVERIFY(qAlpha(frame.image.pixel(120, 120)) < 100); // in the middle of the lost line
+    }
+    /// Separate hairlines are painted straight from the scene, with the same pixels in any bands.
+    void hairlinesFromTheSceneLookLikeThoseOfADrawList_data()
+    {
+        QTest::addColumn<int>("colours");
+        QTest::newRow("one colour") << 1;
+        QTest::newRow("many") << 7;
+    }
+    void hairlinesFromTheSceneLookLikeThoseOfADrawList()
+    {
+        QFETCH(int, colours);
+        std::mt19937 random(3);
+        app::DocumentBuilder builder;
+        builder.open({.name = "Lines"});
+        app::Point from(-20, 50);
+        for (int i = 0; i < 2000; ++i) {
+            const app::Point to = random() % 4 == 0
+                                      ? from
+                                      : app::Point(random() % 1400, random() % 1400) / 10.0 - 20.0;
+            const int colour = (i / 150) % colours; // runs of lines, longer than a chunk
+            builder.addLine({from, to},
+                            builder.style({.stroke = app::Colour{std::uint8_t(colour * 30), 0, 90},
+                                           .width = 0.1 + 0.05 * (colour % 3),
+                                           .cap = app::Cap(colour % 3)}));
+            for (int same = int(random() % 30) / 28 * 200; same > 0; --same) // adds nothing
+                builder.addLine(
+                    {from, to},
+                    builder.style({.stroke = app::Colour{std::uint8_t(colour * 30), 0, 90},
+                                   .width = 0.1 + 0.05 * (colour % 3),
+                                   .cap = app::Cap(colour % 3)}));
+            from = app::Point(random() % 1400, random() % 1400) / 10.0 - 20.0;
+        }
+        builder.addLine({{-1e7, -1e7}, {1e9, 1e9 + 10}},
+                        builder.style({.stroke = app::Colour{}, .width = 0.1}));
+        builder.close();
+        app::FrameWish wish = wishFor(builder.take(page), {});
+        wish.options.leastWidth = 0.3;
+        const app::StyleTable& styles = wish.document.styles();
+        const app::PictureOptions options = wish.pictureOptions();
+        const app::RasterOptions raster = wish.rasterOptions({});
+        QVERIFY(app::hasOnlyHairlines(wish.lines, styles, options, 1));
+        QVERIFY(!app::hasOnlyHairlines(wish.lines, styles, options, 4)); // wider than a pixel
+        app::Picture list;
+        app::SceneClipping clipping;
+        const app::SceneFrame frame = clipping.clip(wish.lines, wish.key.region,
+                                                    clipping::exactAlgorithm().corrected.clipAll);
+        list.kept = wholeDrawing(styles, wish.lines, frame, options);
+        const QImage expected = rasterised(list, {0, side}, raster);
+        const QImage whole = paintedHairlines(wish.lines, styles, options, {0, side}, raster);
+        std::vector<QImage> bands;
+        for (const app::Band& band : app::bandsOf(side, 7))
+            bands.push_back(paintedHairlines(wish.lines, styles, options, band, raster));
+        QCOMPARE(app::joined(bands), whole);
+        double sum = 0;
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x) {
+                const int difference = differenceOf(whole, expected, x, y);
+                sum += difference;
+                VERIFY_OR_SAY(difference <= 12,
+                              qPrintable(QString("%1, %2: %3").arg(x).arg(y).arg(difference)));
+            }
+        QVERIFY2(sum / (side * side) < 0.5, qPrintable(QString::number(sum / (side * side))));
     }
     void aLineAlongAnEdgeIsKeptWhole()
     {
