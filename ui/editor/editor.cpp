@@ -204,6 +204,9 @@ int show(EditorApplication& application, const Options& options, const QElapsedT
     }
     if (!options.panes.isEmpty())
         showPanes(window.canvas(), options.panes);
+    if (const auto& wish = options.algorithm)
+        window.session().changeDisplay(
+            [&wish](app::Display& display) { display.variant = app::usable(*wish); });
     // A large file must not delay the window.
     const auto open = [&] { window.files().open(options.file); };
     const bool first = !options.screenshot.isEmpty() || QFileInfo(options.file).size() < quickBytes;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The editor as a desktop starts it, and where memory runs out. This program runs the editor as
-// main() does (--editor FILE ...) and writes to the file what the window says.
+// main() does (--editor message|algorithm ARGUMENT ...) and writes to the file $REPORT what the
+// window says, or which algorithm it has.
+#include "app/comparison/variants.h"
 #include "ui/editor/display.h"
 #include "ui/editor/editor.h"
 #include "ui/editor/editor_application.h"
@@ -31,15 +33,21 @@ ui::MainWindow* mainWindow()
     return nullptr;
 }
 
-/// Writes the message of the window, as soon as there is one, and ends the editor.
-void reportTo(const QString& path)
+QString reported(ui::MainWindow& window, bool algorithm)
 {
-    const auto* window = mainWindow();
-    if (!window || window->message().isEmpty())
-        return QTimer::singleShot(10, [path] { reportTo(path); });
-    QFile file(path);
+    return algorithm ? keyOf(window.session().variant()) : window.message();
+}
+
+/// Writes the message of the window, as soon as there is one, or its algorithm, and ends the
+/// editor.
+void report(bool algorithm)
+{
+    auto* window = mainWindow();
+    if (!window || reported(*window, algorithm).isEmpty())
+        return QTimer::singleShot(10, [algorithm] { report(algorithm); });
+    QFile file(qEnvironmentVariable("REPORT"));
     if (file.open(QIODevice::WriteOnly))
-        file.write(window->message().toUtf8());
+        file.write(reported(*window, algorithm).toUtf8());
     file.close();
     QCoreApplication::quit();
 }
@@ -49,8 +57,10 @@ int runEditor(int argc, char** argv)
     QStringList arguments;
     for (int i = 3; i < argc; ++i)
         arguments << QString::fromLocal8Bit(argv[i]);
-    qAddPreRoutine(
-        [] { QTimer::singleShot(10, [] { reportTo(qEnvironmentVariable("REPORT")); }); });
+    if (QByteArray(argv[2]) == "algorithm")
+        qAddPreRoutine([] { QTimer::singleShot(10, [] { report(true); }); });
+    else
+        qAddPreRoutine([] { QTimer::singleShot(10, [] { report(false); }); });
     return ui::runEditor(argc, argv, arguments);
 }
 
@@ -93,8 +103,8 @@ class StartTest : public QObject {
 
     QTemporaryDir home_;
 
-    /// What the window says, of an editor that nobody listens to.
-    QString saidOf(const QByteArray& argument) const
+    /// What the window says, or its algorithm, of an editor that nobody listens to.
+    QString saidOf(const QByteArray& argument, const char* what = "message") const
     {
         const QByteArray report = QFile::encodeName(home_.filePath("report"));
         const QByteArray program = QFile::encodeName(QCoreApplication::applicationFilePath());
@@ -104,8 +114,8 @@ class StartTest : public QObject {
             ::setenv("QT_QPA_PLATFORM", "offscreen", 1);
             for (const char* folder : {"HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME"})
                 ::setenv(folder, qPrintable(home_.path()), 1);
-            ::execl(program.constData(), program.constData(), "--editor", "x", argument.constData(),
-                    nullptr);
+            ::execl(program.constData(), program.constData(), "--editor", what,
+                    argument.constData(), nullptr);
             return 99;
         });
         return code == 0 ? QString::fromUtf8(contentOf(report)) : QString::number(code);
@@ -126,6 +136,11 @@ private slots:
         ::close(file);
         const QString said = saidOf(name);
         QVERIFY2(said.startsWith("Cannot open ") && said.contains("UTF-8"), qPrintable(said));
+    }
+    void theAlgorithmIsTheOneAskedFor()
+    {
+        QCOMPARE(saidOf("--algorithm=MD", "algorithm"), "matthes-drakopoulos");
+        QCOMPARE(saidOf("--size=900x700", "algorithm"), "exact");
     }
     void whoeverListensIsToldAndNoWindowOpens()
     {
