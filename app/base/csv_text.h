@@ -13,7 +13,7 @@ namespace app::csv {
 /// Thrown if the text is not CSV, and caught inside the reader. `why` continues a sentence that
 /// begins with "line 12 ", and ends with a full stop.
 struct Refused {
-    std::size_t line;
+    std::size_t line; ///< 0: `why` is about the whole file
     QString why;
 };
 

@@ -14,8 +14,8 @@ Format csvFormat()
             csv::write,
             Holds::SeparateLines,
             StoresHidden::No,
-            Text::tr("%1 lines; %2 layers (further layers become one)")
-                .arg(countText(csv::mostRows), countText(Containers::mostLayers))};
+            Text::tr("%1 layers (further layers become one), and as many lines as memory holds")
+                .arg(countText(Containers::mostLayers))};
 }
 
 } // namespace app

@@ -16,9 +16,10 @@ Format svgFormat()
         svg::write,
         Holds::Paths,
         StoresHidden::Yes,
-        Text::tr("%1 elements, nested %2 deep; %3 points; %4 layers (further layers become one)")
-            .arg(countText(svg::mostElements), countText(svg::deepestNesting),
-                 countText(svg::mostParts), countText(Containers::mostLayers))};
+        Text::tr("elements nested %1 deep; %2 points, or one for each byte of a larger file; %3 "
+                 "layers (further layers become one)")
+            .arg(countText(svg::deepestNesting), countText(svg::mostParts),
+                 countText(Containers::mostLayers))};
 }
 
 } // namespace app

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/memory.h"
 #include "app/document/new_drawing.h"
 #include "app/formats/loss_text.h"
 #include "ui/files/files.h"
@@ -22,11 +23,23 @@ struct Opened {
     std::optional<app::SceneBlockCache> blocks{};
 };
 
+/// Why there is not enough memory to show a drawing that has been read; may be empty.
+QString faultToShow(const app::Document& document)
+{
+    constexpr std::uint64_t bytesOfLine = 100; // its segment, its pieces and its strokes
+    return app::memoryFault(document.objects().size() * bytesOfLine);
+}
+
 Opened opened(const QString& path)
 {
     Opened opened{app::readFile(path)};
     try {
-        if (opened.drawing)
+        const QString fault =
+            opened.drawing ? faultToShow(opened.drawing.value->document) : QString();
+        if (!fault.isEmpty())
+            opened.drawing = app::Result<app::Imported>::failure(
+                Text::tr("Cannot open %1: %2").arg(path, fault));
+        else if (opened.drawing)
             opened.blocks = app::blocksFor(opened.drawing.value->document);
     } catch (const std::bad_alloc&) {
         opened.drawing = app::Result<app::Imported>::failure(

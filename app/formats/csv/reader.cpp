@@ -2,6 +2,7 @@
 #include "app/formats/csv/reader.h"
 
 #include "app/base/csv_text.h"
+#include "app/base/memory.h"
 #include "app/base/text.h"
 #include "app/formats/csv/lines_by_layer.h"
 #include "app/formats/csv/record_blocks.h"
@@ -13,10 +14,13 @@
 namespace app::csv {
 namespace {
 
+constexpr std::uint64_t bytesOfLine = 48; // in a document
+
 class Reader {
 public:
     explicit Reader(QIODevice& in)
-        : blocks_([&in](char* bytes, std::size_t size) {
+        : size_(in.isSequential() ? 0 : std::uint64_t(in.size())),
+          blocks_([&in](char* bytes, std::size_t size) {
               return std::size_t(std::max<qint64>(in.read(bytes, qint64(size)), 0));
           })
     {
@@ -27,8 +31,11 @@ public:
         RecordBlock block;
         if (blocks_.first(block) && !readHeader(block))
             addRows(block);
-        while (blocks_.next(block))
+        while (blocks_.next(block)) {
+            if (lines_.size() <= 1) // the first ones
+                checkMemory(block);
             addRows(block);
+        }
         finish();
         return std::move(imported_);
     }
@@ -45,6 +52,18 @@ private:
         return isHeader;
     }
 
+    /// Throws Refused if the whole file, of lines like these, does not fit into memory.
+    void checkMemory(const RecordBlock& block) const
+    {
+        if (block.places.empty() || block.bytes.empty())
+            return;
+        const double lines =
+            double(size_) / double(block.bytes.size()) * double(block.places.size());
+        if (const QString fault = memoryFault(std::uint64_t(lines * double(bytesOfLine)));
+            !fault.isEmpty())
+            throw Refused{0, fault};
+    }
+
     void addRows(const RecordBlock& block)
     {
         for (const RecordBlock::Place& place : block.places)
@@ -53,9 +72,9 @@ private:
 
     void addRow(std::string_view record, std::size_t line)
     {
-        if (lines_.size() == mostRows)
-            throw Refused{line,
-                          Text::tr("exceeds the limit of %1 lines. Split the file.").arg(mostRows)};
+        if (!memory_.isEnough())
+            throw Refused{line, Text::tr("does not fit into the memory that is free. Close other "
+                                         "programs, or split the file.")};
         const Row row = rows_.row(fields_.of(record, line), line);
         const StyleEntry style = styleOf(row, line);
         lines_.turnTo(row.layer);
@@ -85,6 +104,8 @@ private:
         imported_.rows = lines_.order();
     }
 
+    std::uint64_t size_; ///< of the file; 0: not known
+    MemoryWatch memory_;
     RecordBlocks blocks_;
     RecordFields fields_;
     RowReader rows_;
@@ -101,7 +122,9 @@ Result<Imported> read(QIODevice& in)
     try {
         return Result<Imported>::of(Reader(in).read());
     } catch (const Refused& refused) {
-        return Result<Imported>::failure(Text::tr("line %1 %2").arg(refused.line).arg(refused.why));
+        return Result<Imported>::failure(
+            refused.line > 0 ? Text::tr("line %1 %2").arg(refused.line).arg(refused.why)
+                             : refused.why);
     }
 }
 

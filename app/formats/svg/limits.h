@@ -6,8 +6,8 @@
 #include <cstddef>
 
 // Limits of a drawing; beyond them the reader refuses the file with one sentence. They are far
-// above the needs of real drawings, and low enough that the worst file ends within seconds and
-// needs about a gigabyte.
+// above the needs of real drawings, and low enough that the worst small file ends within seconds
+// and needs about a gigabyte. A large file may have as many elements as memory holds.
 
 namespace app::svg {
 
@@ -16,7 +16,6 @@ namespace app::svg {
 constexpr int deepestNesting = 520;
 constexpr int deepestNote = 10; ///< depth of markup in the title of an object
 static_assert(1 + Containers::deepest + 1 + 1 + 1 + deepestNote <= deepestNesting);
-constexpr std::size_t mostElements = 5'000'000;  ///< in the file
 constexpr std::size_t mostBytes = 500'000'000;   ///< bytes read from a pipe, which may never end
 constexpr std::size_t mostText = 1'000'000'000;  ///< bytes of attributes and style sheets
 constexpr std::size_t mostMetadata = 16'000'000; ///< bytes of title, description and metadata
@@ -25,7 +24,8 @@ constexpr std::size_t mostNames =
     10'000; ///< different names of elements and attributes; SVG has 400
 constexpr std::size_t mostRepeated = 500'000;        ///< elements drawn through `use`
 constexpr std::size_t mostBounded = 500'000;         ///< elements of which boxes are computed
-constexpr std::size_t mostParts = 10'000'000;        ///< shapes, chords and dashes together
+/// Shapes, chords and dashes together; in a file with more bytes than this, one for each byte.
+constexpr std::size_t mostParts = 10'000'000;
 constexpr std::size_t mostDeclarations = 20'000'000; ///< style rules times elements, tested
 constexpr std::size_t mostVariableWork = 50'000'000; ///< bytes and steps for variables of CSS
 constexpr std::size_t mostDashes = 1'000;            ///< in one pattern

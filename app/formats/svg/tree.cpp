@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/tree.h"
 
+#include "app/base/memory.h"
 #include "app/base/text.h"
 #include "app/formats/svg/html_entities.h"
 #include "app/formats/svg/lenient_xml.h"
@@ -132,9 +133,10 @@ private:
             throw Refused{Text::tr("nests elements deeper than %1; ungroup some of them.")
                               .arg(deepestNesting),
                           line()};
-        if (tree_.elements_.size() == mostElements)
-            throw Refused{Text::tr("it has more than %1 elements.").arg(mostElements),
-                          Refused::wholeFile};
+        if (!memory_.isEnough())
+            throw Refused{Text::tr("does not fit into the memory that is free. Close other "
+                                   "programs, or split the file."),
+                          line()};
         const Node parent = open_.empty() ? noNode : open_.back();
         open_.push_back(Node(tree_.elements_.size()));
         tree_.elements_.push_back(
@@ -219,6 +221,7 @@ private:
     HtmlEntities entities_;
     Tree tree_;
     std::vector<Node> open_;
+    MemoryWatch memory_;
     std::unordered_map<std::string, std::uint32_t> indices_{{otherName, 0}};
     std::string key_;
     bool inStyle_ = false;

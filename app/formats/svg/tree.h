@@ -68,6 +68,7 @@ public:
     }
     const std::string& nameOf(std::uint32_t name) const { return names_[name]; }
     std::size_t nameCount() const { return names_.size(); }
+    std::size_t textSize() const { return text_.size(); } ///< bytes of all attributes
 
     /// The <style> elements in CSS.
     const std::vector<StyleText>& styleSheets() const { return styleSheets_; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/tree_drawer.h"
 
+#include "app/base/numbers.h"
 #include "app/base/text.h"
 #include "app/document/flatten.h"
 #include "app/formats/svg/element_transform.h"
@@ -370,8 +371,11 @@ void TreeDrawer::countParts(const Drawn& drawn)
     parts_ += 1 + style.dashes.size();
     for (const Subpath& path : drawn.paths)
         parts_ += 1 + chordCount(path, tolerance_);
-    if (parts_ > mostParts)
-        throw Refused{Text::tr("exceeds the limit of %1 points in a drawing.").arg(mostParts)};
+    // A large drawing may have more, but no small file may grow into one.
+    const std::size_t most = std::max(mostParts, tree_.textSize());
+    if (parts_ > most)
+        throw Refused{
+            Text::tr("exceeds the limit of %1 points in a drawing.").arg(countText(most))};
 }
 
 } // namespace app::svg

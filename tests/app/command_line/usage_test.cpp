@@ -139,9 +139,9 @@ private slots:
             QTest::addRow("%s, %s", command, limit) << QString(command) << QByteArray(limit);
         };
         for (const char* reads : {"clip", "convert", "info", "compare"}) {
-            row(reads, "svg: at most 5,000,000 elements, nested 520 deep; 10,000,000 points; 1,000 "
-                       "layers");
-            row(reads, "csv: at most 5,000,000 lines; 1,000 layers");
+            row(reads, "svg: at most elements nested 520 deep; 10,000,000 points, or one for each "
+                       "byte of a larger file; 1,000 layers");
+            row(reads, "csv: at most 1,000 layers");
         }
         for (const char* writes : {"clip", "convert"}) {
             row(writes, "png: at most 32,767 pixels a side and 150,000,000 in all");

@@ -4,9 +4,12 @@
 #include <QBuffer>
 #include <QTest>
 
+#include <algorithm>
 #include <random>
+#include <string_view>
 
 #include "tests/app/document/sheet.h"
+#include "tests/deep.h"
 #include "tests/test_class.h"
 
 namespace formats_csv_test {
@@ -27,6 +30,31 @@ QByteArray written(const app::Document& document, const app::WriteOptions& optio
     const auto error = app::findFormat(u"csv")->write(document, buffer, options);
     return error ? error->toUtf8() : buffer.data();
 }
+
+/// A file of many equal lines, with random access, of which any size can be told.
+class ManyLines : public QIODevice {
+public:
+    explicit ManyLines(qint64 size) : size_(size) { open(ReadOnly | Unbuffered); }
+
+    qint64 size() const override { return size_; }
+    bool atEnd() const override { return given == size_; }
+    qint64 given = 0;
+
+protected:
+    qint64 readData(char* bytes, qint64 most) override
+    {
+        const qint64 count = std::min(most, size_ - given);
+        for (qint64 i = 0; i < count; ++i)
+            bytes[i] = row[(given + i) % qint64(row.size())];
+        given += count;
+        return count;
+    }
+    qint64 writeData(const char*, qint64) override { return -1; }
+
+private:
+    static constexpr std::string_view row = "10.25,20.5,100.75,200\n";
+    qint64 size_;
+};
 
 app::Subpath line(app::Point a, app::Point b) { return {a, {{b}}, false}; }
 
@@ -55,6 +83,24 @@ private slots:
         QVERIFY(!read1.value->lossy());
     }
 
+    void aFileThatDoesNotFitIntoMemoryIsRefusedAtOnce()
+    {
+        ManyLines file(1'000'000'000'000'000);
+        const auto result = app::findFormat(u"csv")->read(file);
+        QVERIFY(!result);
+        QVERIFY2(result.error.startsWith("it needs about ")
+                     && result.error.contains(" GB are free"),
+                 qPrintable(result.error));
+        QVERIFY(file.given < 2'000'000);
+    }
+    void manyLinesAreRead()
+    {
+        const int lines = 6'000'000 / tests::caseStep(); // more than were allowed once
+        ManyLines file(22 * qint64(lines));
+        const auto result = app::findFormat(u"csv")->read(file);
+        QVERIFY2(result, qPrintable(result.error));
+        QCOMPARE(result.value->document.objects().size(), std::size_t(lines));
+    }
     void aHeaderIsHonoured()
     {
         const auto read1 =
