@@ -60,7 +60,7 @@ std::size_t hashOf(const Style& style)
 
 } // namespace
 
-StyleTable::StyleTable(const StyleTable& other)
+StyleTable::StyleTable(const StyleTable& other) : StyleTable() // from here on the destructor runs
 {
     const std::size_t size = other.size(); // `other` may grow meanwhile
     for (std::size_t i = 0; i < size; ++i)

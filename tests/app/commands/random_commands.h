@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <memory>
 #include <vector>
 
 #include "tests/app/document/random_documents.h"
@@ -41,9 +42,11 @@ public:
         for (;;) {
             const auto& key = kinds[random_.below(kinds.size())].key;
             const auto maker = std::ranges::find(makers, key, &Maker::key);
-            if (app::UndoCommand* made = maker == makers.end() ? nullptr : maker->make(*this)) {
-                ++drawn_[made->kind().key];
-                return made;
+            if (maker == makers.end())
+                continue;
+            if (std::unique_ptr<app::UndoCommand> made(maker->make(*this)); made) {
+                ++drawn_[made->kind().key]; // may run out of memory
+                return made.release();
             }
         }
     }

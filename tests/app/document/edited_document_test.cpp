@@ -162,7 +162,8 @@ private slots:
         const Listener last(document);
         const Document before = document.now();
         const std::uint64_t revision = document.revision();
-        const Edit edit{.splices = {{3, 2, 0}}};
+        Edit edit{.splices = {{3, 2, 0}}};
+        edit.containers = before.containers().spliced(edit.splices);
         QVERIFY_EXCEPTION_THROWN(document.apply(edit), std::bad_alloc);
         QVERIFY(sameAddress(document.now(), before));
         QCOMPARE(document.revision(), revision);
