@@ -61,7 +61,7 @@ protected:
                              controller_.ghostOpacity());
             painter.endNativePainting();
         }
-        paintOverlay(painter, controller_, pane_);
+        paintOverlay(painter, controller_, pane_, picture_.key());
         painter.end();
         report_(picture_.times());
     }

@@ -181,7 +181,8 @@ void paintPaper(QPainter& painter, const Controller& controller)
             paintGuide(painter, controller.bench(), guide, pixel);
 }
 
-void paintOverlay(QPainter& painter, const Controller& controller, const Pane& pane)
+void paintOverlay(QPainter& painter, const Controller& controller, const Pane& pane,
+                  const app::FrameKey* shown)
 {
     painter.setRenderHint(QPainter::Antialiasing);
     paintEnteredGroup(painter, controller);
@@ -196,7 +197,7 @@ void paintOverlay(QPainter& painter, const Controller& controller, const Pane& p
     paintDifferenceLabel(painter, controller, pane);
     painter.restore();
     painter.save();
-    paintWindow(painter, controller, pane);
+    paintWindow(painter, controller, pane, shown);
     painter.restore();
     painter.save();
     controller.tool().paint(painter, controller.bench());

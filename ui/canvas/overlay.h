@@ -10,6 +10,8 @@ void paintPaper(QPainter& painter, const Controller& controller);
 
 /// Paints what both canvases have over the drawing: what the algorithm sees; the hovered, selected
 /// or inspected lines; the clip window with handles and size; the tool's preview; the snap point.
-void paintOverlay(QPainter& painter, const Controller& controller, const Pane& pane);
+/// `shown` is the frame of the picture, or null: outlines belong to its cut.
+void paintOverlay(QPainter& painter, const Controller& controller, const Pane& pane,
+                  const app::FrameKey* shown);
 
 } // namespace ui

@@ -37,7 +37,7 @@ protected:
         QPainter painter(this);
         paintPaper(painter, controller_);
         picture_.paint(painter);
-        paintOverlay(painter, controller_, pane_);
+        paintOverlay(painter, controller_, pane_, picture_.key());
         report_(picture_.times());
     }
 

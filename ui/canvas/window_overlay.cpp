@@ -40,13 +40,15 @@ QRectF boxOnScreen(const Controller& controller)
     return boxOnScreen(controller.view(), *controller.clipWindow());
 }
 
+using Rings = std::vector<std::vector<app::Point>>;
+
 // Edge by edge, because painters fail with coordinates like 1e9.
-QPainterPath clippedOutline(const app::View& view, const app::WindowOutline& shape)
+QPainterPath clippedOutline(const app::View& view, const Rings& rings)
 {
     const app::Point room(64);
     const clipping::Window visible{-room, view.size + room};
     QPainterPath path;
-    for (const auto& ring : shape.rings)
+    for (const auto& ring : rings)
         for (std::size_t i = 0; i < ring.size(); ++i) {
             const clipping::Segment edge{view.toScreen(ring[i]),
                                          view.toScreen(ring[(i + 1) % ring.size()])};
@@ -58,17 +60,17 @@ QPainterPath clippedOutline(const app::View& view, const app::WindowOutline& sha
     return path;
 }
 
-QPainterPath outlineOnScreen(const app::View& view, const app::WindowShape& shape)
+QPainterPath boxOutline(const app::View& view, const clipping::Window& box)
 {
-    if (const auto box = app::axisAlignedBox(shape)) {
-        QPainterPath path;
-        path.addRect(boxOnScreen(view, *box));
-        return path;
-    }
-    constexpr double tolerance = 0.2; // pixels
-    const app::WindowOutline rings = app::outlineOf(shape, tolerance / view.zoom);
     QPainterPath path;
-    for (const auto& ring : rings.rings) {
+    path.addRect(boxOnScreen(view, box));
+    return path;
+}
+
+QPainterPath ringOutline(const app::View& view, const Rings& rings)
+{
+    QPainterPath path;
+    for (const auto& ring : rings) {
         QPolygonF polygon;
         for (const app::Point& corner : ring) {
             const app::Point at = view.toScreen(corner);
@@ -80,6 +82,14 @@ QPainterPath outlineOnScreen(const app::View& view, const app::WindowShape& shap
         path.closeSubpath();
     }
     return path;
+}
+
+QPainterPath outlineOnScreen(const app::View& view, const app::WindowShape& shape)
+{
+    if (const auto box = app::axisAlignedBox(shape))
+        return boxOutline(view, *box);
+    constexpr double tolerance = 0.2; // pixels
+    return ringOutline(view, app::outlineOf(shape, tolerance / view.zoom).rings);
 }
 
 const app::ClipWindow& actedOn(const Controller& controller)
@@ -123,19 +133,22 @@ double outlineWidth(const Controller& controller, bool hovered)
            * (controller.session().display().presenting ? 2 : 1);
 }
 
-bool isLong(const Controller& controller, std::size_t window)
+/// The outline of a visible window, as it was in the frame that is shown.
+QPainterPath outlineInFrame(const Controller& controller, std::size_t window, std::size_t step,
+                            const app::FrameKey* shown)
 {
-    bool found = false;
-    forEachVisible(controller.session(), [&](std::size_t number, std::size_t step) {
-        found =
-            found || (number == window && app::isLong(controller.session().region().steps[step]));
-    });
-    return found;
+    const app::Session& session = controller.session();
+    const auto& now = session.region().steps;
+    if (!shown || shown->region.steps.size() != now.size()
+        || shown->region.steps[step] == now[step])
+        return outlineOnScreen(controller.view(), session.windows().list[window].shape);
+    const app::ClipRegion::Step& then = shown->region.steps[step];
+    return then.rings.empty() ? boxOutline(controller.view(), then.box)
+                              : ringOutline(controller.view(), then.rings);
 }
 
-void paintBorder(QPainter& painter, const Controller& controller)
+void paintBorder(QPainter& painter, const Controller& controller, const QPainterPath& border)
 {
-    const QPainterPath border = outlineOnScreen(controller.view(), actedOn(controller).shape);
     const double width =
         outlineWidth(controller, controller.tool().hoveredHandle() == app::Handle{});
     QPen pen(controller.pageColour(), width + 2 * casing, Qt::SolidLine, Qt::FlatCap,
@@ -150,20 +163,30 @@ void paintBorder(QPainter& painter, const Controller& controller)
     painter.drawPath(border);
 }
 
-// Paints the drawing's other windows with thin lines.
-void paintOthers(QPainter& painter, const Controller& controller)
+// Paints the window that is acted on, above all others, which have thin lines.
+void paintBorders(QPainter& painter, const Controller& controller, const app::FrameKey* shown)
 {
     const app::Session& session = controller.session();
+    std::optional<QPainterPath> chosen;
+    if (!session.windows().list[*session.windowNumber()].visible)
+        chosen = outlineOnScreen(controller.view(), actedOn(controller).shape);
     painter.setBrush(Qt::NoBrush);
     forEachVisible(session, [&](std::size_t number, std::size_t step) {
-        if (number == session.windowNumber() || app::isLong(session.region().steps[step]))
+        if (app::isLong(session.region().steps[step]))
             return;
+        const QPainterPath outline = outlineInFrame(controller, number, step, shown);
+        if (number == session.windowNumber()) {
+            chosen = outline;
+            return;
+        }
         const app::ClipWindow& window = session.windows().list[number];
         QPen pen(colourOf(window, controller), 1);
         setDashes(pen, window.operation);
         painter.setPen(pen);
-        painter.drawPath(outlineOnScreen(controller.view(), window.shape));
+        painter.drawPath(outline);
     });
+    if (chosen)
+        paintBorder(painter, controller, *chosen);
 }
 
 // The line to the handle that rotates the window and, while that is hovered or dragged, the centre.
@@ -291,7 +314,8 @@ std::vector<app::BorderLine> longBorders(const Controller& controller)
     return borders;
 }
 
-void paintWindow(QPainter& painter, const Controller& controller, const Pane& pane)
+void paintWindow(QPainter& painter, const Controller& controller, const Pane& pane,
+                 const app::FrameKey* shown)
 {
     if (!controller.clipWindow()) {
         if (const QRectF place = controller.offeredHandle(); pane.active && !place.isEmpty())
@@ -299,10 +323,8 @@ void paintWindow(QPainter& painter, const Controller& controller, const Pane& pa
                        controller.pageColour());
         return;
     }
-    paintOthers(painter, controller);
+    paintBorders(painter, controller, shown);
     const QRectF window = boxOnScreen(controller);
-    if (!isLong(controller, *controller.session().windowNumber()))
-        paintBorder(painter, controller);
     if (pane.active)
         paintTags(painter, controller);
     if (!isFurnished(controller, pane, window))

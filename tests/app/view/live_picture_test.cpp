@@ -5,7 +5,6 @@
 #include "app/view/live_picture.h"
 
 #include <QPainter>
-#include <QSemaphore>
 #include <QSignalSpy>
 #include <QTest>
 #include <QThreadPool>
@@ -13,6 +12,7 @@
 #include <random>
 #include <set>
 
+#include "tests/busy_threads.h"
 #include "tests/test_class.h"
 
 namespace view_live_picture_test {
@@ -70,29 +70,6 @@ QImage paintedAtOnce(const app::FrameWish& wish)
     QPainter(&image).drawImage(0, 0, frame.image);
     return image;
 }
-
-/// While it lives, no thread of the global pool is free.
-class BusyThreads {
-public:
-    BusyThreads()
-    {
-        const int threads = QThreadPool::globalInstance()->maxThreadCount();
-        for (int i = 0; i < threads; ++i)
-            QThreadPool::globalInstance()->start([this] {
-                begun_.release();
-                go_.acquire();
-            });
-        begun_.acquire(threads);
-    }
-    ~BusyThreads()
-    {
-        go_.release(QThreadPool::globalInstance()->maxThreadCount());
-        QThreadPool::globalInstance()->waitForDone();
-    }
-
-private:
-    QSemaphore begun_, go_;
-};
 
 } // namespace
 

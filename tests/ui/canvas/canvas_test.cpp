@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "ui/look/look.h"
+
 #include <QThreadPool>
 
 #include <random>
 
 #include "tests/app/document/sheet.h"
 #include "tests/app/document/sheet_edits.h"
+#include "tests/busy_threads.h"
 #include "tests/test_class.h"
 #include "tests/ui/canvas/canvas_cases.h"
 
@@ -82,6 +85,39 @@ private slots:
         stage.canvas->fitDrawing();
         stage.surface().repaint();
         QVERIFY(painting);
+    }
+    // However long the next frame takes: the outline is that of the cut that is shown.
+    void theOutlineStaysWithTheCut()
+    {
+        Stage stage(ui::Backend::Raster, longLines(60'000));
+        const auto windowAt = [&](double x) {
+            stage.session.document.apply(
+                {.windows =
+                     app::ClipWindows{{{.shape = app::RectangleShape{{{x, 20}, {190, 80}}}}}}});
+        };
+        const auto isOutlined = [](const QImage& image, QPoint at) {
+            const QColor accent = ui::lookOnPaper(false).accent;
+            int nearest = 255;
+            for (int x = at.x() - 2; x <= at.x() + 2; ++x) {
+                const QColor c = image.pixelColor(x, at.y());
+                nearest = std::min(nearest, std::max({std::abs(c.red() - accent.red()),
+                                                      std::abs(c.green() - accent.green()),
+                                                      std::abs(c.blue() - accent.blue())}));
+            }
+            return nearest < 100;
+        };
+        windowAt(50);
+        QImage image = stage.picture();
+        QVERIFY(isOutlined(image, stage.at({50, 35})) && !isOutlined(image, stage.at({120, 35})));
+        {
+            const BusyThreads busy;
+            windowAt(120);
+            image = stage.surface().grab().toImage();
+            QVERIFY(isOutlined(image, stage.at({50, 35})));
+            QVERIFY(!isOutlined(image, stage.at({120, 35})));
+        }
+        image = stage.picture();
+        QVERIFY(!isOutlined(image, stage.at({50, 35})) && isOutlined(image, stage.at({120, 35})));
     }
     // Its edges cross one another a million times.
     void aWindowThatCrossesItselfIsNeverCutAtOnce()
