@@ -2,7 +2,9 @@
 // Measures the canvas at 1280 x 800 on a drawing, on many scattered lines of 3 to 17 pixels, or on
 // the paper's lines, which are as long as the page:
 // frames [LINES|longLINES|FILE] [raster|gl] [PICTURE.png]
-// and what it takes while all algorithms race on each frame.
+// and what it takes while all algorithms race on each frame; the frames of a dragged window for
+// each row; and the memory.
+#include "app/experiment/variants_of.h"
 #include "app/race/live_race.h"
 #include "ui/canvas/canvas.h"
 
@@ -17,6 +19,7 @@
 #include "tests/app/document/one_window.h"
 #include "tests/benchmarks/long_lines.h"
 #include "tests/benchmarks/short_lines.h"
+#include "tests/benchmarks/used_memory.h"
 
 namespace {
 
@@ -113,6 +116,40 @@ std::vector<std::pair<QString, Figures>> movedInPanes(app::Session& session, ui:
     return panes;
 }
 
+/// For each row, from a moved window until the picture of its cut is seen, at first perhaps a rough
+/// one (FrameWish::rough).
+void printRows(QTextStream& out, app::Session& session, ui::Canvas& canvas)
+{
+    app::FrameTimes shown;
+    const auto listening = QObject::connect(&canvas, &ui::Canvas::frameShown,
+                                            [&](const app::FrameTimes& times) { shown = times; });
+    const auto untilSeen = [&] {
+        while (shown.painting)
+            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    };
+    const app::Variant before = session.variant();
+    out << "the window moves, by rows:        clipping, the cut is seen after, worst; ms\n";
+    std::vector<const clipping::Algorithm*> all;
+    for (const clipping::Algorithm& algorithm : clipping::algorithms())
+        all.push_back(&algorithm);
+    for (const app::Variant& variant : app::variantsOf(all)) {
+        session.changeDisplay([&](app::Display& display) { display.variant = variant; });
+        canvas.settle();
+        Figures clip, seen = moved(session, canvas, [&] {
+                          untilSeen();
+                          clip.times.push_back(shown.clipMs);
+                      });
+        std::ranges::sort(clip.times);
+        std::ranges::sort(seen.times);
+        out << qSetFieldWidth(34) << Qt::left << keyOf(variant) << qSetFieldWidth(0)
+            << clip.times[clip.times.size() / 2] << ", " << seen.times[seen.times.size() / 2]
+            << ", " << seen.times.back() << '\n';
+        out.flush();
+    }
+    session.changeDisplay([&](app::Display& display) { display.variant = before; });
+    QObject::disconnect(listening);
+}
+
 void compare(QTextStream& out, app::Session& session, ui::Canvas& canvas)
 {
     app::LiveRace race(session.document, session.scene);
@@ -193,7 +230,9 @@ int main(int argc, char** argv)
         figures.print(out, qPrintable(what));
     hovered.print(out, "frame while hovering");
     rest.print(out, "full quality after rest");
+    printRows(out, session, canvas);
     compare(out, session, canvas);
+    out << "memory at most " << peakMegabytes() << " MB\n";
     canvas.settle();
     if (argc > 3)
         canvas.grab().save(argv[3]);
