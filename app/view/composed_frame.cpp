@@ -52,7 +52,8 @@ ComposedFrame::Plan ComposedFrame::plan(const FrameWish& wish, const SceneFrame&
     constexpr double visible = 1.0 / 16; // device pixels
     const std::size_t most = isRoughAllowed ? mostDiffering : 0;
     const auto clipAll = clipping::exactAlgorithm().corrected.clipAll;
-    plan.differing = differingLines(frame, exact_.clip(wish.lines, wish.key.region, clipAll, stop),
+    plan.exact = exact_.clip(wish.lines, wish.key.region, clipAll, stop);
+    plan.differing = differingLines(frame, plan.exact,
                                     visible / (wish.key.view.zoom * wish.key.pixelRatio), most);
     if (plan.differing.size() > most)
         return {};
@@ -92,7 +93,8 @@ QImage ComposedFrame::paint(const FrameWish& wish, const SceneFrame& frame, cons
     Picture all, around = pictureAround(styles, wish.lines, options);
     const bool isAlone = around.selected.commands.empty() && around.differing.commands.empty()
                          && around.borders.commands.empty();
-    DifferingLayer differing = differingLayer(styles, wish.lines, frame, plan.differing, options);
+    DifferingLayer differing =
+        differingLayer(styles, wish.lines, frame, plan.exact, plan.differing, options);
     const bool hairlines = hasOnlyHairlines(wish.lines, styles, options, wish.key.pixelRatio);
     if (!isKnown && !hairlines)
         all.kept = wholeDrawing(styles, wish.lines, frame, options);

@@ -19,6 +19,7 @@ public:
         /// Truly: as well as from the pieces. Strokes are so thin that a straight cut looks like
         /// that of a mask, and no line differs. Roughly: only for a moment.
         enum class Kind : std::uint8_t { No, Roughly, Truly } kind = Kind::No;
+        SceneFrame exact{}; ///< until the next one; empty if not needed
         std::vector<FrameLine> differing{};
     };
     Plan plan(const FrameWish& wish, const SceneFrame& frame, const std::stop_token& stop);

@@ -9,37 +9,45 @@ namespace app {
 
 using clipping::Clipped;
 
-DifferingLayer differingLayer(const StyleTable& styles, const SceneLines& lines,
-                              const SceneFrame& frame, std::span<const FrameLine> differing,
-                              const PictureOptions& options)
+/// What a frame keeps of some of its lines.
+static DrawList keptOf(const StyleTable& styles, const SceneLines& lines, const SceneFrame& frame,
+                       std::span<const FrameLine> some, const PictureOptions& options)
 {
-    PaintedPart all(frame, Painted::All), kept(frame, Painted::Kept);
-    StrokeListBuilder wholeLines(styles, lines, all, options), parts(styles, lines, kept, options);
-    std::vector<Clipped> whole, pieces;
-    for (auto line = differing.begin(); line != differing.end();) {
+    PaintedPart kept(frame, Painted::Kept);
+    StrokeListBuilder list(styles, lines, kept, options);
+    std::vector<std::uint32_t> ofChunk; // lines
+    std::vector<Clipped> pieces;
+    for (auto line = some.begin(); line != some.end();) {
         const std::size_t at = line->block;
         const SceneBlock& block = *lines.blocks()[at];
         const std::size_t chunk = block.chunkOf(line->line), end = block.endOfChunk(chunk);
-        whole.clear();
-        for (; line != differing.end() && line->block == at && line->line < end; ++line)
-            whole.push_back({block.segments[line->line], std::uint32_t(line->line), 0});
-        wholeLines.add(at, chunk, whole);
+        ofChunk.clear();
+        for (; line != some.end() && line->block == at && line->line < end; ++line)
+            ofChunk.push_back(std::uint32_t(line->line));
+        pieces.clear();
         const Remains remains = kept.remains(at, chunk);
         if (remains == Remains::Whole)
-            parts.add(at, chunk, whole);
-        if (remains != Remains::Pieces)
-            continue;
-        pieces.clear();
-        std::ranges::copy_if(
-            kept.pieces(at, chunk), std::back_inserter(pieces), [&](const Clipped& piece) {
-                return std::ranges::binary_search(whole, piece.source, {}, &Clipped::source);
-            });
-        parts.add(at, chunk, pieces);
+            for (const std::uint32_t whole : ofChunk)
+                pieces.push_back({block.segments[whole], whole, 0});
+        else if (remains == Remains::Pieces)
+            std::ranges::copy_if(kept.pieces(at, chunk), std::back_inserter(pieces),
+                                 [&](const Clipped& piece) {
+                                     return std::ranges::binary_search(ofChunk, piece.source);
+                                 });
+        list.add(at, chunk, pieces);
     }
+    return list.take();
+}
+
+DifferingLayer differingLayer(const StyleTable& styles, const SceneLines& lines,
+                              const SceneFrame& row, const SceneFrame& exact,
+                              std::span<const FrameLine> differing, const PictureOptions& options)
+{
     DifferingLayer layer;
-    layer.lines.kept = wholeLines.take();
-    layer.parts.ghost = layer.lines.kept;
-    layer.parts.kept = parts.take();
+    layer.shown.kept = keptOf(styles, lines, row, differing, options);
+    layer.shown.ghost = keptOf(styles, lines, exact, differing, options);
+    layer.both.kept = layer.shown.ghost;
+    layer.both.kept.append(layer.shown.kept);
     return layer;
 }
 
@@ -47,8 +55,8 @@ DifferingLayer differingLayer(const StyleTable& styles, const SceneLines& lines,
 // were painted anew.
 void paintAnew(QImage& image, const DifferingLayer& layer, Band band, const RasterOptions& options)
 {
-    const QImage covered = rasterised(layer.lines, band, options);
-    const QImage parts = rasterised(layer.parts, band, options);
+    const QImage covered = rasterised(layer.both, band, options);
+    const QImage parts = rasterised(layer.shown, band, options);
     for (int y = 0; y < image.height(); ++y) {
         auto* const to = reinterpret_cast<QRgb*>(image.scanLine(y));
         const auto* const below = reinterpret_cast<const QRgb*>(covered.constScanLine(y));

@@ -6,21 +6,22 @@
 
 namespace app {
 
-/// Lines of which a row keeps other parts than `exact`, to be painted anew above a frame that shows
-/// what `exact` keeps: so what a row loses is seen to be lost, and what it invents to be there.
+/// The parts of lines that a row keeps and `exact` does not, or the other way round, to be painted
+/// anew above a frame that shows what `exact` keeps: so what a row loses is seen to be lost, and
+/// what it invents to be there.
 struct DifferingLayer {
-    Picture lines; ///< whole
-    Picture parts; ///< the kept ones above the ghost
+    Picture both;  ///< what the row keeps, and what `exact` does
+    Picture shown; ///< what the row keeps, above the ghost of what `exact` does
 
-    bool isEmpty() const { return lines.kept.commands.empty(); }
+    bool isEmpty() const { return both.kept.commands.empty(); }
 };
 
-/// `differing` are lines of the frame, in order.
+/// `differing` are lines of both frames, in order.
 DifferingLayer differingLayer(const StyleTable& styles, const SceneLines& lines,
-                              const SceneFrame& frame, std::span<const FrameLine> differing,
-                              const PictureOptions& options);
+                              const SceneFrame& row, const SceneFrame& exact,
+                              std::span<const FrameLine> differing, const PictureOptions& options);
 
-/// Paints the lines anew in a band. They lie above all others, of which nothing is seen in their
+/// Paints the parts anew in a band. They lie above all lines, of which nothing is seen in their
 /// pixels.
 void paintAnew(QImage& image, const DifferingLayer& layer, Band band, const RasterOptions& options);
 

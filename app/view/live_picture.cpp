@@ -162,10 +162,18 @@ QRectF LivePicture::placeOf(const FrameKey& key) const
     return {from.x, from.y, to.x - from.x, to.y - from.y};
 }
 
+/// Whether what is finished of the frame that is being painted is shown above the last one. Not if
+/// only the windows move: there would be parts of two cuts, and the outline of one.
+bool LivePicture::showsParts() const
+{
+    const auto &last = schedule_.shown(), &next = schedule_.painting();
+    return parts_ && next && !(last && isSameView(*last, *next) && !(last->region == next->region));
+}
+
 void LivePicture::paint(QPainter& painter) const
 {
     painter.save();
-    if (parts_ && schedule_.painting()) {
+    if (showsParts()) {
         const FrameKey& key = *schedule_.painting();
         const QRectF place = placeOf(key);
         const double scale = place.height() / key.pixels.height();

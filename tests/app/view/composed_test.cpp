@@ -13,7 +13,6 @@
 #include <random>
 
 #include "tests/app/scene/mixed_windows.h"
-#include "tests/deep.h"
 #include "tests/test_class.h"
 #include "tests/verify.h"
 
@@ -173,8 +172,7 @@ private slots:
         QFETCH(Mixed, most);
         QFETCH(int, windows);
         Compared beside, composed, pieces;
-        const unsigned seeds = tests::caseStep() == 1 ? 12 : 4;
-        for (unsigned seed = 1; seed <= seeds; ++seed) {
+        for (unsigned seed = 1; seed <= 12; ++seed) {
             MixedWindows mixed(seed);
             app::FrameWish wish = wishFor(thinLines(120, seed), mixed.windows(windows, most));
             wish.options.removed = app::RemovedPart(seed % 3);

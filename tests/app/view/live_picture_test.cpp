@@ -24,13 +24,13 @@ namespace {
 constexpr clipping::Window page{{0, 0}, {400, 300}};
 
 /// Lines with both ends anywhere on the page.
-app::Document longLines(int count)
+app::Document longLines(int count, double width = 1)
 {
     std::mt19937 random(1);
     const auto point = [&] { return app::Point(random() % 4000, random() % 3000) / 10.0; };
     app::DocumentBuilder builder;
     builder.open({.name = "Lines"});
-    const app::StyleEntry style = builder.style({.stroke = app::Colour{}, .width = 1});
+    const app::StyleEntry style = builder.style({.stroke = app::Colour{}, .width = width});
     for (int i = 0; i < count; ++i)
         builder.addLine({point(), point()}, style);
     builder.close();
@@ -137,6 +137,25 @@ private slots:
         wish.key.view.pan({0, 1}); // it goes on
         picture.want(wish, 0us);
         QVERIFY(paintedBy(picture) != blank);
+    }
+    /// The finished bands of another cut would have two cuts in one picture, and only one outline.
+    void aPictureNeverHasPartsOfTwoCuts()
+    {
+        app::FrameWish wish = wishFor(longLines(20'000, 3));
+        app::LivePicture picture;
+        picture.want(wish, 0us);
+        picture.settle();
+        std::vector<QImage> seen{paintedBy(picture)};
+        connect(&picture, &app::LivePicture::advanced, this,
+                [&] { seen.push_back(paintedBy(picture)); });
+        const app::ClipWindows moved{{{.shape = app::RectangleShape{{{120, 70}, {320, 210}}}}}};
+        wish.key.region = regionOf(moved, wish.document.page());
+        picture.want(wish, 0us);
+        QTRY_VERIFY_WITH_TIMEOUT(!picture.times().painting, 60'000);
+        seen.push_back(paintedBy(picture));
+        QVERIFY(seen.front() != seen.back());
+        for (const QImage& image : seen)
+            QVERIFY(image == seen.front() || image == seen.back());
     }
     /// Lines that the row loses are shown at once, though roughly.
     void aRoughFrameIsPaintedFinelyAtRest()
