@@ -9,8 +9,6 @@
 namespace app {
 namespace {
 
-constexpr int bandsOfEachThread = 8;
-
 /// The bands of an image, painted by any number of threads, which share its ownership.
 class BandPainting {
 public:
@@ -49,12 +47,12 @@ private:
 
 } // namespace
 
-QImage paintedInBands(PaintBand paint, int height, bool slow, const Follower& follower,
+QImage paintedInBands(PaintBand paint, int height, int each, const Follower& follower,
                       const std::shared_ptr<FrameParts>& parts, QThreadPool& helpers)
 {
     const int threads = helpers.maxThreadCount();
-    const auto bands = std::make_shared<BandPainting>(std::move(paint), height, follower.stop,
-                                                      slow ? threads * bandsOfEachThread : threads);
+    const auto bands =
+        std::make_shared<BandPainting>(std::move(paint), height, follower.stop, threads * each);
     for (int i = 1; i < threads; ++i)
         helpers.start(
             [bands, parts] { bands->work([&](const FinishedBand& band) { parts->put(band); }); });

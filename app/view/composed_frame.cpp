@@ -62,16 +62,6 @@ ComposedFrame::Plan ComposedFrame::plan(const FrameWish& wish, const SceneFrame&
     return plan;
 }
 
-ComposedFrame::DrawingKey ComposedFrame::drawingKeyOf(const FrameWish& wish)
-{
-    const FrameKey& key = wish.key;
-    return {
-        {.lines = key.lines, .view = key.view, .pixels = key.pixels, .pixelRatio = key.pixelRatio},
-        wish.options.page,
-        wish.options.leastWidth,
-        wish.options.strokes};
-}
-
 QImage ComposedFrame::paint(const FrameWish& wish, const SceneFrame& frame, const Plan& plan,
                             const Follower& follower, const std::shared_ptr<FrameParts>& parts,
                             QThreadPool& helpers)
@@ -80,9 +70,11 @@ QImage ComposedFrame::paint(const FrameWish& wish, const SceneFrame& frame, cons
     options.stop = follower.stop;
     const StyleTable& styles = wish.document.styles();
     const DrawingKey key = drawingKeyOf(wish);
-    const bool isKnown = !drawing_.isNull() && key_ == key;
-    QImage drawing =
-        isKnown ? drawing_ : QImage(wish.key.pixels, QImage::Format_ARGB32_Premultiplied);
+    DrawingPictures& kept = wish.drawings ? *wish.drawings : own_;
+    QImage drawing = kept.find(key);
+    const bool isKnown = !drawing.isNull();
+    if (!isKnown)
+        drawing = QImage(wish.key.pixels, QImage::Format_ARGB32_Premultiplied);
     uchar* const pixels = isKnown ? nullptr : drawing.bits();
     const double ghost = options.removed == RemovedPart::Shown    ? 1
                          : options.removed == RemovedPart::Hidden ? 0
@@ -115,11 +107,15 @@ QImage ComposedFrame::paint(const FrameWish& wish, const SceneFrame& frame, cons
             paintAnew(shown, differing, band, raster);
         return isAlone ? shown : rasterised(around, band, raster, shown);
     };
+    constexpr int few = 2; // hairlines, of which every band goes through all
     const bool slow = !isKnown && wish.lines.size() > slowLines;
-    const QImage image =
-        paintedInBands(std::move(paint), wish.key.pixels.height(), slow, follower, parts, helpers);
-    if (!follower.stop.stop_requested())
-        drawing_ = drawing, key_ = key;
+    const QImage image = paintedInBands(std::move(paint), wish.key.pixels.height(),
+                                        !slow       ? 1
+                                        : hairlines ? few
+                                                    : seenEarly,
+                                        follower, parts, helpers);
+    if (!isKnown && !follower.stop.stop_requested())
+        kept.keep(key, drawing);
     return image;
 }
 

@@ -4,7 +4,7 @@
 #include "app/scene/scene_clipping.h"
 #include "app/view/band_painting.h"
 #include "app/view/differing_layer.h"
-#include "app/view/frame_wish.h"
+#include "app/view/drawing_pictures.h"
 
 namespace app {
 
@@ -30,16 +30,7 @@ public:
                  QThreadPool& helpers);
 
 private:
-    /// The inputs of the picture of all lines.
-    struct DrawingKey {
-        FrameKey frame; ///< lines, view and pixels alone
-        std::optional<Colour> page{};
-        double leastWidth = 0, strokes = 0;
-        friend bool operator==(const DrawingKey&, const DrawingKey&) = default;
-    };
-    static DrawingKey drawingKeyOf(const FrameWish& wish);
-    DrawingKey key_;
-    QImage drawing_; ///< all lines in the view, whatever the windows remove; may be null
+    DrawingPictures own_; ///< if the wish has none
     SceneClipping exact_;
 };
 

@@ -40,8 +40,8 @@ static PaintedFrame framePainted(const FrameWish& wish, const SceneFrame& frame,
     auto paint = [shown = std::move(shown), raster = wish.rasterOptions(follower.stop)](Band band) {
         return rasterised(shown, band, raster);
     };
-    made.image =
-        paintedInBands(std::move(paint), wish.key.pixels.height(), slow, follower, parts, helpers);
+    made.image = paintedInBands(std::move(paint), wish.key.pixels.height(), slow ? seenEarly : 1,
+                                follower, parts, helpers);
     return made;
 }
 

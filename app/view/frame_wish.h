@@ -38,6 +38,8 @@ bool isSameView(const FrameKey& a, const FrameKey& b);
 /// Pieces that several owners read.
 using SharedPieces = std::shared_ptr<const std::vector<clipping::Clipped>>;
 
+class DrawingPictures;
+
 /// All that a frame shows. It owns or shares everything, so that any thread may work on it while
 /// the drawing is edited.
 struct FrameWish {
@@ -54,6 +56,7 @@ struct FrameWish {
     std::vector<Graded> graded{};
     double ghost = 1;   ///< opacity of the removed part
     bool rough = false; ///< for a moment a frame will do that is painted sooner, if only roughly
+    std::shared_ptr<DrawingPictures> drawings{}; ///< that panes share; null: none
     /// Makes what is wanted instead of an image, on the thread that paints; null: nothing.
     std::function<std::shared_ptr<const void>(const Picture&)> make{};
 

@@ -3,7 +3,7 @@
 
 #include "app/comparison/panes.h"
 #include "app/session/digits.h"
-#include "app/view/frame_wish.h"
+#include "app/view/drawing_pictures.h"
 #include "app/view/snapping/snapper.h"
 #include "ui/canvas/navigation.h"
 #include "ui/canvas/text_boxes.h"
@@ -234,8 +234,9 @@ private:
     /// Runs while the object being drawn has points not yet reported by stepsChanged().
     QTimer growing_;
     app::ObjectRanges inspectedSelection_; ///< the last one that inspectOnly() has seen
-    std::uint64_t revision_ = 1;           ///< of the display, the selection and the look
-    double unitSize_ = 0;                  ///< millimetres per user unit
+    std::shared_ptr<app::DrawingPictures> drawings_ = std::make_shared<app::DrawingPictures>();
+    std::uint64_t revision_ = 1; ///< of the display, the selection and the look
+    double unitSize_ = 0;        ///< millimetres per user unit
     std::optional<std::chrono::steady_clock::time_point> turnEnds_; ///< for waiting
 };
 

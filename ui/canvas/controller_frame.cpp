@@ -87,7 +87,8 @@ app::FrameWish Controller::wish(const Pane& pane, double pixelRatio, const QSize
                         .document = session_.now(),
                         .lines = lines,
                         .options = pictureOptions(pixelRatio),
-                        .ghost = ghostOpacity()};
+                        .ghost = ghostOpacity(),
+                        .drawings = drawings_};
     if (app::outlines(lines, session_.selection().ranges()))
         wish.selection = session_.selection();
     addDifferences(wish, pane);

@@ -216,6 +216,27 @@ private slots:
         app::FramePainter third;
         QCOMPARE(paintedWith(painter, wish), paintedWith(third, wish));
     }
+    /// Panes of the same view paint the lines once.
+    void panesShareThePictureOfAllLines()
+    {
+        app::FrameWish wish = wishFor(thinLines(200, 1), {});
+        wish.drawings = std::make_shared<app::DrawingPictures>();
+        app::FramePainter one, other;
+        const QImage expected = paintedWith(one, wish);
+        const QImage kept = wish.drawings->find(drawingKeyOf(wish));
+        QCOMPARE(kept, expected); // without a window nothing is removed
+        QImage planted = kept;
+        planted.fill(qRgb(1, 2, 3));
+        wish.drawings->keep(drawingKeyOf(wish), planted);
+        QCOMPARE(paintedWith(other, wish), planted);
+        for (int i = 1; i <= 2; ++i) { // only the latest are kept
+            wish.key.view.pan({double(i), 0});
+            paintedWith(one, wish);
+        }
+        wish.key.view.pan({-3, 0});
+        QVERIFY(wish.drawings->find(drawingKeyOf(wish)).isNull());
+        QCOMPARE(paintedWith(other, wish), expected);
+    }
     /// A published form that loses lines is shown to lose them.
     void whatARowLosesIsSeenToBeLost()
     {
