@@ -54,6 +54,7 @@ public:
             return;
         flush();
         look_ = look;
+        before_ = nullptr; // the same line in another colour covers the one before it
     }
     /// Adds consecutive lines. One that repeats the line before it is left out: a file may hold the
     /// same one a hundred thousand times, whose coverage must not add up.

@@ -12,6 +12,7 @@ using namespace std::chrono_literals;
 using Step = FrameSchedule::Step;
 
 constexpr auto rest = 500ms;
+constexpr double longWait = 300; // milliseconds without any part of the picture
 constexpr double tooLong = 40; // milliseconds; after such a picture waiting for the next is in vain
 
 } // namespace

@@ -15,7 +15,7 @@ namespace app {
 /// The picture of a view that changes faster than it can be painted. All clipping and painting is
 /// done on other threads: whatever a frame takes, the view's thread waits at most as long as it
 /// allows. Meanwhile the last picture is there, moved and scaled, and above it what is finished of
-/// the frame that is being painted (FrameSchedule), unless it differs in its cut alone.
+/// the frame that is being painted (FrameSchedule), unless only its cut is another one.
 class LivePicture : public QObject {
     Q_OBJECT
 

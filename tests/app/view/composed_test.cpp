@@ -305,23 +305,23 @@ private slots:
         std::mt19937 random(3);
         app::DocumentBuilder builder;
         builder.open({.name = "Lines"});
-        app::Point from(-20, 50);
+        const auto styleOf = [&](int colour) {
+            return builder.style({.stroke = app::Colour{std::uint8_t(colour * 30), 0, 90},
+                                  .width = 0.1 + 0.05 * (colour % 3),
+                                  .cap = app::Cap(colour % 3)});
+        };
+        const auto point = [&] {
+            return app::Point(random() % 1400, random() % 1400) / 10.0 - 20.0;
+        };
+        clipping::Segment line{{-20, 50}, {120, 50}};
         for (int i = 0; i < 2000; ++i) {
-            const app::Point to = random() % 4 == 0
-                                      ? from
-                                      : app::Point(random() % 1400, random() % 1400) / 10.0 - 20.0;
-            const int colour = (i / 150) % colours; // runs of lines, longer than a chunk
-            builder.addLine({from, to},
-                            builder.style({.stroke = app::Colour{std::uint8_t(colour * 30), 0, 90},
-                                           .width = 0.1 + 0.05 * (colour % 3),
-                                           .cap = app::Cap(colour % 3)}));
-            for (int same = int(random() % 30) / 28 * 200; same > 0; --same) // adds nothing
-                builder.addLine(
-                    {from, to},
-                    builder.style({.stroke = app::Colour{std::uint8_t(colour * 30), 0, 90},
-                                   .width = 0.1 + 0.05 * (colour % 3),
-                                   .cap = app::Cap(colour % 3)}));
-            from = app::Point(random() % 1400, random() % 1400) / 10.0 - 20.0;
+            const app::StyleEntry style = styleOf((i / 150) % colours); // longer than a chunk
+            if (i % 150 == 0)
+                builder.addLine(line, style); // the last one in the next colour
+            const app::Point from = point();
+            line = {from, random() % 4 == 0 ? from : point()};
+            for (int same = 1 + int(random() % 30) / 28 * 200; same > 0; --same)
+                builder.addLine(line, style); // a repeated one adds nothing
         }
         builder.addLine({{-1e7, -1e7}, {1e9, 1e9 + 10}},
                         builder.style({.stroke = app::Colour{}, .width = 0.1}));

@@ -141,7 +141,7 @@ private slots:
     /// The finished bands of another cut would have two cuts in one picture, and only one outline.
     void aPictureNeverHasPartsOfTwoCuts()
     {
-        app::FrameWish wish = wishFor(longLines(20'000, 3));
+        app::FrameWish wish = wishFor(longLines(300, 3));
         app::LivePicture picture;
         picture.want(wish, 0us);
         picture.settle();
