@@ -263,6 +263,8 @@ static Tree built(QIODevice& in, Report& report)
 
 Tree Tree::read(QIODevice& in, Report& report)
 {
+    if (const QString fault = memoryFault(std::uint64_t(in.size())); !fault.isEmpty())
+        throw Refused{fault, Refused::wholeFile}; // a tree is larger than its file
     Tree tree = built(in, report);
     for (Node node = 0; node + 1 < tree.elements_.size(); ++node)
         if (const auto id = tree.attribute(node, "id"); !id.empty())

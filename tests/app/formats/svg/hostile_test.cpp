@@ -2,6 +2,7 @@
 // Bad files end in one clear sentence, soon, and without much memory.
 #include "app/formats/loss_text.h"
 
+#include <QBuffer>
 #include <QElapsedTimer>
 #include <QTemporaryDir>
 #include <QTest>
@@ -21,6 +22,12 @@ QString error(const QByteArray& text)
     const auto result = readText(text);
     return result ? QStringLiteral("(no error)") : result.error;
 }
+
+/// A file that says it is larger than any memory.
+struct HugeFile : QBuffer {
+    explicit HugeFile(QByteArray& content) : QBuffer(&content) { open(ReadOnly); }
+    qint64 size() const override { return 1'000'000'000'000'000; }
+};
 
 QByteArray doublingUses(int levels, int width)
 {
@@ -224,6 +231,16 @@ private slots:
                  "its style sheet is too large for so many elements.");
     }
 
+    void aFileThatDoesNotFitIntoMemoryIsRefusedAtOnce()
+    {
+        QByteArray content = drawing("<path d='M0 0h1'/>");
+        HugeFile file(content);
+        const auto result = app::findFormat(u"svg")->read(file);
+        QVERIFY(!result);
+        QVERIFY2(result.error.startsWith("it needs about 1000000.0 GB")
+                     || result.error.startsWith("it needs about 1,000,000.0 GB"),
+                 qPrintable(result.error));
+    }
     void boxesOfGroupsCannotMultiply()
     {
         const QByteArray open = "<g style='transform:scale(1);transform-box:fill-box'>";
