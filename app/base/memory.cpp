@@ -16,7 +16,7 @@ namespace app {
 namespace {
 
 constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
-constexpr std::uint64_t reserve = 200'000'000; // bytes, for the program itself and for others
+constexpr std::uint64_t mostReserved = 200'000'000; // bytes
 
 std::uint64_t difference(std::uint64_t most, std::uint64_t used)
 {
@@ -71,6 +71,9 @@ std::uint64_t leftByLimit()
     return difference(limit.rlim_cur, pages.value_or(0) * std::uint64_t(::sysconf(_SC_PAGESIZE)));
 }
 
+/// What is left to the program itself, and to others.
+std::uint64_t reserveOf(std::uint64_t free) { return std::min(free / 10, mostReserved); }
+
 QString gigabytes(std::uint64_t bytes)
 {
     return Text::tr("%1 GB").arg(numberText(double(bytes) * 1e-9, 1));
@@ -83,15 +86,17 @@ std::uint64_t freeMemory()
     return std::min({availableInSystem(), leftByGroups(), leftByLimit()});
 }
 
+MemoryWatch::MemoryWatch() : reserve_(reserveOf(freeMemory())) {}
+
 bool MemoryWatch::isEnough()
 {
     constexpr unsigned each = 1U << 17U; // a look takes some 50 µs, so many rows 50 ms
-    return ++calls_ % each != 0 || freeMemory() >= reserve;
+    return ++calls_ % each != 0 || freeMemory() >= reserve_;
 }
 
 QString memoryFault(std::uint64_t needed)
 {
-    const std::uint64_t free = difference(freeMemory(), reserve);
+    const std::uint64_t all = freeMemory(), free = all - reserveOf(all);
     if (needed <= free)
         return {};
     return Text::tr("it needs about %1 of memory, and %2 are free. Close other programs, or split "

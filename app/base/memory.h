@@ -15,10 +15,12 @@ std::uint64_t freeMemory();
 /// Asks, while more and more memory is used, whether there is enough for more.
 class MemoryWatch {
 public:
+    MemoryWatch();
     /// False if little memory is left. Looks at one call of many only.
     bool isEnough();
 
 private:
+    std::uint64_t reserve_; ///< bytes
     unsigned calls_ = 0;
 };
 

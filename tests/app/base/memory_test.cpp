@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include <fstream>
+#include <memory>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -59,15 +60,16 @@ private slots:
     }
     void aWatchSeesThatLittleIsLeft()
     {
-        const auto isEnough = [] {
+        const auto isEnoughAfter = [](std::uint64_t taken) {
             app::MemoryWatch watch;
+            const auto block = std::make_unique_for_overwrite<char[]>(taken);
             for (int i = 0; i < 1'000'000; ++i)
                 if (!watch.isEnough())
                     return 0;
-            return 1;
+            return block ? 1 : 2;
         };
-        QCOMPARE(withMore(100 * megabyte, isEnough), 0);
-        QCOMPARE(withMore(900 * megabyte, isEnough), 1);
+        QCOMPARE(withMore(400 * megabyte, [&] { return isEnoughAfter(10 * megabyte); }), 1);
+        QCOMPARE(withMore(400 * megabyte, [&] { return isEnoughAfter(370 * megabyte); }), 0);
     }
     void whatDoesNotFitIsSaidWithNumbers()
     {
