@@ -82,9 +82,13 @@ public:
             if (!waiting || !acting_)
                 return;
             if (std::exchange(answered_, true) || qobject_cast<QFileDialog*>(waiting))
-                waiting->close();
-            else
-                somewhere(*waiting);
+                return void(waiting->close());
+            // Not from here: what opens another dialog would wait for this timer, which Qt does not
+            // let out again before this function has ended.
+            QTimer::singleShot(0, waiting, [this, waiting] {
+                if (acting_)
+                    somewhere(*waiting);
+            });
         });
         closer_.start(20);
         QObject::connect(&session(), &app::Session::loaded,
