@@ -41,8 +41,8 @@ std::uint64_t availableInSystem()
     return kilobytes ? *kilobytes * 1024 : unlimited;
 }
 
-/// What the process's control group (version 2) and those around it leave. Cached files, which the
-/// kernel drops at need, do not count as used.
+/// The bytes that the control groups of the process (version 2) leave: its own and those around it.
+/// Cached files do not count as used, because the kernel drops them when memory is needed.
 std::uint64_t leftByGroups()
 {
     std::ifstream groups("/proc/self/cgroup");
@@ -71,7 +71,7 @@ std::uint64_t leftByLimit()
     return difference(limit.rlim_cur, pages.value_or(0) * std::uint64_t(::sysconf(_SC_PAGESIZE)));
 }
 
-/// What is left to the program itself, and to others.
+/// Bytes that a drawing must not take: the program and others need some.
 std::uint64_t reserveOf(std::uint64_t free) { return std::min(free / 10, mostReserved); }
 
 QString gigabytes(std::uint64_t bytes)
@@ -102,6 +102,12 @@ QString memoryFault(std::uint64_t needed)
     return Text::tr("it needs about %1 of memory, and %2 are free. Close other programs, or split "
                     "the file.")
         .arg(gigabytes(needed), gigabytes(free));
+}
+
+QString memoryEnds()
+{
+    return Text::tr("does not fit into the memory that is free. Close other programs, or split the "
+                    "file.");
 }
 
 } // namespace app

@@ -27,5 +27,7 @@ private:
 /// Why something cannot be opened, if it needs more bytes than are free; otherwise empty. The
 /// sentence follows "Cannot open NAME: ".
 QString memoryFault(std::uint64_t needed);
+/// The same where it is seen while reading, to follow "line 12 ".
+QString memoryEnds();
 
 } // namespace app

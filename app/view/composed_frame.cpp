@@ -19,18 +19,54 @@ bool areThin(const SceneLines& lines, const StyleTable& styles, const PictureOpt
              double pixelRatio)
 {
     constexpr double thin = 1.5;
-    const double most = thin / (options.view.zoom * pixelRatio * options.strokes);
     std::optional<StyleIndex> last;
     for (const auto& block : lines.blocks())
         for (const SceneChunk& chunk : block->chunks) {
             if (last == chunk.style)
                 continue;
             const Style& style = styles[*(last = chunk.style)];
-            if (style.stroke && (style.width > most || (style.fill && options.closesAreas)))
+            if (style.stroke
+                && (strokeWidth(style, options) * pixelRatio > thin
+                    || (style.fill && options.closesAreas)))
                 return false;
         }
-    return options.leastWidth * options.strokes * pixelRatio <= thin;
+    return true;
 }
+
+/// The opacity of what the windows remove.
+double opacityOf(RemovedPart removed, double ghost)
+{
+    return removed == RemovedPart::Shown ? 1 : removed == RemovedPart::Hidden ? 0 : ghost;
+}
+
+/// Paints the bands of a frame. Any thread may use it.
+struct ComposedBands {
+    FrameWish wish; ///< owns what is painted
+    RasterOptions raster;
+    QImage drawing;        ///< all lines
+    uchar* pixels;         ///< of `drawing`, to be painted first; null: it is there
+    bool hairlines;        ///< straight from the scene, otherwise from `all`
+    Picture all{}, around; ///< the draw list of all lines; what lies below and above them
+    QImage mask;
+    DifferingLayer differing;
+
+    QImage operator()(Band band) const
+    {
+        if (pixels) { // each thread writes rows of its own
+            const QImage drawn = hairlines ? paintedHairlines(wish.lines, wish.document.styles(),
+                                                              wish.pictureOptions(), band, raster)
+                                           : rasterised(all, band, raster);
+            std::memcpy(pixels + band.top * drawing.bytesPerLine(), drawn.constBits(),
+                        std::size_t(drawn.sizeInBytes()));
+        }
+        QImage shown = composed(drawing, mask, band, raster.ghost);
+        if (!differing.isEmpty())
+            paintAnew(shown, differing, band, raster);
+        const bool isAlone = around.selected.commands.empty() && around.differing.commands.empty()
+                             && around.borders.commands.empty();
+        return isAlone ? shown : rasterised(around, band, raster, shown);
+    }
+};
 
 } // namespace
 
@@ -76,44 +112,27 @@ QImage ComposedFrame::paint(const FrameWish& wish, const SceneFrame& frame, cons
     if (!isKnown)
         drawing = QImage(wish.key.pixels, QImage::Format_ARGB32_Premultiplied);
     uchar* const pixels = isKnown ? nullptr : drawing.bits();
-    const double ghost = options.removed == RemovedPart::Shown    ? 1
-                         : options.removed == RemovedPart::Hidden ? 0
-                                                                  : wish.ghost;
-    QImage mask = regionMask(wish.key.region, wish.key.view, wish.key.pixels, wish.key.pixelRatio);
-    openAlong(mask, linesAlongEdges(styles, wish.lines, frame, options, wish.key.pixelRatio),
-              wish.key.pixelRatio);
-    Picture all, around = pictureAround(styles, wish.lines, options);
-    const bool isAlone = around.selected.commands.empty() && around.differing.commands.empty()
-                         && around.borders.commands.empty();
-    DifferingLayer differing =
-        differingLayer(styles, wish.lines, frame, plan.exact, plan.differing, options);
-    const bool hairlines = hasOnlyHairlines(wish.lines, styles, options, wish.key.pixelRatio);
-    if (!isKnown && !hairlines)
-        all.kept = wholeDrawing(styles, wish.lines, frame, options);
-    RasterOptions raster = wish.rasterOptions(follower.stop);
-    raster.ghost = ghost;
-    auto paint = [drawing, pixels, raster, all = std::move(all), around = std::move(around),
-                  differing = std::move(differing), isAlone, mask = std::move(mask), hairlines,
-                  wish](Band band) {
-        if (pixels) { // each thread writes rows of its own
-            const QImage drawn = hairlines ? paintedHairlines(wish.lines, wish.document.styles(),
-                                                              wish.pictureOptions(), band, raster)
-                                           : rasterised(all, band, raster);
-            std::memcpy(pixels + band.top * drawing.bytesPerLine(), drawn.constBits(),
-                        std::size_t(drawn.sizeInBytes()));
-        }
-        QImage shown = composed(drawing, mask, band, raster.ghost);
-        if (!differing.isEmpty())
-            paintAnew(shown, differing, band, raster);
-        return isAlone ? shown : rasterised(around, band, raster, shown);
-    };
-    constexpr int few = 2; // hairlines, of which every band goes through all
-    const bool slow = !isKnown && wish.lines.size() > slowLines;
-    const QImage image = paintedInBands(std::move(paint), wish.key.pixels.height(),
-                                        !slow       ? 1
-                                        : hairlines ? few
-                                                    : seenEarly,
-                                        follower, parts, helpers);
+    const double ratio = wish.key.pixelRatio;
+    QImage mask = regionMask(wish.key.region, wish.key.view, wish.key.pixels, ratio);
+    openAlong(mask, linesAlongEdges(styles, wish.lines, frame, options, ratio), ratio);
+    ComposedBands bands{
+        .wish = wish,
+        .raster = wish.rasterOptions(follower.stop),
+        .drawing = drawing,
+        .pixels = pixels,
+        .hairlines = !isKnown && hasOnlyHairlines(wish.lines, styles, options, ratio),
+        .around = pictureAround(styles, wish.lines, options),
+        .mask = std::move(mask),
+        .differing =
+            differingLayer(styles, wish.lines, frame, plan.exact, plan.differing, options)};
+    bands.raster.ghost = opacityOf(options.removed, wish.ghost);
+    if (!isKnown && !bands.hairlines)
+        bands.all.kept = wholeDrawing(styles, wish.lines, frame, options);
+    constexpr int few = 2; // of hairlines, of which each band goes through all
+    const int slow = bands.hairlines ? few : seenEarly;
+    const bool isSlow = !isKnown && wish.lines.size() > slowLines;
+    const QImage image = paintedInBands(std::move(bands), wish.key.pixels.height(),
+                                        isSlow ? slow : 1, follower, parts, helpers);
     if (!isKnown && !follower.stop.stop_requested())
         kept.keep(key, drawing);
     return image;

@@ -9,7 +9,7 @@ namespace app {
 
 using clipping::Clipped;
 
-/// What a frame keeps of some of its lines.
+/// The strokes that are left of some lines in a frame.
 static DrawList keptOf(const StyleTable& styles, const SceneLines& lines, const SceneFrame& frame,
                        std::span<const FrameLine> some, const PictureOptions& options)
 {
@@ -51,8 +51,8 @@ DifferingLayer differingLayer(const StyleTable& styles, const SceneLines& lines,
     return layer;
 }
 
-// A pixel at the edge of a line would keep a shadow of it if only the covered part of the pixel
-// were painted anew.
+// The whole pixel, also at the edge of a line: if only the covered part of it were replaced, a
+// shadow of the line would stay.
 void paintAnew(QImage& image, const DifferingLayer& layer, Band band, const RasterOptions& options)
 {
     const QImage covered = rasterised(layer.both, band, options);

@@ -7,8 +7,8 @@
 namespace app {
 
 /// The parts of lines that a row keeps and `exact` does not, or the other way round, to be painted
-/// anew above a frame that shows what `exact` keeps: so what a row loses is seen to be lost, and
-/// what it invents to be there.
+/// anew above a frame that shows what `exact` keeps: a line that the row loses looks lost, and one
+/// that it invents is there.
 struct DifferingLayer {
     Picture both;  ///< what the row keeps, and what `exact` does
     Picture shown; ///< what the row keeps, above the ghost of what `exact` does
@@ -21,8 +21,7 @@ DifferingLayer differingLayer(const StyleTable& styles, const SceneLines& lines,
                               const SceneFrame& row, const SceneFrame& exact,
                               std::span<const FrameLine> differing, const PictureOptions& options);
 
-/// Paints the parts anew in a band. They lie above all lines, of which nothing is seen in their
-/// pixels.
+/// Paints the parts anew in a band. In their pixels nothing else is seen.
 void paintAnew(QImage& image, const DifferingLayer& layer, Band band, const RasterOptions& options);
 
 } // namespace app

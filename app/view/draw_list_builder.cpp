@@ -84,9 +84,8 @@ void DrawListBuilder::setStyle(const Style& style)
     polylines_.setDashes(std::move(pattern));
     if (!style.stroke && !style.fill)
         return;
-    strokeStyle_ = {shown(style.stroke ? *style.stroke : *style.fill),
-                    std::max(style.width * zoom, options_.leastWidth) * options_.strokes, style.cap,
-                    style.join, style.miterLimit};
+    strokeStyle_ = {shown(style.stroke ? *style.stroke : *style.fill), strokeWidth(style, options_),
+                    style.cap, style.join, style.miterLimit};
     const double sharp =
         strokeStyle_.join == Join::Miter ? std::max(1.0, strokeStyle_.miterLimit) : 1.5;
     seen_ =

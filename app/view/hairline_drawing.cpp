@@ -13,12 +13,6 @@ namespace {
 
 using clipping::Segment;
 
-double strokeWidth(const Style& style, const PictureOptions& options, double pixelRatio)
-{
-    return std::max(style.width * options.view.zoom, options.leastWidth) * options.strokes
-           * pixelRatio;
-}
-
 /// How the lines of a style look.
 struct HairlineLook {
     Colour colour;
@@ -49,7 +43,7 @@ public:
     {
         const HairlineLook look{options_.page ? visibleColour(*style.stroke, *options_.page)
                                               : *style.stroke,
-                                strokeWidth(style, options_, raster_.pixelRatio), style.cap};
+                                strokeWidth(style, options_) * raster_.pixelRatio, style.cap};
         if (look == look_)
             return;
         flush();
@@ -143,7 +137,7 @@ bool hasOnlyHairlines(const SceneLines& lines, const StyleTable& styles,
 {
     const auto isHairline = [&](const Style& style) {
         return style.stroke && style.stroke->alpha == 255 && !style.fill && style.dashes.empty()
-               && strokeWidth(style, options, pixelRatio) <= 1;
+               && strokeWidth(style, options) * pixelRatio <= 1;
     };
     std::optional<StyleIndex> last;
     for (const auto& block : lines.blocks()) {

@@ -12,7 +12,6 @@ using namespace std::chrono_literals;
 using Step = FrameSchedule::Step;
 
 constexpr auto rest = 500ms;
-constexpr double longWait = 300; // milliseconds without any part of the picture
 constexpr double tooLong = 40; // milliseconds; after such a picture waiting for the next is in vain
 
 } // namespace
@@ -163,12 +162,15 @@ QRectF LivePicture::placeOf(const FrameKey& key) const
     return {from.x, from.y, to.x - from.x, to.y - from.y};
 }
 
-/// Whether what is finished of the frame that is being painted is shown above the last one. Not if
-/// only the windows move: there would be parts of two cuts, and the outline of one.
+/// Whether the finished bands of the frame that is being painted are shown above the last frame. If
+/// only the windows differ, the picture would show two cuts and the outline of one; it does so only
+/// where frames take long.
 bool LivePicture::showsParts() const
 {
     const auto &last = schedule_.shown(), &next = schedule_.painting();
-    return parts_ && next && !(last && isSameView(*last, *next) && !(last->region == next->region));
+    const bool isOnlyCut =
+        last && next && isSameView(*last, *next) && !(last->region == next->region);
+    return parts_ && next && (!isOnlyCut || frame_.drawMs > longWait);
 }
 
 void LivePicture::paint(QPainter& painter) const

@@ -15,11 +15,14 @@ namespace app {
 /// The picture of a view that changes faster than it can be painted. All clipping and painting is
 /// done on other threads: whatever a frame takes, the view's thread waits at most as long as it
 /// allows. Meanwhile the last picture is there, moved and scaled, and above it what is finished of
-/// the frame that is being painted (FrameSchedule), unless only its cut is another one.
+/// the frame that is being painted (FrameSchedule), if it differs in more than its cut or frames
+/// take long.
 class LivePicture : public QObject {
     Q_OBJECT
 
 public:
+    static constexpr double longWait = 300; ///< milliseconds without any part of the next cut
+
     explicit LivePicture(QObject* parent = nullptr);
 
     /// The frame that the view shows now; to be called whenever the view is painted. All lines are

@@ -7,6 +7,7 @@
 #include "app/view/removed_part.h"
 #include "app/view/view.h"
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -66,5 +67,11 @@ struct PictureOptions {
     std::vector<BorderLine> borders{}; ///< to draw on top of everything
     std::stop_token stop{}; ///< when it is requested, the rest of the picture is left out
 };
+
+/// The width in which the strokes of a style are drawn, in logical pixels.
+inline double strokeWidth(const Style& style, const PictureOptions& options)
+{
+    return std::max(style.width * options.view.zoom, options.leastWidth) * options.strokes;
+}
 
 } // namespace app

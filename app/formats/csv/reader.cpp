@@ -73,8 +73,7 @@ private:
     void addRow(std::string_view record, std::size_t line)
     {
         if (!memory_.isEnough())
-            throw Refused{line, Text::tr("does not fit into the memory that is free. Close other "
-                                         "programs, or split the file.")};
+            throw Refused{line, memoryEnds()};
         const Row row = rows_.row(fields_.of(record, line), line);
         const StyleEntry style = styleOf(row, line);
         lines_.turnTo(row.layer);

@@ -134,9 +134,7 @@ private:
                               .arg(deepestNesting),
                           line()};
         if (!memory_.isEnough())
-            throw Refused{Text::tr("does not fit into the memory that is free. Close other "
-                                   "programs, or split the file."),
-                          line()};
+            throw Refused{memoryEnds(), line()};
         const Node parent = open_.empty() ? noNode : open_.back();
         open_.push_back(Node(tree_.elements_.size()));
         tree_.elements_.push_back(
