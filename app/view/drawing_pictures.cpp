@@ -2,6 +2,7 @@
 #include "app/view/drawing_pictures.h"
 
 #include <algorithm>
+#include <ranges>
 
 namespace app {
 
@@ -22,6 +23,20 @@ QImage DrawingPictures::find(const DrawingKey& key) const
     const std::scoped_lock lock(lock_);
     const auto found = std::ranges::find(kept_, key, &Kept::key);
     return found == kept_.end() ? QImage() : found->picture;
+}
+
+std::optional<DrawingPictures::Moved> DrawingPictures::findMoved(const DrawingKey& key) const
+{
+    const QRect image({}, key.frame.pixels);
+    const std::scoped_lock lock(lock_);
+    for (const Kept& kept : kept_ | std::views::reverse) {
+        const auto by = wholePixelsBetween(kept.key.frame, key.frame);
+        DrawingKey there = kept.key;
+        there.frame.view.centre = key.frame.view.centre;
+        if (by && there == key && image.translated(*by).intersects(image))
+            return Moved{kept.picture.copy(image.translated(-*by)), *by};
+    }
+    return {};
 }
 
 void DrawingPictures::keep(const DrawingKey& key, const QImage& picture)

@@ -23,6 +23,13 @@ DrawingKey drawingKeyOf(const FrameWish& wish);
 class DrawingPictures {
 public:
     QImage find(const DrawingKey& key) const; ///< null if there is none
+    struct Moved {
+        QImage picture; ///< transparent where nothing is known
+        QPoint by;      ///< device pixels
+    };
+    /// A picture of the same lines that was panned by whole pixels since, if part of it is still in
+    /// the view.
+    std::optional<Moved> findMoved(const DrawingKey& key) const;
     void keep(const DrawingKey& key, const QImage& picture);
 
 private:

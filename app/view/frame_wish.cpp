@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/frame_wish.h"
 
+#include <cmath>
+
 namespace app {
 
 bool isSameClipping(const FrameKey& a, const FrameKey& b)
@@ -17,6 +19,20 @@ bool isSameBase(const FrameKey& a, const FrameKey& b)
 bool isSameView(const FrameKey& a, const FrameKey& b)
 {
     return isSameBase(a, b) && a.view == b.view;
+}
+
+std::optional<QPoint> wholePixelsBetween(const FrameKey& a, const FrameKey& b)
+{
+    constexpr double most = 1e6, unseen = 1e-6; // device pixels
+    if (a.view.size != b.view.size || a.view.zoom != b.view.zoom || a.pixels != b.pixels
+        || a.pixelRatio != b.pixelRatio)
+        return {};
+    const Point by = (a.view.centre - b.view.centre) * a.view.zoom * a.pixelRatio;
+    if (!(std::abs(by.x) < most && std::abs(by.y) < most))
+        return {};
+    const QPoint whole(qRound(by.x), qRound(by.y));
+    const bool isWhole = std::abs(by.x - whole.x()) < unseen && std::abs(by.y - whole.y()) < unseen;
+    return isWhole ? std::optional(whole) : std::nullopt;
 }
 
 PictureOptions FrameWish::pictureOptions() const

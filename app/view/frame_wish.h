@@ -7,10 +7,12 @@
 #include "app/scene/scene_lines.h"
 #include "app/view/raster.h"
 
+#include <QPoint>
 #include <QSize>
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace app {
@@ -34,6 +36,9 @@ bool isSameClipping(const FrameKey& a, const FrameKey& b);
 bool isSameBase(const FrameKey& a, const FrameKey& b);
 /// Whether they are seen in the same view, too.
 bool isSameView(const FrameKey& a, const FrameKey& b);
+/// By how many device pixels the lines have moved from `a` to `b`. Empty if the zoom or the size is
+/// another, or if they have not moved by whole pixels.
+std::optional<QPoint> wholePixelsBetween(const FrameKey& a, const FrameKey& b);
 
 /// Pieces that several owners read.
 using SharedPieces = std::shared_ptr<const std::vector<clipping::Clipped>>;

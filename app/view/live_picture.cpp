@@ -57,9 +57,10 @@ void LivePicture::start()
     clipsAgain_ = false;
     parts_ = std::make_shared<FrameParts>();
     partsNoted_ = false;
-    // In another view a rough frame would not be finished sooner.
-    wish_.rough =
-        !schedule_.paintsFinely() && schedule_.shown() && isSameView(*schedule_.shown(), wish_.key);
+    // In a view that was not panned only, a rough frame would not be finished sooner.
+    const auto& shown = schedule_.shown();
+    wish_.rough = !schedule_.paintsFinely() && shown && isSameBase(*shown, wish_.key)
+                  && wholePixelsBetween(*shown, wish_.key);
     painting_.start(
         [wish = wish_, painter = painter_, parts = parts_](const Follower& follower) {
             return painter->paint(wish, follower, parts, *QThreadPool::globalInstance());

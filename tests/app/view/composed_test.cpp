@@ -208,13 +208,93 @@ private slots:
             app::FramePainter another;
             QCOMPARE(paintedWith(painter, wish), paintedWith(another, wish));
         }
-        wish.key.view.pan({10, 3}); // another view is painted anew
+        wish.key.view.pan({10.3, 3}); // another view is painted anew
         app::FramePainter another;
         QCOMPARE(paintedWith(painter, wish), paintedWith(another, wish));
         wish.key.look = 1; // and another look
         wish.options.page = app::Colour{20, 20, 20};
         app::FramePainter third;
         QCOMPARE(paintedWith(painter, wish), paintedWith(third, wish));
+    }
+    /// A pan by whole device pixels moves the picture of all lines, and paints what it uncovers.
+    void aPanPaintsWhatItUncovers_data()
+    {
+        QTest::addColumn<double>("width");
+        QTest::addColumn<double>("pixelRatio");
+        QTest::newRow("hairlines") << 0.3 << 1.0;
+        QTest::newRow("thick strokes") << 2.0 << 1.0;
+        QTest::newRow("two pixels a point") << 0.1 << 2.0;
+    }
+    void aPanPaintsWhatItUncovers()
+    {
+        QFETCH(double, width);
+        QFETCH(double, pixelRatio);
+        std::mt19937 random(5);
+        const auto point = [&] {
+            return app::Point(random() % 1100, random() % 1100) / 10.0 - 5.0;
+        };
+        std::vector<clipping::Segment> lines;
+        for (int i = 0; i < 300; ++i)
+            lines.push_back({point(), point()});
+        for (int i = 0; i < 30'000; ++i) // so many that wide strokes have rough frames
+            lines.push_back({{300, 300}, {301, 300 + i * 0.01}});
+        app::FrameWish wish = wishFor(lines, width);
+        wish.rough = true;
+        wish.key.pixelRatio = pixelRatio;
+        wish.key.pixels = wish.key.pixels * pixelRatio;
+        wish.drawings = std::make_shared<app::DrawingPictures>();
+        app::FramePainter painter;
+        paintedWith(painter, wish);
+        for (int i = 0; i < 16; ++i) {
+            const glm::dvec2 by{int(random() % 121) - 60,
+                                i % 5 == 0 ? 0 : int(random() % 121) - 60};
+            wish.key.view.pan(by / pixelRatio);
+            if (i % 6 == 5)
+                wish.key.view.centre = {50, 50}; // or all lines would be gone in the end
+            const QImage moved = paintedWith(painter, wish);
+            app::FrameWish anew = wish;
+            anew.drawings.reset();
+            app::FramePainter another;
+            const QImage expected = paintedWith(another, anew);
+            int sum = 0, many = 0; // QPainter rounds an edge from where its image begins
+            for (int y = 0; y < moved.height(); ++y)
+                for (int x = 0; x < moved.width(); ++x) {
+                    const int difference = differenceOf(moved, expected, x, y);
+                    sum += difference;
+                    many += difference > 12;
+                }
+            QVERIFY2(sum <= moved.width() * moved.height() * 0.2 && many <= 3,
+                     qPrintable(QString("%1: %2, %3").arg(i).arg(sum).arg(many)));
+        }
+    }
+    void aPanKeepsWhatItDoesNotUncover()
+    {
+        app::FrameWish wish = wishFor(thinLines(200, 1), {});
+        wish.drawings = std::make_shared<app::DrawingPictures>();
+        app::FramePainter painter, another;
+        paintedWith(painter, wish);
+        QImage planted = wish.drawings->find(drawingKeyOf(wish));
+        planted.fill(qRgb(1, 2, 3));
+        wish.drawings->keep(drawingKeyOf(wish), planted);
+        wish.key.view.pan({-40, 25});
+        const QImage moved = paintedWith(painter, wish);
+        wish.drawings.reset();
+        const QImage expected = paintedWith(another, wish);
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x)
+                QVERIFY(differenceOf(moved, x < side - 40 && y >= 25 ? planted : expected, x, y)
+                        <= (x < side - 40 && y >= 25 ? 0 : 8));
+        app::FrameKey key = wish.key;
+        key.view.pan({3, -7});
+        QCOMPARE(wholePixelsBetween(wish.key, key), std::optional(QPoint(3, -7)));
+        key.view.pan({0.5, 0});
+        QVERIFY(!wholePixelsBetween(wish.key, key));
+        key = wish.key;
+        key.view.zoomAt({9, 9}, 1.1);
+        QVERIFY(!wholePixelsBetween(wish.key, key));
+        key = wish.key;
+        key.view.centre.x = std::numeric_limits<double>::quiet_NaN();
+        QVERIFY(!wholePixelsBetween(wish.key, key));
     }
     /// Panes of the same view paint the lines once.
     void panesShareThePictureOfAllLines()
@@ -229,11 +309,11 @@ private slots:
         planted.fill(qRgb(1, 2, 3));
         wish.drawings->keep(drawingKeyOf(wish), planted);
         QCOMPARE(paintedWith(other, wish), planted);
-        for (int i = 1; i <= 2; ++i) { // only the latest are kept
-            wish.key.view.pan({double(i), 0});
+        for (int i = 1; i <= 2; ++i) {             // only the latest are kept
+            wish.key.view.pan({double(i) / 4, 0}); // by no whole pixel
             paintedWith(one, wish);
         }
-        wish.key.view.pan({-3, 0});
+        wish.key.view.pan({-0.75, 0});
         QVERIFY(wish.drawings->find(drawingKeyOf(wish)).isNull());
         QCOMPARE(paintedWith(other, wish), expected);
     }
