@@ -2,6 +2,7 @@
 #include "app/view/composed_frame.h"
 
 #include "app/view/edge_lines.h"
+#include "app/view/frame_times.h"
 #include "app/view/hairline_drawing.h"
 #include "app/view/missing_part.h"
 #include "app/view/region_mask.h"
@@ -11,8 +12,7 @@
 namespace app {
 namespace {
 
-constexpr std::size_t slowLines = 25'000;     // painted in more bands than there are threads
-constexpr std::size_t mostDiffering = 20'000; // lines; more are painted no sooner than all
+constexpr std::size_t slowLines = 25'000; // painted in more bands than there are threads
 
 /// Whether the strokes are so thin, in device pixels, that a straight cut looks like that of a
 /// mask.
@@ -86,30 +86,36 @@ struct ComposedBands {
 
 } // namespace
 
+/// The lines that the frame's row cuts differently from `exact`.
+ComposedFrame::Plan ComposedFrame::compared(const FrameWish& wish, const SceneFrame& frame,
+                                            const std::stop_token& stop)
+{
+    if (wish.options.removed == RemovedPart::Shown
+        || wish.key.variant.algorithm == &clipping::exactAlgorithm())
+        return {};
+    constexpr double visible = 1.0 / 16; // device pixels
+    const auto clipAll = clipping::exactAlgorithm().corrected.clipAll;
+    Plan plan{.exact = exact_.clip(wish.lines, wish.key.region, clipAll, stop)};
+    plan.differing = differingLines(
+        frame, plan.exact, visible / (wish.key.view.zoom * wish.key.pixelRatio), mostDiffering);
+    return plan;
+}
+
 ComposedFrame::Plan ComposedFrame::plan(const FrameWish& wish, const SceneFrame& frame,
                                         const std::stop_token& stop)
 {
+    Plan plan = compared(wish, frame, stop);
     const PictureOptions options = wish.pictureOptions();
     if (wish.make || wish.key.pixels.isEmpty() || options.ghosting || options.leastLength > 0
         || !isMaskable(wish.key.region))
-        return {};
-    const bool isRoughAllowed = wish.rough && wish.lines.size() > slowLines;
-    const bool isThin = areThin(wish.lines, wish.document.styles(), options, wish.key.pixelRatio);
-    if (!isThin && !isRoughAllowed)
-        return {};
-    Plan plan{.kind = isThin ? Plan::Kind::Truly : Plan::Kind::Roughly};
-    if (options.removed == RemovedPart::Shown
-        || wish.key.variant.algorithm == &clipping::exactAlgorithm())
         return plan;
-    constexpr double visible = 1.0 / 16; // device pixels
-    const std::size_t most = isRoughAllowed ? mostDiffering : 0;
-    const auto clipAll = clipping::exactAlgorithm().corrected.clipAll;
-    plan.exact = exact_.clip(wish.lines, wish.key.region, clipAll, stop);
-    plan.differing = differingLines(frame, plan.exact,
-                                    visible / (wish.key.view.zoom * wish.key.pixelRatio), most);
-    if (plan.differing.size() > most)
-        return {};
-    if (!plan.differing.empty())
+    const bool isRoughAllowed = wish.rough && wish.lines.size() > slowLines;
+    const bool isTrue =
+        plan.differing.empty()
+        && areThin(wish.lines, wish.document.styles(), options, wish.key.pixelRatio);
+    if (isTrue)
+        plan.kind = Plan::Kind::Truly;
+    else if (isRoughAllowed && plan.differing.size() <= mostDiffering)
         plan.kind = Plan::Kind::Roughly;
     return plan;
 }

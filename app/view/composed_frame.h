@@ -19,8 +19,8 @@ public:
         /// Truly: as well as from the pieces. Strokes are so thin that a straight cut looks like
         /// that of a mask, and no line differs. Roughly: only for a moment.
         enum class Kind : std::uint8_t { No, Roughly, Truly } kind = Kind::No;
-        SceneFrame exact{}; ///< until the next one; empty if not needed
-        std::vector<FrameLine> differing{};
+        SceneFrame exact{};                 ///< until the next one; empty if not needed
+        std::vector<FrameLine> differing{}; ///< at most mostDiffering + 1
     };
     Plan plan(const FrameWish& wish, const SceneFrame& frame, const std::stop_token& stop);
     /// Such a frame. The picture of all lines is painted first if another drawing or view is wanted
@@ -30,6 +30,8 @@ public:
                  QThreadPool& helpers);
 
 private:
+    Plan compared(const FrameWish& wish, const SceneFrame& frame, const std::stop_token& stop);
+
     DrawingPictures own_; ///< if the wish has none
     SceneClipping exact_;
 };

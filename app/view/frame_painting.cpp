@@ -57,11 +57,12 @@ PaintedFrame FramePainter::paint(const FrameWish& wish, const Follower& follower
     clock.start();
     PaintedFrame made;
     const auto plan = composed_.plan(wish, frame, follower.stop);
-    made.rough = plan.kind == ComposedFrame::Plan::Kind::Roughly;
     if (plan.kind != ComposedFrame::Plan::Kind::No)
         made.image = composed_.paint(wish, frame, plan, follower, parts, helpers);
     else
         made = framePainted(wish, frame, follower, parts, helpers);
+    made.rough = plan.kind == ComposedFrame::Plan::Kind::Roughly;
+    made.differing = plan.differing.size();
     made.drawMs = double(clock.nsecsElapsed()) * 1e-6;
     return made;
 }

@@ -9,8 +9,9 @@ namespace app {
 struct PaintedFrame {
     QImage image{};
     std::shared_ptr<const void> made{};
-    double drawMs = 0;  ///< building the picture and painting it
-    bool rough = false; ///< to be painted again without FrameWish::rough
+    double drawMs = 0;         ///< building the picture and painting it
+    bool rough = false;        ///< to be painted again without FrameWish::rough
+    std::size_t differing = 0; ///< FrameTimes::differing
 };
 
 /// Clips and paints frames, one at a time, on any thread. Keeps its buffers from one to the next.

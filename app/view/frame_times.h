@@ -16,11 +16,18 @@ inline std::uint64_t newSubject()
     return ++last;
 }
 
+/// More lines that differ are not counted, and painted no sooner than all.
+constexpr std::size_t mostDiffering = 20'000;
+
 /// The times and numbers of a frame.
 struct FrameTimes {
     double clipMs = 0; ///< processor time of clipping all lines
     double drawMs = 0; ///< of the picture that is seen: building and painting it
     std::size_t visible = 0, total = 0;
+    /// Lines of the picture that are seen to be cut differently from `exact`: another part is left,
+    /// or ends are off by more than 1/16 pixel. Counted to mostDiffering + 1; 0 where nothing is
+    /// removed.
+    std::size_t differing = 0;
     std::optional<Variant> choice{}; ///< the variant that clipped
     /// The new picture is not ready: what is finished of it is shown above the last one.
     bool painting = false;

@@ -79,6 +79,7 @@ void LivePicture::deliver(PaintedFrame frame)
     parts_.reset();
     frame_ = std::move(frame);
     times_.drawMs = frame_.drawMs;
+    times_.differing = frame_.differing;
     follow(schedule_.finished(frame_.rough));
     if (schedule_.isRough())
         rest_.start();

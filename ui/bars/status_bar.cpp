@@ -21,6 +21,17 @@ namespace {
 constexpr int updateMilliseconds = 100; // ten times a second
 constexpr int widthForRenderer = 1200;
 
+QString visibleText(const app::FrameTimes& times)
+{
+    const QString visible = Text::tr("%1 of %2 visible")
+                                .arg(app::countText(times.visible), app::countText(times.total));
+    if (times.differing > app::mostDiffering)
+        return Text::tr("%1, over %2 differ").arg(visible, app::countText(app::mostDiffering));
+    return times.differing > 0
+               ? Text::tr("%1, %2 differ").arg(visible, app::countText(times.differing))
+               : visible;
+}
+
 } // namespace
 
 StatusBar::StatusBar(app::Session& session, Canvas& canvas, QWidget* parent)
@@ -144,10 +155,12 @@ void StatusBar::showTimes()
 {
     if (session_.microscope.isOpen())
         return;
-    visible_->setText(summary_.isEmpty()
-                          ? Text::tr("%1 of %2 visible")
-                                .arg(app::countText(last_.visible), app::countText(last_.total))
-                          : summary_);
+    visible_->setText(summary_.isEmpty() ? visibleText(last_) : summary_);
+    const bool differ = summary_.isEmpty() && last_.differing > 0;
+    visible_->setToolTip(differ ? Text::tr("Some lines are seen to be cut differently from Exact: "
+                                           "another part is left, or an end is off by more than "
+                                           "1/16 pixel.")
+                                : QString());
     const QString clip = app::millisecondsText(clip_.median());
     const bool timed = last_.total >= app::leastLinesToTime;
     times_->setText(
@@ -235,10 +248,14 @@ void StatusBar::keepRoom()
     position_->setWidest(
         Text::tr("x %1  y %2")
             .arg(app::lengthNumber(farthest, unit, size), app::lengthText(farthest, unit, size)));
-    const QString total =
-        app::countText(std::max<std::size_t>(session_.scene.lines().size(), 9999));
-    visible_->setWidest(summary_.isEmpty() ? Text::tr("%1 of %2 visible").arg(total, total)
-                                           : summary_);
+    const std::size_t lines = session_.scene.lines().size();
+    const bool isExact =
+        app::usedAt(session_.region(), session_.variant()).algorithm == &clipping::exactAlgorithm();
+    const app::FrameTimes widest{.visible = std::max<std::size_t>(lines, 9999),
+                                 .total = std::max<std::size_t>(lines, 9999),
+                                 .differing =
+                                     isExact ? 0 : std::min(lines, app::mostDiffering + 1)};
+    visible_->setWidest(summary_.isEmpty() ? visibleText(widest) : summary_);
     times_->setWidest(Text::tr("clip %1  draw %2")
                           .arg(app::millisecondsText(0.001), app::millisecondsText(99.9)));
     if (!session_.microscope.isOpen())

@@ -324,8 +324,10 @@ private slots:
         wish.key.variant = {clipping::findAlgorithm("kodituwakku-wijeweera-chamikara"),
                             clipping::Form::Published};
         app::FramePainter painter;
-        const QImage lost = paintedWith(painter, wish);
+        const app::PaintedFrame frame = framePaintedWith(painter, wish);
+        const QImage lost = frame.image;
         QCOMPARE(lost, paintedFromPieces(wish));
+        QCOMPARE(frame.differing, std::size_t(1));
         wish.key.variant = {&clipping::exactAlgorithm()};
         QVERIFY(paintedWith(painter, wish) != lost);
     }
@@ -357,9 +359,11 @@ private slots:
         app::FramePainter painter;
         const app::PaintedFrame frame = framePaintedWith(painter, wish);
         QVERIFY(frame.rough);
+        QCOMPARE(frame.differing, std::size_t(1));
         wish.rough = false;
         const app::PaintedFrame fine = framePaintedWith(painter, wish);
         QVERIFY(!fine.rough);
+        QCOMPARE(fine.differing, std::size_t(1));
         const QImage pieces = paintedFromPieces(wish),
                      mask = regionMask(wish.key.region, wish.key.view, wish.key.pixels, 1);
         for (int y = 0; y < side; ++y)

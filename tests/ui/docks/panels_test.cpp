@@ -435,6 +435,20 @@ private slots:
         frame(false);
         QTRY_COMPARE(t.window->status().times(), "clip 2.00 ms  draw 1.00 ms");
     }
+    void theStatusBarCountsTheLinesThatDiffer()
+    {
+        TestWindow t;
+        const auto frame = [&](std::size_t differing) {
+            emit t.window->canvas().frameShown(
+                {.visible = 7, .total = 50'000, .differing = differing});
+        };
+        frame(14);
+        QTRY_COMPARE(t.window->status().visibility(), "7 of 50,000 visible, 14 differ");
+        frame(20'001);
+        QTRY_COMPARE(t.window->status().visibility(), "7 of 50,000 visible, over 20,000 differ");
+        frame(0);
+        QTRY_COMPARE(t.window->status().visibility(), "7 of 50,000 visible");
+    }
     void theTimesOfAnotherFileAreNotShown()
     {
         TestWindow t; // never shown, so that there are no other frames
