@@ -3,6 +3,8 @@
 
 #include "app/view/stroke_list_builder.h"
 
+#include <QPainter>
+
 #include <algorithm>
 
 namespace app {
@@ -46,25 +48,36 @@ DifferingLayer differingLayer(const StyleTable& styles, const SceneLines& lines,
     DifferingLayer layer;
     layer.shown.kept = keptOf(styles, lines, row, differing, options);
     layer.shown.ghost = keptOf(styles, lines, exact, differing, options);
-    layer.both.kept = layer.shown.ghost;
-    layer.both.kept.append(layer.shown.kept);
+    layer.removed.kept = layer.shown.ghost;
     return layer;
 }
 
-// The whole pixel, also at the edge of a line: if only the covered part of it were replaced, a
-// shadow of the line would stay.
+/// A pixel without a line that covers `covered` of 255 of it. What shows through lines is the
+/// product of what shows through each, in whatever order they lie above each other.
+static QRgb without(QRgb pixel, int covered)
+{
+    constexpr int rounding = 3;
+    const int alpha = qAlpha(pixel);
+    if (covered == 0)
+        return pixel;
+    if (alpha <= covered + rounding)
+        return 0; // it was there alone
+    const int left = std::clamp(255 - (255 - alpha) * 255 / (255 - covered), 0, alpha);
+    const auto scaled = [&](int channel) { return (channel * left + alpha / 2) / alpha; };
+    return qRgba(scaled(qRed(pixel)), scaled(qGreen(pixel)), scaled(qBlue(pixel)), left);
+}
+
 void paintAnew(QImage& image, const DifferingLayer& layer, Band band, const RasterOptions& options)
 {
-    const QImage covered = rasterised(layer.both, band, options);
-    const QImage parts = rasterised(layer.shown, band, options);
+    const QImage removed = rasterised(layer.removed, band, options);
     for (int y = 0; y < image.height(); ++y) {
         auto* const to = reinterpret_cast<QRgb*>(image.scanLine(y));
-        const auto* const below = reinterpret_cast<const QRgb*>(covered.constScanLine(y));
-        const auto* const above = reinterpret_cast<const QRgb*>(parts.constScanLine(y));
+        const auto* const by = reinterpret_cast<const QRgb*>(removed.constScanLine(y));
         for (int x = 0; x < image.width(); ++x)
-            if (below[x] != 0)
-                to[x] = above[x];
+            if (by[x] != 0)
+                to[x] = without(to[x], qAlpha(by[x]));
     }
+    QPainter(&image).drawImage(0, 0, rasterised(layer.shown, band, options));
 }
 
 } // namespace app

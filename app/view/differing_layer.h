@@ -10,10 +10,10 @@ namespace app {
 /// anew above a frame that shows what `exact` keeps: a line that the row loses looks lost, and one
 /// that it invents is there.
 struct DifferingLayer {
-    Picture both;  ///< what the row keeps, and what `exact` does
-    Picture shown; ///< what the row keeps, above the ghost of what `exact` does
+    Picture removed; ///< what `exact` keeps
+    Picture shown;   ///< what the row keeps, above the ghost of what `exact` does
 
-    bool isEmpty() const { return both.kept.commands.empty(); }
+    bool isEmpty() const { return shown.kept.commands.empty() && removed.kept.commands.empty(); }
 };
 
 /// `differing` are lines of both frames, in order.
@@ -21,7 +21,8 @@ DifferingLayer differingLayer(const StyleTable& styles, const SceneLines& lines,
                               const SceneFrame& row, const SceneFrame& exact,
                               std::span<const FrameLine> differing, const PictureOptions& options);
 
-/// Paints the parts anew in a band. In their pixels nothing else is seen.
+/// Paints the parts anew in a band. What other lines cover stays covered, as far as it can be told
+/// from the image: an opaque pixel of a stroke that covers it alone is taken for bare.
 void paintAnew(QImage& image, const DifferingLayer& layer, Band band, const RasterOptions& options);
 
 } // namespace app

@@ -376,6 +376,50 @@ private slots:
             }
         QVERIFY(qAlpha(frame.image.pixel(120, 120)) < 100); // in the middle of the lost line
     }
+    /// A lost line leaves no gap where other lines cover the same pixels.
+    void whatOtherLinesCoverStaysCovered_data()
+    {
+        QTest::addColumn<int>("others");
+        QTest::newRow("a few lines") << 100;
+        QTest::newRow("many") << 1000;
+        QTest::newRow("everything is covered") << 9000;
+    }
+    void whatOtherLinesCoverStaysCovered()
+    {
+        QFETCH(int, others);
+        std::mt19937 random(7);
+        const auto number = [&] { return double(random() % 1000) / 10; };
+        std::vector<clipping::Segment> lines;
+        for (int i = 0; i < 20; ++i) { // less than 1 in x: KWC loses it
+            const double x = 22 + 1.8 * i;
+            lines.push_back({{x, 30}, {x + 0.7, 60}});
+        }
+        for (int i = 0; i < others; ++i)
+            lines.push_back({{number(), number()}, {number(), number()}});
+        while (lines.size() < 30'000) // a crowd beside the window
+            lines.push_back({{80, 80}, {82, 80 + double(lines.size() % 90) * 0.1}});
+        app::FrameWish wish = wishFor(lines, 0.3);
+        wish.key.variant = {clipping::findAlgorithm("kodituwakku-wijeweera-chamikara"),
+                            clipping::Form::Published};
+        wish.rough = true;
+        app::FramePainter painter;
+        const app::PaintedFrame frame = framePaintedWith(painter, wish);
+        QVERIFY(frame.rough);
+        QVERIFY(frame.differing >= 20);
+        const QImage pieces = paintedFromPieces(wish),
+                     mask = regionMask(wish.key.region, wish.key.view, wish.key.pixels, 1);
+        double sum = 0, pixels = 0;
+        int many = 0;
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x)
+                if (isFarFromEdges(mask, x, y)) {
+                    const int difference = differenceOf(frame.image, pieces, x, y);
+                    sum += difference, pixels += 1;
+                    many += difference > 24;
+                }
+        QVERIFY2(sum / pixels < 2 && many < 30,
+                 qPrintable(QString("%1, %2").arg(sum / pixels).arg(many)));
+    }
     /// Separate hairlines are painted straight from the scene, with the same pixels in any bands.
     void hairlinesFromTheSceneLookLikeThoseOfADrawList_data()
     {
