@@ -10,32 +10,33 @@
 namespace app::svg {
 namespace {
 
-const QString svgUri = QStringLiteral("http://www.w3.org/2000/svg");
-const QString ownUri = QStringLiteral("urn:clearcut:1");
+using Kind = XmlToken::Kind;
+
+constexpr std::string_view svgUri = "http://www.w3.org/2000/svg", ownUri = "urn:clearcut:1";
 
 // The prefixes that the root of a written file declares.
-std::vector<std::pair<QString, QString>> writersScope()
+std::vector<std::pair<std::string, std::string>> writersScope()
 {
-    return {
-        {QString(), svgUri},
-        {QStringLiteral("xml"), QStringLiteral("http://www.w3.org/XML/1998/namespace")},
-        {QStringLiteral("inkscape"), QStringLiteral("http://www.inkscape.org/namespaces/inkscape")},
-        {QStringLiteral("sodipodi"),
-         QStringLiteral("http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd")},
-        {QStringLiteral("clearcut"), ownUri}};
+    return {{"", std::string(svgUri)},
+            {"xml", "http://www.w3.org/XML/1998/namespace"},
+            {"inkscape", "http://www.inkscape.org/namespaces/inkscape"},
+            {"sodipodi", "http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd"},
+            {"clearcut", std::string(ownUri)}};
 }
 
 // Whether a namespace is needed only for drawing; its prefixes are not copied into the metadata.
-bool forDrawing(const QString& uri)
+bool forDrawing(std::string_view uri)
 {
     static const auto scope = writersScope();
-    return uri == QLatin1StringView("http://www.w3.org/1999/xlink")
-           || std::ranges::find(scope, uri, &std::pair<QString, QString>::second) != scope.end();
+    return uri == "http://www.w3.org/1999/xlink"
+           || std::ranges::find(scope, uri, &std::pair<std::string, std::string>::second)
+                  != scope.end();
 }
+
+constexpr std::string_view blank = " \t\r\n";
 
 std::string_view trimmedXml(std::string_view text)
 {
-    constexpr std::string_view blank = " \t\r\n";
     const auto first = std::min(text.find_first_not_of(blank), text.size());
     return text.substr(first, text.find_last_not_of(blank) + 1 - first);
 }
@@ -46,22 +47,23 @@ QString asText(std::string_view text)
     return QString::fromUtf8(part.data(), qsizetype(part.size()));
 }
 
-std::string commentOf(const QXmlStreamReader& xml)
+QString asQString(std::string_view text)
 {
-    return "<!--" + xml.text().toString().toStdString() + "-->";
+    return QString::fromUtf8(text.data(), qsizetype(text.size()));
 }
+
+std::string commentOf(const XmlToken& xml) { return "<!--" + std::string(xml.text) + "-->"; }
 
 } // namespace
 
-std::optional<ElementNote> AboutReader::take(const QXmlStreamReader& xml)
+std::optional<ElementNote> AboutReader::take(const XmlToken& xml)
 {
     std::optional<ElementNote> note;
-    const auto token = xml.tokenType();
-    if (token == QXmlStreamReader::StartElement)
+    if (xml.kind == Kind::Start)
         open(xml);
-    else if (token == QXmlStreamReader::EndElement)
+    else if (xml.kind == Kind::End)
         note = close(xml);
-    else if (token == QXmlStreamReader::Comment && depth_ == 0 && !tooLarge_)
+    else if (xml.kind == Kind::Comment && depth_ == 0 && !tooLarge_)
         comments_ += commentOf(xml) + '\n';
     else if (section_ && skipped_ == 0)
         write(xml);
@@ -82,7 +84,7 @@ About AboutReader::about() const
     return {id_, asText(comments_), asText(title_), asText(description_), asText(metadata_)};
 }
 
-void AboutReader::open(const QXmlStreamReader& xml)
+void AboutReader::open(const XmlToken& xml)
 {
     ++depth_;
     if (depth_ == 1)
@@ -92,19 +94,21 @@ void AboutReader::open(const QXmlStreamReader& xml)
             begin(section);
     if (!section_)
         return;
-    if (skipped_ > 0 || (depth_ > sectionDepth_ && xml.namespaceUri() == ownUri))
+    if (skipped_ > 0 || (depth_ > sectionDepth_ && xml.name.uri == ownUri))
         ++skipped_;
     else
         writeStart(xml);
     dropped_ = dropped_ || depth_ - sectionDepth_ > deepestNote;
 }
 
-void AboutReader::openRoot(const QXmlStreamReader& xml)
+void AboutReader::openRoot(const XmlToken& xml)
 {
-    bare_ = xml.namespaceUri().isEmpty();
-    id_ = xml.attributes().value(QLatin1StringView("id")).toString();
-    for (const auto& declared : xml.namespaceDeclarations())
-        outer_.emplace_back(declared.prefix().toString(), declared.namespaceUri().toString());
+    bare_ = xml.name.uri.empty();
+    for (const XmlAttribute& attribute : xml.attributes)
+        if (attribute.name.qualified == "id")
+            id_ = asQString(attribute.value);
+    for (const XmlDeclaration& declared : xml.declared)
+        outer_.emplace_back(declared.prefix, declared.uri);
 }
 
 void AboutReader::begin(std::string* section)
@@ -119,21 +123,19 @@ void AboutReader::begin(std::string* section)
     scope_ = writersScope();
 }
 
-std::string* AboutReader::sectionOf(const QXmlStreamReader& xml)
+std::string* AboutReader::sectionOf(const XmlToken& xml)
 {
-    if (!xml.namespaceUri().isEmpty() && xml.namespaceUri() != svgUri)
+    if (!xml.name.uri.empty() && xml.name.uri != svgUri)
         return nullptr;
-    const std::array<std::pair<QLatin1StringView, std::string*>, 3> sections{
-        {{QLatin1StringView("title"), &title_},
-         {QLatin1StringView("desc"), &description_},
-         {QLatin1StringView("metadata"), &metadata_}}};
+    const std::array<std::pair<std::string_view, std::string*>, 3> sections{
+        {{"title", &title_}, {"desc", &description_}, {"metadata", &metadata_}}};
     for (const auto& [name, text] : sections)
-        if (xml.name() == name)
+        if (xml.name.local == name)
             return text;
     return nullptr;
 }
 
-std::optional<ElementNote> AboutReader::close(const QXmlStreamReader& xml)
+std::optional<ElementNote> AboutReader::close(const XmlToken& xml)
 {
     const int depth = depth_--;
     if (!section_)
@@ -144,7 +146,7 @@ std::optional<ElementNote> AboutReader::close(const QXmlStreamReader& xml)
         if (inStart_)
             *section_ += "/>";
         else
-            *section_ += "</" + xml.qualifiedName().toString().toStdString() + '>';
+            *section_ += "</" + std::string(xml.name.qualified) + '>';
         inStart_ = false;
         scope_.resize(marks_.back());
         marks_.pop_back();
@@ -168,45 +170,43 @@ std::optional<ElementNote> AboutReader::endSection()
     return ElementNote{kind_ == &title_, asText(note_)};
 }
 
-void AboutReader::write(const QXmlStreamReader& xml)
+void AboutReader::write(const XmlToken& xml)
 {
     endStart();
-    if (xml.isComment()) {
+    const bool isText = xml.kind == Kind::Text;
+    if (xml.kind == Kind::Comment)
         *section_ += commentOf(xml);
-    } else if (xml.isProcessingInstruction()) {
-        *section_ += "<?" + xml.processingInstructionTarget().toString().toStdString() + ' '
-                     + xml.processingInstructionData().toString().toStdString() + "?>";
-    } else if (xml.isCharacters()) {
-        *section_ += escapedContent(xml.text().toString());
-    }
-    const bool text = xml.isCharacters() && !xml.isWhitespace();
-    saysAnything_ = saysAnything_ || text || (section_ == &metadata_ && !xml.isCharacters());
+    else if (xml.kind == Kind::Instruction)
+        *section_ += "<?" + std::string(xml.name.qualified) + ' ' + std::string(xml.text) + "?>";
+    else if (isText)
+        *section_ += escapedContent(asQString(xml.text));
+    const bool says = isText && xml.text.find_first_not_of(blank) != std::string_view::npos;
+    saysAnything_ = saysAnything_ || says || (section_ == &metadata_ && !isText);
 }
 
-void AboutReader::writeStart(const QXmlStreamReader& xml)
+void AboutReader::writeStart(const XmlToken& xml)
 {
     endStart();
     const std::size_t outside = scope_.size();
-    *section_ += '<' + xml.qualifiedName().toString().toStdString();
-    for (const auto& declared : xml.namespaceDeclarations())
-        declare(declared.prefix().toString(), declared.namespaceUri().toString());
-    declare(xml.prefix().toString(), xml.namespaceUri().toString());
-    for (const auto& attribute : xml.attributes())
-        if (!attribute.prefix().isEmpty())
-            declare(attribute.prefix().toString(), attribute.namespaceUri().toString());
+    *section_ += '<' + std::string(xml.name.qualified);
+    for (const XmlDeclaration& declared : xml.declared)
+        declare(declared.prefix, declared.uri);
+    declare(xml.name.prefix, xml.name.uri);
+    for (const XmlAttribute& attribute : xml.attributes)
+        if (!attribute.name.prefix.empty())
+            declare(attribute.name.prefix, attribute.name.uri);
     if (section_ == &metadata_ && marks_.empty())
         for (const auto& [prefix, uri] : outer_) {
             const bool redeclared =
                 std::any_of(scope_.begin() + std::ptrdiff_t(outside), scope_.end(),
                             [&prefix = prefix](const Prefix& own) { return own.first == prefix; });
-            if (!prefix.isEmpty() && !redeclared && !forDrawing(uri))
+            if (!prefix.empty() && !redeclared && !forDrawing(uri))
                 declare(prefix, uri);
         }
-    for (const auto& attribute : xml.attributes())
-        appendAttribute(*section_, attribute.qualifiedName().toString().toStdString(),
-                        escaped(attribute.value().toString()));
+    for (const XmlAttribute& attribute : xml.attributes)
+        appendAttribute(*section_, attribute.name.qualified, escaped(asQString(attribute.value)));
     if (section_ == &metadata_) // in metadata, elements and attributes count as content, too
-        saysAnything_ = saysAnything_ || depth_ > 2 || !xml.attributes().isEmpty();
+        saysAnything_ = saysAnything_ || depth_ > 2 || !xml.attributes.empty();
     marks_.push_back(outside);
     inStart_ = true;
 }
@@ -218,15 +218,15 @@ void AboutReader::endStart()
     inStart_ = false;
 }
 
-void AboutReader::declare(const QString& prefix, const QString& given)
+void AboutReader::declare(std::string_view prefix, std::string_view given)
 {
-    const QString& uri = given.isEmpty() && bare_ ? svgUri : given;
+    const std::string_view uri = given.empty() && bare_ ? svgUri : given;
     const auto known = std::find_if(scope_.rbegin(), scope_.rend(),
                                     [&](const Prefix& one) { return one.first == prefix; });
-    if (known == scope_.rend() ? uri.isEmpty() : known->second == uri)
+    if (known == scope_.rend() ? uri.empty() : known->second == uri)
         return;
-    appendAttribute(*section_, prefix.isEmpty() ? "xmlns" : "xmlns:" + prefix.toStdString(),
-                    escaped(uri));
+    appendAttribute(*section_, prefix.empty() ? "xmlns" : "xmlns:" + std::string(prefix),
+                    escaped(asQString(uri)));
     scope_.emplace_back(prefix, uri);
 }
 

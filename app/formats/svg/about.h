@@ -2,8 +2,7 @@
 #pragma once
 
 #include "app/document/about.h"
-
-#include <QXmlStreamReader>
+#include "app/formats/svg/xml_reader.h"
 
 #include <optional>
 #include <string>
@@ -18,14 +17,14 @@ struct ElementNote {
     QString text;
 };
 
-/// Collects what a file says about itself from its token stream: the <title>, <desc> and <metadata>
+/// Collects what a file says about itself from its tokens: the <title>, <desc> and <metadata>
 /// of the root, the comments around the root, and the titles and descriptions of elements. Prefixes
 /// that the root element of written files does not declare are declared again, so that a written
 /// file gives the same text when it is read.
 class AboutReader {
 public:
     /// Takes each token in order. Returns the note that ends with this token, if any.
-    std::optional<ElementNote> take(const QXmlStreamReader& xml);
+    std::optional<ElementNote> take(const XmlToken& xml);
 
     About about() const;
     /// Whether the texts exceeded `mostMetadata` bytes; then none is kept.
@@ -36,18 +35,18 @@ public:
     int ofElements() const { return ofElements_; }
 
 private:
-    using Prefix = std::pair<QString, QString>; ///< a prefix and its namespace
+    using Prefix = std::pair<std::string, std::string>; ///< a prefix and its namespace
 
-    void open(const QXmlStreamReader& xml);
-    std::optional<ElementNote> close(const QXmlStreamReader& xml);
+    void open(const XmlToken& xml);
+    std::optional<ElementNote> close(const XmlToken& xml);
     std::optional<ElementNote> endSection();
-    void openRoot(const QXmlStreamReader& xml);
+    void openRoot(const XmlToken& xml);
     void begin(std::string* section);
-    std::string* sectionOf(const QXmlStreamReader& xml);
-    void write(const QXmlStreamReader& xml);
-    void writeStart(const QXmlStreamReader& xml);
+    std::string* sectionOf(const XmlToken& xml);
+    void write(const XmlToken& xml);
+    void writeStart(const XmlToken& xml);
     void endStart();
-    void declare(const QString& prefix, const QString& given);
+    void declare(std::string_view prefix, std::string_view given);
 
     int depth_ = 0;        ///< number of open elements
     int sectionDepth_ = 0; ///< depth of the open title or the like; 2: a child of the root

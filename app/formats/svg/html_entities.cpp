@@ -70,17 +70,55 @@ constexpr auto entities = std::to_array<Entity>({
 // clang-format on
 static_assert(std::ranges::is_sorted(entities, {}, &Entity::name));
 
+const Entity* find(std::string_view name)
+{
+    const auto found = std::ranges::lower_bound(entities, name, {}, &Entity::name);
+    return found == entities.end() || found->name != name ? nullptr : &*found;
+}
+
+/// The end of a comment or the like that begins at `at`, in which an ampersand stands for itself;
+/// `at`: none does.
+std::size_t endOfPlain(std::string_view text, std::size_t at)
+{
+    constexpr std::array<std::array<std::string_view, 2>, 3> plain{
+        {{"<!--", "-->"}, {"<![CDATA[", "]]>"}, {"<?", "?>"}}};
+    for (const auto& [begin, end] : plain)
+        if (text.substr(at).starts_with(begin))
+            return std::min(text.find(end, at), text.size());
+    return at;
+}
+
 } // namespace
 
-QString HtmlEntities::resolveUndeclaredEntity(const QString& name)
+QByteArray withHtmlCharacters(const QByteArray& text,
+                              const std::set<std::string, std::less<>>& declared,
+                              qint64 linesBefore, Report& report)
 {
-    const std::string key = name.toStdString();
-    const auto found = std::ranges::lower_bound(entities, key, {}, &Entity::name);
-    if (found == entities.end() || found->name != key)
-        return {};
-    report_.turnTo(linesBefore_ + xml_.lineNumber());
-    report_.add(losses::htmlEntity, "&" + key + ";");
-    return QChar(found->character);
+    constexpr std::size_t longest = 12; // of the names, with & and ;
+    const std::string_view all(text.constData(), std::size_t(text.size()));
+    QByteArray out;
+    std::size_t copied = 0;
+    qint64 line = linesBefore + 1;
+    std::size_t counted = 0;
+    for (std::size_t at = all.find_first_of("<&"); at != std::string_view::npos;
+         at = all.find_first_of("<&", std::max(at + 1, endOfPlain(all, at)))) {
+        const std::size_t end = all.substr(at, longest).find(';');
+        if (all[at] != '&' || end == std::string_view::npos)
+            continue;
+        const std::string_view name = all.substr(at + 1, end - 1);
+        const Entity* const entity = declared.contains(name) ? nullptr : find(name);
+        if (!entity)
+            continue;
+        line += std::count(all.begin() + std::ptrdiff_t(counted), all.begin() + std::ptrdiff_t(at),
+                           '\n');
+        counted = at;
+        report.turnTo(line);
+        report.add(losses::htmlEntity, all.substr(at, end + 1));
+        out.append(all.data() + copied, qsizetype(at - copied));
+        out += "&#" + QByteArray::number(uint(entity->character)) + ';';
+        copied = at + end + 1;
+    }
+    return out.append(all.data() + copied, qsizetype(all.size() - copied));
 }
 
 } // namespace app::svg

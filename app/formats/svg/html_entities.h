@@ -3,25 +3,18 @@
 
 #include "app/formats/svg/report.h"
 
-#include <QXmlStreamReader>
+#include <QByteArray>
+
+#include <set>
+#include <string>
 
 namespace app::svg {
 
-/// Reads the names of characters in HTML, such as &nbsp;, where a file does not declare them, and
-/// reports them.
-class HtmlEntities : public QXmlStreamEntityResolver {
-public:
-    /// For a reader that reads the file from the line after the first `linesBefore`.
-    HtmlEntities(const QXmlStreamReader& xml, qint64 linesBefore, Report& report)
-        : xml_(xml), linesBefore_(linesBefore), report_(report)
-    {
-    }
-    QString resolveUndeclaredEntity(const QString& name) override;
-
-private:
-    const QXmlStreamReader& xml_;
-    qint64 linesBefore_;
-    Report& report_;
-};
+/// The text of a file with the names of characters in HTML, such as &nbsp;, as numbers, except
+/// those that the file declares itself. Reports each; the lines of the text are numbered from
+/// `linesBefore` + 1.
+QByteArray withHtmlCharacters(const QByteArray& text,
+                              const std::set<std::string, std::less<>>& declared,
+                              qint64 linesBefore, Report& report);
 
 } // namespace app::svg

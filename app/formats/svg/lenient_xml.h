@@ -2,9 +2,9 @@
 #pragma once
 
 #include <QIODevice>
-#include <QString>
 
-#include <map>
+#include <string>
+#include <string_view>
 
 // Common errors of well-formedness that most programs pass over.
 
@@ -17,13 +17,7 @@ struct Beginning {
 /// Skips blanks and byte order marks before the XML declaration, which must be the first of a file.
 Beginning skipBlankBeginning(QIODevice& in);
 
-/// The usual namespace of a prefix, and the line of its first use.
-struct UsedPrefix {
-    QString uri;
-    qint64 line;
-};
-using UsedPrefixes = std::map<QString, UsedPrefix>;
-/// The prefixes that a file uses without declaring them, as far as the file can be read.
-UsedPrefixes undeclaredPrefixes(QIODevice& in);
+/// The namespace that is meant by a prefix without a declaration.
+std::string usualNamespace(std::string_view prefix);
 
 } // namespace app::svg

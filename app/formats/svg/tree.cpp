@@ -9,7 +9,8 @@
 #include "app/formats/svg/refused.h"
 #include "app/formats/svg/scanner.h"
 
-#include <QXmlStreamReader>
+#include <QBuffer>
+#include <QStringDecoder>
 
 #include <algorithm>
 #include <array>
@@ -18,80 +19,77 @@ namespace app::svg {
 namespace {
 
 struct Namespace {
-    QLatin1StringView uri;
-    std::string_view prefix;
+    std::string_view uri, prefix;
 };
 constexpr std::array namespaces{
-    Namespace{QLatin1StringView("http://www.w3.org/2000/svg"), ""},
-    Namespace{QLatin1StringView("http://www.w3.org/1999/xlink"), "xlink:"},
-    Namespace{QLatin1StringView("http://www.inkscape.org/namespaces/inkscape"), "inkscape:"},
-    Namespace{QLatin1StringView("http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd"), "sodipodi:"},
-    Namespace{QLatin1StringView("urn:clearcut:1"), "clearcut:"},
-    Namespace{QLatin1StringView("http://www.w3.org/1999/xhtml"), "html:"},
+    Namespace{"http://www.w3.org/2000/svg", ""},
+    Namespace{"http://www.w3.org/1999/xlink", "xlink:"},
+    Namespace{"http://www.inkscape.org/namespaces/inkscape", "inkscape:"},
+    Namespace{"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd", "sodipodi:"},
+    Namespace{"urn:clearcut:1", "clearcut:"},
+    Namespace{"http://www.w3.org/1999/xhtml", "html:"},
 };
 
-void appendUtf8(std::string& text, QStringView added)
+void append(std::string& text, std::string_view added)
 {
-    const auto ascii = std::ranges::all_of(added, [](QChar c) { return c.unicode() < 0x80; });
-    if (ascii)
-        std::ranges::transform(added, std::back_inserter(text), &QChar::toLatin1);
-    else
-        text += added.toUtf8().toStdString();
+    text += added;
     if (text.size() > mostText)
         throw Refused{Text::tr("it holds more than %1 bytes of text.").arg(mostText),
                       Refused::wholeFile};
 }
 
 // Text from the file on one line, shortened, for use in a sentence.
-QString quotable(QStringView text)
+QString quotable(std::string_view text)
 {
     constexpr qsizetype most = 80;
-    const QString line = text.toString().simplified();
+    const QString line = QString::fromUtf8(text.data(), qsizetype(text.size())).simplified();
     return line.size() <= most ? line : line.left(most) + u'…';
 }
 
 // The error for a file that is not well-formed XML to its end.
-Refused whyNot(const QXmlStreamReader& xml, qint64 line, std::size_t elements)
+Refused whyNot(const XmlError& error, qint64 line, std::size_t elements)
 {
-    if (xml.error() == QXmlStreamReader::PrematureEndOfDocumentError)
+    if (error.kind == XmlError::Kind::Incomplete)
         return elements == 0 ? Refused{Text::tr("it is empty."), Refused::wholeFile}
                              : Refused{Text::tr("is incomplete: the file ends too early."), line};
-    QString reason = quotable(xml.errorString());
-    while (reason.endsWith(u'.'))
-        reason.chop(1);
     if (elements == 0)
-        return {Text::tr("it is not an SVG drawing (%1).").arg(reason), Refused::wholeFile};
-    return {Text::tr("is not correct XML (%1).").arg(reason), line};
+        return {Text::tr("it is not an SVG drawing (%1).").arg(error.reason), Refused::wholeFile};
+    return {Text::tr("is not correct XML (%1).").arg(error.reason), line};
 }
 
 // Thrown where the text is not XML.
 struct Malformed {
+    XmlError error;
     Refused why;
+};
+
+struct HashOfName {
+    using is_transparent = void;
+    std::size_t operator()(std::string_view name) const
+    {
+        return std::hash<std::string_view>()(name);
+    }
 };
 
 } // namespace
 
-class TreeBuilder {
+class TreeBuilder final : public XmlHandler {
 public:
     /// `report` begins with what was passed over so far.
-    TreeBuilder(QIODevice& in, const Beginning& beginning, const UsedPrefixes& undeclared,
-                const Report& report)
-        : xml_(&in), linesBefore_(beginning.lines), report_(report),
-          entities_(xml_, linesBefore_, report_)
+    TreeBuilder(qint64 linesBefore, const Report& report, bool isUtf8)
+        : xml_(*this, isUtf8), linesBefore_(linesBefore), report_(report)
     {
-        tree_.text_.reserve(1000); // on the heap, so that views of it survive a move
-        tree_.names_ = {otherName};
-        xml_.setEntityResolver(&entities_);
-        for (const auto& [prefix, used] : undeclared)
-            xml_.addExtraNamespaceDeclaration({prefix, used.uri});
     }
 
-    Tree build()
+    Tree build(QIODevice& in)
     {
-        while (!xml_.atEnd() && !xml_.hasError()) // after a read error there is no end
-            take(xml_.readNext());
-        if (xml_.hasError())
-            throw Malformed{whyNot(xml_, line(), tree_.elements_.size())};
+        reserve(std::size_t(in.size()));
+        try {
+            xml_.read(in);
+        } catch (const XmlError& error) {
+            throw Malformed{error,
+                            whyNot(error, linesBefore_ + error.line, tree_.elements_.size())};
+        }
         tree_.elements_.push_back({0, noNode, 0, std::uint32_t(tree_.attributes_.size()), 0});
         tree_.attributes_.emplace_back(); // gives the end of the last ones an address
         tree_.elements_.shrink_to_fit();
@@ -103,31 +101,47 @@ public:
 
     const Report& report() const { return report_; }
 
-private:
-    qint64 line() const { return linesBefore_ + xml_.lineNumber(); }
-
-    void take(QXmlStreamReader::TokenType token)
+    void take(const XmlToken& token) override
     {
         report_.turnTo(line());
-        if (const auto note = about_.take(xml_))
+        if (const auto note = about_.take(token))
             addNote(*note);
-        if (token == QXmlStreamReader::StartElement)
-            open();
-        else if (token == QXmlStreamReader::EndElement)
+        if (token.kind == XmlToken::Kind::Start)
+            open(token);
+        else if (token.kind == XmlToken::Kind::End)
             close();
-        else if (token == QXmlStreamReader::Characters && inStyle_)
-            appendUtf8(tree_.styleSheets_.back().text, xml_.text());
-        else if (token == QXmlStreamReader::ProcessingInstruction
-                 && xml_.processingInstructionTarget() == QLatin1StringView("xml-stylesheet"))
+        else if (token.kind == XmlToken::Kind::Text && inStyle_)
+            addStyle(token.text);
+        else if (token.kind == XmlToken::Kind::Instruction
+                 && token.name.qualified == "xml-stylesheet")
             report_.add(losses::otherFile);
     }
-
-    void open()
+    void takeUndeclared(std::string_view prefix) override
     {
-        const auto name = nameIndex(xml_.namespaceUri(), xml_.name());
+        report_.turnTo(line());
+        report_.add(losses::undeclaredPrefix, prefix);
+    }
+
+private:
+    qint64 line() const { return linesBefore_ + xml_.line(); }
+
+    /// For a file of lines, whose elements have some 60 bytes. What is not used takes no memory.
+    void reserve(std::size_t bytes)
+    {
+        constexpr std::size_t least = 1000, ofElement = 64, ofAttribute = 20;
+        tree_.text_.reserve(std::max(least, std::min(bytes, mostText))); // on the heap, so that
+                                                                         // views survive a move
+        tree_.elements_.reserve(bytes / ofElement);
+        tree_.attributes_.reserve(bytes / ofAttribute);
+        tree_.names_ = {otherName};
+    }
+
+    void open(const XmlToken& token)
+    {
+        const auto name = nameIndex(token.name);
         if (tree_.elements_.empty() && tree_.names_[name] != "svg")
             throw Refused{Text::tr("it is not an SVG drawing; its first element is <%1>.")
-                              .arg(quotable(xml_.name())),
+                              .arg(quotable(token.name.local)),
                           Refused::wholeFile};
         if (open_.size() == deepestNesting)
             throw Refused{Text::tr("nests elements deeper than %1; ungroup some of them.")
@@ -139,33 +153,45 @@ private:
         open_.push_back(Node(tree_.elements_.size()));
         tree_.elements_.push_back(
             {name, parent, 0, std::uint32_t(tree_.attributes_.size()), std::uint32_t(line())});
-        for (const QXmlStreamAttribute& attribute : xml_.attributes())
+        for (const XmlAttribute& attribute : token.attributes)
             addAttribute(attribute);
-        openStyle(tree_.names_[name]);
+        openStyle(tree_.names_[name], token);
     }
 
-    void openStyle(std::string_view name)
+    void openStyle(std::string_view name, const XmlToken& token)
     {
         report_.add(losses::otherFile, name == "html:link");
         inStyle_ = false;
         if (name != "style" && name != "html:style")
             return;
-        const QXmlStreamAttributes attributes = xml_.attributes();
-        const auto type = attributes.value(QLatin1StringView("type"));
-        const auto media = attributes.value(QLatin1StringView("media")).toString();
-        inStyle_ =
-            type.isEmpty() || type.compare(QLatin1StringView("text/css"), Qt::CaseInsensitive) == 0;
+        const auto valueOf = [&](std::string_view wanted) {
+            const auto found =
+                std::ranges::find_if(token.attributes, [&](const XmlAttribute& attribute) {
+                    return attribute.name.qualified == wanted;
+                });
+            return found == token.attributes.end() ? std::string_view() : found->value;
+        };
+        const std::string_view type = valueOf("type");
+        inStyle_ = type.empty() || equalsIgnoringCase(type, "text/css");
         if (inStyle_)
-            tree_.styleSheets_.push_back({{}, media.toStdString(), line()});
+            tree_.styleSheets_.push_back({{}, std::string(valueOf("media")), line()});
     }
 
-    void addAttribute(const QXmlStreamAttribute& attribute)
+    void addStyle(std::string_view text)
     {
-        const auto name = nameIndex(attribute.namespaceUri(), attribute.name());
+        StyleText& style = tree_.styleSheets_.back();
+        if (style.text.empty())
+            style.line = line(); // the tag may have several
+        append(style.text, text);
+    }
+
+    void addAttribute(const XmlAttribute& attribute)
+    {
+        const auto name = nameIndex(attribute.name);
         if (tree_.names_[name] == otherName)
             return;
         const auto offset = tree_.text_.size();
-        appendUtf8(tree_.text_, attribute.value());
+        append(tree_.text_, attribute.value);
         tree_.attributes_.push_back(
             {name, std::uint32_t(tree_.text_.size() - offset), std::uint32_t(offset)});
     }
@@ -186,75 +212,91 @@ private:
         inStyle_ = false;
     }
 
-    std::uint32_t nameIndex(QStringView uri, QStringView local)
+    std::uint32_t nameIndex(const XmlName& name)
     {
-        std::string_view prefix;
-        if (!uri.empty()) {
-            const auto found = std::ranges::find_if(
-                namespaces, [&](const Namespace& known) { return known.uri == uri; });
-            if (found == namespaces.end())
-                return intern(otherName);
-            prefix = found->prefix;
-        }
-        key_ = prefix;
-        appendUtf8(key_, local);
+        if (name.uri.empty())
+            return intern(name.local);
+        const auto known = std::ranges::find(namespaces, name.uri, &Namespace::uri);
+        if (known == namespaces.end())
+            return intern(otherName);
+        if (known->prefix.empty())
+            return intern(name.local);
+        key_ = known->prefix;
+        key_ += name.local;
         return intern(key_);
     }
 
-    std::uint32_t intern(const std::string& name)
+    std::uint32_t intern(std::string_view name)
     {
-        if (indices_.size() == mostNames && !indices_.contains(name))
+        const auto found = indices_.find(name);
+        if (found != indices_.end())
+            return found->second;
+        if (indices_.size() == mostNames)
             return intern(otherName);
-        const auto [at, isNew] = indices_.try_emplace(name, std::uint32_t(tree_.names_.size()));
-        if (isNew)
-            tree_.names_.push_back(name);
-        return at->second;
+        const auto index = std::uint32_t(tree_.names_.size());
+        indices_.emplace(name, index);
+        tree_.names_.emplace_back(name);
+        return index;
     }
 
     static inline const std::string otherName = "other";
 
-    QXmlStreamReader xml_;
+    XmlReader xml_;
     qint64 linesBefore_;
     Report report_;
-    HtmlEntities entities_;
     Tree tree_;
     std::vector<Node> open_;
     MemoryWatch memory_;
-    std::unordered_map<std::string, std::uint32_t> indices_{{otherName, 0}};
+    std::unordered_map<std::string, std::uint32_t, HashOfName, std::equal_to<>> indices_{
+        {otherName, 0}};
     std::string key_;
     bool inStyle_ = false;
     AboutReader about_;
 };
 
-// Builds the tree, with declarations for the prefixes that the file uses without any.
+// The file in UTF-8, with the characters of HTML, where this makes the best of an error.
+static std::optional<QByteArray> mended(QIODevice& in, const XmlError& error, qint64 linesBefore,
+                                        Report& report)
+{
+    if (error.kind == XmlError::Kind::UnknownEncoding) {
+        QStringDecoder decoder(error.encoding.c_str());
+        if (!decoder.isValid())
+            return {};
+        const QString text = decoder(in.readAll());
+        return decoder.hasError() ? std::nullopt : std::optional(text.toUtf8());
+    }
+    if (error.kind != XmlError::Kind::UndefinedEntity)
+        return {};
+    const QByteArray text = in.readAll();
+    const QByteArray better = withHtmlCharacters(text, error.entities, linesBefore, report);
+    return better == text ? std::nullopt : std::optional(better);
+}
+
 static Tree built(QIODevice& in, Report& report)
 {
     const Beginning beginning = skipBlankBeginning(in);
     if (beginning.lines > 0 || beginning.bytes > 0)
         report.add(losses::blankBeginning);
-    const auto build = [&](const UsedPrefixes& undeclared) {
-        TreeBuilder builder(in, beginning, undeclared, report);
-        Tree tree = builder.build();
-        report = builder.report();
-        return tree;
-    };
-    const qint64 begin = in.pos();
-    try {
-        return build({});
-    } catch (const Malformed& malformed) {
-        in.seek(begin);
-        const UsedPrefixes undeclared = undeclaredPrefixes(in);
-        if (undeclared.empty())
-            throw Refused(malformed.why);
-        in.seek(begin);
-        for (const auto& [prefix, used] : undeclared) {
-            report.turnTo(beginning.lines + used.line);
-            report.add(losses::undeclaredPrefix, prefix.toStdString());
-        }
+    QBuffer text;
+    QIODevice* from = &in;
+    bool isUtf8 = false;
+    for (;;) {
+        const qint64 begin = from->pos();
         try {
-            return build(undeclared);
-        } catch (const Malformed& further) {
-            throw Refused(further.why);
+            TreeBuilder builder(beginning.lines, report, isUtf8);
+            Tree tree = builder.build(*from);
+            report = builder.report();
+            return tree;
+        } catch (const Malformed& malformed) {
+            from->seek(begin);
+            const auto better = mended(*from, malformed.error, beginning.lines, report);
+            if (!better)
+                throw Refused(malformed.why);
+            isUtf8 = isUtf8 || malformed.error.kind == XmlError::Kind::UnknownEncoding;
+            text.close();
+            text.setData(*better);
+            text.open(QIODevice::ReadOnly);
+            from = &text;
         }
     }
 }

@@ -76,7 +76,7 @@ private slots:
             "line 3 is incomplete: the file ends too early.");
         row("tags cross", drawing("\n<g>\n</a>"), "line 3 is not correct XML (");
         row("two roots", "<svg/><svg/>", "line 1 is not correct XML (");
-        row("bad encoding", drawing("<g id='\xff\xfe'/>"), "it is not an SVG drawing (");
+        row("bad encoding", drawing("<g id='\xff\xfe'/>"), "line 1 is not correct XML (");
         row("undeclared entity", drawing("&x;"), "line 1 is not correct XML (");
         row("nan", drawing("\n<line x1='NaN'/>"),
             "line 2 has NaN where a finite number should be.");

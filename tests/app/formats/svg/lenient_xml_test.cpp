@@ -2,6 +2,7 @@
 // Common errors of well-formedness that other programs pass over: read, and told.
 #include "app/formats/loss_text.h"
 
+#include <QStringEncoder>
 #include <QTest>
 
 #include "tests/app/formats/svg/text.h"
@@ -115,6 +116,85 @@ private slots:
                     .error.startsWith("line 5 has nan"));
         QVERIFY(readText("\n\n" + QByteArray(declaration) + bare("\n<g></a>"))
                     .error.startsWith("line 5 is not correct XML"));
+    }
+
+    void namesOfCharactersBelowADocumentType()
+    {
+        // Expat takes unknown names for declared in the file that it does not fetch.
+        const QByteArray type = "<!DOCTYPE svg PUBLIC '-//W3C//DTD SVG 1.1//EN' "
+                                "'http://www.w3.org/Graphics/SVG/1.1/DTD/svg11.dtd'>";
+        const auto result =
+            readText(type
+                     + bare("<g id='x&nbsp;y'><title>a&eacute;b</title><path d='M0 0h1'/></g>"
+                            "<!-- &nbsp; --><style><![CDATA[ /* &nbsp; */ ]]></style>"));
+        QVERIFY2(result, qPrintable(result.error));
+        QCOMPARE(lossLines(result.value->report),
+                 QStringList("Changed: 2 names of characters without a declaration were read as in "
+                             "HTML: “&nbsp;”, “&eacute;” (first in line 1)"));
+        for (const QByteArray elements : {"<g id='&nosuch;'/>", "<title>&nosuch;</title>"}) {
+            const auto refused = readText(type + bare(elements));
+            QVERIFY2(!refused, elements);
+            QCOMPARE(refused.error, "line 1 is not correct XML (undefined entity “nosuch”).");
+        }
+    }
+
+    void encodings_data()
+    {
+        QTest::addColumn<QByteArray>("encoding");
+        QTest::addColumn<QByteArray>("title"); // "é"
+        QTest::newRow("UTF-8") << QByteArray("UTF-8") << QByteArray("\xc3\xa9");
+        QTest::newRow("as some write it") << QByteArray("utf8") << QByteArray("\xc3\xa9");
+        QTest::newRow("Latin 1") << QByteArray("ISO-8859-1") << QByteArray("\xe9");
+        QTest::newRow("Windows") << QByteArray("windows-1252") << QByteArray("\xe9");
+    }
+    void encodings()
+    {
+        QFETCH(QByteArray, encoding);
+        QFETCH(QByteArray, title);
+        const auto result = readText(
+            "<?xml version='1.0' encoding='" + encoding + "'?>\n"
+            + bare("<title>" + title + "</title><path d='M0 0h1'/><g/>\n<g/><path d='x'/>"));
+        QVERIFY2(result, qPrintable(result.error));
+        QCOMPARE(result.value->document.about().title, QString::fromUtf8("<title>é</title>"));
+        QCOMPARE(lossLines(result.value->report).size(), 1);
+        QVERIFY(lossLines(result.value->report).at(0).contains("line 3"));
+        QVERIFY(!readText("<?xml version='1.0' encoding='nosuch'?>" + bare("<g/>")));
+    }
+    void wideEncodings()
+    {
+        const QString text = QString::fromUtf8(bare("<title>é</title><path d='M0 0h1'/>"));
+        for (const auto encoding : {QStringConverter::Utf16LE, QStringConverter::Utf16BE}) {
+            QStringEncoder encoder(encoding, QStringConverter::Flag::WriteBom);
+            const auto result = readText(encoder(text));
+            QVERIFY2(result, qPrintable(result.error));
+            QCOMPARE(result.value->document.about().title, QString::fromUtf8("<title>é</title>"));
+        }
+    }
+    /// Longer than what is read at once; in time that grows with its length.
+    void longTokens()
+    {
+        QByteArray data = "M0 0";
+        while (data.size() < 3'000'000)
+            data += "h1 1 1 1";
+        const auto result = readText(bare("<path d='" + data + "'/>"));
+        QVERIFY2(result, qPrintable(result.error));
+        QCOMPARE(result.value->document.objects().size(), std::size_t(1));
+    }
+    void manyDeclarations()
+    {
+        const auto declared = [](int count) {
+            QByteArray text;
+            for (int i = 0; i < count; ++i)
+                text += " xmlns:p" + QByteArray::number(i) + "='u'";
+            return "<g" + text + "/>";
+        };
+        QVERIFY(readText(bare("<path d='M0 0h1'/>" + declared(900))));
+        QVERIFY(readText(bare("<path d='M0 0h1'/>" + declared(1100)))
+                    .error.contains("more than 1000 namespaces"));
+        QByteArray used;
+        for (int i = 0; i < 101; ++i)
+            used += "<p" + QByteArray::number(i) + ":x/>";
+        QVERIFY(readText(bare(used)).error.contains("more than 100 prefixes"));
     }
 
     void allTogether()
