@@ -10,9 +10,32 @@
 #include <cstring>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
+#ifdef __SANITIZE_THREAD__
+#include <sanitizer/tsan_interface.h>
+#endif
 
 namespace clipping {
 namespace {
+
+/// A filter of the pipeline works. It sees what filters have written that ended before it began:
+/// oneTBB sees to that, but is not compiled with ThreadSanitizer, which has to be told.
+class InFilter {
+public:
+    explicit InFilter([[maybe_unused]] const void* pipeline)
+#ifdef __SANITIZE_THREAD__
+        : pipeline_(const_cast<void*>(pipeline))
+    {
+        __tsan_acquire(pipeline_);
+    }
+    ~InFilter() { __tsan_release(pipeline_); }
+
+private:
+    void* pipeline_;
+#else
+    {
+    }
+#endif
+};
 
 /// A part of the segments, which is clipped into a slot and then moved to its place in the output.
 template <class T>
@@ -47,6 +70,7 @@ std::size_t inParallel(std::span<const BasicSegment<T>> in, const BasicWindow<T>
     const Plan plan = planFor(in.size());
     std::size_t begun = 0, pieces = 0;
     const auto take = [&](tbb::flow_control& flow) -> Slice<T> {
+        const InFilter seen(&plan);
         if (begun == plan.shared) {
             flow.stop();
             return {};
@@ -57,22 +81,28 @@ std::size_t inParallel(std::span<const BasicSegment<T>> in, const BasicWindow<T>
         return {begin, begun, out.data() + plan.shared + slot * plan.partSize, 0};
     };
     const auto clip = [&](Slice<T> slice) {
+        const InFilter seen(&plan);
         const GradualUnderflow onThisThread;
         slice.pieces =
             clipBatch(Batch<T>{in.data(), slice.begin, slice.end, window, slice.slot}).pieces;
         return slice;
     };
     const auto place = [&](const Slice<T>& slice) {
+        const InFilter seen(&plan);
         std::memcpy(static_cast<void*>(out.data() + pieces), slice.slot,
                     slice.pieces * sizeof *slice.slot);
         pieces += slice.pieces;
     };
+    { // what is here is there when the filters begin
+        const InFilter made(&plan);
+    }
     if (plan.shared > 0)
         tbb::parallel_pipeline(
             plan.slots,
             tbb::make_filter<void, Slice<T>>(tbb::filter_mode::serial_in_order, take)
                 & tbb::make_filter<Slice<T>, Slice<T>>(tbb::filter_mode::parallel, clip)
                 & tbb::make_filter<Slice<T>, void>(tbb::filter_mode::serial_in_order, place));
+    const InFilter seen(&plan);
     const Batch<T> rest{in.data(), plan.shared, in.size(), window, out.data() + pieces};
     return pieces + clipBatch(rest).pieces;
 }
