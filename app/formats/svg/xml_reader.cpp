@@ -101,13 +101,15 @@ void XmlReader::read(QIODevice& in)
     for (bool isLast = false; !isLast;) {
         void* const buffer = XML_GetBuffer(parser_.get(), chunk);
         if (!buffer)
-            throw error();
+            throw std::bad_alloc();
         const qint64 size = std::max<qint64>(in.read(static_cast<char*>(buffer), chunk), 0);
         isLast = size == 0;
         const std::uint64_t before = tokens_;
         const XML_Status status = XML_ParseBuffer(parser_.get(), int(size), isLast);
         if (thrown_)
             std::rethrow_exception(std::exchange(thrown_, {}));
+        if (status != XML_STATUS_OK && XML_GetErrorCode(parser_.get()) == XML_ERROR_NO_MEMORY)
+            throw std::bad_alloc();
         if (status != XML_STATUS_OK)
             throw error();
         chunk = tokens_ == before ? std::min(2 * chunk, mostChunk) : leastChunk;
@@ -216,7 +218,8 @@ void XmlReader::checkReferences() const
         if (end == std::string_view::npos)
             return;
         const std::string_view name = tag.substr(at + 1, end - at - 1);
-        if (!name.starts_with('#') && !isKnownEntity(name))
+        const bool isWide = name.find('\0') != std::string_view::npos; // in UTF-16
+        if (!isWide && !name.starts_with('#') && !isKnownEntity(name))
             throw undefinedEntity(name);
     }
 }

@@ -162,7 +162,9 @@ private slots:
     }
     void wideEncodings()
     {
-        const QString text = QString::fromUtf8(bare("<title>é</title><path d='M0 0h1'/>"));
+        const QString text =
+            QString::fromUtf8("<!DOCTYPE svg SYSTEM 'svg.dtd'>"
+                              + bare("<title>é</title><path d='M0 0h1'/><g id='a&amp;b&#99;'/>"));
         for (const auto encoding : {QStringConverter::Utf16LE, QStringConverter::Utf16BE}) {
             QStringEncoder encoder(encoding, QStringConverter::Flag::WriteBom);
             const auto result = readText(encoder(text));
