@@ -30,7 +30,7 @@ constexpr std::array namespaces{
     Namespace{"http://www.w3.org/1999/xhtml", "html:"},
 };
 
-void append(std::string& text, std::string_view added)
+void appendText(std::string& text, std::string_view added)
 {
     text += added;
     if (text.size() > mostText)
@@ -182,7 +182,7 @@ private:
         StyleText& style = tree_.styleSheets_.back();
         if (style.text.empty())
             style.line = line(); // the tag may have several
-        append(style.text, text);
+        appendText(style.text, text);
     }
 
     void addAttribute(const XmlAttribute& attribute)
@@ -191,7 +191,7 @@ private:
         if (tree_.names_[name] == otherName)
             return;
         const auto offset = tree_.text_.size();
-        append(tree_.text_, attribute.value);
+        appendText(tree_.text_, attribute.value);
         tree_.attributes_.push_back(
             {name, std::uint32_t(tree_.text_.size() - offset), std::uint32_t(offset)});
     }
@@ -255,10 +255,12 @@ private:
 };
 
 // The file in UTF-8, with the characters of HTML, where this makes the best of an error.
-static std::optional<QByteArray> mended(QIODevice& in, const XmlError& error, qint64 linesBefore,
-                                        Report& report)
+// It begins at `begin`. What cannot be made better is not read again: a device forgets its error.
+static std::optional<QByteArray> mended(QIODevice& in, qint64 begin, const XmlError& error,
+                                        qint64 linesBefore, Report& report)
 {
     if (error.kind == XmlError::Kind::UnknownEncoding) {
+        in.seek(begin);
         QStringDecoder decoder(error.encoding.c_str());
         if (!decoder.isValid())
             return {};
@@ -267,6 +269,7 @@ static std::optional<QByteArray> mended(QIODevice& in, const XmlError& error, qi
     }
     if (error.kind != XmlError::Kind::UndefinedEntity)
         return {};
+    in.seek(begin);
     const QByteArray text = in.readAll();
     const QByteArray better = withHtmlCharacters(text, error.entities, linesBefore, report);
     return better == text ? std::nullopt : std::optional(better);
@@ -288,8 +291,7 @@ static Tree built(QIODevice& in, Report& report)
             report = builder.report();
             return tree;
         } catch (const Malformed& malformed) {
-            from->seek(begin);
-            const auto better = mended(*from, malformed.error, beginning.lines, report);
+            const auto better = mended(*from, begin, malformed.error, beginning.lines, report);
             if (!better)
                 throw Refused(malformed.why);
             isUtf8 = isUtf8 || malformed.error.kind == XmlError::Kind::UnknownEncoding;
