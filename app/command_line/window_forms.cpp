@@ -228,7 +228,7 @@ std::vector<ClipWindow> windowsOf(const GivenValue& value, const Imported& impor
     if (value.text.contains(u':')) {
         QStringList usages;
         for (const WindowForm& each : forms)
-            usages << QString::fromUtf8(each.usage.data(), qsizetype(each.usage.size()));
+            usages << QString::fromUtf8(each.usage);
         refuse(value, usages.join(QStringLiteral(", ")));
     }
     return rectangle(value, value.text, imported);

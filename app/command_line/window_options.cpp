@@ -123,7 +123,7 @@ std::vector<Option> shapedWindowOptions()
     std::vector<Option> options = windowOptions();
     QStringList forms;
     for (const WindowForm& form : windowForms())
-        forms << QString::fromUtf8(form.usage.data(), qsizetype(form.usage.size()));
+        forms << QString::fromUtf8(form.usage);
     options.front().value = QStringLiteral("WINDOW");
     options.front().meaning =
         Text::tr("A clip window: %1. Bare numbers are the drawing's own coordinates; lengths "

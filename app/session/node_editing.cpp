@@ -335,9 +335,7 @@ QString NodeEditing::toleranceText() const
             break;
     const std::string_view suffix = infoOf(unit).suffix;
     const QString number = numberText(length, decimals);
-    return suffix.empty()
-               ? number
-               : number + u' ' + QString::fromUtf8(suffix.data(), qsizetype(suffix.size()));
+    return suffix.empty() ? number : number + u' ' + QString::fromUtf8(suffix);
 }
 
 bool NodeEditing::asksTolerance(const NodeStep& step) const

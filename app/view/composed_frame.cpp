@@ -7,8 +7,6 @@
 #include "app/view/missing_part.h"
 #include "app/view/region_mask.h"
 
-#include <cstring>
-
 namespace app {
 namespace {
 
@@ -44,43 +42,23 @@ double opacityOf(RemovedPart removed, double ghost)
 struct ComposedBands {
     FrameWish wish; ///< owns what is painted
     RasterOptions raster;
-    QImage drawing;                     ///< all lines
-    uchar* pixels;                      ///< of `drawing`
-    std::vector<MissingPart> missing{}; ///< of `drawing`, to be painted first
-    bool hairlines;                     ///< straight from the scene
-    Picture around{};                   ///< what lies below and above the lines
+    QImage drawing;                   ///< all lines
+    uchar* pixels;                    ///< of `drawing`
+    std::vector<MissingPart> missing; ///< of `drawing`, to be painted first
+    Picture around{};                 ///< what lies below and above the lines
     QImage mask;
     DifferingLayer differing;
 
     QImage operator()(Band band) const
     {
         for (const MissingPart& part : missing)
-            paint(part, band);
+            paintPart(part, band, wish, raster, pixels);
         QImage shown = composed(drawing, mask, band, raster.ghost);
         if (!differing.isEmpty())
             paintAnew(shown, differing, band, raster);
         const bool isAlone = around.selected.commands.empty() && around.differing.commands.empty()
                              && around.borders.commands.empty();
         return isAlone ? shown : rasterised(around, band, raster, shown);
-    }
-    /// Each thread writes rows of its own.
-    void paint(const MissingPart& part, Band band) const
-    {
-        const QRect place = part.place & QRect(0, band.top, raster.width, band.height);
-        if (place.isEmpty())
-            return;
-        const Band rows{place.top(), place.height()};
-        PictureOptions options = wish.pictureOptions();
-        options.view = part.view;
-        RasterOptions columns = raster;
-        columns.width = place.width();
-        const QImage drawn =
-            hairlines ? paintedHairlines(wish.lines, wish.document.styles(), options, rows, columns)
-                      : rasterised(part.lines, rows, columns);
-        for (int y = 0; y < rows.height; ++y)
-            std::memcpy(pixels + (rows.top + y) * drawing.bytesPerLine()
-                            + place.left() * std::ptrdiff_t(sizeof(QRgb)),
-                        drawn.constScanLine(y), std::size_t(place.width()) * sizeof(QRgb));
     }
 };
 
@@ -130,38 +108,25 @@ QImage ComposedFrame::paint(const FrameWish& wish, const SceneFrame& frame, cons
     const double ratio = wish.key.pixelRatio;
     const DrawingKey key = drawingKeyOf(wish);
     DrawingPictures& kept = wish.drawings ? *wish.drawings : own_;
-    QImage drawing = kept.find(key);
-    const bool isKnown = !drawing.isNull();
-    std::optional<DrawingPictures::Moved> moved;
-    if (!isKnown) {
-        moved = kept.findMoved(key);
-        drawing =
-            moved ? moved->picture : QImage(wish.key.pixels, QImage::Format_ARGB32_Premultiplied);
-    }
+    auto [drawing, missing] = kept.find(key);
+    const bool isKnown = missing.empty(), isNew = missing == std::vector{drawing.rect()};
+    const bool hairlines = !isKnown && hasOnlyHairlines(wish.lines, styles, options, ratio);
     uchar* const pixels = isKnown ? nullptr : drawing.bits(); // detaches it before it is shared
     QImage mask = regionMask(wish.key.region, wish.key.view, wish.key.pixels, ratio);
     openAlong(mask, linesAlongEdges(styles, wish.lines, frame, options, ratio), ratio);
-    ComposedBands bands{
-        .wish = wish,
-        .raster = wish.rasterOptions(follower.stop),
-        .drawing = drawing,
-        .pixels = pixels,
-        .hairlines = !isKnown && hasOnlyHairlines(wish.lines, styles, options, ratio),
-        .around = pictureAround(styles, wish.lines, options),
-        .mask = std::move(mask),
-        .differing =
-            differingLayer(styles, wish.lines, frame, plan.exact, plan.differing, options)};
+    ComposedBands bands{.wish = wish,
+                        .raster = wish.rasterOptions(follower.stop),
+                        .drawing = drawing,
+                        .pixels = pixels,
+                        .missing = missingParts(wish, frame, missing, hairlines, follower.stop),
+                        .around = pictureAround(styles, wish.lines, options),
+                        .mask = std::move(mask),
+                        .differing = differingLayer(styles, wish.lines, frame, plan.exact,
+                                                    plan.differing, options)};
     bands.raster.ghost = opacityOf(options.removed, wish.ghost);
-    if (!isKnown)
-        bands.missing = missingParts(wish.key, moved ? moved->by : std::optional<QPoint>());
-    for (MissingPart& part : bands.missing)
-        if (!bands.hairlines) {
-            options.view = part.view;
-            part.lines.kept = wholeDrawing(styles, wish.lines, frame, options);
-        }
     constexpr int few = 2; // of hairlines, of which each band goes through all
-    const int slow = bands.hairlines ? few : seenEarly;
-    const bool isSlow = !isKnown && !moved && wish.lines.size() > slowLines;
+    const int slow = hairlines ? few : seenEarly;
+    const bool isSlow = isNew && wish.lines.size() > slowLines;
     const QImage image = paintedInBands(std::move(bands), wish.key.pixels.height(),
                                         isSlow ? slow : 1, follower, parts, helpers);
     if (!isKnown && !follower.stop.stop_requested())

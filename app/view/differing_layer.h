@@ -21,8 +21,9 @@ DifferingLayer differingLayer(const StyleTable& styles, const SceneLines& lines,
                               const SceneFrame& row, const SceneFrame& exact,
                               std::span<const FrameLine> differing, const PictureOptions& options);
 
-/// Paints the parts anew in a band. What other lines cover stays covered, as far as it can be told
-/// from the image: an opaque pixel of a stroke that covers it alone is taken for bare.
+/// Replaces the parts in a band of the image. Other lines in the same pixels stay. Only where such
+/// a part covers a pixel completely does the image not tell whether others lie there, too: the
+/// pixel is cleared.
 void paintAnew(QImage& image, const DifferingLayer& layer, Band band, const RasterOptions& options);
 
 } // namespace app

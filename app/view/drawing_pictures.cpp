@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/drawing_pictures.h"
 
+#include <QRegion>
+
 #include <algorithm>
-#include <ranges>
+#include <limits>
 
 namespace app {
 
@@ -18,25 +20,24 @@ DrawingKey drawingKeyOf(const FrameWish& wish)
         wish.options.strokes};
 }
 
-QImage DrawingPictures::find(const DrawingKey& key) const
-{
-    const std::scoped_lock lock(lock_);
-    const auto found = std::ranges::find(kept_, key, &Kept::key);
-    return found == kept_.end() ? QImage() : found->picture;
-}
-
-std::optional<DrawingPictures::Moved> DrawingPictures::findMoved(const DrawingKey& key) const
+DrawingPictures::Found DrawingPictures::find(const DrawingKey& key) const
 {
     const QRect image({}, key.frame.pixels);
+    Found best{QImage(image.size(), QImage::Format_ARGB32_Premultiplied), {image}};
+    int leastMoved = std::numeric_limits<int>::max();
     const std::scoped_lock lock(lock_);
-    for (const Kept& kept : kept_ | std::views::reverse) {
+    for (const Kept& kept : kept_) {
         const auto by = wholePixelsBetween(kept.key.frame, key.frame);
         DrawingKey there = kept.key;
         there.frame.view.centre = key.frame.view.centre;
-        if (by && there == key && image.translated(*by).intersects(image))
-            return Moved{kept.picture.copy(image.translated(-*by)), *by};
+        if (!by || !(there == key) || by->manhattanLength() >= leastMoved)
+            continue;
+        leastMoved = by->manhattanLength();
+        const QRegion missing = QRegion(image) - QRegion(image.translated(*by));
+        best = {by->isNull() ? kept.picture : kept.picture.copy(image.translated(-*by)),
+                {missing.begin(), missing.end()}};
     }
-    return {};
+    return best;
 }
 
 void DrawingPictures::keep(const DrawingKey& key, const QImage& picture)

@@ -22,14 +22,13 @@ DrawingKey drawingKeyOf(const FrameWish& wish);
 /// show the same view, the lines are painted for one of them.
 class DrawingPictures {
 public:
-    QImage find(const DrawingKey& key) const; ///< null if there is none
-    struct Moved {
-        QImage picture; ///< transparent where nothing is known
-        QPoint by;      ///< device pixels
+    struct Found {
+        QImage picture;
+        std::vector<QRect> missing; ///< device pixels; to be painted, they do not overlap
     };
-    /// A picture of the same lines that was panned by whole pixels since, if part of it is still in
-    /// the view.
-    std::optional<Moved> findMoved(const DrawingKey& key) const;
+    /// What there is of a picture: all, or what a pan by whole pixels has left in the view, or
+    /// nothing.
+    Found find(const DrawingKey& key) const;
     void keep(const DrawingKey& key, const QImage& picture);
 
 private:

@@ -24,8 +24,7 @@ bool isSameView(const FrameKey& a, const FrameKey& b)
 std::optional<QPoint> wholePixelsBetween(const FrameKey& a, const FrameKey& b)
 {
     constexpr double most = 1e6, unseen = 1e-6; // device pixels
-    if (a.view.size != b.view.size || a.view.zoom != b.view.zoom || a.pixels != b.pixels
-        || a.pixelRatio != b.pixelRatio)
+    if (!isSameBase(a, b) || a.view.zoom != b.view.zoom)
         return {};
     const Point by = (a.view.centre - b.view.centre) * a.view.zoom * a.pixelRatio;
     if (!(std::abs(by.x) < most && std::abs(by.y) < most))

@@ -36,8 +36,8 @@ bool isSameClipping(const FrameKey& a, const FrameKey& b);
 bool isSameBase(const FrameKey& a, const FrameKey& b);
 /// Whether they are seen in the same view, too.
 bool isSameView(const FrameKey& a, const FrameKey& b);
-/// By how many device pixels the lines have moved from `a` to `b`. Empty if the zoom or the size is
-/// another, or if they have not moved by whole pixels.
+/// By how many device pixels the same lines have moved from `a` to `b`, in a picture of the same
+/// size. Empty if the zoom is another, or if they have not moved by whole pixels.
 std::optional<QPoint> wholePixelsBetween(const FrameKey& a, const FrameKey& b);
 
 /// Pieces that several owners read.

@@ -59,8 +59,8 @@ void LivePicture::start()
     partsNoted_ = false;
     // In a view that was not panned only, a rough frame would not be finished sooner.
     const auto& shown = schedule_.shown();
-    wish_.rough = !schedule_.paintsFinely() && shown && isSameBase(*shown, wish_.key)
-                  && wholePixelsBetween(*shown, wish_.key);
+    wish_.rough =
+        !schedule_.paintsFinely() && shown && wholePixelsBetween(*shown, wish_.key).has_value();
     painting_.start(
         [wish = wish_, painter = painter_, parts = parts_](const Follower& follower) {
             return painter->paint(wish, follower, parts, *QThreadPool::globalInstance());

@@ -14,7 +14,7 @@ namespace {
 QString shownField(std::string_view field)
 {
     constexpr qsizetype most = 40;
-    const QString text = QString::fromUtf8(field.data(), qsizetype(field.size())).simplified();
+    const QString text = QString::fromUtf8(field).simplified();
     return u'“' + (text.size() > most ? text.left(most) + u'…' : text) + u'”';
 }
 

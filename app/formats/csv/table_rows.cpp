@@ -40,9 +40,7 @@ std::size_t TableRows::lookOf(const Row& row, std::size_t line)
 {
     if (looks_.empty() || row.layer != layer_ || row.colour != colour_ || row.width != width_) {
         const Style style = styleOf(row, rows_, line);
-        const QString layer =
-            row.layer.empty() ? usualLayer()
-                              : QString::fromUtf8(row.layer.data(), qsizetype(row.layer.size()));
+        const QString layer = row.layer.empty() ? usualLayer() : QString::fromUtf8(row.layer);
         looks_.push_back(lookColumns(layer, *style.stroke, style.width));
         layer_ = row.layer;
         colour_ = row.colour;

@@ -44,12 +44,7 @@ std::string_view trimmedXml(std::string_view text)
 QString asText(std::string_view text)
 {
     const auto part = trimmedXml(text);
-    return QString::fromUtf8(part.data(), qsizetype(part.size()));
-}
-
-QString asQString(std::string_view text)
-{
-    return QString::fromUtf8(text.data(), qsizetype(text.size()));
+    return QString::fromUtf8(part);
 }
 
 std::string commentOf(const XmlToken& xml) { return "<!--" + std::string(xml.text) + "-->"; }
@@ -104,9 +99,7 @@ void AboutReader::open(const XmlToken& xml)
 void AboutReader::openRoot(const XmlToken& xml)
 {
     bare_ = xml.name.uri.empty();
-    for (const XmlAttribute& attribute : xml.attributes)
-        if (attribute.name.qualified == "id")
-            id_ = asQString(attribute.value);
+    id_ = QString::fromUtf8(xml.valueOf("id"));
     for (const XmlDeclaration& declared : xml.declared)
         outer_.emplace_back(declared.prefix, declared.uri);
 }
@@ -179,7 +172,7 @@ void AboutReader::write(const XmlToken& xml)
     else if (xml.kind == Kind::Instruction)
         *section_ += "<?" + std::string(xml.name.qualified) + ' ' + std::string(xml.text) + "?>";
     else if (isText)
-        *section_ += escapedContent(asQString(xml.text));
+        *section_ += escapedContent(QString::fromUtf8(xml.text));
     const bool says = isText && xml.text.find_first_not_of(blank) != std::string_view::npos;
     saysAnything_ = saysAnything_ || says || (section_ == &metadata_ && !isText);
 }
@@ -204,7 +197,8 @@ void AboutReader::writeStart(const XmlToken& xml)
                 declare(prefix, uri);
         }
     for (const XmlAttribute& attribute : xml.attributes)
-        appendAttribute(*section_, attribute.name.qualified, escaped(asQString(attribute.value)));
+        appendAttribute(*section_, attribute.name.qualified,
+                        escaped(QString::fromUtf8(attribute.value)));
     if (section_ == &metadata_) // in metadata, elements and attributes count as content, too
         saysAnything_ = saysAnything_ || depth_ > 2 || !xml.attributes.empty();
     marks_.push_back(outside);
@@ -226,7 +220,7 @@ void AboutReader::declare(std::string_view prefix, std::string_view given)
     if (known == scope_.rend() ? uri.empty() : known->second == uri)
         return;
     appendAttribute(*section_, prefix.empty() ? "xmlns" : "xmlns:" + std::string(prefix),
-                    escaped(asQString(uri)));
+                    escaped(QString::fromUtf8(uri)));
     scope_.emplace_back(prefix, uri);
 }
 

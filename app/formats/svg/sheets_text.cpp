@@ -99,7 +99,7 @@ void takePaper(std::string_view text, PageSheets& sheets)
     sheets.landscape = text.ends_with(landscapeWord);
     if (sheets.landscape)
         text.remove_suffix(landscapeWord.size());
-    sheets.paper = QString::fromUtf8(text.data(), qsizetype(text.size())).left(longestPaper);
+    sheets.paper = QString::fromUtf8(text).left(longestPaper);
 }
 
 std::optional<PageSheets> sheetsOf(const Tree& tree, Node node)

@@ -42,7 +42,7 @@ void appendText(std::string& text, std::string_view added)
 QString quotable(std::string_view text)
 {
     constexpr qsizetype most = 80;
-    const QString line = QString::fromUtf8(text.data(), qsizetype(text.size())).simplified();
+    const QString line = QString::fromUtf8(text).simplified();
     return line.size() <= most ? line : line.left(most) + u'…';
 }
 
@@ -164,17 +164,10 @@ private:
         inStyle_ = false;
         if (name != "style" && name != "html:style")
             return;
-        const auto valueOf = [&](std::string_view wanted) {
-            const auto found =
-                std::ranges::find_if(token.attributes, [&](const XmlAttribute& attribute) {
-                    return attribute.name.qualified == wanted;
-                });
-            return found == token.attributes.end() ? std::string_view() : found->value;
-        };
-        const std::string_view type = valueOf("type");
+        const std::string_view type = token.valueOf("type");
         inStyle_ = type.empty() || equalsIgnoringCase(type, "text/css");
         if (inStyle_)
-            tree_.styleSheets_.push_back({{}, std::string(valueOf("media")), line()});
+            tree_.styleSheets_.push_back({{}, std::string(token.valueOf("media")), line()});
     }
 
     void addStyle(std::string_view text)

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <expat.h>
+#include <optional>
 
 namespace app::svg {
 namespace {
@@ -21,9 +22,27 @@ bool isIncomplete(XML_Error code)
            || code == XML_ERROR_PARTIAL_CHAR || code == XML_ERROR_UNCLOSED_CDATA_SECTION;
 }
 
+/// The prefix that an attribute declares; empty: it is none that declares.
+std::optional<std::string_view> declaredPrefix(std::string_view attribute)
+{
+    constexpr std::string_view declares = "xmlns";
+    if (attribute == declares)
+        return "";
+    if (attribute.starts_with(declares) && attribute[declares.size()] == ':')
+        return attribute.substr(declares.size() + 1);
+    return {};
+}
+
 } // namespace
 
-/// What Expat calls.
+std::string_view XmlToken::valueOf(std::string_view attribute) const
+{
+    const auto found = std::ranges::find_if(
+        attributes, [&](const XmlAttribute& one) { return one.name.qualified == attribute; });
+    return found == attributes.end() ? std::string_view() : found->value;
+}
+
+/// The functions that Expat calls with each part of a file.
 struct XmlReader::Callbacks {
     static XmlReader& of(void* reader) { return *static_cast<XmlReader*>(reader); }
 
@@ -141,9 +160,8 @@ void XmlReader::start(const char* name, const char** attributes)
     const XmlName element = nameOf(name, true);
     attributes_.clear();
     for (; *attributes; attributes += 2)
-        if (const std::string_view qualified = attributes[0];
-            qualified != "xmlns" && !qualified.starts_with("xmlns:"))
-            attributes_.push_back({nameOf(qualified, false), attributes[1]});
+        if (!declaredPrefix(attributes[0]))
+            attributes_.push_back({nameOf(attributes[0], false), attributes[1]});
     handler_.take({.kind = XmlToken::Kind::Start,
                    .name = element,
                    .attributes = attributes_,
@@ -159,15 +177,10 @@ void XmlReader::end(const char* name)
 
 void XmlReader::declareNamespaces(const char** attributes)
 {
-    constexpr std::string_view declares = "xmlns";
     declared_.clear();
-    for (; *attributes; attributes += 2) {
-        const std::string_view name = attributes[0];
-        if (name == declares)
-            scope_.push_back({"", attributes[1]});
-        else if (name.starts_with(declares) && name[declares.size()] == ':')
-            scope_.push_back({std::string(name.substr(declares.size() + 1)), attributes[1]});
-    }
+    for (; *attributes; attributes += 2)
+        if (const auto prefix = declaredPrefix(attributes[0]))
+            scope_.push_back({std::string(*prefix), attributes[1]});
     if (scope_.size() > mostDeclared)
         throw error(XmlError::Kind::Other,
                     Text::tr("more than %1 namespaces declared at one place").arg(mostDeclared));
@@ -232,8 +245,7 @@ bool XmlReader::isKnownEntity(std::string_view name) const
 XmlError XmlReader::undefinedEntity(std::string_view name) const
 {
     return error(XmlError::Kind::UndefinedEntity,
-                 Text::tr("undefined entity “%1”")
-                     .arg(QString::fromUtf8(name.data(), qsizetype(name.size()))));
+                 Text::tr("undefined entity “%1”").arg(QString::fromUtf8(name)));
 }
 
 XmlError XmlReader::error(XmlError::Kind kind, const QString& reason) const

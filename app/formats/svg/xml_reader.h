@@ -40,6 +40,8 @@ struct XmlToken {
     std::span<const XmlAttribute> attributes{}; ///< without declarations
     std::span<const XmlDeclaration> declared{};
     std::string_view text{}; ///< content; of text perhaps only a part
+
+    std::string_view valueOf(std::string_view attribute) const; ///< empty: it has none
 };
 
 /// Why a file is not XML.

@@ -74,6 +74,14 @@ QImage paintedWith(app::FramePainter& painter, const app::FrameWish& wish)
     return framePaintedWith(painter, wish).image;
 }
 
+app::PaintedFrame roughFrameOfPublishedKwc(app::FramePainter& painter, app::FrameWish& wish)
+{
+    wish.key.variant = {clipping::findAlgorithm("kodituwakku-wijeweera-chamikara"),
+                        clipping::Form::Published};
+    wish.rough = true;
+    return framePaintedWith(painter, wish);
+}
+
 /// The same from the pieces of its lines.
 int threads() { return QThreadPool().maxThreadCount(); }
 QImage paintedFromPieces(const app::FrameWish& wish, int scale = 1)
@@ -273,7 +281,7 @@ private slots:
         wish.drawings = std::make_shared<app::DrawingPictures>();
         app::FramePainter painter, another;
         paintedWith(painter, wish);
-        QImage planted = wish.drawings->find(drawingKeyOf(wish));
+        QImage planted = wish.drawings->find(drawingKeyOf(wish)).picture;
         planted.fill(qRgb(1, 2, 3));
         wish.drawings->keep(drawingKeyOf(wish), planted);
         wish.key.view.pan({-40, 25});
@@ -303,7 +311,7 @@ private slots:
         wish.drawings = std::make_shared<app::DrawingPictures>();
         app::FramePainter one, other;
         const QImage expected = paintedWith(one, wish);
-        const QImage kept = wish.drawings->find(drawingKeyOf(wish));
+        const QImage kept = wish.drawings->find(drawingKeyOf(wish)).picture;
         QCOMPARE(kept, expected); // without a window nothing is removed
         QImage planted = kept;
         planted.fill(qRgb(1, 2, 3));
@@ -314,7 +322,8 @@ private slots:
             paintedWith(one, wish);
         }
         wish.key.view.pan({-0.75, 0});
-        QVERIFY(wish.drawings->find(drawingKeyOf(wish)).isNull());
+        QCOMPARE(wish.drawings->find(drawingKeyOf(wish)).missing,
+                 std::vector{QRect(0, 0, side, side)}); // nothing is known
         QCOMPARE(paintedWith(other, wish), expected);
     }
     /// A published form that loses lines is shown to lose them.
@@ -353,11 +362,8 @@ private slots:
             lines.push_back({{80, 80 + i % 100 * 0.1}, {82, 80 + i % 90 * 0.1}});
         app::FrameWish wish = wishFor(lines, width);
         wish.options.removed = app::RemovedPart(removed);
-        wish.key.variant = {clipping::findAlgorithm("kodituwakku-wijeweera-chamikara"),
-                            clipping::Form::Published};
-        wish.rough = true;
         app::FramePainter painter;
-        const app::PaintedFrame frame = framePaintedWith(painter, wish);
+        const app::PaintedFrame frame = roughFrameOfPublishedKwc(painter, wish);
         QVERIFY(frame.rough);
         QCOMPARE(frame.differing, std::size_t(1));
         wish.rough = false;
@@ -399,11 +405,8 @@ private slots:
         while (lines.size() < 30'000) // a crowd beside the window
             lines.push_back({{80, 80}, {82, 80 + double(lines.size() % 90) * 0.1}});
         app::FrameWish wish = wishFor(lines, 0.3);
-        wish.key.variant = {clipping::findAlgorithm("kodituwakku-wijeweera-chamikara"),
-                            clipping::Form::Published};
-        wish.rough = true;
         app::FramePainter painter;
-        const app::PaintedFrame frame = framePaintedWith(painter, wish);
+        const app::PaintedFrame frame = roughFrameOfPublishedKwc(painter, wish);
         QVERIFY(frame.rough);
         QVERIFY(frame.differing >= 20);
         const QImage pieces = paintedFromPieces(wish),
