@@ -32,7 +32,8 @@ std::optional<int> turnInPairs(const glm::dvec2& a, const glm::dvec2& b, const g
 int turnInIntegers(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c,
                    const glm::dvec2& d)
 {
-    if ((a.x == b.x || c.y == d.y) && (a.y == b.y || c.x == d.x))
+    const bool areLevel = (a.x == b.x || c.y == d.y) && (a.y == b.y || c.x == d.x);
+    if (areLevel || (a == c && b == d)) // as for an end of a line
         return 0;
     if (const auto sign = turnInPairs(a, b, c, d))
         return *sign;
