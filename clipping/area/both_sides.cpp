@@ -19,28 +19,15 @@ void BothSides::turn(std::uint32_t step, int left, int right)
     change(beside.right, right, right_);
 }
 
-void BothSides::enter(const SweptLine& swept)
+void BothSides::enter(const SweptLine& swept, EdgesNear& edges)
 {
     for (const std::uint32_t step : touched_)
         beside_[step] = {};
     touched_.clear();
     left_ = right_ = region_.fold.inNone();
-    const SearchGrid& grid = region_.grid;
-    const glm::dvec2& start = swept.segment.a;
-    if (region_.edges.empty() || !contains(grid.box(), start))
-        return;
-    const std::size_t cell = grid.cellOf(start);
-    for (const auto& [step, winding] : grid.windingsIn(cell))
-        turn(step, winding, winding);
-    const Reference reference = grid.reference(cell);
-    const BesideStart left{swept.line, 1}, right{swept.line, -1};
-    for (const std::uint32_t i : grid.edgesIn(cell, cell)) {
-        const auto& [segment, step, number] = region_.edges[i];
-        const int ofLeft = windingStep(segment, reference, left);
-        const int ofRight = windingStep(segment, reference, right);
-        if (ofLeft != 0 || ofRight != 0)
-            turn(step, ofLeft, ofRight);
-    }
+    if (!region_.edges.empty() && contains(region_.grid.box(), swept.segment.a))
+        edges.enter(swept, region_.grid, false,
+                    [&](std::uint32_t step, int left, int right) { turn(step, left, right); });
 }
 
 } // namespace clipping

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "clipping/region/meeting.h"
-#include "clipping/region/prepared.h"
+#include "clipping/region/edges_near.h"
 
 namespace clipping {
 
@@ -15,8 +14,9 @@ public:
     {
     }
 
-    /// Starts just after the start of a segment that is not a point.
-    void enter(const SweptLine& swept);
+    /// Starts just after the start of a segment that is not a point. The edges are of the same
+    /// region.
+    void enter(const SweptLine& swept, EdgesNear& edges);
     /// Passes edges of one area: its winding numbers change.
     void turn(std::uint32_t step, int left, int right);
 

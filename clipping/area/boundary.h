@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "clipping/area/along_edge.h"
 #include "clipping/area/clip_area.h"
 #include "clipping/region/edges.h"
 
@@ -10,8 +11,14 @@ namespace clipping {
 struct BoundaryPiece {
     glm::dvec2 from, to;  ///< rounded; never -0
     const AreaEdge* edge; ///< whose part it is
+    bool isOfWindow;      ///< whether the edge is
     bool isReversed;      ///< whether it runs against the edge
-    EdgeOrigin origin;
+
+    EdgeOrigin origin() const
+    {
+        return {edge->number, isOfWindow, shareAlong(edge->segment, from),
+                shareAlong(edge->segment, to)};
+    }
 
     /// Two points of the piece's line, in its direction.
     const glm::dvec2& behind() const { return isReversed ? edge->segment.b : edge->segment.a; }

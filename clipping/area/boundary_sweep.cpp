@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "clipping/area/boundary_sweep.h"
 
-#include "clipping/area/along_edge.h"
 #include "clipping/ieee_numbers.h"
 
 namespace clipping {
@@ -18,11 +17,12 @@ bool BoundarySweep::Input::isApartFrom(const Segment& s) const
 void BoundarySweep::Input::enter(const SweptLine& swept, const AreaEdge& edge)
 {
     if (entered != &edge)
-        sides.enter(swept);
+        sides.enter(swept, near);
 }
 
 BoundarySweep::BoundarySweep(const PreparedRegion::Data& area, const PreparedRegion::Data& window)
-    : area_{area, BothSides(area), false}, window_{window, BothSides(window), true}
+    : area_{area, EdgesNear(area), BothSides(area), false}, window_{window, EdgesNear(window),
+                                                                    BothSides(window), true}
 {
 }
 
@@ -52,14 +52,14 @@ void BoundarySweep::walk(const AreaEdge& edge, Input& own, Input& other)
 
 /// Returns whether the edge's end is free of other edges of the input.
 bool BoundarySweep::findStops(const SweptLine& swept, const AreaEdge& edge, bool isOwn,
-                              const Input& input)
+                              Input& input)
 {
     if (input.isApartFrom(swept.segment))
         return true;
     const AreaEdge* const none = input.region.edges.data();
     const AreaEdge* const all = none + input.region.edges.size();
     const AreaEdge* const before = isOwn ? &edge : input.isWindow ? none : all;
-    return stops_.find(swept, {&edge, before}, input.region, input.isWindow);
+    return stops_.find(swept, {&edge, before}, input.near, input.isWindow);
 }
 
 /// Whether the result is on one side only of the edge, where the walk is.
@@ -70,12 +70,6 @@ bool BoundarySweep::isBoundary(bool isOfWindow)
                           != (area_.sides.keepsRight() && window_.sides.keepsRight());
     isWhole_ = isWhole_ && (isOfWindow ? !ofResult : ofArea == ofResult);
     return ofResult;
-}
-
-BoundarySweep::Place BoundarySweep::placeOf(const SweptLine& swept, std::size_t stop) const
-{
-    const glm::dvec2 at = pointOf(swept, stops_[stop].meeting);
-    return {at, shareAlong(swept.segment, at)};
 }
 
 /// Passes all stops in one place. Returns the first one after it.
@@ -96,14 +90,14 @@ std::size_t BoundarySweep::pass(const SweptLine& swept, std::size_t first, int& 
 void BoundarySweep::passStops(const SweptLine& swept, const AreaEdge& edge, bool isOfWindow)
 {
     int covers = stops_.coversFrom(swept);
-    std::optional<Place> from = Place{swept.segment.a + 0.0, 0}; // if already known
-    std::size_t behind = 0;                                      // the last stop
+    std::optional<glm::dvec2> from = swept.segment.a + 0.0; // if already known; never -0
+    std::size_t behind = 0;                                 // the last stop
     for (std::size_t i = 0;;) {
         const bool isPiece = covers == 0 && isBoundary(isOfWindow);
         const bool isLast = i == stops_.size();
-        std::optional<Place> to;
+        std::optional<glm::dvec2> to;
         if (isPiece) {
-            to = isLast ? Place{swept.segment.b + 0.0, 1} : placeOf(swept, i);
+            to = isLast ? swept.segment.b + 0.0 : placeOf(swept, i);
             append(edge, isOfWindow, from ? *from : placeOf(swept, behind), *to);
         }
         if (isLast)
@@ -114,17 +108,16 @@ void BoundarySweep::passStops(const SweptLine& swept, const AreaEdge& edge, bool
     }
 }
 
-void BoundarySweep::append(const AreaEdge& edge, bool isOfWindow, const Place& from,
-                           const Place& to)
+void BoundarySweep::append(const AreaEdge& edge, bool isOfWindow, const glm::dvec2& from,
+                           const glm::dvec2& to)
 {
     isEmpty_ = false;
-    if (from.at == to.at)
+    if (from == to)
         return;
     // The result is on one side; it is to be the left one.
     const bool isReversed = !(area_.sides.keepsLeft() && window_.sides.keepsLeft());
-    const Place &begin = isReversed ? to : from, &end = isReversed ? from : to;
     pieces_.push_back(
-        {begin.at, end.at, &edge, isReversed, {edge.number, isOfWindow, begin.share, end.share}});
+        {isReversed ? to : from, isReversed ? from : to, &edge, isOfWindow, isReversed});
 }
 
 } // namespace clipping

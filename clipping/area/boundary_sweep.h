@@ -30,6 +30,7 @@ public:
 private:
     struct Input {
         const PreparedRegion::Data& region;
+        EdgesNear near;
         BothSides sides;
         bool isWindow;
         const AreaEdge* entered = nullptr; ///< the edge at whose start the sides are
@@ -37,19 +38,18 @@ private:
         bool isApartFrom(const Segment& s) const;
         void enter(const SweptLine& swept, const AreaEdge& edge);
     };
-    /// An end of a piece.
-    struct Place {
-        glm::dvec2 at;
-        double share;
-    };
 
     void walk(const AreaEdge& edge, Input& own, Input& other);
-    bool findStops(const SweptLine& swept, const AreaEdge& edge, bool isOwn, const Input& input);
+    bool findStops(const SweptLine& swept, const AreaEdge& edge, bool isOwn, Input& input);
     void passStops(const SweptLine& swept, const AreaEdge& edge, bool isOfWindow);
     std::size_t pass(const SweptLine& swept, std::size_t first, int& covers);
-    Place placeOf(const SweptLine& swept, std::size_t stop) const;
+    glm::dvec2 placeOf(const SweptLine& swept, std::size_t stop) const
+    {
+        return pointOf(swept, stops_[stop].meeting);
+    }
     bool isBoundary(bool isOfWindow);
-    void append(const AreaEdge& edge, bool isOfWindow, const Place& from, const Place& to);
+    void append(const AreaEdge& edge, bool isOfWindow, const glm::dvec2& from,
+                const glm::dvec2& to);
 
     Input area_, window_;
     EdgeStops stops_;

@@ -70,9 +70,10 @@ struct CLEARCUT_HOLDS_CONTAINERS ClippedArea {
 /// 4. Where edges of the area and of the window coincide, the area's edge is the origin; of several
 ///    edges of one input, the one with the smallest number.
 ///
-/// Takes O(edges) in ordinary drawings, plus what is needed to sort the crossings. Of the window,
-/// only the edges near the area count. Edges that cross one another thousands of times take many
-/// seconds: when a stop is requested, the call returns within some hundredths of a second.
+/// Takes O(edges) in ordinary drawings, O(edges log edges) where long edges are beside each other,
+/// plus what is needed to sort the crossings. Of the window, only the edges near the area count.
+/// Edges that cross one another thousands of times take many seconds: when a stop is requested, the
+/// call returns within some hundredths of a second, or after preparing the area.
 ClippedArea clipArea(const PreparedRegion& area, const PreparedRegion& window,
                      const std::stop_token& stop = {});
 

@@ -11,42 +11,25 @@ namespace clipping {
 
 using Place = Meeting::Place;
 
-void EdgeStops::SeenEdges::begin(const PreparedRegion::Data& region)
-{
-    // Where edges are listed in few cells, so are those that meet; then this is not worth its room.
-    constexpr std::size_t few = 8;
-    const std::size_t listed = region.grid.edgesIn(0, region.grid.cells() - 1).size();
-    if (++round_ == 1 && listed > few * region.edges.size())
-        rounds_.assign(region.edges.size(), 0);
-}
-
-bool EdgeStops::find(const SweptLine& swept, const Rank& rank, const PreparedRegion::Data& region,
-                     bool isOfWindow)
+bool EdgeStops::find(const SweptLine& swept, const Rank& rank, EdgesNear& near, bool isOfWindow)
 {
     bool endIsFree = true;
-    SeenEdges& seen = seen_[isOfWindow ? 1 : 0];
-    seen.begin(region);
-    region.grid.trace(swept.segment, [&](std::size_t first, std::size_t last) {
-        for (const std::uint32_t i : region.grid.edgesIn(first, last)) {
-            if (seen.isRepeated(i))
-                continue;
-            const AreaEdge& edge = region.edges[i];
-            if (&edge == rank.edge || swept.isApartFrom(edge.segment))
-                continue;
-            const int from = swept.line.side(edge.segment.a), to = swept.line.side(edge.segment.b);
-            if (from == 0 && to == 0) {
-                endIsFree = false;
-                if (std::less<>()(&edge, rank.allBefore))
-                    along_.push_back(&edge);
-            }
-            if (from == to)
-                continue;
-            const auto meeting = meetingOf(swept, edge, from, to);
-            if (meeting && meeting->place == Place::Between)
-                stops_.push_back({*meeting, isOfWindow, 0});
-            else if (meeting && meeting->place == Place::End && &edge != rank.edge + 1)
-                endIsFree = false;
+    near.forEach(swept.segment, [&](const AreaEdge& edge) {
+        if (&edge == rank.edge || swept.isApartFrom(edge.segment))
+            return;
+        const int from = swept.line.side(edge.segment.a), to = swept.line.side(edge.segment.b);
+        if (from == 0 && to == 0) {
+            endIsFree = false;
+            if (std::less<>()(&edge, rank.allBefore))
+                along_.push_back(&edge);
         }
+        if (from == to)
+            return;
+        const auto meeting = meetingOf(swept, edge, from, to);
+        if (meeting && meeting->place == Place::Between)
+            stops_.push_back({*meeting, isOfWindow, 0});
+        else if (meeting && meeting->place == Place::End && &edge != rank.edge + 1)
+            endIsFree = false;
     });
     return endIsFree;
 }

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "clipping/region/edges_near.h"
 #include "clipping/region/meeting.h"
-#include "clipping/region/prepared.h"
-
-#include <array>
-#include <utility>
 
 namespace clipping {
 
@@ -28,8 +25,7 @@ public:
     void clear() { stops_.clear(), along_.clear(), keys_.clear(); }
     /// Adds the stops at edges of a region. Returns whether none of them, except the one that
     /// follows it in memory, touches the end of the edge.
-    bool find(const SweptLine& swept, const Rank& rank, const PreparedRegion::Data& region,
-              bool isOfWindow);
+    bool find(const SweptLine& swept, const Rank& rank, EdgesNear& near, bool isOfWindow);
     bool isEmpty() const { return stops_.empty(); }
     /// Orders all stops.
     void sort(const SweptLine& swept);
@@ -52,28 +48,12 @@ private:
         std::uint32_t stop;
     };
 
-    /// Which edges of a region a segment has been tested with: long edges are listed in many cells.
-    class SeenEdges {
-    public:
-        void begin(const PreparedRegion::Data& region);
-        /// May miss repeated edges of a region whose edges are listed in few cells.
-        bool isRepeated(std::uint32_t edge)
-        {
-            return !rounds_.empty() && std::exchange(rounds_[edge], round_) == round_;
-        }
-
-    private:
-        std::vector<std::size_t> rounds_; ///< for each edge, the last segment it was tested with
-        std::size_t round_ = 0;
-    };
-
     bool comesBefore(const SweptLine& swept, const Key& p, const Key& q) const;
     void addKeys();
     void addCovers(const SweptLine& swept);
 
     std::vector<Stop> stops_;
     std::vector<Key> keys_;
-    std::array<SeenEdges, 2> seen_;      ///< of the area and of the window
     std::vector<const AreaEdge*> along_; ///< edges along this one that come before it
 };
 

@@ -59,11 +59,11 @@ private:
         for (std::size_t i = 0; i < ring.size(); ++i) {
             const BoundaryPiece& piece = pieces_[ring[i]];
             if (i > 0 && areOne(ring[i - 1], ring[i])) {
-                result_.origins.back().to = piece.origin.to;
+                result_.origins.back().to = piece.origin().to;
                 continue;
             }
             result_.points.push_back(piece.from);
-            result_.origins.push_back(piece.origin);
+            result_.origins.push_back(piece.origin());
         }
         if (result_.points.size() > first + 1 && areOne(ring.back(), ring.front())) {
             result_.points[first] = result_.points.back();

@@ -111,10 +111,68 @@ struct PathCorner {
     }
 };
 
-/// How much the winding number at the point beside a start exceeds that at the reference, on
-/// account of one edge. Crossing an edge from its right to its left adds 1.
-inline int windingStep(const Segment& edge, const Reference& reference, const BesideStart& start)
+/// The straight path from a reference to a point beside a start.
+struct StraightPath {
+    const Reference& reference;
+    const BesideStart& start;
+
+    /// The side of the path's line on which p lies: 1 or -1.
+    int side(const glm::dvec2& p) const
+    {
+        const glm::dvec2& from = reference.at;
+        const DirectedLine& line = start.line;
+        if (p == from)
+            return start.isAbove(p) ? 1 : -1;
+        if (const int sign = leftOf(from, line.at, p).sign)
+            return sign;
+        // The start is moved along its line by ε.
+        if (const int sign = cross(line.along, line.from, line.to, from, p).sign)
+            return sign;
+        // And sideways by δ; p is ahead of the reference or behind it.
+        const int ahead = line.signX() != 0 ? line.signX() * signOf(from.x, p.x)
+                                            : line.signY() * signOf(from.y, p.y);
+        return -start.left * ahead;
+    }
+};
+
+/// The straight path from a reference to another one, at another place.
+struct PathBetween {
+    const Reference &from, &to;
+
+    /// The side of the path's line on which p lies: 1 or -1.
+    int side(const glm::dvec2& p) const
+    {
+        if (const int sign = leftOf(from.at, to.at, p).sign)
+            return sign;
+        const int up = signOf(from.at.y, to.at.y);
+        return up != 0 ? -up : signOf(from.at.x, to.at.x);
+    }
+};
+
+/// How much the winding number grows along a path, on account of one edge. Crossing an edge from
+/// its right to its left adds 1.
+inline int windingStep(const Segment& edge, const StraightPath& path)
 {
+    if (path.side(edge.a) == path.side(edge.b))
+        return 0;
+    return (path.start.side(edge) - path.reference.side(edge)) / 2;
+}
+inline int windingStep(const Segment& edge, const PathBetween& path)
+{
+    if (path.side(edge.a) == path.side(edge.b))
+        return 0;
+    return (path.to.side(edge) - path.from.side(edge)) / 2;
+}
+
+/// From the reference to its corner, and on to the point beside the start.
+struct CornerPath {
+    const Reference& reference;
+    const BesideStart& start;
+};
+
+inline int windingStep(const Segment& edge, const CornerPath& path)
+{
+    const auto& [reference, start] = path;
     const bool upwards = reference.isRight(edge.a) != reference.isRight(edge.b);
     const bool sideways = start.isAbove(edge.a) != start.isAbove(edge.b);
     if (!upwards && !sideways)

@@ -49,7 +49,10 @@ Area areaOf(const Window& w)
 std::vector<AreaEdge> edgesOf(const Region& region)
 {
     std::vector<AreaEdge> edges;
-    std::size_t first = 0;
+    std::size_t first = 0, all = 0;
+    for (const auto& step : region.steps)
+        all += step.area.points.size();
+    edges.reserve(all);
     for (std::size_t i = 0; i < region.steps.size(); ++i) {
         const Area& area = region.steps[i].area;
         if (isFinite(area))

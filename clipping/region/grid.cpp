@@ -36,7 +36,7 @@ glm::dvec2 partsFor(std::span<const AreaEdge> edges, double wanted, const glm::d
         const glm::dvec2 share = glm::abs(edge.segment.b - edge.segment.a) / size;
         crossed += share.x * parts.x + share.y * parts.y;
     }
-    const double room = 0x1p20 + 64 * count;
+    const double room = 0x1p18 + 4 * count;
     return crossed > room ? parts * (room / crossed) : parts;
 }
 
@@ -150,25 +150,15 @@ void SearchGrid::findWindings(std::span<const AreaEdge> edges, std::size_t steps
 {
     firstWinding_.reserve(cells() + 1);
     firstWinding_.push_back(0);
-    std::vector<int> numbers(steps, 0);
-    std::vector<std::uint32_t> inside; // the steps whose number is not 0
-    const auto pass = [&](const Crossed& edge) {
-        if (numbers[edge.step] == 0)
-            inside.push_back(edge.step);
-        numbers[edge.step] += edge.change;
-        if (numbers[edge.step] == 0)
-            std::erase(inside, edge.step);
-    };
+    Windings here(steps);
     for (auto& row : crossedRows(edges)) {
         std::ranges::sort(row, {}, &Crossed::column);
-        std::ranges::fill(numbers, 0);
-        inside.clear();
+        here.clear();
         auto next = row.begin();
         for (std::size_t column = 0; column < columns_.count; ++column) {
             for (; next != row.end() && next->column == column; ++next)
-                pass(*next);
-            for (const std::uint32_t step : inside)
-                windings_.push_back({step, numbers[step]});
+                here.add(next->step, next->change);
+            here.appendTo(windings_);
             firstWinding_.push_back(static_cast<std::uint32_t>(windings_.size()));
         }
     }

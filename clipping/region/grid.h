@@ -3,6 +3,7 @@
 
 #include "clipping/region/beside.h"
 #include "clipping/region/edges.h"
+#include "clipping/region/winding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,13 +18,6 @@ namespace clipping {
 /// wherever an edge and a segment meet, a traced cell of the segment lists the edge.
 class SearchGrid {
 public:
-    /// A winding number other than 0 of one area.
-    struct Winding {
-        std::uint32_t step;
-        int number;
-        friend bool operator==(const Winding&, const Winding&) = default;
-    };
-
     /// A rectangle of cells.
     struct Block {
         std::size_t left, right, bottom, top; ///< columns and rows, all of them included
@@ -62,6 +56,7 @@ public:
         const std::uint32_t begin = firstEdge_[first];
         return std::span(edges_).subspan(begin, firstEdge_[last + 1] - begin);
     }
+    std::size_t listed() const { return edges_.size(); } ///< edges, in all cells together
     std::span<const Winding> windingsIn(std::size_t cell) const
     {
         return std::span(windings_).subspan(firstWinding_[cell],

@@ -22,6 +22,7 @@ constexpr double cellsForEach = 2, fewestCells = 16;
 constexpr double fineCellsForEach = 64, fewestFineCells = 1024;
 constexpr std::size_t fineMostEdges = 1024; // with more, the usual cells are small enough
 constexpr std::size_t manySegments = 4096;
+constexpr std::size_t asManyAsATree = 64; // edges that a grid lists while a tree divides one
 
 } // namespace
 
@@ -56,10 +57,25 @@ const RegionGrid& PreparedRegion::Data::gridFor(std::size_t segments) const
 {
     if (segments < manySegments || edges.empty() || edges.size() > fineMostEdges)
         return grid;
-    const std::scoped_lock one(makingFine_);
+    const std::scoped_lock one(making_);
     if (!fine_)
         fine_ = std::make_unique<RegionGrid>(*this, fineCellsForEach, fewestFineCells);
     return *fine_;
+}
+
+const EdgeTree* PreparedRegion::Data::treeAfter(std::size_t listedTooMany) const
+{
+    if (const EdgeTree* const made = madeTree_)
+        return made;
+    if (listedTooMany == 0 || edges.empty())
+        return nullptr;
+    listedTooMany_ += listedTooMany;
+    if (listedTooMany_ < asManyAsATree * edges.size() || !EdgeTree::suits(grid.box()))
+        return nullptr;
+    const std::scoped_lock one(making_);
+    if (!tree_)
+        tree_ = std::make_unique<EdgeTree>(edges, rules.size(), grid.box());
+    return madeTree_ = tree_.get();
 }
 
 PreparedRegion::PreparedRegion(const Region& region) : data_(std::make_shared<Data>(region)) {}

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "clipping/region/edge_tree.h"
 #include "clipping/region/fold.h"
 #include "clipping/region/grid.h"
 
+#include <atomic>
 #include <memory>
 #include <mutex>
 
@@ -37,10 +39,16 @@ struct PreparedRegion::Data {
     /// The grid for clipping so many segments. Many pay for one with smaller cells, which most
     /// short segments pass without meeting an edge; the first call makes it.
     const RegionGrid& gridFor(std::size_t segments) const;
+    /// A tree of the edges, once grids have listed so many too many that it would have been made in
+    /// the time; null before. Says that they have listed some more.
+    const EdgeTree* treeAfter(std::size_t listedTooMany) const;
 
 private:
-    mutable std::mutex makingFine_;
+    mutable std::mutex making_;
     mutable std::unique_ptr<const RegionGrid> fine_;
+    mutable std::unique_ptr<const EdgeTree> tree_;
+    mutable std::atomic<const EdgeTree*> madeTree_ = nullptr;
+    mutable std::atomic<std::size_t> listedTooMany_ = 0;
 };
 
 } // namespace clipping

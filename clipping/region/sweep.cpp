@@ -18,8 +18,8 @@ std::span<const RegionPiece> LineSweep::piecesOf(const Segment& segment, std::ui
 void LineSweep::findMeetings(const SweptLine& swept, const RegionGrid& grid)
 {
     std::size_t count = 0;
-    grid.trace(swept.segment, [&](std::size_t first, std::size_t last) {
-        count = addNear(swept.line, grid.edgesIn(first, last), count);
+    edges_.trace(swept.segment, grid, [&](std::span<const std::uint32_t> edges) {
+        count = addNear(swept.line, edges, count);
     });
     meetings_.clear();
     isNearEdge_ = false;
@@ -49,21 +49,11 @@ std::size_t LineSweep::addNear(const DirectedLine& line, std::span<const std::ui
 /// Counts the windings beside the start of the segment.
 void LineSweep::enterAt(const SweptLine& swept, const RegionGrid& grid)
 {
-    if (!contains(grid.box(), swept.segment.a))
-        return;
-    const std::size_t cell = grid.cellOf(swept.segment.a);
-    for (const auto& [step, winding] : grid.windingsIn(cell))
-        walk_.turn(step, winding, winding);
-    const Reference reference = grid.reference(cell);
-    const BesideStart left{swept.line, 1}, right{swept.line, -1};
-    for (const std::uint32_t i : grid.edgesIn(cell, cell)) {
-        const AreaEdge& edge = region_.edges[i];
-        const int ofLeft = windingStep(edge.segment, reference, left);
+    if (contains(grid.box(), swept.segment.a))
         // No edge passes between both sides of a start that none is near.
-        const int ofRight = isNearEdge_ ? windingStep(edge.segment, reference, right) : ofLeft;
-        if (ofLeft != 0 || ofRight != 0)
-            walk_.turn(edge.step, ofLeft, ofRight);
-    }
+        edges_.enter(swept, grid, !isNearEdge_, [&](std::uint32_t step, int left, int right) {
+            walk_.turn(step, left, right);
+        });
 }
 
 } // namespace clipping

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "clipping/region/edges_near.h"
 #include "clipping/region/line_walk.h"
 
 namespace clipping {
@@ -10,7 +11,10 @@ namespace clipping {
 /// the reference point of its cell.
 class LineSweep {
 public:
-    explicit LineSweep(const PreparedRegion::Data& region) : region_(region), walk_(region) {}
+    explicit LineSweep(const PreparedRegion::Data& region)
+        : region_(region), edges_(region), walk_(region)
+    {
+    }
 
     /// The kept pieces of a finite segment whose bounding box meets that of the region. Valid until
     /// the next call.
@@ -28,6 +32,7 @@ private:
     void enterAt(const SweptLine& swept, const RegionGrid& grid);
 
     const PreparedRegion::Data& region_;
+    EdgesNear edges_;
     LineWalk walk_;
     Meetings meetings_;
     std::vector<std::uint32_t> near_; ///< edges that the line may meet

@@ -54,6 +54,33 @@ Area star(int points)
     return area;
 }
 
+/// Long edges beside each other, tilted by so many degrees: the teeth are as thick as their gaps.
+Area comb(std::size_t teeth, double degrees)
+{
+    Area area;
+    const double angle = degrees * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
+    const auto add = [&](double x, double y) {
+        area.points.push_back({c * x - s * y, s * x + c * y});
+    };
+    for (std::size_t i = 0; i < teeth; ++i) {
+        const double x = 1000 * double(i) / double(teeth) - 500, next = x + 500 / double(teeth);
+        add(x, 500), add(next, 500), add(next, -500), add(x + 1000 / double(teeth), -500);
+    }
+    add(500, -501), add(-500, -501);
+    return area;
+}
+
+/// Edges that nearly meet in the middle.
+Area rays(std::size_t count)
+{
+    Area area;
+    for (std::size_t i = 0; i < 2 * count; ++i) {
+        const double angle = std::numbers::pi * double(i) / double(count), r = i % 2 ? 500 : 50;
+        area.points.push_back({r * std::cos(angle), r * std::sin(angle)});
+    }
+    return area;
+}
+
 double areaOfRings(std::span<const glm::dvec2> points, std::span<const std::uint32_t> ends)
 {
     double twice = 0;
@@ -153,6 +180,9 @@ int main(int argc, char** argv)
         {"10,000 blocks, a window", blocks(many), window},
         {"10,000 blocks, a coast line of 10,000 edges", blocks(many), coast},
         {"star of 301 edges that cross each other, a window", {star(301)}, window},
+        {"comb of 10,000 teeth, a window", {comb(many, 0)}, window},
+        {"comb of 10,000 teeth, tilted, a window", {comb(many, 7)}, window},
+        {"10,000 rays, a window", {rays(many)}, window},
     };
     bool agree = true;
     for (const Case& each : cases)

@@ -45,6 +45,7 @@ testsOf() { # KEY
     batch/*) echo batch.kernels polygon.exact ;;
     box/*) echo box.box ;;
     region/convex) echo region.convex region.region ;;
+    region/beside.h | region/edge-tree*) echo region.edge_tree region.grid ;;
     region/box-part) echo region.box_part ;;
     winding-number | region/winding-number) echo algorithms.winding_number ;;
     polygon/exact | polygon/winding-number | polygon/exact-ends* | polygon/edge-table | exact/meeting* | exact/quotient) echo polygon.exact ;;

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "tests/clipping/rational.h"
+#include "tests/clipping/same_bits.h"
 
 namespace area_contract {
 
@@ -93,6 +94,19 @@ inline std::string originFault(const ClippedArea& result, const clipping::Prepar
         }
     });
     return fault;
+}
+
+/// Whether two results are the same, bit for bit.
+inline bool areTheSame(const ClippedArea& p, const ClippedArea& q)
+{
+    const auto sameOrigin = [](const clipping::EdgeOrigin& a, const clipping::EdgeOrigin& b) {
+        return a.number == b.number && a.isOfWindow == b.isOfWindow && sameBits(a.from, b.from)
+               && sameBits(a.to, b.to);
+    };
+    return p.part == q.part && p.ringEnds == q.ringEnds
+           && std::ranges::equal(p.points, q.points,
+                                 [](const auto& a, const auto& b) { return sameBits(a, b); })
+           && std::ranges::equal(p.origins, q.origins, sameOrigin);
 }
 
 /// Whether a ring visits a corner twice.

@@ -7,6 +7,7 @@
 #include "tests/clipping/area/shapes.h"
 #include "tests/clipping/area/truth.h"
 #include "tests/clipping/region/contract.h"
+#include "tests/clipping/region/in_tree.h"
 #include "tests/test_class.h"
 #include "tests/verify.h"
 
@@ -67,6 +68,7 @@ private slots:
             const Region window = hostileRegion(random, points, 2);
             const PreparedRegion prepared(area), at(window);
             const ClippedArea result = clipArea(prepared, at);
+            QVERIFY(areTheSame(clipArea(inTree(area), inTree(window)), result));
             const std::string input = exactly({}, area) + "; " + exactly({}, window);
             const double exact = Truth(area, window).area<double>(toDouble);
             const double left = result.part == AreaPart::Whole
@@ -138,6 +140,28 @@ private slots:
         QCOMPARE(clipArea(hole, hole).part, AreaPart::Refused);
         QCOMPARE(clipArea(PreparedRegion(Region{}), hole).part, AreaPart::Refused);
         QCOMPARE(clipArea(areaOf({{0, 0}, {4, 4}}), hole).part, AreaPart::None);
+    }
+
+    /// Long edges beside each other: the tree takes over from the grid.
+    void manyTeeth()
+    {
+        constexpr int teeth = 5'000;
+        Area area;
+        for (int i = 0; i < teeth; ++i)
+            for (const int corner : {0, 1, 3, 2}) {
+                const double along = (i + corner / 2 * 0.5) / teeth - 0.5, across = corner % 2;
+                area.points.push_back({along + 0.1 * across, across - 0.1 * along});
+            }
+        const Area window = areaOf({{-0.2, 0.3}, {0.25, 0.6}});
+        const Region filled{{{area}}, Keep::Inside};
+        const auto inside = clipArea(area, PreparedRegion({{{window}}, Keep::Inside}));
+        const auto outside = clipArea(area, PreparedRegion({{{window}}, Keep::Outside}));
+        QVERIFY(inside.ringEnds.size() > 2'000 && outside.ringEnds.size() > 2'000);
+        const ClippedArea clockwise{AreaPart::Cut, area.points, {4 * teeth}};
+        const Rational sum = exactArea(inside) + exactArea(outside);
+        QVERIFY(std::abs(toDouble(sum + exactArea(clockwise))) < 1e-12);
+        const PreparedRegion same = inTree(filled);
+        QVERIFY(areTheSame(clipArea(same, inTree({{{window}}, Keep::Inside})), inside));
     }
 
     void aHundredThousandEdges()

@@ -7,6 +7,7 @@
 #include "tests/clipping/area/shapes.h"
 #include "tests/clipping/area/truth.h"
 #include "tests/clipping/region/contract.h"
+#include "tests/clipping/region/in_tree.h"
 #include "tests/test_class.h"
 #include "tests/verify.h"
 
@@ -88,6 +89,8 @@ private slots:
                 fault = originFault(result, prepared, at, 16);
             if (fault.empty() && visitsTwice(result))
                 fault = "a ring visits a corner twice";
+            if (fault.empty() && !areTheSame(clipArea(inTree(area), inTree(window)), result))
+                fault = "another result by the tree";
             VERIFY_OR_SAY(
                 fault.empty(),
                 (fault + " for" + exactly({}, area) + "; " + exactly({}, window)).c_str());
@@ -108,6 +111,7 @@ private slots:
             const Truth truth(filled, window);
             const ClippedArea result = clipArea(area, PreparedRegion(window));
             QVERIFY(result.part == AreaPart::Cut);
+            QVERIFY(areTheSame(clipArea(inTree(filled), inTree(window)), result));
             // All corners are off by at most half an ulp of 16, and there are fewer than 4,000.
             const Rational off = exactArea(result) - areaIn(truth);
             VERIFY_OR_SAY(abs(off) < rational(0x1p-36), exactly({}, filled).c_str());

@@ -7,6 +7,7 @@
 
 #include "tests/clipping/random.h"
 #include "tests/clipping/region/contract.h"
+#include "tests/clipping/region/in_tree.h"
 #include "tests/test_class.h"
 
 namespace region_grid_test {
@@ -32,10 +33,12 @@ std::vector<Segment> gridSegments(int side)
 void check(const Region& region, std::span<const Segment> segments)
 {
     const Truth truth(region);
-    const PreparedRegion prepared(region);
-    for (const Segment& s : segments)
+    const PreparedRegion prepared(region), other = inTree(region);
+    for (const Segment& s : segments) {
         if (const auto wrong = faultAt(s, truth, prepared); !wrong.empty())
             QFAIL((wrong + " for " + exactly(s, region)).c_str());
+        QVERIFY2(arePieces(clip(s, other), clip(s, prepared)), exactly(s, region).c_str());
+    }
 }
 
 Region single(std::vector<glm::dvec2> points, FillRule rule = FillRule::NonZero)

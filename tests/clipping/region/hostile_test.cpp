@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "tests/clipping/region/contract.h"
+#include "tests/clipping/region/in_tree.h"
 #include "tests/clipping/region/shapes.h"
 #include "tests/test_class.h"
 #include "tests/verify.h"
@@ -28,22 +29,17 @@ void check(unsigned seed, bool ordinary, int regions, int areas)
         HostilePoints points(random, ordinary);
         const Region region = hostileRegion(random, points, areas);
         const Truth truth(region);
-        const PreparedRegion prepared(region);
+        const PreparedRegion prepared(region), other = inTree(region);
         for (int j = 0; j < 6; ++j) {
             const glm::dvec2 a = points.next(), b = points.next();
             if (const auto wrong = faultAt({a, b}, truth, prepared); !wrong.empty())
                 QFAIL((wrong + " for " + exactly({a, b}, region)).c_str());
+            QVERIFY2(arePieces(clip({a, b}, other), clip({a, b}, prepared)),
+                     exactly({a, b}, region).c_str());
             pieces += int(clip({a, b}, prepared).size());
         }
     }
     QVERIFY(pieces > regions);
-}
-
-bool same(const std::vector<RegionPiece>& p, const std::vector<RegionPiece>& q)
-{
-    return std::ranges::equal(p, q, [](const RegionPiece& a, const RegionPiece& b) {
-        return sameBits(a.segment, b.segment) && a.edgeOfA == b.edgeOfA && a.edgeOfB == b.edgeOfB;
-    });
 }
 
 std::vector<Segment> segmentsOf(const std::vector<RegionPiece>& pieces)
@@ -94,7 +90,7 @@ private slots:
                 auto expected = clip(s, prepared);
                 for (RegionPiece& piece : expected)
                     piece.segment = {scaled(piece.segment.a), scaled(piece.segment.b)};
-                VERIFY_OR_SAY(same(clip({scaled(s.a), scaled(s.b)}, otherPrepared), expected),
+                VERIFY_OR_SAY(arePieces(clip({scaled(s.a), scaled(s.b)}, otherPrepared), expected),
                               exactly(s, region).c_str());
             }
         }
@@ -198,7 +194,8 @@ private slots:
         std::ranges::transform(points, points.begin(), scaled);
         for (RegionPiece& piece : expected)
             piece.segment = {scaled(piece.segment.a), scaled(piece.segment.b)};
-        QVERIFY(same(clip({scaled(line.a), scaled(line.b)}, PreparedRegion(region)), expected));
+        QVERIFY(
+            arePieces(clip({scaled(line.a), scaled(line.b)}, PreparedRegion(region)), expected));
     }
 
     void everySizeOfBufferGivesTheSame()
@@ -225,7 +222,7 @@ private slots:
                     const auto written = std::span(out).first(progress.written);
                     all.insert(all.end(), written.begin(), written.end());
                 } while (progress.segment < lines.size());
-                QVERIFY(same(all, expected));
+                QVERIFY(arePieces(all, expected));
                 QVERIFY(std::ranges::equal(all, expected, {}, &RegionPiece::source,
                                            &RegionPiece::source));
             }
