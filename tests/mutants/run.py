@@ -148,6 +148,8 @@ class Faults:
         tests = tests_of(name.split("/")[1], self.layer, self.tests)
         self.prepare(tests)
         tests = sorted((test for test in tests if self.seconds[test.name] <= LONGEST), key=lambda t: self.seconds[t.name])
+        if not tests:
+            sys.exit(f"There is no test for {name} that passes without a fault.")
         text = (COPY / name).read_text()
         (COPY / name).write_text(text[:mutant.begin] + mutant.text + text[mutant.end:])
         try:
@@ -179,6 +181,8 @@ def main() -> None:
     given = parser.parse_args()
     copy_sources()
     configure()
+    if errors := build(set()):  # everything: ctest has no commands for programs that are not there
+        sys.exit(errors)
     faults = Faults(given.layer, given.rooms)
     done = lived = 0
     seen = set()
