@@ -49,6 +49,7 @@ CutOptions cutOptionsOf(const ParsedArguments& arguments, const Imported& import
                            ? Keep::Inside
                            : Keep::Outside;
     options.region = regionOf(windows, imported.document.page());
+    options.windows = windows;
     options.tolerance = toleranceOf(arguments, imported.document.page());
     takeCuttingOptions(arguments, imported.document.page(), options);
     options.keepContacts = output.format->holds == Holds::SeparateLines;

@@ -2,6 +2,7 @@
 #include "app/cut/cut.h"
 
 #include "app/base/turn_progress.h"
+#include "app/cut/curved_border.h"
 #include "app/cut/cut_edit.h"
 #include "app/cut/line_clipping.h"
 
@@ -23,13 +24,14 @@ public:
         std::size_t first, end; ///< its chords in the array
     };
 
-    void add(std::size_t number, const ObjectView& object, double tolerance)
+    void add(std::size_t number, const ObjectView& object, double tolerance,
+             const CurvedBorder& border)
     {
         const std::size_t first = chords_.size();
         if (const auto line = object.singleLine())
             chords_.push_back({*line, 0, 0, 1});
         else
-            flatten(object.path(), tolerance, chords_);
+            border.flattenAlong(object.path(), tolerance, chords_);
         members_.push_back({number, first, chords_.size()});
     }
 
@@ -87,11 +89,23 @@ CutOptions withTolerance(CutOptions options, const Page& page)
     return options;
 }
 
+/// With the border's windows as polygons, divided where curves of the drawing begin and end on it.
+CutOptions dividedAt(CurvedBorder& border, const Document& document, CutOptions options,
+                     const std::stop_token& stop)
+{
+    if (!border.isEmpty() && border.divideAtEndsIn(document.objects(), stop))
+        options.region =
+            withKeep(regionOf(border.polygons(), document.page()), options.region.keep);
+    return options;
+}
+
 class Cutter {
 public:
     Cutter(const Document& document, const CutOptions& options, Grouping grouping,
            const Follower& follower)
-        : objects_(document.objects()), options_(withTolerance(options, document.page())),
+        : objects_(document.objects()), border_(options.windows, document.page()),
+          options_(
+              dividedAt(border_, document, withTolerance(options, document.page()), follower.stop)),
           edit_(document, grouping), clipping_(options_, follower.stop),
           areas_(options_.region, follower.stop), turns_(follower, double(objects_.size()))
     {
@@ -103,7 +117,7 @@ public:
         objects_.forEach(0, objects_.size(), [&](std::size_t i, const ObjectView& object) {
             if (turns_.stopped() || !reached(i))
                 return;
-            batch_.add(i, object, options_.tolerance);
+            batch_.add(i, object, options_.tolerance, border_);
             if (batch_.chords().size() >= chordsAtOnce)
                 cutBatch();
         });
@@ -176,6 +190,7 @@ private:
     }
 
     const Objects& objects_;
+    CurvedBorder border_;
     const CutOptions options_;
     CutEdit edit_;
     ChordClipping clipping_;

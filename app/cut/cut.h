@@ -16,6 +16,9 @@ struct CutOptions {
     bool leaveHidden = false;  ///< hidden objects stay whole
     bool closeAreas = false;   ///< the stroke of a cut area runs along the cut, too
     double leastLength = 0;    ///< shorter pieces of cut lines are dropped (user units)
+    /// Those of the region: curves of the drawing that run along their curves are one with them
+    /// (curved_border.h). Without windows such curves are cut like all others.
+    ClipWindows windows{};
 };
 
 /// Counts of objects and lines after a cut, for the report.

@@ -28,6 +28,14 @@ std::vector<KeptPart> partsOf(std::size_t chords, std::span<const Clipped>& piec
     return parts;
 }
 
+/// How many chords belong to the first subpath.
+std::size_t chordsOfFirst(std::span<const Chord> chords)
+{
+    const auto begins = [](const Chord& chord) { return chord.pathSegment == 0 && chord.t0 == 0; };
+    const auto next = std::find_if(chords.begin() + 1, chords.end(), begins);
+    return std::size_t(next - chords.begin());
+}
+
 double lengthOf(const Subpath& path, double tolerance)
 {
     std::vector<Chord> chords;
@@ -85,7 +93,7 @@ public:
     void cut(std::span<const Chord> chords, std::span<const Clipped> pieces, std::size_t first)
     {
         for (const Subpath& path : object_.path.subpaths()) {
-            const std::size_t count = chordCount(path, options_.tolerance);
+            const std::size_t count = chordsOfFirst(chords);
             add(path, chords.first(count), partsOf(count, pieces, first));
             chords = chords.subspan(count);
             first += count;

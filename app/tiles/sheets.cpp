@@ -107,6 +107,7 @@ Document Sheets::sheet(const Tile& tile) const
     const double unit = tiling.millimetresPerUnit;
     CutOptions cutting = options;
     cutting.region = {{{tile.window, WindowOperation::Add}}};
+    cutting.windows = {};
     Document made = withOwnStyles(drawing);
     Edit edit = cut(made, cutting).edit;
     edit.windows = ClipWindows();

@@ -17,6 +17,7 @@ app::CutOptions Files::cutAs(MakeOptions make) const
     app::CutOptions options = make(session_.display().cutting, document.page());
     options.clipAll = session_.uses().clipAll;
     options.region = app::regionOf(document.windows(), document.page());
+    options.windows = document.windows();
     return options;
 }
 

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cut/box_index.h"
+#include "app/document/clip_windows.h"
+#include "app/document/document.h"
+#include "app/document/elliptic_curve.h"
+
+#include <glm/geometric.hpp>
+
+#include <map>
+#include <stop_token>
+
+namespace app {
+
+/// The border of clip windows with curves, and the drawing's curves that run along it.
+///
+/// The windows are cut at as polygons. A curve that coincides with a curved edge would cross its
+/// polygon again and again, and end as dashes. So coincidence is found first: where a curve of the
+/// drawing stays within a micrometre (on paper) of the border, its chords are the polygon's own
+/// edges, bit for bit; what follows treats them as shared edges. Curves that approximate parts of
+/// ellipses are compared as these.
+class CurvedBorder {
+public:
+    /// How far apart two curves may be that are the same.
+    static constexpr double millimetres = 0.001;
+
+    /// Of the visible windows. Empty if none has curves.
+    CurvedBorder(const ClipWindows& windows, const Page& page);
+    bool isEmpty() const { return edges_.empty(); }
+
+    /// Divides the border where curves of the drawing begin or end on it. Returns whether it did.
+    bool divideAtEndsIn(const Objects& objects, const std::stop_token& stop = {});
+    /// The windows as polygons.
+    ClipWindows polygons() const;
+
+    /// Appends the chords of a path as `flatten` does, along the border where the path is.
+    void flattenAlong(const Path& path, double tolerance, std::vector<Chord>& chords) const;
+
+private:
+    /// An edge of a window's polygon: a chord of its curve, or straight if there is nothing
+    /// between.
+    struct Edge {
+        Point from;
+        std::vector<Point> between{};
+        std::optional<EllipseArc> ellipse{}; ///< of which the curve is a part
+        bool isCurved = false;
+    };
+    struct Ring {
+        std::size_t window;
+        std::vector<Edge> edges{};
+    };
+    /// An edge along a curve's part [low, high].
+    struct Shared {
+        double low, high;
+        Point atLow, atHigh;
+    };
+    /// A curved edge, by the numbers of its ring and of it there.
+    struct Place {
+        std::size_t ring, edge;
+    };
+
+    void add(const PathShape& shape, double tolerance, std::size_t window);
+    void makeIndex();
+    /// Whether two points are the same but for rounding: a nanometre on paper.
+    bool areSame(const Point& p, const Point& q) const
+    {
+        return glm::distance(p, q) <= near_ / 1000;
+    }
+    const Edge& edgeAt(const Place& place) const { return rings_[place.ring].edges[place.edge]; }
+    const Point& endOf(const Place& place) const;
+    /// Where curved edges, by their numbers, are divided.
+    using Cuts = std::map<std::uint32_t, std::vector<std::pair<double, Point>>>;
+    bool divideAt(const Point& p, Cuts& cuts);
+    struct Where {
+        double parts; ///< from the start of the edge
+        double distance;
+    };
+    Where whereOn(const Place& place, const Point& p) const;
+    void divide(Cuts& cuts);
+    std::optional<Shared> shared(const Place& place, const Bezier& curve,
+                                 const std::optional<EllipseArc>& ellipse) const;
+    void flattenAlong(const Bezier& curve, std::span<const Chord> plain, double tolerance,
+                      Point& at, std::vector<Chord>& chords) const;
+    std::vector<Shared> sharedWith(const Bezier& curve, std::span<const Chord> chords,
+                                   double tolerance) const;
+
+    ClipWindows windows_;
+    double near_; ///< in user units
+    std::vector<Ring> rings_;
+    std::vector<Place> edges_; ///< the curved ones
+    BoxIndex index_;           ///< of these
+};
+
+} // namespace app

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Curves that run along the curves of a clip window: they are kept or removed as a whole.
+#include "app/cut/curved_border.h"
+#include "app/cut/cut.h"
+#include "app/document/document_builder.h"
+#include "app/document/recipe_outline.h"
+
+#include <QTest>
+
+#include <glm/geometric.hpp>
+
+#include <functional>
+#include <numbers>
+
+#include "tests/app/document/sheet.h"
+#include "tests/test_class.h"
+
+namespace cut_curved_border_test {
+
+using namespace app;
+
+namespace {
+
+const Point centre(37, -12);
+
+/// A closed path of so many arcs, which begins at an angle.
+Subpath ellipse(const Point& axis1, const Point& axis2, int arcs, double angle)
+{
+    const EllipseArc all{centre, axis1, axis2, angle, 2 * std::numbers::pi};
+    Subpath path{all.at(angle), {}, true};
+    for (int i = 0; i < arcs; ++i) {
+        const EllipseArc arc{centre, axis1, axis2, angle + 2 * std::numbers::pi * i / arcs,
+                             2 * std::numbers::pi / arcs};
+        appendCurves(path.segments, arc, i == 0 ? path.start : path.segments.back().to,
+                     i + 1 == arcs ? path.start : arc.at(arc.angle + arc.sweep));
+    }
+    return path;
+}
+Subpath circle(double radius, int arcs, double angle)
+{
+    return ellipse({radius, 0}, {0, radius}, arcs, angle);
+}
+
+Subpath reversed(const Subpath& path)
+{
+    Subpath back{path.segments.back().to, {}, path.closed};
+    for (std::size_t i = path.segments.size(); i-- > 0;) {
+        const PathSegment& s = path.segments[i];
+        const Point to = i > 0 ? path.segments[i - 1].to : path.start;
+        back.segments.push_back({to, s.control2, s.control1, s.curved});
+    }
+    return back;
+}
+
+Subpath halved(const Subpath& path)
+{
+    Subpath halves{path.start, {}, path.closed};
+    Point from = path.start;
+    for (const PathSegment& s : path.segments) {
+        const Bezier curve{from, s.control1, s.control2, s.to};
+        for (const Bezier& half : {curve.part(0, 0.3), curve.part(0.3, 1)})
+            halves.segments.push_back({half.to, half.control1, half.control2, true});
+        halves.segments.back().to = from = s.to;
+    }
+    return halves;
+}
+
+ClipWindow windowOf(const Subpath& path, Recipe recipe = {})
+{
+    return {QString(), PathShape{Path(std::span(&path, 1)), FillRule::NonZero, recipe}};
+}
+
+Sheet cutAt(const ClipWindow& window, const std::vector<Subpath>& paths, Keep keep, bool filled)
+{
+    Sheet sheet;
+    Style style{.stroke = Colour{}};
+    if (filled)
+        style.fill = Colour{};
+    for (const Subpath& path : paths)
+        sheet.shapes.push_back({{path}, style, QString(), 0, false});
+    Document document = documentOf(sheet);
+    CutOptions options{.clipAll = clipping::exactAlgorithm().corrected.clipAll};
+    options.windows = {{window}, keep};
+    options.region = regionOf(options.windows, document.page());
+    document.apply(cut(document, options).edit);
+    return sheetOf(document);
+}
+
+} // namespace
+
+class CurvedBorderTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void anEqualCurveIsKeptOrRemovedAsAWhole_data()
+    {
+        QTest::addColumn<double>("radius");
+        for (const double radius : {0.1, 1.0, 40.0, 1000.0})
+            QTest::addRow("%g", radius) << radius;
+    }
+    void anEqualCurveIsKeptOrRemovedAsAWhole()
+    {
+        QFETCH(double, radius);
+        const Subpath quarters = circle(radius, 4, 0),
+                      tilted = ellipse({radius, radius / 5}, {-radius / 3, radius / 2}, 4, 0.4);
+        const std::vector<std::pair<ClipWindow, Subpath>> windows{
+            {windowOf(quarters, EllipseRecipe{centre, {radius, radius}}), quarters},
+            {windowOf(quarters), quarters},
+            {windowOf(circle(radius, 6, 0.2)), quarters},
+            {windowOf(tilted), tilted}};
+        for (const auto& [window, own] : windows) {
+            const bool isCircle = own == quarters;
+            std::vector<Subpath> others{own, reversed(own)};
+            if (window.shape == windowOf(own).shape)
+                others.push_back(halved(own));
+            if (isCircle) {
+                others.push_back(circle(radius, 4, std::numbers::pi / 4));
+                others.push_back(circle(radius, 5, 1));
+            } else {
+                others.push_back(ellipse({radius, radius / 5}, {-radius / 3, radius / 2}, 6, 2));
+            }
+            for (std::size_t i = 0; i < others.size(); ++i)
+                for (const bool filled : {false, true}) {
+                    const QByteArray which = QByteArray::number(qulonglong(i));
+                    const Sheet inside = cutAt(window, {others[i]}, Keep::Inside, filled);
+                    QVERIFY2(inside.shapes.size() == 1, which);
+                    QVERIFY2(inside.shapes[0].paths == std::vector{others[i]}, which);
+                    QVERIFY2(cutAt(window, {others[i]}, Keep::Outside, filled).shapes.empty(),
+                             which);
+                }
+        }
+    }
+
+    /// An arc of the border, which goes on away from it, outwards or inwards.
+    void aCurveThatLeavesTheBorder()
+    {
+        const Subpath border = circle(40, 4, 0);
+        for (const double angle : {0.5, 2.5, 4.0})
+            for (const double factor : {1.25, 0.5}) {
+                const EllipseArc arc{centre, {40, 0}, {0, 40}, angle, 1};
+                Subpath path{centre + factor * (arc.at(angle) - centre), {{arc.at(angle)}}, false};
+                appendCurves(path.segments, arc, arc.at(angle), arc.at(angle + 1));
+                path.segments.push_back({centre + factor * (arc.at(angle + 1) - centre)});
+                const ClipWindow window = windowOf(border, EllipseRecipe{centre, {40, 40}});
+                const Sheet inside = cutAt(window, {path}, Keep::Inside, false);
+                const Sheet outside = cutAt(window, {path}, Keep::Outside, false);
+                QVERIFY(inside.shapes.size() == 1);
+                if (factor < 1) {
+                    QCOMPARE(inside.shapes[0].paths, std::vector{path});
+                    QVERIFY(outside.shapes.empty());
+                    continue;
+                }
+                QCOMPARE(inside.shapes[0].paths.size(), std::size_t(1));
+                QVERIFY(inside.shapes[0].paths[0].segments
+                        == std::vector(path.segments.begin() + 1, path.segments.end() - 1));
+                QCOMPARE(outside.shapes[0].paths.size(), std::size_t(2));
+                for (const Subpath& part : outside.shapes[0].paths)
+                    QVERIFY(part.segments.size() == 1 && !part.segments[0].curved);
+            }
+    }
+
+    void halfAMicrometreIsTheSame()
+    {
+        for (const double shift : {0.00025, 0.0005}) {
+            Subpath moved = circle(40, 4, 0);
+            const auto move = [&](Point& p) { p.x += shift; };
+            move(moved.start);
+            for (PathSegment& s : moved.segments)
+                move(s.to), move(s.control1), move(s.control2);
+            const ClipWindow window = windowOf(circle(40, 4, 0));
+            QCOMPARE(cutAt(window, {moved}, Keep::Inside, false).shapes.size(), std::size_t(1));
+            QVERIFY(cutAt(window, {moved}, Keep::Outside, false).shapes.empty());
+        }
+    }
+
+    /// A window whose subpath is a point, or whose radius is 0.
+    void windowsWithoutArea()
+    {
+        const Subpath own = circle(40, 4, 0), point{centre, {}, true};
+        Subpath still = own;
+        still.start = centre;
+        for (PathSegment& s : still.segments)
+            s.to = s.control1 = s.control2 = centre;
+        const ClipWindow both{QString(), PathShape{Path(std::vector{point, still, own})}};
+        QVERIFY(cutAt(both, {own, still}, Keep::Outside, false).shapes.empty());
+        const ClipWindow none = windowOf(still, EllipseRecipe{centre, {0, 0}});
+        QCOMPARE(cutAt(none, {own}, Keep::Outside, true).shapes[0].paths, std::vector{own});
+        QVERIFY(cutAt(none, {own, still}, Keep::Inside, false).shapes.empty());
+    }
+
+    /// Straight lines and other curves are cut as without.
+    void whatIsNotAlongTheBorderIsCutAsBefore()
+    {
+        const Subpath line{{centre.x - 50, centre.y + 3}, {{{centre.x + 50, centre.y + 3}}}, false};
+        Subpath other = circle(25, 4, 0.3);
+        for (PathSegment& s : other.segments)
+            s.to.x += 30, s.control1.x += 30, s.control2.x += 30;
+        other.start.x += 30;
+        const ClipWindow window = windowOf(circle(40, 4, 0));
+        ClipWindow straight = window;
+        const CurvedBorder border({{window}}, Page{});
+        straight.shape = border.polygons().list[0].shape;
+        for (const Keep keep : {Keep::Inside, Keep::Outside})
+            QVERIFY(cutAt(window, {line, other}, keep, true)
+                    == cutAt(straight, {line, other}, keep, true));
+    }
+};
+
+} // namespace cut_curved_border_test
+
+TEST_CLASS(cut_curved_border_test::CurvedBorderTest, None)
+#include "tests/app/cut/curved_border_test.moc"
