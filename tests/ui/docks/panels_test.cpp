@@ -486,6 +486,25 @@ private slots:
         QCOMPARE(list->model()->rowCount(), 1);
         QCOMPARE(t.window->findChild<QDockWidget*>("window")->height(), height);
     }
+    void aClipWindowIsHiddenWhereTheEyeIsReleased()
+    {
+        TestWindow t;
+        t.show();
+        app::Session& session = t.window->session();
+        session.document.apply(
+            {.windows = app::ClipWindows{{{.shape = app::RectangleShape{{{0, 0}, {50, 50}}}}}}});
+        auto* list = t.window->findChild<QListView*>("clip-windows");
+        QTRY_COMPARE(list->model()->rowCount(), 1);
+        const auto isVisible = [&] { return session.now().windows().list[0].visible; };
+        const QRect row = list->visualRect(list->model()->index(0, 0));
+        const QPoint eye(row.left() + space::dockMargin + 8, row.center().y());
+        for (const bool shown : {false, true}) {
+            QTest::mousePress(list->viewport(), Qt::LeftButton, {}, eye);
+            QCOMPARE(isVisible(), !shown);
+            QTest::mouseRelease(list->viewport(), Qt::LeftButton, {}, eye);
+            QCOMPARE(isVisible(), shown);
+        }
+    }
     void theStatusBarCounts()
     {
         TestWindow t;

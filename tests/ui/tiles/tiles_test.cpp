@@ -101,6 +101,18 @@ class TilesTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void aDoubleClickShowsAllSheets()
+    {
+        Stage t;
+        t.openTiles();
+        TilesView& view = t.page().view();
+        const QPointF first = view.middleOf(0), last = view.middleOf(5);
+        view.zoomBy(2);
+        QVERIFY(view.middleOf(0) != first);
+        QTest::mouseDClick(&view, Qt::LeftButton, {}, {2, 2});
+        QCOMPARE(view.middleOf(0), first);
+        QCOMPARE(view.middleOf(5), last);
+    }
     void theyOpenAndEscCloses()
     {
         Stage t;

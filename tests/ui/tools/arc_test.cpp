@@ -110,6 +110,19 @@ private slots:
         hand.clickThrice({50, 50}, {70, 50}, {50, 30}); // still by its centre
         QVERIFY(hand.isNear(hand.paths(1).front().segments.back().to, {50, 30}));
     }
+    void escKeepsTheWayOfDrawing()
+    {
+        for (const bool byCentre : {false, true}) {
+            ArcHand hand;
+            if (byCentre)
+                Hand::key(Qt::Key_C);
+            hand.click({10, 10});
+            Hand::key(Qt::Key_Escape);
+            hand.clickThrice({50, 50}, {70, 50}, {50, 30});
+            QVERIFY(hand.isNear(hand.path().start,
+                                byCentre ? app::Point(70, 50) : app::Point(50, 50)));
+        }
+    }
     void altAtTheFirstClickIsTheCentreOnce()
     {
         ArcHand hand;
