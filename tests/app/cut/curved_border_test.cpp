@@ -11,6 +11,7 @@
 
 #include <functional>
 #include <numbers>
+#include <random>
 
 #include "tests/app/document/sheet.h"
 #include "tests/test_class.h"
@@ -84,6 +85,25 @@ Sheet cutAt(const ClipWindow& window, const std::vector<Subpath>& paths, Keep ke
     options.region = regionOf(options.windows, document.page());
     document.apply(cut(document, options).edit);
     return sheetOf(document);
+}
+
+std::vector<Subpath> pathsOf(const Sheet& sheet)
+{
+    std::vector<Subpath> all;
+    for (const Shape& shape : sheet.shapes)
+        all.insert(all.end(), shape.paths.begin(), shape.paths.end());
+    return all;
+}
+
+double lengthOf(const std::vector<Subpath>& paths)
+{
+    std::vector<Chord> chords;
+    for (const Subpath& path : paths)
+        flatten(path, 1e-7, chords);
+    double length = 0;
+    for (const Chord& chord : chords)
+        length += glm::distance(chord.segment.a, chord.segment.b);
+    return length;
 }
 
 } // namespace
@@ -170,6 +190,40 @@ private slots:
             const ClipWindow window = windowOf(circle(40, 4, 0));
             QCOMPARE(cutAt(window, {moved}, Keep::Inside, false).shapes.size(), std::size_t(1));
             QVERIFY(cutAt(window, {moved}, Keep::Outside, false).shapes.empty());
+        }
+    }
+
+    /// Curves anywhere, arcs of the border, and curves that begin on it.
+    void insideAndOutsideAreAll()
+    {
+        std::mt19937_64 random(5);
+        const auto number = [&](double low, double high) {
+            return low + (high - low) * double(random() >> 11) * 0x1p-53;
+        };
+        const auto anywhere = [&] { return centre + Point(number(-60, 60), number(-60, 60)); };
+        for (int i = 0; i < 200; ++i) {
+            const Point axis1(number(20, 50), number(-10, 10)),
+                axis2(number(-10, 10), number(20, 50));
+            const Subpath border = i % 2 ? circle(40, 4 + i % 3, number(0, 6))
+                                         : ellipse(axis1, axis2, 4 + i % 3, number(0, 6));
+            const ClipWindow window =
+                i % 4 == 1 ? windowOf(border, EllipseRecipe{centre, {40, 40}}) : windowOf(border);
+            const EllipseArc arc =
+                i % 2 ? EllipseArc{centre, {40, 0}, {0, 40}, number(0, 6), number(-3, 3)}
+                      : EllipseArc{centre, axis1, axis2, number(0, 6), number(-3, 3)};
+            Subpath path{anywhere(), {}, random() % 2 == 0};
+            path.segments.push_back({arc.at(arc.angle)});
+            appendCurves(path.segments, arc, arc.at(arc.angle), arc.at(arc.angle + arc.sweep));
+            path.segments.push_back({anywhere(), anywhere(), anywhere(), true});
+            const Sheet inside = cutAt(window, {path}, Keep::Inside, false);
+            const Sheet outside = cutAt(window, {path}, Keep::Outside, false);
+            const double whole = lengthOf({path}),
+                         sum = lengthOf(pathsOf(inside)) + lengthOf(pathsOf(outside));
+            QVERIFY2(std::abs(sum - whole) < 1e-3,
+                     QByteArray::number(i) + ": " + QByteArray::number(sum - whole));
+            const std::size_t parts = pathsOf(inside).size() + pathsOf(outside).size();
+            QVERIFY2(parts <= 9,
+                     QByteArray::number(i) + ": " + QByteArray::number(qulonglong(parts)));
         }
     }
 
