@@ -440,6 +440,34 @@ private slots:
         s.key(Qt::Key_F8, Qt::ShiftModifier);
         QCOMPARE(s.t.window->drawnLine().line(), first);
     }
+    void itsListNamesTheAlgorithm()
+    {
+        Stage s;
+        s.key(Qt::Key_F8);
+        const auto name = s.microscope().tracedLine().variant.algorithm->name;
+        const auto lists = s.t.window->findChildren<QComboBox*>();
+        QVERIFY(std::ranges::any_of(lists, [&](const QComboBox* list) {
+            return list->isVisible() && list->accessibleName() == "Algorithm"
+                   && list->currentText().endsWith(QString::fromUtf8(name));
+        }));
+    }
+    void itsButtonsShowTheNextLine()
+    {
+        Stage s;
+        const auto click = [&](const QString& tip) {
+            for (auto* button : s.t.window->findChildren<QToolButton*>())
+                if (button->isVisible() && button->toolTip().startsWith(tip))
+                    return QTest::mouseClick(button, Qt::LeftButton);
+            QFAIL(qPrintable(tip));
+        };
+        s.key(Qt::Key_F8);
+        const auto first = s.t.window->drawnLine().line();
+        click("Next line of the drawing");
+        const auto next = s.t.window->drawnLine().line();
+        QVERIFY(next != first);
+        click("Previous line of the drawing");
+        QCOMPARE(s.t.window->drawnLine().line(), first);
+    }
     void everyControlHasAName()
     {
         Stage s;
