@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cut/curve_at_edge.h"
+#include "app/cut/curved_border.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+constexpr double justAfterStart = 1e-300; // only a subpath's first chord begins at 0
+
+/// The box so far around a chord.
+clipping::Window around(const clipping::Segment& chord, double by)
+{
+    return {glm::min(chord.a, chord.b) - by, glm::max(chord.a, chord.b) + by};
+}
+
+} // namespace
+
+std::optional<CurvedBorder::Shared>
+CurvedBorder::shared(const Place& place, const Bezier& curve,
+                     const std::optional<EllipseArc>& ellipse) const
+{
+    const Edge& edge = edgeAt(place);
+    const Point end = endOf(place);
+    bool areNear = true, areOnEllipse = ellipse && edge.ellipse;
+    double last = 0, first = 0;
+    int direction = 0;
+    const auto passes = [&](const Point& p, bool begins) {
+        const double t = nearestParameter(curve, p), distance = glm::distance(curve.at(t), p);
+        areNear = areNear && distance <= near_;
+        if (areOnEllipse) {
+            const Point there = onEllipse(*ellipse, p), own = onEllipse(*edge.ellipse, p);
+            areOnEllipse = glm::distance(own, onEllipse(*ellipse, own)) <= near_
+                           && distance <= near_ + 1e-3 * glm::distance(there, ellipse->centre);
+        }
+        const double at = areSame(p, curve.from) ? 0 : areSame(p, curve.to) ? 1 : t;
+        const int way = at > last ? 1 : at < last ? -1 : 0;
+        const bool goesOn = begins || (way != 0 && (direction == 0 || way == direction));
+        direction = begins ? 0 : way;
+        last = at;
+        if (begins)
+            first = at;
+        return (areNear || areOnEllipse) && goesOn;
+    };
+    if (!passes(edge.from, true)
+        || !std::ranges::all_of(edge.between, [&](const Point& p) { return passes(p, false); })
+        || !passes(end, false))
+        return std::nullopt;
+    return direction > 0 ? Shared{first, last, edge.from, end}
+                         : Shared{last, first, end, edge.from};
+}
+
+std::vector<CurvedBorder::Shared>
+CurvedBorder::sharedWith(const Bezier& curve, std::span<const Chord> chords, double tolerance) const
+{
+    std::vector<std::uint32_t> near;
+    for (const Chord& chord : chords)
+        index_.meeting(around(chord.segment, tolerance + near_), 0,
+                       [&](std::uint32_t edge) { near.push_back(edge); });
+    std::ranges::sort(near);
+    near.erase(std::ranges::unique(near).begin(), near.end());
+    std::vector<Shared> all;
+    if (near.empty())
+        return all;
+    const auto ellipse = ellipseOf(curve);
+    for (const std::uint32_t i : near)
+        if (const auto found = shared(edges_[i], curve, ellipse))
+            all.push_back(*found);
+    std::ranges::sort(all, {}, &Shared::low);
+    return all;
+}
+
+void CurvedBorder::flattenAlong(const Path& path, double tolerance,
+                                std::vector<Chord>& chords) const
+{
+    const std::size_t begin = chords.size();
+    flatten(path, tolerance, chords);
+    if (isEmpty() || path.straight())
+        return;
+    const std::vector<Chord> plain(chords.begin() + std::ptrdiff_t(begin), chords.end());
+    chords.resize(begin);
+    const std::vector<Subpath> subpaths = path.subpaths();
+    std::size_t subpath = 0;
+    Point at{};
+    for (std::size_t i = 0, end = 0; i < plain.size(); i = end) {
+        const auto& [chord, segment, t0, t1] = plain[i];
+        const bool begins = segment == 0 && t0 == 0;
+        if (i > 0 && begins)
+            ++subpath;
+        end = i + 1;
+        while (end < plain.size() && plain[end].pathSegment == segment && plain[end].t0 != 0)
+            ++end;
+        const auto own = std::span(plain).subspan(i, end - i);
+        if (begins || !areSame(at, chord.a))
+            at = chord.a;
+        if (isCurve(subpaths[subpath], segment)) {
+            flattenAlong(curveOf(subpaths[subpath], segment), own, tolerance, at, chords);
+        } else {
+            chords.insert(chords.end(), own.begin(), own.end());
+            at = own.back().segment.b;
+        }
+    }
+}
+
+/// One curve, with the chords that it has elsewhere; from `at`, and up to there.
+void CurvedBorder::flattenAlong(const Bezier& curve, std::span<const Chord> plain, double tolerance,
+                                Point& at, std::vector<Chord>& chords) const
+{
+    double t = 0;
+    const auto go = [&](const Point& to, double until) {
+        chords.push_back({{at, to}, plain.front().pathSegment, t, until});
+        at = to, t = until;
+    };
+    const auto goPlainly = [&](const Point& to, double until) {
+        for (const Chord& chord : plain)
+            if (chord.t1 > t && chord.t1 < until)
+                go(chord.segment.b, chord.t1);
+        if (until > t)
+            go(to, until);
+    };
+    for (const Shared& part : sharedWith(curve, plain, tolerance)) {
+        if (part.low == 0 && t == 0) {
+            if (areSame(at, part.atLow))
+                at = part.atLow;
+            else
+                go(part.atLow, justAfterStart); // across the border
+        } else if (part.low < t || (part.low == t && part.atLow != at)) {
+            continue;
+        }
+        goPlainly(part.atLow, part.low);
+        go(part.atHigh, part.high);
+    }
+    goPlainly(curve.to, 1);
+    if (!areSame(at, curve.to))
+        go(curve.to, 1);
+}
+
+} // namespace app

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cut/curve_at_edge.h"
+#include "app/cut/curved_border.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace app {
+namespace {
+
+/// The share of the way along a segment that is nearest to a point, and the distance there.
+std::pair<double, double> placeOn(const Point& a, const Point& b, const Point& p)
+{
+    const Point along = b - a;
+    const double length = glm::dot(along, along);
+    const double share = length > 0 ? std::clamp(glm::dot(p - a, along) / length, 0.0, 1.0) : 0;
+    return {share, glm::distance(a + along * share, p)};
+}
+
+} // namespace
+
+bool CurvedBorder::divideAtEndsIn(const Objects& objects, const std::stop_token& stop)
+{
+    Cuts cuts;
+    bool isMoved = false;
+    objects.forEach(0, objects.size(), [&](std::size_t, const ObjectView& object) {
+        if (object.singleLine() || object.path().straight() || stop.stop_requested())
+            return;
+        for (const Subpath& path : object.path().subpaths())
+            for (std::size_t i = 0; i < path.segments.size(); ++i)
+                if (isCurve(path, i))
+                    for (const Point& end : {curveOf(path, i).from, path.segments[i].to})
+                        isMoved = divideAt(end, cuts) || isMoved;
+    });
+    if (!cuts.empty())
+        divide(cuts);
+    makeIndex();
+    return isMoved || !cuts.empty();
+}
+
+/// Where a corner of the border is the point but for rounding, it becomes the point. Returns
+/// whether one does.
+bool CurvedBorder::divideAt(const Point& p, Cuts& cuts)
+{
+    bool isMoved = false;
+    std::map<std::size_t, std::pair<std::uint32_t, Where>> nearest; // of each ring
+    index_.meeting({p, p}, 0, [&](std::uint32_t number) {
+        const Place& place = edges_[number];
+        auto& edges = rings_[place.ring].edges;
+        for (Edge* edge : {&edges[place.edge], &edges[(place.edge + 1) % edges.size()]})
+            if (areSame(edge->from, p)) {
+                isMoved = isMoved || edge->from != p;
+                edge->from = p;
+            }
+        const Where where = whereOn(place, p);
+        const auto [at, isFirst] = nearest.try_emplace(place.ring, number, where);
+        if (!isFirst && where.distance < at->second.second.distance)
+            at->second = {number, where};
+    });
+    for (const auto& [ring, found] : nearest) {
+        const auto& [number, where] = found;
+        const Place& place = edges_[number];
+        if (where.distance <= 1.5 * near_ // the parts of edges themselves are off by some of that
+            && edgeAt(place).from != p && endOf(place) != p)
+            cuts[number].emplace_back(where.parts, p);
+    }
+    return isMoved;
+}
+
+CurvedBorder::Where CurvedBorder::whereOn(const Place& place, const Point& p) const
+{
+    const Edge& edge = edgeAt(place);
+    std::vector<Point> points{edge.from};
+    points.insert(points.end(), edge.between.begin(), edge.between.end());
+    points.push_back(endOf(place));
+    Where where{0, std::numeric_limits<double>::infinity()};
+    const auto look = [&] {
+        for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+            const auto [share, distance] = placeOn(points[i], points[i + 1], p);
+            if (distance < where.distance)
+                where = {double(i) + share, distance};
+        }
+    };
+    look();
+    if (edge.ellipse) {
+        for (Point& q : points)
+            q = onEllipse(*edge.ellipse, q);
+        look();
+    }
+    return where;
+}
+
+void CurvedBorder::divide(Cuts& cuts)
+{
+    std::vector<Ring> divided;
+    for (const Ring& ring : rings_)
+        divided.push_back({ring.window});
+    std::uint32_t number = 0; // of the next curved edge
+    for (std::size_t i = 0; i < rings_.size(); ++i)
+        for (const Edge& edge : rings_[i].edges) {
+            auto& edges = divided[i].edges;
+            const auto found = edge.isCurved ? cuts.find(number++) : cuts.end();
+            if (found == cuts.end()) {
+                edges.push_back(edge);
+                continue;
+            }
+            auto& places = found->second;
+            std::ranges::sort(places, {}, &std::pair<double, Point>::first);
+            edges.push_back({edge.from, {}, edge.ellipse, true});
+            std::size_t next = 0;
+            const auto passUntil = [&](double where) {
+                for (; next < edge.between.size() && double(next + 1) < where; ++next)
+                    edges.back().between.push_back(edge.between[next]);
+            };
+            for (const auto& [where, p] : places)
+                if (!areSame(p, edges.back().from)) {
+                    passUntil(where);
+                    edges.push_back({p, {}, edge.ellipse, true});
+                }
+            passUntil(std::numeric_limits<double>::infinity());
+        }
+    rings_ = std::move(divided);
+}
+
+} // namespace app
