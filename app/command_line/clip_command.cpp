@@ -48,8 +48,7 @@ CutOptions cutOptionsOf(const ParsedArguments& arguments, const Imported& import
         windows.keep = arguments.choice(QStringLiteral("keep"), {"inside", "outside"}) == 0
                            ? Keep::Inside
                            : Keep::Outside;
-    options.region = regionOf(windows, imported.document.page());
-    options.windows = windows;
+    cutAt(options, windows, imported.document.page());
     options.tolerance = toleranceOf(arguments, imported.document.page());
     takeCuttingOptions(arguments, imported.document.page(), options);
     options.keepContacts = output.format->holds == Holds::SeparateLines;

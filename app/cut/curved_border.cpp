@@ -7,21 +7,10 @@
 
 #include <glm/common.hpp>
 
-
 namespace app {
 namespace {
 
 constexpr int between = 8; // parts of an edge, each 64 times nearer to its curve than the edge
-
-clipping::Window grown(const clipping::Window& box, double by)
-{
-    return {box.min - by, box.max + by};
-}
-
-clipping::Window boxAround(const Point& p, const Point& q)
-{
-    return {glm::min(p, q), glm::max(p, q)};
-}
 
 bool isCurvedWindow(const ClipWindow& window)
 {
@@ -95,10 +84,11 @@ void CurvedBorder::makeIndex()
             if (!edge.isCurved)
                 continue;
             edges_.push_back({i, j});
-            clipping::Window box = boxAround(edge.from, endOf(edges_.back()));
+            const Point& end = endOf(edges_.back());
+            clipping::Window box{glm::min(edge.from, end), glm::max(edge.from, end)};
             for (const Point& p : edge.between)
                 box = {glm::min(box.min, p), glm::max(box.max, p)};
-            boxes.push_back(grown(box, near_));
+            boxes.push_back({box.min - near_, box.max + near_});
         }
     index_ = BoxIndex(boxes);
 }

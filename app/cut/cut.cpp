@@ -201,6 +201,12 @@ private:
 
 } // namespace
 
+void cutAt(CutOptions& options, const ClipWindows& windows, const Page& page)
+{
+    options.region = regionOf(windows, page);
+    options.windows = windows;
+}
+
 Cut cut(const Document& document, const CutOptions& options, const Follower& follower)
 {
     assert(options.clipAll);

@@ -16,16 +16,19 @@ struct CutOptions {
     bool leaveHidden = false;  ///< hidden objects stay whole
     bool closeAreas = false;   ///< the stroke of a cut area runs along the cut, too
     double leastLength = 0;    ///< shorter pieces of cut lines are dropped (user units)
-    /// Those of the region: curves of the drawing that run along their curves are one with them
-    /// (curved_border.h). Without windows such curves are cut like all others.
+    /// Those of the region (`cutAt`): curves of the drawing that run along their curves are one
+    /// with them (curved_border.h). Without windows such curves are cut like all others.
     ClipWindows windows{};
 };
 
+/// Cuts at the windows of a drawing with this page.
+void cutAt(CutOptions& options, const ClipWindows& windows, const Page& page);
+
 /// Counts of objects and lines after a cut, for the report.
 struct CutCounts {
-    std::size_t whole = 0;  ///< objects that came back unchanged
-    std::size_t cut = 0;    ///< objects of which a part remains
-    std::size_t gone = 0;   ///< objects of which nothing remains
+    std::size_t whole = 0; ///< objects that came back unchanged
+    std::size_t cut = 0;   ///< objects of which a part remains
+    std::size_t gone = 0;  ///< objects of which nothing remains
     /// Objects that only touch the windows, in single points. They count as neither cut nor gone,
     /// whether the points are kept or not.
     std::size_t touching = 0;

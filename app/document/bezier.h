@@ -17,4 +17,8 @@ struct Bezier {
     Bezier part(double t0, double t1) const;
 };
 
+/// The parameter of the place on a curve that is nearest to a point, beside the best of so many
+/// evenly spread ones.
+double nearestParameter(const Bezier& curve, const Point& p, int parts = 8);
+
 } // namespace app

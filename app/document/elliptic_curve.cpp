@@ -3,7 +3,6 @@
 
 #include <glm/geometric.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -13,20 +12,6 @@ namespace {
 constexpr double strays = 5e-4; // of the radius
 
 double cross(const Point& p, const Point& q) { return p.x * q.y - p.y * q.x; }
-
-/// Half of the derivative of the squared distance from p at t, and the derivative of that.
-struct Growth {
-    Growth(const Bezier& c, const Point& p, double t)
-    {
-        const Point a = c.control1 - c.from, b = c.control2 - c.control1, d = c.to - c.control2;
-        const double s = 1 - t;
-        const Point away = c.at(t) - p;
-        const Point slope = 3.0 * (s * s * a + 2 * s * t * b + t * t * d);
-        value = glm::dot(away, slope);
-        change = glm::dot(slope, slope) + glm::dot(away, 6.0 * (s * (b - a) + t * (d - b)));
-    }
-    double value, change;
-};
 
 bool isOn(const EllipseArc& ellipse, const Point& p)
 {
@@ -69,32 +54,6 @@ Point onEllipse(const EllipseArc& ellipse, const Point& p)
     const Point way(cross(p - centre, y) / all, cross(x, p - centre) / all);
     const double length = glm::length(way);
     return length > 0 ? centre + (x * way.x + y * way.y) / length : centre + x;
-}
-
-double nearestParameter(const Bezier& curve, const Point& p)
-{
-    constexpr int parts = 8;
-    int nearest = 0;
-    for (int i = 1; i <= parts; ++i)
-        if (glm::distance(curve.at(double(i) / parts), p)
-            < glm::distance(curve.at(double(nearest) / parts), p))
-            nearest = i;
-    double low = double(std::max(nearest - 1, 0)) / parts;
-    double high = double(std::min(nearest + 1, parts)) / parts;
-    double t = double(nearest) / parts;
-    for (double next = t; next >= low && next <= high;) { // Newton's steps, or halves
-        t = next;
-        const Growth growth(curve, p, t);
-        if (t == 0 || t == 1 ? (growth.value >= 0) == (t == 0) : growth.value == 0)
-            return t; // an end of the curve may be the nearest point
-        (growth.value < 0 ? low : high) = t;
-        next = t - growth.value / growth.change;
-        if (!(next > low && next < high))
-            next = (low + high) / 2;
-        if (std::abs(next - t) <= 0x1p-52)
-            break;
-    }
-    return t;
 }
 
 } // namespace app

@@ -17,7 +17,4 @@ std::optional<EllipseArc> ellipseOf(const Bezier& curve);
 /// The point of an ellipse in the direction of another one, as seen from its centre.
 Point onEllipse(const EllipseArc& ellipse, const Point& p);
 
-/// The parameter of the place on a curve that is nearest to a point.
-double nearestParameter(const Bezier& curve, const Point& p);
-
 } // namespace app

@@ -10,7 +10,7 @@
 namespace app {
 namespace {
 
-constexpr int coarseSteps = 64, fineSteps = 60;
+constexpr int coarseSteps = 64;
 
 double distance(const Point& a, const Point& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
@@ -31,24 +31,6 @@ double nearestOnLine(const Bezier& c, const Point& p)
     const Point unit = along / size, to = (p - c.from) / size;
     return std::clamp((unit.x * to.x + unit.y * to.y) / (unit.x * unit.x + unit.y * unit.y), 0.0,
                       1.0);
-}
-
-/// The nearest of many points, then bisection between its neighbours.
-double nearestOnCurve(const Bezier& c, const Point& p)
-{
-    int best = 0;
-    for (int i = 1; i <= coarseSteps; ++i)
-        if (distance(c.at(double(i) / coarseSteps), p)
-            < distance(c.at(double(best) / coarseSteps), p))
-            best = i;
-    double low = std::max(0, best - 1) / double(coarseSteps);
-    double high = std::min(coarseSteps, best + 1) / double(coarseSteps);
-    for (int i = 0; i < fineSteps; ++i) {
-        const double a = low + (high - low) / 3, b = high - (high - low) / 3;
-        (distance(c.at(a), p) < distance(c.at(b), p) ? high : low) =
-            distance(c.at(a), p) < distance(c.at(b), p) ? b : a;
-    }
-    return (low + high) / 2;
 }
 
 class Handles {
@@ -128,7 +110,8 @@ std::optional<SegmentPoint> segmentAt(const NodePath& path, const Point& point, 
             if (!boxIsNear(c, point, nearest))
                 continue;
             const bool curved = path[s].nodes[i].curved;
-            const double t = curved ? nearestOnCurve(c, point) : nearestOnLine(c, point);
+            const double t =
+                curved ? nearestParameter(c, point, coarseSteps) : nearestOnLine(c, point);
             const Point at = curved ? c.at(t) : glm::mix(c.from, c.to, t);
             const double apart = distance(at, point);
             if (apart <= nearest) {

@@ -93,14 +93,13 @@ void LiveSheets::forget()
 
 void LiveSheets::cutDrawing()
 {
-    const ClipRegion region = regionOf(session_.now().windows(), session_.now().page());
-    if (region.everything()) {
+    CutOptions options = cutOptions();
+    cutAt(options, session_.now().windows(), session_.now().page());
+    if (options.region.everything()) {
         cutter_.cancel();
         cut_.reset();
         return;
     }
-    CutOptions options = cutOptions();
-    options.region = region;
     const auto take = [this](Document drawing) {
         cut_ = std::make_unique<CutDrawing>(std::move(drawing));
         divide();

@@ -113,25 +113,24 @@ struct PathCorner {
 
 /// The straight path from a reference to a point beside a start.
 struct StraightPath {
-    const Reference& reference;
-    const BesideStart& start;
+    const Reference& from;
+    const BesideStart& to;
 
     /// The side of the path's line on which p lies: 1 or -1.
     int side(const glm::dvec2& p) const
     {
-        const glm::dvec2& from = reference.at;
-        const DirectedLine& line = start.line;
-        if (p == from)
-            return start.isAbove(p) ? 1 : -1;
-        if (const int sign = leftOf(from, line.at, p).sign)
+        const DirectedLine& line = to.line;
+        if (p == from.at)
+            return to.isAbove(p) ? 1 : -1;
+        if (const int sign = leftOf(from.at, line.at, p).sign)
             return sign;
         // The start is moved along its line by ε.
-        if (const int sign = cross(line.along, line.from, line.to, from, p).sign)
+        if (const int sign = cross(line.along, line.from, line.to, from.at, p).sign)
             return sign;
         // And sideways by δ; p is ahead of the reference or behind it.
-        const int ahead = line.signX() != 0 ? line.signX() * signOf(from.x, p.x)
-                                            : line.signY() * signOf(from.y, p.y);
-        return -start.left * ahead;
+        const int ahead = line.signX() != 0 ? line.signX() * signOf(from.at.x, p.x)
+                                            : line.signY() * signOf(from.at.y, p.y);
+        return -to.left * ahead;
     }
 };
 
@@ -151,13 +150,8 @@ struct PathBetween {
 
 /// How much the winding number grows along a path, on account of one edge. Crossing an edge from
 /// its right to its left adds 1.
-inline int windingStep(const Segment& edge, const StraightPath& path)
-{
-    if (path.side(edge.a) == path.side(edge.b))
-        return 0;
-    return (path.start.side(edge) - path.reference.side(edge)) / 2;
-}
-inline int windingStep(const Segment& edge, const PathBetween& path)
+template <class Straight>
+int windingStep(const Segment& edge, const Straight& path)
 {
     if (path.side(edge.a) == path.side(edge.b))
         return 0;

@@ -6,6 +6,7 @@
 #include <utility>
 
 namespace clipping {
+
 bool EdgeTree::suits(const Window& box)
 {
     const glm::dvec2 extent = box.max - box.min;

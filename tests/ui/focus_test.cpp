@@ -9,9 +9,7 @@
 #include <QRegularExpression>
 
 #include "tests/test_class.h"
-#include "tests/ui/fresh/changes.h"
-#include "tests/ui/fresh/makers.h"
-#include "tests/ui/fresh/settled.h"
+#include "tests/ui/fresh/made.h"
 #include "tests/ui/fresh/shown_by.h"
 
 namespace focus_test {
@@ -103,26 +101,15 @@ private slots:
         Timers::watch();
         dropRemarksOfThePlatform();
     }
-    void every_data()
-    {
-        QTest::addColumn<int>("number");
-        int number = 0;
-        for (const Maker& maker : makers())
-            QTest::newRow(maker.name) << number++;
-    }
+    void every_data() { addEveryMaker(); }
     void every()
     {
         QFETCH(int, number);
-        Desk desk(3);
-        desk_changes::openFull(desk);
-        const Maker maker = makers()[std::size_t(number)];
-        const std::unique_ptr<QWidget> window(maker.make(desk));
-        window->resize(maker.size);
-        ui::open(maker, *window, desk);
-        settle();
-        window->activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(window.get()));
-        walk(*window);
+        const Made made(number);
+        QWidget& window = *made.window;
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        walk(window);
     }
 
 private:

@@ -20,9 +20,7 @@
 
 #include "tests/painted_texts.h"
 #include "tests/test_class.h"
-#include "tests/ui/fresh/changes.h"
-#include "tests/ui/fresh/makers.h"
-#include "tests/ui/fresh/settled.h"
+#include "tests/ui/fresh/made.h"
 #include "tests/ui/fresh/shown_by.h"
 
 namespace painted_test {
@@ -245,13 +243,7 @@ private slots:
     }
 
     /// What a list or table holds is painted in its row, at least its beginning.
-    void everyVisibleItemIsPainted_data()
-    {
-        QTest::addColumn<int>("number");
-        int number = 0;
-        for (const Maker& maker : makers())
-            QTest::newRow(maker.name) << number++;
-    }
+    void everyVisibleItemIsPainted_data() { addEveryMaker(); }
     void everyVisibleItemIsPainted()
     {
         QFETCH(int, number);

@@ -5,9 +5,7 @@
 #include <QMetaMethod>
 
 #include "tests/test_class.h"
-#include "tests/ui/fresh/changes.h"
-#include "tests/ui/fresh/makers.h"
-#include "tests/ui/fresh/settled.h"
+#include "tests/ui/fresh/made.h"
 #include "tests/ui/fresh/shown_by.h"
 
 namespace signals_test {
@@ -112,13 +110,7 @@ private slots:
         dropRemarksOfThePlatform();
     }
 
-    void everyControlActs_data()
-    {
-        QTest::addColumn<int>("number");
-        int number = 0;
-        for (const Maker& maker : makers())
-            QTest::newRow(maker.name) << number++;
-    }
+    void everyControlActs_data() { addEveryMaker(); }
     void everyControlActs()
     {
         QFETCH(int, number);

@@ -12,9 +12,7 @@
 #include <QWheelEvent>
 
 #include "tests/test_class.h"
-#include "tests/ui/fresh/changes.h"
-#include "tests/ui/fresh/makers.h"
-#include "tests/ui/fresh/settled.h"
+#include "tests/ui/fresh/made.h"
 #include "tests/ui/fresh/shown_by.h"
 
 namespace wheel_test {
@@ -68,25 +66,14 @@ private slots:
         dropRemarksOfThePlatform();
     }
 
-    void fieldsAndListsDoNotTurn_data()
-    {
-        QTest::addColumn<int>("number");
-        int number = 0;
-        for (const Maker& maker : makers())
-            QTest::newRow(maker.name) << number++;
-    }
+    void fieldsAndListsDoNotTurn_data() { addEveryMaker(); }
     void fieldsAndListsDoNotTurn()
     {
         QFETCH(int, number);
-        Desk desk(3);
-        desk_changes::openFull(desk);
-        const Maker maker = makers()[std::size_t(number)];
-        const std::unique_ptr<QWidget> window(maker.make(desk));
-        window->resize(maker.size);
-        ui::open(maker, *window, desk);
-        settle();
-        const auto parts = window->findChildren<QWidget*>();
-        for (QWidget* part : QList<QWidget*>{window.get()} + parts) {
+        const Made made(number);
+        QWidget& window = *made.window;
+        const auto parts = window.findChildren<QWidget*>();
+        for (QWidget* part : QList<QWidget*>{&window} + parts) {
             if (!part->isVisible() || !part->isEnabled() || valueOf(*part).isEmpty())
                 continue;
             part->clearFocus();

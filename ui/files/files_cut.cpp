@@ -16,8 +16,7 @@ app::CutOptions Files::cutAs(MakeOptions make) const
     const app::Document& document = session_.now();
     app::CutOptions options = make(session_.display().cutting, document.page());
     options.clipAll = session_.uses().clipAll;
-    options.region = app::regionOf(document.windows(), document.page());
-    options.windows = document.windows();
+    app::cutAt(options, document.windows(), document.page());
     return options;
 }
 

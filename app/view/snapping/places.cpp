@@ -64,22 +64,7 @@ Point nearestOn(const clipping::Segment& s, const Point& point)
 
 Point nearestOn(const Bezier& curve, const Point& point)
 {
-    const auto distance = [&](double t) { return glm::distance(curve.at(t), point); };
-    int best = 0;
-    double least = distance(0);
-    for (int i = 1; i <= samples; ++i)
-        if (const double d = distance(double(i) / samples); d < least) {
-            least = d;
-            best = i;
-        }
-    double low = std::max(best - 1, 0) / double(samples);
-    double high = std::min(best + 1, samples) / double(samples);
-    for (int i = 0; i < halvings; ++i) {
-        const double third = (high - low) / 3;
-        distance(low + third) < distance(high - third) ? high -= third : low += third;
-    }
-    const Point found = curve.at((low + high) / 2);
-    return glm::distance(found, point) < least ? found : curve.at(double(best) / samples);
+    return curve.at(nearestParameter(curve, point, samples));
 }
 
 std::optional<Point> footOn(const clipping::Segment& s, const Point& from)

@@ -3,13 +3,11 @@
 #include "app/cut/curved_border.h"
 #include "app/cut/cut.h"
 #include "app/document/document_builder.h"
-#include "app/document/recipe_outline.h"
 
 #include <QTest>
 
 #include <glm/geometric.hpp>
 
-#include <functional>
 #include <numbers>
 #include <random>
 
@@ -81,8 +79,7 @@ Sheet cutAt(const ClipWindow& window, const std::vector<Subpath>& paths, Keep ke
         sheet.shapes.push_back({{path}, style, QString(), 0, false});
     Document document = documentOf(sheet);
     CutOptions options{.clipAll = clipping::exactAlgorithm().corrected.clipAll};
-    options.windows = {{window}, keep};
-    options.region = regionOf(options.windows, document.page());
+    app::cutAt(options, {{window}, keep}, document.page());
     document.apply(cut(document, options).edit);
     return sheetOf(document);
 }

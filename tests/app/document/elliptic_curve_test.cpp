@@ -68,15 +68,6 @@ private slots:
         for (const Bezier& curve : {straight, point, wave, uneven, loop, flat})
             QVERIFY(!ellipseOf(curve));
     }
-
-    void theNearestParameter()
-    {
-        const Bezier curve{{0, 0}, {0, 4}, {6, 5}, {8, 1}};
-        for (double t = 0; t <= 1; t += 0.0625)
-            QVERIFY(std::abs(nearestParameter(curve, curve.at(t)) - t) < 1e-9);
-        QCOMPARE(nearestParameter(curve, {9, -8}), 1.0);
-        QVERIFY(nearestParameter(curve, {-1, -8}) < 1e-9);
-    }
 };
 
 } // namespace document_elliptic_curve_test

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/contents.h"
 #include "app/document/document_builder.h"
+#include "app/document/recipe_outline.h"
 #include "app/session/live_sheets.h"
 #include "app/session/window_steps.h"
 
@@ -46,6 +47,25 @@ private slots:
         sheets.close();
         QVERIFY(!sheets.isOpen());
         QVERIFY(session.history.isClean());
+    }
+
+    void aCircleCutAtItselfStaysWhole()
+    {
+        DocumentBuilder builder;
+        builder.open({.name = "Drawing"});
+        const EllipseRecipe round{{200, 100}, {80, 80}};
+        const Path circle(std::vector{*outlineOf(Recipe(round))});
+        builder.add(Object{.path = circle, .style = {.stroke = Colour{}, .width = 0.5}});
+        builder.close();
+        Document document =
+            builder.take(Page{{0, 0}, {400, 200}, {400, Unit::Mm}, {200, Unit::Mm}, {}});
+        document.apply({.windows = ClipWindows{{{.shape = PathShape{circle, {}, round}}}}});
+        Session session;
+        LiveSheets sheets(session);
+        session.load({document, {}});
+        sheets.open();
+        QCOMPARE(sheets.drawing().objects().size(), std::size_t(1));
+        QVERIFY(sheets.drawing().objects()[0].path() == circle);
     }
 
     void settingsThatFailAreNotTaken()

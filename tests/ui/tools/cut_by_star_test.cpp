@@ -155,6 +155,26 @@ private slots:
         QVERIFY(h.session.now() == before);
     }
 
+    void aCircleCroppedAtItselfStaysWhole()
+    {
+        Hand h({});
+        h.session.document.apply({.windows = app::ClipWindows()});
+        h.key(Qt::Key_E);
+        h.drag({100, 100}, {160, 160});
+        h.key(Qt::Key_G);
+        h.key(Qt::Key_Escape);
+        const app::Document before = h.session.now();
+        QCOMPARE(before.objects().size(), std::size_t(1));
+        h.key(Qt::Key_W);
+        QTest::mouseClick(h.t.window->findChild<QAbstractButton*>("window-from-selection"),
+                          Qt::LeftButton);
+        QCOMPARE(h.session.now().windows().list.size(), std::size_t(1));
+        h.t.run("crop");
+        QVERIFY(h.session.now().objects()[0].path() == before.objects()[0].path());
+        h.t.run("cut-out");
+        QCOMPARE(h.session.now().objects().size(), std::size_t(0));
+    }
+
     void fromStarToSheetsOfPaper()
     {
         Hand h({});
