@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import contextlib
+import gc
 import sys
 from typing import Any, Callable
 
@@ -40,7 +41,12 @@ def _workers(options: argparse.Namespace) -> Any:
         try:  # not as the default, which it would stay if there is no scheduler
             client = stack.enter_context(Client(address, timeout=_SECONDS, set_as_default=False))
         except (OSError, ValueError, TimeoutError):
-            raise ValueError(f"no scheduler answers at {address}") from None
+            client = None
+        if client is None:
+            # The client that failed closes itself when it is collected. While another one starts, as in a program that
+            # goes on after the error, it would wait for a lock that its own thread holds, for ever.
+            gc.collect()
+            raise ValueError(f"no scheduler answers at {address}")
         stack.enter_context(client.as_current())
         stack.enter_context(dask.config.set(scheduler="dask.distributed"))
         try:
