@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What people see looks as in the pictures of tests/ui/screens. Each wanted change of the look
+// comes with its new pictures: CLEARCUT_PICTURES is a folder to which those that differ are
+// written.
+#include <QImageWriter>
+
+#include <set>
+
+#include "tests/test_class.h"
+#include "tests/ui/screens/canvas_screens.h"
+#include "tests/ui/screens/maker_screens.h"
+#include "tests/ui/screens/window_screens.h"
+
+namespace screens_test {
+
+using namespace ui;
+
+namespace {
+
+const std::vector<Screen>& allScreens()
+{
+    static const auto all = [] {
+        std::vector<Screen> made;
+        addMakers(made);
+        addCanvases(made);
+        addWindows(made);
+        return made;
+    }();
+    return all;
+}
+
+QString folder() { return QStringLiteral(SOURCE_DIR "/tests/ui/screens/"); }
+
+constexpr int step = 17; // of 255: the pictures have so few colours to be small files
+
+/// With at most 256 colours, if possible.
+QImage withFewColours(QImage picture)
+{
+    const auto rounded = [](int value) { return (value + step / 2) / step * step; };
+    std::set<QRgb> colours;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x) {
+            const QRgb exact = picture.pixel(x, y);
+            const QRgb colour =
+                qRgb(rounded(qRed(exact)), rounded(qGreen(exact)), rounded(qBlue(exact)));
+            picture.setPixel(x, y, colour);
+            colours.insert(colour);
+        }
+    if (colours.size() > 256)
+        return picture;
+    return picture.convertToFormat(QImage::Format_Indexed8, {colours.begin(), colours.end()},
+                                   Qt::ThresholdDither);
+}
+
+void write(const QImage& picture, const QString& file)
+{
+    QImageWriter writer(file, "png");
+    writer.setQuality(0); // as small as possible
+    writer.write(withFewColours(picture));
+}
+
+/// Where they differ by more than rounding, and than processors differ.
+QRect differing(const QImage& one, const QImage& other)
+{
+    constexpr int most = step / 2 + 2;
+    const auto differ = [](QRgb a, QRgb b) {
+        return std::max({std::abs(qRed(a) - qRed(b)), std::abs(qGreen(a) - qGreen(b)),
+                         std::abs(qBlue(a) - qBlue(b))})
+               > most;
+    };
+    QRect where;
+    for (int y = 0; y < one.height(); ++y)
+        for (int x = 0; x < one.width(); ++x)
+            if (differ(one.pixel(x, y), other.pixel(x, y)))
+                where |= QRect(x, y, 1, 1);
+    return where;
+}
+
+QString difference(const QImage& shown, const QImage& wanted)
+{
+    if (wanted.isNull())
+        return QStringLiteral("there is no picture of it");
+    if (shown.size() != wanted.size())
+        return QStringLiteral("%1 × %2 instead of %3 × %4")
+            .arg(shown.width())
+            .arg(shown.height())
+            .arg(wanted.width())
+            .arg(wanted.height());
+    const QRect where = differing(shown, wanted);
+    return where.isNull() ? QString()
+                          : QStringLiteral("other pixels in %1 × %2 at %3, %4")
+                                .arg(where.width())
+                                .arg(where.height())
+                                .arg(where.x())
+                                .arg(where.y());
+}
+
+} // namespace
+
+class ScreensTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        Timers::watch();
+        dropRemarksOfThePlatform();
+        QApplication::setCursorFlashTime(0); // it is always seen
+    }
+    void cleanup() { applyTheme(*qApp, Theme::Light); }
+
+    void everyScreenLooksAsInItsPicture_data()
+    {
+        QTest::addColumn<std::size_t>("number");
+        for (std::size_t i = 0; i < allScreens().size(); ++i)
+            QTest::newRow(qPrintable(allScreens()[i].name)) << i;
+    }
+    void everyScreenLooksAsInItsPicture()
+    {
+        QFETCH(std::size_t, number);
+        const Screen& screen = allScreens()[number];
+        const QImage shown = screen.picture();
+        const QString fault = difference(shown, QImage(folder() + screen.name + ".png"));
+        const QString kept = qEnvironmentVariable("CLEARCUT_PICTURES");
+        if (!fault.isEmpty() && !kept.isEmpty())
+            write(shown, kept + '/' + screen.name + ".png");
+        QVERIFY2(fault.isEmpty(), qPrintable(fault));
+    }
+
+    void everyPictureIsOfAScreen()
+    {
+        QStringList names, files = QDir(folder()).entryList({"*.png"});
+        for (const Screen& screen : allScreens())
+            names << screen.name + ".png";
+        names.sort();
+        files.sort();
+        QCOMPARE(files, names);
+    }
+};
+
+} // namespace screens_test
+
+TEST_CLASS(screens_test::ScreensTest, Widgets)
+#include "tests/ui/screens_test.moc"
