@@ -310,6 +310,19 @@ private slots:
         QVERIFY(std::abs((s.view().frame().seen.max.x - s.view().frame().seen.min.x) / width - 1)
                 < 1e-9);
     }
+    void aDragBesideTheLineTakesThePlaneWithIt()
+    {
+        Stage s;
+        const auto line = s.microscope().tracedLine().line;
+        const app::Point held = s.view().frame().pointAt({60, 40});
+        s.drag(held, {90, 57});
+        const QPointF now = s.view().frame().at(held);
+        QVERIFY(std::hypot(now.x() - 90, now.y() - 57) < 1.5);
+        const QPointF corner = s.view().frame().at(s.view().frame().seen.min);
+        s.drag(held, {100, 60});
+        QCOMPARE(s.view().frame().at(s.view().frame().seen.min), corner); // no zoom
+        QCOMPARE(s.microscope().tracedLine().line, line);
+    }
     void aClickOnTheTimelineChoosesTheStep()
     {
         Stage s;

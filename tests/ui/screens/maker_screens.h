@@ -39,6 +39,13 @@ inline Screen traced(const char* name, const char* algorithm, clipping::Form for
     });
 }
 
+inline void goToQuestion(Desk& desk)
+{
+    app::Course& course = desk.session.course;
+    while (!course.isOpen() && !course.atLastPage())
+        course.next();
+}
+
 } // namespace maker_screens_parts
 
 inline void addMakers(std::vector<Screen>& screens)
@@ -55,8 +62,11 @@ inline void addMakers(std::vector<Screen>& screens)
     screens.push_back(traced("microscope-nln", "NLN", Corrected));
     screens.push_back(traced("microscope-lb", "LB", Corrected));
     screens.push_back(traced("microscope-ms", "MS", Corrected));
-    screens.push_back(
-        screen("lesson-answered", "lessons", [](Desk& desk) { desk.session.course.showAnswer(); }));
+    screens.push_back(screen("lesson-question", "lessons", goToQuestion));
+    screens.push_back(screen("lesson-answered", "lessons", [](Desk& desk) {
+        goToQuestion(desk);
+        desk.session.course.showAnswer();
+    }));
     screens.push_back(
         screen("lesson-list", "lessons", [](Desk& desk) { desk.session.course.pause(); }));
     const auto nothing = [](Desk& desk) {

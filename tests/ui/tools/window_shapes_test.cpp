@@ -96,6 +96,18 @@ private slots:
         QVERIFY(std::holds_alternative<app::PathShape>(w.window(1).shape));
         QCOMPARE(w.session.windowNumber(), std::optional<std::size_t>(2));
     }
+    void aWindowOfAnotherShapeIsResizedByItsHandles()
+    {
+        Windows w;
+        w.clickRow(1);
+        w.drag({170, 50}, {180, 50});
+        const auto wider = std::get<app::PathShape>(w.window(1).shape);
+        QVERIFY(w.isNear(app::boxOf(wider).max, {180, 80}));
+        QVERIFY(w.isNear(app::boxOf(wider).min, {110, 20}));
+        w.drag({114, 24}, {118, 26}); // in the corner of its frame: one more is drawn
+        QCOMPARE(w.session.now().windows().list.size(), 3u);
+        QVERIFY(w.window(1).shape == app::WindowShape(wider));
+    }
     void theHandleAboveRotates()
     {
         Windows w;

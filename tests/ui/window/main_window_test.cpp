@@ -130,6 +130,30 @@ private slots:
         QCOMPARE(t.window->files().recent().size(), std::size_t(1));
         QCOMPARE(t.window->files().recent().front().lines, std::size_t(2));
     }
+    void theTenthRecentFileHasTheKeyZero()
+    {
+        TestWindow t;
+        t.show();
+        for (int i = 1; i <= 11; ++i)
+            t.open(t.file(QStringLiteral("%1.svg").arg(i),
+                          "<svg xmlns='http://www.w3.org/2000/svg'><path d='M0 0H9'/></svg>"));
+        for (QMenu* menu : t.window->findChildren<QMenu*>())
+            if (menu->title() == "Open &recent") {
+                emit menu->aboutToShow();
+                QStringList texts;
+                for (const QAction* action : menu->actions())
+                    texts << action->text();
+                QCOMPARE(texts.first(10),
+                         QStringList({"&1  11.svg", "&2  10.svg", "&3  9.svg", "&4  8.svg",
+                                      "&5  7.svg", "&6  6.svg", "&7  5.svg", "&8  4.svg",
+                                      "&9  3.svg", "&0  2.svg"}));
+                menu->actions()[9]->trigger();
+                t.window->files().wait();
+                QVERIFY(t.window->windowTitle().startsWith("2.svg"));
+                return;
+            }
+        QFAIL("there is no such menu");
+    }
     void aBadFileChangesNothing()
     {
         TestWindow t;
