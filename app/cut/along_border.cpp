@@ -63,15 +63,20 @@ CurvedBorder::sharedWith(const Bezier& curve, std::span<const Chord> chords, dou
                        [&](std::uint32_t edge) { near.push_back(edge); });
     std::ranges::sort(near);
     near.erase(std::ranges::unique(near).begin(), near.end());
-    std::vector<Shared> all;
     if (near.empty())
-        return all;
+        return {};
     const auto ellipse = ellipseOf(curve);
-    for (const std::uint32_t i : near)
-        if (const auto found = shared(edges_[i], curve, ellipse))
-            all.push_back(*found);
-    std::ranges::sort(all, {}, &Shared::low);
-    return all;
+    std::map<double, Shared> all;      // by their high ends
+    for (const std::uint32_t i : near) // those of the first ring begin
+        if (const auto found = shared(edges_[i], curve, ellipse)) {
+            const auto after = all.upper_bound(found->low);
+            if (after == all.end() || after->second.low >= found->high)
+                all.emplace(found->high, *found);
+        }
+    std::vector<Shared> inOrder;
+    for (const auto& [high, part] : all)
+        inOrder.push_back(part);
+    return inOrder;
 }
 
 void CurvedBorder::flattenAlong(const Path& path, double tolerance,

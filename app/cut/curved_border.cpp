@@ -30,6 +30,14 @@ CurvedBorder::CurvedBorder(const ClipWindows& windows, const Page& page)
     makeIndex();
 }
 
+CurvedBorder::CurvedBorder(std::span<const Path> areas, double tolerance, const Page& page)
+    : near_(millimetres / page.millimetresPerUnit())
+{
+    for (std::size_t i = 0; i < areas.size(); ++i)
+        add({areas[i], FillRule::NonZero}, tolerance, i);
+    makeIndex();
+}
+
 void CurvedBorder::add(const PathShape& shape, double tolerance, std::size_t window)
 {
     if (const auto* round = std::get_if<EllipseRecipe>(&shape.recipe)) {

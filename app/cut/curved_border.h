@@ -13,9 +13,9 @@
 
 namespace app {
 
-/// The border of clip windows with curves, and the drawing's curves that run along it.
+/// The border of clip windows or areas with curves, and the drawing's curves that run along it.
 ///
-/// The windows are cut at as polygons. A curve that coincides with a curved edge would cross its
+/// They are cut at as polygons. A curve that coincides with a curved edge would cross its
 /// polygon again and again, and end as dashes. So coincidence is found first: where a curve of the
 /// drawing stays within a micrometre (on paper) of the border, its chords are the polygon's own
 /// edges, bit for bit; what follows treats them as shared edges. Curves that approximate parts of
@@ -27,11 +27,14 @@ public:
 
     /// Of the visible windows. Empty if none has curves.
     CurvedBorder(const ClipWindows& windows, const Page& page);
+    /// Of areas, as polygons within a tolerance (user units). Where borders of several are the
+    /// same, curves have the edges of the first.
+    CurvedBorder(std::span<const Path> areas, double tolerance, const Page& page);
     bool isEmpty() const { return edges_.empty(); }
 
     /// Divides the border where curves of the drawing begin or end on it. Returns whether it did.
     bool divideAtEndsIn(const Objects& objects, const std::stop_token& stop = {});
-    /// The windows as polygons.
+    /// The windows as polygons; of areas, flattenAlong() gives them.
     ClipWindows polygons() const;
 
     /// Appends the chords of a path as `flatten` does, along the border where the path is.
@@ -82,6 +85,7 @@ private:
                                  const std::optional<EllipseArc>& ellipse) const;
     void flattenAlong(const Bezier& curve, std::span<const Chord> plain, double tolerance,
                       Point& at, std::vector<Chord>& chords) const;
+    /// In order, none over another.
     std::vector<Shared> sharedWith(const Bezier& curve, std::span<const Chord> chords,
                                    double tolerance) const;
 

@@ -4,7 +4,13 @@
 #include "app/base/turn_progress.h"
 #include "app/cut/area_outline.h"
 #include "app/cut/covering.h"
+#include "app/cut/curved_border.h"
 #include "app/cut/cut_edit.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <tuple>
 
 namespace app {
 namespace {
@@ -23,6 +29,8 @@ public:
 
     Cut made()
     {
+        border_.emplace(curvedAreas(), options_.tolerance, document_.page());
+        border_->divideAtEndsIn(document_.objects(), follower_.stop);
         auto all = areas();
         const std::size_t number = all.size();
         Covering covering(std::move(all), follower_.stop);
@@ -56,20 +64,47 @@ private:
     std::vector<clipping::Area> areas()
     {
         std::vector<clipping::Area> areas;
+        document_.objects().forEach(0, document_.objects().size(),
+                                    [&](std::size_t i, const ObjectView& object) {
+                                        if (covers(i, object))
+                                            areas.push_back(areaOf(object));
+                                        notAbove_.push_back(std::uint32_t(areas.size()));
+                                    });
+        return areas;
+    }
+
+    bool covers(std::size_t i, const ObjectView& object)
+    {
+        const auto& fill = object.style().fill;
+        return fill && fill->alpha == opaque && object.path().hasArea() && !edit_.isHidden(i);
+    }
+
+    // Each once: there may be thousands of copies.
+    std::vector<Path> curvedAreas()
+    {
+        std::vector<Path> paths;
+        std::multimap<std::tuple<double, double, std::size_t>, std::size_t> known;
         document_.objects().forEach(
             0, document_.objects().size(), [&](std::size_t i, const ObjectView& object) {
-                const auto& fill = object.style().fill;
-                if (fill && fill->alpha == opaque && object.path().hasArea() && !edit_.isHidden(i))
-                    areas.push_back(areaOf(object));
-                notAbove_.push_back(std::uint32_t(areas.size()));
+                if (object.path().straight() || !covers(i, object))
+                    return;
+                const Point start = object.path().subpaths().front().start;
+                const auto [same, end] =
+                    known.equal_range({start.x, start.y, object.path().pointCount()});
+                if (std::any_of(same, end,
+                                [&](const auto& at) { return paths[at.second] == object.path(); }))
+                    return;
+                known.emplace(std::tuple(start.x, start.y, object.path().pointCount()),
+                              paths.size());
+                paths.push_back(object.path());
             });
-        return areas;
+        return paths;
     }
 
     clipping::Area areaOf(const ObjectView& object)
     {
         chords_.clear();
-        flatten(object.path(), options_.tolerance, chords_);
+        border_->flattenAlong(object.path(), options_.tolerance, chords_);
         return flatAreaOf(object.path().subpaths(), object.style().fillRule, chords_).area;
     }
 
@@ -89,7 +124,7 @@ private:
         if (filled && !view.style().stroke)
             return edit_.remove(i);
         chords_.clear();
-        flatten(view.path(), options_.tolerance, chords_);
+        border_->flattenAlong(view.path(), options_.tolerance, chords_);
         const auto visible = covering.visible(chords_, notAbove_[i]);
         edit_.counts().segmentsBefore += chords_.size();
         edit_.counts().segmentsAfter += visible.size();
@@ -108,6 +143,7 @@ private:
     CutOptions options_;
     const Follower& follower_;
     CutEdit edit_;
+    std::optional<CurvedBorder> border_;
     std::vector<std::uint32_t> notAbove_;
     std::vector<Chord> chords_;
 };

@@ -2,6 +2,7 @@
 // Curves that run along the curves of a clip window: they are kept or removed as a whole.
 #include "app/cut/curved_border.h"
 #include "app/cut/cut.h"
+#include "app/cut/occlude.h"
 #include "app/document/document_builder.h"
 
 #include <QTest>
@@ -92,6 +93,19 @@ std::vector<Subpath> pathsOf(const Sheet& sheet)
     return all;
 }
 
+/// What areas without a stroke leave of paths below them.
+std::vector<Subpath> covered(const std::vector<Subpath>& paths, const std::vector<Subpath>& areas)
+{
+    Sheet sheet;
+    for (const Subpath& path : paths)
+        sheet.shapes.push_back({{path}, {.stroke = Colour{}}, QString(), 0, false});
+    for (const Subpath& area : areas)
+        sheet.shapes.push_back({{area}, {.fill = Colour{}}, QString(), 0, false});
+    Document document = documentOf(sheet);
+    document.apply(occlude(document, {}).edit);
+    return pathsOf(sheetOf(document));
+}
+
 double lengthOf(const std::vector<Subpath>& paths)
 {
     std::vector<Chord> chords;
@@ -146,6 +160,40 @@ private slots:
                              which);
                 }
         }
+    }
+
+    /// Covered by an area with the same border, however that is drawn.
+    void anEqualAreaCoversTheWholeCurve()
+    {
+        for (const double radius : {0.1, 40.0, 1000.0}) {
+            const Subpath own = circle(radius, 4, 0);
+            const std::vector all{
+                own,         circle(radius, 4, 0.8), circle(radius, 5, 1), reversed(own),
+                halved(own), circle(radius, 6, 0.2)};
+            for (const Subpath& below : all)
+                for (const Subpath& above : all) {
+                    const bool isHalved = below == halved(own) || above == halved(own);
+                    if (isHalved && above != own && below != own)
+                        continue; // parts of a curve that is no ellipse, but near to one
+                    QVERIFY(covered({below}, {above}).empty());
+                    if (!isHalved)
+                        QVERIFY(covered({below}, {above, circle(radius, 7, 3)}).empty());
+                }
+        }
+    }
+
+    /// What lies across an area is cut there, and its parts beside it are whole.
+    void aCurveAlongAnAreaIsCutOnce()
+    {
+        const Subpath border = circle(40, 4, 0);
+        const EllipseArc arc{centre, {40, 0}, {0, 40}, 0.5, 1};
+        Subpath path{centre + 1.25 * (arc.at(0.5) - centre), {{arc.at(0.5)}}, false};
+        appendCurves(path.segments, arc, arc.at(0.5), arc.at(1.5));
+        path.segments.push_back({centre + 1.25 * (arc.at(1.5) - centre)});
+        const auto left = covered({path}, {border, border, circle(40, 6, 1)});
+        QCOMPARE(left.size(), std::size_t(2));
+        for (const Subpath& part : left)
+            QVERIFY(part.segments.size() == 1 && !part.segments[0].curved);
     }
 
     /// An arc of the border, which goes on away from it, outwards or inwards.
