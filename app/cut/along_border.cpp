@@ -26,6 +26,8 @@ CurvedBorder::shared(const Place& place, const Bezier& curve,
 {
     const Edge& edge = edgeAt(place);
     const Point end = endOf(place);
+    if (isOf(edge, curve))
+        return Shared{edge.t0, edge.t1, edge.from, end};
     bool areNear = true, areOnEllipse = ellipse && edge.ellipse;
     double last = 0, first = 0;
     int direction = 0;
@@ -58,17 +60,24 @@ std::vector<CurvedBorder::Shared>
 CurvedBorder::sharedWith(const Bezier& curve, std::span<const Chord> chords, double tolerance) const
 {
     std::vector<std::uint32_t> near;
-    for (const Chord& chord : chords)
-        index_.meeting(around(chord.segment, tolerance + near_), 0,
-                       [&](std::uint32_t edge) { near.push_back(edge); });
+    for (const auto& [chord, segment, t0, t1] : chords) {
+        const double most = farthest(chord.b - chord.a) + tolerance;
+        starts_.meeting(around(chord, most), 0, [&](std::uint32_t edge) {
+            if (placeOn(chord.a, chord.b, edgeAt(edges_[edge]).from).distance <= most)
+                near.push_back(edge);
+        });
+    }
     std::ranges::sort(near);
     near.erase(std::ranges::unique(near).begin(), near.end());
     if (near.empty())
         return {};
-    const auto ellipse = ellipseOf(curve);
+    const bool isOwn = std::ranges::all_of(
+        near, [&](std::uint32_t edge) { return isOf(edgeAt(edges_[edge]), curve); });
+    const auto ellipse = isOwn ? std::nullopt : ellipseOf(curve);
     std::map<double, Shared> all;      // by their high ends
     for (const std::uint32_t i : near) // those of the first ring begin
-        if (const auto found = shared(edges_[i], curve, ellipse)) {
+        if (const auto found = shared(edges_[i], curve, ellipse);
+            found && found->low < found->high) {
             const auto after = all.upper_bound(found->low);
             if (after == all.end() || after->second.low >= found->high)
                 all.emplace(found->high, *found);

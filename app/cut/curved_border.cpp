@@ -7,6 +7,8 @@
 
 #include <glm/common.hpp>
 
+#include <utility>
+
 namespace app {
 namespace {
 
@@ -21,30 +23,30 @@ bool isCurvedWindow(const ClipWindow& window)
 } // namespace
 
 CurvedBorder::CurvedBorder(const ClipWindows& windows, const Page& page)
-    : windows_(windows), near_(millimetres / page.millimetresPerUnit())
+    : windows_(windows), tolerance_(windowMillimetres / page.millimetresPerUnit()),
+      near_(millimetres / page.millimetresPerUnit())
 {
-    const double tolerance = windowMillimetres / page.millimetresPerUnit();
     for (std::size_t i = 0; i < windows.list.size(); ++i)
         if (isCurvedWindow(windows.list[i]))
-            add(std::get<PathShape>(windows.list[i].shape), tolerance, i);
+            add(std::get<PathShape>(windows.list[i].shape), i);
     makeIndex();
 }
 
 CurvedBorder::CurvedBorder(std::span<const Path> areas, double tolerance, const Page& page)
-    : near_(millimetres / page.millimetresPerUnit())
+    : tolerance_(tolerance), near_(millimetres / page.millimetresPerUnit())
 {
     for (std::size_t i = 0; i < areas.size(); ++i)
-        add({areas[i], FillRule::NonZero}, tolerance, i);
+        add({areas[i], FillRule::NonZero}, i);
     makeIndex();
 }
 
-void CurvedBorder::add(const PathShape& shape, double tolerance, std::size_t window)
+void CurvedBorder::add(const PathShape& shape, std::size_t window)
 {
     if (const auto* round = std::get_if<EllipseRecipe>(&shape.recipe)) {
         const Point radii = glm::abs(round->radii);
         const EllipseArc ellipse{round->centre, {radii.x, 0}, {0, radii.y}};
         Ring& ring = rings_.emplace_back(Ring{window});
-        const std::vector<Point> corners = outlineOf(shape, tolerance).rings.front();
+        const std::vector<Point> corners = outlineOf(shape, tolerance_).rings.front();
         for (std::size_t i = 0; i < corners.size(); ++i) {
             Edge edge{corners[i], {}, ellipse, true};
             for (int k = 1; k < between; ++k) {
@@ -55,25 +57,37 @@ void CurvedBorder::add(const PathShape& shape, double tolerance, std::size_t win
         }
         return;
     }
-    for (const Subpath& path : shape.path.subpaths()) {
-        std::vector<Chord> chords;
-        flatten(path, tolerance, chords);
-        Ring& ring = rings_.emplace_back(Ring{window});
-        for (const Chord& chord : chords) {
-            Edge edge{chord.segment.a};
-            if (edge.isCurved = isCurve(path, chord.pathSegment); edge.isCurved) {
-                const Bezier curve = curveOf(path, chord.pathSegment);
-                edge.ellipse = ellipseOf(curve);
-                for (int k = 1; k < between; ++k)
-                    edge.between.push_back(
-                        curve.at(chord.t0 + (chord.t1 - chord.t0) * k / between));
+    for (const Subpath& path : shape.path.subpaths())
+        add(path, window);
+}
+
+void CurvedBorder::add(const Subpath& path, std::size_t window)
+{
+    std::vector<Chord> chords;
+    flatten(path, tolerance_, chords);
+    Ring& ring = rings_.emplace_back(Ring{window});
+    std::size_t segment = none; // of the last source
+    std::optional<EllipseArc> ellipse;
+    for (const Chord& chord : chords) {
+        Edge edge{chord.segment.a};
+        if (edge.isCurved = isCurve(path, chord.pathSegment); edge.isCurved) {
+            if (std::exchange(segment, chord.pathSegment) != chord.pathSegment) {
+                sources_.push_back(curveOf(path, segment));
+                ellipse = ellipseOf(sources_.back());
             }
-            if (chord.segment.a != chord.segment.b)
-                ring.edges.push_back(std::move(edge));
+            edge.ellipse = ellipse;
+            edge.source = sources_.size() - 1;
+            edge.t0 = chord.t0;
+            edge.t1 = chord.t1;
+            for (int k = 1; k < between; ++k)
+                edge.between.push_back(
+                    sources_.back().at(chord.t0 + (chord.t1 - chord.t0) * k / between));
         }
-        if (const Point end = chords.back().segment.b; end != chords.front().segment.a)
-            ring.edges.push_back({end}); // an open path counts as closed
+        if (chord.segment.a != chord.segment.b)
+            ring.edges.push_back(std::move(edge));
     }
+    if (const Point end = chords.back().segment.b; end != chords.front().segment.a)
+        ring.edges.push_back({end}); // an open path counts as closed
 }
 
 const Point& CurvedBorder::endOf(const Place& place) const
@@ -85,7 +99,7 @@ const Point& CurvedBorder::endOf(const Place& place) const
 void CurvedBorder::makeIndex()
 {
     edges_.clear();
-    std::vector<clipping::Window> boxes;
+    std::vector<clipping::Window> boxes, starts;
     for (std::size_t i = 0; i < rings_.size(); ++i)
         for (std::size_t j = 0; j < rings_[i].edges.size(); ++j) {
             const Edge& edge = rings_[i].edges[j];
@@ -97,8 +111,10 @@ void CurvedBorder::makeIndex()
             for (const Point& p : edge.between)
                 box = {glm::min(box.min, p), glm::max(box.max, p)};
             boxes.push_back({box.min - near_, box.max + near_});
+            starts.push_back({edge.from, edge.from});
         }
     index_ = BoxIndex(boxes);
+    starts_ = BoxIndex(starts);
 }
 
 ClipWindows CurvedBorder::polygons() const

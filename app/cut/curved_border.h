@@ -48,7 +48,10 @@ private:
         std::vector<Point> between{};
         std::optional<EllipseArc> ellipse{}; ///< of which the curve is a part
         bool isCurved = false;
+        std::size_t source = none; ///< of sources_, the curve itself
+        double t0 = 0, t1 = 0;     ///< the part of it
     };
+    static constexpr std::size_t none = std::size_t(-1);
     struct Ring {
         std::size_t window;
         std::vector<Edge> edges{};
@@ -63,12 +66,20 @@ private:
         std::size_t ring, edge;
     };
 
-    void add(const PathShape& shape, double tolerance, std::size_t window);
+    void add(const PathShape& shape, std::size_t window);
+    void add(const Subpath& path, std::size_t window);
     void makeIndex();
     /// Whether two points are the same but for rounding: a nanometre on paper.
     bool areSame(const Point& p, const Point& q) const
     {
         return glm::distance(p, q) <= near_ / 1000;
+    }
+    /// Of the points of a chord's curve, and of the ellipse that this approximates, from the chord.
+    /// If it strays from an ellipse by a quarter of the tolerance, the radius is
+    /// length² / 2 tolerance.
+    double farthest(const Point& chord) const
+    {
+        return 2 * (tolerance_ + near_) + 5e-4 * glm::dot(chord, chord) / tolerance_;
     }
     const Edge& edgeAt(const Place& place) const { return rings_[place.ring].edges[place.edge]; }
     const Point& endOf(const Place& place) const;
@@ -79,10 +90,16 @@ private:
         double parts; ///< from the start of the edge
         double distance;
     };
+    static Where placeOn(const Point& a, const Point& b, const Point& p);
     Where whereOn(const Place& place, const Point& p) const;
+    Edge partFrom(Edge& edge, const Point& p) const;
     void divide(Cuts& cuts);
     std::optional<Shared> shared(const Place& place, const Bezier& curve,
                                  const std::optional<EllipseArc>& ellipse) const;
+    bool isOf(const Edge& edge, const Bezier& curve) const
+    {
+        return edge.source != none && sources_[edge.source] == curve;
+    }
     void flattenAlong(const Bezier& curve, std::span<const Chord> plain, double tolerance,
                       Point& at, std::vector<Chord>& chords) const;
     /// In order, none over another.
@@ -90,10 +107,12 @@ private:
                                    double tolerance) const;
 
     ClipWindows windows_;
-    double near_; ///< in user units
+    double tolerance_, near_; ///< in user units
+    std::vector<Bezier> sources_;
     std::vector<Ring> rings_;
     std::vector<Place> edges_; ///< the curved ones
     BoxIndex index_;           ///< of these
+    BoxIndex starts_;          ///< of their first points
 };
 
 } // namespace app

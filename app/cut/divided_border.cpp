@@ -8,19 +8,6 @@
 #include <limits>
 
 namespace app {
-namespace {
-
-/// The share of the way along a segment that is nearest to a point, and the distance there.
-std::pair<double, double> placeOn(const Point& a, const Point& b, const Point& p)
-{
-    const Point along = b - a;
-    const double length = glm::dot(along, along);
-    const double share = length > 0 ? std::clamp(glm::dot(p - a, along) / length, 0.0, 1.0) : 0;
-    return {share, glm::distance(a + along * share, p)};
-}
-
-} // namespace
-
 bool CurvedBorder::divideAtEndsIn(const Objects& objects, const std::stop_token& stop)
 {
     Cuts cuts;
@@ -30,13 +17,16 @@ bool CurvedBorder::divideAtEndsIn(const Objects& objects, const std::stop_token&
             return;
         for (const Subpath& path : object.path().subpaths())
             for (std::size_t i = 0; i < path.segments.size(); ++i)
-                if (isCurve(path, i))
-                    for (const Point& end : {curveOf(path, i).from, path.segments[i].to})
-                        isMoved = divideAt(end, cuts) || isMoved;
+                if (isCurve(path, i)) {
+                    if (i == 0 || !isCurve(path, i - 1))
+                        isMoved = divideAt(curveOf(path, i).from, cuts) || isMoved;
+                    isMoved = divideAt(path.segments[i].to, cuts) || isMoved;
+                }
     });
-    if (!cuts.empty())
+    if (!cuts.empty()) {
         divide(cuts);
-    makeIndex();
+        makeIndex();
+    }
     return isMoved || !cuts.empty();
 }
 
@@ -54,6 +44,9 @@ bool CurvedBorder::divideAt(const Point& p, Cuts& cuts)
                 isMoved = isMoved || edge->from != p;
                 edge->from = p;
             }
+        if (placeOn(edgeAt(place).from, endOf(place), p).distance
+            > farthest(endOf(place) - edgeAt(place).from))
+            return;
         const Where where = whereOn(place, p);
         const auto [at, isFirst] = nearest.try_emplace(place.ring, number, where);
         if (!isFirst && where.distance < at->second.second.distance)
@@ -67,6 +60,14 @@ bool CurvedBorder::divideAt(const Point& p, Cuts& cuts)
             cuts[number].emplace_back(where.parts, p);
     }
     return isMoved;
+}
+
+CurvedBorder::Where CurvedBorder::placeOn(const Point& a, const Point& b, const Point& p)
+{
+    const Point along = b - a;
+    const double length = glm::dot(along, along);
+    const double share = length > 0 ? std::clamp(glm::dot(p - a, along) / length, 0.0, 1.0) : 0;
+    return {share, glm::distance(a + along * share, p)};
 }
 
 CurvedBorder::Where CurvedBorder::whereOn(const Place& place, const Point& p) const
@@ -92,6 +93,16 @@ CurvedBorder::Where CurvedBorder::whereOn(const Place& place, const Point& p) co
     return where;
 }
 
+/// Ends an edge at a point, and begins the next.
+CurvedBorder::Edge CurvedBorder::partFrom(Edge& edge, const Point& p) const
+{
+    Edge part{p, {}, edge.ellipse, true, edge.source, edge.t0, edge.t1};
+    if (edge.source != none)
+        edge.t1 = part.t0 =
+            std::clamp(nearestParameter(sources_[edge.source], p), edge.t0, edge.t1);
+    return part;
+}
+
 void CurvedBorder::divide(Cuts& cuts)
 {
     std::vector<Ring> divided;
@@ -108,7 +119,8 @@ void CurvedBorder::divide(Cuts& cuts)
             }
             auto& places = found->second;
             std::ranges::sort(places, {}, &std::pair<double, Point>::first);
-            edges.push_back({edge.from, {}, edge.ellipse, true});
+            edges.push_back(edge);
+            edges.back().between.clear();
             std::size_t next = 0;
             const auto passUntil = [&](double where) {
                 for (; next < edge.between.size() && double(next + 1) < where; ++next)
@@ -117,7 +129,7 @@ void CurvedBorder::divide(Cuts& cuts)
             for (const auto& [where, p] : places)
                 if (!areSame(p, edges.back().from)) {
                     passUntil(where);
-                    edges.push_back({p, {}, edge.ellipse, true});
+                    edges.push_back(partFrom(edges.back(), p));
                 }
             passUntil(std::numeric_limits<double>::infinity());
         }

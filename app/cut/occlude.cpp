@@ -11,6 +11,7 @@
 #include <map>
 #include <optional>
 #include <tuple>
+#include <unordered_map>
 
 namespace app {
 namespace {
@@ -67,7 +68,7 @@ private:
         document_.objects().forEach(0, document_.objects().size(),
                                     [&](std::size_t i, const ObjectView& object) {
                                         if (covers(i, object))
-                                            areas.push_back(areaOf(object));
+                                            areas.push_back(areaOf(i, object));
                                         notAbove_.push_back(std::uint32_t(areas.size()));
                                     });
         return areas;
@@ -101,11 +102,22 @@ private:
         return paths;
     }
 
-    clipping::Area areaOf(const ObjectView& object)
+    clipping::Area areaOf(std::size_t i, const ObjectView& object)
     {
         chords_.clear();
         border_->flattenAlong(object.path(), options_.tolerance, chords_);
+        if (!object.path().straight())
+            known_.emplace(i, chords_);
         return flatAreaOf(object.path().subpaths(), object.style().fillRule, chords_).area;
+    }
+
+    void takeChordsOf(std::size_t i, const ObjectView& object)
+    {
+        chords_.clear();
+        if (auto known = known_.extract(i))
+            chords_ = std::move(known.mapped());
+        else
+            border_->flattenAlong(object.path(), options_.tolerance, chords_);
     }
 
     bool reached(std::size_t i)
@@ -123,8 +135,7 @@ private:
         edit_.counts().fillsRemoved += filled && view.path().hasArea();
         if (filled && !view.style().stroke)
             return edit_.remove(i);
-        chords_.clear();
-        border_->flattenAlong(view.path(), options_.tolerance, chords_);
+        takeChordsOf(i, view);
         const auto visible = covering.visible(chords_, notAbove_[i]);
         edit_.counts().segmentsBefore += chords_.size();
         edit_.counts().segmentsAfter += visible.size();
@@ -145,6 +156,7 @@ private:
     CutEdit edit_;
     std::optional<CurvedBorder> border_;
     std::vector<std::uint32_t> notAbove_;
+    std::unordered_map<std::size_t, std::vector<Chord>> known_; ///< of curved areas, until cut
     std::vector<Chord> chords_;
 };
 

@@ -15,6 +15,8 @@ struct Bezier {
 
     /// The part from t0 to t1 (0 <= t0 <= t1 <= 1) as a separate curve.
     Bezier part(double t0, double t1) const;
+
+    friend bool operator==(const Bezier&, const Bezier&) = default;
 };
 
 /// The parameter of the place on a curve that is nearest to a point, beside the best of so many
