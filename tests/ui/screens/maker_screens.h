@@ -10,11 +10,15 @@ namespace ui {
 
 namespace maker_screens_parts {
 
-/// Of a maker of this name, on a desk that `prepare` has changed.
+enum class Pointed : std::uint8_t { No, Yes };
+
+/// Of a maker of this name, on a desk that `prepare` has changed. The pointer may be above all of
+/// its parts.
 template <class Prepare>
-Screen screen(const char* name, const char* made, const Prepare& prepare)
+Screen screen(const char* name, const char* made, const Prepare& prepare,
+              Pointed pointed = Pointed::No)
 {
-    return {QString::fromLatin1(name), [made, prepare] {
+    return {QString::fromLatin1(name), [made, prepare, pointed] {
                 Desk desk(3);
                 desk_changes::openFull(desk);
                 prepare(desk);
@@ -23,6 +27,9 @@ Screen screen(const char* name, const char* made, const Prepare& prepare)
                 const std::unique_ptr<QWidget> window(maker.make(desk));
                 window->resize(maker.size);
                 open(maker, *window, desk);
+                settle();
+                for (QWidget* part : window->findChildren<QWidget*>())
+                    part->setAttribute(Qt::WA_UnderMouse, pointed == Pointed::Yes);
                 return atRest(*window);
             }};
 }
@@ -69,6 +76,10 @@ inline void addMakers(std::vector<Screen>& screens)
     }));
     screens.push_back(
         screen("lesson-list", "lessons", [](Desk& desk) { desk.session.course.pause(); }));
+    for (const char* under : {"start", "lessons", "options", "status", "style", "tiles"})
+        screens.push_back(screen(
+            qPrintable(under + QStringLiteral("-pointed")), under,
+            [](Desk& desk) { desk.session.course.pause(); }, Pointed::Yes));
     const auto nothing = [](Desk& desk) {
         desk.sheets.close();
         desk.session.load({{}, {}});

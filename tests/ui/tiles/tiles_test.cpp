@@ -271,6 +271,14 @@ private slots:
         t.pick("sheets-format", "PNG");
         QCOMPARE(name.text(), "part{n}.png");
         QVERIFY(name.findChild<RefusalFrame*>()->isHidden());
+        name.setFocus();
+        name.selectAll();
+        QTest::keyClicks(&name, "row{n}");
+        QCOMPARE(name.text(), "row{n}"); // untouched while it is typed
+        t.pick("sheets-format", "SVG");
+        QCOMPARE(name.text(), "row{n}");
+        t.part("sheets-margin").setFocus();
+        QCOMPARE(name.text(), "row{n}.svg");
     }
 
     void aClickLeavesASheetOut()
