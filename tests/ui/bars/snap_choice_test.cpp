@@ -40,6 +40,14 @@ private slots:
         QCOMPARE(bar.kinds()->text(), QStringLiteral("%1 of %2 kinds").arg(on).arg(all));
         QVERIFY(bar.magnet()->isChecked() && bar.kinds()->isEnabled());
     }
+    void theKeyboardGoesBackToTheDrawing()
+    {
+        Bar bar;
+        bar.kinds()->setFocus();
+        QTimer::singleShot(0, bar.menu(), [&] { QTest::keyClick(bar.menu(), Qt::Key_Escape); });
+        QTest::mouseClick(bar.kinds(), Qt::LeftButton);
+        QCOMPARE(bar.t.window->focusWidget(), bar.t.drawingArea());
+    }
     void theMenuStaysOpenWhileKindsAreTicked()
     {
         Bar bar;

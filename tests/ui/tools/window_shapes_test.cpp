@@ -143,6 +143,22 @@ private slots:
         QTest::keyClick(w.list, Qt::Key_Delete);
         QCOMPARE(w.session.now().windows().list.size(), 1u);
     }
+    void aRowIsDraggedAsSoonAsThePointerIsFarEnough()
+    {
+        Windows w;
+        const int usual = QApplication::startDragDistance();
+        for (const int far : {1, 0}) { // a pixel less is a click
+            const QPoint from = w.row(0, 6) + QPoint(0, 6), to = w.row(1, 6) + QPoint(0, 6);
+            QApplication::setStartDragDistance(to.y() - from.y() + far);
+            QTest::mousePress(w.list->viewport(), Qt::LeftButton, {}, from);
+            QMouseEvent event(QEvent::MouseMove, to, w.list->viewport()->mapToGlobal(to),
+                              Qt::NoButton, Qt::LeftButton, {});
+            QApplication::sendEvent(w.list->viewport(), &event);
+            QTest::mouseRelease(w.list->viewport(), Qt::LeftButton, {}, to);
+            QCOMPARE(w.window(0).name, far ? "Hall" : "Dome");
+        }
+        QApplication::setStartDragDistance(usual);
+    }
     void theListHidesRenamesAndReorders()
     {
         Windows w;
