@@ -109,6 +109,9 @@ inline void addCanvases(std::vector<Screen>& screens)
         });
         s.move({50, 20}); // snaps
     }));
+    screens.push_back(after("canvas-presenting", "window", [](Stage& s) {
+        display(s, [](app::Display& d) { d.presenting = true; });
+    }));
     screens.push_back({"canvas-panes", [] {
                            PaneStage stage(4);
                            return seen(stage);
