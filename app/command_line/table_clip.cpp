@@ -97,6 +97,7 @@ void clipTable(const ParsedArguments& arguments, const QString& input, const Out
     csv::CutRows rows{.cut = options, .write = output.options};
     if (options.region.keep == Keep::Inside)
         rows.write.bounds = options.region.single();
+    rows.page = tableWithoutLines().document.page();
     rows.rowsOnly = arguments.has(QStringLiteral("rows-only"));
     const csv::TableCut made = clipRows(in, arguments, output, rows);
     if (!made.stream.complete)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/cut/box_index.h"
+#include "app/cut/curve_at_edge.h"
 #include "app/document/clip_windows.h"
 #include "app/document/document.h"
 #include "app/document/elliptic_curve.h"
@@ -25,6 +26,7 @@ public:
     /// How far apart two curves may be that are the same.
     static constexpr double millimetres = 0.001;
 
+    CurvedBorder() = default; ///< empty
     /// Of the visible windows. Empty if none has curves.
     CurvedBorder(const ClipWindows& windows, const Page& page);
     /// Of areas, as polygons within a tolerance (user units). Where borders of several are the
@@ -39,6 +41,13 @@ public:
 
     /// Appends the chords of a path as `flatten` does, along the border where the path is.
     void flattenAlong(const Path& path, double tolerance, std::vector<Chord>& chords) const;
+
+    /// Where a line that is cut at a point of the polygons meets the border itself. Empty: the
+    /// point is not on a curved edge, or the line ends between the curve and its chord.
+    std::optional<Point> meeting(const clipping::Segment& line, const Point& cut) const;
+    /// Where the curve of a chord that is cut there meets it.
+    std::optional<CurvePoint> meeting(const Bezier& curve, const Chord& chord,
+                                      const Point& cut) const;
 
 private:
     /// An edge of a window's polygon: a chord of its curve, or straight if there is nothing
@@ -82,6 +91,7 @@ private:
         return 2 * (tolerance_ + near_) + 5e-4 * glm::dot(chord, chord) / tolerance_;
     }
     const Edge& edgeAt(const Place& place) const { return rings_[place.ring].edges[place.edge]; }
+    std::optional<Place> edgeThrough(const Point& cut) const;
     const Point& endOf(const Place& place) const;
     /// Where curved edges, by their numbers, are divided.
     using Cuts = std::map<std::uint32_t, std::vector<std::pair<double, Point>>>;
@@ -107,7 +117,7 @@ private:
                                    double tolerance) const;
 
     ClipWindows windows_;
-    double tolerance_, near_; ///< in user units
+    double tolerance_ = 0, near_ = 0; ///< in user units
     std::vector<Bezier> sources_;
     std::vector<Ring> rings_;
     std::vector<Place> edges_; ///< the curved ones

@@ -170,7 +170,7 @@ private:
         std::optional<AreaLeft> area;
         if (filled)
             area = areas_.left(object.path, object.style.fillRule, chords);
-        CutObject result = cutObject(object, options_, chords, kept, member.first, area);
+        CutObject result = cutObject(object, options_, chords, kept, member.first, area, border_);
         if (result.whole)
             return edit_.keep(member.object);
         edit_.counts().dropped += result.dropped;

@@ -84,8 +84,8 @@ Object outlineOf(Object object)
 // The lines of an object, cut.
 class CutLines {
 public:
-    CutLines(const Object& object, const CutOptions& options)
-        : object_(object), options_(options),
+    CutLines(const Object& object, const CutOptions& options, const CurvedBorder& border)
+        : object_(object), options_(options), border_(border),
           closedStart_(object.style.dashes.empty() ? ClosedStart::Join : ClosedStart::Break)
     {
     }
@@ -110,7 +110,7 @@ public:
 private:
     void add(const Subpath& path, std::span<const Chord> chords, const std::vector<KeptPart>& parts)
     {
-        auto kept = joinRuns(path, chords, parts, options_.region, closedStart_);
+        auto kept = joinRuns(path, chords, parts, options_.region, closedStart_, border_);
         const bool unchanged = kept.size() == 1 && kept.front().path == path;
         if (!unchanged)
             dropped_ +=
@@ -124,6 +124,7 @@ private:
 
     const Object& object_;
     const CutOptions& options_;
+    const CurvedBorder& border_;
     const ClosedStart closedStart_;
     std::vector<Run> runs_, loose_;
     bool whole_ = true;
@@ -134,9 +135,9 @@ private:
 
 CutObject cutObject(const Object& object, const CutOptions& options, std::span<const Chord> chords,
                     std::span<const Clipped> pieces, std::size_t first,
-                    const std::optional<AreaLeft>& area)
+                    const std::optional<AreaLeft>& area, const CurvedBorder& border)
 {
-    CutLines lines(object, options);
+    CutLines lines(object, options, border);
     lines.cut(chords, pieces, first);
     if (lines.whole() && (!area || area->whole))
         return {.whole = true};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/cut/area_cut.h"
+#include "app/cut/curved_border.h"
 #include "app/cut/cut.h"
 
 namespace app {
@@ -17,9 +18,10 @@ struct CutObject {
 
 /// Cuts an object, given the kept pieces of its lines, and the area that is left if it is filled.
 /// `chords` are those of `flatten(object.path, options.tolerance)`. `pieces` are in the order of
-/// the chords, and their sources count from `first`.
+/// the chords, and their sources count from `first`. Where they are cut at the curves of `border`,
+/// its true curves count.
 CutObject cutObject(const Object& object, const CutOptions& options, std::span<const Chord> chords,
                     std::span<const clipping::Clipped> pieces, std::size_t first,
-                    const std::optional<AreaLeft>& area);
+                    const std::optional<AreaLeft>& area, const CurvedBorder& border = {});
 
 } // namespace app

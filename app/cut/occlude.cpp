@@ -141,7 +141,7 @@ private:
         edit_.counts().segmentsAfter += visible.size();
         Object object = view.copy();
         object.style.fill.reset();
-        CutObject result = cutObject(object, options_, chords_, visible, 0, std::nullopt);
+        CutObject result = cutObject(object, options_, chords_, visible, 0, std::nullopt, *border_);
         edit_.counts().dropped += result.dropped;
         if (result.whole)
             return filled ? edit_.change(i, object) : edit_.keep(i);

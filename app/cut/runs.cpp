@@ -85,8 +85,9 @@ End refined(const Bezier& curve, const Chord& chord, const Point& cut, Edge edge
 
 class Runs {
 public:
-    Runs(const Subpath& path, std::span<const Chord> chords, const ClipRegion& region)
-        : path_(path), chords_(chords), region_(region)
+    Runs(const Subpath& path, std::span<const Chord> chords, const ClipRegion& region,
+         const CurvedBorder& border)
+        : path_(path), chords_(chords), region_(region), border_(border)
     {
     }
 
@@ -94,14 +95,13 @@ public:
     {
         const Chord& chord = chords_[part.chord];
         const bool curve = isCurve(path_, chord.pathSegment);
-        End begin{chord.t0, part.segment.a}, end{chord.t1, part.segment.b};
         const bool fresh = part.segment.a != chord.segment.a;
         const bool over = part.segment.b != chord.segment.b;
-        if (curve && fresh)
-            begin =
-                refined(curveOf(path_, chord.pathSegment), chord, begin.point, part.edgeA, region_);
-        if (curve && over)
-            end = refined(curveOf(path_, chord.pathSegment), chord, end.point, part.edgeB, region_);
+        End begin{chord.t0, part.segment.a}, end{chord.t1, part.segment.b};
+        if (fresh)
+            begin = cutAt(chord, begin, part.edgeA);
+        if (over)
+            end = cutAt(chord, end, part.edgeB);
         if (fresh || !open_ || part.chord != next_) {
             finishCurve();
             runs_.push_back({{begin.point, {}, false}, lengthBefore(part)});
@@ -109,7 +109,7 @@ public:
         if (curve)
             extendCurve(chord.pathSegment, begin, end);
         else if (finishCurve(); part.segment.a != part.segment.b || !path_.segments.empty())
-            runs_.back().path.segments.push_back({part.segment.b});
+            runs_.back().path.segments.push_back({end.point});
         open_ = !over;
         next_ = part.chord + 1;
     }
@@ -133,6 +133,17 @@ public:
     }
 
 private:
+    // A cut, moved to where the curve or the border itself is met.
+    End cutAt(const Chord& chord, const End& cut, Edge edge) const
+    {
+        if (!isCurve(path_, chord.pathSegment))
+            return {cut.t, border_.meeting(chord.segment, cut.point).value_or(cut.point)};
+        const Bezier curve = curveOf(path_, chord.pathSegment);
+        if (const auto met = border_.meeting(curve, chord, cut.point))
+            return *met;
+        return refined(curve, chord, cut.point, edge, region_);
+    }
+
     // Collects the chords of one curve, so that they become one curve again.
     void extendCurve(std::size_t segment, const End& begin, const End& end)
     {
@@ -170,6 +181,7 @@ private:
     const Subpath& path_;
     std::span<const Chord> chords_;
     const ClipRegion& region_;
+    const CurvedBorder& border_;
     std::vector<Run> runs_;
     bool open_ = false; ///< at its chord's end: chord `next_` may continue the run
     bool startsAtChord0_ = false;
@@ -191,13 +203,13 @@ bool isWhole(std::span<const Chord> chords, std::span<const KeptPart> parts)
 
 std::vector<Run> joinRuns(const Subpath& path, std::span<const Chord> chords,
                           std::span<const KeptPart> parts, const ClipRegion& region,
-                          ClosedStart closedStart)
+                          ClosedStart closedStart, const CurvedBorder& border)
 {
     if (parts.empty())
         return {};
     if (isWhole(chords, parts))
         return {{path, 0}};
-    Runs runs(path, chords, region);
+    Runs runs(path, chords, region, border);
     runs.noteFirst(parts.front());
     for (const KeptPart& part : parts)
         runs.add(part);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/cut/curved_border.h"
 #include "app/document/flatten.h"
 #include "app/document/object.h"
 #include "app/scene/region.h"
@@ -31,11 +32,12 @@ struct Run {
 /// horizontal or vertical edge one of its coordinates is the edge's own; for rectangles the other
 /// stays within a window of `region` that has this edge. If everything is kept, the path is
 /// returned unchanged; otherwise all runs are open. A run across the start of a closed path is one
-/// run, except with ClosedStart::Break (for dashed strokes, whose dashes restart there).
+/// run, except with ClosedStart::Break (for dashed strokes, whose dashes restart there). Cuts at a
+/// curved border, of lines too, move to where that itself is met.
 enum class ClosedStart : std::uint8_t { Join, Break };
 std::vector<Run> joinRuns(const Subpath& path, std::span<const Chord> chords,
                           std::span<const KeptPart> parts, const ClipRegion& region,
-                          ClosedStart closedStart);
+                          ClosedStart closedStart, const CurvedBorder& border = {});
 
 /// Makes one object of the runs, painted like `object`; or several where dashes must continue, as
 /// an object has only one dash offset. Only the first keeps the id, title and description; none

@@ -28,7 +28,7 @@ struct Growth {
         const Point a = c.control1 - c.from, b = c.control2 - c.control1, d = c.to - c.control2;
         const double s = 1 - t;
         const Point away = c.at(t) - p;
-        const Point slope = 3.0 * (s * s * a + 2 * s * t * b + t * t * d);
+        const Point slope = c.slope(t);
         value = glm::dot(away, slope);
         change = glm::dot(slope, slope) + glm::dot(away, 6.0 * (s * (b - a) + t * (d - b)));
     }
@@ -38,6 +38,14 @@ struct Growth {
 } // namespace
 
 Point Bezier::at(double t) const { return blossom(*this, t, t, t); }
+
+Point Bezier::slope(double t) const
+{
+    const double s = 1 - t;
+    return 3.0
+           * (s * s * (control1 - from) + 2 * s * t * (control2 - control1)
+              + t * t * (to - control2));
+}
 
 Bezier Bezier::part(double t0, double t1) const
 {

@@ -12,6 +12,7 @@ struct Bezier {
     /// The point at t, by de Casteljau's algorithm: exact at 0 and 1, and inside the convex hull of
     /// the control points.
     Point at(double t) const;
+    Point slope(double t) const; ///< the derivative
 
     /// The part from t0 to t1 (0 <= t0 <= t1 <= 1) as a separate curve.
     Bezier part(double t0, double t1) const;

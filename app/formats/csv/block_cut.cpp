@@ -63,7 +63,8 @@ std::size_t BlockCut::writePieces(const TableRows& rows, std::size_t line,
                                   std::span<const clipping::Clipped> pieces)
 {
     std::size_t written = 0;
-    for (const auto& [piece, source, cut] : pieces) {
+    for (const auto& [atPolygon, source, cut] : pieces) {
+        const clipping::Segment piece = atTrueCurves(atPolygon, rows.lines()[line]);
         const auto [a, b] = piece;
         const bool tooShort = options_.cut.leastLength > 0 && !(piece == rows.lines()[line])
                               && std::hypot(b.x - a.x, b.y - a.y) < options_.cut.leastLength;
@@ -74,6 +75,16 @@ std::size_t BlockCut::writePieces(const TableRows& rows, std::size_t line,
         ++written;
     }
     return written;
+}
+
+clipping::Segment BlockCut::atTrueCurves(const clipping::Segment& piece,
+                                         const clipping::Segment& line) const
+{
+    const auto moved = [&](const Point& end, const Point& whole) {
+        return end == whole ? end : border_.meeting(line, end).value_or(end);
+    };
+    return border_.isEmpty() ? piece
+                             : clipping::Segment{moved(piece.a, line.a), moved(piece.b, line.b)};
 }
 
 void BlockCut::write(const clipping::Segment& piece, const TableRows& rows, std::size_t line)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/cut/curved_border.h"
 #include "app/cut/line_clipping.h"
 #include "app/formats/csv/table_rows.h"
 
@@ -20,6 +21,7 @@ struct TableCounts {
 struct CutRows {
     CutOptions cut;
     WriteOptions write;
+    Page page{};           ///< of which the windows are
     bool rowsOnly = false; ///< neither header nor the column `source`
 };
 
@@ -27,7 +29,10 @@ struct CutRows {
 class BlockCut {
 public:
     /// `options` must outlive this object.
-    explicit BlockCut(const CutRows& options) : options_(options), clipping_(options.cut) {}
+    explicit BlockCut(const CutRows& options)
+        : options_(options), clipping_(options.cut), border_(options.cut.windows, options.page)
+    {
+    }
 
     /// Replaces the results by those of these lines.
     void cut(const TableRows& rows);
@@ -38,11 +43,14 @@ public:
 private:
     std::size_t writePieces(const TableRows& rows, std::size_t line,
                             std::span<const clipping::Clipped> pieces);
+    clipping::Segment atTrueCurves(const clipping::Segment& piece,
+                                   const clipping::Segment& line) const;
     void write(const clipping::Segment& piece, const TableRows& rows, std::size_t line);
     void countBounds(std::span<const clipping::Segment> lines);
 
     const CutRows& options_;
     LineClipping clipping_;
+    CurvedBorder border_;
     std::string text_;
     TableCounts counts_;
 };

@@ -106,6 +106,39 @@ std::vector<Subpath> covered(const std::vector<Subpath>& paths, const std::vecto
     return pathsOf(sheetOf(document));
 }
 
+/// The ends that are not those of the whole path.
+std::vector<Point> cutEndsOf(const std::vector<Subpath>& parts, const Subpath& whole)
+{
+    std::vector<Point> ends;
+    for (const Subpath& part : parts)
+        for (const Point& end : {part.start, part.segments.back().to})
+            if (end != whole.start && end != whole.segments.back().to)
+                ends.push_back(end);
+    return ends;
+}
+
+double distanceTo(const Subpath& path, const Point& p)
+{
+    double least = 1e9;
+    Point from = path.start;
+    for (const PathSegment& s : path.segments) {
+        const Point along = s.to - from;
+        const Bezier curve = s.curved ? Bezier{from, s.control1, s.control2, s.to}
+                                      : Bezier{from, from + along / 3.0, s.to - along / 3.0, s.to};
+        least = std::min(least, glm::distance(curve.at(nearestParameter(curve, p, 2048)), p));
+        from = s.to;
+    }
+    return least;
+}
+
+double distanceTo(const ClipWindow& window, const Point& p)
+{
+    const auto& shape = std::get<PathShape>(window.shape);
+    if (const auto* round = std::get_if<EllipseRecipe>(&shape.recipe))
+        return std::abs(glm::distance(p, round->centre) - round->radii.x);
+    return distanceTo(shape.path.subpaths().front(), p);
+}
+
 double lengthOf(const std::vector<Subpath>& paths)
 {
     std::vector<Chord> chords;
@@ -194,6 +227,17 @@ private slots:
         QCOMPARE(left.size(), std::size_t(2));
         for (const Subpath& part : left)
             QVERIFY(part.segments.size() == 1 && !part.segments[0].curved);
+    }
+
+    void aLineBelowAnAreaEndsOnItsCurve()
+    {
+        const Subpath border = ellipse({50, 10}, {-12, 20}, 6, 0.4);
+        const Subpath line{centre + Point(-70, 5), {{centre + Point(70, -8)}}, false};
+        const auto left = covered({line}, {border});
+        const auto ends = cutEndsOf(left, line);
+        QCOMPARE(ends.size(), std::size_t(2));
+        for (const Point& end : ends)
+            QVERIFY(distanceTo(border, end) < 1e-9 && distanceTo(line, end) < 1e-9);
     }
 
     /// An arc of the border, which goes on away from it, outwards or inwards.
@@ -287,21 +331,38 @@ private slots:
         QVERIFY(cutAt(none, {own, still}, Keep::Inside, false).shapes.empty());
     }
 
-    /// Straight lines and other curves are cut as without.
-    void whatIsNotAlongTheBorderIsCutAsBefore()
+    /// Ends of inside and outside are the same points, within a nanometre of both true curves, and
+    /// there are as many as at the polygon.
+    void cutsAreWhereTheTrueCurvesMeet()
     {
-        const Subpath line{{centre.x - 50, centre.y + 3}, {{{centre.x + 50, centre.y + 3}}}, false};
-        Subpath other = circle(25, 4, 0.3);
-        for (PathSegment& s : other.segments)
-            s.to.x += 30, s.control1.x += 30, s.control2.x += 30;
-        other.start.x += 30;
-        const ClipWindow window = windowOf(circle(40, 4, 0));
-        ClipWindow straight = window;
-        const CurvedBorder border({{window}}, Page{});
-        straight.shape = border.polygons().list[0].shape;
-        for (const Keep keep : {Keep::Inside, Keep::Outside})
-            QVERIFY(cutAt(window, {line, other}, keep, true)
-                    == cutAt(straight, {line, other}, keep, true));
+        std::mt19937_64 random(7);
+        const auto anywhere = [&] {
+            const auto number = [&] { return double(random() >> 11) * 0x1p-53 * 120 - 60; };
+            return centre + Point(number(), number());
+        };
+        const Subpath quarters = circle(40, 4, 0);
+        const std::vector<ClipWindow> windows{windowOf(quarters, EllipseRecipe{centre, {40, 40}}),
+                                              windowOf(quarters),
+                                              windowOf(ellipse({50, 10}, {-12, 20}, 6, 0.4))};
+        std::size_t cuts = 0, missed = 0;
+        for (int i = 0; i < 900; ++i) {
+            const ClipWindow& window = windows[std::size_t(i % 3)];
+            const bool isCurve = i % 2 == 0;
+            const Subpath path{anywhere(), {{anywhere(), anywhere(), anywhere(), isCurve}}, false};
+            const auto inside = pathsOf(cutAt(window, {path}, Keep::Inside, false));
+            const auto outside = pathsOf(cutAt(window, {path}, Keep::Outside, false));
+            ClipWindow straight = window;
+            straight.shape = CurvedBorder({{window}}, Page{}).polygons().list[0].shape;
+            QCOMPARE(pathsOf(cutAt(straight, {path}, Keep::Inside, false)).size(), inside.size());
+            for (const Point& end : cutEndsOf(inside, path)) {
+                const auto others = cutEndsOf(outside, path);
+                QVERIFY(std::ranges::find(others, end) != others.end());
+                ++cuts;
+                missed += distanceTo(window, end) > 1e-6 || distanceTo(path, end) > 1e-6;
+            }
+        }
+        QVERIFY(cuts > 500);
+        QVERIFY2(missed == 0, QByteArray::number(qulonglong(missed)));
     }
 };
 
