@@ -10,7 +10,8 @@ AreaCut::AreaCut(const ClipRegion& region, const std::stop_token& stop)
 {
 }
 
-AreaLeft AreaCut::left(const Path& path, FillRule rule, std::span<const Chord> chords) const
+AreaLeft AreaCut::left(const Path& path, FillRule rule, std::span<const Chord> chords,
+                       const CurvedBorder& border) const
 {
     const std::vector<Subpath> subpaths = path.subpaths();
     const FlatArea flat = flatAreaOf(subpaths, rule, chords);
@@ -19,7 +20,7 @@ AreaLeft AreaCut::left(const Path& path, FillRule rule, std::span<const Chord> c
         return {.whole = true};
     if (clipped.part != clipping::AreaPart::Cut)
         return {};
-    return {.paths = subpathsOf(clipped, subpaths, flat, *windows_)};
+    return {.paths = subpathsOf(clipped, subpaths, flat, *windows_, border)};
 }
 
 } // namespace app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/cut/curved_border.h"
 #include "app/document/flatten.h"
 #include "app/document/path.h"
 #include "app/document/style.h"
@@ -24,9 +25,10 @@ public:
 
     /// `chords` are those of the path, all subpaths in order, within the tolerance of its curves;
     /// open subpaths are filled as if closed. Curves come back as parts of the same curves, which
-    /// end where the curve itself crosses the window's edge. The result is filled alike by both
-    /// fill rules.
-    AreaLeft left(const Path& path, FillRule rule, std::span<const Chord> chords) const;
+    /// end where the curve itself crosses the window's edge; along `border` they are its curves.
+    /// The result is filled alike by both fill rules.
+    AreaLeft left(const Path& path, FillRule rule, std::span<const Chord> chords,
+                  const CurvedBorder& border = {}) const;
 
 private:
     std::shared_ptr<const clipping::PreparedRegion> windows_;

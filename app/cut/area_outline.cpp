@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace app {
 namespace {
@@ -13,27 +14,33 @@ namespace {
 struct Side {
     std::size_t subpath = 0, segment = 0; ///< of the curve, if it is one
     bool curved = false;
+    const BorderCurve* border = nullptr; ///< the window's curve that it runs along
     double from = 0, to = 1; ///< parameters on the curve; `from > to` against its direction
+    bool isForward = true;   ///< as found at the polygons
     Point start{};           ///< where the side begins
     const clipping::Segment* window = nullptr; ///< the window's edge that it runs along
-    Chord first{}, last{};                     ///< of the curve, in the direction of the side
+    Chord first{}, last{};                     ///< of the path, in the direction of the side
     /// The side begins, or ends, beside the curve: a short line leads to it.
     bool missesStart = false, missesEnd = false;
 };
 
 bool goesOn(const Side& side, const Side& next)
 {
-    return side.curved && next.curved && side.subpath == next.subpath
-           && side.segment == next.segment && side.to == next.from
-           && (side.from < side.to) == (next.from < next.to);
+    const bool areOfOne = side.border ? side.border == next.border
+                                      : side.curved && next.curved && side.subpath == next.subpath
+                                            && side.segment == next.segment;
+    const double gap = side.to - next.from;
+    const bool isEllipse = side.border && !side.border->bezier; // which may be at a full turn
+    return areOfOne && side.isForward == next.isForward
+           && (isEllipse ? std::abs(std::remainder(gap, 2 * std::numbers::pi)) < 1e-9 : gap == 0);
 }
 
 /// The rings of a clipped area, one after the other.
 class Rings {
 public:
     Rings(const clipping::ClippedArea& clipped, const std::vector<Subpath>& path,
-          const FlatArea& flat, const clipping::PreparedRegion& windows)
-        : clipped_(clipped), path_(path), flat_(flat), windows_(windows)
+          const FlatArea& flat, const clipping::PreparedRegion& windows, const CurvedBorder& border)
+        : clipped_(clipped), path_(path), flat_(flat), windows_(windows), border_(border)
     {
     }
 
@@ -67,24 +74,31 @@ private:
         if (origin.isOfWindow) {
             edges_.push_back(windows_.edge(origin.number).segment);
             side.window = &edges_.back();
+            if (const auto part = border_.partAlong(edges_.back()))
+                takeParameters(side, *part, origin);
             return side;
         }
         const auto& source = flat_.sources[origin.number - 1];
-        if (!source || !isCurve(path_[source->subpath], source->chord.pathSegment))
+        if (!source)
             return side;
         const Chord& chord = source->chord;
-        const auto at = [&](double share) {
-            return share == 0   ? chord.t0
-                   : share == 1 ? chord.t1
-                                : chord.t0 + (chord.t1 - chord.t0) * share;
-        };
+        side.first = side.last = chord;
+        if (!isCurve(path_[source->subpath], chord.pathSegment))
+            return side;
         side.subpath = source->subpath;
         side.segment = chord.pathSegment;
         side.curved = true;
-        side.from = at(origin.from);
-        side.to = at(origin.to);
-        side.first = side.last = chord;
+        takeParameters(side, {nullptr, chord.t0, chord.t1}, origin);
         return side;
+    }
+
+    static void takeParameters(Side& side, const BorderPart& part,
+                               const clipping::EdgeOrigin& origin)
+    {
+        side.border = part.curve;
+        side.from = part.parameterAt(origin.from);
+        side.to = part.parameterAt(origin.to);
+        side.isForward = side.from < side.to;
     }
 
     // Begins where one curve does not go on, so that no curve is divided at the ring's start.
@@ -98,7 +112,8 @@ private:
         std::vector<Side> joined;
         for (const Side& side : sides_)
             if (!joined.empty() && goesOn(joined.back(), side)) {
-                joined.back().to = side.to;
+                const double turns = side.border ? joined.back().to - side.from : 0;
+                joined.back().to = side.to + turns;
                 joined.back().last = side.last;
             } else {
                 joined.push_back(side);
@@ -106,41 +121,54 @@ private:
         sides_ = std::move(joined);
     }
 
-    // A curve meets the window's edge where it crosses it itself, not where its chord does.
+    // A curve, or a line at a curved border, ends where it meets that itself, not at the polygons.
     void meet(Side& side, Side& next)
     {
-        if (side.curved && next.window)
-            side.missesEnd = !refine(side, side.last, side.to, *next.window, next.start);
-        else if (side.window && next.curved)
-            next.missesStart = !refine(next, next.first, next.from, *side.window, next.start);
+        if (!side.window && next.window)
+            side.missesEnd = !meet(side, side.last, side.to, next, next.from, next.start);
+        else if (side.window && !next.window)
+            next.missesStart = !meet(next, next.first, next.from, side, side.to, next.start);
     }
 
     // False if the curve does not cross the edge: its chord cuts a corner that the curve misses.
-    bool refine(const Side& side, const Chord& chord, double& t, const clipping::Segment& edge,
-                Point& cut) const
+    bool meet(const Side& own, const Chord& chord, double& t, const Side& window, double& onWindow,
+              Point& cut) const
     {
-        if (t == chord.t0 || t == chord.t1)
+        if (cut == chord.segment.a || cut == chord.segment.b)
             return true;
-        const auto found = crossing(curveOf(path_[side.subpath], side.segment), chord, edge);
-        if (!found)
-            return false;
-        t = found->t;
-        cut = found->point;
-        return true;
+        const auto curve =
+            own.curved ? std::optional(curveOf(path_[own.subpath], own.segment)) : std::nullopt;
+        if (window.border) {
+            const auto met =
+                curve ? border_.meeting(*curve, chord, cut) : border_.meeting(chord.segment, cut);
+            if (met && met->border == window.border) {
+                cut = met->point;
+                t = met->t;
+                onWindow = window.border->bezier ? met->onBorder
+                                                 : window.border->near(met->point, onWindow);
+                return true;
+            }
+        }
+        const auto found = curve ? crossing(*curve, chord, *window.window) : std::nullopt;
+        if (found) {
+            t = found->t;
+            cut = found->point;
+        }
+        return found || !curve;
     }
 
     void append(const Side& side, const Point& end, std::vector<PathSegment>& segments) const
     {
-        if (!side.curved)
+        const bool isCurved = side.curved || side.border;
+        if (!isCurved || side.from == side.to || (side.from < side.to) != side.isForward)
             return segments.push_back({end});
-        const Bezier curve = curveOf(path_[side.subpath], side.segment);
+        if (side.border)
+            return side.border->append(segments, side.from, side.to, side.start, end);
+        const BorderCurve curve{curveOf(path_[side.subpath], side.segment), {}};
+        const Point start = side.missesStart ? curve.at(side.from) : side.start;
         if (side.missesStart)
-            segments.push_back({curve.at(side.from)});
-        const Bezier part = curve.part(std::min(side.from, side.to), std::max(side.from, side.to));
-        const Point to = side.missesEnd ? curve.at(side.to) : end;
-        segments.push_back(side.from < side.to
-                               ? PathSegment{to, part.control1, part.control2, true}
-                               : PathSegment{to, part.control2, part.control1, true});
+            segments.push_back({start});
+        curve.append(segments, side.from, side.to, start, side.missesEnd ? curve.at(side.to) : end);
         if (side.missesEnd)
             segments.push_back({end});
     }
@@ -149,6 +177,7 @@ private:
     const std::vector<Subpath>& path_;
     const FlatArea& flat_;
     const clipping::PreparedRegion& windows_;
+    const CurvedBorder& border_;
     std::vector<Side> sides_;
     std::vector<clipping::Segment> edges_; ///< of the windows
 };
@@ -179,10 +208,10 @@ FlatArea flatAreaOf(const std::vector<Subpath>& path, FillRule rule, std::span<c
 
 std::vector<Subpath> subpathsOf(const clipping::ClippedArea& clipped,
                                 const std::vector<Subpath>& path, const FlatArea& flat,
-                                const clipping::PreparedRegion& windows)
+                                const clipping::PreparedRegion& windows, const CurvedBorder& border)
 {
     std::vector<Subpath> subpaths;
-    Rings rings(clipped, path, flat, windows);
+    Rings rings(clipped, path, flat, windows, border);
     std::size_t first = 0;
     for (const std::uint32_t end : clipped.ringEnds) {
         subpaths.push_back(rings.ring(first, end));

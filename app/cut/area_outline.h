@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/cut/curved_border.h"
 #include "app/document/flatten.h"
 #include "app/document/path.h"
 #include "app/document/style.h"
@@ -24,10 +25,11 @@ struct FlatArea {
 };
 FlatArea flatAreaOf(const std::vector<Subpath>& path, FillRule rule, std::span<const Chord> chords);
 
-/// The rings of a clipped area as closed subpaths, with the curves of `path` in place of their
-/// chords.
+/// The rings of a clipped area as closed subpaths, with the curves of `path` and of the border in
+/// place of their chords.
 std::vector<Subpath> subpathsOf(const clipping::ClippedArea& clipped,
                                 const std::vector<Subpath>& path, const FlatArea& flat,
-                                const clipping::PreparedRegion& windows);
+                                const clipping::PreparedRegion& windows,
+                                const CurvedBorder& border);
 
 } // namespace app

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cut/curve_at_edge.h"
 #include "app/cut/curved_border.h"
 
 #include <glm/geometric.hpp>
@@ -10,52 +9,6 @@
 // The polygon only tells which edge is met: a cut lies where the true curves meet.
 
 namespace app {
-namespace {
-
-double cross(const Point& p, const Point& q) { return p.x * q.y - p.y * q.x; }
-
-/// The part of a curve that an edge stands for, from 0 at its start to 1 at its end.
-class TrueEdge {
-public:
-    TrueEdge(const Bezier& curve, double t0, double t1) : curve_(curve), t0_(t0), t1_(t1) {}
-    /// The part of an ellipse from one of its points to another, less than half a turn.
-    TrueEdge(const EllipseArc& ellipse, const Point& from, const Point& to) : ellipse_(ellipse)
-    {
-        const auto angleOf = [&](const Point& p) {
-            const Point way = p - ellipse.centre;
-            const double all = cross(ellipse.axis1, ellipse.axis2);
-            return std::atan2(cross(ellipse.axis1, way) / all, cross(way, ellipse.axis2) / all);
-        };
-        t0_ = angleOf(from);
-        t1_ = t0_ + std::remainder(angleOf(to) - t0_, 2 * M_PI);
-    }
-
-    Point at(double share) const
-    {
-        const double t = t0_ + (t1_ - t0_) * share;
-        return curve_ ? curve_->at(t) : ellipse_.at(t);
-    }
-    Point slope(double share) const
-    {
-        const double t = t0_ + (t1_ - t0_) * share;
-        return (t1_ - t0_) * (curve_ ? curve_->slope(t) : ellipse_.slope(t));
-    }
-
-private:
-    std::optional<Bezier> curve_;
-    EllipseArc ellipse_{};
-    double t0_, t1_;
-};
-
-template <class Edge>
-TrueEdge trueEdge(const Edge& edge, const Point& end, std::span<const Bezier> sources)
-{
-    if (edge.source < sources.size())
-        return {sources[edge.source], edge.t0, edge.t1};
-    return {*edge.ellipse, edge.from, end};
-}
-
-} // namespace
 
 std::optional<CurvedBorder::Place> CurvedBorder::edgeThrough(const Point& cut) const
 {
@@ -72,55 +25,84 @@ std::optional<CurvedBorder::Place> CurvedBorder::edgeThrough(const Point& cut) c
     return nearest;
 }
 
-std::optional<Point> CurvedBorder::meeting(const clipping::Segment& line, const Point& cut) const
+BorderPart CurvedBorder::partOf(const Place& place) const
 {
-    const auto place = edgeThrough(cut);
-    if (!place)
-        return std::nullopt;
-    const auto isLeft = [&](const Point& p) { return cross(line.b - line.a, p - line.a) > 0; };
-    const TrueEdge edge = trueEdge(edgeAt(*place), endOf(*place), sources_);
-    double low = 0, high = 1;
-    const bool atLow = isLeft(edge.at(low));
-    if (atLow == isLeft(edge.at(high)))
-        return std::nullopt;
-    for (double middle = 0.5; middle > low && middle < high; middle = (low + high) / 2)
-        (isLeft(edge.at(middle)) == atLow ? low : high) = middle;
-    const Point met = edge.at(low);
-    const bool isBeyond =
-        glm::dot(met - line.a, line.b - line.a) < 0 || glm::dot(met - line.b, line.a - line.b) < 0;
-    return isBeyond ? std::nullopt : std::optional(met);
+    const Edge& edge = edgeAt(place);
+    return {&sources_[edge.source], edge.t0, edge.t1};
 }
 
-std::optional<CurvePoint> CurvedBorder::meeting(const Bezier& curve, const Chord& chord,
-                                                const Point& cut) const
+std::optional<BorderPart> CurvedBorder::partAlong(const clipping::Segment& edge) const
+{
+    std::optional<BorderPart> found;
+    index_.meeting({edge.a, edge.a}, 0, [&](std::uint32_t number) {
+        const Place& place = edges_[number];
+        const Point &from = edgeAt(place).from, &to = endOf(place);
+        const auto [curve, t0, t1] = partOf(place);
+        if (from == edge.a && to == edge.b)
+            found = {curve, t0, t1};
+        else if (from == edge.b && to == edge.a)
+            found = {curve, t1, t0};
+    });
+    return found;
+}
+
+std::optional<BorderMeeting> CurvedBorder::meeting(const clipping::Segment& line,
+                                                   const Point& cut) const
 {
     const auto place = edgeThrough(cut);
     if (!place)
         return std::nullopt;
-    const TrueEdge edge = trueEdge(edgeAt(*place), endOf(*place), sources_);
-    const double width = chord.t1 - chord.t0;
+    const auto isLeft = [&](const Point& p) {
+        return crossProduct(line.b - line.a, p - line.a) > 0;
+    };
+    const BorderPart part = partOf(*place);
+    double low = part.from, high = part.to;
+    const bool atLow = isLeft(part.curve->at(low));
+    if (atLow == isLeft(part.curve->at(high)))
+        return std::nullopt;
+    for (double middle = (low + high) / 2; middle != low && middle != high;
+         middle = (low + high) / 2)
+        (isLeft(part.curve->at(middle)) == atLow ? low : high) = middle;
+    Point met = part.curve->at(low);
+    for (const int axis : {0, 1})
+        if (line.a[axis] == line.b[axis])
+            met[axis] = line.a[axis];
+    const bool isBeyond =
+        glm::dot(met - line.a, line.b - line.a) < 0 || glm::dot(met - line.b, line.a - line.b) < 0;
+    return isBeyond ? std::nullopt : std::optional(BorderMeeting{met, 0, part.curve, low});
+}
+
+std::optional<BorderMeeting> CurvedBorder::meeting(const Bezier& curve, const Chord& chord,
+                                                   const Point& cut) const
+{
+    const auto place = edgeThrough(cut);
+    if (!place)
+        return std::nullopt;
+    const BorderPart part = partOf(*place);
+    const double width = chord.t1 - chord.t0, reach = part.to - part.from;
     double t = chord.t0 + width * placeOn(chord.segment.a, chord.segment.b, cut).parts;
-    double share = placeOn(edgeAt(*place).from, endOf(*place), cut).parts;
+    double u = part.parameterAt(placeOn(edgeAt(*place).from, endOf(*place), cut).parts);
     constexpr int most = 20;
     for (int i = 0; i < most; ++i) {
-        const Point gap = edge.at(share) - curve.at(t);
-        const Point along = curve.slope(t), across = edge.slope(share);
-        const double turn = cross(along, across);
-        const double byT = cross(gap, across) / turn, byShare = cross(gap, along) / turn;
-        if (!std::isfinite(byT) || !std::isfinite(byShare))
+        const Point gap = part.curve->at(u) - curve.at(t);
+        const Point along = curve.slope(t), across = part.curve->slope(u);
+        const double turn = crossProduct(along, across);
+        const double byT = crossProduct(gap, across) / turn, byU = crossProduct(gap, along) / turn;
+        if (!std::isfinite(byT) || !std::isfinite(byU))
             return std::nullopt;
         t += byT;
-        share += byShare;
+        u += byU;
         // It may be on a neighbouring part of the same curves.
-        if (t < std::max(0.0, chord.t0 - width) || t > std::min(1.0, chord.t1 + width) || share < -1
-            || share > 2)
+        if (t < std::max(0.0, chord.t0 - width) || t > std::min(1.0, chord.t1 + width)
+            || std::abs(u - part.from - reach / 2) > 1.5 * std::abs(reach))
             return std::nullopt;
-        if (std::abs(byT) <= 1e-15 && std::abs(byShare) <= 1e-12)
+        if (std::abs(byT) <= 1e-15 && std::abs(byU) <= 1e-15)
             break;
     }
     const Point met = curve.at(t);
-    return glm::distance(met, edge.at(share)) <= near_ / 1e4 ? std::optional(CurvePoint{t, met})
-                                                             : std::nullopt;
+    return glm::distance(met, part.curve->at(u)) <= near_ / 1e4
+               ? std::optional(BorderMeeting{met, t, part.curve, u})
+               : std::nullopt;
 }
 
 } // namespace app

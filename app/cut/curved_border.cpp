@@ -47,8 +47,12 @@ void CurvedBorder::add(const PathShape& shape, std::size_t window)
         const EllipseArc ellipse{round->centre, {radii.x, 0}, {0, radii.y}};
         Ring& ring = rings_.emplace_back(Ring{window});
         const std::vector<Point> corners = outlineOf(shape, tolerance_).rings.front();
+        sources_.push_back({{}, ellipse});
+        double t = sources_.back().near(corners.front(), 0);
         for (std::size_t i = 0; i < corners.size(); ++i) {
-            Edge edge{corners[i], {}, ellipse, true};
+            const double next = sources_.back().near(corners[(i + 1) % corners.size()], t);
+            Edge edge{corners[i], {}, ellipse, true, sources_.size() - 1, t, next};
+            t = next;
             for (int k = 1; k < between; ++k) {
                 const double share = (double(i) + double(k) / between) / double(corners.size());
                 edge.between.push_back(round->centre + radii * directionOf(-360 * share));
@@ -66,14 +70,14 @@ void CurvedBorder::add(const Subpath& path, std::size_t window)
     std::vector<Chord> chords;
     flatten(path, tolerance_, chords);
     Ring& ring = rings_.emplace_back(Ring{window});
-    std::size_t segment = none; // of the last source
+    std::optional<std::size_t> segment; // of the last source
     std::optional<EllipseArc> ellipse;
     for (const Chord& chord : chords) {
         Edge edge{chord.segment.a};
         if (edge.isCurved = isCurve(path, chord.pathSegment); edge.isCurved) {
             if (std::exchange(segment, chord.pathSegment) != chord.pathSegment) {
-                sources_.push_back(curveOf(path, segment));
-                ellipse = ellipseOf(sources_.back());
+                sources_.push_back({curveOf(path, chord.pathSegment), {}});
+                ellipse = ellipseOf(*sources_.back().bezier);
             }
             edge.ellipse = ellipse;
             edge.source = sources_.size() - 1;

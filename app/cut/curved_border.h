@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/cut/border_curve.h"
 #include "app/cut/box_index.h"
-#include "app/cut/curve_at_edge.h"
 #include "app/document/clip_windows.h"
 #include "app/document/document.h"
 #include "app/document/elliptic_curve.h"
+#include "app/document/flatten.h"
 
 #include <glm/geometric.hpp>
 
@@ -13,6 +14,14 @@
 #include <stop_token>
 
 namespace app {
+
+/// Where something meets a border.
+struct BorderMeeting {
+    Point point;
+    double t; ///< of a curve that meets it
+    const BorderCurve* border;
+    double onBorder; ///< its parameter
+};
 
 /// The border of clip windows or areas with curves, and the drawing's curves that run along it.
 ///
@@ -44,10 +53,12 @@ public:
 
     /// Where a line that is cut at a point of the polygons meets the border itself. Empty: the
     /// point is not on a curved edge, or the line ends between the curve and its chord.
-    std::optional<Point> meeting(const clipping::Segment& line, const Point& cut) const;
+    std::optional<BorderMeeting> meeting(const clipping::Segment& line, const Point& cut) const;
     /// Where the curve of a chord that is cut there meets it.
-    std::optional<CurvePoint> meeting(const Bezier& curve, const Chord& chord,
-                                      const Point& cut) const;
+    std::optional<BorderMeeting> meeting(const Bezier& curve, const Chord& chord,
+                                         const Point& cut) const;
+    /// What an edge of the polygons stands for; empty: itself.
+    std::optional<BorderPart> partAlong(const clipping::Segment& edge) const;
 
 private:
     /// An edge of a window's polygon: a chord of its curve, or straight if there is nothing
@@ -57,10 +68,9 @@ private:
         std::vector<Point> between{};
         std::optional<EllipseArc> ellipse{}; ///< of which the curve is a part
         bool isCurved = false;
-        std::size_t source = none; ///< of sources_, the curve itself
-        double t0 = 0, t1 = 0;     ///< the part of it
+        std::size_t source = 0; ///< of sources_, the curve itself
+        double t0 = 0, t1 = 0;  ///< the part of it
     };
-    static constexpr std::size_t none = std::size_t(-1);
     struct Ring {
         std::size_t window;
         std::vector<Edge> edges{};
@@ -91,6 +101,7 @@ private:
         return 2 * (tolerance_ + near_) + 5e-4 * glm::dot(chord, chord) / tolerance_;
     }
     const Edge& edgeAt(const Place& place) const { return rings_[place.ring].edges[place.edge]; }
+    BorderPart partOf(const Place& place) const;
     std::optional<Place> edgeThrough(const Point& cut) const;
     const Point& endOf(const Place& place) const;
     /// Where curved edges, by their numbers, are divided.
@@ -108,7 +119,7 @@ private:
                                  const std::optional<EllipseArc>& ellipse) const;
     bool isOf(const Edge& edge, const Bezier& curve) const
     {
-        return edge.source != none && sources_[edge.source] == curve;
+        return sources_[edge.source].bezier == curve;
     }
     void flattenAlong(const Bezier& curve, std::span<const Chord> plain, double tolerance,
                       Point& at, std::vector<Chord>& chords) const;
@@ -118,7 +129,7 @@ private:
 
     ClipWindows windows_;
     double tolerance_ = 0, near_ = 0; ///< in user units
-    std::vector<Bezier> sources_;
+    std::vector<BorderCurve> sources_;
     std::vector<Ring> rings_;
     std::vector<Place> edges_; ///< the curved ones
     BoxIndex index_;           ///< of these

@@ -169,7 +169,7 @@ private:
         const Object object = view.copy();
         std::optional<AreaLeft> area;
         if (filled)
-            area = areas_.left(object.path, object.style.fillRule, chords);
+            area = areas_.left(object.path, object.style.fillRule, chords, border_);
         CutObject result = cutObject(object, options_, chords, kept, member.first, area, border_);
         if (result.whole)
             return edit_.keep(member.object);

@@ -97,9 +97,8 @@ CurvedBorder::Where CurvedBorder::whereOn(const Place& place, const Point& p) co
 CurvedBorder::Edge CurvedBorder::partFrom(Edge& edge, const Point& p) const
 {
     Edge part{p, {}, edge.ellipse, true, edge.source, edge.t0, edge.t1};
-    if (edge.source != none)
-        edge.t1 = part.t0 =
-            std::clamp(nearestParameter(sources_[edge.source], p), edge.t0, edge.t1);
+    const auto [low, high] = std::minmax(edge.t0, edge.t1);
+    edge.t1 = part.t0 = std::clamp(sources_[edge.source].near(p, edge.t0), low, high);
     return part;
 }
 

@@ -136,11 +136,13 @@ private:
     // A cut, moved to where the curve or the border itself is met.
     End cutAt(const Chord& chord, const End& cut, Edge edge) const
     {
-        if (!isCurve(path_, chord.pathSegment))
-            return {cut.t, border_.meeting(chord.segment, cut.point).value_or(cut.point)};
+        if (!isCurve(path_, chord.pathSegment)) {
+            const auto met = border_.meeting(chord.segment, cut.point);
+            return met ? End{cut.t, met->point} : cut;
+        }
         const Bezier curve = curveOf(path_, chord.pathSegment);
         if (const auto met = border_.meeting(curve, chord, cut.point))
-            return *met;
+            return {met->t, met->point};
         return refined(curve, chord, cut.point, edge, region_);
     }
 

@@ -81,7 +81,8 @@ clipping::Segment BlockCut::atTrueCurves(const clipping::Segment& piece,
                                          const clipping::Segment& line) const
 {
     const auto moved = [&](const Point& end, const Point& whole) {
-        return end == whole ? end : border_.meeting(line, end).value_or(end);
+        const auto met = end == whole ? std::nullopt : border_.meeting(line, end);
+        return met ? met->point : end;
     };
     return border_.isEmpty() ? piece
                              : clipping::Segment{moved(piece.a, line.a), moved(piece.b, line.b)};

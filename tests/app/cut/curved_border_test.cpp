@@ -139,6 +139,37 @@ double distanceTo(const ClipWindow& window, const Point& p)
     return distanceTo(shape.path.subpaths().front(), p);
 }
 
+/// Of closed paths, as polygons of very short edges.
+double areaOf(const std::vector<Subpath>& paths)
+{
+    double area = 0;
+    for (const Subpath& path : paths) {
+        Point from = path.start;
+        const auto go = [&](const Point& to) {
+            area +=
+                ((from.x - centre.x) * (to.y - centre.y) - (to.x - centre.x) * (from.y - centre.y))
+                / 2;
+            from = to;
+        };
+        for (const PathSegment& s : path.segments) {
+            const Bezier curve{from, s.control1, s.control2, s.to};
+            for (int i = 1; s.curved && i < 20'000; ++i)
+                go(curve.at(i / 2e4));
+            go(s.to);
+        }
+        go(path.start);
+    }
+    return std::abs(area);
+}
+
+bool isCornerOf(const std::vector<Subpath>& paths, const Point& p)
+{
+    return std::ranges::any_of(paths, [&](const Subpath& path) {
+        return path.start == p
+               || std::ranges::find(path.segments, p, &PathSegment::to) != path.segments.end();
+    });
+}
+
 double lengthOf(const std::vector<Subpath>& paths)
 {
     std::vector<Chord> chords;
@@ -227,6 +258,43 @@ private slots:
         QCOMPARE(left.size(), std::size_t(2));
         for (const Subpath& part : left)
             QVERIFY(part.segments.size() == 1 && !part.segments[0].curved);
+    }
+
+    /// Where a window cuts a filled area, its outline has the window's own curves; it ends where
+    /// the lines do.
+    void anAreaGetsTheWindowsCurves()
+    {
+        const Subpath strip{
+            centre + Point(-60, -5),
+            {{centre + Point(60, -9)}, {centre + Point(60, 9)}, {centre + Point(-60, 7)}},
+            true};
+        Subpath disc = circle(25, 4, 0.3);
+        for (PathSegment& s : disc.segments)
+            s.to.x += 30, s.control1.x += 30, s.control2.x += 30;
+        disc.start.x += 30;
+        Subpath all = circle(90, 4, 0.1);
+        const std::vector<ClipWindow> windows{
+            windowOf(circle(40, 4, 0), EllipseRecipe{centre, {40, 30}}), windowOf(circle(40, 4, 0)),
+            windowOf(ellipse({50, 10}, {-12, 20}, 6, 0.4))};
+        for (const ClipWindow& window : windows)
+            for (const Subpath& area : {strip, disc, all}) {
+                double sum = 0;
+                for (const Keep keep : {Keep::Inside, Keep::Outside}) {
+                    const Sheet left = cutAt(window, {area}, keep, true);
+                    QCOMPARE(left.shapes.size(),
+                             std::size_t(area == all ? 1 + (keep == Keep::Outside) : 2));
+                    std::size_t curves = 0, lines = 0;
+                    for (const Subpath& ring : left.shapes[0].paths)
+                        for (const PathSegment& s : ring.segments)
+                            ++(s.curved ? curves : lines);
+                    QVERIFY(curves > 0 && curves <= 12 && lines <= 7);
+                    sum += areaOf(left.shapes[0].paths);
+                    for (std::size_t i = 1; i < left.shapes.size() && area != all; ++i)
+                        for (const Point& end : cutEndsOf(left.shapes[i].paths, area))
+                            QVERIFY(isCornerOf(left.shapes[0].paths, end));
+                }
+                QVERIFY(std::abs(sum / areaOf({area}) - 1) < 1e-9);
+            }
     }
 
     void aLineBelowAnAreaEndsOnItsCurve()
