@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/typed_colour.h"
 #include "app/session/recent_colours.h"
 #include "ui/bars/option_bar.h"
 #include "ui/style/style_popup.h"
@@ -159,6 +160,24 @@ private slots:
         QCOMPARE(p.session.history.count(), 1);
         QTest::keyClick(swatches, Qt::Key_Z, Qt::ControlModifier); // goes on in the window
         QCOMPARE(p.style(1).stroke, std::optional(blue));
+    }
+    void swatchesNameTheColourThatTheKeyboardIsAt()
+    {
+        Person p;
+        p.session.select({0});
+        p.open();
+        ColourPopup& colours = p.openColours();
+        auto* swatches = qobject_cast<Swatches*>(colours.focusWidget());
+        QVERIFY(swatches->accessibleName().endsWith(app::hexText(red)));
+        p.keyIn(colours, Qt::Key_Left);
+        QVERIFY(swatches->accessibleName().endsWith(app::hexText(blue)));
+        for (auto* field : colours.findChildren<QLineEdit*>())
+            field->setFocus();
+        QVERIFY(!swatches->hasFocus());
+        const QString name = swatches->accessibleName();
+        QVERIFY2(!name.contains(u'#'), qPrintable(name));
+        swatches->setFocus();
+        QCOMPARE(swatches->accessibleName(), name + ": " + app::hexText(blue));
     }
     void badDigitsAreRefusedInTheWindowOfColours()
     {
