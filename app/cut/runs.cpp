@@ -164,6 +164,11 @@ private:
         if (curveSegment_ == none)
             return;
         const bool whole = curveBegin_.t == 0 && curveEnd_.t == 1;
+        if (curveBegin_.t > curveEnd_.t) { // a piece at a polygon, of which the curve has nothing
+            runs_.back().path.segments.push_back({curveEnd_.point});
+            curveSegment_ = none;
+            return;
+        }
         const Bezier part = curveOf(path_, curveSegment_).part(curveBegin_.t, curveEnd_.t);
         runs_.back().path.segments.push_back(
             whole ? path_.segments[curveSegment_]

@@ -260,6 +260,34 @@ private slots:
             QVERIFY(part.segments.size() == 1 && !part.segments[0].curved);
     }
 
+    /// Windows that are hardly larger than the tolerance of their polygons.
+    void tinyWindows()
+    {
+        std::mt19937_64 random(11);
+        const auto near = [&](double far) {
+            const auto number = [&] { return far * (double(random() >> 11) * 0x1p-52 - 1); };
+            return centre + Point(number(), number());
+        };
+        for (int i = 0; i < 600; ++i) {
+            const double radius = 0.002 * (1 + i % 30);
+            const Point a = near(radius), b = near(radius), c = near(4 * radius);
+            const Subpath path{
+                near(3), {{near(3), near(3), a, true}, {near(3), b, c, true}}, false};
+            const ClipWindow window =
+                windowOf(circle(radius, 4, 0.1),
+                         i % 2 ? Recipe(EllipseRecipe{centre, {radius, radius}}) : Recipe());
+            double length = 0;
+            for (const Keep keep : {Keep::Inside, Keep::Outside})
+                for (const Subpath& part : pathsOf(cutAt(window, {path}, keep, i % 4 == 0)))
+                    for (const PathSegment& s : part.segments)
+                        QVERIFY(std::isfinite(s.to.x + s.to.y));
+            for (const Keep keep : {Keep::Inside, Keep::Outside})
+                length += lengthOf(pathsOf(cutAt(window, {path}, keep, false)));
+            QVERIFY2(std::abs(length - lengthOf({path})) < 0.05,
+                     QByteArray::number(length - lengthOf({path})));
+        }
+    }
+
     /// Where a window cuts a filled area, its outline has the window's own curves; it ends where
     /// the lines do.
     void anAreaGetsTheWindowsCurves()
