@@ -117,6 +117,10 @@ inline void addCanvases(std::vector<Screen>& screens)
                            return seen(stage);
                        }});
     addOverlays(screens);
+    for (const char* light : {"canvas-drawing-line", "canvas-nodes", "canvas-window-moved",
+                              "canvas-overlay-cohen-sutherland"})
+        screens.push_back(
+            inTheDark(*std::ranges::find(screens, QString::fromLatin1(light), &Screen::name)));
 }
 
 } // namespace ui

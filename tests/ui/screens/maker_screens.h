@@ -80,6 +80,9 @@ inline void addMakers(std::vector<Screen>& screens)
         screens.push_back(screen(
             qPrintable(under + QStringLiteral("-pointed")), under,
             [](Desk& desk) { desk.session.course.pause(); }, Pointed::Yes));
+    for (const char* made : {"algorithm", "compare", "options", "microscope", "lessons", "tiles"})
+        screens.push_back(screen(qPrintable(made + QStringLiteral("-dark")), made,
+                                 [](Desk&) { applyTheme(*qApp, Theme::Dark); }));
     const auto nothing = [](Desk& desk) {
         desk.sheets.close();
         desk.session.load({{}, {}});

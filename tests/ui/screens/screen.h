@@ -20,4 +20,13 @@ inline QImage atRest(QWidget& widget)
     return painted(widget);
 }
 
+/// The same in the dark theme; not for a desk or a window, which choose their theme.
+inline Screen inTheDark(const Screen& screen)
+{
+    return {screen.name + "-dark", [screen] {
+                applyTheme(*qApp, Theme::Dark);
+                return screen.picture();
+            }};
+}
+
 } // namespace ui

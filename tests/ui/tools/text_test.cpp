@@ -65,6 +65,32 @@ class TextTest : public QObject {
 private slots:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
 
+    void theFieldStaysInsideTheCanvas()
+    {
+        Writer hand;
+        hand.click({100, 50});
+        hand.type("A");
+        QWidget& box = *hand.field().parentWidget();
+        const auto placed = [&] {
+            hand.canvas.settle();
+            return QRect(hand.surface().mapFromGlobal(box.mapToGlobal(QPoint(0, 0))), box.size());
+        };
+        const QRect usual = placed();
+        QVERIFY(std::abs(usual.left() - hand.at({100, 50}).x()) <= 8);
+        QVERIFY(usual.top() > hand.at({100, 50}).y()); // below the letters
+        const QRect all = hand.surface().rect();
+        const auto goTo = [&](const app::Point& place) {
+            app::View view = hand.canvas.view();
+            view.pan(place - view.toScreen({100, 50}));
+            hand.canvas.go(view);
+        };
+        goTo({-30, -90});
+        QCOMPARE(placed().topLeft(), all.topLeft());
+        goTo({all.width() + 30.0, all.height() + 30.0});
+        QCOMPARE(placed().right(), all.right());
+        QVERIFY(all.contains(placed()));
+    }
+
     void clickTypeEnter()
     {
         Writer hand;
