@@ -57,9 +57,6 @@ ReadoutBox::Cell ReadoutBox::makeCell()
     cell.field->setContextMenuPolicy(Qt::NoContextMenu);
     cell.field->setFocusPolicy(Qt::NoFocus); // open() gives it the keyboard
     cell.field->setMaxLength(200);
-    QPalette flat = cell.field->palette();
-    flat.setColor(QPalette::Base, Qt::transparent);
-    cell.field->setPalette(flat);
     cell.field->installEventFilter(this);
     connect(cell.field, &QLineEdit::textEdited, this,
             [this](const QString& text) { controller_.typeNumber(text); });
