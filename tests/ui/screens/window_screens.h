@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/dialogs/waiting_dialog.h"
+#include "ui/explanation/explanation_window.h"
+#include "ui/microscope/export_steps_dialog.h"
+#include "ui/widgets/message_strip.h"
 #include "ui/window/workspaces.h"
 
 #include <QMenu>
@@ -25,6 +29,63 @@ inline QImage withWindow(const std::function<QWidget*(TestWindow&)>& prepare)
     const QImage picture = atRest(*shown);
     shown->close();
     return picture;
+}
+
+/// A part of its own, without a window.
+template <class Make>
+Screen part(const char* name, const Make& make)
+{
+    return {name, [make] {
+                applyTheme(*qApp, Theme::Light);
+                const std::unique_ptr<QWidget> shown = make();
+                shown->setAttribute(Qt::WA_DontShowOnScreen);
+                shown->show();
+                return atRest(*shown);
+            }};
+}
+
+inline std::unique_ptr<QWidget> exportSteps()
+{
+    app::Microscope microscope;
+    microscope.open(
+        {{clipping::findAlgorithm("CS")}, {{-160, -30}, {70, 130}}, {{-100, -75}, {100, 75}}});
+    return std::make_unique<ExportStepsDialog>(
+        app::TraceExport{microscope.tracedLine(), microscope.narration()}, 3, nullptr);
+}
+
+inline std::unique_ptr<QWidget> strip(Message::Kind kind)
+{
+    auto strip = std::make_unique<MessageStrip>();
+    strip->resize(700, 36);
+    strip->tell(
+        {kind, QStringLiteral("12 lines were left out."), QStringLiteral("Show them"), [] {}});
+    return strip;
+}
+
+inline std::unique_ptr<QWidget> waiting()
+{
+    auto dialog = std::make_unique<WaitingDialog>(QStringLiteral("Cutting 1,000 objects"), nullptr);
+    dialog->showProgress({});
+    return dialog;
+}
+
+/// The explanation of an algorithm while a word is looked for.
+inline QImage finding()
+{
+    return withWindow([](TestWindow& test) -> QWidget* {
+        emit test.window->explanationWanted(clipping::algorithms().front());
+        auto* shown = [&]() -> QWidget* {
+            for (QWidget* top : QApplication::topLevelWidgets())
+                if (qobject_cast<ExplanationWindow*>(top))
+                    return top;
+            return nullptr;
+        }();
+        shown->resize(580, 480);
+        settle();
+        QTest::keyClick(shown, Qt::Key_F, Qt::ControlModifier);
+        QTest::keyClicks(shown->focusWidget(), "line");
+        return shown;
+    });
 }
 
 inline Screen dialog(const char* name, const char* command)
@@ -60,6 +121,11 @@ inline void addWindows(std::vector<Screen>& screens)
                                return test.window.get();
                            });
                        }});
+    screens.push_back({"explanation-finding", finding});
+    screens.push_back(part("dialog-export-steps", exportSteps));
+    screens.push_back(part("dialog-waiting", waiting));
+    screens.push_back(part("strip-done", [] { return strip(Message::Kind::Done); }));
+    screens.push_back(part("strip-warning", [] { return strip(Message::Kind::Warning); }));
     screens.push_back(dialog("dialog-repeat", "repeat"));
     screens.push_back(dialog("dialog-margin", "window-inside-margin"));
     for (const qsizetype number : {0, 1, 2, 3, 4, 5, 6, 7, 8, 9})
