@@ -14,6 +14,7 @@
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
 #include "ui/look/window_place.h"
+#include "ui/widgets/elided_label.h"
 #include "ui/widgets/keep_choice.h"
 
 #include <QDesktopServices>
@@ -35,7 +36,7 @@ constexpr int listWidth = 252, fieldWidth = 220;
 ExplanationWindow::ExplanationWindow(app::Session& session, QWidget& window)
     : QDialog(&window, Qt::Window), session_(session), window_(window),
       questions_(std::make_unique<Questions>(*this)), list_(new QListView), page_(new PageView),
-      wanted_(new QLineEdit), found_(new QLabel), strip_(new MessageStrip)
+      wanted_(new QLineEdit), found_(new ElidedLabel), strip_(new MessageStrip)
 {
     setObjectName(QStringLiteral("explanation"));
     list_->setModel(new AlgorithmModel(list_));
@@ -155,7 +156,8 @@ QWidget* ExplanationWindow::finder()
     wanted_->setPlaceholderText(Text::tr("Find on this page"));
     wanted_->setAccessibleName(Text::tr("Find on this page"));
     wanted_->setClearButtonEnabled(true);
-    wanted_->setFixedWidth(fieldWidth);
+    wanted_->setMinimumWidth(fieldWidth / 2);
+    wanted_->setMaximumWidth(fieldWidth);
     found_->setForegroundRole(QPalette::PlaceholderText);
     auto* before = button("step-back", Text::tr("Previous"), {});
     auto* next = button("step-on", Text::tr("Next"), {});
@@ -171,9 +173,10 @@ QWidget* ExplanationWindow::finder()
     auto* row = new QHBoxLayout(finder_);
     row->setContentsMargins(space::dockMargin, 4, space::dockMargin, 4);
     row->setSpacing(6);
-    for (QWidget* one : std::initializer_list<QWidget*>{wanted_, before, next, found_})
-        row->addWidget(one);
-    row->addStretch();
+    row->addWidget(wanted_, 3);
+    row->addWidget(before);
+    row->addWidget(next);
+    row->addWidget(found_, 2);
     row->addWidget(close);
     finder_->hide();
     return finder_;
@@ -230,7 +233,7 @@ void ExplanationWindow::follow(const QUrl& link)
 void ExplanationWindow::find(QTextDocument::FindFlags direction)
 {
     const int count = page_->find(wanted_->text(), direction);
-    found_->setText(
+    found_->setWhole(
         wanted_->text().isEmpty() ? QString()
         : count == 0              ? Text::tr("Not on this page")
         : count == 1              ? Text::tr("Once on this page")

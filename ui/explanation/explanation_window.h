@@ -16,6 +16,7 @@
 
 namespace ui {
 
+class ElidedLabel;
 class PageView;
 
 /// The pages about the algorithms: a list of algorithms at the left, a page at the right. Not
@@ -60,11 +61,11 @@ private:
     PageView* page_;
     QWidget* finder_ = nullptr;
     QLineEdit* wanted_;
-    QLabel* found_;
+    ElidedLabel* found_;
     MessageStrip* strip_;
     QToolButton *back_ = nullptr, *forward_ = nullptr;
     QToolButton *contents_ = nullptr, *look_ = nullptr; ///< on pages of the manual; of algorithms
-    QString topic_; ///< of the manual, read last
+    QString topic_;                                     ///< of the manual, read last
 };
 
 } // namespace ui
