@@ -57,8 +57,6 @@ public:
     QPoint screen(const app::Point& p) { return view().frame().at(p).toPoint(); }
 
     TestWindow t;
-
-private:
     void moveTo(const QPoint& place, Qt::KeyboardModifiers modifiers)
     {
         QMouseEvent event(QEvent::MouseMove, place, view().mapToGlobal(place), Qt::NoButton,
@@ -322,6 +320,19 @@ private slots:
         s.drag(held, {100, 60});
         QCOMPARE(s.view().frame().at(s.view().frame().seen.min), corner); // no zoom
         QCOMPARE(s.microscope().tracedLine().line, line);
+    }
+    void theCursorTellsWhatADragDoes()
+    {
+        Stage s;
+        const QPoint end = s.screen(s.microscope().tracedLine().line.a);
+        s.moveTo(end, {});
+        QCOMPARE(s.view().cursor().shape(), Qt::SizeAllCursor);
+        s.moveTo({60, 40}, {});
+        QCOMPARE(s.view().cursor().shape(), Qt::ArrowCursor);
+        QTest::mousePress(&s.view(), Qt::LeftButton, {}, {60, 40});
+        QCOMPARE(s.view().cursor().shape(), Qt::ClosedHandCursor);
+        QTest::mouseRelease(&s.view(), Qt::LeftButton, {}, {60, 40});
+        QCOMPARE(s.view().cursor().shape(), Qt::ArrowCursor);
     }
     void aClickOnTheTimelineChoosesTheStep()
     {

@@ -366,6 +366,29 @@ private slots:
         QVERIFY(t.isUnchanged());
     }
 
+    void theCursorTellsWhatADragDoes()
+    {
+        Stage t;
+        t.openTiles();
+        t.pick("tiles-arrangement", "In place");
+        TilesView& view = t.page().view();
+        const QPointF across = view.middleOf(1) - view.middleOf(0);
+        const QPointF down = view.middleOf(3) - view.middleOf(0); // three columns
+        const auto at = [&](const QPointF& place) {
+            QTest::mouseMove(&view, place.toPoint());
+            return view.cursor().shape();
+        };
+        QCOMPARE(at(view.middleOf(0)), Qt::PointingHandCursor); // leaves the sheet out
+        QCOMPARE(at(view.middleOf(0) + across / 180 * 95), Qt::SplitHCursor); // half of 190 mm
+        QCOMPARE(at(view.middleOf(0) + down / 267 * 138.5), Qt::SplitVCursor);
+        QCOMPARE(at({2, 2}), Qt::OpenHandCursor);
+        QTest::mousePress(&view, Qt::MiddleButton, {}, {2, 2});
+        QTest::mouseMove(&view, QPoint(30, 30));
+        QCOMPARE(view.cursor().shape(), Qt::ClosedHandCursor);
+        QTest::mouseRelease(&view, Qt::MiddleButton, {}, {30, 30});
+        QVERIFY(view.cursor().shape() != Qt::ClosedHandCursor);
+    }
+
     // What is seen on a sheet is what a file of it shows.
     void theSheetsAreShownAsTheyAreExported()
     {
