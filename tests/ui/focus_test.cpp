@@ -9,6 +9,7 @@
 #include <QRegularExpression>
 
 #include "tests/test_class.h"
+#include "tests/ui/fresh/lived.h"
 #include "tests/ui/fresh/made.h"
 #include "tests/ui/fresh/shown_by.h"
 
@@ -100,6 +101,7 @@ private slots:
     {
         Timers::watch();
         dropRemarksOfThePlatform();
+        QApplication::setCursorFlashTime(0); // it is always seen
     }
     void every_data() { addEveryMaker(); }
     void every()
@@ -157,6 +159,12 @@ private:
         QCOMPARE(back, way);
     }
 
+    static bool isShownAsPainted(QWidget& window)
+    {
+        settle();
+        return onScreen(window) == painted(window);
+    }
+
     /// Only at the end it goes back, to the first one.
     static void checkOrder(const QList<QWidget*>& way)
     {
@@ -169,14 +177,18 @@ private:
         QVERIFY2(jumps.size() <= 1, qPrintable(jumps.join(u'\n')));
     }
 
-    /// One sees which widget has the focus.
+    /// One sees which widget has the focus, and at once.
     static void checkMarks(const QList<QWidget*>& way)
     {
         QStringList unmarked;
         for (QWidget* one : way) {
             one->setFocus(Qt::TabFocusReason);
             const QImage with = one->grab().toImage();
+            if (!isShownAsPainted(*one->window()))
+                unmarked << "not at once: " + nameOf(one);
             one->clearFocus();
+            if (!isShownAsPainted(*one->window()))
+                unmarked << "still: " + nameOf(one);
             if (one->grab().toImage() == with && !isDrawing(*one))
                 unmarked << nameOf(one);
         }
