@@ -61,7 +61,7 @@ CurvedBorder::sharedWith(const Bezier& curve, std::span<const Chord> chords, dou
 {
     std::vector<std::uint32_t> near;
     for (const auto& [chord, segment, t0, t1] : chords) {
-        const double most = farthest(chord.b - chord.a) + tolerance;
+        const double most = tolerance + near_ + strayOf(chord.b - chord.a);
         starts_.meeting(around(chord, most), 0, [&](std::uint32_t edge) {
             if (placeOn(chord.a, chord.b, edgeAt(edges_[edge]).from).distance <= most)
                 near.push_back(edge);

@@ -93,13 +93,10 @@ private:
     {
         return glm::distance(p, q) <= near_ / 1000;
     }
-    /// Of the points of a chord's curve, and of the ellipse that this approximates, from the chord.
-    /// If it strays from an ellipse by a quarter of the tolerance, the radius is
+    /// How far a chord's curve may be from the ellipse that it approximates, and another one's from
+    /// that. If the chord strays from it by a quarter of the tolerance, the radius is
     /// length² / 2 tolerance.
-    double farthest(const Point& chord) const
-    {
-        return 2 * (tolerance_ + near_) + 5e-4 * glm::dot(chord, chord) / tolerance_;
-    }
+    double strayOf(const Point& chord) const { return 5e-4 * glm::dot(chord, chord) / tolerance_; }
     const Edge& edgeAt(const Place& place) const { return rings_[place.ring].edges[place.edge]; }
     BorderPart partOf(const Place& place) const;
     std::optional<Place> edgeThrough(const Point& cut) const;

@@ -45,7 +45,7 @@ bool CurvedBorder::divideAt(const Point& p, Cuts& cuts)
                 edge->from = p;
             }
         if (placeOn(edgeAt(place).from, endOf(place), p).distance
-            > farthest(endOf(place) - edgeAt(place).from))
+            > tolerance_ + 2 * near_ + strayOf(endOf(place) - edgeAt(place).from))
             return;
         const Where where = whereOn(place, p);
         const auto [at, isFirst] = nearest.try_emplace(place.ring, number, where);
