@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cut/border_curve.h"
 
+#include "app/document/elliptic_curve.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -15,11 +17,7 @@ double BorderCurve::near(const Point& p, double other) const
 {
     if (bezier)
         return nearestParameter(*bezier, p);
-    const Point way = p - ellipse.centre;
-    const double all = crossProduct(ellipse.axis1, ellipse.axis2);
-    const double angle =
-        std::atan2(crossProduct(ellipse.axis1, way) / all, crossProduct(way, ellipse.axis2) / all);
-    return other + std::remainder(angle - other, 2 * std::numbers::pi);
+    return other + std::remainder(angleTowards(ellipse, p) - other, 2 * std::numbers::pi);
 }
 
 void BorderCurve::append(std::vector<PathSegment>& segments, double from, double to,

@@ -8,8 +8,6 @@
 
 namespace app {
 
-inline double crossProduct(const Point& p, const Point& q) { return p.x * q.y - p.y * q.x; }
-
 /// A curve of a border: a Bézier curve with its parameters from 0 to 1, or an ellipse with angles
 /// in radians, of any number of turns.
 struct BorderCurve {

@@ -10,6 +10,8 @@
 
 namespace app {
 
+static double crossProduct(const Point& p, const Point& q) { return p.x * q.y - p.y * q.x; }
+
 std::optional<CurvedBorder::Place> CurvedBorder::edgeThrough(const Point& cut) const
 {
     std::optional<Place> nearest;

@@ -57,7 +57,8 @@ public:
     /// Where the curve of a chord that is cut there meets it.
     std::optional<BorderMeeting> meeting(const Bezier& curve, const Chord& chord,
                                          const Point& cut) const;
-    /// What an edge of the polygons stands for; empty: itself.
+    /// The part of the border's curve whose chord this edge of the polygons is. Empty: the border
+    /// is straight there.
     std::optional<BorderPart> partAlong(const clipping::Segment& edge) const;
 
 private:

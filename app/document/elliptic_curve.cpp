@@ -13,6 +13,14 @@ constexpr double strays = 5e-4; // of the radius
 
 double cross(const Point& p, const Point& q) { return p.x * q.y - p.y * q.x; }
 
+/// The way from the centre, where the axes are those of the plane.
+Point wayFromCentre(const EllipseArc& ellipse, const Point& p)
+{
+    const auto& [centre, x, y, angle, sweep] = ellipse;
+    const double all = cross(x, y);
+    return {cross(p - centre, y) / all, cross(x, p - centre) / all};
+}
+
 bool isOn(const EllipseArc& ellipse, const Point& p)
 {
     const Point there = onEllipse(ellipse, p);
@@ -47,11 +55,16 @@ std::optional<EllipseArc> ellipseOf(const Bezier& curve)
     return ellipse;
 }
 
+double angleTowards(const EllipseArc& ellipse, const Point& p)
+{
+    const Point way = wayFromCentre(ellipse, p);
+    return std::atan2(way.y, way.x);
+}
+
 Point onEllipse(const EllipseArc& ellipse, const Point& p)
 {
     const auto& [centre, x, y, angle, sweep] = ellipse;
-    const double all = cross(x, y);
-    const Point way(cross(p - centre, y) / all, cross(x, p - centre) / all);
+    const Point way = wayFromCentre(ellipse, p);
     const double length = glm::length(way);
     return length > 0 ? centre + (x * way.x + y * way.y) / length : centre + x;
 }

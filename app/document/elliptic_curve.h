@@ -14,6 +14,10 @@ namespace app {
 /// 1/64 of a turn, have none.
 std::optional<EllipseArc> ellipseOf(const Bezier& curve);
 
+/// The angle of that point of an ellipse that is in the direction of another one, as seen from the
+/// centre; from -π to π.
+double angleTowards(const EllipseArc& ellipse, const Point& p);
+
 /// The point of an ellipse in the direction of another one, as seen from its centre.
 Point onEllipse(const EllipseArc& ellipse, const Point& p);
 

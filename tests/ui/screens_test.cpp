@@ -59,40 +59,11 @@ void write(const QImage& picture, const QString& file)
     writer.write(withFewColours(picture));
 }
 
-/// Where they differ by more than rounding, and than processors differ.
-QRect differing(const QImage& one, const QImage& other)
-{
-    constexpr int most = step / 2 + 2;
-    const auto differ = [](QRgb a, QRgb b) {
-        return std::max({std::abs(qRed(a) - qRed(b)), std::abs(qGreen(a) - qGreen(b)),
-                         std::abs(qBlue(a) - qBlue(b))})
-               > most;
-    };
-    QRect where;
-    for (int y = 0; y < one.height(); ++y)
-        for (int x = 0; x < one.width(); ++x)
-            if (differ(one.pixel(x, y), other.pixel(x, y)))
-                where |= QRect(x, y, 1, 1);
-    return where;
-}
-
+/// Empty: none but that of rounding, and of processors.
 QString difference(const QImage& shown, const QImage& wanted)
 {
-    if (wanted.isNull())
-        return QStringLiteral("there is no picture of it");
-    if (shown.size() != wanted.size())
-        return QStringLiteral("%1 × %2 instead of %3 × %4")
-            .arg(shown.width())
-            .arg(shown.height())
-            .arg(wanted.width())
-            .arg(wanted.height());
-    const QRect where = differing(shown, wanted);
-    return where.isNull() ? QString()
-                          : QStringLiteral("other pixels in %1 × %2 at %3, %4")
-                                .arg(where.width())
-                                .arg(where.height())
-                                .arg(where.x())
-                                .arg(where.y());
+    return wanted.isNull() ? QStringLiteral("there is no picture of it")
+                           : differenceBetween(shown, wanted, step / 2 + 2);
 }
 
 } // namespace

@@ -225,6 +225,34 @@ inline QString textOf(const Fact& fact)
     return fact.place + ": " + fact.name + " = " + value;
 }
 
+/// Where the colours of two pictures differ by more than `most` of 255, in words; empty: nowhere.
+inline QString differenceBetween(const QImage& one, const QImage& other, int most = 0)
+{
+    if (one.size() != other.size())
+        return QStringLiteral("%1 × %2 instead of %3 × %4 pixels")
+            .arg(one.width())
+            .arg(one.height())
+            .arg(other.width())
+            .arg(other.height());
+    const auto differ = [most](QRgb a, QRgb b) {
+        return a != b
+               && std::max({std::abs(qRed(a) - qRed(b)), std::abs(qGreen(a) - qGreen(b)),
+                            std::abs(qBlue(a) - qBlue(b))})
+                      > most;
+    };
+    QRect where;
+    for (int y = 0; y < one.height(); ++y)
+        for (int x = 0; x < one.width(); ++x)
+            if (differ(one.pixel(x, y), other.pixel(x, y)))
+                where |= QRect(x, y, 1, 1);
+    return where.isNull() ? QString()
+                          : QStringLiteral("different pixels in %1 × %2 at %3, %4")
+                                .arg(where.width())
+                                .arg(where.height())
+                                .arg(where.x())
+                                .arg(where.y());
+}
+
 /// The first difference in words; empty: they show the same.
 inline QString differenceBetween(const Shown& one, const Shown& other)
 {
@@ -236,20 +264,7 @@ inline QString differenceBetween(const Shown& one, const Shown& other)
         return (a == one.facts.end() ? QStringLiteral("nothing") : textOf(*a))
                + "\n      instead of "
                + (b == other.facts.end() ? QStringLiteral("nothing") : textOf(*b));
-    if (one.picture == other.picture)
-        return {};
-    if (one.picture.size() != other.picture.size())
-        return QStringLiteral("pictures of different sizes");
-    QRect where;
-    for (int y = 0; y < one.picture.height(); ++y)
-        for (int x = 0; x < one.picture.width(); ++x)
-            if (one.picture.pixel(x, y) != other.picture.pixel(x, y))
-                where |= QRect(x, y, 1, 1);
-    return QStringLiteral("different pixels in %1 × %2 at %3, %4")
-        .arg(where.width())
-        .arg(where.height())
-        .arg(where.x())
-        .arg(where.y());
+    return differenceBetween(one.picture, other.picture);
 }
 
 } // namespace ui
