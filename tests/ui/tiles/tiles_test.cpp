@@ -152,6 +152,21 @@ private slots:
         QVERIFY(t.isUnchanged());
     }
 
+    // 16 m in both directions are more sheets than a drawing may have.
+    void aDrawingThatIsTooLargeWaitsForOtherNumbers()
+    {
+        Stage t;
+        t.open(t.file("field.svg", "<svg xmlns='http://www.w3.org/2000/svg' width='16000mm' "
+                                   "height='16000mm' viewBox='0 0 16 16'><path d='M0 0L16 16' "
+                                   "stroke='#000'/></svg>"));
+        QTest::keyClick(t.drawingArea(), Qt::Key_T, Qt::ControlModifier);
+        QVERIFY(!t.sheets().tiling());
+        QVERIFY(!t.part("export-sheets").isEnabled());
+        t.type("sheets-scale", "10");
+        QVERIFY(t.sheets().tiling());
+        QVERIFY(t.part("export-sheets").isEnabled());
+    }
+
     void byNumberEverySheetIsAsLargeAsNeeded()
     {
         Stage t;
