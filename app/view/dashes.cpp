@@ -1,75 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/dashes.h"
 
-#include <algorithm>
+#include "app/document/dash_parts.h"
+
 #include <cmath>
-#include <numeric>
 
 namespace app {
-namespace {
-
-// The current position in a dash pattern.
-class Rhythm {
-public:
-    Rhythm(std::span<const double> pattern, double phase) : pattern_(pattern)
-    {
-        const double period = std::accumulate(pattern.begin(), pattern.end(), 0.0)
-                              * (pattern.size() % 2 == 0 ? 1 : 2);
-        double along = std::fmod(phase, period);
-        if (along < 0)
-            along += period;
-        for (left_ = pattern_[0]; along > 0 && along >= left_;
-             left_ = pattern_[index_ % pattern_.size()]) {
-            along -= left_;
-            ++index_;
-        }
-        left_ -= along;
-    }
-    bool drawn() const { return index_ % 2 == 0; }
-    double left() const { return left_; } // distance to the next change
-    void advance(double length) { left_ -= length; }
-    void change() { left_ = pattern_[++index_ % pattern_.size()]; }
-
-private:
-    std::span<const double> pattern_;
-    std::size_t index_ = 0;
-    double left_ = 0;
-};
-
-} // namespace
 
 std::vector<std::vector<QPointF>> dashes(std::span<const QPointF> polyline,
                                          std::span<const double> pattern, double phase,
                                          double shortest)
 {
-    const double period = std::accumulate(pattern.begin(), pattern.end(), 0.0);
-    const bool usable = std::ranges::all_of(pattern, [](double d) { return d >= 0; });
-    if (pattern.empty() || !usable || !(period >= shortest) || !(period > 0)
-        || !std::isfinite(phase))
-        return {{polyline.begin(), polyline.end()}};
-    Rhythm rhythm(pattern, phase);
-    std::vector<std::vector<QPointF>> all;
-    bool open = false;
+    std::vector<double> lengths;
     for (std::size_t i = 1; i < polyline.size(); ++i) {
-        const QPointF from = polyline[i - 1], along = polyline[i] - from;
-        const double length = std::hypot(along.x(), along.y());
-        double at = 0;
-        for (;;) {
-            const double next = std::min(length, at + rhythm.left());
-            const bool beginsAtEnd = !open && at == length && length > 0 && rhythm.left() > 0;
-            const bool drawn = rhythm.drawn() && !beginsAtEnd;
-            if (drawn && !open)
-                all.push_back({from + along * (length > 0 ? at / length : 0)});
-            if (drawn)
-                all.back().push_back(from + along * (length > 0 ? next / length : 0));
-            open = drawn;
-            if (at + rhythm.left() > length)
-                break;
-            at = next;
-            rhythm.change();
-            open = false;
-        }
-        rhythm.advance(length - at);
+        const QPointF along = polyline[i] - polyline[i - 1];
+        lengths.push_back(std::hypot(along.x(), along.y()));
+    }
+    const auto parts = dashParts(lengths, pattern, phase, shortest);
+    if (!parts)
+        return {{polyline.begin(), polyline.end()}};
+    std::vector<std::vector<QPointF>> all;
+    for (const DashPart& part : *parts) {
+        const QPointF from = polyline[part.line], along = polyline[part.line + 1] - from;
+        if (part.begins)
+            all.push_back({from + along * part.from});
+        all.back().push_back(from + along * part.to);
     }
     return all;
 }
