@@ -11,8 +11,6 @@ namespace {
 
 constexpr double strays = 5e-4; // of the radius
 
-double cross(const Point& p, const Point& q) { return p.x * q.y - p.y * q.x; }
-
 /// The way from the centre, where the axes are those of the plane.
 Point wayFromCentre(const EllipseArc& ellipse, const Point& p)
 {

@@ -12,6 +12,9 @@ namespace app {
 
 using Point = glm::dvec2;
 
+/// The product of their lengths and the sine of the angle from u to v.
+inline double cross(const Point& u, const Point& v) { return u.x * v.y - u.y * v.x; }
+
 /// One segment of a path, from the end of the previous one: a line or a cubic Bézier curve.
 struct PathSegment {
     Point to;

@@ -15,8 +15,6 @@ namespace {
 
 constexpr double least = 1e-7; // degrees; a flatter arc is a line
 
-double cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
-
 } // namespace
 
 // The chord is seen from every point of the arc at the same angle.

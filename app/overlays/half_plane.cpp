@@ -10,8 +10,6 @@ using clipping::Window;
 
 namespace {
 
-double cross(const Point& u, const Point& v) { return u.x * v.y - u.y * v.x; }
-
 /// Sutherland and Hodgman's step: the part of a convex polygon in one half-plane.
 std::vector<Point> part(const std::vector<Point>& polygon, const HalfPlane& half)
 {

@@ -15,7 +15,6 @@ namespace {
 
 using clipping::Edge;
 
-double cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
 double dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y; }
 
 std::vector<Point> cornersOf(const Subpath& path, double tolerance)
