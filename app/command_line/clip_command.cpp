@@ -158,6 +158,7 @@ void clip(const ParsedArguments& arguments)
     const auto plan = tilePlanOf(arguments, imported.document.page());
     Document before = imported.document;
     const std::size_t dropped = dropHidden(arguments, output, before);
+    makeAreasIfWanted(arguments, before);
     const auto covered = occludeIfWanted(arguments, options, before); // rows of CSV have no areas
     if (output.format->holds == Holds::SeparateLines)
         before = flattened(std::move(before), options.tolerance);

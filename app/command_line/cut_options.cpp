@@ -5,6 +5,7 @@
 #include "app/command_line/progress_line.h"
 #include "app/command_line/refusal.h"
 #include "app/cut/occlude.h"
+#include "app/cut/stroke_area.h"
 
 #include <cmath>
 
@@ -28,6 +29,10 @@ std::vector<Option> cuttingOptions()
          {},
          Text::tr("First remove the lines below filled shapes, then all fills, as plotters need "
                   "it. White fills cover lines, too; transparent ones do not.")},
+        {{"strokes-as-areas"},
+         {},
+         Text::tr("First turn strokes into filled areas, with their caps, joins and dashes. Wide "
+                  "ones then end along the window's edge, not at right angles to their lines.")},
     };
 }
 
@@ -53,6 +58,18 @@ std::optional<CutCounts> occludeIfWanted(const ParsedArguments& arguments,
     const Cut made = occlude(document, options, line.follower());
     document.apply(made.edit);
     return made.counts;
+}
+
+void makeAreasIfWanted(const ParsedArguments& arguments, Document& document)
+{
+    if (!arguments.has(key("strokes-as-areas")))
+        return;
+    if (arguments.has(key("occlude")))
+        throw WrongUsage{Text::tr("Give either --strokes-as-areas or --occlude, which leaves no "
+                                  "areas, not both.")};
+    ProgressLine line;
+    const ObjectRanges all(ObjectRange{0, document.objects().size()});
+    document.apply(strokesAsAreas(document, all, line.follower()).edit);
 }
 
 QString occlusionText(const CutCounts& counts)
@@ -100,6 +117,10 @@ QString furtherCountsText(const CutCounts& counts)
         sentences
             << Text::tr("Locked layers are cut like the others; shapes cut or removed on them: %1.")
                    .arg(counts.cutLocked);
+    if (counts.slanted > 0)
+        sentences << Text::tr("Shapes with strokes wider than 1 mm that do not end along a slanted "
+                              "edge: %1. With --strokes-as-areas they do.")
+                         .arg(counts.slanted);
     return sentences.join(u'\n');
 }
 

@@ -6,7 +6,8 @@
 
 namespace app {
 
-/// --close, --min-length, --leave-hidden and --occlude: how `clip` cuts objects at its windows.
+/// --close, --min-length, --leave-hidden, --occlude and --strokes-as-areas: how `clip` cuts objects
+/// at its windows.
 std::vector<Option> cuttingOptions();
 
 /// Sets what the options say. Throws WrongUsage.
@@ -16,6 +17,9 @@ void takeCuttingOptions(const ParsedArguments& arguments, const Page& page, CutO
 std::optional<CutCounts> occludeIfWanted(const ParsedArguments& arguments,
                                          const CutOptions& options, Document& document);
 
+/// With --strokes-as-areas, turns all strokes into areas. Throws WrongUsage beside --occlude.
+void makeAreasIfWanted(const ParsedArguments& arguments, Document& document);
+
 /// The report's sentence on covered lines: how many were removed.
 QString occlusionText(const CutCounts& counts);
 /// The report's first sentence, without its full stop: how many shapes were kept, cut and removed,
@@ -23,7 +27,8 @@ QString occlusionText(const CutCounts& counts);
 QString shapesText(const CutCounts& counts, bool keepsContacts);
 /// Says that nothing is left of a drawing, and where the drawing is (`placeText`).
 QString nothingLeftText(Keep keep, const QString& place, const CutCounts& counts);
-/// The sentences on dropped pieces and on locked layers that were cut; empty without them.
+/// The sentences on dropped pieces, locked layers that were cut, and wide strokes; empty without
+/// them.
 QString furtherCountsText(const CutCounts& counts);
 
 } // namespace app

@@ -73,9 +73,11 @@ QString tableLimit()
 
 bool clipsTable(const ParsedArguments& arguments, const QString& input, const Output& output)
 {
-    bool wholeDrawing =
-        arguments.has(QStringLiteral("occlude")) || arguments.has(QStringLiteral("tiles"))
-        || arguments.has(QStringLiteral("in-place")) || !windowsNeedNoDrawing(arguments);
+    bool wholeDrawing = arguments.has(QStringLiteral("occlude"))
+                        || arguments.has(QStringLiteral("strokes-as-areas"))
+                        || arguments.has(QStringLiteral("tiles"))
+                        || arguments.has(QStringLiteral("in-place"))
+                        || !windowsNeedNoDrawing(arguments);
     wholeDrawing =
         wholeDrawing || output.format->key != "csv" || readFormatOf(arguments, input).key != "csv";
     for (const Option& option : tableClipOptions())
@@ -83,7 +85,7 @@ bool clipsTable(const ParsedArguments& arguments, const QString& input, const Ou
             throw WrongUsage{
                 Text::tr("--%1 needs a table as input and output (csv), a window such as -w "
                          "0,0,100,50, and no option that needs all lines at once (--occlude, "
-                         "--tiles, --in-place).")
+                         "--strokes-as-areas, --tiles, --in-place).")
                     .arg(option.names.back())};
     return !wholeDrawing;
 }

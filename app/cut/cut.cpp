@@ -205,6 +205,7 @@ void cutAt(CutOptions& options, const ClipWindows& windows, const Page& page)
 {
     options.region = regionOf(windows, page);
     options.windows = windows;
+    options.wideStroke = 1 / page.millimetresPerUnit();
 }
 
 Cut cut(const Document& document, const CutOptions& options, const Follower& follower)

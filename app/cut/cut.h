@@ -16,6 +16,8 @@ struct CutOptions {
     bool leaveHidden = false;  ///< hidden objects stay whole
     bool closeAreas = false;   ///< the stroke of a cut area runs along the cut, too
     double leastLength = 0;    ///< shorter pieces of cut lines are dropped (user units)
+    double wideStroke =
+        0; ///< user units; 1 mm with `cutAt`. 0: `CutCounts::slanted` is not counted
     /// Those of the region (`cutAt`): curves of the drawing that run along their curves are one
     /// with them (curved_border.h). Without windows such curves are cut like all others.
     ClipWindows windows{};
@@ -38,6 +40,9 @@ struct CutCounts {
     std::size_t cutLocked = 0;    ///< objects on locked layers that a cut changed or removed
     std::size_t dropped = 0;      ///< pieces shorter than the least length
     std::size_t fillsRemoved = 0; ///< by app::occlude
+    /// Objects with a wide stroke that a slanted edge cuts: it ends at right angles to its line,
+    /// not along the edge. `strokesAsAreas` lets it end there.
+    std::size_t slanted = 0;
     std::size_t segmentsBefore = 0, segmentsAfter = 0; ///< of the objects that were cut
 };
 

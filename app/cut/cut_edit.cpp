@@ -40,6 +40,7 @@ void CutEdit::cut(std::size_t object, CutObject result)
     cut_.counts.hidden += isHidden(object);
     cut_.counts.cutLocked += isLocked(object);
     cut_.counts.opened += result.opened;
+    cut_.counts.slanted += result.slanted;
     const bool grouped = result.parted && grouping_ == Grouping::Yes;
     if (grouped)
         addGroup(object, result.left.size());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cut/cut_object.h"
 
-#include "app/cut/runs.h"
+#include "app/cut/cut_ends.h"
 #include "app/document/line_colour.h"
 
 #include <algorithm>
@@ -103,6 +103,7 @@ public:
     bool whole() const { return whole_; }
     std::size_t opened() const { return opened_; }
     std::size_t dropped() const { return dropped_; }
+    bool slanted() const { return slanted_; }
     /// The lines of all subpaths, or of those that enclose nothing.
     std::vector<Object> take() { return objectsOfRuns(outlineOf(object_), std::move(runs_)); }
     std::vector<Object> takeLoose() { return objectsOfRuns(outlineOf(object_), std::move(loose_)); }
@@ -116,10 +117,22 @@ private:
             dropped_ +=
                 std::erase_if(kept, [&](const Run& run) { return isTooShort(run.path, options_); });
         whole_ = whole_ && unchanged;
+        slanted_ = slanted_ || endsSlanted(chords, parts);
         opened_ += path.closed && !unchanged && !kept.empty();
         if (enclosesNothing(path))
             loose_.insert(loose_.end(), kept.begin(), kept.end());
         std::ranges::move(kept, std::back_inserter(runs_));
+    }
+
+    bool endsSlanted(std::span<const Chord> chords, const std::vector<KeptPart>& parts) const
+    {
+        const double width = object_.style.width, wide = options_.wideStroke;
+        constexpr double seen = 0.1; // of a wide stroke
+        return object_.style.stroke && wide > 0 && width > wide
+               && std::ranges::any_of(parts, [&](const KeptPart& part) {
+                      return gapAtEnds(chords[part.chord].segment, part, width, options_.region)
+                             > seen * wide;
+                  });
     }
 
     const Object& object_;
@@ -127,7 +140,7 @@ private:
     const CurvedBorder& border_;
     const ClosedStart closedStart_;
     std::vector<Run> runs_, loose_;
-    bool whole_ = true;
+    bool whole_ = true, slanted_ = false;
     std::size_t opened_ = 0, dropped_ = 0;
 };
 
@@ -144,7 +157,8 @@ CutObject cutObject(const Object& object, const CutOptions& options, std::span<c
     const bool stroked = object.style.stroke.has_value();
     const bool hasLines = stroked || !area; // otherwise only the area counts
     CutObject result{.opened = hasLines ? lines.opened() : 0,
-                     .dropped = hasLines ? lines.dropped() : 0};
+                     .dropped = hasLines ? lines.dropped() : 0,
+                     .slanted = lines.slanted()};
     if (!area) {
         result.left = lines.take();
         return result;
@@ -152,6 +166,7 @@ CutObject cutObject(const Object& object, const CutOptions& options, std::span<c
     std::vector<Subpath> rings = area->whole ? object.path.subpaths() : area->paths;
     if (options.closeAreas && stroked) {
         result.opened = 0;
+        result.slanted = false;
         result.dropped =
             std::erase_if(rings, [&](const Subpath& ring) { return isTooShort(ring, options); });
         result.left = areasOf(object, rings);

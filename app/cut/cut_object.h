@@ -14,6 +14,7 @@ struct CutObject {
     bool parted = false;        ///< `left` begins with the area, and its lines follow
     std::size_t opened = 0;     ///< closed subpaths that became open
     std::size_t dropped = 0;    ///< pieces shorter than the least length
+    bool slanted = false;       ///< a wide stroke ends at a slanted edge (`CutCounts`)
 };
 
 /// Cuts an object, given the kept pieces of its lines, and the area that is left if it is filled.

@@ -2,6 +2,7 @@
 #include "app/cut/runs.h"
 
 #include "app/cut/curve_at_edge.h"
+#include "app/cut/cut_ends.h"
 
 #include <glm/common.hpp>
 
@@ -38,22 +39,10 @@ const clipping::Window* windowAt(const ClipRegion& region, const Point& p, Edge 
     return region.steps.size() == 1 ? &region.steps.front().box : nullptr;
 }
 
-// The edge of a window of any shape that cuts the chord at this point; the windows are prepared.
-std::optional<clipping::Segment> borderAt(const ClipRegion& region, const clipping::Segment& chord,
-                                          const Point& cut)
-{
-    for (const auto& piece : clipping::clip(chord, region.prepared->prepared()))
-        for (const auto& [end, edge] :
-             {std::pair(piece.segment.a, piece.edgeOfA), std::pair(piece.segment.b, piece.edgeOfB)})
-            if (end == cut && edge != 0)
-                return region.prepared->prepared().edge(edge).segment;
-    return std::nullopt;
-}
-
 std::optional<End> endAtBorder(const Bezier& curve, const Chord& chord, const Point& cut,
                                const ClipRegion& region)
 {
-    const auto edge = region.prepared ? borderAt(region, chord.segment, cut) : std::nullopt;
+    const auto edge = borderAt(region, chord.segment, cut);
     return edge ? crossing(curve, chord, *edge) : std::nullopt;
 }
 

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cut/runs.h"
+
+#include <optional>
+
+namespace app {
+
+/// The edge of a window of any shape that cuts a line at this point. Empty if there is none, or if
+/// the region is one axis-aligned rectangle.
+std::optional<clipping::Segment> borderAt(const ClipRegion& region, const clipping::Segment& line,
+                                          const Point& cut);
+
+/// How far the corners of a stroke of this width, which ends at right angles, are from the edges
+/// that cut this part of a line: 0 at an edge at right angles to it.
+double gapAtEnds(const clipping::Segment& line, const KeptPart& part, double width,
+                 const ClipRegion& region);
+
+} // namespace app

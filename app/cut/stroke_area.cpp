@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cut/stroke_area.h"
+
+#include "app/base/turn_progress.h"
+#include "app/cut/area_outline.h"
+#include "app/cut/cut_edit.h"
+#include "app/cut/stroke_rings.h"
+#include "app/document/dash_parts.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+/// The beginnings of curves and lines, and where dashes end on them, as subpaths of their own.
+class Dashes {
+public:
+    Dashes(const Subpath& path, const Style& style, double tolerance)
+        : path_(path), style_(style), tolerance_(tolerance)
+    {
+    }
+
+    /// The path itself if it is solid.
+    std::vector<Subpath> parts()
+    {
+        flatten(path_, tolerance_, chords_);
+        std::vector<double> lengths;
+        double length = 0;
+        for (const Chord& chord : chords_) {
+            lengths.push_back(glm::distance(chord.segment.a, chord.segment.b));
+            length += lengths.back();
+        }
+        constexpr double mostDashes = 100'000; // further ones would not be seen as such
+        const double shortest =
+            std::max(tolerance_, length * double(style_.dashes.size()) / mostDashes);
+        const auto dashes = dashParts(lengths, style_.dashes, style_.dashOffset, shortest);
+        if (!dashes)
+            return {path_};
+        for (const DashPart& part : *dashes)
+            add(part);
+        finish();
+        return std::move(parts_);
+    }
+
+private:
+    void add(const DashPart& part)
+    {
+        const Chord& chord = chords_[part.line];
+        const auto at = [&](double share) { return chord.t0 + (chord.t1 - chord.t0) * share; };
+        if (part.begins) {
+            finish();
+            isOpen_ = true;
+            parts_.push_back({pointAt(chord, part.from), {}, false});
+        } else if (segment_ == chord.pathSegment) {
+            to_ = at(part.to);
+            last_ = pointAt(chord, part.to);
+            return;
+        } else {
+            append();
+        }
+        segment_ = chord.pathSegment;
+        from_ = at(part.from);
+        to_ = at(part.to);
+        last_ = pointAt(chord, part.to);
+        along_ = chord.segment.b - chord.segment.a;
+    }
+
+    Point pointAt(const Chord& chord, double share) const
+    {
+        const auto& [a, b] = chord.segment;
+        if (share == 0 || share == 1)
+            return share == 0 ? a : b;
+        return isCurve(path_, chord.pathSegment)
+                   ? curveOf(path_, chord.pathSegment).at(chord.t0 + (chord.t1 - chord.t0) * share)
+                   : a + (b - a) * share;
+    }
+
+    void append()
+    {
+        if (!isCurve(path_, segment_))
+            return parts_.back().segments.push_back({last_});
+        const Bezier part = curveOf(path_, segment_).part(from_, to_);
+        parts_.back().segments.push_back({last_, part.control1, part.control2, true});
+    }
+
+    void finish()
+    {
+        if (!isOpen_)
+            return;
+        const Point start = parts_.back().start;
+        const double length = glm::length(along_);
+        // A dash without length has caps, which have its direction.
+        if (from_ == to_ && parts_.back().segments.empty() && length > 0)
+            last_ = start + along_ * (style_.width * 1e-6 / length);
+        if (from_ == to_)
+            parts_.back().segments.push_back({last_});
+        else
+            append();
+        isOpen_ = false;
+    }
+
+    const Subpath& path_;
+    const Style& style_;
+    const double tolerance_;
+    std::vector<Chord> chords_;
+    std::vector<Subpath> parts_;
+    bool isOpen_ = false;
+    std::size_t segment_ = 0; ///< which the last part of the dash in hand is on
+    double from_ = 0, to_ = 0;
+    Point last_{}, along_{};
+};
+
+/// One area instead of rings above each other.
+std::vector<Subpath> united(const std::vector<Subpath>& rings, double tolerance,
+                            const std::stop_token& stop)
+{
+    std::vector<Chord> chords;
+    for (const Subpath& ring : rings)
+        flatten(ring, tolerance, chords);
+    if (chords.empty())
+        return {};
+    const FlatArea flat = flatAreaOf(rings, FillRule::NonZero, chords);
+    clipping::Window box{flat.area.points[0], flat.area.points[0]};
+    for (const Point& p : flat.area.points)
+        box = {glm::min(box.min, p), glm::max(box.max, p)};
+    const Point margin = box.max - box.min + 1.0;
+    const auto [min, max] = clipping::Window{box.min - margin, box.max + margin};
+    const clipping::Area around{{min, {max.x, min.y}, max, {min.x, max.y}}, {4}};
+    auto clipped = clipping::clipArea(around, clipping::PreparedRegion({{{flat.area}}}), stop);
+    // The area is the window here: the edges of all rings are its.
+    for (clipping::EdgeOrigin& origin : clipped.origins)
+        origin.isOfWindow = false;
+    return subpathsOf(clipped, rings, flat, clipping::PreparedRegion({}), {});
+}
+
+constexpr double leastShare = 1e-6; // of what is drawn; otherwise curves would need too much memory
+
+double sizeOf(const Path& path)
+{
+    std::optional<clipping::Window> box;
+    path.forEachPoint([&](const Point& p) {
+        box = box ? clipping::Window{glm::min(box->min, p), glm::max(box->max, p)}
+                  : clipping::Window{p, p};
+    });
+    return box ? std::max(box->max.x - box->min.x, box->max.y - box->min.y) : 0;
+}
+
+std::vector<Object> outlined(const Object& object, std::vector<Subpath> stroke)
+{
+    std::vector<Object> areas;
+    if (object.style.fill && object.path.hasArea()) {
+        areas.push_back(object);
+        areas.back().style.stroke.reset();
+    }
+    Object area = object;
+    area.path = Path(stroke);
+    area.style = {.fill = object.style.stroke};
+    area.particulars.recipe = {};
+    areas.push_back(std::move(area));
+    return areas;
+}
+
+std::optional<Cut> made(const Document& document, const ObjectRanges& objects, Grouping grouping,
+                        const Follower& follower)
+{
+    CutEdit edit(document, grouping);
+    TurnProgress turns(follower, double(objects.size()));
+    const double tolerance = strokeMillimetres / document.page().millimetresPerUnit();
+    for (const std::size_t i : objects) {
+        if (turns.stopped())
+            break;
+        const ObjectView object = document.objects()[i];
+        auto stroke = strokeArea(object.path(), object.style(), tolerance, follower.stop);
+        turns.turnDone();
+        if (stroke.empty()) {
+            edit.keep(i);
+            continue;
+        }
+        CutObject result{.left = outlined(object.copy(), std::move(stroke))};
+        result.parted = result.left.size() > 1;
+        edit.cut(i, std::move(result));
+    }
+    return edit.take();
+}
+
+} // namespace
+
+std::vector<Subpath> strokeArea(const Path& path, const Style& style, double tolerance,
+                                const std::stop_token& stop)
+{
+    if (!style.stroke || !(style.width > 0))
+        return {};
+    // Of a curve beside a curve, and of its polygon.
+    const double each = std::max(tolerance, sizeOf(path) * leastShare) / 4;
+    const Pen pen{style.width, style.cap, style.join, style.miterLimit, each};
+    std::vector<Subpath> rings;
+    for (const Subpath& subpath : path.subpaths())
+        for (const Subpath& part : Dashes(subpath, style, each).parts()) {
+            if (stop.stop_requested())
+                return {};
+            std::ranges::move(strokeRings(part, pen), std::back_inserter(rings));
+        }
+    return united(rings, each, stop);
+}
+
+Cut strokesAsAreas(const Document& document, const ObjectRanges& objects, const Follower& follower)
+{
+    if (auto cut = made(document, objects, Grouping::Yes, follower))
+        return std::move(*cut);
+    return *made(document, objects, Grouping::No, follower);
+}
+
+} // namespace app
