@@ -5,6 +5,7 @@
 #include "app/commands/change_paths.h"
 #include "app/commands/crop_to_window.h"
 #include "app/commands/move_objects.h"
+#include "app/commands/outline_strokes.h"
 #include "app/commands/rearrange_objects.h"
 #include "app/commands/remove_objects.h"
 #include "app/commands/resize_objects.h"
@@ -31,6 +32,7 @@ std::span<const CommandKind> commandKinds()
         TransformObjects::row,
         CopyObjects::row,
         ChangePaths::row,
+        OutlineStrokes::row,
         RearrangeObjects::row,
         SetStyle::row,
         SetWindows::row,

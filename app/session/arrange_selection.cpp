@@ -3,6 +3,7 @@
 
 #include "app/base/text.h"
 #include "app/commands/add_objects.h"
+#include "app/commands/outline_strokes.h"
 #include "app/document/editable.h"
 #include "app/scene/bounds.h"
 
@@ -92,7 +93,8 @@ ObjectRanges justAdded(const Session& session)
     if (!history.canUndo())
         return {};
     const UndoCommand& last = history.command(history.index() - 1);
-    if (last.kind().key != AddObjects::row.key && last.kind().key != CopyObjects::row.key)
+    constexpr std::array adding{AddObjects::row.key, CopyObjects::row.key, OutlineStrokes::row.key};
+    if (std::ranges::find(adding, last.kind().key) == adding.end())
         return {};
     ObjectRanges added;
     for (const Splice& s : static_cast<const EditCommand&>(last).next().splices) // undoes it

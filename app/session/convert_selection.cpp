@@ -46,6 +46,15 @@ QString convertRefusal(const Session& session)
     return Text::tr("Select a text, rectangle, ellipse, polygon or star first.");
 }
 
+QString outlineRefusal(const Session& session)
+{
+    for (const std::size_t object : session.selection())
+        if (const Style& style = session.now().objects()[object].style();
+            style.stroke && style.width > 0)
+            return {};
+    return Text::tr("Select an object with a stroke first.");
+}
+
 void convertToPaths(Session& session)
 {
     const auto changed = withoutRecipes(session);

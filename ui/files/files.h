@@ -46,6 +46,7 @@ public:
     /// files that exist. `pattern` names the files, without a folder.
     void exportSheets(const app::Sheets& sheets, const QString& pattern);
     void cutPermanently(const app::PermanentCut& kind); ///< undoable
+    void outlineStrokes();                              ///< of the selection; undoable
     void mayClose(const Answer& answer);
     /// How recover() ended. Partly: files were damaged and something is lost, so they should be
     /// kept. Not at all: cancelled, or its file was unreadable and has been set aside.
@@ -100,7 +101,15 @@ private:
     void reload();
 
     void noteSaved(const app::Saved& saved, const QString& path);
-    void cutNow(const app::PermanentCut& kind, const Turn& turn);
+    /// A cut of the open document in the background.
+    struct Cutting {
+        QString doing; ///< "Cutting…"
+        std::function<app::Cut(const app::Document&, const app::Follower&)> make;
+        std::function<void(app::Cut)> show;
+    };
+    /// Asks for the plan again if the document was changed meanwhile.
+    void cutNow(const std::function<Cutting()>& plan, const Turn& turn);
+    void showAreas(const app::Cut& cut);
     void showCut(app::Cut cut, const app::PermanentCut& kind);
     void noteRecent();
     QString folder() const;

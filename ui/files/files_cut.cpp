@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/base/numbers.h"
 #include "app/commands/crop_to_window.h"
+#include "app/commands/outline_strokes.h"
 #include "app/comparison/cut_text.h"
+#include "app/cut/stroke_area.h"
 #include "app/formats/export_cut.h"
+#include "app/session/arrange_selection.h"
 #include "ui/files/files.h"
 #include "ui/look/text.h"
 
@@ -50,24 +54,46 @@ void Files::exportCut()
 
 void Files::cutPermanently(const app::PermanentCut& kind)
 {
-    background_.inTurn([this, &kind](const Turn& turn) { cutNow(kind, turn); });
+    const auto plan = [this, &kind] {
+        return Cutting{Text::tr("Cutting…"),
+                       [options = cutAs(app::permanentOptions),
+                        &kind](const app::Document& document, const app::Follower& follower) {
+                           return kind.make(document, options, follower);
+                       },
+                       [this, &kind](app::Cut cut) { showCut(std::move(cut), kind); }};
+    };
+    background_.inTurn([this, plan](const Turn& turn) { cutNow(plan, turn); });
 }
 
-void Files::cutNow(const app::PermanentCut& kind, const Turn& turn)
+void Files::outlineStrokes()
+{
+    const auto plan = [this] {
+        return Cutting{Text::tr("Outlining strokes…"),
+                       [selected = session_.selection()](const app::Document& document,
+                                                         const app::Follower& follower) {
+                           return app::strokesAsAreas(document, selected, follower);
+                       },
+                       [this](const app::Cut& cut) { showAreas(cut); }};
+    };
+    background_.inTurn([this, plan](const Turn& turn) { cutNow(plan, turn); });
+}
+
+void Files::cutNow(const std::function<Cutting()>& plan, const Turn& turn)
 {
     emit documentWanted();
-    const app::CutOptions options = cutAs(app::permanentOptions);
-    using Cropped = std::optional<app::Cut>; // empty: not enough memory
+    const Cutting cutting = plan();
+    using Made = std::optional<app::Cut>; // empty: not enough memory
     background_.run(
-        Text::tr("Cutting…"),
-        [document = session_.now(), options, &kind](const app::Follower& follower) -> Cropped {
+        cutting.doing,
+        [document = session_.now(), make = cutting.make](const app::Follower& follower) -> Made {
             try {
-                return kind.make(document, options, follower);
+                return make(document, follower);
             } catch (const std::bad_alloc&) {
                 return std::nullopt;
             }
         },
-        [this, &kind, turn, document = session_.now()](std::optional<Cropped> cut) {
+        [this, plan, turn, show = cutting.show,
+         document = session_.now()](std::optional<Made> cut) {
             if (!cut)
                 return;
             if (!*cut)
@@ -75,8 +101,8 @@ void Files::cutNow(const app::PermanentCut& kind, const Turn& turn)
                                   Text::tr("The drawing was not cut: there is not enough memory. "
                                            "Close other programs, and try again.")});
             if (!sameAddress(document, session_.now())) // not by the person, who had to wait
-                return cutNow(kind, turn);
-            showCut(std::move(**cut), kind);
+                return cutNow(plan, turn);
+            show(std::move(**cut));
         },
         InBackground::Cancel::Drops);
 }
@@ -94,6 +120,19 @@ void Files::showCut(app::Cut cut, const app::PermanentCut& kind)
     }
     session_.history.push(command.release());
     emit told({Message::Kind::Done, Text::tr(kind.done).arg(app::cutText(counts))});
+}
+
+void Files::showAreas(const app::Cut& cut)
+{
+    if (cut.edit.splices.empty())
+        return emit told({Message::Kind::Done,
+                          Text::tr("Nothing was outlined: nothing is seen of these strokes.")});
+    session_.history.push(
+        new app::OutlineStrokes(session_.document, cut.edit, Text::tr("Outline of stroke")));
+    session_.select(app::justAdded(session_));
+    emit told(
+        {Message::Kind::Done,
+         Text::tr("Strokes that became filled areas: %1.").arg(app::countText(cut.counts.cut))});
 }
 
 } // namespace ui

@@ -90,6 +90,14 @@ std::vector<ActionInfo> pathRows()
         .submenu = Text::tr("&Path"),
         .refusal = [](const MainWindow& w) { return app::convertRefusal(w.session()); },
     });
+    rows.push_back({
+        .key = "stroke-outline",
+        .text = Text::tr("Outline of stro&ke"),
+        .keys = {QKeySequence("Ctrl+Alt+C")},
+        .run = [](MainWindow& w) { w.files().outlineStrokes(); },
+        .submenu = Text::tr("&Path"),
+        .refusal = [](const MainWindow& w) { return app::outlineRefusal(w.session()); },
+    });
     return rows;
 }
 

@@ -6,6 +6,7 @@
 #include "app/commands/change_paths.h"
 #include "app/commands/crop_to_window.h"
 #include "app/commands/move_objects.h"
+#include "app/commands/outline_strokes.h"
 #include "app/commands/rearrange_objects.h"
 #include "app/commands/remove_objects.h"
 #include "app/commands/resize_objects.h"
@@ -15,6 +16,7 @@
 #include "app/commands/set_style.h"
 #include "app/commands/set_windows.h"
 #include "app/commands/transform_objects.h"
+#include "app/cut/stroke_area.h"
 #include "app/document/regrouping.h"
 #include "app/document/stacking.h"
 
@@ -207,6 +209,13 @@ private:
             return nullptr;
         return new app::RemoveLayer(document_, id);
     }
+    app::UndoCommand* outline()
+    {
+        if (random_.below(4) > 0) // there would soon be no strokes
+            return nullptr;
+        const app::Edit edit = app::strokesAsAreas(now(), some()).edit;
+        return edit.splices.empty() ? nullptr : new app::OutlineStrokes(document_, edit, "Outline");
+    }
     app::UndoCommand* crop()
     {
         if (random_.below(8) > 0) // there would soon be nothing left
@@ -239,6 +248,7 @@ inline const std::vector<RandomCommands::Maker> RandomCommands::makers{
     {"transform-objects", [](RandomCommands& r) { return r.transform(); }},
     {"copy-objects", [](RandomCommands& r) { return r.copy(); }},
     {"change-paths", [](RandomCommands& r) { return r.changePaths(); }},
+    {"outline-strokes", [](RandomCommands& r) { return r.outline(); }},
     {"rearrange-objects", [](RandomCommands& r) { return r.rearrange(); }},
     {"set-style", [](RandomCommands& r) { return r.restyle(); }},
     {"set-guides",

@@ -135,7 +135,7 @@ private slots:
         QStringList wanted;
         for (const app::NodeStep& step : notEmpty(app::nodeSteps()))
             wanted << app::latin(step.key);
-        wanted << QStringLiteral("convert-to-path");
+        wanted << QStringLiteral("convert-to-path") << QStringLiteral("stroke-outline");
         QStringList entries = entriesOf(*path);
         QCOMPARE(entries.mid(0, 4), wanted.mid(0, 3) << QStringLiteral("-"));
         entries.removeAll(QStringLiteral("-"));
