@@ -79,9 +79,11 @@ public:
         // What waits for an answer in an event loop of its own gets one event, then none.
         QObject::connect(&closer_, &QTimer::timeout, [this] {
             QWidget* waiting = inFront();
+            if (qobject_cast<QFileDialog*>(waiting)) // also one that a click opens a moment later
+                return void(waiting->close());
             if (!waiting || !acting_)
                 return;
-            if (std::exchange(answered_, true) || qobject_cast<QFileDialog*>(waiting))
+            if (std::exchange(answered_, true))
                 return void(waiting->close());
             // Not from here: what opens another dialog would wait for this timer, which Qt does not
             // let out again before this function has ended.
