@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What people see looks as in the pictures of tests/ui/screens. Each wanted change of the look
-// comes with its new pictures: CLEARCUT_PICTURES is a folder to which those that differ are
-// written.
+// What people see looks as in the pictures of tests/ui/screens, and says what is in the texts
+// beside them. Each wanted change comes with its new pictures and texts: CLEARCUT_PICTURES is a
+// folder to which those that differ are written.
 #include <QImageWriter>
 
 #include <set>
 
+#include "tests/content_of.h"
 #include "tests/test_class.h"
 #include "tests/ui/screens/canvas_screens.h"
 #include "tests/ui/screens/maker_screens.h"
@@ -59,6 +60,13 @@ void write(const QImage& picture, const QString& file)
     writer.write(withFewColours(picture));
 }
 
+void write(const QString& words, const QString& path)
+{
+    QFile file(path);
+    if (file.open(QIODevice::WriteOnly))
+        file.write(words.toUtf8());
+}
+
 /// Empty: none but that of rounding, and of processors.
 QString difference(const QImage& shown, const QImage& wanted)
 {
@@ -90,19 +98,25 @@ private slots:
     {
         QFETCH(std::size_t, number);
         const Screen& screen = allScreens()[number];
-        const QImage shown = screen.picture();
-        const QString fault = difference(shown, QImage(folder() + screen.name + ".png"));
+        const Seen seen = screen.look();
+        const QString file = folder() + screen.name;
+        const QString fault = difference(seen.picture, QImage(file + ".png"));
+        const QStringList said = seen.words.split(u'\n'),
+                          wanted = QString::fromUtf8(contentOf(file + ".txt")).split(u'\n');
         const QString kept = qEnvironmentVariable("CLEARCUT_PICTURES");
         if (!fault.isEmpty() && !kept.isEmpty())
-            write(shown, kept + '/' + screen.name + ".png");
+            write(seen.picture, kept + '/' + screen.name + ".png");
+        if (said != wanted && !kept.isEmpty())
+            write(seen.words, kept + '/' + screen.name + ".txt");
         QVERIFY2(fault.isEmpty(), qPrintable(fault));
+        QCOMPARE(said, wanted);
     }
 
     void everyPictureIsOfAScreen()
     {
-        QStringList names, files = QDir(folder()).entryList({"*.png"});
+        QStringList names, files = QDir(folder()).entryList({"*.png", "*.txt"});
         for (const Screen& screen : allScreens())
-            names << screen.name + ".png";
+            names << screen.name + ".png" << screen.name + ".txt";
         names.sort();
         files.sort();
         QCOMPARE(files, names);

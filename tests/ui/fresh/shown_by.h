@@ -174,6 +174,19 @@ inline void addActions(std::vector<Fact>& facts, const QString& place,
     }
 }
 
+/// What is visible in a widget, from top to bottom.
+inline QList<const QWidget*> partsOf(const QWidget& widget)
+{
+    QList<const QWidget*> parts;
+    for (const QWidget* part : widget.findChildren<QWidget*>(Qt::FindDirectChildrenOnly))
+        if (!part->isWindow() && part->isVisibleTo(&widget))
+            parts << part;
+    std::ranges::stable_sort(parts, {}, [](const QWidget* part) {
+        return std::tuple(part->y(), part->x(), classOf(*part), part->objectName());
+    });
+    return parts;
+}
+
 inline void addWidget(std::vector<Fact>& facts, const QString& place, const QWidget& widget,
                       bool isWhole)
 {
@@ -195,15 +208,7 @@ inline void addWidget(std::vector<Fact>& facts, const QString& place, const QWid
         addActions(facts, self, widget.actions());
     if (const auto* button = qobject_cast<const QToolButton*>(&widget); button && button->menu())
         addActions(facts, self + "/menu", button->menu()->actions());
-    QList<const QWidget*> parts;
-    for (const QWidget* part : widget.findChildren<QWidget*>(Qt::FindDirectChildrenOnly))
-        if (!part->isWindow() && part->isVisibleTo(&widget))
-            parts << part;
-    const auto order = [](const QWidget* part) {
-        return std::tuple(part->y(), part->x(), classOf(*part), part->objectName());
-    };
-    std::ranges::stable_sort(parts, {}, order);
-    for (const QWidget* part : parts)
+    for (const QWidget* part : partsOf(widget))
         addWidget(facts, self, *part, false);
 }
 

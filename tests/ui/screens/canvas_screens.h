@@ -12,11 +12,11 @@ namespace ui {
 
 namespace canvas_screens_parts {
 
-inline QImage seen(Stage& stage)
+inline Seen seen(Stage& stage)
 {
     settle();
     stage.canvas->settle();
-    return painted(*stage.canvas);
+    return atRest(*stage.canvas);
 }
 
 inline std::vector<app::Shape> someShapes()
@@ -38,10 +38,10 @@ inline Screen drag(const char* name, std::string_view tool, app::Point from, app
                 stage.press(from);
                 stage.move((from + to) * 0.5, Qt::LeftButton);
                 stage.move(to, Qt::LeftButton);
-                const QImage picture = seen(stage);
+                const Seen shown = seen(stage);
                 stage.key(Qt::Key_Escape);
                 stage.release(to);
-                return picture;
+                return shown;
             }};
 }
 
@@ -96,6 +96,11 @@ inline void addCanvases(std::vector<Screen>& screens)
         s.session.select({2});
         s.click({180, 60});
         s.move({100, 90});
+    }));
+    screens.push_back(after("canvas-nodes-handle", "nodes", [](Stage& s) {
+        s.session.select({2});
+        s.click({100, 90});
+        s.move({120, 20});
     }));
     screens.push_back(after("canvas-pen", "pen", [](Stage& s) {
         s.drag({20, 30}, {40, 20});

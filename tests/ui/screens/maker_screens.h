@@ -83,6 +83,11 @@ inline void addMakers(std::vector<Screen>& screens)
     for (const char* made : {"algorithm", "compare", "options", "microscope", "lessons", "tiles"})
         screens.push_back(screen(qPrintable(made + QStringLiteral("-dark")), made,
                                  [](Desk&) { applyTheme(*qApp, Theme::Dark); }));
+    screens.push_back(screen("tiles-rows", "tiles", [](Desk& desk) {
+        app::SheetSettings settings = desk.sheets.settings();
+        settings.plan.scale = 2;
+        desk.sheets.change(settings);
+    }));
     const auto nothing = [](Desk& desk) {
         desk.sheets.close();
         desk.session.load({{}, {}});

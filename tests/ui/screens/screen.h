@@ -4,20 +4,27 @@
 #include <functional>
 
 #include "tests/ui/fresh/lived.h"
+#include "tests/ui/screens/words.h"
 
 namespace ui {
 
-/// What a person sees in one state of the program; its picture is tests/ui/screens/NAME.png.
+struct Seen {
+    QImage picture;
+    QString words;
+};
+
+/// What a person sees in one state of the program; its picture is tests/ui/screens/NAME.png, its
+/// words are in NAME.txt.
 struct Screen {
     QString name;
-    std::function<QImage()> picture;
+    std::function<Seen()> look;
 };
 
 /// A widget at rest, without what blinks.
-inline QImage atRest(QWidget& widget)
+inline Seen atRest(QWidget& widget)
 {
     settle();
-    return painted(widget);
+    return {painted(widget), wordsOf(widget)};
 }
 
 /// The same in the dark theme; not for a desk or a window, which choose their theme.
@@ -25,7 +32,7 @@ inline Screen inTheDark(const Screen& screen)
 {
     return {screen.name + "-dark", [screen] {
                 applyTheme(*qApp, Theme::Dark);
-                return screen.picture();
+                return screen.look();
             }};
 }
 

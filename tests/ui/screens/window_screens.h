@@ -19,16 +19,16 @@ namespace ui {
 namespace window_screens_parts {
 
 /// The window with a sample, after `prepare`.
-inline QImage withWindow(const std::function<QWidget*(TestWindow&)>& prepare)
+inline Seen withWindow(const std::function<QWidget*(TestWindow&)>& prepare)
 {
     TestWindow test;
     test.show();
     test.open(QStringLiteral(SOURCE_DIR "/resources/samples/nine-regions.svg"));
     QWidget* shown = prepare(test);
     settle();
-    const QImage picture = atRest(*shown);
+    const Seen seen = atRest(*shown);
     shown->close();
-    return picture;
+    return seen;
 }
 
 /// A part of its own, without a window.
@@ -70,7 +70,7 @@ inline std::unique_ptr<QWidget> waiting()
 }
 
 /// The explanation of an algorithm while a word is looked for.
-inline QImage finding()
+inline Seen finding()
 {
     return withWindow([](TestWindow& test) -> QWidget* {
         emit test.window->explanationWanted(clipping::algorithms().front());
