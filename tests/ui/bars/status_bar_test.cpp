@@ -43,11 +43,10 @@ private slots:
             w.window->canvas().setTool(tool.key);
             const QString hint = w.hint->whole(); // the tool's own one, or that of the catalogue
             QVERIFY(!hint.isEmpty());
-            QVERIFY2(w.widthOf(hint) <= w.room(),
-                     qPrintable(QStringLiteral("%1: %2 of %3 pixels")
-                                    .arg(tool.name)
-                                    .arg(w.widthOf(hint))
-                                    .arg(w.room())));
+            QVERIFY2(w.widthOf(hint) <= w.room(), qPrintable(QStringLiteral("%1: %2 of %3 pixels")
+                                                                 .arg(tool.name)
+                                                                 .arg(w.widthOf(hint))
+                                                                 .arg(w.room())));
             QCOMPARE(w.hint->text(), hint);
         }
     }
@@ -58,6 +57,22 @@ private slots:
         emit w.window->canvas().hint(sentence);
         QVERIFY(w.hint->text().endsWith(u'…') && w.widthOf(w.hint->text()) <= w.room());
         QVERIFY(w.hint->toolTip().startsWith(sentence));
+    }
+    void theRoomForThePointerIsThatOfTheDrawing()
+    {
+        Window w({1280, 800});
+        const auto width = [&] {
+            for (const QWidget* part : w.window->statusBar()->findChildren<QWidget*>())
+                if (part->accessibleName() == "Pointer")
+                    return part->width();
+            return 0;
+        };
+        const int before = width();
+        QVERIFY(before > 0);
+        w.open(w.file("field.svg", "<svg xmlns='http://www.w3.org/2000/svg' width='90000mm' "
+                                   "height='90000mm' viewBox='0 0 9 9'><path d='M0 0L9 9' "
+                                   "stroke='#000'/></svg>"));
+        QTRY_VERIFY(width() > before);
     }
     void presentingCutsNoField()
     {

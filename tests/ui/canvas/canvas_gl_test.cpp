@@ -35,6 +35,20 @@ private slots:
     {
         cases::differencesAreColouredAndFollowTheGesture(backend);
     }
+    // At the other end the window cuts it.
+    void aCutStrokeKeepsTheCapOfItsOwnEnd()
+    {
+        app::Shape bent;
+        bent.paths = {{{70, 50}, {{{100, 70}}, {{190, 50}}}, false}};
+        bent.style.stroke = app::Colour{0, 0, 200, 128};
+        bent.style.width = 12;
+        bent.style.cap = app::Cap::Round;
+        Stage stage(backend, {bent});
+        stage.session.changeDisplay(
+            [](app::Display& display) { display.removed = app::RemovedPart::Hidden; });
+        QVERIFY(stage.colourAt({67, 48}).red() < 200);
+        QCOMPARE(stage.colourAt({60, 45}), QColor(Qt::white));
+    }
     void softwareOpenGlIsNotChosenByItself()
     {
         Stage stage(ui::Backend::Automatic);

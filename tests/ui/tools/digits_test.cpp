@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/set_containers.h"
 #include "ui/tools/tool.h"
 
 #include <QLabel>
@@ -231,6 +232,21 @@ private slots:
         person.canvas.setTool("select");
         person.key(Qt::Key_Escape);
         QVERIFY(says());
+    }
+    // Nothing can be drawn there, so no number can begin a line.
+    void onALockedLayerNoFieldOpens()
+    {
+        Person person;
+        person.work(Qt::Key_1);
+        person.canvas.setTool("line");
+        person.drag({100, 10}, {120, 10});
+        const app::Containers& tree = person.session.now().containers();
+        app::Container layer = tree[tree.childrenOf(0).front()];
+        layer.locked = true;
+        person.session.history.push(
+            new app::SetContainers(person.session.document, tree.with(layer), "lock"));
+        person.key(Qt::Key_3);
+        QVERIFY(!person.typing());
     }
     void undoneStepLeavesDigitsToTheAlgorithm()
     {
