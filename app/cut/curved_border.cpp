@@ -27,9 +27,13 @@ CurvedBorder::CurvedBorder(const ClipWindows& windows, const Page& page)
       near_(millimetres / page.millimetresPerUnit())
 {
     for (std::size_t i = 0; i < windows.list.size(); ++i)
-        if (isCurvedWindow(windows.list[i]))
+        if (isCurvedWindow(windows.list[i])) {
+            curved_.push_back(i);
             add(std::get<PathShape>(windows.list[i].shape), i);
+        }
     makeIndex();
+    if (curved_.size() > 1)
+        divideAtEndsOfWindows();
 }
 
 CurvedBorder::CurvedBorder(std::span<const Path> areas, double tolerance, const Page& page)
@@ -121,6 +125,20 @@ void CurvedBorder::makeIndex()
     starts_ = BoxIndex(starts);
 }
 
+/// A window's polygon, with the edges of the windows before it where the border is the same.
+std::vector<Subpath> CurvedBorder::alongOthers(const Path& border) const
+{
+    std::vector<Chord> chords;
+    flattenAlong(border, tolerance_, chords);
+    std::vector<Subpath> polygons;
+    for (const auto& [chord, segment, t0, t1] : chords)
+        if (segment == 0 && t0 == 0)
+            polygons.push_back({chord.a, {{chord.b}}, true});
+        else
+            polygons.back().segments.push_back({chord.b});
+    return polygons;
+}
+
 ClipWindows CurvedBorder::polygons() const
 {
     ClipWindows windows = windows_;
@@ -133,9 +151,9 @@ ClipWindows CurvedBorder::polygons() const
             path.segments.push_back({ring.edges[i].from});
         paths[ring.window].push_back(std::move(path));
     }
-    for (const auto& [window, subpaths] : paths) {
-        auto& shape = std::get<PathShape>(windows.list[window].shape);
-        shape = {Path(subpaths), shape.rule};
+    for (const std::size_t i : curved_) {
+        auto& shape = std::get<PathShape>(windows.list[i].shape);
+        shape = {Path(i == curved_.front() ? paths[i] : alongOthers(shape.path)), shape.rule};
     }
     return windows;
 }

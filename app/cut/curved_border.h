@@ -36,14 +36,16 @@ public:
     static constexpr double millimetres = 0.001;
 
     CurvedBorder() = default; ///< empty
-    /// Of the visible windows. Empty if none has curves.
+    /// Of the visible windows. Empty if none has curves. Where borders of several are the same,
+    /// all have the edges of the first.
     CurvedBorder(const ClipWindows& windows, const Page& page);
     /// Of areas, as polygons within a tolerance (user units). Where borders of several are the
     /// same, curves have the edges of the first.
     CurvedBorder(std::span<const Path> areas, double tolerance, const Page& page);
     bool isEmpty() const { return edges_.empty(); }
 
-    /// Divides the border where curves of the drawing begin or end on it. Returns whether it did.
+    /// Divides the border where curves of the drawing begin or end on it. Returns whether the
+    /// polygons are now others than those of each window alone.
     bool divideAtEndsIn(const Objects& objects, const std::stop_token& stop = {});
     /// The windows as polygons; of areas, flattenAlong() gives them.
     ClipWindows polygons() const;
@@ -86,6 +88,7 @@ private:
         std::size_t ring, edge;
     };
 
+    void divideAtEndsOfWindows();
     void add(const PathShape& shape, std::size_t window);
     void add(const Subpath& path, std::size_t window);
     void makeIndex();
@@ -102,8 +105,10 @@ private:
     BorderPart partOf(const Place& place) const;
     std::optional<Place> edgeThrough(const Point& cut) const;
     const Point& endOf(const Place& place) const;
+    std::vector<Subpath> alongOthers(const Path& border) const;
     /// Where curved edges, by their numbers, are divided.
     using Cuts = std::map<std::uint32_t, std::vector<std::pair<double, Point>>>;
+    bool divideAtEndsOf(const Path& path, Cuts& cuts);
     bool divideAt(const Point& p, Cuts& cuts);
     struct Where {
         double parts; ///< from the start of the edge
@@ -126,6 +131,7 @@ private:
                                    double tolerance) const;
 
     ClipWindows windows_;
+    std::vector<std::size_t> curved_; ///< the numbers of windows with curves
     double tolerance_ = 0, near_ = 0; ///< in user units
     std::vector<BorderCurve> sources_;
     std::vector<Ring> rings_;

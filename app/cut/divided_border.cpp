@@ -13,21 +13,33 @@ bool CurvedBorder::divideAtEndsIn(const Objects& objects, const std::stop_token&
     Cuts cuts;
     bool isMoved = false;
     objects.forEach(0, objects.size(), [&](std::size_t, const ObjectView& object) {
-        if (object.singleLine() || object.path().straight() || stop.stop_requested())
-            return;
-        for (const Subpath& path : object.path().subpaths())
-            for (std::size_t i = 0; i < path.segments.size(); ++i)
-                if (isCurve(path, i)) {
-                    if (i == 0 || !isCurve(path, i - 1))
-                        isMoved = divideAt(curveOf(path, i).from, cuts) || isMoved;
-                    isMoved = divideAt(path.segments[i].to, cuts) || isMoved;
-                }
+        if (!object.singleLine() && !object.path().straight() && !stop.stop_requested())
+            isMoved = divideAtEndsOf(object.path(), cuts) || isMoved;
     });
-    if (!cuts.empty()) {
-        divide(cuts);
-        makeIndex();
-    }
-    return isMoved || !cuts.empty();
+    divide(cuts);
+    return isMoved || !cuts.empty() || curved_.size() > 1;
+}
+
+/// Where the border of one window begins or ends on that of another one.
+void CurvedBorder::divideAtEndsOfWindows()
+{
+    Cuts cuts;
+    for (const std::size_t i : curved_)
+        divideAtEndsOf(std::get<PathShape>(windows_.list[i].shape).path, cuts);
+    divide(cuts);
+}
+
+bool CurvedBorder::divideAtEndsOf(const Path& path, Cuts& cuts)
+{
+    bool isMoved = false;
+    for (const Subpath& subpath : path.subpaths())
+        for (std::size_t i = 0; i < subpath.segments.size(); ++i)
+            if (isCurve(subpath, i)) {
+                if (i == 0 || !isCurve(subpath, i - 1))
+                    isMoved = divideAt(curveOf(subpath, i).from, cuts) || isMoved;
+                isMoved = divideAt(subpath.segments[i].to, cuts) || isMoved;
+            }
+    return isMoved;
 }
 
 /// Where a corner of the border is the point but for rounding, it becomes the point. Returns
@@ -104,6 +116,8 @@ CurvedBorder::Edge CurvedBorder::partFrom(Edge& edge, const Point& p) const
 
 void CurvedBorder::divide(Cuts& cuts)
 {
+    if (cuts.empty())
+        return;
     std::vector<Ring> divided;
     for (const Ring& ring : rings_)
         divided.push_back({ring.window});
@@ -133,6 +147,7 @@ void CurvedBorder::divide(Cuts& cuts)
             passUntil(std::numeric_limits<double>::infinity());
         }
     rings_ = std::move(divided);
+    makeIndex();
 }
 
 } // namespace app

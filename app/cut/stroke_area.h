@@ -6,8 +6,8 @@
 namespace app {
 
 /// The area that a stroke covers, with its caps, joins and dashes, within `tolerance` (user units,
-/// > 0), or a millionth of the path's size: closed subpaths, which fill it by both fill rules. Empty if the style has no stroke, if
-/// nothing of it is seen, and when a stop is requested.
+/// > 0), or a millionth of the path's size: closed subpaths, which fill it by both fill rules.
+/// Empty if the style has no stroke, if nothing of it is seen, and when a stop is requested.
 std::vector<Subpath> strokeArea(const Path& path, const Style& style, double tolerance,
                                 const std::stop_token& stop = {});
 

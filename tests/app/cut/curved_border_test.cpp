@@ -71,7 +71,8 @@ ClipWindow windowOf(const Subpath& path, Recipe recipe = {})
     return {QString(), PathShape{Path(std::span(&path, 1)), FillRule::NonZero, recipe}};
 }
 
-Sheet cutAt(const ClipWindow& window, const std::vector<Subpath>& paths, Keep keep, bool filled)
+Sheet cutAt(const std::vector<ClipWindow>& windows, const std::vector<Subpath>& paths, Keep keep,
+            bool filled)
 {
     Sheet sheet;
     Style style{.stroke = Colour{}};
@@ -81,9 +82,14 @@ Sheet cutAt(const ClipWindow& window, const std::vector<Subpath>& paths, Keep ke
         sheet.shapes.push_back({{path}, style, QString(), 0, false});
     Document document = documentOf(sheet);
     CutOptions options{.clipAll = clipping::exactAlgorithm().corrected.clipAll};
-    app::cutAt(options, {{window}, keep}, document.page());
+    app::cutAt(options, {windows, keep}, document.page());
     document.apply(cut(document, options).edit);
     return sheetOf(document);
+}
+
+Sheet cutAt(const ClipWindow& window, const std::vector<Subpath>& paths, Keep keep, bool filled)
+{
+    return cutAt(std::vector{window}, paths, keep, filled);
 }
 
 std::vector<Subpath> pathsOf(const Sheet& sheet)
@@ -427,6 +433,38 @@ private slots:
     }
 
     /// A window whose subpath is a point, or whose radius is 0.
+    // Divided otherwise, or a true circle: one of them less the other one is nothing.
+    void windowsWithOneBorder()
+    {
+        for (const double radius : {5.0, 30.0, 400.0}) {
+            std::vector<Subpath> paths{circle(radius, 5, 1), circle(radius / 2, 4, 0)};
+            for (int i = -40; i <= 40; ++i) {
+                const double at = i / 41.3 * radius;
+                paths.push_back({centre + Point(at, -2 * radius),
+                                 {{{centre + Point(at + i * radius / 99, 2 * radius)}}}});
+            }
+            const ClipWindow exact = windowOf(circle(radius, 4, 0),
+                                              EllipseRecipe{centre, {radius, radius}}),
+                             six = windowOf(circle(radius, 6, 0.3)),
+                             back = windowOf(reversed(circle(radius, 4, 0.7)));
+            for (const auto& [first, second] : {std::pair(exact, six), std::pair(six, exact),
+                                                std::pair(six, back), std::pair(back, exact)})
+                for (const bool filled : {false, true}) {
+                    ClipWindow less = second, common = second;
+                    less.operation = WindowOperation::CutOut;
+                    common.operation = WindowOperation::Intersect;
+                    const auto count = [&](const std::vector<ClipWindow>& windows, Keep keep) {
+                        return pathsOf(cutAt(windows, paths, keep, filled)).size();
+                    };
+                    QCOMPARE(count({first, less}, Keep::Inside), std::size_t(0));
+                    QCOMPARE(count({first, less}, Keep::Outside), paths.size());
+                    for (const Keep keep : {Keep::Inside, Keep::Outside}) {
+                        QCOMPARE(count({first, common}, keep), count({first}, keep));
+                        QCOMPARE(count({first, second}, keep), count({first}, keep));
+                    }
+                }
+        }
+    }
     void windowsWithoutArea()
     {
         const Subpath own = circle(40, 4, 0), point{centre, {}, true};
