@@ -29,6 +29,10 @@ std::vector<Option> cuttingOptions()
          {},
          Text::tr("First remove the lines below filled shapes, then all fills, as plotters need "
                   "it. White fills cover lines, too; transparent ones do not.")},
+        {{"coincident"},
+         "LENGTH",
+         Text::tr("How far apart curves may be that count as the same (0.001mm): a curve that runs "
+                  "so near along a window's curve is kept or removed as a whole.")},
         {{"strokes-as-areas"},
          {},
          Text::tr("First turn strokes into filled areas, with their caps, joins and dashes. Wide "
@@ -44,6 +48,11 @@ void takeCuttingOptions(const ParsedArguments& arguments, const Page& page, CutO
         throw WrongUsage{Text::tr("Give either --leave-hidden or --drop-hidden, not both.")};
     if (const auto length = arguments.length(key("min-length")))
         options.leastLength = toUserUnits(*length, page.millimetresPerUnit());
+    if (const auto length = arguments.length(key("coincident"))) {
+        options.coincident = toUserUnits(*length, page.millimetresPerUnit());
+        if (!(options.coincident > 0 && std::isfinite(options.coincident)))
+            throw WrongUsage{Text::tr("--coincident must be greater than 0.")};
+    }
     if (!(options.leastLength >= 0 && std::isfinite(options.leastLength)))
         throw WrongUsage{Text::tr("--min-length %1: give a length of 0 or more.")
                              .arg(*arguments.text(key("min-length")))};

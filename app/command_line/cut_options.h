@@ -6,7 +6,7 @@
 
 namespace app {
 
-/// --close, --min-length, --leave-hidden, --occlude and --strokes-as-areas: how `clip` cuts objects
+/// --close, --min-length, --leave-hidden, --occlude, --coincident and --strokes-as-areas: how `clip` cuts objects
 /// at its windows.
 std::vector<Option> cuttingOptions();
 

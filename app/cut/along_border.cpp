@@ -56,19 +56,37 @@ CurvedBorder::shared(const Place& place, const Bezier& curve,
                          : Shared{last, first, end, edge.from};
 }
 
-std::vector<CurvedBorder::Shared>
-CurvedBorder::sharedWith(const Bezier& curve, std::span<const Chord> chords, double tolerance) const
+CurvedBorder::Beside CurvedBorder::beside(const Bezier& curve, std::span<const Chord> plain,
+                                          double tolerance) const
 {
-    std::vector<std::uint32_t> near;
-    for (const auto& [chord, segment, t0, t1] : chords) {
-        const double most = tolerance + near_ + strayOf(chord.b - chord.a);
-        starts_.meeting(around(chord, most), 0, [&](std::uint32_t edge) {
-            if (placeOn(chord.a, chord.b, edgeAt(edges_[edge]).from).distance <= most)
-                near.push_back(edge);
+    const int parts = tolerance_ < tolerance ? int(std::sqrt(2 * tolerance / tolerance_)) + 1 : 1;
+    Beside found;
+    for (const auto& [chord, segment, t0, t1] : plain) {
+        const double most = tolerance + near_, all = most + strayOf(chord.b - chord.a, tolerance);
+        bool isNear = false;
+        starts_.meeting(around(chord, all), 0, [&](std::uint32_t edge) {
+            const double away = placeOn(chord.a, chord.b, edgeAt(edges_[edge]).from).distance;
+            isNear = isNear || away <= most;
+            if (away <= all)
+                found.edges.push_back(edge);
         });
+        const int count = isNear ? parts : 1;
+        const auto at = [&](int k) { return k == count ? t1 : t0 + (t1 - t0) * k / count; };
+        Point from = chord.a;
+        for (int k = 1; k <= count; ++k) {
+            const Point to = k == count ? chord.b : curve.at(at(k));
+            found.chords.push_back({{from, to}, segment, at(k - 1), at(k)});
+            from = to;
+        }
     }
-    std::ranges::sort(near);
-    near.erase(std::ranges::unique(near).begin(), near.end());
+    std::ranges::sort(found.edges);
+    found.edges.erase(std::ranges::unique(found.edges).begin(), found.edges.end());
+    return found;
+}
+
+std::vector<CurvedBorder::Shared>
+CurvedBorder::sharedWith(const Bezier& curve, std::span<const std::uint32_t> near) const
+{
     if (near.empty())
         return {};
     const bool isOwn = std::ranges::all_of(
@@ -124,19 +142,20 @@ void CurvedBorder::flattenAlong(const Path& path, double tolerance,
 void CurvedBorder::flattenAlong(const Bezier& curve, std::span<const Chord> plain, double tolerance,
                                 Point& at, std::vector<Chord>& chords) const
 {
+    const Beside near = beside(curve, plain, tolerance);
     double t = 0;
     const auto go = [&](const Point& to, double until) {
         chords.push_back({{at, to}, plain.front().pathSegment, t, until});
         at = to, t = until;
     };
     const auto goPlainly = [&](const Point& to, double until) {
-        for (const Chord& chord : plain)
+        for (const Chord& chord : near.chords)
             if (chord.t1 > t && chord.t1 < until)
                 go(chord.segment.b, chord.t1);
         if (until > t)
             go(to, until);
     };
-    for (const Shared& part : sharedWith(curve, plain, tolerance)) {
+    for (const Shared& part : sharedWith(curve, near.edges)) {
         if (part.low == 0 && t == 0) {
             if (areSame(at, part.atLow))
                 at = part.atLow;

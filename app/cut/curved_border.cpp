@@ -2,7 +2,6 @@
 #include "app/cut/curved_border.h"
 
 #include "app/cut/curve_at_edge.h"
-#include "app/document/direction.h"
 #include "app/document/window_outline.h"
 
 #include <glm/common.hpp>
@@ -22,10 +21,10 @@ bool isCurvedWindow(const ClipWindow& window)
 
 } // namespace
 
-CurvedBorder::CurvedBorder(const ClipWindows& windows, const Page& page)
-    : windows_(windows), tolerance_(windowMillimetres / page.millimetresPerUnit()),
-      near_(millimetres / page.millimetresPerUnit())
+CurvedBorder::CurvedBorder(const ClipWindows& windows, const Page& page, double near)
+    : windows_(windows), near_(near > 0 ? near : millimetres / page.millimetresPerUnit())
 {
+    tolerance_ = std::min(near_ / 2, windowMillimetres / page.millimetresPerUnit());
     for (std::size_t i = 0; i < windows.list.size(); ++i)
         if (isCurvedWindow(windows.list[i])) {
             curved_.push_back(i);
@@ -36,8 +35,9 @@ CurvedBorder::CurvedBorder(const ClipWindows& windows, const Page& page)
         divideAtEndsOfWindows();
 }
 
-CurvedBorder::CurvedBorder(std::span<const Path> areas, double tolerance, const Page& page)
-    : tolerance_(tolerance), near_(millimetres / page.millimetresPerUnit())
+CurvedBorder::CurvedBorder(std::span<const Path> areas, double tolerance, const Page& page,
+                           double near)
+    : tolerance_(tolerance), near_(near > 0 ? near : millimetres / page.millimetresPerUnit())
 {
     for (std::size_t i = 0; i < areas.size(); ++i)
         add({areas[i], FillRule::NonZero}, i);
@@ -57,10 +57,7 @@ void CurvedBorder::add(const PathShape& shape, std::size_t window)
             const double next = sources_.back().near(corners[(i + 1) % corners.size()], t);
             Edge edge{corners[i], {}, ellipse, true, sources_.size() - 1, t, next};
             t = next;
-            for (int k = 1; k < between; ++k) {
-                const double share = (double(i) + double(k) / between) / double(corners.size());
-                edge.between.push_back(round->centre + radii * directionOf(-360 * share));
-            }
+            followCurve(edge);
             ring.edges.push_back(std::move(edge));
         }
         return;
@@ -87,9 +84,8 @@ void CurvedBorder::add(const Subpath& path, std::size_t window)
             edge.source = sources_.size() - 1;
             edge.t0 = chord.t0;
             edge.t1 = chord.t1;
-            for (int k = 1; k < between; ++k)
-                edge.between.push_back(
-                    sources_.back().at(chord.t0 + (chord.t1 - chord.t0) * k / between));
+            edge.isEnd = chord.t0 == 0;
+            followCurve(edge);
         }
         if (chord.segment.a != chord.segment.b)
             ring.edges.push_back(std::move(edge));
@@ -98,10 +94,25 @@ void CurvedBorder::add(const Subpath& path, std::size_t window)
         ring.edges.push_back({end}); // an open path counts as closed
 }
 
+/// Places on the curve between the ends of its chord.
+void CurvedBorder::followCurve(Edge& edge) const
+{
+    edge.between.clear();
+    for (int k = 1; k < between; ++k)
+        edge.between.push_back(
+            sources_[edge.source].at(edge.t0 + (edge.t1 - edge.t0) * k / between));
+}
+
 const Point& CurvedBorder::endOf(const Place& place) const
 {
     const auto& edges = rings_[place.ring].edges;
     return edges[(place.edge + 1) % edges.size()].from;
+}
+
+double CurvedBorder::drawnOff(const std::optional<EllipseArc>& ellipse)
+{
+    constexpr double most = 3e-4; // of the radius
+    return ellipse ? most * (glm::length(ellipse->axis1) + glm::length(ellipse->axis2)) : 0;
 }
 
 void CurvedBorder::makeIndex()
@@ -118,7 +129,8 @@ void CurvedBorder::makeIndex()
             clipping::Window box{glm::min(edge.from, end), glm::max(edge.from, end)};
             for (const Point& p : edge.between)
                 box = {glm::min(box.min, p), glm::max(box.max, p)};
-            boxes.push_back({box.min - near_, box.max + near_});
+            const double around = near_ + drawnOff(edge.ellipse);
+            boxes.push_back({box.min - around, box.max + around});
             starts.push_back({edge.from, edge.from});
         }
     index_ = BoxIndex(boxes);

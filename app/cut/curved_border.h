@@ -27,26 +27,26 @@ struct BorderMeeting {
 ///
 /// They are cut at as polygons. A curve that coincides with a curved edge would cross its
 /// polygon again and again, and end as dashes. So coincidence is found first: where a curve of the
-/// drawing stays within a micrometre (on paper) of the border, its chords are the polygon's own
+/// drawing stays so near to the border, its chords are the polygon's own
 /// edges, bit for bit; what follows treats them as shared edges. Curves that approximate parts of
 /// ellipses are compared as these.
 class CurvedBorder {
 public:
-    /// How far apart two curves may be that are the same.
+    /// How far apart two curves may be that are the same, if `near` (user units) is not given.
     static constexpr double millimetres = 0.001;
 
     CurvedBorder() = default; ///< empty
-    /// Of the visible windows. Empty if none has curves. Where borders of several are the same,
-    /// all have the edges of the first.
-    CurvedBorder(const ClipWindows& windows, const Page& page);
+    /// Of the visible windows, as polygons within half of `near`, so that a curve further from one
+    /// crosses its polygon only where it crosses the window. Empty if none has curves. Where
+    /// borders of several are the same, all have the edges of the first.
+    CurvedBorder(const ClipWindows& windows, const Page& page, double near = 0);
     /// Of areas, as polygons within a tolerance (user units). Where borders of several are the
     /// same, curves have the edges of the first.
-    CurvedBorder(std::span<const Path> areas, double tolerance, const Page& page);
+    CurvedBorder(std::span<const Path> areas, double tolerance, const Page& page, double near = 0);
     bool isEmpty() const { return edges_.empty(); }
 
-    /// Divides the border where curves of the drawing begin or end on it. Returns whether the
-    /// polygons are now others than those of each window alone.
-    bool divideAtEndsIn(const Objects& objects, const std::stop_token& stop = {});
+    /// Divides the border where curves of the drawing begin or end on it.
+    void divideAtEndsIn(const Objects& objects, const std::stop_token& stop = {});
     /// The windows as polygons; of areas, flattenAlong() gives them.
     ClipWindows polygons() const;
 
@@ -73,6 +73,7 @@ private:
         bool isCurved = false;
         std::size_t source = 0; ///< of sources_, the curve itself
         double t0 = 0, t1 = 0;  ///< the part of it
+        bool isEnd = false;     ///< whether a curve of the drawing or a window ends where it begins
     };
     struct Ring {
         std::size_t window;
@@ -92,15 +93,18 @@ private:
     void add(const PathShape& shape, std::size_t window);
     void add(const Subpath& path, std::size_t window);
     void makeIndex();
-    /// Whether two points are the same but for rounding: a nanometre on paper.
+    /// Whether two points are the same but for rounding: usually, a nanometre on paper.
     bool areSame(const Point& p, const Point& q) const
     {
         return glm::distance(p, q) <= near_ / 1000;
     }
     /// How far a chord's curve may be from the ellipse that it approximates, and another one's from
-    /// that. If the chord strays from it by a quarter of the tolerance, the radius is
-    /// length² / 2 tolerance.
-    double strayOf(const Point& chord) const { return 5e-4 * glm::dot(chord, chord) / tolerance_; }
+    /// that. If the chord strays from it by an eighth of its tolerance, the radius is
+    /// length² / tolerance.
+    static double strayOf(const Point& chord, double tolerance)
+    {
+        return 5e-4 * glm::dot(chord, chord) / tolerance;
+    }
     const Edge& edgeAt(const Place& place) const { return rings_[place.ring].edges[place.edge]; }
     BorderPart partOf(const Place& place) const;
     std::optional<Place> edgeThrough(const Point& cut) const;
@@ -108,8 +112,13 @@ private:
     std::vector<Subpath> alongOthers(const Path& border) const;
     /// Where curved edges, by their numbers, are divided.
     using Cuts = std::map<std::uint32_t, std::vector<std::pair<double, Point>>>;
-    bool divideAtEndsOf(const Path& path, Cuts& cuts);
-    bool divideAt(const Point& p, Cuts& cuts);
+    void divideAtEndsOf(const Path& path, Cuts& cuts);
+    void divideAt(const Point& p, Cuts& cuts);
+    /// How far another curve may be that is drawn for a part of the same ellipse.
+    static double drawnOff(const std::optional<EllipseArc>& ellipse);
+    void followCurve(Edge& edge) const;
+    bool mayMove(const Edge& edge, const Point& p) const;
+    void move(Edge& before, Edge& edge, const Point& p) const;
     struct Where {
         double parts; ///< from the start of the edge
         double distance;
@@ -126,9 +135,14 @@ private:
     }
     void flattenAlong(const Bezier& curve, std::span<const Chord> plain, double tolerance,
                       Point& at, std::vector<Chord>& chords) const;
-    /// In order, none over another.
-    std::vector<Shared> sharedWith(const Bezier& curve, std::span<const Chord> chords,
-                                   double tolerance) const;
+    struct Beside {
+        std::vector<std::uint32_t> edges; ///< the curved ones that begin beside a curve
+        std::vector<Chord> chords;        ///< of the curve: short ones beside them
+    };
+    /// `plain` are chords within the tolerance of it.
+    Beside beside(const Bezier& curve, std::span<const Chord> plain, double tolerance) const;
+    /// Those along the curve, in order, none over another.
+    std::vector<Shared> sharedWith(const Bezier& curve, std::span<const std::uint32_t> near) const;
 
     ClipWindows windows_;
     std::vector<std::size_t> curved_; ///< the numbers of windows with curves

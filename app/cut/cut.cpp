@@ -93,7 +93,8 @@ CutOptions withTolerance(CutOptions options, const Page& page)
 CutOptions dividedAt(CurvedBorder& border, const Document& document, CutOptions options,
                      const std::stop_token& stop)
 {
-    if (!border.isEmpty() && border.divideAtEndsIn(document.objects(), stop))
+    border.divideAtEndsIn(document.objects(), stop);
+    if (!border.isEmpty())
         options.region =
             withKeep(regionOf(border.polygons(), document.page()), options.region.keep);
     return options;
@@ -103,7 +104,8 @@ class Cutter {
 public:
     Cutter(const Document& document, const CutOptions& options, Grouping grouping,
            const Follower& follower)
-        : objects_(document.objects()), border_(options.windows, document.page()),
+        : objects_(document.objects()),
+          border_(options.windows, document.page(), options.coincident),
           options_(
               dividedAt(border_, document, withTolerance(options, document.page()), follower.stop)),
           edit_(document, grouping), clipping_(options_, follower.stop),

@@ -21,6 +21,7 @@ struct CutOptions {
     /// Those of the region (`cutAt`): curves of the drawing that run along their curves are one
     /// with them (curved_border.h). Without windows such curves are cut like all others.
     ClipWindows windows{};
+    double coincident = 0; ///< how far from them, in user units; 0: 1 µm on paper
 };
 
 /// Cuts at the windows of a drawing with this page.

@@ -8,16 +8,16 @@
 #include <limits>
 
 namespace app {
-bool CurvedBorder::divideAtEndsIn(const Objects& objects, const std::stop_token& stop)
+void CurvedBorder::divideAtEndsIn(const Objects& objects, const std::stop_token& stop)
 {
+    if (isEmpty())
+        return;
     Cuts cuts;
-    bool isMoved = false;
     objects.forEach(0, objects.size(), [&](std::size_t, const ObjectView& object) {
         if (!object.singleLine() && !object.path().straight() && !stop.stop_requested())
-            isMoved = divideAtEndsOf(object.path(), cuts) || isMoved;
+            divideAtEndsOf(object.path(), cuts);
     });
     divide(cuts);
-    return isMoved || !cuts.empty() || curved_.size() > 1;
 }
 
 /// Where the border of one window begins or ends on that of another one.
@@ -29,35 +29,53 @@ void CurvedBorder::divideAtEndsOfWindows()
     divide(cuts);
 }
 
-bool CurvedBorder::divideAtEndsOf(const Path& path, Cuts& cuts)
+void CurvedBorder::divideAtEndsOf(const Path& path, Cuts& cuts)
 {
-    bool isMoved = false;
     for (const Subpath& subpath : path.subpaths())
         for (std::size_t i = 0; i < subpath.segments.size(); ++i)
             if (isCurve(subpath, i)) {
                 if (i == 0 || !isCurve(subpath, i - 1))
-                    isMoved = divideAt(curveOf(subpath, i).from, cuts) || isMoved;
-                isMoved = divideAt(subpath.segments[i].to, cuts) || isMoved;
+                    divideAt(curveOf(subpath, i).from, cuts);
+                divideAt(subpath.segments[i].to, cuts);
             }
-    return isMoved;
 }
 
-/// Where a corner of the border is the point but for rounding, it becomes the point. Returns
-/// whether one does.
-bool CurvedBorder::divideAt(const Point& p, Cuts& cuts)
+/// Whether an edge begins beside a point of its ellipse, as far from it as drawings of one ellipse
+/// are, where no curve ends. A short edge between the two would be along no curve.
+bool CurvedBorder::mayMove(const Edge& edge, const Point& p) const
 {
-    bool isMoved = false;
+    const auto& ellipse = edge.ellipse;
+    return ellipse && !edge.isEnd && glm::distance(edge.from, p) <= drawnOff(ellipse)
+           && glm::distance(onEllipse(*ellipse, p), p) <= near_;
+}
+
+/// Ends an edge at a point, where the next one begins.
+void CurvedBorder::move(Edge& before, Edge& edge, const Point& p) const
+{
+    edge.from = p;
+    edge.isEnd = true;
+    before.t1 = edge.t0 = sources_[edge.source].near(p, edge.t0);
+    followCurve(before);
+    followCurve(edge);
+}
+
+/// Where a corner of the border is the point but for rounding, it becomes the point.
+void CurvedBorder::divideAt(const Point& p, Cuts& cuts)
+{
     std::map<std::size_t, std::pair<std::uint32_t, Where>> nearest; // of each ring
     index_.meeting({p, p}, 0, [&](std::uint32_t number) {
         const Place& place = edges_[number];
         auto& edges = rings_[place.ring].edges;
-        for (Edge* edge : {&edges[place.edge], &edges[(place.edge + 1) % edges.size()]})
+        const std::size_t after = (place.edge + 1) % edges.size();
+        for (Edge* edge : {&edges[place.edge], &edges[after]})
             if (areSame(edge->from, p)) {
-                isMoved = isMoved || edge->from != p;
                 edge->from = p;
+                edge->isEnd = true;
             }
+        if (mayMove(edges[after], p))
+            move(edges[place.edge], edges[after], p);
         if (placeOn(edgeAt(place).from, endOf(place), p).distance
-            > tolerance_ + 2 * near_ + strayOf(endOf(place) - edgeAt(place).from))
+            > tolerance_ + 2 * near_ + strayOf(endOf(place) - edgeAt(place).from, tolerance_))
             return;
         const Where where = whereOn(place, p);
         const auto [at, isFirst] = nearest.try_emplace(place.ring, number, where);
@@ -71,7 +89,6 @@ bool CurvedBorder::divideAt(const Point& p, Cuts& cuts)
             && edgeAt(place).from != p && endOf(place) != p)
             cuts[number].emplace_back(where.parts, p);
     }
-    return isMoved;
 }
 
 CurvedBorder::Where CurvedBorder::placeOn(const Point& a, const Point& b, const Point& p)
@@ -108,7 +125,7 @@ CurvedBorder::Where CurvedBorder::whereOn(const Place& place, const Point& p) co
 /// Ends an edge at a point, and begins the next.
 CurvedBorder::Edge CurvedBorder::partFrom(Edge& edge, const Point& p) const
 {
-    Edge part{p, {}, edge.ellipse, true, edge.source, edge.t0, edge.t1};
+    Edge part{p, {}, edge.ellipse, true, edge.source, edge.t0, edge.t1, true};
     const auto [low, high] = std::minmax(edge.t0, edge.t1);
     edge.t1 = part.t0 = std::clamp(sources_[edge.source].near(p, edge.t0), low, high);
     return part;
@@ -132,19 +149,13 @@ void CurvedBorder::divide(Cuts& cuts)
             }
             auto& places = found->second;
             std::ranges::sort(places, {}, &std::pair<double, Point>::first);
+            const std::size_t first = edges.size();
             edges.push_back(edge);
-            edges.back().between.clear();
-            std::size_t next = 0;
-            const auto passUntil = [&](double where) {
-                for (; next < edge.between.size() && double(next + 1) < where; ++next)
-                    edges.back().between.push_back(edge.between[next]);
-            };
             for (const auto& [where, p] : places)
-                if (!areSame(p, edges.back().from)) {
-                    passUntil(where);
+                if (!areSame(p, edges.back().from))
                     edges.push_back(partFrom(edges.back(), p));
-                }
-            passUntil(std::numeric_limits<double>::infinity());
+            for (Edge& part : std::span(edges).subspan(first))
+                followCurve(part);
         }
     rings_ = std::move(divided);
     makeIndex();

@@ -30,7 +30,7 @@ public:
 
     Cut made()
     {
-        border_.emplace(curvedAreas(), options_.tolerance, document_.page());
+        border_.emplace(curvedAreas(), options_.tolerance, document_.page(), options_.coincident);
         border_->divideAtEndsIn(document_.objects(), follower_.stop);
         auto all = areas();
         const std::size_t number = all.size();

@@ -88,6 +88,22 @@ private slots:
         QVERIFY2(run.err.contains("shapes cut or removed on them: 1."), run.err);
     }
 
+    // A circle 0.03 mm outside of the window's.
+    void howFarEqualCurvesAreApartIsGiven()
+    {
+        const QByteArray two = "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' "
+                               "height='100mm' viewBox='0 0 100 100'><circle cx='50' cy='50' "
+                               "r='30.03' stroke='#000' fill='none'/></svg>";
+        const QStringList window{"-w", "circle:50,50,30"};
+        QVERIFY(!clip(two, window).out.contains("<circle"));
+        const auto run = clip(two, window + QStringList{"--coincident", "0.05mm"});
+        QVERIFY2(run.code == 0 && run.err.contains("1 kept whole"), run.err);
+        for (const char* length : {"0mm", "-1mm"}) {
+            const auto wrong = clip(two, window + QStringList{"--coincident", length});
+            QVERIFY2(wrong.code != 0 && wrong.err.contains("--coincident"), wrong.err);
+        }
+    }
+
     void coveredLinesAreRemoved()
     {
         const QByteArray two = svg("<path d='M0,5 H50' stroke='black' fill='none'/>"
