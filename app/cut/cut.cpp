@@ -94,10 +94,7 @@ CutOptions dividedAt(CurvedBorder& border, const Document& document, CutOptions 
                      const std::stop_token& stop)
 {
     border.divideAtEndsIn(document.objects(), stop);
-    if (!border.isEmpty())
-        options.region =
-            withKeep(regionOf(border.polygons(), document.page()), options.region.keep);
-    return options;
+    return atPolygons(std::move(options), border, document.page());
 }
 
 class Cutter {
@@ -208,6 +205,13 @@ void cutAt(CutOptions& options, const ClipWindows& windows, const Page& page)
     options.region = regionOf(windows, page);
     options.windows = windows;
     options.wideStroke = 1 / page.millimetresPerUnit();
+}
+
+CutOptions atPolygons(CutOptions options, const CurvedBorder& border, const Page& page)
+{
+    if (!border.isEmpty())
+        options.region = withKeep(regionOf(border.polygons(), page), options.region.keep);
+    return options;
 }
 
 Cut cut(const Document& document, const CutOptions& options, const Follower& follower)

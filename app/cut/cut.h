@@ -27,6 +27,10 @@ struct CutOptions {
 /// Cuts at the windows of a drawing with this page.
 void cutAt(CutOptions& options, const ClipWindows& windows, const Page& page);
 
+class CurvedBorder;
+/// With the border's windows as its polygons.
+CutOptions atPolygons(CutOptions options, const CurvedBorder& border, const Page& page);
+
 /// Counts of objects and lines after a cut, for the report.
 struct CutCounts {
     std::size_t whole = 0; ///< objects that came back unchanged

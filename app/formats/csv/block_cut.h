@@ -30,7 +30,8 @@ class BlockCut {
 public:
     /// `options` must outlive this object.
     explicit BlockCut(const CutRows& options)
-        : options_(options), clipping_(options.cut), border_(options.cut.windows, options.page)
+        : options_(options), border_(options.cut.windows, options.page, options.cut.coincident),
+          cut_(atPolygons(options.cut, border_, options.page)), clipping_(cut_)
     {
     }
 
@@ -49,8 +50,9 @@ private:
     void countBounds(std::span<const clipping::Segment> lines);
 
     const CutRows& options_;
-    LineClipping clipping_;
     CurvedBorder border_;
+    CutOptions cut_;
+    LineClipping clipping_;
     std::string text_;
     TableCounts counts_;
 };
