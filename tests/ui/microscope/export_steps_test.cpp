@@ -118,6 +118,10 @@ private slots:
         action->trigger();
         auto* dialog = stage_.window->findChild<ExportStepsDialog*>();
         QVERIFY(dialog && dialog->isVisible());
+        for (auto* exports : stage_.window->findChildren<StepExports*>())
+            if (exports != exports_.get())
+                emit exports->told({Message::Kind::Done, "Exported."});
+        QCOMPARE(stage_.window->message(), "Exported.");
         const auto boxes = dialog->findChildren<QCheckBox*>();
         QCOMPARE(boxes.size(), 2);
         QVERIFY(boxes[0]->text().contains("2 of "));

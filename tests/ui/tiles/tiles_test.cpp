@@ -147,6 +147,8 @@ private slots:
         QCOMPARE(t.tiling().rows, 3);
         QCOMPARE(t.tiling().columns, 2);
         QCOMPARE(t.window->status().visibility(), "6 sheets, A3 landscape");
+        QTest::keyClick(&t.part("sheets-scale"), Qt::Key_Up);
+        QCOMPARE(t.sheets().settings().plan.scale, 1.1);
         t.type("sheets-scale", "50");
         QCOMPARE(t.exportText(), "Export 1 sheet…"); // 270 × 270 mm
         QVERIFY(t.isUnchanged());

@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <QSignalSpy>
 
+#include "tests/app/document/sheet_edits.h"
 #include "tests/test_class.h"
 #include "tests/ui/tools/hand.h"
 
@@ -274,6 +275,8 @@ private slots:
         Drawing drawing;
         auto* model = drawing.t.window->findChild<ui::LayerModel*>();
         model->setData(model->index(0), "Walls", Qt::EditRole);
+        ::setWindow(drawing.session.document, {{-5000, -5000}, {-4900, -4900}});
+        drawing.canvas.fitWindow(); // far from what is found
         drawing.key(Qt::Key_F, Qt::ControlModifier);
         QTRY_VERIFY(QApplication::activeModalWidget());
         auto* field = QApplication::activeModalWidget()->findChild<QLineEdit*>("find");
@@ -283,6 +286,7 @@ private slots:
             *c == '\n' ? drawing.key(Qt::Key_Return)
                        : QTest::keyClick(QApplication::focusWidget(), *c);
         QCOMPARE(drawing.session.selection().size(), std::size_t(4));
+        QVERIFY(drawing.canvas.view().visible().max.x > 0);
         drawing.key(Qt::Key_Escape);
         QTRY_VERIFY(!QApplication::activeModalWidget());
         drawing.t.window->activateWindow();
