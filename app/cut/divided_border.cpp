@@ -54,7 +54,9 @@ void CurvedBorder::move(Edge& before, Edge& edge, const Point& p) const
 {
     edge.from = p;
     edge.isEnd = true;
-    before.t1 = edge.t0 = sources_[edge.source].near(p, edge.t0);
+    // Of an ellipse, the end of its turn is also its start.
+    before.t1 = sources_[edge.source].near(p, before.t1);
+    edge.t0 = sources_[edge.source].near(p, edge.t0);
     followCurve(before);
     followCurve(edge);
 }

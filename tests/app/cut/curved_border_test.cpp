@@ -467,9 +467,11 @@ private slots:
             const ClipWindow exact = windowOf(circle(radius, 4, 0),
                                               EllipseRecipe{centre, {radius, radius}}),
                              six = windowOf(circle(radius, 6, 0.3)),
+                             beside = windowOf(circle(radius, 5, 0.0002)),
                              back = windowOf(reversed(circle(radius, 4, 0.7)));
-            for (const auto& [first, second] : {std::pair(exact, six), std::pair(six, exact),
-                                                std::pair(six, back), std::pair(back, exact)})
+            for (const auto& [first, second] :
+                 {std::pair(exact, six), std::pair(six, exact), std::pair(six, back),
+                  std::pair(exact, beside), std::pair(back, exact)})
                 for (const bool filled : {false, true}) {
                     ClipWindow less = second, common = second;
                     less.operation = WindowOperation::CutOut;

@@ -183,6 +183,16 @@ private slots:
         }
     }
 
+    void aWideRoundEndIsAsExact()
+    {
+        const double radius = 200;
+        const auto disc = strokeOf({{50, 50}, {}, false}, pen(2 * radius, Cap::Round));
+        QVERIFY(std::abs(areaOf(disc) / (radius * radius) - std::numbers::pi) < 1e-4);
+        for (const auto& ring : polygonsOf(disc))
+            for (const Point& corner : ring)
+                QVERIFY(std::abs(glm::distance(corner, {50, 50}) - radius) < tolerance);
+    }
+
     void whatIsNotSeenHasNone()
     {
         const Subpath line{{10, 50}, {{{90, 50}}}, false};
