@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cut/curve_at_edge.h"
 #include "app/cut/curved_border.h"
+#include "app/cut/whole_curve.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -85,13 +86,15 @@ CurvedBorder::Beside CurvedBorder::beside(const Bezier& curve, std::span<const C
 }
 
 std::vector<CurvedBorder::Shared>
-CurvedBorder::sharedWith(const Bezier& curve, std::span<const std::uint32_t> near) const
+CurvedBorder::sharedWith(const Subpath& path, std::size_t segment,
+                         std::span<const std::uint32_t> near) const
 {
     if (near.empty())
         return {};
+    const Bezier curve = curveOf(path, segment);
     const bool isOwn = std::ranges::all_of(
         near, [&](std::uint32_t edge) { return isOf(edgeAt(edges_[edge]), curve); });
-    const auto ellipse = isOwn ? std::nullopt : ellipseOf(curve);
+    const auto ellipse = isOwn ? std::nullopt : ellipseAt(path, segment);
     std::map<double, Shared> all;      // by their high ends
     for (const std::uint32_t i : near) // those of the first ring begin
         if (const auto found = shared(edges_[i], curve, ellipse);
@@ -130,7 +133,7 @@ void CurvedBorder::flattenAlong(const Path& path, double tolerance,
         if (begins || !areSame(at, chord.a))
             at = chord.a;
         if (isCurve(subpaths[subpath], segment)) {
-            flattenAlong(curveOf(subpaths[subpath], segment), own, tolerance, at, chords);
+            flattenAlong(subpaths[subpath], segment, own, tolerance, at, chords);
         } else {
             chords.insert(chords.end(), own.begin(), own.end());
             at = own.back().segment.b;
@@ -139,9 +142,11 @@ void CurvedBorder::flattenAlong(const Path& path, double tolerance,
 }
 
 /// One curve, with the chords that it has elsewhere; from `at`, and up to there.
-void CurvedBorder::flattenAlong(const Bezier& curve, std::span<const Chord> plain, double tolerance,
-                                Point& at, std::vector<Chord>& chords) const
+void CurvedBorder::flattenAlong(const Subpath& path, std::size_t segment,
+                                std::span<const Chord> plain, double tolerance, Point& at,
+                                std::vector<Chord>& chords) const
 {
+    const Bezier curve = curveOf(path, segment);
     const Beside near = beside(curve, plain, tolerance);
     double t = 0;
     const auto go = [&](const Point& to, double until) {
@@ -155,7 +160,7 @@ void CurvedBorder::flattenAlong(const Bezier& curve, std::span<const Chord> plai
         if (until > t)
             go(to, until);
     };
-    for (const Shared& part : sharedWith(curve, near.edges)) {
+    for (const Shared& part : sharedWith(path, segment, near.edges)) {
         if (part.low == 0 && t == 0) {
             if (areSame(at, part.atLow))
                 at = part.atLow;

@@ -2,6 +2,7 @@
 #include "app/cut/curved_border.h"
 
 #include "app/cut/curve_at_edge.h"
+#include "app/cut/whole_curve.h"
 #include "app/document/window_outline.h"
 
 #include <glm/common.hpp>
@@ -78,7 +79,7 @@ void CurvedBorder::add(const Subpath& path, std::size_t window)
         if (edge.isCurved = isCurve(path, chord.pathSegment); edge.isCurved) {
             if (std::exchange(segment, chord.pathSegment) != chord.pathSegment) {
                 sources_.push_back({curveOf(path, chord.pathSegment), {}});
-                ellipse = ellipseOf(*sources_.back().bezier);
+                ellipse = ellipseAt(path, chord.pathSegment);
             }
             edge.ellipse = ellipse;
             edge.source = sources_.size() - 1;

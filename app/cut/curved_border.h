@@ -113,7 +113,8 @@ private:
     /// Where curved edges, by their numbers, are divided.
     using Cuts = std::map<std::uint32_t, std::vector<std::pair<double, Point>>>;
     void divideAtEndsOf(const Path& path, Cuts& cuts);
-    void divideAt(const Point& p, Cuts& cuts);
+    /// `on` is the same point on the ellipse, of which the curve is a part.
+    void divideAt(const Point& p, const Point& on, Cuts& cuts);
     /// How far another curve may be that is drawn for a part of the same ellipse.
     static double drawnOff(const std::optional<EllipseArc>& ellipse);
     void followCurve(Edge& edge) const;
@@ -133,8 +134,8 @@ private:
     {
         return sources_[edge.source].bezier == curve;
     }
-    void flattenAlong(const Bezier& curve, std::span<const Chord> plain, double tolerance,
-                      Point& at, std::vector<Chord>& chords) const;
+    void flattenAlong(const Subpath& path, std::size_t segment, std::span<const Chord> plain,
+                      double tolerance, Point& at, std::vector<Chord>& chords) const;
     struct Beside {
         std::vector<std::uint32_t> edges; ///< the curved ones that begin beside a curve
         std::vector<Chord> chords;        ///< of the curve: short ones beside them
@@ -142,7 +143,8 @@ private:
     /// `plain` are chords within the tolerance of it.
     Beside beside(const Bezier& curve, std::span<const Chord> plain, double tolerance) const;
     /// Those along the curve, in order, none over another.
-    std::vector<Shared> sharedWith(const Bezier& curve, std::span<const std::uint32_t> near) const;
+    std::vector<Shared> sharedWith(const Subpath& path, std::size_t segment,
+                                   std::span<const std::uint32_t> near) const;
 
     ClipWindows windows_;
     std::vector<std::size_t> curved_; ///< the numbers of windows with curves

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cut/curve_at_edge.h"
 #include "app/cut/curved_border.h"
+#include "app/cut/whole_curve.h"
 
 #include <glm/geometric.hpp>
 
@@ -34,9 +35,11 @@ void CurvedBorder::divideAtEndsOf(const Path& path, Cuts& cuts)
     for (const Subpath& subpath : path.subpaths())
         for (std::size_t i = 0; i < subpath.segments.size(); ++i)
             if (isCurve(subpath, i)) {
+                const Point from = curveOf(subpath, i).from, to = subpath.segments[i].to;
                 if (i == 0 || !isCurve(subpath, i - 1))
-                    divideAt(curveOf(subpath, i).from, cuts);
-                divideAt(subpath.segments[i].to, cuts);
+                    divideAt(from, from, cuts);
+                const auto ellipse = goesOnAfter(subpath, i) ? ellipseAt(subpath, i) : std::nullopt;
+                divideAt(to, ellipse ? onEllipse(*ellipse, to) : to, cuts);
             }
 }
 
@@ -62,10 +65,10 @@ void CurvedBorder::move(Edge& before, Edge& edge, const Point& p) const
 }
 
 /// Where a corner of the border is the point but for rounding, it becomes the point.
-void CurvedBorder::divideAt(const Point& p, Cuts& cuts)
+void CurvedBorder::divideAt(const Point& p, const Point& on, Cuts& cuts)
 {
     std::map<std::size_t, std::pair<std::uint32_t, Where>> nearest; // of each ring
-    index_.meeting({p, p}, 0, [&](std::uint32_t number) {
+    index_.meeting({on, on}, 0, [&](std::uint32_t number) {
         const Place& place = edges_[number];
         auto& edges = rings_[place.ring].edges;
         const std::size_t after = (place.edge + 1) % edges.size();
@@ -74,12 +77,12 @@ void CurvedBorder::divideAt(const Point& p, Cuts& cuts)
                 edge->from = p;
                 edge->isEnd = true;
             }
-        if (mayMove(edges[after], p))
+        if (mayMove(edges[after], on))
             move(edges[place.edge], edges[after], p);
-        if (placeOn(edgeAt(place).from, endOf(place), p).distance
+        if (placeOn(edgeAt(place).from, endOf(place), on).distance
             > tolerance_ + 2 * near_ + strayOf(endOf(place) - edgeAt(place).from, tolerance_))
             return;
-        const Where where = whereOn(place, p);
+        const Where where = whereOn(place, on);
         const auto [at, isFirst] = nearest.try_emplace(place.ring, number, where);
         if (!isFirst && where.distance < at->second.second.distance)
             at->second = {number, where};

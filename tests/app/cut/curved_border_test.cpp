@@ -458,7 +458,8 @@ private slots:
     void windowsWithOneBorder()
     {
         for (const double radius : {5.0, 30.0, 400.0}) {
-            std::vector<Subpath> paths{circle(radius, 5, 1), circle(radius / 2, 4, 0)};
+            std::vector<Subpath> paths{circle(radius, 5, 1), circle(radius / 2, 4, 0),
+                                       halved(circle(radius, 4, 0.4))};
             for (int i = -40; i <= 40; ++i) {
                 const double at = i / 41.3 * radius;
                 paths.push_back({centre + Point(at, -2 * radius),
@@ -468,10 +469,12 @@ private slots:
                                               EllipseRecipe{centre, {radius, radius}}),
                              six = windowOf(circle(radius, 6, 0.3)),
                              beside = windowOf(circle(radius, 5, 0.0002)),
-                             back = windowOf(reversed(circle(radius, 4, 0.7)));
+                             back = windowOf(reversed(circle(radius, 4, 0.7))),
+                             divided = windowOf(halved(circle(radius, 4, 1.1)));
             for (const auto& [first, second] :
                  {std::pair(exact, six), std::pair(six, exact), std::pair(six, back),
-                  std::pair(exact, beside), std::pair(back, exact)})
+                  std::pair(exact, beside), std::pair(exact, divided), std::pair(divided, six),
+                  std::pair(divided, exact), std::pair(back, exact)})
                 for (const bool filled : {false, true}) {
                     ClipWindow less = second, common = second;
                     less.operation = WindowOperation::CutOut;

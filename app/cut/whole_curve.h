@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/bezier.h"
+#include "app/document/elliptic_curve.h"
+
+#include <optional>
+
+namespace app {
+
+/// The curve that was divided into these two, as programs do that add a node to it; empty: they
+/// are not parts of one.
+std::optional<Bezier> joined(const Bezier& first, const Bezier& second);
+
+/// Whether a segment of a path and the next one are parts of one divided curve.
+bool goesOnAfter(const Subpath& path, std::size_t segment);
+
+/// The ellipse of which a curve of a path, with those of its neighbours that were divided off it,
+/// is a part.
+std::optional<EllipseArc> ellipseAt(const Subpath& path, std::size_t segment);
+
+} // namespace app
