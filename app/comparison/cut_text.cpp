@@ -48,7 +48,7 @@ QString cutText(const CutCounts& counts)
     addCount(text, counts.fillsRemoved, QT_TRANSLATE_NOOP("Text", "Fills removed: %1."));
     addCount(text, counts.slanted,
              QT_TRANSLATE_NOOP("Text", "Wide strokes that do not end along a slanted edge: %1. "
-                                       "“Outline of stroke” before the cut lets them."));
+                                       "With “Outline of stroke” before the cut they do."));
     addCount(text, counts.hidden, QT_TRANSLATE_NOOP("Text", "Still hidden: %1."));
     return text + leftAloneText(counts);
 }

@@ -53,7 +53,7 @@ std::vector<Piece> piecesOf(const Subpath& path)
 
 class StrokeRings {
 public:
-    explicit StrokeRings(const Pen& pen) : pen_(pen), half_(pen.width / 2) {}
+    explicit StrokeRings(const StrokePen& pen) : pen_(pen), half_(pen.width / 2) {}
 
     void addPiece(const Piece& piece)
     {
@@ -213,7 +213,7 @@ private:
         return back;
     }
 
-    const Pen& pen_;
+    const StrokePen& pen_;
     const double half_;
     std::vector<Subpath> rings_;
 };
@@ -227,7 +227,7 @@ bool isSmooth(const Point& before, const Point& after)
 
 } // namespace
 
-std::vector<Subpath> strokeRings(const Subpath& path, const Pen& pen)
+std::vector<Subpath> strokeRings(const Subpath& path, const StrokePen& pen)
 {
     StrokeRings rings(pen);
     std::vector<Piece> pieces = piecesOf(path);

@@ -9,7 +9,7 @@
 namespace app {
 
 /// How a stroke is drawn. Lengths are in user units.
-struct Pen {
+struct StrokePen {
     double width; ///< > 0
     Cap cap = Cap::Butt;
     Join join = Join::Miter;
@@ -21,6 +21,6 @@ struct Pen {
 /// and its caps. Each is a closed ring in the same direction, so that the winding number is not 0
 /// where the stroke is, and 0 elsewhere. Rings beside each other share their ends bit for bit. A
 /// point has only caps.
-std::vector<Subpath> strokeRings(const Subpath& path, const Pen& pen);
+std::vector<Subpath> strokeRings(const Subpath& path, const StrokePen& pen);
 
 } // namespace app

@@ -211,9 +211,11 @@ private:
     }
     app::UndoCommand* outline()
     {
-        if (random_.below(4) > 0) // there would soon be no strokes
+        const std::size_t count = now().objects().size();
+        if (count == 0 || random_.below(4) > 0) // there would soon be no strokes
             return nullptr;
-        const app::Edit edit = app::strokesAsAreas(now(), some()).edit;
+        const app::ObjectRanges one{random_.below(count)}; // and many corners, which take time
+        const app::Edit edit = app::strokesAsAreas(now(), one).edit;
         return edit.splices.empty() ? nullptr : new app::OutlineStrokes(document_, edit, "Outline");
     }
     app::UndoCommand* crop()

@@ -460,10 +460,10 @@ private slots:
         for (const double radius : {5.0, 30.0, 400.0}) {
             std::vector<Subpath> paths{circle(radius, 5, 1), circle(radius / 2, 4, 0),
                                        halved(circle(radius, 4, 0.4))};
-            for (int i = -40; i <= 40; ++i) {
-                const double at = i / 41.3 * radius;
+            for (int i = -10; i <= 10; ++i) {
+                const double at = i / 10.3 * radius;
                 paths.push_back({centre + Point(at, -2 * radius),
-                                 {{{centre + Point(at + i * radius / 99, 2 * radius)}}}});
+                                 {{{centre + Point(at + i * radius / 25, 2 * radius)}}}});
             }
             const ClipWindow exact = windowOf(circle(radius, 4, 0),
                                               EllipseRecipe{centre, {radius, radius}}),
