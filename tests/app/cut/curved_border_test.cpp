@@ -476,6 +476,8 @@ private slots:
                   std::pair(exact, beside), std::pair(exact, divided), std::pair(divided, six),
                   std::pair(divided, exact), std::pair(back, exact)})
                 for (const bool filled : {false, true}) {
+                    if (filled && radius != 30)
+                        continue;
                     ClipWindow less = second, common = second;
                     less.operation = WindowOperation::CutOut;
                     common.operation = WindowOperation::Intersect;
