@@ -6,8 +6,8 @@
 
 namespace app {
 
-/// --close, --min-length, --leave-hidden, --occlude, --coincident and --strokes-as-areas: how `clip` cuts objects
-/// at its windows.
+/// How `clip` cuts objects at its windows: --close, --min-length, --leave-hidden, --occlude,
+/// --coincident and --strokes-as-areas.
 std::vector<Option> cuttingOptions();
 
 /// Sets what the options say. Throws WrongUsage.

@@ -10,8 +10,6 @@
 
 namespace app {
 
-static double crossProduct(const Point& p, const Point& q) { return p.x * q.y - p.y * q.x; }
-
 std::optional<CurvedBorder::Place> CurvedBorder::edgeThrough(const Point& cut) const
 {
     std::optional<Place> nearest;
@@ -54,9 +52,7 @@ std::optional<BorderMeeting> CurvedBorder::meeting(const clipping::Segment& line
     const auto place = edgeThrough(cut);
     if (!place)
         return std::nullopt;
-    const auto isLeft = [&](const Point& p) {
-        return crossProduct(line.b - line.a, p - line.a) > 0;
-    };
+    const auto isLeft = [&](const Point& p) { return cross(line.b - line.a, p - line.a) > 0; };
     const BorderPart part = partOf(*place);
     double low = part.from, high = part.to;
     const bool atLow = isLeft(part.curve->at(low));
@@ -88,8 +84,8 @@ std::optional<BorderMeeting> CurvedBorder::meeting(const Bezier& curve, const Ch
     for (int i = 0; i < most; ++i) {
         const Point gap = part.curve->at(u) - curve.at(t);
         const Point along = curve.slope(t), across = part.curve->slope(u);
-        const double turn = crossProduct(along, across);
-        const double byT = crossProduct(gap, across) / turn, byU = crossProduct(gap, along) / turn;
+        const double turn = cross(along, across);
+        const double byT = cross(gap, across) / turn, byU = cross(gap, along) / turn;
         if (!std::isfinite(byT) || !std::isfinite(byU))
             return std::nullopt;
         t += byT;

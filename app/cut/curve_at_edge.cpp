@@ -6,8 +6,7 @@ namespace {
 
 bool isLeftOf(const clipping::Segment& line, const Point& p)
 {
-    const Point along = line.b - line.a, to = p - line.a;
-    return along.x * to.y - along.y * to.x > 0;
+    return cross(line.b - line.a, p - line.a) > 0;
 }
 
 } // namespace

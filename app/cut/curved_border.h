@@ -27,7 +27,7 @@ struct BorderMeeting {
 ///
 /// They are cut at as polygons. A curve that coincides with a curved edge would cross its
 /// polygon again and again, and end as dashes. So coincidence is found first: where a curve of the
-/// drawing stays so near to the border, its chords are the polygon's own
+/// drawing stays within `near` of the border, its chords are the polygon's own
 /// edges, bit for bit; what follows treats them as shared edges. Curves that approximate parts of
 /// ellipses are compared as these.
 class CurvedBorder {

@@ -16,8 +16,7 @@ struct CutOptions {
     bool leaveHidden = false;  ///< hidden objects stay whole
     bool closeAreas = false;   ///< the stroke of a cut area runs along the cut, too
     double leastLength = 0;    ///< shorter pieces of cut lines are dropped (user units)
-    double wideStroke =
-        0; ///< user units; 1 mm with `cutAt`. 0: `CutCounts::slanted` is not counted
+    double wideStroke = 0;     ///< the least for `CutCounts::slanted`; 0: none. 1 mm with `cutAt`
     /// Those of the region (`cutAt`): curves of the drawing that run along their curves are one
     /// with them (curved_border.h). Without windows such curves are cut like all others.
     ClipWindows windows{};

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace app {
 namespace {
@@ -38,6 +37,12 @@ std::optional<clipping::Segment> borderAt(const ClipRegion& region, const clippi
     return std::nullopt;
 }
 
+double gapAtEdge(const Point& edge, const Point& line, double width)
+{
+    const double across = std::abs(cross(edge, line)), beside = std::abs(glm::dot(edge, line));
+    return across > 0 ? width / 2 * (beside / across) : 0;
+}
+
 double gapAtEnds(const clipping::Segment& line, const KeptPart& part, double width,
                  const ClipRegion& region)
 {
@@ -45,12 +50,8 @@ double gapAtEnds(const clipping::Segment& line, const KeptPart& part, double wid
     double gap = 0;
     for (const auto& [end, edge] :
          {std::pair(part.segment.a, part.edgeA), std::pair(part.segment.b, part.edgeB)})
-        if (const auto along = edgeDirection(edge, region, line, end)) {
-            const double across = std::abs(cross(*along, ahead));
-            const double beside = std::abs(glm::dot(*along, ahead));
-            if (across > 0)
-                gap = std::max(gap, width / 2 * (beside / across));
-        }
+        if (const auto along = edgeDirection(edge, region, line, end))
+            gap = std::max(gap, gapAtEdge(*along, ahead, width));
     return gap;
 }
 

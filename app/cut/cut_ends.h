@@ -12,8 +12,11 @@ namespace app {
 std::optional<clipping::Segment> borderAt(const ClipRegion& region, const clipping::Segment& line,
                                           const Point& cut);
 
-/// How far the corners of a stroke of this width, which ends at right angles, are from the edges
-/// that cut this part of a line: 0 at an edge at right angles to it.
+/// How far the corners of a stroke, which ends at right angles, are from the edge that cuts it: 0
+/// at right angles, and along the edge. Both directions have any length.
+double gapAtEdge(const Point& edge, const Point& line, double width);
+
+/// The larger one of both ends of a part of a line.
 double gapAtEnds(const clipping::Segment& line, const KeptPart& part, double width,
                  const ClipRegion& region);
 

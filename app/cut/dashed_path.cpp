@@ -48,15 +48,13 @@ private:
             finish();
             isOpen_ = true;
             parts_.push_back({pointAt(chord, part.from), {}, false});
-        } else if (segment_ == chord.pathSegment) {
-            to_ = at(part.to);
-            last_ = pointAt(chord, part.to);
-            return;
-        } else {
-            append();
         }
-        segment_ = chord.pathSegment;
-        from_ = at(part.from);
+        if (part.begins || segment_ != chord.pathSegment) {
+            if (!part.begins)
+                append();
+            segment_ = chord.pathSegment;
+            from_ = at(part.from);
+        }
         to_ = at(part.to);
         last_ = pointAt(chord, part.to);
         along_ = chord.segment.b - chord.segment.a;

@@ -138,8 +138,6 @@ CurvedBorder::Edge CurvedBorder::partFrom(Edge& edge, const Point& p) const
 
 void CurvedBorder::divide(Cuts& cuts)
 {
-    if (cuts.empty())
-        return;
     std::vector<Ring> divided;
     for (const Ring& ring : rings_)
         divided.push_back({ring.window});

@@ -96,13 +96,12 @@ std::vector<Subpath> strokeArea(const Path& path, const Style& style, double tol
         return {};
     // Of a curve beside a curve, and of its polygon.
     const double each = std::max(tolerance, sizeOf(path) * leastShare) / 4;
-    const StrokePen pen{style.width, style.cap, style.join, style.miterLimit, each};
     std::vector<Subpath> rings;
     for (const Subpath& subpath : path.subpaths())
         for (const Subpath& part : dashesOf(subpath, style, each)) {
             if (stop.stop_requested())
                 return {};
-            std::ranges::move(strokeRings(part, pen), std::back_inserter(rings));
+            std::ranges::move(strokeRings(part, style, each), std::back_inserter(rings));
         }
     return united(rings, each, stop);
 }

@@ -13,7 +13,7 @@ std::vector<Subpath> strokeArea(const Path& path, const Style& style, double tol
 
 constexpr double strokeMillimetres = 0.01; ///< how far the areas of strokes may be off, on paper
 
-/// What the strokes of these objects cover becomes filled areas, without strokes. A filled object
+/// Replaces the strokes of these objects by filled areas. A filled object
 /// becomes a group with its id: the filled area, and above it that of the stroke. Objects whose
 /// stroke is not seen stay as they are. When a stop is requested, the result is of no use.
 Cut strokesAsAreas(const Document& document, const ObjectRanges& objects,

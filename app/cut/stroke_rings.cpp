@@ -53,7 +53,10 @@ std::vector<Piece> piecesOf(const Subpath& path)
 
 class StrokeRings {
 public:
-    explicit StrokeRings(const StrokePen& pen) : pen_(pen), half_(pen.width / 2) {}
+    StrokeRings(const Style& style, double tolerance)
+        : style_(style), tolerance_(tolerance), half_(style.width / 2)
+    {
+    }
 
     void addPiece(const Piece& piece)
     {
@@ -74,7 +77,7 @@ public:
             return addSector(p, from, to, sign * std::atan2(std::abs(turn), ahead));
         Subpath wedge{p, {{p + from}}, true};
         // The tip is at half the width divided by the cosine of half the turn.
-        if (join == Join::Miter && 2 <= pen_.miterLimit * pen_.miterLimit * (1 + ahead))
+        if (join == Join::Miter && 2 <= style_.miterLimit * style_.miterLimit * (1 + ahead))
             wedge.segments.push_back({p + (from + to) / (1 + ahead)});
         wedge.segments.push_back({p + to});
         add(std::move(wedge));
@@ -84,9 +87,9 @@ public:
     void addCap(const Point& p, const Point& outwards)
     {
         const Point side = normalOf(outwards) * half_;
-        if (pen_.cap == Cap::Round)
+        if (style_.cap == Cap::Round)
             return addSector(p, side, -side, -std::numbers::pi);
-        if (pen_.cap == Cap::Butt)
+        if (style_.cap == Cap::Butt)
             return;
         const Point far = p + outwards * half_;
         add({p + side, {{far + side}, {far - side}, {p - side}}, true});
@@ -106,12 +109,12 @@ private:
     void addCurve(const DirectedCurve& of, int depth)
     {
         constexpr int deepest = 40;
-        const auto left = offsetCurve(of, half_, pen_.tolerance);
-        const auto right = left ? offsetCurve(of, -half_, pen_.tolerance) : left;
+        const auto left = offsetCurve(of, half_, tolerance_);
+        const auto right = left ? offsetCurve(of, -half_, tolerance_) : left;
         if (left && right)
             return addBothSides(of, *left, *right);
         const Bezier& curve = of.curve;
-        if (depth == deepest || !(sizeOf(curve) > pen_.tolerance))
+        if (depth == deepest || !(sizeOf(curve) > tolerance_))
             return addPoint(of);
         const Bezier first = curve.part(0, 0.5), second = curve.part(0.5, 1);
         const auto middle = directionOf(first.to, {second.control1, second.control2, second.to});
@@ -175,7 +178,7 @@ private:
         Subpath sector{p, {{p + from}}, true};
         // A curve for a quarter turn is off by 0.03 % of the radius, one for half of that by
         // nothing.
-        const bool isLarge = 3e-4 * half_ > pen_.tolerance && std::abs(sweep) > 0.7;
+        const bool isLarge = 3e-4 * half_ > tolerance_ && std::abs(sweep) > 0.7;
         const int parts = isLarge ? int(std::ceil(std::abs(sweep) / (std::numbers::pi / 4))) : 1;
         const EllipseArc arc{p, {half_, 0}, {0, half_}, std::atan2(from.y, from.x), sweep / parts};
         for (int i = 0; i < parts; ++i) {
@@ -213,7 +216,8 @@ private:
         return back;
     }
 
-    const StrokePen& pen_;
+    const Style& style_;
+    const double tolerance_;
     const double half_;
     std::vector<Subpath> rings_;
 };
@@ -227,9 +231,9 @@ bool isSmooth(const Point& before, const Point& after)
 
 } // namespace
 
-std::vector<Subpath> strokeRings(const Subpath& path, const StrokePen& pen)
+std::vector<Subpath> strokeRings(const Subpath& path, const Style& style, double tolerance)
 {
-    StrokeRings rings(pen);
+    StrokeRings rings(style, tolerance);
     std::vector<Piece> pieces = piecesOf(path);
     if (pieces.empty()) { // a point
         rings.addCap(path.start, {1, 0});
@@ -245,7 +249,7 @@ std::vector<Subpath> strokeRings(const Subpath& path, const StrokePen& pen)
             (isLast ? along.direction1 : next.direction0) =
                 isLast ? next.direction0 : along.direction1;
         else
-            rings.addJoin(next.curve.from, along.direction1, next.direction0, pen.join);
+            rings.addJoin(next.curve.from, along.direction1, next.direction0, style.join);
     }
     for (const Piece& piece : pieces)
         rings.addPiece(piece);

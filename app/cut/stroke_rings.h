@@ -8,19 +8,11 @@
 
 namespace app {
 
-/// How a stroke is drawn. Lengths are in user units.
-struct StrokePen {
-    double width; ///< > 0
-    Cap cap = Cap::Butt;
-    Join join = Join::Miter;
-    double miterLimit = 4;
-    double tolerance; ///< how far curves may be off, > 0
-};
-
-/// The parts of a stroke without dashes, as SVG draws it: beside each line and curve, at its joins
+/// The parts of a stroke of a width > 0 without its dashes, as SVG draws it, with curves off by at
+/// most the tolerance (user units, > 0): beside each line and curve, at its joins
 /// and its caps. Each is a closed ring in the same direction, so that the winding number is not 0
 /// where the stroke is, and 0 elsewhere. Rings beside each other share their ends bit for bit. A
 /// point has only caps.
-std::vector<Subpath> strokeRings(const Subpath& path, const StrokePen& pen);
+std::vector<Subpath> strokeRings(const Subpath& path, const Style& style, double tolerance);
 
 } // namespace app

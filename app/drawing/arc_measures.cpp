@@ -24,7 +24,7 @@ double chordOf(const GestureStart& start) { return glm::distance(start.from, sta
 int sideOf(const GestureStart& start, const Point& pointer)
 {
     const Point chord = start.pointer - start.from, way = pointer - start.from;
-    return chord.x * way.y - chord.y * way.x < 0 ? -1 : 1;
+    return cross(chord, way) < 0 ? -1 : 1;
 }
 
 /// The angle of the arc with this radius: the larger arc, if the pointer is on one.

@@ -72,7 +72,7 @@ private:
     {
         const std::size_t last = points_.size() - 1;
         const Point a = points_[i] - beyond(i, -1, 0, last), b = beyond(i, 1, 0, last) - points_[i];
-        return std::abs(std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b)));
+        return std::abs(std::atan2(cross(a, b), glm::dot(a, b)));
     }
     /// Of points near each other, the one where the stroke turns most.
     std::vector<std::size_t> corners() const

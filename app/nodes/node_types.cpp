@@ -21,7 +21,7 @@ bool opposite(const Point& a, const Point& b)
     if (!(la > 0) || !(lb > 0))
         return false;
     const Point ua = a / la, ub = b / lb;
-    return ua.x * ub.x + ua.y * ub.y < 0 && std::abs(ua.x * ub.y - ua.y * ub.x) <= inLine;
+    return ua.x * ub.x + ua.y * ub.y < 0 && std::abs(cross(ua, ub)) <= inLine;
 }
 
 /// A straight segment's way from the node to its other end; a curve's handle.

@@ -3,6 +3,7 @@
 
 #include "app/base/text.h"
 #include "app/commands/change_paths.h"
+#include "app/document/styles_in_use.h"
 #include "app/session/session.h"
 
 #include <algorithm>
@@ -48,9 +49,9 @@ QString convertRefusal(const Session& session)
 
 QString outlineRefusal(const Session& session)
 {
-    for (const std::size_t object : session.selection())
-        if (const Style& style = session.now().objects()[object].style();
-            style.stroke && style.width > 0)
+    const Document& document = session.now();
+    for (const StyleIndex index : stylesOf(document.objects(), session.selection()))
+        if (const Style& style = document.styles()[index]; style.stroke && style.width > 0)
             return {};
     return Text::tr("Select an object with a stroke first.");
 }

@@ -26,8 +26,6 @@ const std::array patterns{QStringLiteral("square"), QStringLiteral("diagonal"),
                           QStringLiteral("isometric"), QStringLiteral("own")};
 const std::array marks{QStringLiteral("lines"), QStringLiteral("dots")};
 
-double crossProduct(const Point& u, const Point& v) { return u.x * v.y - u.y * v.x; }
-
 /// The smallest and the largest multiple of `across` by which lines along `along` meet the window;
 /// none, if they are too large to count.
 std::array<double, 2> multiples(const GridPoints& grid, const Point& along, const Point& across,
@@ -36,7 +34,7 @@ std::array<double, 2> multiples(const GridPoints& grid, const Point& along, cons
     std::array<double, 2> range{HUGE_VAL, -HUGE_VAL};
     for (const Point& corner : {window.min, window.max, Point(window.min.x, window.max.y),
                                 Point(window.max.x, window.min.y)}) {
-        const double k = crossProduct(along, corner - grid.origin) / crossProduct(along, across);
+        const double k = cross(along, corner - grid.origin) / cross(along, across);
         range = {std::min(range[0], k), std::max(range[1], k)};
     }
     const bool countable = range[0] > -mostMultiple && range[1] < mostMultiple;
@@ -113,9 +111,8 @@ Grid Grid::fromText(const QString& text)
 Point GridPoints::nearest(const Point& point) const
 {
     const Point to = point - origin;
-    const double whole = crossProduct(u, v);
-    const double i = std::floor(crossProduct(to, v) / whole),
-                 j = std::floor(crossProduct(u, to) / whole);
+    const double whole = cross(u, v);
+    const double i = std::floor(cross(to, v) / whole), j = std::floor(cross(u, to) / whole);
     Point best = origin + u * i + v * j;
     for (const Point& step : {Point(1, 0), Point(0, 1), Point(1, 1)}) {
         const Point other = origin + u * (i + step.x) + v * (j + step.y);

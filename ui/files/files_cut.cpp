@@ -98,8 +98,8 @@ void Files::cutNow(const std::function<Cutting()>& plan, const Turn& turn)
                 return;
             if (!*cut)
                 return emit told({Message::Kind::Warning,
-                                  Text::tr("The drawing was not cut: there is not enough memory. "
-                                           "Close other programs, and try again.")});
+                                  Text::tr("Nothing was changed: there is not enough memory. Close "
+                                           "other programs, and try again.")});
             if (!sameAddress(document, session_.now())) // not by the person, who had to wait
                 return cutNow(plan, turn);
             show(std::move(**cut));

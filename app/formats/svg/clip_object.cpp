@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/clip_object.h"
 
+#include "app/cut/cut_ends.h"
 #include "app/document/path_points.h"
 #include "app/formats/svg/limits.h"
 
@@ -49,7 +50,7 @@ bool isFlatPolygon(const std::vector<Point>& polygon)
     double area = 0, extent = 0;
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
         const Point a = polygon[i] - polygon[0], b = polygon[i + 1] - polygon[0];
-        area += a.x * b.y - a.y * b.x;
+        area += cross(a, b);
         extent = std::max({extent, std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
     }
     return std::abs(area) <= 1e-12 * extent * extent;
@@ -78,12 +79,7 @@ std::optional<Subpath> filledPart(std::span<const Chord> chords, const ConvexReg
 double gapAt(const Point& end, const Point& before, double width, const ConvexRegion& region)
 {
     const auto side = region.sideAt(end);
-    if (!side)
-        return 0;
-    const Point along = side->b - side->a, ahead = end - before;
-    const double across = std::abs(along.x * ahead.y - along.y * ahead.x);
-    const double beside = std::abs(along.x * ahead.x + along.y * ahead.y);
-    return across > 0 ? width / 2 * (beside / across) : 0;
+    return side ? gapAtEdge(side->b - side->a, end - before, width) : 0;
 }
 
 bool differs(const std::vector<Run>& runs, double width, const ConvexRegion& region, double visible)
