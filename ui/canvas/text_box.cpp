@@ -154,9 +154,7 @@ bool TextBox::eventFilter(QObject* watched, QEvent* event)
     }
     if (event->type() == QEvent::ShortcutOverride) {
         const auto& key = static_cast<const QKeyEvent&>(*event);
-        const bool types =
-            !key.text().isEmpty() || key.key() < Qt::Key_F1 || key.key() > Qt::Key_F35;
-        if (types && !(key.modifiers() & (Qt::ControlModifier | Qt::AltModifier)))
+        if (!key.text().isEmpty() && !(key.modifiers() & (Qt::ControlModifier | Qt::AltModifier)))
             event->accept();
     }
     if (event->type() == QEvent::KeyPress && key(static_cast<const QKeyEvent&>(*event)))

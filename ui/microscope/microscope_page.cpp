@@ -251,7 +251,8 @@ void MicroscopePage::placeOverview()
         view_->reserve(all);
 }
 
-/// Keeps the current corner while it covers nothing.
+/// Keeps the current corner while it covers nothing in a gesture and in a view that was moved. A
+/// fitted view depends on nothing that was before.
 QRect MicroscopePage::cornerFor(const QSize& size)
 {
     const QRect inside = view_->rect().adjusted(corner, corner, -corner, -corner);
@@ -278,6 +279,8 @@ QRect MicroscopePage::cornerFor(const QSize& size)
         return 8 * (hides({a, a}) + hides({b, b})) + 4 * hides(tracedLine.line)
                + int(std::ranges::count_if(app::edgesOf(tracedLine), hides));
     };
+    if (view_->fitted() && !view_->drags())
+        corner_ = Qt::TopLeftCorner;
     if (covered(corner_) >= 4)
         for (const Qt::Corner other :
              {Qt::TopLeftCorner, Qt::TopRightCorner, Qt::BottomLeftCorner, Qt::BottomRightCorner})

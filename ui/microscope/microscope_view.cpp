@@ -177,6 +177,8 @@ void MicroscopeView::mouseReleaseEvent(QMouseEvent* event)
     hovered_.reset();
     setCursor(Qt::ArrowCursor);
     hover(event->position());
+    if (moved)
+        emit framed();
 }
 
 void MicroscopeView::mouseDoubleClickEvent(QMouseEvent* event)

@@ -7,6 +7,7 @@
 #include "ui/microscope/microscope_bar.h"
 #include "ui/microscope/microscope_page.h"
 #include "ui/microscope/microscope_view.h"
+#include "ui/microscope/overview.h"
 #include "ui/microscope/timeline.h"
 #include "ui/microscope/variable_table.h"
 
@@ -320,6 +321,30 @@ private slots:
         s.drag(held, {100, 60});
         QCOMPARE(s.view().frame().at(s.view().frame().seen.min), corner); // no zoom
         QCOMPARE(s.microscope().tracedLine().line, line);
+    }
+    /// A page that was small for a moment looks as one that never was.
+    void theOverviewGoesBackToItsFirstCorner()
+    {
+        Stage s;
+        const auto* overview = s.page().findChild<Overview*>();
+        const QPoint place = overview->pos();
+        const app::TracedLine traced = s.microscope().tracedLine();
+        app::TracedLine far = traced;
+        far.line.a = {-50, -50};
+        s.microscope().setTracedLine(far);
+        QVERIFY(overview->pos() != place);
+        s.microscope().setTracedLine(traced);
+        QCOMPARE(overview->pos(), place);
+
+        const QPoint end = s.screen(traced.line.a);
+        QTest::mousePress(&s.view(), Qt::LeftButton, {}, end);
+        s.moveTo(place + QPoint(10, 10), Qt::ControlModifier);
+        const QPoint beside = overview->pos();
+        QVERIFY(beside != place);
+        s.moveTo(end, Qt::ControlModifier);
+        QCOMPARE(overview->pos(), beside); // still in a gesture
+        QTest::mouseRelease(&s.view(), Qt::LeftButton, {}, end);
+        QCOMPARE(overview->pos(), place);
     }
     void theCursorTellsWhatADragDoes()
     {
