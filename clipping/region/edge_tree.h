@@ -16,8 +16,9 @@ namespace clipping {
 ///
 /// A binary space partition (Paterson and Yao, "Efficient binary space partitions for
 /// hidden-surface removal and solid modeling", Discrete & Computational Geometry 5, 1990): each
-/// node is the line of an edge, so that edges beside it are not divided. Wherever an edge and a
-/// segment meet, the segment passes a leaf that lists the edge; margins are larger than all
+/// node is the line of an edge, so that edges beside it are not divided; around a convex area, it
+/// goes through two corners, so that a segment across the area passes few nodes. Wherever an edge
+/// and a segment meet, the segment passes a leaf that lists the edge; margins are larger than all
 /// rounding.
 ///
 /// A few leaves at a time share a reference point near to them, with the winding numbers there.

@@ -2,6 +2,8 @@
 #include "clipping/ieee_numbers.h"
 #include "clipping/region/edge_tree.h"
 
+#include <limits>
+
 namespace clipping {
 namespace {
 
@@ -9,6 +11,7 @@ constexpr double mostCopies = 8; ///< of an edge, on average
 /// Parts of edges that share an anchor; and areas for each of which it may have a winding number
 /// without taking more memory than these parts.
 constexpr std::size_t anchored = 64, fewSteps = 16;
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// A random sequence, always the same.
 class Draw {
@@ -46,8 +49,14 @@ private:
         std::uint32_t edge;
         float from, to;
     };
+    /// Two points of a line that divided a cell's surroundings. Along a convex area, the edges in
+    /// the cell begin and end there.
+    struct Corners {
+        glm::dvec2 a{none, none}, b{none, none};
+    };
     struct Cell {
         std::size_t begin = 0; ///< its parts are from there to the end
+        Corners corners{};
         std::uint32_t depth = 0;
         double copies = 1; ///< of each edge, if all nodes grow as those above
         bool hasAnchor = false;
@@ -55,6 +64,29 @@ private:
     struct Sides {
         std::size_t positive = 0, negative = 0; ///< parts on them; both of those that cross
         std::size_t larger() const { return std::max(positive, negative); }
+    };
+
+    /// By the line through two points. Where a cell is divided from one of its corners, the other
+    /// corner is on one side.
+    struct Division {
+        Division() = default;
+        explicit Division(const Segment& through) : Division(through, through.a) {}
+        Division(const Segment& through, const glm::dvec2& other)
+            : line{through.a, {}}, corners{through.a, through.b}, otherCorner(other)
+        {
+            const glm::dvec2 along = through.b - through.a;
+            line.normal =
+                glm::dvec2(-along.y, along.x) / std::max(std::abs(along.x), std::abs(along.y));
+        }
+        Corners cornersOf(double side) const
+        {
+            const glm::dvec2 value = (otherCorner - line.at) * line.normal;
+            return side * (value.x + value.y) > 0 ? Corners{corners.b, otherCorner} : corners;
+        }
+
+        Line line{};
+        Corners corners{};
+        glm::dvec2 otherCorner{};
     };
 
     static EdgePart rounded(std::uint32_t edge, const Part& part)
@@ -72,9 +104,9 @@ private:
     std::uint32_t divide(Cell cell)
     {
         const std::size_t begin = cell.begin, count = parts_.size() - begin;
-        Line line{{0, 0}, {0, 0}};
+        Division found;
         const bool isDivided = count > smallLeaf_ && cell.depth < mostDepth
-                               && cell.copies < mostCopies && findLine(begin, line);
+                               && cell.copies < mostCopies && findLine(cell, found);
         if (!cell.hasAnchor && (count <= anchored_ || !isDivided)) {
             tree_.anchors_.push_back(anchorIn(begin));
             cell.hasAnchor = true;
@@ -86,7 +118,7 @@ private:
         negative_.clear();
         for (std::size_t i = begin; i < parts_.size(); ++i) {
             const EdgePart part = parts_[i];
-            const auto [above, below] = sidesOf(line, part);
+            const auto [above, below] = sidesOf(found.line, part);
             if (!above.isEmpty())
                 parts_[positive++] = rounded(part.edge, above);
             if (!below.isEmpty())
@@ -98,8 +130,10 @@ private:
         cell.copies *= all / static_cast<double>(count);
         ++cell.depth;
         const auto node = static_cast<std::uint32_t>(tree_.nodes_.size());
-        tree_.nodes_.push_back({line, {}});
-        const std::uint32_t below = divide({positive, cell.depth, cell.copies, cell.hasAnchor});
+        tree_.nodes_.push_back({found.line, {}});
+        const std::uint32_t below =
+            divide({positive, found.cornersOf(-1), cell.depth, cell.copies, cell.hasAnchor});
+        cell.corners = found.cornersOf(1);
         const std::uint32_t above = divide(cell);
         tree_.nodes_[node].children = {above, below};
         return node;
@@ -128,24 +162,37 @@ private:
         return a + (b - a) * ((double(part.from) + double(part.to)) / 2);
     }
 
-    /// The best of some lines, as a sample of the parts says. Returns whether it divides them well.
-    bool findLine(std::size_t begin, Line& best)
+    /// The best of some lines, of edges or through the starts of two, as a sample of the parts
+    /// says. Returns whether it divides them well.
+    bool findLine(const Cell& cell, Division& best)
     {
         constexpr std::size_t samples = 16, lines = 3, tries = 16;
-        const std::size_t count = parts_.size() - begin;
+        const std::size_t count = parts_.size() - cell.begin;
         std::array<EdgePart, samples> sample;
         for (std::size_t trial = 0; trial < tries; ++trial) {
             for (EdgePart& part : sample)
-                part = parts_[begin + draw_.below(count)];
+                part = parts_[cell.begin + draw_.below(count)];
             constexpr std::size_t most = samples * 19 / 10;
+            // In small cells, trying more costs more than it saves.
+            const std::size_t good = count > anchored ? samples - 2 : most - 1;
             std::size_t fewest = most;
-            for (std::size_t i = 0; i < lines; ++i) {
-                const Line line = lineOf(sample[i]);
-                const Sides sides = sidesOf(line, sample);
+            const auto consider = [&](const Division& division) {
+                const Sides sides = sidesOf(division.line, sample);
                 const std::size_t cost = sides.positive + sides.negative - samples + sides.larger();
                 if (cost < fewest && sides.larger() < samples)
-                    fewest = cost, best = line;
+                    fewest = cost, best = division;
+            };
+            for (std::size_t i = 0; i < lines; ++i)
+                consider(Division(edges_[sample[i].edge].segment));
+            const auto startOf = [&](std::size_t i) { return edges_[sample[i].edge].segment.a; };
+            // Around a convex area, all others are on one side of an edge.
+            const auto& [a, b] = cell.corners;
+            for (std::size_t i = 0; i < lines && fewest > good; ++i) {
+                consider(Division({a, startOf(i)}, b));
+                consider(Division({b, startOf(i)}, a));
             }
+            for (std::size_t i = 0; i < lines && fewest > good; ++i)
+                consider(Division({startOf(2 * i), startOf(2 * i + 1)}));
             if (fewest < most)
                 return true;
         }
@@ -161,13 +208,6 @@ private:
             sides.negative += !below.isEmpty();
         }
         return sides;
-    }
-
-    Line lineOf(const EdgePart& part) const
-    {
-        const auto& [a, b] = edges_[part.edge].segment;
-        const glm::dvec2 along = b - a;
-        return {a, glm::dvec2(-along.y, along.x) / std::max(std::abs(along.x), std::abs(along.y))};
     }
 
     EdgeTree& tree_;

@@ -102,6 +102,14 @@ std::vector<glm::dvec2> star(int rays)
                          * glm::dvec2(std::cos(M_PI * i / rays), std::sin(M_PI * i / rays)));
     return points;
 }
+/// All other edges are on one side of each.
+std::vector<glm::dvec2> disc(int corners)
+{
+    std::vector<glm::dvec2> points;
+    for (int i = 0; i < corners; ++i)
+        points.push_back({std::cos(2 * M_PI * i / corners), std::sin(2 * M_PI * i / corners)});
+    return points;
+}
 
 /// How many edges are listed along all edges together.
 std::size_t listed(std::vector<glm::dvec2> points, double angle)
@@ -196,11 +204,31 @@ private slots:
     {
         QFETCH(double, angle);
         for (const auto& [few, many] :
-             {std::pair(comb(2'000), comb(4'000)), std::pair(star(4'000), star(8'000))}) {
+             {std::pair(comb(2'000), comb(4'000)), std::pair(star(4'000), star(8'000)),
+              std::pair(disc(8'000), disc(16'000))}) {
             const auto forFew = double(listed(few, angle)), forMany = double(listed(many, angle));
             QVERIFY2(forMany < 2.3 * forFew && forMany < 100 * double(many.size()),
                      QByteArray::number(forMany / forFew));
         }
+    }
+
+    void aSegmentAcrossADiscPassesFewLeaves()
+    {
+        Random random(4);
+        const auto perSegment = [&](int corners) {
+            const auto edges = edgesOf({{{{disc(corners)}}}});
+            const EdgeTree tree(edges, 1, boxOf(edges));
+            const auto any = [&] { return edges[std::size_t(random.whole(0, corners - 1))]; };
+            std::size_t count = 0;
+            constexpr int segments = 2'000;
+            for (int i = 0; i < segments; ++i)
+                tree.trace({any().segment.a, any().segment.a},
+                           [&](const auto& near) { count += near.size(); });
+            return double(count) / segments;
+        };
+        const double few = perSegment(8'000), many = perSegment(64'000);
+        QVERIFY2(many < 300 && many < 1.6 * few,
+                 QByteArray::number(few) + ' ' + QByteArray::number(many));
     }
 
     void aBoxThatIsTooSmallOrTooLargeHasNone()
