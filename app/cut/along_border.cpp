@@ -109,12 +109,69 @@ CurvedBorder::sharedWith(const Subpath& path, std::size_t segment,
     return inOrder;
 }
 
+/// From a corner on, in the direction of the ring, while its curve is within `near_` of a line.
+std::vector<Point> CurvedBorder::cornersAlong(const clipping::Segment& line, Place place) const
+{
+    std::vector<Point> corners{edgeAt(place).from};
+    double last = 0;
+    const auto passes = [&](const Point& p) {
+        const Edge& edge = edgeAt(place);
+        const Where where = placeOn(line.a, line.b, p);
+        const bool isNear =
+            where.distance <= near_
+            || (edge.ellipse
+                && placeOn(line.a, line.b, onEllipse(*edge.ellipse, p)).distance <= near_);
+        return isNear && where.parts > std::exchange(last, where.parts);
+    };
+    while (edgeAt(place).isCurved && std::ranges::all_of(edgeAt(place).between, passes)) {
+        corners.push_back(endOf(place));
+        if (areSame(corners.back(), line.b))
+            return corners;
+        if (!passes(corners.back()))
+            break;
+        place.edge = (place.edge + 1) % rings_[place.ring].edges.size();
+    }
+    return {};
+}
+
+std::vector<Chord> CurvedBorder::linesAlong(const Chord& chord) const
+{
+    const auto& [a, b] = chord.segment;
+    if (areSame(a, b))
+        return {};
+    std::vector<Point> corners;
+    const auto look = [&](const clipping::Segment& line) {
+        if (corners.empty())
+            starts_.meeting(around({line.a, line.a}, near_ / 1000), 0, [&](std::uint32_t edge) {
+                if (corners.empty() && areSame(edgeAt(edges_[edge]).from, line.a))
+                    corners = cornersAlong(line, edges_[edge]);
+            });
+    };
+    look({a, b});
+    const bool isForward = !corners.empty();
+    look({b, a});
+    if (!isForward)
+        std::ranges::reverse(corners);
+    std::vector<Chord> chords;
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+        const auto at = [&](std::size_t k) {
+            return k == 0 ? 0 : k + 1 == corners.size() ? 1 : placeOn(a, b, corners[k]).parts;
+        };
+        chords.push_back({{corners[i - 1], corners[i]}, chord.pathSegment, at(i - 1), at(i)});
+    }
+    return chords;
+}
+
 void CurvedBorder::flattenAlong(const Path& path, double tolerance,
                                 std::vector<Chord>& chords) const
 {
     const std::size_t begin = chords.size();
     flatten(path, tolerance, chords);
-    if (isEmpty() || path.straight())
+    if (isEmpty())
+        return;
+    const auto isOnBorder = [&](const Chord& chord) { return !linesAlong(chord).empty(); };
+    if (path.straight()
+        && std::none_of(chords.begin() + std::ptrdiff_t(begin), chords.end(), isOnBorder))
         return;
     const std::vector<Chord> plain(chords.begin() + std::ptrdiff_t(begin), chords.end());
     chords.resize(begin);
@@ -135,7 +192,9 @@ void CurvedBorder::flattenAlong(const Path& path, double tolerance,
         if (isCurve(subpaths[subpath], segment)) {
             flattenAlong(subpaths[subpath], segment, own, tolerance, at, chords);
         } else {
-            chords.insert(chords.end(), own.begin(), own.end());
+            const std::vector<Chord> along = linesAlong(own.front());
+            const auto parts = along.empty() ? own : std::span(along);
+            chords.insert(chords.end(), parts.begin(), parts.end());
             at = own.back().segment.b;
         }
     }

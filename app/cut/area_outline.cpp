@@ -12,9 +12,9 @@ namespace {
 
 /// An edge of the result, or a run of edges along one curve.
 struct Side {
-    std::size_t subpath = 0, segment = 0; ///< of the curve, if it is one
-    bool curved = false;
-    const BorderCurve* border = nullptr; ///< the window's curve that it runs along
+    std::size_t subpath = 0, segment = 0; ///< of the curve, or of a line along the window's curve
+    bool curved = false, isPart = false;  ///< whether it is a part of such a line
+    const BorderCurve* border = nullptr;  ///< the window's curve that it runs along
     double from = 0, to = 1; ///< parameters on the curve; `from > to` against its direction
     bool isForward = true;   ///< as found at the polygons
     Point start{};           ///< where the side begins
@@ -26,9 +26,10 @@ struct Side {
 
 bool goesOn(const Side& side, const Side& next)
 {
-    const bool areOfOne = side.border ? side.border == next.border
-                                      : side.curved && next.curved && side.subpath == next.subpath
-                                            && side.segment == next.segment;
+    const bool areParts = (side.curved && next.curved) || (side.isPart && next.isPart);
+    const bool areOfOne =
+        side.border ? side.border == next.border
+                    : areParts && side.subpath == next.subpath && side.segment == next.segment;
     const double gap = side.to - next.from;
     const bool isEllipse = side.border && !side.border->bezier; // which may be at a full turn
     return areOfOne && side.isForward == next.isForward
@@ -83,11 +84,12 @@ private:
             return side;
         const Chord& chord = source->chord;
         side.first = side.last = chord;
-        if (!isCurve(path_[source->subpath], chord.pathSegment))
+        side.curved = isCurve(path_[source->subpath], chord.pathSegment);
+        side.isPart = !side.curved && (chord.t0 > 0 || chord.t1 < 1);
+        if (!side.curved && !side.isPart)
             return side;
         side.subpath = source->subpath;
         side.segment = chord.pathSegment;
-        side.curved = true;
         takeParameters(side, {nullptr, chord.t0, chord.t1}, origin);
         return side;
     }

@@ -27,9 +27,9 @@ struct BorderMeeting {
 ///
 /// They are cut at as polygons. A curve that coincides with a curved edge would cross its
 /// polygon again and again, and end as dashes. So coincidence is found first: where a curve of the
-/// drawing stays within `near` of the border, its chords are the polygon's own
-/// edges, bit for bit; what follows treats them as shared edges. Curves that approximate parts of
-/// ellipses are compared as these.
+/// drawing stays within `near` of the border, or a line from end to end, its chords are the
+/// polygon's own edges, bit for bit; what follows treats them as shared edges. Curves that
+/// approximate parts of ellipses are compared as these.
 class CurvedBorder {
 public:
     /// How far apart two curves may be that are the same, if `near` (user units) is not given.
@@ -45,7 +45,8 @@ public:
     CurvedBorder(std::span<const Path> areas, double tolerance, const Page& page, double near = 0);
     bool isEmpty() const { return edges_.empty(); }
 
-    /// Divides the border where curves of the drawing begin or end on it.
+    /// Divides the border where curves and lines of the drawing begin or end on it, so that what
+    /// ends on it is not cut there.
     void divideAtEndsIn(const Objects& objects, const std::stop_token& stop = {});
     /// The windows as polygons; of areas, flattenAlong() gives them.
     ClipWindows polygons() const;
@@ -111,7 +112,7 @@ private:
     const Point& endOf(const Place& place) const;
     std::vector<Subpath> alongOthers(const Path& border) const;
     /// Where curved edges, by their numbers, are divided.
-    using Cuts = std::map<std::uint32_t, std::vector<std::pair<double, Point>>>;
+    using Cuts = std::map<std::uint32_t, std::vector<Point>>;
     void divideAtEndsOf(const Path& path, Cuts& cuts);
     /// `on` is the same point on the ellipse, of which the curve is a part.
     void divideAt(const Point& p, const Point& on, Cuts& cuts);
@@ -126,7 +127,7 @@ private:
     };
     static Where placeOn(const Point& a, const Point& b, const Point& p);
     Where whereOn(const Place& place, const Point& p) const;
-    Edge partFrom(Edge& edge, const Point& p) const;
+    std::vector<Edge> divided(const Edge& edge, std::span<const Point> points) const;
     void divide(Cuts& cuts);
     std::optional<Shared> shared(const Place& place, const Bezier& curve,
                                  const std::optional<EllipseArc>& ellipse) const;
@@ -142,6 +143,9 @@ private:
     };
     /// `plain` are chords within the tolerance of it.
     Beside beside(const Bezier& curve, std::span<const Chord> plain, double tolerance) const;
+    std::vector<Point> cornersAlong(const clipping::Segment& line, Place place) const;
+    /// The chords of a line along the border, up to both ends; empty: it is not along it.
+    std::vector<Chord> linesAlong(const Chord& chord) const;
     /// Those along the curve, in order, none over another.
     std::vector<Shared> sharedWith(const Subpath& path, std::size_t segment,
                                    std::span<const std::uint32_t> near) const;

@@ -28,10 +28,7 @@ public:
              const CurvedBorder& border)
     {
         const std::size_t first = chords_.size();
-        if (const auto line = object.singleLine())
-            chords_.push_back({*line, 0, 0, 1});
-        else
-            border.flattenAlong(object.path(), tolerance, chords_);
+        border.flattenAlong(object.path(), tolerance, chords_);
         members_.push_back({number, first, chords_.size()});
     }
 
@@ -89,7 +86,7 @@ CutOptions withTolerance(CutOptions options, const Page& page)
     return options;
 }
 
-/// With the border's windows as polygons, divided where curves of the drawing begin and end on it.
+/// With the border's windows as polygons, divided where the drawing's lines and curves end on it.
 CutOptions dividedAt(CurvedBorder& border, const Document& document, CutOptions options,
                      const std::stop_token& stop)
 {

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 namespace app {
@@ -15,7 +16,7 @@ void CurvedBorder::divideAtEndsIn(const Objects& objects, const std::stop_token&
         return;
     Cuts cuts;
     objects.forEach(0, objects.size(), [&](std::size_t, const ObjectView& object) {
-        if (!object.singleLine() && !object.path().straight() && !stop.stop_requested())
+        if (!stop.stop_requested())
             divideAtEndsOf(object.path(), cuts);
     });
     divide(cuts);
@@ -32,15 +33,17 @@ void CurvedBorder::divideAtEndsOfWindows()
 
 void CurvedBorder::divideAtEndsOf(const Path& path, Cuts& cuts)
 {
-    for (const Subpath& subpath : path.subpaths())
-        for (std::size_t i = 0; i < subpath.segments.size(); ++i)
-            if (isCurve(subpath, i)) {
-                const Point from = curveOf(subpath, i).from, to = subpath.segments[i].to;
-                if (i == 0 || !isCurve(subpath, i - 1))
-                    divideAt(from, from, cuts);
-                const auto ellipse = goesOnAfter(subpath, i) ? ellipseAt(subpath, i) : std::nullopt;
-                divideAt(to, ellipse ? onEllipse(*ellipse, to) : to, cuts);
-            }
+    if (path.straight())
+        return path.forEachPoint([&](const Point& p) { divideAt(p, p, cuts); });
+    for (const Subpath& subpath : path.subpaths()) {
+        divideAt(subpath.start, subpath.start, cuts);
+        for (std::size_t i = 0; i < subpath.segments.size(); ++i) {
+            const Point to = subpath.segments[i].to;
+            const bool goesOn = isCurve(subpath, i) && goesOnAfter(subpath, i);
+            const auto ellipse = goesOn ? ellipseAt(subpath, i) : std::nullopt;
+            divideAt(to, ellipse ? onEllipse(*ellipse, to) : to, cuts);
+        }
+    }
 }
 
 /// Whether an edge begins beside a point of its ellipse, as far from it as drawings of one ellipse
@@ -92,7 +95,7 @@ void CurvedBorder::divideAt(const Point& p, const Point& on, Cuts& cuts)
         const Place& place = edges_[number];
         if (where.distance <= 1.5 * near_ // the parts of edges themselves are off by some of that
             && edgeAt(place).from != p && endOf(place) != p)
-            cuts[number].emplace_back(where.parts, p);
+            cuts[number].push_back(p);
     }
 }
 
@@ -127,40 +130,45 @@ CurvedBorder::Where CurvedBorder::whereOn(const Place& place, const Point& p) co
     return where;
 }
 
-/// Ends an edge at a point, and begins the next.
-CurvedBorder::Edge CurvedBorder::partFrom(Edge& edge, const Point& p) const
+/// The parts of an edge between points on it, in their order.
+std::vector<CurvedBorder::Edge> CurvedBorder::divided(const Edge& edge,
+                                                      std::span<const Point> points) const
 {
-    Edge part{p, {}, edge.ellipse, true, edge.source, edge.t0, edge.t1, true};
     const auto [low, high] = std::minmax(edge.t0, edge.t1);
-    edge.t1 = part.t0 = std::clamp(sources_[edge.source].near(p, edge.t0), low, high);
-    return part;
+    std::vector<std::pair<double, Point>> places;
+    for (const Point& p : points)
+        places.emplace_back(std::clamp(sources_[edge.source].near(p, edge.t0), low, high), p);
+    std::ranges::stable_sort(places, [&](const auto& a, const auto& b) {
+        return edge.t0 < edge.t1 ? a.first < b.first : b.first < a.first;
+    });
+    std::vector<Edge> parts{edge};
+    for (const auto& [t, p] : places)
+        if (!areSame(p, parts.back().from)) {
+            parts.back().t1 = t;
+            parts.push_back({p, {}, edge.ellipse, true, edge.source, t, edge.t1, true});
+        }
+    for (Edge& part : parts)
+        followCurve(part);
+    return parts;
 }
 
 void CurvedBorder::divide(Cuts& cuts)
 {
-    std::vector<Ring> divided;
+    std::vector<Ring> rings;
     for (const Ring& ring : rings_)
-        divided.push_back({ring.window});
+        rings.push_back({ring.window});
     std::uint32_t number = 0; // of the next curved edge
     for (std::size_t i = 0; i < rings_.size(); ++i)
         for (const Edge& edge : rings_[i].edges) {
-            auto& edges = divided[i].edges;
+            auto& edges = rings[i].edges;
             const auto found = edge.isCurved ? cuts.find(number++) : cuts.end();
             if (found == cuts.end()) {
                 edges.push_back(edge);
                 continue;
             }
-            auto& places = found->second;
-            std::ranges::sort(places, {}, &std::pair<double, Point>::first);
-            const std::size_t first = edges.size();
-            edges.push_back(edge);
-            for (const auto& [where, p] : places)
-                if (!areSame(p, edges.back().from))
-                    edges.push_back(partFrom(edges.back(), p));
-            for (Edge& part : std::span(edges).subspan(first))
-                followCurve(part);
+            std::ranges::move(divided(edge, found->second), std::back_inserter(edges));
         }
-    rings_ = std::move(divided);
+    rings_ = std::move(rings);
     makeIndex();
 }
 

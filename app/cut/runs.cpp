@@ -98,7 +98,7 @@ public:
         if (curve)
             extendCurve(chord.pathSegment, begin, end);
         else if (finishCurve(); part.segment.a != part.segment.b || !path_.segments.empty())
-            runs_.back().path.segments.push_back({end.point});
+            extendLine(chord, end.point);
         open_ = !over;
         next_ = part.chord + 1;
     }
@@ -133,6 +133,16 @@ private:
         if (const auto met = border_.meeting(curve, chord, cut.point))
             return {met->t, met->point};
         return refined(curve, chord, cut.point, edge, region_);
+    }
+
+    // The chords of a line that runs along a border are one line again.
+    void extendLine(const Chord& chord, const Point& end)
+    {
+        auto& segments = runs_.back().path.segments;
+        if (chord.t0 > 0 && !segments.empty())
+            segments.back() = {end};
+        else
+            segments.push_back({end});
     }
 
     // Collects the chords of one curve, so that they become one curve again.
