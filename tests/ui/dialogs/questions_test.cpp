@@ -2,6 +2,7 @@
 #include "ui/dialogs/questions.h"
 
 #include <QDir>
+#include <QFileDialog>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTimer>
@@ -62,6 +63,27 @@ private slots:
         Questions::Answer saving{};
         QCOMPARE(answeredByReturn([&] { saving = questions.saveChanges("b"); }), "Save");
         QCOMPARE(saving, Questions::Answer::Save);
+    }
+
+    void onlyWhatCanBeReadIsOffered()
+    {
+        QWidget window;
+        Questions questions(window);
+        QStringList filters;
+        QTimer::singleShot(0, qApp, [&] {
+            auto* const dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+            if (dialog) {
+                filters = dialog->nameFilters();
+                dialog->reject();
+            }
+        });
+        QVERIFY(questions.fileToOpen(QDir::tempPath()).isEmpty());
+        qsizetype read = 0;
+        for (const app::Format& format : app::formats())
+            read += format.read != nullptr;
+        QCOMPARE(filters.size(), 1 + read);
+        QVERIFY(filters[0].contains("*.svg") && filters[0].contains("*.csv"));
+        QVERIFY(!filters.join(u' ').contains("*.pdf"));
     }
 
     void aFullDiskKeepsTheOldFileAndTheUnsavedMark()

@@ -113,6 +113,20 @@ private slots:
         panel.drag(panel.row(1).center(), panel.row(1).center() + QPoint(0, 1)); // no drag
         QCOMPARE(panel.window->session().history.count(), 3);
     }
+    /// The drawing may be another one when the button is released.
+    void aDraggedLayerMayBeGone()
+    {
+        Panel panel;
+        const QPoint from = panel.row(0).center(), to = panel.row(2).center();
+        QTest::mousePress(panel.list->viewport(), Qt::LeftButton, {}, from);
+        QMouseEvent move(QEvent::MouseMove, to, panel.list->viewport()->mapToGlobal(to),
+                         Qt::NoButton, Qt::LeftButton, {});
+        QApplication::sendEvent(panel.list->viewport(), &move);
+        app::Session& session = panel.window->session();
+        session.load({app::DocumentBuilder().take({}), {}});
+        QTest::mouseRelease(panel.list->viewport(), Qt::LeftButton, {}, to);
+        QCOMPARE(session.history.count(), 0);
+    }
     void keysMoveLayers()
     {
         Panel panel;

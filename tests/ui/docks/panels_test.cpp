@@ -54,8 +54,10 @@ private slots:
         QCOMPARE(fields.size(), 5);
         type(fields[0], "25");
         QCOMPARE(session.history.count(), 1);
+        QCOMPARE(session.history.undoText(), "Move clip window");
         QCOMPARE(sheetOf(session.document).window, (clipping::Window{{25, 0}, {125, 100}}));
         type(fields[2], "2cm"); // a unit converts
+        QCOMPARE(session.history.undoText(), "Resize clip window");
         QCOMPARE(session.history.count(), 2);
         QCOMPARE(sheetOf(session.document).window.max.x, 45.0);
         session.history.undo();

@@ -7,6 +7,7 @@
 #include "ui/hard_cases/hard_cases_window.h"
 
 #include <QMenu>
+#include <QSignalSpy>
 
 #include "tests/app/document/sheet_edits.h"
 #include "tests/not_empty.h"
@@ -95,6 +96,16 @@ private slots:
         QCOMPARE(visit.casesWindow->list().model()->rowCount(), 0);
         visit.search->clear();
         QCOMPARE(visit.casesWindow->list().model()->rowCount(), int(app::hardCases().size()));
+    }
+
+    void aSearchTellsOnlyAnotherCase()
+    {
+        Visit visit;
+        QSignalSpy chosen(&visit.casesWindow->list(), &CaseList::caseChosen);
+        visit.casesWindow->list().setFilter({.words = QStringLiteral("sdl tolerance")});
+        QCOMPARE(chosen.size(), 1);
+        visit.casesWindow->list().setFilter({.words = QStringLiteral("sdl")});
+        QCOMPARE(chosen.size(), 1);
     }
 
     void casesAreFilteredByTheFailingVariant()
