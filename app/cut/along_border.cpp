@@ -29,14 +29,15 @@ CurvedBorder::shared(const Place& place, const Bezier& curve,
     const Point end = endOf(place);
     if (isOf(edge, curve))
         return Shared{edge.t0, edge.t1, edge.from, end};
-    bool areNear = true, areOnEllipse = ellipse && edge.ellipse;
+    const auto& others = sourceOf(edge).ellipse;
+    bool areNear = true, areOnEllipse = ellipse && others;
     double last = 0, first = 0;
     int direction = 0;
     const auto passes = [&](const Point& p, bool begins) {
         const double t = nearestParameter(curve, p), distance = glm::distance(curve.at(t), p);
         areNear = areNear && distance <= near_;
         if (areOnEllipse) {
-            const Point there = onEllipse(*ellipse, p), own = onEllipse(*edge.ellipse, p);
+            const Point there = onEllipse(*ellipse, p), own = onEllipse(*others, p);
             areOnEllipse = glm::distance(own, onEllipse(*ellipse, own)) <= near_
                            && distance <= near_ + 1e-3 * glm::distance(there, ellipse->centre);
         }
@@ -50,7 +51,7 @@ CurvedBorder::shared(const Place& place, const Bezier& curve,
         return (areNear || areOnEllipse) && goesOn;
     };
     if (!passes(edge.from, true)
-        || !std::ranges::all_of(edge.between, [&](const Point& p) { return passes(p, false); })
+        || !std::ranges::all_of(between(edge), [&](const Point& p) { return passes(p, false); })
         || !passes(end, false))
         return std::nullopt;
     return direction > 0 ? Shared{first, last, edge.from, end}
@@ -115,15 +116,14 @@ std::vector<Point> CurvedBorder::cornersAlong(const clipping::Segment& line, Pla
     std::vector<Point> corners{edgeAt(place).from};
     double last = 0;
     const auto passes = [&](const Point& p) {
-        const Edge& edge = edgeAt(place);
+        const auto& ellipse = sourceOf(edgeAt(place)).ellipse;
         const Where where = placeOn(line.a, line.b, p);
         const bool isNear =
             where.distance <= near_
-            || (edge.ellipse
-                && placeOn(line.a, line.b, onEllipse(*edge.ellipse, p)).distance <= near_);
+            || (ellipse && placeOn(line.a, line.b, onEllipse(*ellipse, p)).distance <= near_);
         return isNear && where.parts > std::exchange(last, where.parts);
     };
-    while (edgeAt(place).isCurved && std::ranges::all_of(edgeAt(place).between, passes)) {
+    while (edgeAt(place).isCurved() && std::ranges::all_of(between(edgeAt(place)), passes)) {
         corners.push_back(endOf(place));
         if (areSame(corners.back(), line.b))
             return corners;

@@ -28,7 +28,7 @@ std::optional<CurvedBorder::Place> CurvedBorder::edgeThrough(const Point& cut) c
 BorderPart CurvedBorder::partOf(const Place& place) const
 {
     const Edge& edge = edgeAt(place);
-    return {&sources_[edge.source], edge.t0, edge.t1};
+    return {&sourceOf(edge).curve, edge.t0, edge.t1};
 }
 
 std::optional<BorderPart> CurvedBorder::partAlong(const clipping::Segment& edge) const

@@ -12,8 +12,6 @@
 namespace app {
 namespace {
 
-constexpr int between = 8; // parts of an edge, each 64 times nearer to its curve than the edge
-
 bool isCurvedWindow(const ClipWindow& window)
 {
     const auto* shape = std::get_if<PathShape>(&window.shape);
@@ -52,14 +50,13 @@ void CurvedBorder::add(const PathShape& shape, std::size_t window)
         const EllipseArc ellipse{round->centre, {radii.x, 0}, {0, radii.y}};
         Ring& ring = rings_.emplace_back(Ring{window});
         const std::vector<Point> corners = outlineOf(shape, tolerance_).rings.front();
-        sources_.push_back({{}, ellipse});
-        double t = sources_.back().near(corners.front(), 0);
+        const auto source = std::uint32_t(sources_.size());
+        const BorderCurve& curve = sources_.emplace_back(BorderCurve{{}, ellipse}, ellipse).curve;
+        double t = curve.near(corners.front(), 0);
         for (std::size_t i = 0; i < corners.size(); ++i) {
-            const double next = sources_.back().near(corners[(i + 1) % corners.size()], t);
-            Edge edge{corners[i], {}, ellipse, true, sources_.size() - 1, t, next};
+            const double next = curve.near(corners[(i + 1) % corners.size()], t);
+            ring.edges.push_back({corners[i], t, next, source});
             t = next;
-            followCurve(edge);
-            ring.edges.push_back(std::move(edge));
         }
         return;
     }
@@ -73,35 +70,31 @@ void CurvedBorder::add(const Subpath& path, std::size_t window)
     flatten(path, tolerance_, chords);
     Ring& ring = rings_.emplace_back(Ring{window});
     std::optional<std::size_t> segment; // of the last source
-    std::optional<EllipseArc> ellipse;
     for (const Chord& chord : chords) {
         Edge edge{chord.segment.a};
-        if (edge.isCurved = isCurve(path, chord.pathSegment); edge.isCurved) {
-            if (std::exchange(segment, chord.pathSegment) != chord.pathSegment) {
-                sources_.push_back({curveOf(path, chord.pathSegment), {}});
-                ellipse = ellipseAt(path, chord.pathSegment);
-            }
-            edge.ellipse = ellipse;
-            edge.source = sources_.size() - 1;
-            edge.t0 = chord.t0;
-            edge.t1 = chord.t1;
-            edge.isEnd = chord.t0 == 0;
-            followCurve(edge);
+        if (isCurve(path, chord.pathSegment)) {
+            if (std::exchange(segment, chord.pathSegment) != chord.pathSegment)
+                sources_.push_back(
+                    {{curveOf(path, chord.pathSegment), {}}, ellipseAt(path, chord.pathSegment)});
+            edge = {chord.segment.a, chord.t0, chord.t1, std::uint32_t(sources_.size() - 1),
+                    chord.t0 == 0};
         }
         if (chord.segment.a != chord.segment.b)
-            ring.edges.push_back(std::move(edge));
+            ring.edges.push_back(edge);
     }
     if (const Point end = chords.back().segment.b; end != chords.front().segment.a)
         ring.edges.push_back({end}); // an open path counts as closed
 }
 
-/// Places on the curve between the ends of its chord.
-void CurvedBorder::followCurve(Edge& edge) const
+// Each part of the edge is 64 times nearer to the curve than the edge.
+std::array<Point, 7> CurvedBorder::between(const Edge& edge) const
 {
-    edge.between.clear();
-    for (int k = 1; k < between; ++k)
-        edge.between.push_back(
-            sources_[edge.source].at(edge.t0 + (edge.t1 - edge.t0) * k / between));
+    std::array<Point, 7> places;
+    constexpr double parts = places.size() + 1;
+    for (std::size_t i = 0; i < places.size(); ++i)
+        places[i] =
+            sourceOf(edge).curve.at(edge.t0 + (edge.t1 - edge.t0) * (double(i) + 1) / parts);
+    return places;
 }
 
 const Point& CurvedBorder::endOf(const Place& place) const
@@ -123,14 +116,14 @@ void CurvedBorder::makeIndex()
     for (std::size_t i = 0; i < rings_.size(); ++i)
         for (std::size_t j = 0; j < rings_[i].edges.size(); ++j) {
             const Edge& edge = rings_[i].edges[j];
-            if (!edge.isCurved)
+            if (!edge.isCurved())
                 continue;
             edges_.push_back({i, j});
             const Point& end = endOf(edges_.back());
             clipping::Window box{glm::min(edge.from, end), glm::max(edge.from, end)};
-            for (const Point& p : edge.between)
+            for (const Point& p : between(edge))
                 box = {glm::min(box.min, p), glm::max(box.max, p)};
-            const double around = near_ + drawnOff(edge.ellipse);
+            const double around = near_ + drawnOff(sourceOf(edge).ellipse);
             boxes.push_back({box.min - around, box.max + around});
             starts.push_back({edge.from, edge.from});
         }

@@ -10,6 +10,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <array>
 #include <map>
 #include <stop_token>
 
@@ -65,16 +66,19 @@ public:
     std::optional<BorderPart> partAlong(const clipping::Segment& edge) const;
 
 private:
-    /// An edge of a window's polygon: a chord of its curve, or straight if there is nothing
-    /// between.
+    struct Source {
+        BorderCurve curve;
+        std::optional<EllipseArc> ellipse; ///< of which the curve is a part
+    };
+    /// An edge of a window's polygon: a chord of its curve, or straight. There are very many.
     struct Edge {
         Point from;
-        std::vector<Point> between{};
-        std::optional<EllipseArc> ellipse{}; ///< of which the curve is a part
-        bool isCurved = false;
-        std::size_t source = 0; ///< of sources_, the curve itself
-        double t0 = 0, t1 = 0;  ///< the part of it
-        bool isEnd = false;     ///< whether a curve of the drawing or a window ends where it begins
+        double t0 = 0, t1 = 0;           ///< the part of the curve
+        std::uint32_t source = straight; ///< of sources_
+        bool isEnd = false; ///< whether something of the drawing or a window ends where it begins
+
+        static constexpr std::uint32_t straight = 0xffffffff;
+        bool isCurved() const { return source != straight; }
     };
     struct Ring {
         std::size_t window;
@@ -111,14 +115,18 @@ private:
     std::optional<Place> edgeThrough(const Point& cut) const;
     const Point& endOf(const Place& place) const;
     std::vector<Subpath> alongOthers(const Path& border) const;
-    /// Where curved edges, by their numbers, are divided.
-    using Cuts = std::map<std::uint32_t, std::vector<Point>>;
+    struct Cuts {
+        std::map<std::uint32_t, std::vector<Point>> on; ///< curved edges, by their numbers
+        bool moved = false;                             ///< a corner is elsewhere now
+    };
     void divideAtEndsOf(const Path& path, Cuts& cuts);
     /// `on` is the same point on the ellipse, of which the curve is a part.
     void divideAt(const Point& p, const Point& on, Cuts& cuts);
     /// How far another curve may be that is drawn for a part of the same ellipse.
     static double drawnOff(const std::optional<EllipseArc>& ellipse);
-    void followCurve(Edge& edge) const;
+    /// Places on an edge's curve between the ends of its chord.
+    std::array<Point, 7> between(const Edge& edge) const;
+    const Source& sourceOf(const Edge& edge) const { return sources_[edge.source]; }
     bool mayMove(const Edge& edge, const Point& p) const;
     void move(Edge& before, Edge& edge, const Point& p) const;
     struct Where {
@@ -128,12 +136,12 @@ private:
     static Where placeOn(const Point& a, const Point& b, const Point& p);
     Where whereOn(const Place& place, const Point& p) const;
     std::vector<Edge> divided(const Edge& edge, std::span<const Point> points) const;
-    void divide(Cuts& cuts);
+    void divide(const Cuts& cuts);
     std::optional<Shared> shared(const Place& place, const Bezier& curve,
                                  const std::optional<EllipseArc>& ellipse) const;
     bool isOf(const Edge& edge, const Bezier& curve) const
     {
-        return sources_[edge.source].bezier == curve;
+        return sourceOf(edge).curve.bezier == curve;
     }
     void flattenAlong(const Subpath& path, std::size_t segment, std::span<const Chord> plain,
                       double tolerance, Point& at, std::vector<Chord>& chords) const;
@@ -153,7 +161,7 @@ private:
     ClipWindows windows_;
     std::vector<std::size_t> curved_; ///< the numbers of windows with curves
     double tolerance_ = 0, near_ = 0; ///< in user units
-    std::vector<BorderCurve> sources_;
+    std::vector<Source> sources_;
     std::vector<Ring> rings_;
     std::vector<Place> edges_; ///< the curved ones
     BoxIndex index_;           ///< of these

@@ -50,7 +50,9 @@ void CurvedBorder::divideAtEndsOf(const Path& path, Cuts& cuts)
 /// are, where no curve ends. A short edge between the two would be along no curve.
 bool CurvedBorder::mayMove(const Edge& edge, const Point& p) const
 {
-    const auto& ellipse = edge.ellipse;
+    if (!edge.isCurved())
+        return false;
+    const auto& ellipse = sourceOf(edge).ellipse;
     return ellipse && !edge.isEnd && glm::distance(edge.from, p) <= drawnOff(ellipse)
            && glm::distance(onEllipse(*ellipse, p), p) <= near_;
 }
@@ -61,10 +63,8 @@ void CurvedBorder::move(Edge& before, Edge& edge, const Point& p) const
     edge.from = p;
     edge.isEnd = true;
     // Of an ellipse, the end of its turn is also its start.
-    before.t1 = sources_[edge.source].near(p, before.t1);
-    edge.t0 = sources_[edge.source].near(p, edge.t0);
-    followCurve(before);
-    followCurve(edge);
+    before.t1 = sourceOf(edge).curve.near(p, before.t1);
+    edge.t0 = sourceOf(edge).curve.near(p, edge.t0);
 }
 
 /// Where a corner of the border is the point but for rounding, it becomes the point.
@@ -77,11 +77,14 @@ void CurvedBorder::divideAt(const Point& p, const Point& on, Cuts& cuts)
         const std::size_t after = (place.edge + 1) % edges.size();
         for (Edge* edge : {&edges[place.edge], &edges[after]})
             if (areSame(edge->from, p)) {
+                cuts.moved = cuts.moved || edge->from != p;
                 edge->from = p;
                 edge->isEnd = true;
             }
-        if (mayMove(edges[after], on))
+        if (mayMove(edges[after], on)) {
             move(edges[place.edge], edges[after], p);
+            cuts.moved = true;
+        }
         if (placeOn(edgeAt(place).from, endOf(place), on).distance
             > tolerance_ + 2 * near_ + strayOf(endOf(place) - edgeAt(place).from, tolerance_))
             return;
@@ -95,7 +98,7 @@ void CurvedBorder::divideAt(const Point& p, const Point& on, Cuts& cuts)
         const Place& place = edges_[number];
         if (where.distance <= 1.5 * near_ // the parts of edges themselves are off by some of that
             && edgeAt(place).from != p && endOf(place) != p)
-            cuts[number].push_back(p);
+            cuts.on[number].push_back(p);
     }
 }
 
@@ -111,7 +114,7 @@ CurvedBorder::Where CurvedBorder::whereOn(const Place& place, const Point& p) co
 {
     const Edge& edge = edgeAt(place);
     std::vector<Point> points{edge.from};
-    points.insert(points.end(), edge.between.begin(), edge.between.end());
+    std::ranges::copy(between(edge), std::back_inserter(points));
     points.push_back(endOf(place));
     Where where{0, std::numeric_limits<double>::infinity()};
     const auto look = [&] {
@@ -122,9 +125,9 @@ CurvedBorder::Where CurvedBorder::whereOn(const Place& place, const Point& p) co
         }
     };
     look();
-    if (edge.ellipse) {
+    if (const auto& ellipse = sourceOf(edge).ellipse) {
         for (Point& q : points)
-            q = onEllipse(*edge.ellipse, q);
+            q = onEllipse(*ellipse, q);
         look();
     }
     return where;
@@ -137,7 +140,7 @@ std::vector<CurvedBorder::Edge> CurvedBorder::divided(const Edge& edge,
     const auto [low, high] = std::minmax(edge.t0, edge.t1);
     std::vector<std::pair<double, Point>> places;
     for (const Point& p : points)
-        places.emplace_back(std::clamp(sources_[edge.source].near(p, edge.t0), low, high), p);
+        places.emplace_back(std::clamp(sourceOf(edge).curve.near(p, edge.t0), low, high), p);
     std::ranges::stable_sort(places, [&](const auto& a, const auto& b) {
         return edge.t0 < edge.t1 ? a.first < b.first : b.first < a.first;
     });
@@ -145,15 +148,15 @@ std::vector<CurvedBorder::Edge> CurvedBorder::divided(const Edge& edge,
     for (const auto& [t, p] : places)
         if (!areSame(p, parts.back().from)) {
             parts.back().t1 = t;
-            parts.push_back({p, {}, edge.ellipse, true, edge.source, t, edge.t1, true});
+            parts.push_back({p, t, edge.t1, edge.source, true});
         }
-    for (Edge& part : parts)
-        followCurve(part);
     return parts;
 }
 
-void CurvedBorder::divide(Cuts& cuts)
+void CurvedBorder::divide(const Cuts& cuts)
 {
+    if (cuts.on.empty() && !cuts.moved)
+        return;
     std::vector<Ring> rings;
     for (const Ring& ring : rings_)
         rings.push_back({ring.window});
@@ -161,8 +164,8 @@ void CurvedBorder::divide(Cuts& cuts)
     for (std::size_t i = 0; i < rings_.size(); ++i)
         for (const Edge& edge : rings_[i].edges) {
             auto& edges = rings[i].edges;
-            const auto found = edge.isCurved ? cuts.find(number++) : cuts.end();
-            if (found == cuts.end()) {
+            const auto found = edge.isCurved() ? cuts.on.find(number++) : cuts.on.end();
+            if (found == cuts.on.end()) {
                 edges.push_back(edge);
                 continue;
             }
