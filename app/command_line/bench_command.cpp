@@ -124,12 +124,11 @@ Command benchCommand()
         "[OPTIONS]",
         Text::tr("Repeats the paper's experiment: random lines in (-960,-720)–(960,720) clipped at "
                  "(-100,-75)–(100,75), or other scenes. Prints for each algorithm the nanoseconds "
-                 "per line (median, spread between the quartiles, mean, and the 95 % confidence "
-                 "interval of the median), its rank if it differs significantly from every other, "
-                 "letters (algorithms that share none differ significantly, by 1 % or more), and "
-                 "the numbers of lines that are visible and lost. Exact clips many lines at once "
-                 "with the processor's vector instructions; exact-one-by-one is the same algorithm "
-                 "called line by line, like the others."),
+                 "per line: median, spread between the quartiles, mean, and the 95 % confidence "
+                 "interval of the median. Algorithms that share no letter differ significantly, by "
+                 "1 % or more; one that differs from every other has a rank. Then come the numbers "
+                 "of lines that are visible and lost. Exact clips many lines at once with vector "
+                 "instructions; exact-one-by-one is called line by line, like the others."),
         benchOptions(),
         {"clearcut bench --paper all --against-paper",
          "clearcut bench --paper all --report paper.html",

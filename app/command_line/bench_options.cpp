@@ -223,16 +223,16 @@ std::vector<Option> experimentOptions()
              .arg(keysOf(testScenes()).join(QStringLiteral(", ")))},
         {{"order"},
          "as-they-come|shuffled|sorted",
-         Text::tr(
-             "Order of the lines. as-they-come: the scene's or the drawing's own order; shuffled: "
-             "a random order, so that neighbours no longer resemble each other; sorted: by class "
-             "(inside, rejected, cut, missed), which the processor predicts best (as-they-come).")},
+         Text::tr("Order of the lines (as-they-come). as-they-come: the scene's or the drawing's "
+                  "own order. shuffled: a random order, so that neighbours no longer resemble each "
+                  "other. sorted: by class (inside, rejected, cut, missed), which the processor "
+                  "predicts best.")},
         {{"space"}, "XMIN,YMIN,XMAX,YMAX", Text::tr("The space of the lines (the paper's).")},
         {{"w", "window"},
          "WINDOW",
-         Text::tr("The clip window (the paper's): XMIN,YMIN,XMAX,YMAX, with @DEGREES to rotate "
-                  "it, or a convex one, such as circle:X,Y,R or “polygon:X,Y X,Y …”. "
-                  "Algorithms that cannot clip there are left out.")},
+         Text::tr("The clip window (the paper's): XMIN,YMIN,XMAX,YMAX, with @DEGREES to rotate it. "
+                  "Or a convex one, such as circle:X,Y,R or “polygon:X,Y X,Y …”. Algorithms that "
+                  "cannot clip there are left out.")},
         {{"a", "algorithms"},
          "LIST",
          Text::tr("Keys or abbreviations with commas between them (all).")},

@@ -75,8 +75,9 @@ std::vector<Option> paperOptions()
     return {
         {{"paper"},
          "table1|table2|all",
-         Text::tr("Tables 1 and 2 in the paper's layout: its seven algorithms as published, "
-                  "1000000 and 10000000 lines, 10 runs; clip, draw and total separately.")},
+         Text::tr(
+             "Tables 1 and 2 in the paper's layout: its seven algorithms as published, 1000000 and "
+             "10000000 lines, 10 runs. Clip, draw and total are measured separately.")},
         {{"against-paper"},
          {},
          Text::tr("With --paper: show the paper's own numbers beside ours.")},

@@ -121,8 +121,8 @@ Command compareCommand()
         {{"b", "with"}, "B", Text::tr("The algorithm to compare with (exact).")},
         {{"ulps"},
          "N",
-         Text::tr("How far apart ends may be, in ulps (units in the last place) of the largest "
-                  "coordinate of line and window, 0 to %1 (what the contracts of both allow).")
+         Text::tr("How far apart ends may be, 0 to %1 ulps (what the contracts of both allow). "
+                  "Ulps are units in the last place of the largest coordinate of line and window.")
              .arg(mostUlps)},
     };
     const std::vector<Option> last{

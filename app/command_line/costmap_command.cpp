@@ -129,8 +129,8 @@ void printCostMap(const ParsedArguments& arguments)
 {
     const auto path = arguments.text(QStringLiteral("output"));
     if (!path)
-        throw WrongUsage{Text::tr("Say with -o where to write: a file whose name ends with %1, "
-                                  "or - for a CSV table on standard output.")
+        throw WrongUsage{Text::tr("Say with -o where to write: a file whose name ends with %1. A - "
+                                  "is a CSV table on standard output.")
                              .arg(costMapEndings())};
     const bool toOutput = *path == QStringLiteral("-");
     if (!toOutput && !findCostMapFormat(QFileInfo(*path).suffix()))
@@ -165,8 +165,8 @@ Command costmapCommand()
                   "authors printed.")},
         {{"cheapest"},
          {},
-         Text::tr("Show which algorithm is cheapest for each cell (or which are, in a tie), "
-                  "instead of the cost of one algorithm.")},
+         Text::tr("Show for each cell which algorithm is cheapest, or which ones are, instead of "
+                  "the cost of one.")},
         {{"form"},
          "corrected|published",
          Text::tr("With --cheapest: which forms take part (corrected).")},
@@ -190,8 +190,8 @@ Command costmapCommand()
          Text::tr("What is counted for each line, or its time, which is noisy (operations).")},
         {{"o", "output"},
          "FILE",
-         Text::tr("A picture with legend and caption, or a table with a row for each cell, by "
-                  "its ending: %1; - is standard output, as CSV.")
+         Text::tr("A picture with legend and caption, or a table with a row for each cell, by its "
+                  "ending: %1. A - is standard output, as CSV.")
              .arg(costMapEndings())},
         {{"theme"}, "light|dark", Text::tr("The background of the picture (light).")},
     };

@@ -31,8 +31,8 @@ std::vector<Option> cuttingOptions()
                   "it. White fills cover lines, too; transparent ones do not.")},
         {{"coincident"},
          "LENGTH",
-         Text::tr("How far apart curves may be that count as the same (0.001mm): a curve that runs "
-                  "so near along a window's curve is kept or removed as a whole.")},
+         Text::tr("How far apart curves may be that count as the same (0.001mm). A curve so near "
+                  "to a window's curve is kept or removed as a whole.")},
         {{"strokes-as-areas"},
          {},
          Text::tr("First turn strokes into filled areas, with their caps, joins and dashes. Wide "

@@ -18,8 +18,9 @@ void refuseMixture(const GivenValue& value, const std::vector<Length>& lengths)
     const bool four = lengths.size() == 4;
     if (std::ranges::any_of(lengths, isBare) && !std::ranges::all_of(lengths, isBare))
         throw WrongUsage{
-            Text::tr("--%1 %2: give all %3 with a unit, counted from the paper's top left "
-                     "corner, or all %4 without a unit, in the drawing's own coordinates.")
+            Text::tr(
+                "--%1 %2: give all %3 with a unit, or all %4 without. With a unit they count from "
+                "the paper's top left corner, without one they are the drawing's own coordinates.")
                 .arg(value.option, value.text,
                      four ? Text::tr("four numbers") : Text::tr("numbers"),
                      four ? Text::tr("four") : Text::tr("numbers"))};

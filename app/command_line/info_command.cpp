@@ -215,9 +215,9 @@ Command infoCommand()
 {
     return {"info",
             "INPUT [OPTIONS]",
-            Text::tr("Lists the content of a drawing: lines and their length, shapes, paths "
-                     "and curves, bounds (also in millimetres), clip windows, page, unit, "
-                     "layers and groups, and the contents that cannot be kept."),
+            Text::tr("Lists the content of a drawing: lines and their length, shapes, paths, "
+                     "curves, bounds (also in millimetres). Then clip windows, page, unit, layers "
+                     "and groups, and what cannot be kept."),
             readingOptions(),
             {"clearcut info drawing.svg"},
             1,

@@ -57,8 +57,8 @@ csv::TableCut clipRows(InputBytes& in, const ParsedArguments& arguments, const O
 std::vector<Option> tableClipOptions()
 {
     return {skipBadOption(
-                Text::tr("From csv to csv: skip rows that are not lines, and report the first "
-                         "ones and their number. Otherwise such a row ends the command.")),
+                Text::tr("From csv to csv: any number of lines, cut as they are read. Windows must "
+                         "need no drawing: a rectangle, circle, polygon or file.")),
             {{"rows-only"},
              {},
              Text::tr("From csv to csv: write neither the header nor the column source, so "
@@ -83,9 +83,9 @@ bool clipsTable(const ParsedArguments& arguments, const QString& input, const Ou
     for (const Option& option : tableClipOptions())
         if (wholeDrawing && arguments.has(option.names.back()))
             throw WrongUsage{
-                Text::tr("--%1 needs a table as input and output (csv), a window such as -w "
-                         "0,0,100,50, and no option that needs all lines at once (--occlude, "
-                         "--strokes-as-areas, --tiles, --in-place).")
+                Text::tr("--%1 needs a table (csv) as input and output, and a window such as -w "
+                         "0,0,100,50. Leave out --occlude, --strokes-as-areas, --tiles and "
+                         "--in-place, which need all lines at once.")
                     .arg(option.names.back())};
     return !wholeDrawing;
 }

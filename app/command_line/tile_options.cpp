@@ -111,13 +111,12 @@ std::vector<Option> tileOptions()
     return {
         {{optionName},
          "COLUMNSxROWS|SIZE|PAPER",
-         Text::tr(
-             "Divide the page among sheets. COLUMNSxROWS: so many of equal size, columns first: "
-             "3x2 makes 3 columns side by side in 2 rows, 6 sheets. SIZE: as many sheets of this "
-             "width and height as are needed, with their units (45mmx48mm). PAPER: the same with "
-             "a size of paper (a4, a3, letter …; a4-landscape). The name of the output holds "
-             "{row} and {column}, or {n}, which counts row by row; a PDF file without them gets a "
-             "page for each sheet.")},
+         Text::tr("Divide the page among sheets. COLUMNSxROWS: so many of equal size, columns "
+                  "first: 3x2 makes 3 columns side by side in 2 rows, 6 sheets. SIZE: as many "
+                  "sheets of this width and height as are needed, with their units (45mmx48mm). "
+                  "PAPER: the same with a size of paper (a4, a3, letter …; a4-landscape). The name "
+                  "of the output holds {row} and {column}, or {n}, which counts row by row. A PDF "
+                  "file without them gets a page for each sheet.")},
         {{"overlap"}, "LENGTH", Text::tr("The strip that neighbouring sheets have in common (0).")},
         {{"sheet-margin"},
          "LENGTH",
@@ -131,9 +130,9 @@ std::vector<Option> tileOptions()
                   "included (100%). Overlap and margin are lengths on paper.")},
         {{"overview"},
          {},
-         Text::tr("Add a sheet with the whole drawing, the edges of all sheets and their "
-                  "numbers: the first page of a PDF file, or a file with “overview” in place "
-                  "of {row} and {column}.")},
+         Text::tr("Add a sheet with the whole drawing, the edges of all sheets and their numbers. "
+                  "It is the first page of a PDF file, or a file with “overview” in place of {row} "
+                  "and {column}.")},
         {{"empty-sheets"},
          {},
          Text::tr("Write sheets without any part of the drawing, too (they are left out).")},

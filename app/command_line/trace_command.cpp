@@ -199,8 +199,8 @@ Command traceCommand()
     return {
         "trace",
         "--line X1,Y1,X2,Y2 [OPTIONS]",
-        Text::tr("Shows step by step how an algorithm clips one line: as text, as data, as "
-                 "slides or as an animated picture."),
+        Text::tr("Shows step by step how an algorithm clips one line, as text, data, slides or an "
+                 "animated picture."),
         {{{"a", "algorithm"},
           "A",
           Text::tr("Key or abbreviation of the algorithm; KEY:published is the form that "
@@ -209,10 +209,10 @@ Command traceCommand()
          {{"line"}, "X1,Y1,X2,Y2", Text::tr("The line, from End 1 to End 2.")},
          {{"w", "window"},
           "WINDOW",
-          Text::tr("The window (-100,-75,100,75, the paper's): XMIN,YMIN,XMAX,YMAX, with "
-                   "@DEGREES to rotate it counterclockwise about its centre; the steps are "
-                   "then in its own directions. Or a convex window, for algorithms that clip "
-                   "there: “polygon:X,Y X,Y …” or circle:X,Y,R.")},
+          Text::tr("The window (-100,-75,100,75, the paper's): XMIN,YMIN,XMAX,YMAX. With @DEGREES "
+                   "it is rotated counterclockwise about its centre, and the steps are in its own "
+                   "directions. Or a convex window, for algorithms that clip there: “polygon:X,Y "
+                   "X,Y …” or circle:X,Y,R.")},
          {{"f", "format"},
           formatKeys().join(u'|'),
           Text::tr("Format of the output (by the ending of the name in -o, otherwise text).")},

@@ -108,9 +108,9 @@ std::vector<Option> windowOptions()
     return {
         {{"w", "window"},
          "XMIN,YMIN,XMAX,YMAX",
-         Text::tr("The clip window. Bare numbers are the drawing's own coordinates; lengths "
-                  "with a unit, such as 10mm, count from the paper's top left corner. The two "
-                  "cannot be mixed (the drawing's clip windows, otherwise its page).")},
+         Text::tr("The clip window. Bare numbers are the drawing's own coordinates. Lengths with a "
+                  "unit, such as 10mm, count from the paper's top left corner. The two cannot be "
+                  "mixed (the drawing's clip windows, otherwise its page).")},
         {{"page"}, {}, Text::tr("Use the drawing's page as the clip window.")},
         {{"margin"},
          "LENGTH",
@@ -126,10 +126,10 @@ std::vector<Option> shapedWindowOptions()
         forms << QString::fromUtf8(form.usage);
     options.front().value = QStringLiteral("WINDOW");
     options.front().meaning =
-        Text::tr("A clip window: %1. Bare numbers are the drawing's own coordinates; lengths "
-                 "with a unit, such as 10mm, count from the paper's top left corner. May be "
-                 "given several times: each adds to what those before it keep (the drawing's "
-                 "clip windows, otherwise its page).")
+        Text::tr("A clip window: %1. Bare numbers are the drawing's own coordinates. Lengths with "
+                 "a unit, such as 10mm, count from the paper's top left corner. May be given "
+                 "several times: each adds to what those before it keep (the drawing's clip "
+                 "windows, otherwise its page).")
             .arg(forms.join(QStringLiteral(", ")));
     const std::vector<Option> more{
         {{"cut-out"}, "WINDOW", Text::tr("Cut this window out of what those before it keep.")},
@@ -144,11 +144,10 @@ std::vector<Option> comparedWindowOptions()
 {
     std::vector<Option> options = windowOptions();
     options.front().value = QStringLiteral("WINDOW");
-    options.front().meaning =
-        Text::tr("The clip window: a rectangle XMIN,YMIN,XMAX,YMAX, with @DEGREES to rotate "
-                 "it, or a convex polygon, such as circle:CX,CY,R or polygon:X,Y X,Y ..., as "
-                 "for clip (the first clip window of the drawing that is a rectangle along the "
-                 "axes, otherwise its page).");
+    options.front().meaning = Text::tr(
+        "The clip window: a rectangle XMIN,YMIN,XMAX,YMAX, with @DEGREES to rotate it. Or a convex "
+        "polygon, as for clip: circle:CX,CY,R or polygon:X,Y X,Y .... Without it: the drawing's "
+        "first clip window that is a rectangle along the axes, otherwise its page.");
     return options;
 }
 

@@ -29,10 +29,10 @@ std::map<QString, Heading> timeHeadings()
           Text::tr("Ratio to the lowest median: the median of the ratios run by run.")}},
         {"p_fastest",
          {Text::tr("p"),
-          Text::tr(
-              "p of the exact signed-rank test against the lowest median, paired by run, with "
-              "Holm's correction. The same runs decide which algorithm has the lowest median: with "
-              "twelve equal algorithms, some p is below 0.05 in about one of ten experiments.")}},
+          Text::tr("p of the exact signed-rank test against the lowest median, paired by run, with "
+                   "Holm's correction. The same runs decide which algorithm has the lowest median. "
+                   "So with twelve equal algorithms, some p is below 0.05 in about one of ten "
+                   "experiments.")}},
         {"median_ns",
          {Text::tr("Median\nns"), Text::tr("Nanoseconds per line: half of the runs took less.")}},
         {"spread_ns",

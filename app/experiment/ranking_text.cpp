@@ -69,9 +69,9 @@ QStringList rankingNotes(const Ranking& ranking)
     return {lettersMeaning()
             + Text::tr(
                 " All pairs are tested by the exact two-sided Wilcoxon signed-rank test, paired by "
-                "run, with Holm's correction, at a level of 5 %. The algorithm with the lowest "
-                "median is also tested separately against each other algorithm: if it differs from "
-                "all of them, it is the fastest, even if it shares a letter and has no rank.")};
+                "run, at a level of 5 %, with Holm's correction. The algorithm with the lowest "
+                "median is also tested separately against each other one. If it differs from all "
+                "of them, it is the fastest, even if it shares a letter and has no rank.")};
 }
 
 QStringList ratioNotes(const Ranking& ranking)
@@ -85,8 +85,8 @@ QStringList ratioNotes(const Ranking& ranking)
                       + Text::tr(
                           " p: the p-value of the same test against the lowest median alone, with "
                           "Holm's correction. The same runs decide which algorithm has the lowest "
-                          "median: with twelve equal algorithms, some p is below 0.05 in about one "
-                          "of ten experiments. Ranks and letters do not depend on this p. A "
+                          "median. So with twelve equal algorithms, some p is below 0.05 in about "
+                          "one of ten experiments. Ranks and letters do not depend on this p. A "
                           "significant difference of less than 1 % counts as practically equal.")
                 : ratio};
 }

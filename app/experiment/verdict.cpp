@@ -165,15 +165,14 @@ QString rankingSentence(const Trial& trial, const RankedResults& told)
     if (check.reversed > 0)
         return Text::tr(
                    "The paper's ranking does not hold: %1, and %2 of %3 pairs have the opposite "
-                   "order (%4 have the same order, %5 do not differ significantly by 1 % or more).")
+                   "order. %4 have the same order, %5 do not differ significantly by 1 % or more.")
             .arg(own, countText(check.reversed), pairs, countText(check.same), undecided);
     if (check.holds())
         return Text::tr("The paper's ranking holds: %1, and all %2 pairs have the same "
                         "order as in the paper.")
             .arg(own, pairs);
-    return Text::tr(
-               "Nothing contradicts the paper's ranking: %1, %2 of %3 pairs have the same order as "
-               "in the paper, and %4 do not differ significantly by 1 % or more.")
+    return Text::tr("Nothing contradicts the paper's ranking: %1. %2 of %3 pairs have the same "
+                    "order as in the paper, and %4 do not differ significantly by 1 % or more.")
         .arg(own, countText(check.same), pairs, undecided);
 }
 
@@ -185,12 +184,11 @@ QStringList paperSentences(const Trial& trial)
     const auto leaders = rankingOf(*trial.paper).leaders();
     const auto& fastest = trial.paper->columns[leaders.front()];
     sentences << (leaders.size() == 1
-                      ? Text::tr("By the same tests, the fastest algorithm in the paper's own "
-                                 "runs is %1, assuming that they are paired row by row.")
+                      ? Text::tr("By the same tests, the fastest algorithm in the paper's own runs "
+                                 "is %1, if they are paired row by row.")
                             .arg(shortNameOf({fastest.algorithm, clipping::Form::Corrected}))
-                      : Text::tr(
-                          "By the same tests, the paper's own runs do not tell which algorithm is "
-                          "the fastest, assuming that they are paired row by row."));
+                      : Text::tr("By the same tests, the paper's own runs do not tell which "
+                                 "algorithm is the fastest, if they are paired row by row."));
     if (!otherLinesText(options).isEmpty())
         sentences << Text::tr("The paper clipped other lines: %1 random lines. These are %2.")
                          .arg(countText(trial.paper->lines), otherLinesText(options));

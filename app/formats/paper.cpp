@@ -33,7 +33,7 @@ std::optional<QString> faultOf(const Page& page)
     if (unit >= smallestUnit && unit <= largestUnit && fits(page.min.x, page.size.x, page.width)
         && fits(page.min.y, page.size.y, page.height))
         return std::nullopt;
-    return Text::tr("the page is too large or too small to calculate with: its width, height and "
+    return Text::tr("the page is too large or too small to calculate with. Its width, height and "
                     "view box must give a unit between 1e-100 mm and 1e100 mm.");
 }
 

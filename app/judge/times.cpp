@@ -65,7 +65,7 @@ Table tableOf(const Times& times, const QString& key, const QString& title,
 {
     Table table{.names = names, .title = title, .key = key, .facts = times.facts};
     table.notes << Text::tr("Every algorithm is called line by line through a pointer, as yours "
-                            "is: in experiments they clip many lines at once and take less.");
+                            "is. In experiments they clip many lines at once and take less.");
     return table;
 }
 

@@ -37,8 +37,8 @@ QString unusableText(const Verdict& v)
                         "C++ keep its declaration, which is extern \"C\".")
             .arg(v.path);
     case Unusable::OtherVersion:
-        return Text::tr("%1 was made for version %2 of clearcut_algorithm.h, and this is version "
-                        "%3: compile it with the header of this Clearcut.")
+        return Text::tr("%1 was made for version %2 of clearcut_algorithm.h. Compile it with the "
+                        "header of this Clearcut, which is version %3.")
             .arg(v.path, v.more)
             .arg(CLEARCUT_ABI_VERSION);
     case Unusable::Broken:
@@ -103,8 +103,8 @@ QString tooSlowText(const Verdict& v)
     if (v.judged() == 0)
         return Text::tr("Too slow: there was no time to test %1 on any of %2 lines.")
             .arg(v.name, untested);
-    return Text::tr("Too slow: %1 is right on the %2 lines that were tested within %3 of "
-                    "processor time, or %4 by the clock; %5 lines were not tested.")
+    return Text::tr("Too slow: %1 is right on the %2 lines that were tested within %3 of processor "
+                    "time, or %4 by the clock. %5 lines were not tested.")
         .arg(v.name, countText(v.judged()), durationText(v.seconds),
              durationText(v.seconds * wallFactor), untested);
 }
@@ -112,7 +112,7 @@ QString tooSlowText(const Verdict& v)
 /// The sentence for a library without errors that slept in the race.
 QString asleepText(const Verdict& v)
 {
-    return Text::tr("Not finished: %1 is right on the %2 lines that were tested, but it slept in "
+    return Text::tr("Not finished: %1 is right on the %2 lines that were tested. But it slept in "
                     "the race, so the race's %3 lines were not tested.")
         .arg(v.name, countText(v.judged()), countText(v.lines() - v.judged()));
 }
@@ -141,8 +141,9 @@ QString speedText(const Times& times)
     for (std::size_t i = 1; i < times.contenders.size(); ++i)
         slower += ranking.pairs[i][0].outcome == Outcome::Different && ratioOf(times, i) < 1;
     const std::size_t others = times.contenders.size() - 1;
-    return Text::tr("It takes %1 on the paper's scene: significantly less than %2 of the %3 "
-                    "others, and %4 times as long as exact, which is also called line by line.")
+    return Text::tr(
+               "It takes %1 on the paper's scene, significantly less than %2 of the %3 others. It "
+               "takes %4 times as long as exact, which is also called line by line.")
         .arg(timeText(summaryOf(times.contenders.front().times).median))
         .arg(slower)
         .arg(others)

@@ -48,8 +48,8 @@ OverlayTable pushesTable(const OverlayContext& context, std::span<const EndMove>
 QString pushesCaption(const OverlayContext& context, std::span<const EndMove> moves)
 {
     if (!context.line)
-        return Text::tr("The tests that fire for an end: first left or right; then top or bottom, "
-                        "at the place to which the end was pushed. %1")
+        return Text::tr("The tests that fire for an end: first left or right, then top or bottom. "
+                        "The second is at the place to which the end was pushed. %1")
             .arg(pointAtALine());
     QStringList ways;
     for (const EndMove& move : moves)

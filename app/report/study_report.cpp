@@ -128,10 +128,11 @@ ReportSection methodSection(const Study& study, const Table& circumstances)
                 Text::tr("Every algorithm clips the same lines. The algorithms take turns block "
                          "by block, and their order changes from block to block and from run to "
                          "run. So a moment when the machine is slow affects all algorithms."),
-                Text::tr("Ranks are by median. Two algorithms differ if the exact two-sided "
-                         "Wilcoxon signed-rank test, paired by run, finds a difference at a "
-                         "level of 5 %, and if the median of the ratios run by run differs by 1 "
-                         "% or more. A smaller difference counts as practically equal."),
+                Text::tr(
+                    "Ranks are by median. Two algorithms are compared by the exact two-sided "
+                    "Wilcoxon signed-rank test, paired by run. They differ if it finds a "
+                    "difference at a level of 5 %, and the median of the ratios run by run differs "
+                    "by 1 % or more. A smaller difference counts as practically equal."),
                 Text::tr(
                     "The lowest median is tested against each other algorithm. Letters come from "
                     "tests of all pairs. Both use Holm's correction for the number of tests. An "

@@ -157,10 +157,10 @@ void StatusBar::showTimes()
         return;
     visible_->setText(summary_.isEmpty() ? visibleText(last_) : summary_);
     const bool differ = summary_.isEmpty() && last_.differing > 0;
-    visible_->setToolTip(differ ? Text::tr("Some lines are seen to be cut differently from Exact: "
-                                           "another part is left, or an end is off by more than "
-                                           "1/16 pixel.")
-                                : QString());
+    visible_->setToolTip(
+        differ ? Text::tr("Some lines are seen to be cut differently from Exact. Another part is "
+                          "left, or an end is off by more than 1/16 pixel.")
+               : QString());
     const QString clip = app::millisecondsText(clip_.median());
     const bool timed = last_.total >= app::leastLinesToTime;
     times_->setText(

@@ -79,8 +79,8 @@ void ExactnessPanel::addChoosers()
     static_cast<QVBoxLayout*>(layout())->addLayout(grid);
     errorUnit_->setToolTip(
         Text::tr("One ulp is one unit in the last place of a number. The library's contract counts "
-                 "those of the largest coordinate of line and clip window; the other choice those "
-                 "of the wrong coordinate."));
+                 "those of the largest coordinate of line and clip window. The other choice counts "
+                 "those of the wrong coordinate."));
     connect(algorithm_, &VariantBox::currentIndexChanged, this, &ExactnessPanel::ask);
     connect(algorithm_, &VariantBox::done, this, &ExactnessPanel::entered);
     connect(errorUnit_, &Segments::picked, this, &ExactnessPanel::ask);

@@ -98,9 +98,9 @@ Misprint printedStep2InPlace()
         QStringLiteral("md-step-2-in-place"), Text::tr("MD with Step 2 as printed, read literally"),
         unbroken(Text::tr(
             "Read literally, Step 2 also assigns new values to x1 and y1 before it computes with "
-            "them: after x1 = xmin, the difference xmin − x1 is zero, so y1 does not change, and a "
+            "them. After x1 = xmin, the difference xmin − x1 is zero: y1 does not change, and a "
             "later formula may divide 0 by 0. The pseudo-code keeps the cut ends in separate "
-            "variables, x[i] and y[i], and has (ymin − y1) where the text has (ymin − x1).")),
+            "variables, x[i] and y[i]. It has (ymin − y1) where the text has (ymin − x1).")),
         clipping::findAlgorithm("matthes-drakopoulos"), clipAll<Reading::InPlace>};
 }
 

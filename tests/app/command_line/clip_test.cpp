@@ -168,9 +168,9 @@ private slots:
                                                      "width='100mm' viewBox='-9 -5 20 10'/>");
                 QCOMPARE(run.code, 2);
                 QCOMPARE(run.out, "");
-                const QByteArray sentence = "--window " + QByteArray(window)
-                                            + ": give all four numbers with a unit, counted "
-                                              "from the paper's top left corner, or all four ";
+                const QByteArray sentence =
+                    "--window " + QByteArray(window)
+                    + ": give all four numbers with a unit, or all four without.";
                 QVERIFY2(run.err.contains(sentence), run.err.constData());
             }
     }
@@ -231,8 +231,8 @@ private slots:
     {
         const QByteArray page = contentOf(SOURCE_DIR "/resources/desktop/clearcut.1");
         const QByteArray section = page.mid(page.indexOf(".Sh CLIP WINDOWS IN SVG FILES"));
-        for (const char* word : {"name", "operation", "visible", "keep", "xmin", "angle",
-                                 "cut-out", "intersect", "urn:clearcut:1"})
+        for (const char* word : {"name", "operation", "visible", "keep", "xmin", "angle", "cut-out",
+                                 "intersect", "urn:clearcut:1"})
             QVERIFY2(section.left(section.indexOf(".Sh FILES")).contains(word), word);
     }
 
