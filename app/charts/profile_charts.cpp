@@ -54,7 +54,7 @@ struct ClassRow {
 
 void add(ClassRow& so, const ClassTimes& one, std::size_t variant, const Measure& measure)
 {
-    const QString name = words(one.of.lineClass);
+    const QString name = classText(one.of.lineClass);
     if (one.record.timings.empty()) {
         so.row.figures.push_back({});
         so.row.detail += u'\n' + Text::tr("%1: none in this scene").arg(name);
@@ -85,7 +85,7 @@ QStringList notesOf(const ClassProfile& profile)
         if (!one.of.standIn.isEmpty())
             notes << Text::tr("Lines of class “%1” are too rare in the scene: lines of the scene "
                               "“%2” were measured instead.")
-                         .arg(words(one.of.lineClass), one.of.standIn);
+                         .arg(classText(one.of.lineClass), one.of.standIn);
     if (const QString batches = batchText(variantsOf(profile)); !batches.isEmpty())
         notes << batches;
     return notes;
@@ -125,7 +125,7 @@ Chart chartOf(const ClassProfile& profile)
         .rows = {},
         .notes = notesOf(profile)};
     for (const ClassTimes& one : profile.classes)
-        chart.panels.push_back({words(one.of.lineClass) + u'\n' + percentText(one.of.share),
+        chart.panels.push_back({classText(one.of.lineClass) + u'\n' + percentText(one.of.share),
                                 Text::tr("nanoseconds per line")});
     const Measure clip = measures().front();
     std::vector<ClassRow> rows;

@@ -22,7 +22,7 @@ LineClass lineClassOf(const clipping::Segment& line, const clipping::Window& win
     return lineClassOf(line, window, exact->corrected.clip(line, window).has_value());
 }
 
-QString words(LineClass lineClass)
+QString classText(LineClass lineClass)
 {
     switch (lineClass) {
     case LineClass::Inside:

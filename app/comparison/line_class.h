@@ -25,6 +25,6 @@ LineClass lineClassOf(const clipping::Segment& line, const clipping::Window& win
 LineClass lineClassOf(const clipping::Segment& line, const clipping::Window& window);
 
 /// "wholly inside", "rejected at once", "cut", "misses the window".
-QString words(LineClass lineClass);
+QString classText(LineClass lineClass);
 
 } // namespace app

@@ -32,7 +32,7 @@ QString mixText(const ClassProfile& profile)
 {
     QStringList parts;
     for (const ClassTimes& one : profile.classes)
-        parts << Text::tr("%1 %2 %").arg(words(one.of.lineClass), shortPercentText(one.of.share));
+        parts << Text::tr("%1 %2 %").arg(classText(one.of.lineClass), shortPercentText(one.of.share));
     return parts.join(QStringLiteral(", "));
 }
 
@@ -48,7 +48,7 @@ QStringList notesOf(const ClassProfile& profile)
         if (!one.of.standIn.isEmpty())
             notes << Text::tr("Lines of class “%1” are too rare in the scene: lines of the "
                               "scene “%2” were measured instead.")
-                         .arg(words(one.of.lineClass), one.of.standIn);
+                         .arg(classText(one.of.lineClass), one.of.standIn);
     for (const ClassTimes& one : profile.classes)
         if (const QString batches = batchText(variantsOf(one.record)); !batches.isEmpty()) {
             notes << batches;

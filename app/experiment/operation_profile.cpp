@@ -104,7 +104,7 @@ Table operationTable(const OperationProfile& profile)
     for (const VariantOperations& row : profile.rows) {
         for (std::size_t c = 0; c < profile.mix.size(); ++c)
             if (profile.mix[c] > 0)
-                table.rows.push_back(operationRow(row.variant, words(lineClasses[c]),
+                table.rows.push_back(operationRow(row.variant, classText(lineClasses[c]),
                                                   profile.mix[c], row.byClass[c]));
         table.rows.push_back(
             operationRow(row.variant, Text::tr("whole scene"), profile.options.lines, row.scene()));

@@ -58,7 +58,7 @@ QString classReason(const ClassProfile& profile)
                            "fastest algorithm is %3; the highest median is that of %4.")
                 : Text::tr("Most lines, %1 %, are of the class “%2”. For this class, the "
                            "lowest median is that of %3, the highest that of %4."))
-               .arg(shareText(most->of.share), words(most->of.lineClass), of(ranking.order.front()),
+               .arg(shareText(most->of.share), classText(most->of.lineClass), of(ranking.order.front()),
                     of(ranking.order.back()))
            + unclear;
 }

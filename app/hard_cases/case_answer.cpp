@@ -98,7 +98,7 @@ std::vector<CaseAnswer> answersTo(const HardCase& hard)
     return answers;
 }
 
-QString words(const CaseAnswer& answer)
+QString answerText(const CaseAnswer& answer)
 {
     switch (answer.ruling) {
     case Ruling::Right:

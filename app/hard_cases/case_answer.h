@@ -21,7 +21,7 @@ CaseAnswer answerOf(const HardCase& hard, const Variant& variant);
 std::vector<CaseAnswer> answersTo(const HardCase& hard);
 
 /// "right", "lost", "outside the window by 2.2e−16".
-QString words(const CaseAnswer& answer);
+QString answerText(const CaseAnswer& answer);
 /// "(1, 1) to (0.1, 0.1)", "the point (0, 1)", "nothing"; with all digits.
 QString pieceText(const std::optional<clipping::Segment>& piece);
 

@@ -24,7 +24,7 @@ const QString ending = QStringLiteral(".md");
 QString itemOf(const HardCase& hard, const Variant& variant)
 {
     QString text = QStringLiteral("- [%1](clearcut:case/%2): %3")
-                       .arg(hard.title, hard.key, words(answerOf(hard, variant)));
+                       .arg(hard.title, hard.key, answerText(answerOf(hard, variant)));
     if (const auto watch = traceLink(tracedLineOf(hard, variant)))
         text += QStringLiteral(" ([%1](%2))").arg(Text::tr("watch it in the microscope"), *watch);
     return text + u'\n';

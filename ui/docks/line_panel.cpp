@@ -170,7 +170,7 @@ void LinePanel::showLine(const app::Inspection& line)
         point(VisibleA, line.visible->a);
         point(VisibleB, line.visible->b);
     }
-    put(VisibleA, RegionColumn, app::words(line.lineClass));
+    put(VisibleA, RegionColumn, app::classText(line.lineClass));
     put(Cost, Name, Text::tr("Cost"));
     cost_->setText(line.variant.misprint ? Text::tr("not counted") : app::costText(line.cost));
     steps_->setPlainText(app::stepTexts(line, unit, page).join(u'\n'));

@@ -83,7 +83,7 @@ QString AnswerModel::text(const app::CaseAnswer& answer, int column) const
     case Name:
         return app::nameOf(answer.variant);
     case Verdict:
-        return app::words(answer);
+        return app::answerText(answer);
     case Error: // measurable only if both the answer and the exact result are finite and visible
         return answer.visible && answer.ulps >= 0 && answer.ruling != app::Ruling::Shown
                        && answer.ruling != app::Ruling::Allowed
@@ -102,7 +102,7 @@ QVariant AnswerModel::cell(int row, int column, int role) const
         return text(answer, column);
     if (role == Qt::ToolTipRole)
         return Text::tr("%1: %2\n%3")
-            .arg(app::titleOf(answer.variant), app::words(answer), app::pieceText(answer.visible));
+            .arg(app::titleOf(answer.variant), app::answerText(answer), app::pieceText(answer.visible));
     if (role == Qt::TextAlignmentRole)
         return sideOf(column == Error);
     return {};

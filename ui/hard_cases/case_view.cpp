@@ -139,7 +139,7 @@ void CaseView::showAnswer()
     note_->setVisible(!app::isToScale(*hard_, answer));
     picture_->setAccessibleName(
         Text::tr("%1. %2: %3")
-            .arg(hard_->title, app::nameOf(answer->variant), app::words(*answer)));
+            .arg(hard_->title, app::nameOf(answer->variant), app::answerText(*answer)));
     microscope_->setEnabled(!answer->variant.misprint);
     microscope_->setToolTip(
         answer->variant.misprint

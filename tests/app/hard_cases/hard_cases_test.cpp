@@ -220,11 +220,11 @@ private slots:
     {
         const HardCase& md = *findHardCase(QStringLiteral("far-outside"));
         const CaseAnswer far = answerOf(md, *findVariant(QStringLiteral("MD:published")));
-        QCOMPARE(words(far), QStringLiteral("shown but not visible"));
+        QCOMPARE(answerText(far), QStringLiteral("shown but not visible"));
         QCOMPARE(far.beyond, 466.0);
         const HardCase& lb = *findHardCase(QStringLiteral("paper-outside"));
         const CaseAnswer out = answerOf(lb, *findVariant(QStringLiteral("LB:published")));
-        QVERIFY(words(out) == QStringLiteral("outside the window by 1.1e−13"));
+        QVERIFY(answerText(out) == QStringLiteral("outside the window by 1.1e−13"));
         QCOMPARE(pieceText(hardCases().front().visible),
                  QStringLiteral("(1, 1) to (1e−09, 1e−09)"));
         QCOMPARE(pieceText({}), QStringLiteral("nothing"));
