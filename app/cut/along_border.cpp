@@ -29,15 +29,15 @@ CurvedBorder::shared(const Place& place, const Bezier& curve,
     const Point end = endOf(place);
     if (isOf(edge, curve))
         return Shared{edge.t0, edge.t1, edge.from, end};
-    const auto& others = sourceOf(edge).ellipse;
-    bool areNear = true, areOnEllipse = ellipse && others;
+    const auto others = ellipseOf(edge);
+    bool areNear = true, areOnEllipse = ellipse && (others || !edge.isCurved());
     double last = 0, first = 0;
     int direction = 0;
-    const auto passes = [&](const Point& p, bool begins) {
+    const auto passes = [&](const Point& p, double most, bool begins) {
         const double t = nearestParameter(curve, p), distance = glm::distance(curve.at(t), p);
-        areNear = areNear && distance <= near_;
+        areNear = areNear && distance <= most;
         if (areOnEllipse) {
-            const Point there = onEllipse(*ellipse, p), own = onEllipse(*others, p);
+            const Point there = onEllipse(*ellipse, p), own = others ? onEllipse(*others, p) : p;
             areOnEllipse = glm::distance(own, onEllipse(*ellipse, own)) <= near_
                            && distance <= near_ + 1e-3 * glm::distance(there, ellipse->centre);
         }
@@ -50,9 +50,9 @@ CurvedBorder::shared(const Place& place, const Bezier& curve,
             first = at;
         return (areNear || areOnEllipse) && goesOn;
     };
-    if (!passes(edge.from, true)
-        || !std::ranges::all_of(between(edge), [&](const Point& p) { return passes(p, false); })
-        || !passes(end, false))
+    const auto isAlong = [&](const Point& p) { return passes(p, near_, false); };
+    if (!passes(edge.from, cornersNear(), true) || !std::ranges::all_of(between(place), isAlong)
+        || !passes(end, cornersNear(), false))
         return std::nullopt;
     return direction > 0 ? Shared{first, last, edge.from, end}
                          : Shared{last, first, end, edge.from};
@@ -73,13 +73,11 @@ CurvedBorder::Beside CurvedBorder::beside(const Bezier& curve, std::span<const C
                 found.edges.push_back(edge);
         });
         const int count = isNear ? parts : 1;
-        const auto at = [&](int k) { return k == count ? t1 : t0 + (t1 - t0) * k / count; };
-        Point from = chord.a;
-        for (int k = 1; k <= count; ++k) {
-            const Point to = k == count ? chord.b : curve.at(at(k));
-            found.chords.push_back({{from, to}, segment, at(k - 1), at(k)});
-            from = to;
+        for (int k = 1; k < count; ++k) {
+            const double t = t0 + (t1 - t0) * k / count;
+            found.ends.push_back({t, curve.at(t)});
         }
+        found.ends.push_back({t1, chord.b});
     }
     std::ranges::sort(found.edges);
     found.edges.erase(std::ranges::unique(found.edges).begin(), found.edges.end());
@@ -115,23 +113,35 @@ std::vector<Point> CurvedBorder::cornersAlong(const clipping::Segment& line, Pla
 {
     std::vector<Point> corners{edgeAt(place).from};
     double last = 0;
-    const auto passes = [&](const Point& p) {
-        const auto& ellipse = sourceOf(edgeAt(place)).ellipse;
+    const auto passes = [&](const Point& p, double most) {
+        const auto ellipse = ellipseOf(edgeAt(place));
         const Where where = placeOn(line.a, line.b, p);
         const bool isNear =
-            where.distance <= near_
-            || (ellipse && placeOn(line.a, line.b, onEllipse(*ellipse, p)).distance <= near_);
+            where.distance <= most
+            || (ellipse && placeOn(line.a, line.b, onEllipse(*ellipse, p)).distance <= most);
         return isNear && where.parts > std::exchange(last, where.parts);
     };
-    while (edgeAt(place).isCurved() && std::ranges::all_of(between(edgeAt(place)), passes)) {
+    const auto isAlong = [&](const Point& p) { return passes(p, near_); };
+    while (!edgeAt(place).isStraight() && std::ranges::all_of(between(place), isAlong)) {
         corners.push_back(endOf(place));
         if (areSame(corners.back(), line.b))
             return corners;
-        if (!passes(corners.back()))
+        if (!passes(corners.back(), cornersNear()))
             break;
         place.edge = (place.edge + 1) % rings_[place.ring].edges.size();
     }
     return {};
+}
+
+/// Whether a point is none of the border's corners, but very near to this one. A short way between
+/// the two would be along no edge.
+bool CurvedBorder::isBesideCorner(const Point& p, const Point& corner) const
+{
+    bool isCorner = false;
+    starts_.meeting(around({p, p}, near_ / 1000), 0, [&](std::uint32_t edge) {
+        isCorner = isCorner || areSame(edgeAt(edges_[edge]).from, p);
+    });
+    return !isCorner && glm::distance(p, corner) <= cornersNear();
 }
 
 std::vector<Chord> CurvedBorder::linesAlong(const Chord& chord) const
@@ -140,25 +150,31 @@ std::vector<Chord> CurvedBorder::linesAlong(const Chord& chord) const
     if (areSame(a, b))
         return {};
     std::vector<Point> corners;
-    const auto look = [&](const clipping::Segment& line) {
-        if (corners.empty())
-            starts_.meeting(around({line.a, line.a}, near_ / 1000), 0, [&](std::uint32_t edge) {
-                if (corners.empty() && areSame(edgeAt(edges_[edge]).from, line.a))
-                    corners = cornersAlong(line, edges_[edge]);
-            });
+    std::uint32_t first = ~0u; // the edges of the first ring count, as for curves
+    const auto look = [&](const clipping::Segment& line, bool isForward) {
+        starts_.meeting(around({line.a, line.a}, near_ / 1000), 0, [&](std::uint32_t edge) {
+            if (edge >= first || !areSame(edgeAt(edges_[edge]).from, line.a))
+                return;
+            std::vector<Point> found = cornersAlong(line, edges_[edge]);
+            if (found.empty())
+                return;
+            if (!isForward)
+                std::ranges::reverse(found);
+            corners = std::move(found);
+            first = edge;
+        });
     };
-    look({a, b});
-    const bool isForward = !corners.empty();
-    look({b, a});
-    if (!isForward)
-        std::ranges::reverse(corners);
+    look({a, b}, true);
+    look({b, a}, false);
     std::vector<Chord> chords;
-    for (std::size_t i = 1; i < corners.size(); ++i) {
-        const auto at = [&](std::size_t k) {
-            return k == 0 ? 0 : k + 1 == corners.size() ? 1 : placeOn(a, b, corners[k]).parts;
-        };
+    const auto at = [&](std::size_t k) {
+        return k == 0 ? 0
+               : k + 1 == corners.size()
+                   ? 1
+                   : std::max(placeOn(a, b, corners[k]).parts, justAfterStart);
+    };
+    for (std::size_t i = 1; i < corners.size(); ++i)
         chords.push_back({{corners[i - 1], corners[i]}, chord.pathSegment, at(i - 1), at(i)});
-    }
     return chords;
 }
 
@@ -187,15 +203,19 @@ void CurvedBorder::flattenAlong(const Path& path, double tolerance,
         while (end < plain.size() && plain[end].pathSegment == segment && plain[end].t0 != 0)
             ++end;
         const auto own = std::span(plain).subspan(i, end - i);
-        if (begins || !areSame(at, chord.a))
+        const bool isCurved = isCurve(subpaths[subpath], segment);
+        if (begins || !(areSame(at, chord.a) || (isCurved && isBesideCorner(chord.a, at))))
             at = chord.a;
-        if (isCurve(subpaths[subpath], segment)) {
+        if (isCurved) {
             flattenAlong(subpaths[subpath], segment, own, tolerance, at, chords);
         } else {
             const std::vector<Chord> along = linesAlong(own.front());
             const auto parts = along.empty() ? own : std::span(along);
+            const std::size_t first = chords.size();
             chords.insert(chords.end(), parts.begin(), parts.end());
-            at = own.back().segment.b;
+            if (along.empty())
+                chords[first].segment.a = at;
+            at = parts.back().segment.b;
         }
     }
 }
@@ -213,15 +233,15 @@ void CurvedBorder::flattenAlong(const Subpath& path, std::size_t segment,
         at = to, t = until;
     };
     const auto goPlainly = [&](const Point& to, double until) {
-        for (const Chord& chord : near.chords)
-            if (chord.t1 > t && chord.t1 < until)
-                go(chord.segment.b, chord.t1);
+        for (const CurvePoint& end : near.ends)
+            if (end.t > t && end.t < until)
+                go(end.point, end.t);
         if (until > t)
             go(to, until);
     };
     for (const Shared& part : sharedWith(path, segment, near.edges)) {
         if (part.low == 0 && t == 0) {
-            if (areSame(at, part.atLow))
+            if (areSame(at, part.atLow) || isBesideCorner(at, part.atLow))
                 at = part.atLow;
             else
                 go(part.atLow, justAfterStart); // across the border
@@ -230,6 +250,11 @@ void CurvedBorder::flattenAlong(const Subpath& path, std::size_t segment,
         }
         goPlainly(part.atLow, part.low);
         go(part.atHigh, part.high);
+    }
+    constexpr double late = 0.5; // a closed curve begins there, too
+    if (t > late && isBesideCorner(curve.to, at)) {
+        chords.back().t1 = 1;
+        return;
     }
     goPlainly(curve.to, 1);
     if (!areSame(at, curve.to))

@@ -17,7 +17,7 @@ std::optional<CurvedBorder::Place> CurvedBorder::edgeThrough(const Point& cut) c
     index_.meeting({cut, cut}, 0, [&](std::uint32_t number) {
         const Place& place = edges_[number];
         const double distance = placeOn(edgeAt(place).from, endOf(place), cut).distance;
-        if (distance <= least) {
+        if (edgeAt(place).isCurved() && distance <= least) {
             least = distance;
             nearest = place;
         }
@@ -36,6 +36,8 @@ std::optional<BorderPart> CurvedBorder::partAlong(const clipping::Segment& edge)
     std::optional<BorderPart> found;
     index_.meeting({edge.a, edge.a}, 0, [&](std::uint32_t number) {
         const Place& place = edges_[number];
+        if (!edgeAt(place).isCurved())
+            return;
         const Point &from = edgeAt(place).from, &to = endOf(place);
         const auto [curve, t0, t1] = partOf(place);
         if (from == edge.a && to == edge.b)
@@ -53,6 +55,9 @@ std::optional<BorderMeeting> CurvedBorder::meeting(const clipping::Segment& line
     if (!place)
         return std::nullopt;
     const auto isLeft = [&](const Point& p) { return cross(line.b - line.a, p - line.a) > 0; };
+    const Point &from = edgeAt(*place).from, &to = endOf(*place);
+    if ((line.a == from && line.b == to) || (line.a == to && line.b == from))
+        return std::nullopt; // along it: another window cuts there
     const BorderPart part = partOf(*place);
     double low = part.from, high = part.to;
     const bool atLow = isLeft(part.curve->at(low));

@@ -12,25 +12,38 @@
 namespace app {
 namespace {
 
-bool isCurvedWindow(const ClipWindow& window)
+/// Whether a curve is a line, and goes along it in one direction.
+bool isStraight(const Bezier& curve)
+{
+    const Point along = curve.to - curve.from, a = curve.control1 - curve.from,
+                b = curve.control2 - curve.from;
+    const double length = glm::dot(along, along);
+    const auto isBetween = [&](const Point& p) {
+        return glm::dot(p, along) >= 0 && glm::dot(p, along) <= length;
+    };
+    return cross(along, a) == 0 && cross(along, b) == 0 && isBetween(a) && isBetween(b);
+}
+
+bool isBorder(const ClipWindow& window, CurvedBorder::Sides sides)
 {
     const auto* shape = std::get_if<PathShape>(&window.shape);
-    return window.visible && shape && !shape->path.straight();
+    return window.visible && shape
+           && (sides == CurvedBorder::Sides::Yes || !shape->path.straight());
 }
 
 } // namespace
 
-CurvedBorder::CurvedBorder(const ClipWindows& windows, const Page& page, double near)
+CurvedBorder::CurvedBorder(const ClipWindows& windows, const Page& page, double near, Sides sides)
     : windows_(windows), near_(near > 0 ? near : millimetres / page.millimetresPerUnit())
 {
     tolerance_ = std::min(near_ / 2, windowMillimetres / page.millimetresPerUnit());
     for (std::size_t i = 0; i < windows.list.size(); ++i)
-        if (isCurvedWindow(windows.list[i])) {
-            curved_.push_back(i);
+        if (isBorder(windows.list[i], sides)) {
+            withRings_.push_back(i);
             add(std::get<PathShape>(windows.list[i].shape), i);
         }
     makeIndex();
-    if (curved_.size() > 1)
+    if (withRings_.size() > 1)
         divideAtEndsOfWindows();
 }
 
@@ -41,6 +54,15 @@ CurvedBorder::CurvedBorder(std::span<const Path> areas, double tolerance, const 
     for (std::size_t i = 0; i < areas.size(); ++i)
         add({areas[i], FillRule::NonZero}, i);
     makeIndex();
+}
+
+CurvedBorder::Sides CurvedBorder::sidesFor(const Objects& objects)
+{
+    bool hasCurves = false;
+    objects.forEach(0, objects.size(), [&](std::size_t, const ObjectView& object) {
+        hasCurves = hasCurves || (!object.singleLine() && !object.path().straight());
+    });
+    return hasCurves ? Sides::Yes : Sides::No;
 }
 
 void CurvedBorder::add(const PathShape& shape, std::size_t window)
@@ -68,11 +90,15 @@ void CurvedBorder::add(const Subpath& path, std::size_t window)
 {
     std::vector<Chord> chords;
     flatten(path, tolerance_, chords);
+    const bool hasCurves = std::ranges::any_of(path.segments, &PathSegment::curved);
+    const std::uint32_t line = hasCurves ? Edge::straight : Edge::side;
     Ring& ring = rings_.emplace_back(Ring{window});
     std::optional<std::size_t> segment; // of the last source
     for (const Chord& chord : chords) {
-        Edge edge{chord.segment.a};
-        if (isCurve(path, chord.pathSegment)) {
+        Edge edge{chord.segment.a, 0, 0, line};
+        if (isCurve(path, chord.pathSegment) && isStraight(curveOf(path, chord.pathSegment))) {
+            edge.source = Edge::side;
+        } else if (isCurve(path, chord.pathSegment)) {
             if (std::exchange(segment, chord.pathSegment) != chord.pathSegment)
                 sources_.push_back(
                     {{curveOf(path, chord.pathSegment), {}}, ellipseAt(path, chord.pathSegment)});
@@ -83,17 +109,19 @@ void CurvedBorder::add(const Subpath& path, std::size_t window)
             ring.edges.push_back(edge);
     }
     if (const Point end = chords.back().segment.b; end != chords.front().segment.a)
-        ring.edges.push_back({end}); // an open path counts as closed
+        ring.edges.push_back({end, 0, 0, line}); // an open path counts as closed
 }
 
 // Each part of the edge is 64 times nearer to the curve than the edge.
-std::array<Point, 7> CurvedBorder::between(const Edge& edge) const
+std::array<Point, 7> CurvedBorder::between(const Place& place) const
 {
+    const Edge& edge = edgeAt(place);
     std::array<Point, 7> places;
-    constexpr double parts = places.size() + 1;
-    for (std::size_t i = 0; i < places.size(); ++i)
-        places[i] =
-            sourceOf(edge).curve.at(edge.t0 + (edge.t1 - edge.t0) * (double(i) + 1) / parts);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const double share = (double(i) + 1) / double(places.size() + 1);
+        places[i] = edge.isCurved() ? sourceOf(edge).curve.at(edge.t0 + (edge.t1 - edge.t0) * share)
+                                    : edge.from + (endOf(place) - edge.from) * share;
+    }
     return places;
 }
 
@@ -116,14 +144,14 @@ void CurvedBorder::makeIndex()
     for (std::size_t i = 0; i < rings_.size(); ++i)
         for (std::size_t j = 0; j < rings_[i].edges.size(); ++j) {
             const Edge& edge = rings_[i].edges[j];
-            if (!edge.isCurved())
+            if (edge.isStraight())
                 continue;
             edges_.push_back({i, j});
             const Point& end = endOf(edges_.back());
             clipping::Window box{glm::min(edge.from, end), glm::max(edge.from, end)};
-            for (const Point& p : between(edge))
+            for (const Point& p : between(edges_.back()))
                 box = {glm::min(box.min, p), glm::max(box.max, p)};
-            const double around = near_ + drawnOff(sourceOf(edge).ellipse);
+            const double around = near_ + drawnOff(ellipseOf(edge));
             boxes.push_back({box.min - around, box.max + around});
             starts.push_back({edge.from, edge.from});
         }
@@ -157,9 +185,9 @@ ClipWindows CurvedBorder::polygons() const
             path.segments.push_back({ring.edges[i].from});
         paths[ring.window].push_back(std::move(path));
     }
-    for (const std::size_t i : curved_) {
+    for (const std::size_t i : withRings_) {
         auto& shape = std::get<PathShape>(windows.list[i].shape);
-        shape = {Path(i == curved_.front() ? paths[i] : alongOthers(shape.path)), shape.rule};
+        shape = {Path(i == withRings_.front() ? paths[i] : alongOthers(shape.path)), shape.rule};
     }
     return windows;
 }

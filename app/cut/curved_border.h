@@ -3,6 +3,7 @@
 
 #include "app/cut/border_curve.h"
 #include "app/cut/box_index.h"
+#include "app/cut/curve_at_edge.h"
 #include "app/document/clip_windows.h"
 #include "app/document/document.h"
 #include "app/document/elliptic_curve.h"
@@ -40,7 +41,12 @@ public:
     /// Of the visible windows, as polygons within half of `near`, so that a curve further from one
     /// crosses its polygon only where it crosses the window. Empty if none has curves. Where
     /// borders of several are the same, all have the edges of the first.
-    CurvedBorder(const ClipWindows& windows, const Page& page, double near = 0);
+    /// With Sides::Yes, polygons are borders, too: for drawings with curves, which may be along
+    /// them.
+    enum class Sides : std::uint8_t { No, Yes };
+    static Sides sidesFor(const Objects& objects);
+    CurvedBorder(const ClipWindows& windows, const Page& page, double near = 0,
+                 Sides sides = Sides::No);
     /// Of areas, as polygons within a tolerance (user units). Where borders of several are the
     /// same, curves have the edges of the first.
     CurvedBorder(std::span<const Path> areas, double tolerance, const Page& page, double near = 0);
@@ -77,8 +83,10 @@ private:
         std::uint32_t source = straight; ///< of sources_
         bool isEnd = false; ///< whether something of the drawing or a window ends where it begins
 
-        static constexpr std::uint32_t straight = 0xffffffff;
-        bool isCurved() const { return source != straight; }
+        /// Neither is of sources_. Curves may run along a side of a polygon.
+        static constexpr std::uint32_t straight = 0xffffffff, side = 0xfffffffe;
+        bool isCurved() const { return source < side; }
+        bool isStraight() const { return source == straight; }
     };
     struct Ring {
         std::size_t window;
@@ -89,7 +97,7 @@ private:
         double low, high;
         Point atLow, atHigh;
     };
-    /// A curved edge, by the numbers of its ring and of it there.
+    /// An edge along which curves may run, by the numbers of its ring and of it there.
     struct Place {
         std::size_t ring, edge;
     };
@@ -115,19 +123,29 @@ private:
     std::optional<Place> edgeThrough(const Point& cut) const;
     const Point& endOf(const Place& place) const;
     std::vector<Subpath> alongOthers(const Path& border) const;
+    /// What ends there. Lines do not divide the sides of polygons.
+    enum class Ending : std::uint8_t { Line, Curve };
+    struct Cut {
+        Point at;
+        Ending ending;
+    };
     struct Cuts {
-        std::map<std::uint32_t, std::vector<Point>> on; ///< curved edges, by their numbers
-        bool moved = false;                             ///< a corner is elsewhere now
+        std::map<std::uint32_t, std::vector<Cut>> on; ///< edges, by their numbers
+        bool moved = false;                           ///< a corner is elsewhere now
     };
     void divideAtEndsOf(const Path& path, Cuts& cuts);
     /// `on` is the same point on the ellipse, of which the curve is a part.
-    void divideAt(const Point& p, const Point& on, Cuts& cuts);
+    void divideAt(const Point& p, const Point& on, Ending ending, Cuts& cuts);
     /// How far another curve may be that is drawn for a part of the same ellipse.
     static double drawnOff(const std::optional<EllipseArc>& ellipse);
     /// Places on an edge's curve between the ends of its chord.
-    std::array<Point, 7> between(const Edge& edge) const;
+    std::array<Point, 7> between(const Place& place) const;
+    std::optional<EllipseArc> ellipseOf(const Edge& edge) const
+    {
+        return edge.isCurved() ? sourceOf(edge).ellipse : std::nullopt;
+    }
     const Source& sourceOf(const Edge& edge) const { return sources_[edge.source]; }
-    bool mayMove(const Edge& edge, const Point& p) const;
+    bool mayMove(const Place& before, const Edge& edge, const Point& p) const;
     void move(Edge& before, Edge& edge, const Point& p) const;
     struct Where {
         double parts; ///< from the start of the edge
@@ -135,22 +153,31 @@ private:
     };
     static Where placeOn(const Point& a, const Point& b, const Point& p);
     Where whereOn(const Place& place, const Point& p) const;
-    std::vector<Edge> divided(const Edge& edge, std::span<const Point> points) const;
+    struct Corner {
+        double t;     ///< of the edge's curve; of a side, its share
+        Point at, on; ///< and the nearest point of the curve
+        Ending ending = Ending::Curve;
+    };
+    Corner cornerOn(const Place& place, const Point& p) const;
+    std::vector<Edge> divided(const Place& place, std::span<const Cut> cuts) const;
     void divide(const Cuts& cuts);
     std::optional<Shared> shared(const Place& place, const Bezier& curve,
                                  const std::optional<EllipseArc>& ellipse) const;
     bool isOf(const Edge& edge, const Bezier& curve) const
     {
-        return sourceOf(edge).curve.bezier == curve;
+        return edge.isCurved() && sourceOf(edge).curve.bezier == curve;
     }
     void flattenAlong(const Subpath& path, std::size_t segment, std::span<const Chord> plain,
                       double tolerance, Point& at, std::vector<Chord>& chords) const;
     struct Beside {
-        std::vector<std::uint32_t> edges; ///< the curved ones that begin beside a curve
-        std::vector<Chord> chords;        ///< of the curve: short ones beside them
+        std::vector<std::uint32_t> edges; ///< those that begin beside a curve
+        std::vector<CurvePoint> ends;     ///< of the curve's chords, which are short beside them
     };
     /// `plain` are chords within the tolerance of it.
     Beside beside(const Bezier& curve, std::span<const Chord> plain, double tolerance) const;
+    /// How far a corner may be from a curve that runs there: both are near the border's curve.
+    double cornersNear() const { return 2 * near_; }
+    bool isBesideCorner(const Point& p, const Point& corner) const;
     std::vector<Point> cornersAlong(const clipping::Segment& line, Place place) const;
     /// The chords of a line along the border, up to both ends; empty: it is not along it.
     std::vector<Chord> linesAlong(const Chord& chord) const;
@@ -159,11 +186,11 @@ private:
                                    std::span<const std::uint32_t> near) const;
 
     ClipWindows windows_;
-    std::vector<std::size_t> curved_; ///< the numbers of windows with curves
-    double tolerance_ = 0, near_ = 0; ///< in user units
+    std::vector<std::size_t> withRings_; ///< the numbers of windows with rings
+    double tolerance_ = 0, near_ = 0;    ///< in user units
     std::vector<Source> sources_;
     std::vector<Ring> rings_;
-    std::vector<Place> edges_; ///< the curved ones
+    std::vector<Place> edges_; ///< along which curves may run
     BoxIndex index_;           ///< of these
     BoxIndex starts_;          ///< of their first points
 };

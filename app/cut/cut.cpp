@@ -99,7 +99,8 @@ public:
     Cutter(const Document& document, const CutOptions& options, Grouping grouping,
            const Follower& follower)
         : objects_(document.objects()),
-          border_(options.windows, document.page(), options.coincident),
+          border_(options.windows, document.page(), options.coincident,
+                  CurvedBorder::sidesFor(document.objects())),
           options_(
               dividedAt(border_, document, withTolerance(options, document.page()), follower.stop)),
           edit_(document, grouping), clipping_(options_, follower.stop),

@@ -26,7 +26,7 @@ void CurvedBorder::divideAtEndsIn(const Objects& objects, const std::stop_token&
 void CurvedBorder::divideAtEndsOfWindows()
 {
     Cuts cuts;
-    for (const std::size_t i : curved_)
+    for (const std::size_t i : withRings_)
         divideAtEndsOf(std::get<PathShape>(windows_.list[i].shape).path, cuts);
     divide(cuts);
 }
@@ -34,27 +34,43 @@ void CurvedBorder::divideAtEndsOfWindows()
 void CurvedBorder::divideAtEndsOf(const Path& path, Cuts& cuts)
 {
     if (path.straight())
-        return path.forEachPoint([&](const Point& p) { divideAt(p, p, cuts); });
+        return path.forEachPoint([&](const Point& p) { divideAt(p, p, Ending::Line, cuts); });
     for (const Subpath& subpath : path.subpaths()) {
-        divideAt(subpath.start, subpath.start, cuts);
+        const auto ending = [&](std::size_t i) {
+            return isCurve(subpath, i) ? Ending::Curve : Ending::Line;
+        };
+        divideAt(subpath.start, subpath.start, ending(0), cuts);
         for (std::size_t i = 0; i < subpath.segments.size(); ++i) {
             const Point to = subpath.segments[i].to;
             const bool goesOn = isCurve(subpath, i) && goesOnAfter(subpath, i);
             const auto ellipse = goesOn ? ellipseAt(subpath, i) : std::nullopt;
-            divideAt(to, ellipse ? onEllipse(*ellipse, to) : to, cuts);
+            divideAt(to, ellipse ? onEllipse(*ellipse, to) : to, ending(i), cuts);
         }
     }
 }
 
-/// Whether an edge begins beside a point of its ellipse, as far from it as drawings of one ellipse
-/// are, where no curve ends. A short edge between the two would be along no curve.
-bool CurvedBorder::mayMove(const Edge& edge, const Point& p) const
+/// Whether the edge after a place begins so near to a point of its curve that a short edge between
+/// the two would be along no curve. Of an ellipse, as far from it as drawings of one are. Corners
+/// where something ends stay.
+bool CurvedBorder::mayMove(const Place& before, const Edge& edge, const Point& p) const
 {
-    if (!edge.isCurved())
+    if (!edge.isCurved() || edge.isEnd)
         return false;
-    const auto& ellipse = sourceOf(edge).ellipse;
-    return ellipse && !edge.isEnd && glm::distance(edge.from, p) <= drawnOff(ellipse)
-           && glm::distance(onEllipse(*ellipse, p), p) <= near_;
+    const auto& [curve, ellipse] = sourceOf(edge);
+    const double distance = glm::distance(edge.from, p);
+    const Place at{before.ring, (before.edge + 1) % rings_[before.ring].edges.size()};
+    constexpr double little = 0.25; // the edges beside it must stay near to the curve
+    if (distance > little * glm::distance(edgeAt(before).from, edge.from)
+        || distance > little * glm::distance(edge.from, endOf(at)))
+        return false;
+    if (ellipse && distance <= drawnOff(ellipse)
+        && glm::distance(onEllipse(*ellipse, p), p) <= near_)
+        return true;
+    if (distance > 3 * near_)
+        return false;
+    const Point on = curve.at(curve.near(p, edge.t0));
+    return glm::distance(on, p) <= near_
+           && glm::distance(edge.from, on) <= 2 * glm::distance(on, p);
 }
 
 /// Ends an edge at a point, where the next one begins.
@@ -68,20 +84,22 @@ void CurvedBorder::move(Edge& before, Edge& edge, const Point& p) const
 }
 
 /// Where a corner of the border is the point but for rounding, it becomes the point.
-void CurvedBorder::divideAt(const Point& p, const Point& on, Cuts& cuts)
+void CurvedBorder::divideAt(const Point& p, const Point& on, Ending ending, Cuts& cuts)
 {
     std::map<std::size_t, std::pair<std::uint32_t, Where>> nearest; // of each ring
     index_.meeting({on, on}, 0, [&](std::uint32_t number) {
         const Place& place = edges_[number];
+        if (ending == Ending::Line && !edgeAt(place).isCurved())
+            return;
         auto& edges = rings_[place.ring].edges;
         const std::size_t after = (place.edge + 1) % edges.size();
         for (Edge* edge : {&edges[place.edge], &edges[after]})
-            if (areSame(edge->from, p)) {
+            if (areSame(edge->from, p) && !edge->isEnd) {
                 cuts.moved = cuts.moved || edge->from != p;
                 edge->from = p;
                 edge->isEnd = true;
             }
-        if (mayMove(edges[after], on)) {
+        if (mayMove(place, edges[after], on)) {
             move(edges[place.edge], edges[after], p);
             cuts.moved = true;
         }
@@ -98,7 +116,7 @@ void CurvedBorder::divideAt(const Point& p, const Point& on, Cuts& cuts)
         const Place& place = edges_[number];
         if (where.distance <= 1.5 * near_ // the parts of edges themselves are off by some of that
             && edgeAt(place).from != p && endOf(place) != p)
-            cuts.on[number].push_back(p);
+            cuts.on[number].push_back({p, ending});
     }
 }
 
@@ -114,7 +132,7 @@ CurvedBorder::Where CurvedBorder::whereOn(const Place& place, const Point& p) co
 {
     const Edge& edge = edgeAt(place);
     std::vector<Point> points{edge.from};
-    std::ranges::copy(between(edge), std::back_inserter(points));
+    std::ranges::copy(between(place), std::back_inserter(points));
     points.push_back(endOf(place));
     Where where{0, std::numeric_limits<double>::infinity()};
     const auto look = [&] {
@@ -125,7 +143,7 @@ CurvedBorder::Where CurvedBorder::whereOn(const Place& place, const Point& p) co
         }
     };
     look();
-    if (const auto& ellipse = sourceOf(edge).ellipse) {
+    if (const auto ellipse = ellipseOf(edge)) {
         for (Point& q : points)
             q = onEllipse(*ellipse, q);
         look();
@@ -133,22 +151,56 @@ CurvedBorder::Where CurvedBorder::whereOn(const Place& place, const Point& p) co
     return where;
 }
 
-/// The parts of an edge between points on it, in their order.
-std::vector<CurvedBorder::Edge> CurvedBorder::divided(const Edge& edge,
-                                                      std::span<const Point> points) const
+CurvedBorder::Corner CurvedBorder::cornerOn(const Place& place, const Point& p) const
 {
+    const Edge& edge = edgeAt(place);
+    if (!edge.isCurved()) {
+        const double share = placeOn(edge.from, endOf(place), p).parts;
+        return {share, p, edge.from + (endOf(place) - edge.from) * share};
+    }
+    const BorderCurve& curve = sourceOf(edge).curve;
     const auto [low, high] = std::minmax(edge.t0, edge.t1);
-    std::vector<std::pair<double, Point>> places;
-    for (const Point& p : points)
-        places.emplace_back(std::clamp(sourceOf(edge).curve.near(p, edge.t0), low, high), p);
-    std::ranges::stable_sort(places, [&](const auto& a, const auto& b) {
-        return edge.t0 < edge.t1 ? a.first < b.first : b.first < a.first;
+    const double t = std::clamp(curve.near(p, edge.t0), low, high);
+    return {t, p, curve.at(t)};
+}
+
+/// The parts of an edge between points on it, in their order. Where points are beside each other
+/// rather than behind, the first one counts: an edge between them would be along no curve.
+std::vector<CurvedBorder::Edge> CurvedBorder::divided(const Place& place,
+                                                      std::span<const Cut> cuts) const
+{
+    const Edge& edge = edgeAt(place);
+    std::vector<Corner> corners;
+    for (const auto& [at, ending] : cuts) {
+        corners.push_back(cornerOn(place, at));
+        corners.back().ending = ending;
+    }
+    std::ranges::stable_sort(corners, [&](const Corner& a, const Corner& b) {
+        return edge.t0 <= edge.t1 ? a.t < b.t : b.t < a.t;
     });
+    // Curves may begin beside the joints of curves, as far as another drawing of one is.
+    const auto areCurves = [&](const Corner& joint, const Corner& corner) {
+        return (joint.t == 0 || joint.t == 1) && corner.ending == Ending::Curve;
+    };
+    const auto goesOn = [&](const Corner& a, const Corner& b) {
+        return !areSame(a.at, b.at)
+               && (areCurves(a, b) || areCurves(b, a)
+                   || glm::distance(a.on, b.on) > 2 * glm::distance(a.at - a.on, b.at - b.on));
+    };
+    const auto ownCorner = [&](double t, const Point& at) {
+        return Corner{t, at, edge.isCurved() ? sourceOf(edge).curve.at(t) : at};
+    };
+    Corner last = ownCorner(edge.t0, edge.from);
+    const Corner end = ownCorner(edge.isCurved() ? edge.t1 : 1, endOf(place));
     std::vector<Edge> parts{edge};
-    for (const auto& [t, p] : places)
-        if (!areSame(p, parts.back().from)) {
-            parts.back().t1 = t;
-            parts.push_back({p, t, edge.t1, edge.source, true});
+    for (const Corner& corner : corners)
+        if (goesOn(last, corner) && goesOn(corner, end)) {
+            last = corner;
+            parts.push_back(edge);
+            parts.back().from = corner.at;
+            parts.back().isEnd = true;
+            if (edge.isCurved())
+                parts[parts.size() - 2].t1 = parts.back().t0 = corner.t;
         }
     return parts;
 }
@@ -160,16 +212,16 @@ void CurvedBorder::divide(const Cuts& cuts)
     std::vector<Ring> rings;
     for (const Ring& ring : rings_)
         rings.push_back({ring.window});
-    std::uint32_t number = 0; // of the next curved edge
+    std::uint32_t number = 0; // of the next edge that may be divided
     for (std::size_t i = 0; i < rings_.size(); ++i)
-        for (const Edge& edge : rings_[i].edges) {
+        for (std::size_t j = 0; j < rings_[i].edges.size(); ++j) {
             auto& edges = rings[i].edges;
-            const auto found = edge.isCurved() ? cuts.on.find(number++) : cuts.on.end();
-            if (found == cuts.on.end()) {
+            const Edge& edge = rings_[i].edges[j];
+            const auto found = edge.isStraight() ? cuts.on.end() : cuts.on.find(number++);
+            if (found == cuts.on.end())
                 edges.push_back(edge);
-                continue;
-            }
-            std::ranges::move(divided(edge, found->second), std::back_inserter(edges));
+            else
+                std::ranges::move(divided({i, j}, found->second), std::back_inserter(edges));
         }
     rings_ = std::move(rings);
     makeIndex();

@@ -30,7 +30,7 @@ public:
 
     Cut made()
     {
-        border_.emplace(curvedAreas(), options_.tolerance, document_.page(), options_.coincident);
+        border_.emplace(borders(), options_.tolerance, document_.page(), options_.coincident);
         border_->divideAtEndsIn(document_.objects(), follower_.stop);
         auto all = areas();
         const std::size_t number = all.size();
@@ -81,13 +81,15 @@ private:
     }
 
     // Each once: there may be thousands of copies.
-    std::vector<Path> curvedAreas()
+    std::vector<Path> borders()
     {
+        if (CurvedBorder::sidesFor(document_.objects()) == CurvedBorder::Sides::No)
+            return {};
         std::vector<Path> paths;
         std::multimap<std::tuple<double, double, std::size_t>, std::size_t> known;
         document_.objects().forEach(
             0, document_.objects().size(), [&](std::size_t i, const ObjectView& object) {
-                if (object.path().straight() || !covers(i, object))
+                if (!covers(i, object))
                     return;
                 const Point start = object.path().subpaths().front().start;
                 const auto [same, end] =

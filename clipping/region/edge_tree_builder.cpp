@@ -162,8 +162,8 @@ private:
         return a + (b - a) * ((double(part.from) + double(part.to)) / 2);
     }
 
-    /// The best of some lines, of edges or through the starts of two, as a sample of the parts
-    /// says. Returns whether it divides them well.
+    /// The best of some lines, as a sample of the parts says: of edges, from a corner of the cell,
+    /// through the starts of two edges, or across one. Returns whether it divides them well.
     bool findLine(const Cell& cell, Division& best)
     {
         constexpr std::size_t samples = 16, lines = 3, tries = 16;
@@ -193,10 +193,18 @@ private:
             }
             for (std::size_t i = 0; i < lines && fewest > good; ++i)
                 consider(Division({startOf(2 * i), startOf(2 * i + 1)}));
+            if (fewest > good) // all are on one line
+                consider(Division({startOf(0), startOf(0) + acrossOf(sample[0])}));
             if (fewest < most)
                 return true;
         }
         return false;
+    }
+
+    glm::dvec2 acrossOf(const EdgePart& part) const
+    {
+        const auto& [a, b] = edges_[part.edge].segment;
+        return {a.y - b.y, b.x - a.x};
     }
 
     Sides sidesOf(const Line& line, std::span<const EdgePart> parts) const

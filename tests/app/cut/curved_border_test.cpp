@@ -461,6 +461,119 @@ private slots:
             }
     }
 
+    /// And a circle along a polygon, as long as that is within a micrometre of it.
+    void aCurveAlongAPolygonIsWhole()
+    {
+        for (const double radius : {0.1, 1.0, 10.0, 50.0}) {
+            const EllipseArc round{centre, {radius, 0}, {0, radius}};
+            for (const int corners : {512, 2048}) {
+                const Subpath polygon = polyline(round, 0.1, 2 * std::numbers::pi, corners);
+                for (const Subpath& own : {circle(radius, 4, 0), circle(radius, 5, 1)}) {
+                    QVERIFY(pathsOf(cutAt(windowOf(polygon), {own}, Keep::Inside, false))
+                            == std::vector{own});
+                    QVERIFY(cutAt(windowOf(polygon), {own}, Keep::Outside, false).shapes.empty());
+                    QVERIFY(covered({own, polygon}, {polygon}).empty());
+                    QVERIFY(covered({own, polygon}, {own}).empty());
+                }
+            }
+        }
+    }
+
+    /// Ends with three decimals, beside corners of its polygon and beside each other.
+    void aWindowsOwnPathIsWholeWhateverEndsBesideIt()
+    {
+        std::mt19937_64 random(23);
+        const auto number = [&](double low, double high) {
+            return low + (high - low) * double(random() >> 11) * 0x1p-53;
+        };
+        for (int i = 0; i < 60; ++i) {
+            const Bezier curve{{50, 100},
+                               {number(60, 140), number(10, 95)},
+                               {number(160, 240), number(10, 95)},
+                               {250, 100}};
+            const Subpath own{
+                curve.from,
+                {{curve.to, curve.control1, curve.control2, true}, {{250, 200}}, {{50, 200}}},
+                true};
+            std::vector<Subpath> paths{own};
+            for (int k = 1; k < 128; ++k) {
+                const Point p = curve.at(k % 2 ? k / 128.0 : number(0, 1));
+                const Point end(std::round(p.x * 1e3) / 1e3, std::round(p.y * 1e3) / 1e3);
+                paths.push_back({end, {{{end.x, k % 3 ? 0.0 : 190.0}}}, false});
+            }
+            QVERIFY(pathsOf(cutAt(windowOf(own), paths, Keep::Inside, false)).front() == own);
+            for (const Subpath& part : pathsOf(cutAt(windowOf(own), paths, Keep::Outside, false)))
+                QVERIFY(!part.segments[0].curved);
+        }
+    }
+
+    /// Two that end on both sides of a border, as far from it as counts as on it.
+    void endsBesideEachOtherDoNotBreakWhatIsAlong()
+    {
+        const Subpath border{
+            {50, 50}, {{{250, 250}, {100, 100}, {200, 200.01}, true}, {{50, 250}}}, true};
+        const Point middle = Bezier{{50, 50}, {100, 100}, {200, 200.01}, {250, 250}}.at(0.6),
+                    across = Point(-1, 1) / std::sqrt(2.0);
+        for (const double far : {0.0004, 0.0009, 0.0012})
+            for (const Point& end : {middle, border.segments[0].to})
+                for (const Keep keep : {Keep::Inside, Keep::Outside}) {
+                    const std::vector<Subpath> paths{
+                        {end + far * across, {{end + 70.0 * across}}, false},
+                        {end - far * across, {{end - 20.0 * across}}, false},
+                        border};
+                    std::size_t curves = 0;
+                    for (const Subpath& part : pathsOf(cutAt(windowOf(border), paths, keep, false)))
+                        curves += part.segments[0].curved;
+                    QCOMPARE(curves, std::size_t(keep == Keep::Inside));
+                }
+    }
+
+    /// A line along the borders of two windows has the edges of the first, in either direction.
+    void aLineAlongTwoBorders()
+    {
+        const Bezier curve{{50, 100}, {116, 99.99893}, {184, 99.99893}, {250, 100}};
+        const auto areaBy = [](const Bezier& one, const Bezier& two, double y) {
+            return windowOf({one.from,
+                             {{one.to, one.control1, one.control2, true},
+                              {two.to, two.control1, two.control2, true},
+                              {{two.to.x, y}},
+                              {{one.from.x, y}}},
+                             true});
+        };
+        const Bezier back{curve.to, curve.control2, curve.control1, curve.from};
+        const ClipWindow below = areaBy(curve.part(0, 0.5), curve.part(0.5, 1), 200),
+                         above = areaBy(back.part(0, 0.37), back.part(0.37, 1), 20);
+        for (const auto operation : {WindowOperation::CutOut, WindowOperation::Intersect})
+            for (const auto& [a, b] : {std::pair(curve.from, curve.to), {curve.to, curve.from}})
+                for (const Keep keep : {Keep::Inside, Keep::Outside}) {
+                    ClipWindow other = below;
+                    other.operation = operation;
+                    const Subpath line{a, {{b}}, false};
+                    const auto left = pathsOf(cutAt({above, other}, {line}, keep, false));
+                    const bool isIn = operation == WindowOperation::Intersect;
+                    QVERIFY(isIn == (keep == Keep::Inside) ? left == std::vector{line}
+                                                           : left.empty());
+                }
+    }
+
+    /// Its corners are far apart, and ends on it do not bend it.
+    void anEndOnAVeryLargeCircleMovesNothingElse()
+    {
+        constexpr double radius = 100'000;
+        const Point middle(150, 100 + radius);
+        const auto on = [&](double x) {
+            return middle.y - std::sqrt(radius * radius - (x - middle.x) * (x - middle.x));
+        };
+        std::vector<Subpath> paths;
+        for (double x = 60; x < 250; x += 5)
+            paths.push_back({{x, on(x) + 0.005}, {{{x, on(x) + 10}}}, false});
+        const std::vector<Subpath> below = paths;
+        paths.push_back({{150, on(150)}, {{{150, 20}}}, false});
+        Subpath round = circle(radius, 4, 0);
+        const ClipWindow window = windowOf(round, EllipseRecipe{middle, {radius, radius}});
+        QVERIFY(pathsOf(cutAt(window, paths, Keep::Inside, false)) == below);
+    }
+
     /// What ends on a window's curve ends on it: nothing is left to cut.
     void cuttingAgainChangesNothing()
     {

@@ -111,6 +111,16 @@ std::vector<glm::dvec2> disc(int corners)
     return points;
 }
 
+/// One side is divided into many edges.
+std::vector<glm::dvec2> side(int edges)
+{
+    std::vector<glm::dvec2> points;
+    for (int i = 0; i <= edges; ++i)
+        points.push_back({double(i) / edges, 0});
+    points.push_back({0.5, 1});
+    return points;
+}
+
 /// How many edges are listed along all edges together.
 std::size_t listed(std::vector<glm::dvec2> points, double angle)
 {
@@ -205,7 +215,7 @@ private slots:
         QFETCH(double, angle);
         for (const auto& [few, many] :
              {std::pair(comb(2'000), comb(4'000)), std::pair(star(4'000), star(8'000)),
-              std::pair(disc(8'000), disc(16'000))}) {
+              std::pair(disc(8'000), disc(16'000)), std::pair(side(8'000), side(16'000))}) {
             const auto forFew = double(listed(few, angle)), forMany = double(listed(many, angle));
             QVERIFY2(forMany < 2.3 * forFew && forMany < 100 * double(many.size()),
                      QByteArray::number(forMany / forFew));
