@@ -103,9 +103,12 @@ inline bool settle()
     for (int turn = 0, quiet = 0; turn < most; ++turn) {
         QCoreApplication::processEvents();
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-        app::backgroundThreads().waitForDone();
-        QThreadPool::globalInstance()->waitForDone();
-        quiet = Timers::fire() ? 0 : quiet + 1;
+        bool works = false; // what ends may begin the next
+        for (QThreadPool* threads : {&app::backgroundThreads(), QThreadPool::globalInstance()}) {
+            works = works || threads->activeThreadCount() > 0;
+            threads->waitForDone();
+        }
+        quiet = Timers::fire() || works ? 0 : quiet + 1;
         if (quiet > enough)
             return true;
     }
