@@ -119,7 +119,7 @@ std::vector<Point> CurvedBorder::cornersAlong(const clipping::Segment& line, Pla
         const bool isNear =
             where.distance <= most
             || (ellipse && placeOn(line.a, line.b, onEllipse(*ellipse, p)).distance <= most);
-        return isNear && where.parts > std::exchange(last, where.parts);
+        return isNear && where.share > std::exchange(last, where.share);
     };
     const auto isAlong = [&](const Point& p) { return passes(p, near_); };
     while (!edgeAt(place).isStraight() && std::ranges::all_of(between(place), isAlong)) {
@@ -128,7 +128,7 @@ std::vector<Point> CurvedBorder::cornersAlong(const clipping::Segment& line, Pla
             return corners;
         if (!passes(corners.back(), cornersNear()))
             break;
-        place.edge = (place.edge + 1) % rings_[place.ring].edges.size();
+        place = after(place);
     }
     return {};
 }
@@ -138,9 +138,7 @@ std::vector<Point> CurvedBorder::cornersAlong(const clipping::Segment& line, Pla
 bool CurvedBorder::isBesideCorner(const Point& p, const Point& corner) const
 {
     bool isCorner = false;
-    starts_.meeting(around({p, p}, near_ / 1000), 0, [&](std::uint32_t edge) {
-        isCorner = isCorner || areSame(edgeAt(edges_[edge]).from, p);
-    });
+    forEdgesFrom(p, [&](std::uint32_t) { isCorner = true; });
     return !isCorner && glm::distance(p, corner) <= cornersNear();
 }
 
@@ -152,10 +150,10 @@ std::vector<Chord> CurvedBorder::linesAlong(const Chord& chord) const
     std::vector<Point> corners;
     std::uint32_t first = ~0u; // the edges of the first ring count, as for curves
     const auto look = [&](const clipping::Segment& line, bool isForward) {
-        starts_.meeting(around({line.a, line.a}, near_ / 1000), 0, [&](std::uint32_t edge) {
-            if (edge >= first || !areSame(edgeAt(edges_[edge]).from, line.a))
-                return;
-            std::vector<Point> found = cornersAlong(line, edges_[edge]);
+        forEdgesFrom(line.a, [&](std::uint32_t edge) {
+            std::vector<Point> found;
+            if (edge < first)
+                found = cornersAlong(line, edges_[edge]);
             if (found.empty())
                 return;
             if (!isForward)
@@ -171,7 +169,7 @@ std::vector<Chord> CurvedBorder::linesAlong(const Chord& chord) const
         return k == 0 ? 0
                : k + 1 == corners.size()
                    ? 1
-                   : std::max(placeOn(a, b, corners[k]).parts, justAfterStart);
+                   : std::max(placeOn(a, b, corners[k]).share, justAfterStart);
     };
     for (std::size_t i = 1; i < corners.size(); ++i)
         chords.push_back({{corners[i - 1], corners[i]}, chord.pathSegment, at(i - 1), at(i)});

@@ -83,8 +83,8 @@ std::optional<BorderMeeting> CurvedBorder::meeting(const Bezier& curve, const Ch
         return std::nullopt;
     const BorderPart part = partOf(*place);
     const double width = chord.t1 - chord.t0, reach = part.to - part.from;
-    double t = chord.t0 + width * placeOn(chord.segment.a, chord.segment.b, cut).parts;
-    double u = part.parameterAt(placeOn(edgeAt(*place).from, endOf(*place), cut).parts);
+    double t = chord.t0 + width * placeOn(chord.segment.a, chord.segment.b, cut).share;
+    double u = part.parameterAt(placeOn(edgeAt(*place).from, endOf(*place), cut).share);
     constexpr int most = 20;
     for (int i = 0; i < most; ++i) {
         const Point gap = part.curve->at(u) - curve.at(t);

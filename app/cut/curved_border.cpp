@@ -125,12 +125,6 @@ std::array<Point, 7> CurvedBorder::between(const Place& place) const
     return places;
 }
 
-const Point& CurvedBorder::endOf(const Place& place) const
-{
-    const auto& edges = rings_[place.ring].edges;
-    return edges[(place.edge + 1) % edges.size()].from;
-}
-
 double CurvedBorder::drawnOff(const std::optional<EllipseArc>& ellipse)
 {
     constexpr double most = 3e-4; // of the radius

@@ -37,14 +37,14 @@ public:
     /// How far apart two curves may be that are the same, if `near` (user units) is not given.
     static constexpr double millimetres = 0.001;
 
+    /// Whether polygons are borders, too: for drawings with curves, which may be along their sides.
+    enum class Sides : std::uint8_t { No, Yes };
+    static Sides sidesFor(const Objects& objects);
+
     CurvedBorder() = default; ///< empty
     /// Of the visible windows, as polygons within half of `near`, so that a curve further from one
     /// crosses its polygon only where it crosses the window. Empty if none has curves. Where
     /// borders of several are the same, all have the edges of the first.
-    /// With Sides::Yes, polygons are borders, too: for drawings with curves, which may be along
-    /// them.
-    enum class Sides : std::uint8_t { No, Yes };
-    static Sides sidesFor(const Objects& objects);
     CurvedBorder(const ClipWindows& windows, const Page& page, double near = 0,
                  Sides sides = Sides::No);
     /// Of areas, as polygons within a tolerance (user units). Where borders of several are the
@@ -121,9 +121,14 @@ private:
     const Edge& edgeAt(const Place& place) const { return rings_[place.ring].edges[place.edge]; }
     BorderPart partOf(const Place& place) const;
     std::optional<Place> edgeThrough(const Point& cut) const;
-    const Point& endOf(const Place& place) const;
+    Place after(const Place& place) const
+    {
+        return {place.ring, (place.edge + 1) % rings_[place.ring].edges.size()};
+    }
+    const Point& endOf(const Place& place) const { return edgeAt(after(place)).from; }
     std::vector<Subpath> alongOthers(const Path& border) const;
-    /// What ends there. Lines do not divide the sides of polygons.
+    /// What of the drawing ends on the border. A line's end leaves the sides of polygons as they
+    /// are, bit for bit; a curve's end divides them.
     enum class Ending : std::uint8_t { Line, Curve };
     struct Cut {
         Point at;
@@ -145,14 +150,14 @@ private:
         return edge.isCurved() ? sourceOf(edge).ellipse : std::nullopt;
     }
     const Source& sourceOf(const Edge& edge) const { return sources_[edge.source]; }
-    bool mayMove(const Place& before, const Edge& edge, const Point& p) const;
-    void move(Edge& before, Edge& edge, const Point& p) const;
+    bool mayMoveEnd(const Place& place, const Point& p) const;
+    void moveEnd(const Place& place, const Point& p);
     struct Where {
-        double parts; ///< from the start of the edge
+        double share; ///< of the way from a to b
         double distance;
     };
     static Where placeOn(const Point& a, const Point& b, const Point& p);
-    Where whereOn(const Place& place, const Point& p) const;
+    double distanceTo(const Place& place, const Point& p) const;
     struct Corner {
         double t;     ///< of the edge's curve; of a side, its share
         Point at, on; ///< and the nearest point of the curve
@@ -177,6 +182,16 @@ private:
     Beside beside(const Bezier& curve, std::span<const Chord> plain, double tolerance) const;
     /// How far a corner may be from a curve that runs there: both are near the border's curve.
     double cornersNear() const { return 2 * near_; }
+    /// Calls visit(number) for the edges that begin at a point.
+    template <class Visit>
+    void forEdgesFrom(const Point& p, const Visit& visit) const
+    {
+        const double rounding = near_ / 1000;
+        starts_.meeting({p - rounding, p + rounding}, 0, [&](std::uint32_t edge) {
+            if (areSame(edgeAt(edges_[edge]).from, p))
+                visit(edge);
+        });
+    }
     bool isBesideCorner(const Point& p, const Point& corner) const;
     std::vector<Point> cornersAlong(const clipping::Segment& line, Place place) const;
     /// The chords of a line along the border, up to both ends; empty: it is not along it.

@@ -49,72 +49,74 @@ void CurvedBorder::divideAtEndsOf(const Path& path, Cuts& cuts)
     }
 }
 
-/// Whether the edge after a place begins so near to a point of its curve that a short edge between
-/// the two would be along no curve. Of an ellipse, as far from it as drawings of one are. Corners
-/// where something ends stay.
-bool CurvedBorder::mayMove(const Place& before, const Edge& edge, const Point& p) const
+/// Whether an edge ends so near to a point of its curve that a short edge between the two would be
+/// along no curve. Of an ellipse, as far from it as drawings of one are. Corners where something
+/// ends stay.
+bool CurvedBorder::mayMoveEnd(const Place& place, const Point& p) const
 {
-    if (!edge.isCurved() || edge.isEnd)
+    const Edge& next = edgeAt(after(place));
+    if (!next.isCurved() || next.isEnd)
         return false;
-    const auto& [curve, ellipse] = sourceOf(edge);
-    const double distance = glm::distance(edge.from, p);
-    const Place at{before.ring, (before.edge + 1) % rings_[before.ring].edges.size()};
+    const auto& [curve, ellipse] = sourceOf(next);
+    const double distance = glm::distance(next.from, p);
     constexpr double little = 0.25; // the edges beside it must stay near to the curve
-    if (distance > little * glm::distance(edgeAt(before).from, edge.from)
-        || distance > little * glm::distance(edge.from, endOf(at)))
+    if (distance > little * glm::distance(edgeAt(place).from, next.from)
+        || distance > little * glm::distance(next.from, endOf(after(place))))
         return false;
     if (ellipse && distance <= drawnOff(ellipse)
         && glm::distance(onEllipse(*ellipse, p), p) <= near_)
         return true;
     if (distance > 3 * near_)
         return false;
-    const Point on = curve.at(curve.near(p, edge.t0));
+    const Point on = curve.at(curve.near(p, next.t0));
     return glm::distance(on, p) <= near_
-           && glm::distance(edge.from, on) <= 2 * glm::distance(on, p);
+           && glm::distance(next.from, on) <= 2 * glm::distance(on, p);
 }
 
 /// Ends an edge at a point, where the next one begins.
-void CurvedBorder::move(Edge& before, Edge& edge, const Point& p) const
+void CurvedBorder::moveEnd(const Place& place, const Point& p)
 {
-    edge.from = p;
-    edge.isEnd = true;
+    auto& edges = rings_[place.ring].edges;
+    Edge &edge = edges[place.edge], &next = edges[after(place).edge];
+    const BorderCurve& curve = sourceOf(next).curve;
+    next.from = p;
+    next.isEnd = true;
     // Of an ellipse, the end of its turn is also its start.
-    before.t1 = sourceOf(edge).curve.near(p, before.t1);
-    edge.t0 = sourceOf(edge).curve.near(p, edge.t0);
+    edge.t1 = curve.near(p, edge.t1);
+    next.t0 = curve.near(p, next.t0);
 }
 
 /// Where a corner of the border is the point but for rounding, it becomes the point.
 void CurvedBorder::divideAt(const Point& p, const Point& on, Ending ending, Cuts& cuts)
 {
-    std::map<std::size_t, std::pair<std::uint32_t, Where>> nearest; // of each ring
+    std::map<std::size_t, std::pair<double, std::uint32_t>> nearest; // of each ring
     index_.meeting({on, on}, 0, [&](std::uint32_t number) {
         const Place& place = edges_[number];
         if (ending == Ending::Line && !edgeAt(place).isCurved())
             return;
         auto& edges = rings_[place.ring].edges;
-        const std::size_t after = (place.edge + 1) % edges.size();
-        for (Edge* edge : {&edges[place.edge], &edges[after]})
+        for (Edge* edge : {&edges[place.edge], &edges[after(place).edge]})
             if (areSame(edge->from, p) && !edge->isEnd) {
                 cuts.moved = cuts.moved || edge->from != p;
                 edge->from = p;
                 edge->isEnd = true;
             }
-        if (mayMove(place, edges[after], on)) {
-            move(edges[place.edge], edges[after], p);
+        if (mayMoveEnd(place, on)) {
+            moveEnd(place, p);
             cuts.moved = true;
         }
         if (placeOn(edgeAt(place).from, endOf(place), on).distance
             > tolerance_ + 2 * near_ + strayOf(endOf(place) - edgeAt(place).from, tolerance_))
             return;
-        const Where where = whereOn(place, on);
-        const auto [at, isFirst] = nearest.try_emplace(place.ring, number, where);
-        if (!isFirst && where.distance < at->second.second.distance)
-            at->second = {number, where};
+        const std::pair found(distanceTo(place, on), number);
+        const auto at = nearest.try_emplace(place.ring, found).first;
+        if (found.first < at->second.first)
+            at->second = found;
     });
     for (const auto& [ring, found] : nearest) {
-        const auto& [number, where] = found;
+        const auto& [distance, number] = found;
         const Place& place = edges_[number];
-        if (where.distance <= 1.5 * near_ // the parts of edges themselves are off by some of that
+        if (distance <= 1.5 * near_ // the parts of edges themselves are off by some of that
             && edgeAt(place).from != p && endOf(place) != p)
             cuts.on[number].push_back({p, ending});
     }
@@ -128,34 +130,31 @@ CurvedBorder::Where CurvedBorder::placeOn(const Point& a, const Point& b, const 
     return {share, glm::distance(a + along * share, p)};
 }
 
-CurvedBorder::Where CurvedBorder::whereOn(const Place& place, const Point& p) const
+/// Of a point to an edge's curve, or to the ellipse of which that is a part.
+double CurvedBorder::distanceTo(const Place& place, const Point& p) const
 {
-    const Edge& edge = edgeAt(place);
-    std::vector<Point> points{edge.from};
+    std::vector<Point> points{edgeAt(place).from};
     std::ranges::copy(between(place), std::back_inserter(points));
     points.push_back(endOf(place));
-    Where where{0, std::numeric_limits<double>::infinity()};
+    double least = std::numeric_limits<double>::infinity();
     const auto look = [&] {
-        for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-            const auto [share, distance] = placeOn(points[i], points[i + 1], p);
-            if (distance < where.distance)
-                where = {double(i) + share, distance};
-        }
+        for (std::size_t i = 0; i + 1 < points.size(); ++i)
+            least = std::min(least, placeOn(points[i], points[i + 1], p).distance);
     };
     look();
-    if (const auto ellipse = ellipseOf(edge)) {
+    if (const auto ellipse = ellipseOf(edgeAt(place))) {
         for (Point& q : points)
             q = onEllipse(*ellipse, q);
         look();
     }
-    return where;
+    return least;
 }
 
 CurvedBorder::Corner CurvedBorder::cornerOn(const Place& place, const Point& p) const
 {
     const Edge& edge = edgeAt(place);
     if (!edge.isCurved()) {
-        const double share = placeOn(edge.from, endOf(place), p).parts;
+        const double share = placeOn(edge.from, endOf(place), p).share;
         return {share, p, edge.from + (endOf(place) - edge.from) * share};
     }
     const BorderCurve& curve = sourceOf(edge).curve;
@@ -164,8 +163,8 @@ CurvedBorder::Corner CurvedBorder::cornerOn(const Place& place, const Point& p) 
     return {t, p, curve.at(t)};
 }
 
-/// The parts of an edge between points on it, in their order. Where points are beside each other
-/// rather than behind, the first one counts: an edge between them would be along no curve.
+/// The parts of an edge between points on it, in their order. Of two points beside each other, only
+/// the first counts: a curve that runs along the border would not pass both.
 std::vector<CurvedBorder::Edge> CurvedBorder::divided(const Place& place,
                                                       std::span<const Cut> cuts) const
 {

@@ -102,7 +102,8 @@ QVariant AnswerModel::cell(int row, int column, int role) const
         return text(answer, column);
     if (role == Qt::ToolTipRole)
         return Text::tr("%1: %2\n%3")
-            .arg(app::titleOf(answer.variant), app::answerText(answer), app::pieceText(answer.visible));
+            .arg(app::titleOf(answer.variant), app::answerText(answer),
+                 app::pieceText(answer.visible));
     if (role == Qt::TextAlignmentRole)
         return sideOf(column == Error);
     return {};

@@ -24,6 +24,11 @@ namespace {
 
 const Point centre(37, -12);
 
+double between(std::mt19937_64& random, double low, double high)
+{
+    return low + (high - low) * double(random() >> 11) * 0x1p-53;
+}
+
 /// A closed path of so many arcs, which begins at an angle.
 Subpath ellipse(const Point& axis1, const Point& axis2, int arcs, double angle)
 {
@@ -483,9 +488,7 @@ private slots:
     void aWindowsOwnPathIsWholeWhateverEndsBesideIt()
     {
         std::mt19937_64 random(23);
-        const auto number = [&](double low, double high) {
-            return low + (high - low) * double(random() >> 11) * 0x1p-53;
-        };
+        const auto number = [&](double low, double high) { return between(random, low, high); };
         for (int i = 0; i < 60; ++i) {
             const Bezier curve{{50, 100},
                                {number(60, 140), number(10, 95)},
@@ -579,8 +582,8 @@ private slots:
     {
         std::mt19937_64 random(17);
         const auto anywhere = [&] {
-            const auto number = [&] { return double(random() >> 11) * 0x1p-53 * 120 - 60; };
-            return centre + Point(number(), number());
+            const double x = between(random, -60, 60);
+            return centre + Point(x, between(random, -60, 60));
         };
         const Subpath quarters = circle(40, 4, 0);
         for (const ClipWindow& window : {windowOf(quarters, EllipseRecipe{centre, {40, 40}}),
@@ -635,9 +638,7 @@ private slots:
     void insideAndOutsideAreAll()
     {
         std::mt19937_64 random(5);
-        const auto number = [&](double low, double high) {
-            return low + (high - low) * double(random() >> 11) * 0x1p-53;
-        };
+        const auto number = [&](double low, double high) { return between(random, low, high); };
         const auto anywhere = [&] { return centre + Point(number(-60, 60), number(-60, 60)); };
         for (int i = 0; i < 200; ++i) {
             const Point axis1(number(20, 50), number(-10, 10)),
@@ -725,8 +726,8 @@ private slots:
     {
         std::mt19937_64 random(7);
         const auto anywhere = [&] {
-            const auto number = [&] { return double(random() >> 11) * 0x1p-53 * 120 - 60; };
-            return centre + Point(number(), number());
+            const double x = between(random, -60, 60);
+            return centre + Point(x, between(random, -60, 60));
         };
         const Subpath quarters = circle(40, 4, 0);
         const std::vector<ClipWindow> windows{windowOf(quarters, EllipseRecipe{centre, {40, 40}}),

@@ -6,6 +6,7 @@
 
 #include <QLineEdit>
 #include <QMenu>
+#include <QSignalSpy>
 #include <QToolButton>
 
 #include "tests/test_class.h"
@@ -124,7 +125,9 @@ private slots:
         QApplication::sendEvent(panel.list->viewport(), &move);
         app::Session& session = panel.window->session();
         session.load({app::DocumentBuilder().take({}), {}});
+        QSignalSpy refused(&session, &app::Session::refused);
         QTest::mouseRelease(panel.list->viewport(), Qt::LeftButton, {}, to);
+        QCOMPARE(refused.size(), 0);
         QCOMPARE(session.history.count(), 0);
     }
     void keysMoveLayers()
