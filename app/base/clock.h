@@ -21,4 +21,22 @@ Clock wallClock();
 /// clock; but it does not count work that other threads or the graphics card do for the thread.
 Clock processorClock();
 
+/// Adds up the processor time that some work takes on its thread: a busy machine does not make it
+/// longer.
+class Stopwatch {
+public:
+    template <class Work>
+    void time(const Work& work)
+    {
+        const std::uint64_t start = threadNanoseconds();
+        work();
+        sum_ += threadNanoseconds() - start;
+    }
+    void reset() { sum_ = 0; }
+    std::uint64_t nanoseconds() const { return sum_; }
+
+private:
+    std::uint64_t sum_ = 0;
+};
+
 } // namespace app

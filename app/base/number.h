@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/expression.h"
+
+#include <QLocale>
 #include <QString>
 
 #include <optional>
@@ -22,5 +25,12 @@ void appendNumber(std::string& text, double number, int precision, double low, d
 /// Parses a finite number in the C locale, exponents allowed. Empty unless the whole text is such a
 /// number.
 std::optional<double> parseNumber(std::string_view text);
+
+/// Numbers as people type them, in the C locale: minus and multiplication signs are ASCII, the
+/// locale's decimal point is ".", its group separators are gone.
+QString inCLocale(QString text, const QLocale& locale);
+
+/// evaluated() for text as people type it.
+Result<double> typedLength(const QString& text, const Scale& scale, const QLocale& locale = {});
 
 } // namespace app

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/base/length.h"
+#include "app/base/progress.h"
 
 #include <QString>
 
@@ -40,5 +41,11 @@ QString sizeText(const glm::dvec2& size, Unit unit, double millimetresPerUnit);
 QString millisecondsText(double milliseconds);
 /// "71.7 %".
 QString percentText(double share);
+
+/// "12 s", "3 minutes", "2 hours": rounded up below two minutes, else to the nearest.
+QString durationText(double seconds);
+
+/// "42 %, 12 s left"; only the share while the remaining time is unknown.
+QString progressText(const Progress& progress);
 
 } // namespace app

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/replace_file.h"
 
-#include "app/base/file_name.h"
 #include "app/base/text.h"
 
 #include <QFile>
@@ -141,6 +140,15 @@ std::optional<QString> replaceFile(const QString& path, const Filling& write)
         return file.errorString() + u'.';
     syncFolderOf(path);
     return std::nullopt;
+}
+
+std::optional<QString> faultOfName(const QString& path)
+{
+    // Qt replaces each byte that is not UTF-8 by U+FFFD; but a file may really have that in its
+    // name.
+    if (!path.contains(QChar::ReplacementCharacter) || QFileInfo::exists(path))
+        return std::nullopt;
+    return Text::tr("its name is not UTF-8. Give it another name.");
 }
 
 } // namespace app

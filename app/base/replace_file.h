@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QFileDevice>
+#include <QString>
 
 #include <functional>
 #include <optional>
@@ -26,5 +27,10 @@ std::optional<QString> fillToDisk(QFileDevice& file, const Filling& write);
 /// all if `write` reports an error. Devices and pipes are written to directly. Symbolic links are
 /// followed; a link that leads only to itself is refused.
 std::optional<QString> replaceFile(const QString& path, const Filling& write);
+
+/// Checks that a file can have this name. Empty if so; otherwise a text that says what is wrong and
+/// what to do, to follow "Cannot open NAME: ". File names must be UTF-8: Qt has lost the bytes of
+/// any other name, so a file written under it would get a different name.
+std::optional<QString> faultOfName(const QString& path);
 
 } // namespace app

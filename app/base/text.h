@@ -2,6 +2,9 @@
 #pragma once
 
 #include <QCoreApplication>
+#include <QString>
+
+#include <string_view>
 
 namespace app {
 
@@ -10,5 +13,11 @@ namespace app {
 struct Text {
     Q_DECLARE_TR_FUNCTIONS(Text)
 };
+
+/// A key or a name from a catalogue, as a QString.
+inline QString latin(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), qsizetype(text.size()));
+}
 
 } // namespace app

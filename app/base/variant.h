@@ -23,4 +23,7 @@ inline Variant usable(const Variant& wish)
     return {wish.algorithm, has ? wish.form : clipping::Form::Corrected};
 }
 
+/// The default algorithm: the one whose results are always exact.
+inline const clipping::Algorithm& usualAlgorithm() { return clipping::exactAlgorithm(); }
+
 } // namespace app

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/charts/words.h"
 
-#include "app/base/latin.h"
 #include "app/base/numbers.h"
 #include "app/base/text.h"
 #include "app/experiment/ranking_text.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/text.h"
+#include "app/command_line/command.h"
 #include "app/command_line/parsed_arguments.h"
-#include "app/command_line/refusal.h"
 #include "app/command_line/table.h"
 
 namespace app {

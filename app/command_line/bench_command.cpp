@@ -3,9 +3,9 @@
 #include "app/base/text.h"
 #include "app/command_line/bench_files.h"
 #include "app/command_line/bench_plan.h"
-#include "app/command_line/progress_line.h"
-#include "app/command_line/refusal.h"
+#include "app/command_line/command.h"
 #include "app/command_line/table.h"
+#include "app/command_line/terminal.h"
 #include "app/experiment/choice.h"
 #include "app/experiment/threads.h"
 

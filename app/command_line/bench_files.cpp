@@ -2,7 +2,7 @@
 #include "app/command_line/bench_files.h"
 
 #include "app/base/text.h"
-#include "app/command_line/refusal.h"
+#include "app/command_line/command.h"
 #include "app/command_line/terminal.h"
 
 #include <QFileInfo>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/bench_options.h"
 
-#include "app/base/latin.h"
 #include "app/base/text.h"
-#include "app/command_line/refusal.h"
+#include "app/command_line/command.h"
 #include "app/command_line/terminal.h"
 #include "app/command_line/window_forms.h"
 #include "app/command_line/window_options.h"

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/file_name.h"
+#include "app/base/replace_file.h"
 #include "app/base/text.h"
 #include "app/command_line/command.h"
 #include "app/command_line/parsed_arguments.h"
-#include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
 
 #include <QLocale>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/text.h"
-#include "app/base/usual_algorithm.h"
+#include "app/base/variant.h"
+#include "app/command_line/command.h"
 #include "app/command_line/cut_options.h"
 #include "app/command_line/drawing_files.h"
-#include "app/command_line/progress_line.h"
-#include "app/command_line/refusal.h"
 #include "app/command_line/table_clip.h"
 #include "app/command_line/table_input.h"
 #include "app/command_line/terminal.h"

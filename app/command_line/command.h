@@ -28,9 +28,9 @@ struct Command {
     QString usage;   ///< the text after the key: "INPUT -o OUTPUT [OPTIONS]"
     QString summary; ///< one sentence
     std::vector<Option> options;
-    QStringList examples; ///< whole command lines
-    qsizetype operands;   ///< the number of arguments that are not options
-    void (*run)(const ParsedArguments& arguments); ///< throws WrongUsage or Failure (refusal.h)
+    QStringList examples;                          ///< whole command lines
+    qsizetype operands;                            ///< the number of arguments that are not options
+    void (*run)(const ParsedArguments& arguments); ///< throws WrongUsage or Failure
     bool paints = false;                           ///< needs fonts or OpenGL, so a QGuiApplication
     QStringList limits{};                          ///< limits of its input, a sentence each
     bool lastIsOptional = false;                   ///< the last operand may be left out
@@ -44,5 +44,24 @@ bool isCommandLine(const QStringList& arguments);
 /// Runs the command and returns the exit code. Needs an application (application.h) but no display.
 /// From then on a closed pipe is an ordinary error, and Ctrl-C ends with 130.
 int runCommandLine(const QStringList& arguments);
+
+} // namespace app
+
+// Exceptions of commands; runCommandLine prints the sentence and ends the program.
+
+namespace app {
+
+/// Invalid arguments: exit code 2, and a hint at the help.
+struct WrongUsage {
+    QString sentence;
+};
+
+/// Failed (a file, the disk): exit code 1.
+struct Failure {
+    QString sentence;
+};
+
+/// The command ran, but its check failed: exit code 3. The result has been printed.
+struct CheckFailed {};
 
 } // namespace app

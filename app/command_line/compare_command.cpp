@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/text.h"
-#include "app/command_line/refusal.h"
+#include "app/command_line/command.h"
 #include "app/command_line/table_compare.h"
 #include "app/command_line/terminal.h"
 #include "app/command_line/window_options.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/text.h"
+#include "app/command_line/command.h"
 #include "app/command_line/drawing_files.h"
-#include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
 #include "app/document/hidden_objects.h"
 #include "app/formats/rounded.h"

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/latin.h"
 #include "app/base/number.h"
 #include "app/base/text.h"
+#include "app/command_line/command.h"
 #include "app/command_line/parsed_arguments.h"
-#include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
 #include "app/cost_map/files.h"
 #include "app/experiment/paper_scene.h"

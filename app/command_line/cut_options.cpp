@@ -2,8 +2,8 @@
 #include "app/command_line/cut_options.h"
 
 #include "app/base/text.h"
-#include "app/command_line/progress_line.h"
-#include "app/command_line/refusal.h"
+#include "app/command_line/command.h"
+#include "app/command_line/terminal.h"
 #include "app/cut/occlude.h"
 #include "app/cut/stroke_area.h"
 

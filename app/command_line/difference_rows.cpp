@@ -3,7 +3,7 @@
 
 #include "app/base/csv_text.h"
 #include "app/base/number.h"
-#include "app/formats/rectangle_text.h"
+#include "app/formats/coordinates.h"
 
 #include <array>
 #include <cmath>

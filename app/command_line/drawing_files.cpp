@@ -3,7 +3,7 @@
 
 #include "app/base/text.h"
 #include "app/base/unfinished.h"
-#include "app/command_line/refusal.h"
+#include "app/command_line/command.h"
 #include "app/command_line/terminal.h"
 #include "app/document/flatten.h"
 #include "app/formats/loss_text.h"

@@ -2,7 +2,7 @@
 #include "app/command_line/drawing_numbers.h"
 
 #include "app/base/text.h"
-#include "app/command_line/refusal.h"
+#include "app/command_line/command.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "app/base/number.h"
 #include "app/base/text.h"
-#include "app/command_line/refusal.h"
+#include "app/command_line/command.h"
 
 #include <algorithm>
 #include <charconv>

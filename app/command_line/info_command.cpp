@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/number.h"
 #include "app/base/text.h"
+#include "app/command_line/command.h"
 #include "app/command_line/drawing_files.h"
-#include "app/command_line/refusal.h"
 #include "app/command_line/terminal.h"
 #include "app/command_line/window_options.h"
 #include "app/document/contents.h"
 #include "app/document/flatten.h"
 #include "app/document/hidden_objects.h"
-#include "app/formats/paper.h"
-#include "app/formats/rectangle_text.h"
+#include "app/formats/coordinates.h"
+#include "app/formats/painted.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "app/command_line/input_bytes.h"
 
 #include "app/base/text.h"
-#include "app/command_line/refusal.h"
+#include "app/command_line/command.h"
 #include "app/formats/read_open_file.h"
 
 #include <cerrno>

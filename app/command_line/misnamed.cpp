@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line/misnamed.h"
 
-#include "app/base/file_name.h"
+#include "app/base/replace_file.h"
 #include "app/base/text.h"
+#include "app/command_line/command.h"
 #include "app/command_line/nearest.h"
-#include "app/command_line/refusal.h"
 
 #include <QFileInfo>
 

@@ -3,9 +3,9 @@
 
 #include "app/base/number.h"
 #include "app/base/text.h"
+#include "app/command_line/command.h"
 #include "app/command_line/given_value.h"
 #include "app/command_line/nearest.h"
-#include "app/command_line/refusal.h"
 
 #include <QRegularExpression>
 

@@ -4,7 +4,7 @@
 #include "app/base/replace_file.h"
 #include "app/base/text.h"
 #include "app/base/write_all.h"
-#include "app/command_line/refusal.h"
+#include "app/command_line/command.h"
 #include "app/command_line/terminal.h"
 
 #include <QFileInfo>

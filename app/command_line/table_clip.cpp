@@ -3,8 +3,8 @@
 
 #include "app/base/text.h"
 #include "app/base/write_all.h"
+#include "app/command_line/command.h"
 #include "app/command_line/cut_options.h"
-#include "app/command_line/refusal.h"
 #include "app/command_line/table_input.h"
 #include "app/command_line/terminal.h"
 #include "app/command_line/window_options.h"

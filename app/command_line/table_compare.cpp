@@ -2,7 +2,7 @@
 #include "app/command_line/table_compare.h"
 
 #include "app/base/text.h"
-#include "app/command_line/refusal.h"
+#include "app/command_line/command.h"
 #include "app/command_line/window_options.h"
 
 namespace app {

@@ -3,11 +3,11 @@
 
 #include "app/base/numbers.h"
 #include "app/base/text.h"
-#include "app/command_line/refusal.h"
+#include "app/command_line/command.h"
 #include "app/command_line/terminal.h"
 #include "app/tiles/empty_sheets.h"
-#include "app/tiles/papers.h"
 #include "app/tiles/sheet_names.h"
+#include "app/tiles/sheet_settings.h"
 #include "app/tiles/sheets.h"
 
 #include <QFileInfo>

@@ -2,11 +2,10 @@
 #include "app/command_line/window_forms.h"
 
 #include "app/base/text.h"
+#include "app/command_line/command.h"
 #include "app/command_line/drawing_files.h"
 #include "app/command_line/drawing_numbers.h"
 #include "app/command_line/nearest.h"
-#include "app/command_line/refusal.h"
-#include "app/document/object_window.h"
 #include "app/document/recipe_outline.h"
 #include "app/document/window_shape.h"
 

@@ -3,12 +3,12 @@
 
 #include "app/base/number.h"
 #include "app/base/text.h"
+#include "app/command_line/command.h"
 #include "app/command_line/drawing_numbers.h"
-#include "app/command_line/refusal.h"
 #include "app/command_line/window_forms.h"
-#include "app/formats/rectangle_text.h"
+#include "app/formats/coordinates.h"
+#include "app/scene/area_windows.h"
 #include "app/scene/compared_window.h"
-#include "app/scene/united_windows.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/catalogue.h"
 
-#include "app/commands/add_objects.h"
+#include "app/commands/add_and_remove.h"
 #include "app/commands/change_paths.h"
 #include "app/commands/crop_to_window.h"
 #include "app/commands/move_objects.h"
 #include "app/commands/outline_strokes.h"
 #include "app/commands/rearrange_objects.h"
-#include "app/commands/remove_objects.h"
 #include "app/commands/resize_objects.h"
 #include "app/commands/set_containers.h"
-#include "app/commands/set_guides.h"
-#include "app/commands/set_sheets.h"
+#include "app/commands/set_page_parts.h"
 #include "app/commands/set_style.h"
-#include "app/commands/set_windows.h"
 #include "app/commands/transform_objects.h"
 
 #include <array>

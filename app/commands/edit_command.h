@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/base/heap_bytes.h"
+#include "app/base/memory.h"
 #include "app/commands/undo_command.h"
 #include "app/document/affine_map.h"
 #include "app/document/edited_document.h"

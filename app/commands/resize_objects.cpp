@@ -3,9 +3,8 @@
 
 #include "app/base/text.h"
 #include "app/commands/move_objects.h"
-#include "app/commands/scale_stroke.h"
 #include "app/commands/set_style.h"
-#include "app/document/path_points.h"
+#include "app/document/path.h"
 
 #include <cmath>
 

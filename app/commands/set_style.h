@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/commands/edit_command.h"
+#include "app/document/style_table.h"
 
 #include <unordered_map>
 
@@ -28,5 +29,14 @@ public:
              const std::function<void(Style&)>& change, const QString& text,
              Merging merging = Merging::Never);
 };
+
+/// Multiplies the lengths of a stroke: its width and its dashes.
+inline void scaleStroke(Style& style, double scale)
+{
+    style.width *= scale;
+    style.dashOffset *= scale;
+    for (double& dash : style.dashes)
+        dash *= scale;
+}
 
 } // namespace app

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/transform_objects.h"
 
-#include "app/commands/scale_stroke.h"
 #include "app/commands/set_style.h"
 #include "app/document/copies.h"
-#include "app/document/mapped_path.h"
+#include "app/document/recipe.h"
 
 #include <map>
 

@@ -64,4 +64,9 @@ Differences differencesAt(const ClipRegion& window, const Comparison& comparison
                     {allowedAt(window, comparison), endsOf(comparison.a, comparison.b)});
 }
 
+QString atText(const ComparedWindow& window)
+{
+    return window.isPage ? Text::tr("At the page: no clip window along the axes.") : QString();
+}
+
 } // namespace app

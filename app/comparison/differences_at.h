@@ -2,7 +2,10 @@
 #pragma once
 
 #include "app/comparison/live_differences.h"
+#include "app/scene/compared_window.h"
 #include "app/scene/region.h"
+
+#include <QString>
 
 namespace app {
 
@@ -24,5 +27,8 @@ double allowedAt(const ClipRegion& window, const Comparison& comparison);
 /// box. A limit in ulps in the comparison holds.
 Differences differencesAt(const ClipRegion& window, const Comparison& comparison,
                           std::span<const clipping::Segment> lines);
+
+/// For captions: says that algorithms are compared at the page. Empty if there is a clip window.
+QString atText(const ComparedWindow& window);
 
 } // namespace app

@@ -5,6 +5,8 @@
 #include "clipping/algorithm.h"
 #include "clipping/outcode.h"
 
+#include <array>
+
 namespace app {
 
 LineClass lineClassOf(const clipping::Segment& line, const clipping::Window& window, bool visible)
@@ -36,5 +38,30 @@ QString classText(LineClass lineClass)
     }
     return {};
 }
+
+QString outcodeText(unsigned code)
+{
+    return QStringLiteral("%1%2%3%4")
+        .arg(code >> 3 & 1U)
+        .arg(code >> 2 & 1U)
+        .arg(code >> 1 & 1U)
+        .arg(code & 1U);
+}
+
+QString regionText(unsigned code, YAxis y)
+{
+    static constexpr std::array<std::array<const char*, 3>, 3> names{
+        {{QT_TRANSLATE_NOOP("Text", "below left"), QT_TRANSLATE_NOOP("Text", "below"),
+          QT_TRANSLATE_NOOP("Text", "below right")},
+         {QT_TRANSLATE_NOOP("Text", "left"), QT_TRANSLATE_NOOP("Text", "inside"),
+          QT_TRANSLATE_NOOP("Text", "right")},
+         {QT_TRANSLATE_NOOP("Text", "above left"), QT_TRANSLATE_NOOP("Text", "above"),
+          QT_TRANSLATE_NOOP("Text", "above right")}}};
+    const unsigned high = y == YAxis::Up ? code >> 3 & 1U : code >> 2 & 1U;
+    const unsigned low = y == YAxis::Up ? code >> 2 & 1U : code >> 3 & 1U;
+    return Text::tr(names.at(1 + high - low).at(1 + (code >> 1 & 1U) - (code & 1U)));
+}
+
+QString outcodeBits() { return QStringLiteral("y > ymax, y < ymin, x > xmax, x < xmin"); }
 
 } // namespace app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/traced_line.h"
 #include "clipping/geometry.h"
 
 #include <QString>
@@ -26,5 +27,16 @@ LineClass lineClassOf(const clipping::Segment& line, const clipping::Window& win
 
 /// "wholly inside", "rejected at once", "cut", "misses the window".
 QString classText(LineClass lineClass);
+
+/// An outcode as it is written everywhere, one digit for each bit of outcodeBits(): "1001". The
+/// bits compare coordinates, so an outcode is the same in a drawing, where y grows downward, and in
+/// a figure, where y grows upward. Words such as "above" say what is seen on screen.
+QString outcodeText(unsigned code);
+
+/// The region of an outcode, as seen on screen: "inside", "left", "above right".
+QString regionText(unsigned code, YAxis y);
+
+/// The meaning of the four bits, in their order; the pages define the bits with the same words.
+QString outcodeBits();
 
 } // namespace app

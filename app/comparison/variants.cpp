@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/variants.h"
 
-#include "app/base/latin.h"
 #include "app/base/text.h"
 
 namespace app {

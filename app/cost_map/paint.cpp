@@ -4,7 +4,7 @@
 #include "app/base/numbers.h"
 #include "app/cost_map/regions.h"
 #include "app/cost_map/words.h"
-#include "app/view/sequential_scale.h"
+#include "app/view/visible_colour.h"
 
 #include <QFontMetricsF>
 #include <QImage>

@@ -3,7 +3,7 @@
 #include "app/base/text.h"
 #include "app/cost_map/paint.h"
 #include "app/cost_map/words.h"
-#include "app/view/sequential_scale.h"
+#include "app/view/visible_colour.h"
 
 #include <QFontMetricsF>
 #include <QPainter>

@@ -4,7 +4,7 @@
 #include "app/cut/curved_border.h"
 #include "app/document/flatten.h"
 #include "app/document/path.h"
-#include "app/document/style.h"
+#include "app/document/style_table.h"
 #include "clipping/area/clip_area.h"
 
 #include <optional>

@@ -3,6 +3,8 @@
 
 #include "app/document/arc_curves.h"
 #include "app/document/bezier.h"
+#include "app/document/flatten.h"
+#include "app/document/subpath.h"
 
 #include <optional>
 
@@ -35,5 +37,34 @@ struct BorderPart {
         return share == 0 ? from : share == 1 ? to : from + (to - from) * share;
     }
 };
+
+bool isCurve(const Subpath& path, std::size_t segment); ///< false behind its last segment
+Bezier curveOf(const Subpath& path, std::size_t segment);
+
+/// A place on a curve.
+struct CurvePoint {
+    double t;
+    Point point;
+};
+
+/// Where a curve passes from one side to the other within the chord's part of it: the last
+/// parameter on the side of `chord.t0`, by bisection. Empty if both ends are on one side: the chord
+/// then cuts a corner that the curve misses.
+template <class IsBeyond>
+std::optional<double> passage(const Bezier& curve, const Chord& chord, const IsBeyond& isBeyond)
+{
+    double low = chord.t0, high = chord.t1;
+    const bool atLow = isBeyond(curve.at(low));
+    if (atLow == isBeyond(curve.at(high)))
+        return std::nullopt;
+    for (double middle = (low + high) / 2; middle > low && middle < high; middle = (low + high) / 2)
+        (isBeyond(curve.at(middle)) == atLow ? low : high) = middle;
+    return low;
+}
+
+/// The passage through the line of a window's edge. On a horizontal or vertical edge the point has
+/// the edge's coordinate.
+std::optional<CurvePoint> crossing(const Bezier& curve, const Chord& chord,
+                                   const clipping::Segment& edge);
 
 } // namespace app

@@ -3,10 +3,9 @@
 
 #include "app/cut/border_curve.h"
 #include "app/cut/box_index.h"
-#include "app/cut/curve_at_edge.h"
+#include "app/document/arc_curves.h"
 #include "app/document/clip_windows.h"
 #include "app/document/document.h"
-#include "app/document/elliptic_curve.h"
 #include "app/document/flatten.h"
 
 #include <glm/geometric.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cut/cut.h"
 
-#include "app/base/turn_progress.h"
+#include "app/base/progress.h"
 #include "app/cut/curved_border.h"
 #include "app/cut/cut_edit.h"
 #include "app/cut/line_clipping.h"

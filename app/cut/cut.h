@@ -61,7 +61,7 @@ struct Cut {
 /// Cuts the document at its clip windows. Consecutive visible parts of one subpath form one subpath
 /// (also across the start of a closed subpath). Further objects made of one get ids with a number,
 /// "wall-2". Objects kept whole are unchanged; cut outlines
-/// are open. A cut area stays filled (area_cut.h). If it has a stroke, it becomes a group in its
+/// are open. A cut area stays filled (cut_object.h). If it has a stroke, it becomes a group in its
 /// place, with its id: the area, and above it the lines, so that no stroke runs along the cut. With
 /// `closeAreas` it stays one object instead, whose stroke follows the cut; its lines that enclose
 /// nothing are then above it. Where a document can hold no further groups, the parts are objects

@@ -3,7 +3,7 @@
 
 #include "app/cut/cut_object.h"
 #include "app/cut/fresh_ids.h"
-#include "app/document/new_groups.h"
+#include "app/document/containers_builder.h"
 
 namespace app {
 

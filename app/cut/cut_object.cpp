@@ -1,14 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cut/cut_object.h"
 
+#include "app/cut/area_outline.h"
 #include "app/cut/cut_ends.h"
-#include "app/document/line_colour.h"
+#include "app/document/object_view.h"
+#include "app/scene/area_windows.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
 namespace app {
+AreaCut::AreaCut(const ClipRegion& region, const std::stop_token& stop)
+    : windows_(areaWindows(region)), stop_(stop)
+{
+}
+
+AreaLeft AreaCut::left(const Path& path, FillRule rule, std::span<const Chord> chords,
+                       const CurvedBorder& border) const
+{
+    const std::vector<Subpath> subpaths = path.subpaths();
+    const FlatArea flat = flatAreaOf(subpaths, rule, chords);
+    const clipping::ClippedArea clipped = clipping::clipArea(flat.area, *windows_, stop_);
+    if (clipped.part == clipping::AreaPart::Whole)
+        return {.whole = true};
+    if (clipped.part != clipping::AreaPart::Cut)
+        return {};
+    return {.paths = subpathsOf(clipped, subpaths, flat, *windows_, border)};
+}
+
 namespace {
 
 using clipping::Clipped;

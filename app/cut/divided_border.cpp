@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cut/curve_at_edge.h"
+#include "app/cut/border_curve.h"
 #include "app/cut/curved_border.h"
 #include "app/cut/whole_curve.h"
 

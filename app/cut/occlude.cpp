@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cut/occlude.h"
 
-#include "app/base/turn_progress.h"
+#include "app/base/progress.h"
 #include "app/cut/area_outline.h"
 #include "app/cut/covering.h"
 #include "app/cut/curved_border.h"

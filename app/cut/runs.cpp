@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cut/runs.h"
 
-#include "app/cut/curve_at_edge.h"
+#include "app/cut/border_curve.h"
 #include "app/cut/cut_ends.h"
 
 #include <glm/common.hpp>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cut/split.h"
 
-#include "app/base/phased_progress.h"
+#include "app/base/progress.h"
 #include "app/base/text.h"
 #include "app/cut/fresh_ids.h"
-#include "app/cut/layer_above.h"
 #include "app/cut/outside_layers.h"
 
 namespace app {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cut/stroke_area.h"
 
-#include "app/base/turn_progress.h"
+#include "app/base/progress.h"
 #include "app/cut/area_outline.h"
 #include "app/cut/cut_edit.h"
 #include "app/cut/dashed_path.h"

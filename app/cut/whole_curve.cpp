@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cut/whole_curve.h"
 
-#include "app/cut/curve_at_edge.h"
+#include "app/cut/border_curve.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/arc_curves.h"
 #include "app/document/bezier.h"
-#include "app/document/elliptic_curve.h"
 
 #include <optional>
 

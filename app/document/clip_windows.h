@@ -3,7 +3,7 @@
 
 #include "app/document/path.h"
 #include "app/document/recipe.h"
-#include "app/document/style.h"
+#include "app/document/style_table.h"
 
 #include <QString>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/base/shared.h"
-#include "app/document/container.h"
+#include "app/document/container_table.h"
 
 #include <cstddef>
 #include <span>

@@ -3,7 +3,7 @@
 
 #include "app/document/container_marks.h"
 #include "app/document/container_table.h"
-#include "app/document/splice.h"
+#include "app/document/object_ranges.h"
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/container_table.h"
 
-#include "app/base/heap_bytes.h"
-#include "app/base/shared_list.h"
+#include "app/base/memory.h"
+#include "app/base/shared.h"
 
 #include <algorithm>
 #include <utility>

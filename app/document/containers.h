@@ -4,7 +4,6 @@
 #include "app/document/container_marks.h"
 #include "app/document/container_table.h"
 #include "app/document/object_ranges.h"
-#include "app/document/splice.h"
 
 #include <optional>
 #include <span>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/document/document.h"
+#include "app/document/objects.h"
 
 #include <optional>
 
@@ -20,5 +21,9 @@ void add(Contents& contents, const ObjectView& object, double tolerance);
 
 /// The contents of the whole drawing, including hidden objects, with the usual tolerance.
 Contents contentsOf(const Document& document);
+
+/// A page around all points and half the stroke widths, with a user unit of one pixel, for drawings
+/// without a page; the usual page if there are no objects.
+Page pageAround(const Objects& objects);
 
 } // namespace app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/document.h"
 #include "app/document/tree_draft.h"
 
 #include <functional>
@@ -18,5 +19,10 @@ std::optional<Rearranged> withCopies(const Document& document, const ObjectRange
 /// its layers are dissolved. Empty: too many groups, or nested too deeply.
 std::optional<Rearranged> withDrawing(const Document& document, const Document& other,
                                       ContainerId into);
+
+/// The offset for pasted copies: the first multiple of `step`, from one step on, at which no copy
+/// lies on an object of the document with the same path. The search ends after a thousand steps
+/// (coordinates may be so large that a step changes nothing).
+Point copyOffset(const Document& document, const Objects& copies, const Point& step);
 
 } // namespace app

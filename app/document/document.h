@@ -1,10 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/about.h"
 #include "app/document/edit.h"
 
+#include <QString>
+
 namespace app {
+
+/// What a file says about itself: title, author, licence and so on. XML as in the file, with every
+/// prefix declared; empty where the file says nothing.
+struct About {
+    QString id;          ///< plain text: the id of the root element
+    QString comments;    ///< <!-- … --> before and after the root element, often the licence
+    QString title;       ///< the <title> elements of the root
+    QString description; ///< the <desc> elements of the root
+    QString metadata;    ///< the <metadata> elements of the root, except Clearcut's own
+    friend bool operator==(const About&, const About&) = default;
+};
 
 /// All parts of a document.
 struct DocumentParts {
@@ -70,5 +82,13 @@ Edit adding(const Document& document, const Objects& objects, ContainerId into);
 /// An edit that adds each object to its own container; objects of the same container keep their
 /// order.
 Edit adding(const Document& document, std::span<const PendingObject> objects);
+
+/// A drawing without objects, on an A3 sheet.
+inline Document newDrawing()
+{
+    Document document;
+    document.apply({.page = Page{{0, 0}, {420, 297}, {420, Unit::Mm}, {297, Unit::Mm}}});
+    return document;
+}
 
 } // namespace app

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/edit.h"
 
-#include "app/base/heap_bytes.h"
+#include "app/base/memory.h"
 
 #include <cassert>
 

@@ -44,4 +44,10 @@ Document withoutHidden(Document document)
     return document;
 }
 
+ObjectRanges editableObjects(const Document& document)
+{
+    return without(ObjectRanges(ObjectRange{0, document.objects().size()}),
+                   united(hiddenObjects(document), document.containers().lockedRanges()));
+}
+
 } // namespace app

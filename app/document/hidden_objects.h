@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/document/document.h"
+#include "app/document/object_ranges.h"
 
 namespace app {
 
@@ -10,5 +11,8 @@ ObjectRanges hiddenObjects(const Document& document);
 
 /// The document without hidden objects and hidden containers.
 Document withoutHidden(Document document);
+
+/// The objects that may be selected and edited: shown, and in no locked container.
+ObjectRanges editableObjects(const Document& document);
 
 } // namespace app

@@ -3,7 +3,6 @@
 
 #include "app/document/object_ranges.h"
 #include "app/document/objects.h"
-#include "app/document/splice.h"
 
 #include <span>
 #include <vector>

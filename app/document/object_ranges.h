@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <initializer_list>
 #include <iterator>
 #include <span>
@@ -103,5 +104,16 @@ private:
 
 inline ObjectRanges::Iterator ObjectRanges::begin() const { return Iterator(ranges_); }
 inline ObjectRanges::Iterator ObjectRanges::end() const { return {}; }
+
+/// Replaces `removed` objects, from number `first` on, by `added` objects.
+struct Splice {
+    std::uint32_t first = 0, removed = 0, added = 0;
+    friend bool operator==(const Splice&, const Splice&) = default;
+};
+
+/// The set `objects` in the numbering after the splices (ascending, in the old numbering). It
+/// contains neither removed nor added objects, except where a splice removes as many as it adds:
+/// these count as the same objects, changed. O(ranges + splices).
+ObjectRanges followed(const ObjectRanges& objects, std::span<const Splice> splices);
 
 } // namespace app

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/object_ranges.h"
 #include "app/document/object_view.h"
-#include "app/document/splice.h"
 
 #include <memory>
 

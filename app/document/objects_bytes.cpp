@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/shared_list.h"
+#include "app/base/shared.h"
 #include "app/document/objects.h"
 
 #include <functional>

@@ -16,9 +16,6 @@ double Page::millimetresPerUnit() const
     return x > 0 ? x : y > 0 ? y : infoOf(Unit::Px).millimetres;
 }
 
-Unit Page::usualUnit() const
-{
-    return infoOf(width.unit).millimetres > 0 ? width.unit : Unit::Px;
-}
+Unit Page::usualUnit() const { return infoOf(width.unit).millimetres > 0 ? width.unit : Unit::Px; }
 
 } // namespace app

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/path.h"
+
 #include "app/document/path_storage.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/base/heap_bytes.h"
+#include "app/base/memory.h"
+#include "app/document/affine_map.h"
 #include "app/document/flatten.h"
-#include "app/document/placement.h"
 
 #include <array>
 #include <optional>
@@ -85,5 +85,20 @@ static_assert(sizeof(Path) == 40);
 
 void flatten(const Path& path, double tolerance, std::vector<Chord>& chords);
 void appendSegments(const Path& path, double tolerance, std::vector<clipping::Segment>& to);
+
+/// Calls `visit` for every point of a path: its start, the end of each path segment, and the
+/// control points of curves. `visit` may change the points if the path is not const.
+template <class SomePath, class Visit>
+void forEachPoint(SomePath& path, const Visit& visit)
+{
+    visit(path.start);
+    for (auto& segment : path.segments) {
+        visit(segment.to);
+        if (segment.curved) {
+            visit(segment.control1);
+            visit(segment.control2);
+        }
+    }
+}
 
 } // namespace app

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 
 namespace app {
 
@@ -42,6 +43,63 @@ Path Path::withPlacement(const Placement& placement) const
     Path path = *this;
     path.ends_ = {placement.scale, placement.offset};
     return path;
+}
+
+// Appends the chords of each path segment in turn; calls `added` after each segment.
+static void appendChords(auto reader, double tolerance, std::vector<Chord>& chords,
+                         const auto& added)
+{
+    while (!reader.atEnd()) {
+        const auto [start, segments, closed] = reader.start();
+        Point last = start;
+        for (std::uint32_t i = 0; i < segments; ++i) {
+            const PathSegment segment = reader.segment();
+            flatten(last, segment, i, tolerance, chords);
+            added();
+            last = segment.to;
+        }
+        if (segments == 0 || (closed && last != start)) { // as flatten closes a subpath
+            chords.push_back({{last, start}, segments, 0, 1});
+            added();
+        }
+    }
+}
+
+void flatten(const Path& path, double tolerance, std::vector<Chord>& chords)
+{
+    if (path.isLine())
+        chords.push_back({{path.ends_[0], path.ends_[1]}, 0, 0, 1});
+    else if (path.data_)
+        appendChords(Path::Data::Reader(*path.data_, path.placement()), tolerance, chords, [] {});
+}
+
+void appendSegments(const Path& path, double tolerance, std::vector<clipping::Segment>& to)
+{
+    if (path.isLine())
+        to.push_back({path.ends_[0], path.ends_[1]});
+    if (!path.data_ || path.isLine())
+        return;
+    if (!path.straight()) {
+        std::vector<Chord> chords; // of one path segment
+        appendChords(Path::Data::Reader(*path.data_, path.placement()), tolerance, chords, [&] {
+            std::ranges::transform(chords, std::back_inserter(to), &Chord::segment);
+            chords.clear();
+        });
+        return;
+    }
+    const Placement where = path.placement();
+    const Point* point = path.data_->firstPoint();
+    for (const std::uint32_t size : path.data_->sizes()) {
+        const Point start = where(*point++);
+        Point last = start;
+        for (std::uint32_t left = size >> 1; left > 0; --left) {
+            const Point next = where(*point++);
+            to.push_back({last, next});
+            last = next;
+        }
+        if (size >> 1 == 0 || ((size & 1) && last != start)) // as flatten closes a subpath
+            to.push_back({last, start});
+    }
 }
 
 } // namespace app

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/recipe.h"
 
+#include "app/document/path.h"
+#include "app/document/recipe_outline.h"
+
 #include <glm/common.hpp>
 
 #include <cmath>
@@ -129,6 +132,25 @@ Recipe placed(const Recipe& recipe, const Placement& where)
     if (where.scale.x == 0 || where.scale.y == 0)
         return {};
     return std::visit(Placed{where}, recipe);
+}
+
+Path mapped(const Path& path, const AffineMap& map)
+{
+    if (const auto line = path.singleLine())
+        return Path(clipping::Segment{map(line->a), map(line->b)});
+    std::vector<Subpath> subpaths = path.subpaths();
+    for (Subpath& subpath : subpaths)
+        forEachPoint(subpath, [&](Point& p) { p = map(p); });
+    return Path(subpaths);
+}
+
+void transform(Path& path, Recipe& recipe, const AffineMap& map)
+{
+    recipe = mapped(recipe, map);
+    const auto where = map.placement();
+    const bool turns = !where || where->scale.x < 0 || where->scale.y < 0;
+    const auto outline = turns ? outlineOf(recipe) : std::nullopt;
+    path = outline ? Path(std::span(&*outline, 1)) : mapped(path, map);
 }
 
 } // namespace app

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/document/affine_map.h"
+#include "app/document/path.h"
 
 #include <QString>
 
@@ -47,5 +48,11 @@ Recipe placed(const Recipe& recipe, const Placement& where);
 /// The same for any map. A rectangle or an ellipse that is turned has no recipe, unless it is a
 /// circle or turned by a multiple of 90°.
 Recipe mapped(const Recipe& recipe, const AffineMap& map);
+
+Path mapped(const Path& path, const AffineMap& map);
+
+/// Transforms a path and its recipe together. A path with a recipe stays the recipe's outline: a
+/// rotated or mirrored one would begin at another corner.
+void transform(Path& path, Recipe& recipe, const AffineMap& map);
 
 } // namespace app

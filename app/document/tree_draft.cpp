@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/tree_draft.h"
 
-#include "app/document/editable.h"
+#include "app/document/hidden_objects.h"
 #include "app/document/moved_runs.h"
 
 #include <algorithm>

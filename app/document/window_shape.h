@@ -2,7 +2,11 @@
 #pragma once
 
 #include "app/document/affine_map.h"
+#include "app/document/clip_windows.h"
+#include "app/document/object_view.h"
 #include "app/document/window_frame.h"
+
+#include <optional>
 
 namespace app {
 
@@ -29,5 +33,9 @@ WindowShape fitted(const WindowShape& shape, const WindowFrame& frame);
 /// The shape, rotated about the centre of its frame (radians, from x towards y). A rectangle that
 /// is rotated by a multiple of 90° has the angle 0.
 WindowShape rotated(const WindowShape& shape, double angle);
+
+/// The clip window with the shape, the fill rule and the id of an object, or the first line of a
+/// text, as its name; empty if the object encloses nothing, such as a single line.
+std::optional<ClipWindow> windowOf(const ObjectView& object);
 
 } // namespace app

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/document/path.h"
+#include "app/drawing/gesture_measure.h"
 
 #include <optional>
 
@@ -27,5 +28,23 @@ Point middleOf(const CircleArc& arc);
 
 /// Begins and ends in the arc's points, bit for bit.
 Subpath pathOf(const CircleArc& arc);
+
+} // namespace app
+
+// How the last point of an arc is measured.
+
+namespace app {
+
+/// Through three points: radius and angle of the arc from `from` to `pointer`. One of them decides
+/// the other; the pointer decides the side and, with a radius, which of the two arcs. A negative
+/// angle goes to the other side.
+const GestureMeasure& arcMeasure();
+
+/// On which way around.
+enum class Turn : std::uint8_t { Counterclockwise, Clockwise };
+
+/// By its centre `from`: the angle of the arc that begins at `pointer`, positive counterclockwise.
+/// The pointer goes that way around; a typed angle goes the way of its sign.
+const GestureMeasure& sweepMeasure(Turn turn);
 
 } // namespace app

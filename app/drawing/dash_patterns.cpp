@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/drawing/dash_patterns.h"
 
-#include "app/base/latin.h"
+#include "app/base/number.h"
 #include "app/base/numbers.h"
 #include "app/base/text.h"
-#include "app/base/typed_number.h"
 
 #include <algorithm>
 #include <array>

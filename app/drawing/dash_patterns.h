@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/base/expression.h"
-#include "app/document/style.h"
+#include "app/document/style_table.h"
 
 #include <QLocale>
 #include <QString>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/base/typed_number.h"
+#include "app/base/number.h"
 #include "app/document/path.h"
 
 #include <optional>

@@ -4,7 +4,7 @@
 #include "app/base/numbers.h"
 #include "app/base/text.h"
 #include "app/comparison/ulps.h"
-#include "app/view/sequential_scale.h"
+#include "app/view/visible_colour.h"
 
 #include <algorithm>
 #include <cmath>

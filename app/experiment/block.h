@@ -1,13 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/variant.h"
 #include "app/experiment/shaped_window.h"
-#include "app/experiment/variants_of.h"
+
+#include <QString>
 
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace app {
+
+/// Every form of these algorithms, the corrected forms first.
+std::vector<Variant> variantsOf(std::span<const clipping::Algorithm* const> algorithms);
+
+/// The algorithms that have this form, in this form.
+std::vector<Variant> variantsOf(std::span<const clipping::Algorithm* const> algorithms,
+                                clipping::Form form);
+
+/// "corrected", "published".
+QString wordOf(clipping::Form form);
 
 /// The number type of the lines that are clipped.
 enum class Precision : std::uint8_t { Double, Single };

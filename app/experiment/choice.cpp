@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/choice.h"
 
-#include "app/base/duration.h"
 #include "app/base/numbers.h"
 #include "app/base/short_names.h"
 #include "app/base/text.h"

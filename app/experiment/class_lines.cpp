@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/class_lines.h"
 
-#include "app/base/turn_progress.h"
+#include "app/base/progress.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/class_profile.h"
 
-#include "app/base/phased_progress.h"
+#include "app/base/progress.h"
 #include "app/base/text.h"
 #include "app/experiment/one_by_one.h"
 
@@ -32,7 +32,8 @@ QString mixText(const ClassProfile& profile)
 {
     QStringList parts;
     for (const ClassTimes& one : profile.classes)
-        parts << Text::tr("%1 %2 %").arg(classText(one.of.lineClass), shortPercentText(one.of.share));
+        parts << Text::tr("%1 %2 %").arg(classText(one.of.lineClass),
+                                         shortPercentText(one.of.share));
     return parts.join(QStringLiteral(", "));
 }
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/experiment.h"
 
-#include "app/base/checksum.h"
+#include "app/base/progress.h"
 #include "app/base/random.h"
 #include "app/base/text.h"
-#include "app/base/turn_progress.h"
 #include "app/base/vector_registers.h"
 #include "app/comparison/line_class.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/findings.h"
 
-#include "app/base/checksum.h"
+#include "app/base/random.h"
 
 #include <algorithm>
 #include <cmath>

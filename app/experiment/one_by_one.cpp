@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/one_by_one.h"
 
-#include "app/base/latin.h"
 #include "app/base/text.h"
 #include "app/experiment/paper_runs.h"
 

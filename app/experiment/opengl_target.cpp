@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/checksum.h"
+#include "app/base/random.h"
 #include "app/experiment/draw_target.h"
 #include "app/view/open_gl.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/operation_profile.h"
 
+#include "app/base/progress.h"
 #include "app/base/text.h"
-#include "app/base/turn_progress.h"
 
 #include <algorithm>
 #include <numeric>

@@ -5,7 +5,7 @@
 #include "app/base/text.h"
 #include "app/experiment/paper_scene.h"
 #include "app/experiment/ranking_text.h"
-#include "app/formats/rectangle_text.h"
+#include "app/formats/coordinates.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/record.h"
 
-#include "app/base/latin.h"
 #include "app/base/short_names.h"
 #include "app/base/text.h"
 #include "app/experiment/circumstances.h"
 #include "app/experiment/one_by_one.h"
 #include "app/experiment/ranking_text.h"
-#include "app/formats/rectangle_text.h"
+#include "app/formats/coordinates.h"
 
 #include <algorithm>
 

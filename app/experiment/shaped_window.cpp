@@ -6,7 +6,7 @@
 #include "app/base/text.h"
 #include "app/comparison/differences_at.h"
 #include "app/experiment/one_by_one.h"
-#include "app/formats/rectangle_text.h"
+#include "app/formats/coordinates.h"
 #include "app/scene/step_clipping.h"
 #include "app/scene/window_needs.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/experiment/study.h"
 
-#include "app/base/phased_progress.h"
+#include "app/base/progress.h"
 #include "app/base/text.h"
 #include "app/experiment/class_lines.h"
 #include "app/experiment/one_by_one.h"

@@ -3,7 +3,7 @@
 
 #include "app/base/text.h"
 #include "app/comparison/line_class.h"
-#include "app/formats/rectangle_text.h"
+#include "app/formats/coordinates.h"
 
 #include <glm/common.hpp>
 

@@ -67,4 +67,16 @@ void appendControl(std::string& text, const Point& point, char between, const Wr
     append(text, point.y, 1, options.precision, everything);
 }
 
+QString rectangleText(const clipping::Window& rectangle)
+{
+    const auto& [min, max] = rectangle;
+    std::string text;
+    for (const double number : {min.x, min.y, max.x, max.y}) {
+        if (!text.empty())
+            text += ',';
+        appendNumber(text, number);
+    }
+    return QString::fromStdString(text);
+}
+
 } // namespace app

@@ -2,6 +2,9 @@
 #pragma once
 
 #include "app/formats/format.h"
+#include "clipping/geometry.h"
+
+#include <QString>
 
 #include <string>
 
@@ -25,5 +28,9 @@ bool becomesPoint(const clipping::Segment& line, const WriteOptions& options);
 /// The point that is written.
 Point roundedPoint(const Point& point, const WriteOptions& options);
 Point roundedControl(const Point& point, const WriteOptions& options); ///< of a curve
+
+/// "-100,-75,100,75": xmin, ymin, xmax and ymax as the command line accepts them. The numbers must
+/// be finite, and read back bit for bit.
+QString rectangleText(const clipping::Window& rectangle);
 
 } // namespace app

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/export_cut.h"
 
-#include "app/base/phased_progress.h"
+#include "app/base/progress.h"
 #include "app/base/text.h"
 #include "app/document/flattened.h"
 #include "app/document/hidden_objects.h"

@@ -3,9 +3,9 @@
 #include "app/base/text.h"
 #include "app/base/write_all.h"
 #include "app/formats/format.h"
-#include "app/formats/paper.h"
+#include "app/formats/painted.h"
 #include "app/formats/seen_part.h"
-#include "app/view/painter_path.h"
+#include "app/view/outline.h"
 #include "app/view/summed_object.h"
 
 #include <QBuffer>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/read_open_file.h"
 
-#include "app/base/file_name.h"
+#include "app/base/replace_file.h"
 #include "app/base/text.h"
 
 #include <QFileInfo>

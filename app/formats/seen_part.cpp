@@ -3,7 +3,7 @@
 
 #include "app/cut/cut.h"
 #include "app/cut/cut_object.h"
-#include "app/view/area.h"
+#include "app/view/cut_fill.h"
 
 #include <algorithm>
 

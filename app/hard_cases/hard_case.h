@@ -2,16 +2,34 @@
 #pragma once
 
 #include "app/base/result.h"
-#include "app/hard_cases/ruling.h"
 #include "clipping/geometry.h"
 
 #include <QByteArray>
+#include <QString>
 
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
 
 namespace app {
+
+/// The judgement of an answer. Allowed: wrong visibility within the bounds of the contract, which
+/// only corrected forms have.
+enum class Ruling : std::uint8_t {
+    Right,
+    Allowed,
+    Lost,       ///< visible, but nothing is returned
+    Shown,      ///< nothing is visible, but something is returned
+    Outside,    ///< an end is not in the window
+    Moved,      ///< an end is farther off than the algorithm's bound in ulps
+    NotANumber, ///< an end is NaN or infinite
+    DidNotEnd   ///< it was stopped
+};
+
+/// "lost": as in the file. findRuling is the inverse; empty if there is no such key.
+QString keyOf(Ruling ruling);
+std::optional<Ruling> findRuling(const QString& key);
 
 /// One entry of resources/hard_cases/hard_cases.json: a line and a window at which algorithms fail
 /// or failed.

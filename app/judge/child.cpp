@@ -2,9 +2,8 @@
 #include "app/judge/child.h"
 
 #include "app/judge/child_race.h"
-#include "app/judge/hello.h"
+#include "app/judge/judgement.h"
 #include "app/judge/library.h"
-#include "app/judge/question.h"
 #include "app/judge/supervisor.h"
 
 #include <QByteArray>

@@ -3,7 +3,10 @@
 
 #include <QProcess>
 
+#include <optional>
 #include <stop_token>
+#include <sys/types.h>
+#include <vector>
 
 namespace app::plug_in {
 
@@ -52,5 +55,20 @@ private:
     qint64 library_ = 0; ///< number of the process that loads the library; 0: not known yet
     QByteArray printed_;
 };
+
+} // namespace app::plug_in
+
+namespace app::plug_in {
+
+/// The children of this process, which must have a single thread, including ended children that
+/// were not waited for. While processes start and end some may be missing: call it again.
+std::vector<pid_t> ownChildren();
+
+/// The same from the kernel's list; empty if there is no such list (a kernel without
+/// CONFIG_PROC_CHILDREN).
+std::optional<std::vector<pid_t>> listedChildren();
+
+/// The same from the parent of every process in /proc, which takes longer.
+std::vector<pid_t> scannedChildren();
 
 } // namespace app::plug_in

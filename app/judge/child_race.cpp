@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/judge/child_race.h"
 
-#include "app/base/latin.h"
-#include "app/base/phased_progress.h"
+#include "app/base/progress.h"
+#include "app/base/text.h"
 #include "app/experiment/class_profile.h"
 #include "app/judge/race_check.h"
 #include "app/judge/times.h"

@@ -3,7 +3,6 @@
 
 #include "app/base/text.h"
 #include "app/judge/child.h"
-#include "app/judge/hello.h"
 #include "app/judge/library_file.h"
 #include "app/judge/signal_text.h"
 

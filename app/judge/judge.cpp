@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/judge/judge.h"
 
-#include "app/base/phased_progress.h"
+#include "app/base/progress.h"
 #include "app/base/text.h"
 #include "app/experiment/ranking.h"
 #include "app/judge/child.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/judge/case.h"
+#include "app/judge/examination.h"
 #include "app/judge/verdict.h"
 
 namespace app::plug_in {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/judge/library.h"
 
-#include "app/judge/hello.h"
+#include "app/judge/child.h"
 
 #include <algorithm>
 #include <dlfcn.h>

@@ -13,7 +13,7 @@ using Clip = decltype(&clearcut_clip);
 struct Library {
     Clip clip = nullptr;
     std::string name;  ///< reported by the library; may be empty
-    std::string error; ///< if loading failed: a word of `hello` (hello.h) and a sentence
+    std::string error; ///< if loading failed: a word of `hello` (child.h) and a sentence
 };
 
 /// Runs the library's initialization code.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/judge/supervisor.h"
 
-#include "app/judge/children.h"
+#include "app/judge/child_process.h"
 
 #include <cerrno>
 #include <csignal>

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/lessons/reading.h"
 
-#include "app/base/latin.h"
 #include "app/base/text.h"
 #include "app/hard_cases/case_answer.h"
 #include "app/hard_cases/case_filter.h"
 #include "app/hard_cases/case_use.h"
-#include "app/teaching/page.h"
-#include "app/teaching/trace_link.h"
+#include "app/teaching/line_text.h"
+#include "app/teaching/manual.h"
 
 #include <QRegularExpression>
 

@@ -3,7 +3,7 @@
 
 #include "app/base/text.h"
 #include "app/document/direction.h"
-#include "app/document/path_points.h"
+#include "app/document/path.h"
 #include "app/document/recipe_outline.h"
 #include "app/lettering/outline_fonts.h"
 #include "app/lettering/outline_letters.h"

@@ -2,11 +2,23 @@
 #pragma once
 
 #include "app/document/recipe.h"
-#include "app/lettering/letters.h"
+#include "app/document/subpath.h"
+
+#include <QStringList>
 
 #include <span>
 
 namespace app {
+
+/// From one baseline to the next, in heights of capital letters.
+constexpr double linePitch = 1.7;
+
+/// A text as paths in units of its font: y down, from the start of the first baseline.
+struct Letters {
+    double capital = 1; ///< the height of capital letters
+    std::vector<Subpath> paths{};
+    QStringList missing{}; ///< each character that the font lacks, once; a box stands in its place
+};
 
 /// A longer text is not edited, and no file may ask for it.
 constexpr qsizetype longestText = 10'000;

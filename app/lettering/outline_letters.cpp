@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/lettering/outline_letters.h"
 
-#include "app/document/path_points.h"
+#include "app/document/path.h"
 
 #include <QFont>
 #include <QGlyphRun>

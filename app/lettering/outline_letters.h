@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/lettering/letters.h"
+#include "app/lettering/lettering.h"
 
 namespace app {
 

@@ -3,6 +3,8 @@
 
 #include "app/nodes/node_path.h"
 
+#include <functional>
+
 namespace app {
 
 /// A node of a path: which subpath, and which of its nodes.
@@ -34,5 +36,13 @@ bool bendSegment(NodeSubpath& subpath, std::size_t segment, double t, const Poin
 /// Without nodes there is none.
 std::optional<NodeAddress> neighbour(const NodePath& path, const std::optional<NodeAddress>& of,
                                      bool forwards);
+
+/// Moves each selected node, with its handles, exactly to where `place` says. False, without a
+/// change: a place is not finite.
+bool placeSelected(NodePath& path, const std::function<Point(const Point& at)>& place);
+
+/// After selected nodes have moved: keeps the handles of smooth nodes near them in line with their
+/// straight segments.
+void alignAroundSelected(NodeSubpath& subpath);
 
 } // namespace app

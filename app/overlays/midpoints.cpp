@@ -2,7 +2,7 @@
 #include "app/overlays/midpoints.h"
 
 #include "app/base/text.h"
-#include "app/comparison/outcode_text.h"
+#include "app/comparison/line_class.h"
 #include "app/overlays/parts.h"
 #include "clipping/outcode.h"
 

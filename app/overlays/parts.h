@@ -1,9 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/overlays/family.h"
+#include "app/overlays/overlay.h"
 
 #include <array>
+
+// The kinds of overlays, one file each. An algorithm's row (app/teaching/teaching.h) names its own
+// overlay, or has the default. Each has an area or a line and a caption, and with a line also a
+// mark at each of its ends, and another caption.
+
+namespace app {
+
+/// The input of an overlay: all numbers are finite, and the window has min <= max.
+struct OverlayContext : OverlaySubject {
+    clipping::Trace trace{}; ///< of the line, if any
+
+    /// The trace of this variant for another line.
+    clipping::Trace traceOf(const clipping::Segment& other) const
+    {
+        if (!corners.empty())
+            return polygonUsesOf(variant)->trace(other, {corners});
+        return clipping::functionsOf(*variant.algorithm, variant.form)->trace(other, window);
+    }
+};
+
+Overlay outcodeOverlay(const OverlayContext& context);   ///< Cohen-Sutherland
+Overlay scriptOverlay(const OverlayContext& context);    ///< Sobkow-Pospisil-Yang
+Overlay midpointOverlay(const OverlayContext& context);  ///< Midpoint subdivision
+Overlay signOverlay(const OverlayContext& context);      ///< Skala
+Overlay sectorOverlay(const OverlayContext& context);    ///< Nicholl-Lee-Nicholl
+Overlay parameterOverlay(const OverlayContext& context); ///< Liang-Barsky, Cyrus-Beck
+Overlay pushOverlay(const OverlayContext& context);      ///< Kodituwakku…, Matthes-Drakopoulos
+Overlay cellOverlay(const OverlayContext& context);      ///< Slater-Barsky
+Overlay turnOverlay(const OverlayContext& context);      ///< Exact
+
+/// The default overlay of any algorithm: the edges, and the points where its steps cut the line.
+Overlay traceOverlay(const OverlayContext& context);
+
+/// The overlay of any algorithm at a convex polygon.
+Overlay polygonOverlay(const OverlayContext& context);
+
+} // namespace app
 
 // Parts that several overlays share.
 
@@ -15,7 +52,7 @@ inline constexpr std::array windowEdges{clipping::Edge::Left, clipping::Edge::Ri
 /// The nine outcode regions, each with a name; the region under the pointer is marked.
 std::vector<OverlayArea> regionsNamed(const OverlayContext& context,
                                       QString (*name)(unsigned code, YAxis y));
-/// The same with outcodes (app/comparison/outcode_text.h) as names; set bits are emphasized.
+/// The same with outcodes (app/comparison/line_class.h) as names; set bits are emphasized.
 std::vector<OverlayArea> outcodeRegions(const OverlayContext& context);
 /// The borders of the regions: the lines of the window's edges.
 std::vector<OverlayLine> regionBorders(const OverlayContext& context);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/latin.h"
 #include "app/base/text.h"
 #include "app/overlays/parts.h"
 #include "app/overlays/polygon_edges.h"

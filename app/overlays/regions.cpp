@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/text.h"
-#include "app/comparison/outcode_text.h"
+#include "app/comparison/line_class.h"
 #include "app/overlays/half_plane.h"
 #include "app/overlays/parts.h"
 #include "clipping/outcode.h"

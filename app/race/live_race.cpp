@@ -3,7 +3,7 @@
 
 #include "app/experiment/ranking.h"
 #include "app/scene/compared_window.h"
-#include "app/view/frame_statistics.h"
+#include "app/view/frame_times.h"
 
 #include <algorithm>
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr int tenthOfASecond = 100;
 constexpr double sliceMilliseconds = 4; // and a step more
-constexpr qint64 longEnough = 10'000; // milliseconds; for large drawings, whose rounds take long
+constexpr qint64 longEnough = 10'000;   // milliseconds; for large drawings, whose rounds take long
 
 } // namespace
 

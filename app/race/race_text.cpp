@@ -5,7 +5,7 @@
 #include "app/base/short_names.h"
 #include "app/base/text.h"
 #include "app/experiment/ranking.h"
-#include "app/view/frame_statistics.h"
+#include "app/view/frame_times.h"
 
 namespace app {
 QString groupsText(std::span<const RaceRow> rows)

@@ -3,7 +3,7 @@
 
 #include "app/base/text.h"
 #include "app/recovery/journal_folder.h"
-#include "app/recovery/log_records.h"
+#include "app/recovery/log_file.h"
 
 #include <QDir>
 #include <QFileInfo>

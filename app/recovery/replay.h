@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/result.h"
 #include "app/document/object_in_hand.h"
 #include "app/recovery/journal_base.h"
 
@@ -40,5 +41,9 @@ private:
     JournalOrigin origin_;
     std::optional<ObjectInHand> inHand_;
 };
+
+/// Reads a leftover: replays a journal, with its history, or reads an SVG file, without one. On
+/// any thread. An error is a sentence.
+Result<Recovered> recover(const Leftover& leftover);
 
 } // namespace app

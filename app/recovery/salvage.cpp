@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/text.h"
-#include "app/document/new_drawing.h"
+#include "app/document/document.h"
 #include "app/formats/format.h"
 #include "app/recovery/journal_folder.h"
 #include "app/recovery/journal_reading.h"
-#include "app/recovery/log_records.h"
+#include "app/recovery/log_file.h"
 #include "app/session/samples.h"
 
 #include <QFileInfo>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/latin.h"
+#include "app/base/text.h"
 #include "app/experiment/analysis.h"
 #include "app/experiment/one_by_one.h"
-#include "app/formats/rectangle_text.h"
+#include "app/formats/coordinates.h"
 #include "app/report/study_report.h"
 
 #include <QRegularExpression>

@@ -2,6 +2,12 @@
 #include "app/scene/area_windows.h"
 
 #include "app/base/finite.h"
+#include "clipping/algorithm.h"
+#include "clipping/area/clip_area.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
 
 namespace app {
 
@@ -44,6 +50,58 @@ std::shared_ptr<const clipping::PreparedRegion> areaWindows(const ClipRegion& re
 {
     const auto windows = region.prepared ? region.prepared : laterRegion(region, region.keep);
     return {windows, &windows->prepared()};
+}
+
+namespace {
+
+// Larger than all of them, so that it is never kept whole.
+clipping::Window around(const ClipRegion& region)
+{
+    clipping::Window box = region.steps.front().box;
+    for (const ClipRegion::Step& step : region.steps)
+        box = {glm::min(box.min, step.box.min), glm::max(box.max, step.box.max)};
+    const Point more = (box.max - box.min) * 0.5 + 1.0;
+    return {box.min - more, box.max + more};
+}
+
+} // namespace
+
+PathShape united(std::span<const ClipWindow> windows, const Page& page)
+{
+    ClipWindows all;
+    for (const ClipWindow& window : windows)
+        all.list.push_back({.shape = window.shape});
+    const ClipRegion region = regionOf(all, page);
+    const auto area = clipping::clipArea(clipping::areaOf(around(region)), *areaWindows(region));
+    std::vector<Subpath> rings;
+    std::size_t first = 0;
+    for (const std::uint32_t end : area.ringEnds) {
+        Subpath& ring = rings.emplace_back(Subpath{area.points[first], {}, true});
+        while (++first < end)
+            ring.segments.push_back({area.points[first]});
+    }
+    return {Path(rings), FillRule::NonZero};
+}
+
+// Whether the library takes it for a convex polygon: then each corner is inside.
+static bool containsItsCorner(const clipping::ConvexPolygon& polygon)
+{
+    const Point& corner = polygon.corners.front();
+    return clipping::exactAlgorithm().polygon->clip({corner, corner}, polygon).has_value();
+}
+
+clipping::ConvexPolygon convexPolygonOf(const std::vector<std::vector<Point>>& rings)
+{
+    if (rings.size() != 1 || rings.front().size() < 3)
+        return {};
+    clipping::ConvexPolygon polygon{rings.front()};
+    const bool anticlockwise = containsItsCorner(polygon);
+    if (anticlockwise) {
+        clipping::ConvexPolygon reversed{{polygon.corners.rbegin(), polygon.corners.rend()}};
+        return containsItsCorner(reversed) ? clipping::ConvexPolygon() : polygon; // both: no area
+    }
+    std::ranges::reverse(polygon.corners);
+    return containsItsCorner(polygon) ? polygon : clipping::ConvexPolygon();
 }
 
 } // namespace app

@@ -3,7 +3,6 @@
 
 #include "app/document/window_outline.h"
 #include "app/scene/area_windows.h"
-#include "app/scene/convex_outline.h"
 #include "clipping/region/box_part.h"
 
 #include <glm/common.hpp>

@@ -3,16 +3,39 @@
 
 #include "app/document/clip_windows.h"
 #include "app/document/page.h"
-#include "app/scene/later_region.h"
+#include "clipping/region/region.h"
 #include "clipping/turned_window.h"
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace app {
+
+/// A region of the library that is prepared when it is first used: preparing one of many thousand
+/// edges takes some tenths of a second, which the thread that only passes it on must not spend.
+/// Owners on any threads may use it.
+class LaterRegion {
+public:
+    explicit LaterRegion(clipping::Region region) : region_(std::move(region)) {}
+
+    const clipping::PreparedRegion& prepared() const
+    {
+        std::call_once(once_, [this] {
+            prepared_.emplace(region_);
+            region_ = {};
+        });
+        return *prepared_;
+    }
+
+private:
+    mutable std::once_flag once_;
+    mutable clipping::Region region_; ///< until it is prepared
+    mutable std::optional<clipping::PreparedRegion> prepared_;
+};
 
 /// The clip windows as plain numbers, rebuilt on each change.
 ///

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/base/stopwatch.h"
+#include "app/base/clock.h"
 #include "app/scene/step_clipping.h"
 
 #include <stop_token>

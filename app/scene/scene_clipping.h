@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/scene/piece_store.h"
 #include "app/scene/region_clipping.h"
 #include "app/scene/scene_frame.h"
 #include "app/scene/scene_lines.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scene/scene_lines.h"
 
+#include "app/document/flatten.h"
 #include "app/scene/scene_block_cache.h"
 
 #include <algorithm>
@@ -61,6 +62,12 @@ SceneLines linesOf(const Objects& objects, const ObjectRanges& hidden, double to
     SceneBlockCache cache;
     cache.update(objects, hidden, tolerance);
     return SceneLines(cache.blocks());
+}
+
+SceneLines linesOf(const Document& document)
+{
+    return linesOf(document.objects(), document.containers().hiddenRanges(),
+                   usualTolerance(document.page()));
 }
 
 } // namespace app

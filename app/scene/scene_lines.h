@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/document.h"
 #include "app/document/objects.h"
 #include "app/scene/scene_block.h"
 
@@ -63,5 +64,8 @@ void SceneLines::forEachPart(std::size_t first, std::size_t end, const Visit& vi
 /// The lines of objects. Objects in `hidden` are not shown, even if visible themselves. Curves are
 /// flattened to `tolerance` (user units, > 0).
 SceneLines linesOf(const Objects& objects, const ObjectRanges& hidden, double tolerance);
+
+/// The visible lines of a document. Curves are flattened to 0.05 mm on paper.
+SceneLines linesOf(const Document& document);
 
 } // namespace app

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scene/window_needs.h"
 
-#include "app/base/latin.h"
 #include "app/base/numbers.h"
 #include "app/base/text.h"
 #include "clipping/region/catalogue.h"

@@ -2,9 +2,9 @@
 #include "app/session/arrange_selection.h"
 
 #include "app/base/text.h"
-#include "app/commands/add_objects.h"
+#include "app/commands/add_and_remove.h"
 #include "app/commands/outline_strokes.h"
-#include "app/document/editable.h"
+#include "app/document/hidden_objects.h"
 #include "app/scene/bounds.h"
 
 #include <array>

@@ -3,11 +3,10 @@
 
 #include "app/base/numbers.h"
 #include "app/base/text.h"
-#include "app/commands/add_objects.h"
+#include "app/commands/add_and_remove.h"
 #include "app/commands/move_objects.h"
 #include "app/document/copies.h"
-#include "app/document/copy_place.h"
-#include "app/document/editable.h"
+#include "app/document/hidden_objects.h"
 #include "app/session/units.h"
 
 namespace app {

@@ -3,7 +3,7 @@
 
 #include "app/session/first_traced_line.h"
 #include "app/session/inspection.h"
-#include "app/session/traced_window.h"
+#include "app/session/window_in_hand.h"
 
 #include <QScopedValueRollback>
 

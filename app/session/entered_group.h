@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/container.h"
+#include "app/document/container_table.h"
 
 #include <QObject>
 

@@ -3,7 +3,7 @@
 
 #include "app/base/numbers.h"
 #include "app/base/text.h"
-#include "app/session/traced_window.h"
+#include "app/session/window_in_hand.h"
 
 #include <glm/geometric.hpp>
 

@@ -3,9 +3,9 @@
 
 #include "app/base/numbers.h"
 #include "app/base/text.h"
-#include "app/comparison/outcode_text.h"
+#include "app/comparison/line_class.h"
 #include "app/teaching/value_unit.h"
-#include "app/view/place.h"
+#include "app/view/ruler.h"
 #include "clipping/outcode.h"
 
 #include <glm/geometric.hpp>

@@ -27,3 +27,13 @@ void moveLayer(Session& session, ContainerId layer, LayerStep step);
 void showOnlyLayer(Session& session, ContainerId layer);
 
 } // namespace app
+
+// Undoable steps that fail if the document already has as many layers as it may have. Then nothing
+// changes, and `Session::refused` says why.
+
+namespace app {
+
+/// Adds an empty layer above all others; returns whether there was room.
+bool addLayer(Session& session, const QString& name);
+
+} // namespace app

@@ -2,8 +2,8 @@
 #include "app/session/live_sheets.h"
 
 #include "app/base/text.h"
-#include "app/commands/set_sheets.h"
-#include "app/cut/cut_choices.h"
+#include "app/commands/set_page_parts.h"
+#include "app/cut/permanent_cuts.h"
 #include "app/tiles/empty_sheets.h"
 
 namespace app {

@@ -4,9 +4,9 @@
 #include "app/base/numbers.h"
 #include "app/base/text.h"
 #include "app/document/direction.h"
-#include "app/nodes/node_places.h"
+#include "app/nodes/node_moves.h"
 #include "app/nodes/node_types.h"
-#include "app/view/place.h"
+#include "app/view/ruler.h"
 
 #include <glm/geometric.hpp>
 

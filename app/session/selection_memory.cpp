@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/selection_memory.h"
 
-#include "app/document/editable.h"
+#include "app/document/hidden_objects.h"
 #include "app/session/session.h"
 
 #include <algorithm>

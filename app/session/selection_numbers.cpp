@@ -4,8 +4,8 @@
 #include "app/base/text.h"
 #include "app/commands/move_objects.h"
 #include "app/document/direction.h"
-#include "app/drawing/transformation_measures.h"
-#include "app/view/place.h"
+#include "app/drawing/transformation.h"
+#include "app/view/ruler.h"
 
 #include <glm/geometric.hpp>
 

@@ -5,7 +5,7 @@
 #include "app/commands/set_containers.h"
 #include "app/commands/set_style.h"
 #include "app/document/styles_in_use.h"
-#include "app/formats/svg/declarations.h"
+#include "app/formats/svg/style_text.h"
 #include "app/session/units.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/session.h"
 
-#include "app/base/usual_algorithm.h"
-#include "app/document/followed_ranges.h"
+#include "app/base/variant.h"
+#include "app/document/object_ranges.h"
 #include "app/document/window_shape.h"
 #include "app/scene/bounds.h"
 #include "app/session/selection_memory.h"
@@ -190,7 +190,7 @@ Session::Chosen Session::chosenAfter(const DocumentChange& change) const
         next.layer = layerForNew(containers);
     if (change.everything || change.page)
         next.guide.reset(); // it may have another number, or be gone
-    if (change.containers) // also by undo: hidden or locked objects cannot be edited
+    if (change.containers)  // also by undo: hidden or locked objects cannot be edited
         next.selection =
             without(next.selection, united(containers.hiddenRanges(), containers.lockedRanges()));
     return next;

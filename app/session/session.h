@@ -4,7 +4,7 @@
 #include "app/commands/history.h"
 #include "app/commands/transform_objects.h"
 #include "app/comparison/live_differences.h"
-#include "app/cut/cut_choices.h"
+#include "app/cut/permanent_cuts.h"
 #include "app/document/object_ranges.h"
 #include "app/document/window_frame.h"
 #include "app/exactness/live_exactness.h"
@@ -17,7 +17,7 @@
 #include "app/session/pivot.h"
 #include "app/session/preview.h"
 #include "app/view/grid.h"
-#include "app/view/removed_part.h"
+#include "app/view/picture_options.h"
 
 #include <concepts>
 #include <optional>

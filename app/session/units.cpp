@@ -2,7 +2,7 @@
 #include "app/session/units.h"
 
 #include "app/base/text.h"
-#include "app/document/editable.h"
+#include "app/document/hidden_objects.h"
 #include "app/document/moved_runs.h"
 #include "app/document/tree_draft.h"
 

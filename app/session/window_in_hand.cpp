@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/window_in_hand.h"
 
+#include "app/base/numbers.h"
 #include "app/base/text.h"
+
+#include <glm/trigonometric.hpp>
 
 #include <algorithm>
 
@@ -36,5 +39,45 @@ QString headingInHand(const Session& session)
 }
 
 Variant usedVariant(const Session& session) { return usedAt(session.region(), session.variant()); }
+
+clipping::Segment TracedWindow::into(const clipping::Segment& line) const
+{
+    return {intoFrame(frame, line.a), intoFrame(frame, line.b)};
+}
+
+void TracedWindow::putInto(TracedLine& tracedLine) const
+{
+    tracedLine.window = frame.box;
+    tracedLine.windowIsPage = isPage;
+    tracedLine.corners = corners;
+}
+
+QString TracedWindow::remark() const
+{
+    if (frame.angle != 0) // y grows down, and the angle from x towards y
+        return Text::tr("in the directions of a window rotated by %1°")
+            .arg(numberText(-glm::degrees(frame.angle), 1));
+    if (!notAt)
+        return {};
+    const QString name = notAt->isEmpty() ? Text::tr("the selected window") : *notAt;
+    return isPage ? Text::tr("at the page, as %1 is not convex").arg(name)
+                  : Text::tr("at another window, as %1 is not convex").arg(name);
+}
+
+TracedWindow tracedWindow(const Session& session)
+{
+    const ComparedWindow& usual = session.compared();
+    TracedWindow traced{{usual.window}, usual.isPage};
+    const auto number = session.windowNumber();
+    if (!number)
+        return traced;
+    const ClipWindow& inHand = session.windows().list[*number];
+    if (const auto* rectangle = std::get_if<RectangleShape>(&inHand.shape))
+        return {*rectangle};
+    if (const auto* step = stepInHand(session); step && !step->polygon.corners.empty())
+        return {.frame = {step->box}, .corners = step->polygon.corners};
+    traced.notAt = inHand.name;
+    return traced;
+}
 
 } // namespace app

@@ -18,4 +18,24 @@ QString headingInHand(const Session& session);
 /// The variant that clips the drawing, whatever is chosen.
 Variant usedVariant(const Session& session);
 
+/// The window at which the microscope clips lines of the drawing: the window in hand if it is a
+/// rectangle, also a rotated one, or a convex polygon; else `Session::window`. At a rectangle a
+/// line is traced in the rectangle's own directions, in which it is along the axes, with the
+/// numbers of the panel *Clip window*.
+struct TracedWindow {
+    WindowFrame frame;
+    bool isPage = false;
+    /// The corners of a convex polygon; then `frame` is its bounding box. Empty: a rectangle.
+    std::vector<Point> corners{};
+    /// The name of the window in hand if it has another shape, so that a rectangle is used.
+    std::optional<QString> notAt{};
+
+    clipping::Segment into(const clipping::Segment& line) const;
+    /// Moves a traced line to this window; its line stays the same.
+    void putInto(TracedLine& tracedLine) const;
+    /// Says which window it is, to follow "Line 217 of 420"; empty for one along the axes.
+    QString remark() const;
+};
+TracedWindow tracedWindow(const Session& session);
+
 } // namespace app

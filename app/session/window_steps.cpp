@@ -3,9 +3,8 @@
 
 #include "app/base/numbers.h"
 #include "app/base/text.h"
-#include "app/commands/add_objects.h"
-#include "app/commands/set_windows.h"
-#include "app/document/object_window.h"
+#include "app/commands/add_and_remove.h"
+#include "app/commands/set_page_parts.h"
 #include "app/document/window_shape.h"
 #include "app/session/arrange_selection.h"
 #include "app/session/selection_style.h"

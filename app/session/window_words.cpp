@@ -2,6 +2,7 @@
 #include "app/session/window_words.h"
 
 #include "app/base/text.h"
+#include "app/comparison/differences_at.h"
 
 #include <QCoreApplication>
 
@@ -68,6 +69,25 @@ QString resultOf(const ClipWindows& windows)
         text += count == 1 ? name : Text::tr("%1 × %2").arg(count).arg(name);
     }
     return text;
+}
+
+QString comparedName(const Session& session)
+{
+    const auto number = session.compared().number;
+    const bool alone = session.region().steps.size() == 1 && session.region().keep == Keep::Inside
+                       && session.region().single();
+    return number && !alone ? nameOf(session.windows().list[*number]) : QString();
+}
+
+QString comparedText(const Session& session)
+{
+    if (!session.compared().comparable)
+        return Text::tr(
+            "Nothing is compared: no clip window is a rectangle along the axes. Draw one to "
+            "compare there.");
+    const QString name = comparedName(session);
+    return name.isEmpty() ? atText(session.compared())
+                          : Text::tr("Compared inside %1 only.").arg(name);
 }
 
 } // namespace app

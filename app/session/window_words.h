@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/document/clip_windows.h"
+#include "app/session/session.h"
 
 // Clip windows in words.
 
@@ -20,5 +21,15 @@ QString signOf(WindowOperation operation);
 /// What the visible windows make together: "Old town − Market hall + Star"; "everything −
 /// Market hall" if the first one does not add. Empty without a visible window.
 QString resultOf(const ClipWindows& windows);
+
+// Where the algorithms of an open drawing are compared, in words.
+
+/// The name of the clip window, if it does not alone decide what of the drawing is kept: then the
+/// numbers of a comparison are not those of the picture. Empty otherwise.
+QString comparedName(const Session& session);
+
+/// For captions: that nothing is compared, and why; that the drawing is compared at the page, or
+/// inside one of its clip windows. Empty if that is the only one.
+QString comparedText(const Session& session);
 
 } // namespace app

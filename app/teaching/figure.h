@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/teaching/figure_colours.h"
 #include "app/teaching/figure_frame.h"
-#include "app/teaching/trace_step.h"
+#include "app/teaching/step_scene.h"
 
 class QPainter;
 

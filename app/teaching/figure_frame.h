@@ -2,7 +2,9 @@
 #pragma once
 
 #include "app/teaching/narration.h"
+#include "app/view/algorithm_mark.h"
 
+#include <QColor>
 #include <QFont>
 #include <QLineF>
 #include <QRectF>
@@ -38,5 +40,16 @@ FigureFrame figureFrame(const TracedLine& tracedLine, const QSizeF& size, const 
 /// The same, but a line that is tiny compared with its window fills a good part of the picture,
 /// with the edges that it crosses, unless nothing of the window would be visible then.
 FigureFrame nearFrame(const TracedLine& tracedLine, const QSizeF& size, const QFont& font);
+
+/// The colours of a figure: the program's own colours, each with a single meaning.
+struct FigureColours {
+    QColor paper;             ///< the background
+    QColor text, muted, rule; ///< text: the remaining part of the line; muted: discarded parts
+    QColor border;            ///< the infinite lines of the edges
+    QColor window;            ///< only the clip window
+    QColor highlight, onHighlight,
+        tint; ///< the subject of this step; text on it; its background in lists
+};
+FigureColours figureColours(Ground ground);
 
 } // namespace app

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/teaching/narration.h"
 
-#include "app/base/latin.h"
-#include "app/teaching/page.h"
+#include "app/base/numbers.h"
+#include "app/base/text.h"
+#include "app/teaching/manual.h"
 #include "app/teaching/sentences/polygon.h"
 #include "app/teaching/teaching.h"
 #include "clipping/pseudo_code.h"
@@ -169,6 +170,24 @@ Narration narrationOf(const TracedLine& tracedLine)
         before = &step;
     }
     return narration;
+}
+
+} // namespace app
+
+// The words and numbers of a trace.
+
+namespace app {
+
+QString valueText(const Variable& variable)
+{
+    switch (variable.kind) {
+    case clipping::ValueKind::Bits:
+        return outcodeText(unsigned(variable.value));
+    case clipping::ValueKind::Truth:
+        return variable.value != 0 ? Text::tr("yes") : Text::tr("no");
+    default:
+        return exactText(variable.value);
+    }
 }
 
 } // namespace app

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/base/traced_line.h"
-#include "app/comparison/outcode_text.h"
+#include "app/comparison/line_class.h"
 #include "app/comparison/variants.h"
 #include "app/document/subpath.h"
 

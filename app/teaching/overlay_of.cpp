@@ -3,7 +3,7 @@
 
 #include "app/base/finite.h"
 #include "app/document/window_frame.h"
-#include "app/overlays/family.h"
+#include "app/overlays/parts.h"
 #include "app/teaching/teaching.h"
 
 #include <glm/common.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/teaching/trace_step.h"
+#include "app/teaching/step_scene.h"
 #include "app/view/algorithm_mark.h"
 
 #include <QRectF>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/teaching/figure_colours.h"
+#include "app/teaching/figure_frame.h"
 #include "app/teaching/narration.h"
 
 #include <QFont>

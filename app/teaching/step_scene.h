@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/traced_line.h"
 #include "app/teaching/narration.h"
 
 namespace app {
@@ -33,5 +34,15 @@ struct StepScene {
 
 /// For a step that the trace does not have: the original line.
 StepScene stepScene(const TracedLine& tracedLine, const Narration& narration, std::size_t step);
+
+/// A step of a traced line's trace; the references must outlive the call.
+struct TraceStep {
+    const TracedLine& tracedLine;
+    const Narration& narration;
+    std::size_t step;
+};
+
+/// The edges of the window of a traced line, rectangle or polygon, one after the other.
+std::vector<clipping::Segment> edgesOf(const TracedLine& tracedLine);
 
 } // namespace app

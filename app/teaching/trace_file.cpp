@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/teaching/trace_file.h"
 
-#include "app/base/latin.h"
 #include "app/base/replace_file.h"
 #include "app/base/text.h"
 #include "app/base/write_all.h"

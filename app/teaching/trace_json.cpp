@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/latin.h"
 #include "app/base/number.h"
+#include "app/base/text.h"
 #include "app/teaching/trace_file.h"
 
 #include <QJsonArray>

@@ -2,8 +2,8 @@
 #include "app/tiles/empty_sheets.h"
 
 #include "app/base/text.h"
-#include "app/base/usual_algorithm.h"
-#include "app/view/crossings.h"
+#include "app/base/variant.h"
+#include "app/view/area_at.h"
 
 #include <glm/common.hpp>
 

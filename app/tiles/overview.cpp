@@ -2,7 +2,7 @@
 #include "app/tiles/overview.h"
 
 #include "app/base/text.h"
-#include "app/cut/layer_above.h"
+#include "app/cut/fresh_ids.h"
 #include "app/lettering/lettering.h"
 #include "app/lettering/stroke_fonts.h"
 

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/subpath.h"
 #include "app/tiles/sheets.h"
 
+#include <QStringList>
+
+#include <optional>
 #include <string>
 
 namespace app {
@@ -32,5 +36,11 @@ SheetSettings withOneFile(SheetSettings settings, bool oneFile);
 
 /// The formats that sheets can be written in, in menu order.
 std::vector<const Format*> sheetFormats();
+
+/// The papers that are offered for sheets, from small to large.
+QStringList papers();
+/// The size of a paper ("A4", "Letter", in any case) in millimetres, portrait; empty: unknown.
+/// Other papers than those offered are known, too.
+std::optional<Point> paperSize(const QString& name);
 
 } // namespace app

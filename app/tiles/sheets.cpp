@@ -4,7 +4,7 @@
 #include "app/base/replace_file.h"
 #include "app/base/text.h"
 #include "app/base/unfinished.h"
-#include "app/cut/layer_above.h"
+#include "app/cut/fresh_ids.h"
 #include "app/formats/pdf/writer.h"
 #include "app/tiles/marks.h"
 #include "app/tiles/overview.h"

@@ -2,14 +2,44 @@
 #pragma once
 
 #include "app/base/progress.h"
-#include "app/view/frame_parts.h"
+#include "app/view/raster.h"
 
 #include <functional>
 #include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
 
 class QThreadPool;
 
 namespace app {
+
+/// The result of clipping all lines.
+struct ClipResult {
+    std::uint64_t nanoseconds = 0; ///< of processor time
+    std::size_t visible = 0, total = 0;
+};
+
+/// A finished band of an image.
+struct FinishedBand {
+    Band band;
+    QImage image;
+};
+
+/// The finished parts of a frame. The threads that work on it share it and add to it; others
+/// read it.
+class FrameParts {
+public:
+    void put(const ClipResult& clipped);
+    void put(const FinishedBand& band);
+    std::optional<ClipResult> clipped() const;
+    std::vector<FinishedBand> bands() const;
+
+private:
+    mutable std::mutex lock_;
+    std::optional<ClipResult> clipped_;
+    std::vector<FinishedBand> bands_;
+};
 
 /// Paints a band; several threads call it at the same time.
 using PaintBand = std::function<QImage(Band)>;

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/subpath.h"
 #include "app/scene/area_windows.h"
 #include "app/view/outline.h"
 #include "app/view/painted_part.h"
 
+#include <span>
 #include <stop_token>
+#include <vector>
 
 namespace app {
 
@@ -30,5 +33,9 @@ private:
 
 /// The bounding box of an outline, which must not be empty.
 clipping::Window boxOf(const Outline& outline);
+
+/// The part of a closed outline's area inside the window, as an outline that may run along the
+/// window's edges (Sutherland and Hodgman 1974). It can be filled with either fill rule.
+std::vector<Point> areaInside(std::span<const Point> outline, const clipping::Window& window);
 
 } // namespace app

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/draw_list_builder.h"
 
-#include "app/view/area.h"
+#include "app/view/cut_fill.h"
 #include "app/view/visible_colour.h"
 #include "clipping/algorithm.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/view/cancelled.h"
 #include "app/view/draw_list.h"
+#include "app/view/raster.h"
 
 #include <QTransform>
 

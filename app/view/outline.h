@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/path.h"
+#include "app/document/style_table.h"
 #include "clipping/geometry.h"
+
+#include <QPainterPath>
 
 #include <glm/geometric.hpp>
 
@@ -50,5 +54,9 @@ private:
     std::size_t at_ = 0;
     double length_ = 0;
 };
+
+/// An object's outline in user units, with curves kept as curves, and its fill rule.
+QPainterPath painterPath(const Path& path, FillRule rule);
+QPainterPath painterPath(std::span<const Subpath> subpaths, FillRule rule);
 
 } // namespace app

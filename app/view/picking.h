@@ -58,4 +58,9 @@ private:
     mutable Background<BlockGrid> laying_;
 };
 
+/// The colour of what is seen at a point: of the nearest line within `radius`, else of the area
+/// there. Empty: nothing is there. Lines of locked layers count, too.
+std::optional<Colour> colourAt(const Document& document, const Scene& scene, const Picking& picking,
+                               const Point& point, double radius);
+
 } // namespace app

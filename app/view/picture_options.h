@@ -2,18 +2,21 @@
 #pragma once
 
 #include "app/document/object_ranges.h"
-#include "app/document/style.h"
+#include "app/document/style_table.h"
 #include "app/scene/region.h"
-#include "app/view/removed_part.h"
 #include "app/view/view.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <stop_token>
 #include <vector>
 
 namespace app {
+
+/// How the part removed by the clip windows is shown.
+enum class RemovedPart : std::uint8_t { Ghosted, Hidden, Shown };
 
 /// How ghosts are mixed with the page colour if they are not a translucent layer.
 struct Ghosting {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/polyline_builder.h"
 
-#include "app/view/dashes.h"
+#include "app/view/caps.h"
 
 #include <algorithm>
 #include <bit>

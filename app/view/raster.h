@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/view/cancelled.h"
 #include "app/view/picture.h"
 
 #include <QImage>
 
+#include <functional>
+
 namespace app {
+
+/// Long computations call this frequently; true: stop, the result is no longer needed.
+using Cancelled = std::function<bool()>;
+inline bool neverCancelled() { return false; }
 
 /// A horizontal band of an image, in device pixels.
 struct Band {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/region_mask.h"
 
-#include "app/view/area.h"
+#include "app/view/cut_fill.h"
 
 #include <QPainter>
 #include <QPainterPath>

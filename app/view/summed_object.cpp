@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/summed_object.h"
 
+#include "app/view/caps.h"
 #include "app/view/coverage.h"
-#include "app/view/dashes.h"
 #include "app/view/long_stroke.h"
-#include "app/view/painter_path.h"
+#include "app/view/outline.h"
 
 #include <QPainter>
 #include <QPainterPath>

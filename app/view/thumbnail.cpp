@@ -2,8 +2,8 @@
 #include "app/view/thumbnail.h"
 
 #include "app/scene/compared_window.h"
-#include "app/scene/document_lines.h"
 #include "app/scene/scene_clipping.h"
+#include "app/scene/scene_lines.h"
 #include "app/view/picture.h"
 #include "app/view/raster.h"
 

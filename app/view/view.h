@@ -3,6 +3,7 @@
 
 #include "app/document/subpath.h"
 
+#include <optional>
 #include <vector>
 
 namespace app {
@@ -28,5 +29,43 @@ public:
 
     friend bool operator==(const View&, const View&) = default;
 };
+
+/// The views before and after the present one, like the pages of a browser. Views in quick
+/// succession (a drag, wheel notches) count as one.
+class ViewHistory {
+public:
+    /// Call before the view changes from `view`. `now` is in milliseconds of any clock.
+    void leave(const View& view, long long now);
+    std::optional<View> back(const View& present);
+    std::optional<View> forth(const View& present);
+
+private:
+    std::vector<View> before_, after_;
+    long long last_ = -1'000'000;
+};
+
+/// Zooms with the wheel. If the pointer does not move, turning back by the same number of notches
+/// restores the view bit for bit.
+class WheelZoom {
+public:
+    /// One notch zooms by 20 %; a touchpad reports fractions of a notch. Positive zooms in.
+    void turn(View& view, const Point& screen, double notches);
+
+private:
+    struct Start {
+        View view;
+        Point screen;
+        double notches;
+        View last; ///< the view that this wheel set last: any other view starts anew
+    };
+    std::optional<Start> start_;
+};
+
+/// The view in which to show a piece of a line: unchanged if the piece is clearly visible; moved if
+/// it is large enough but elsewhere; otherwise zoomed so that its surroundings are visible too.
+View lookingAt(const View& view, const clipping::Window& piece, const clipping::Window& clipWindow);
+
+/// The view, moved so that part of the line is visible if no part was; never zoomed.
+View bringing(const View& view, const clipping::Segment& line);
 
 } // namespace app

@@ -4,7 +4,7 @@
 // frames [LINES|longLINES|FILE] [raster|gl] [PICTURE.png]
 // and what it takes while all algorithms race on each frame; the frames of a dragged window for
 // each row; and the memory.
-#include "app/experiment/variants_of.h"
+#include "app/experiment/block.h"
 #include "app/race/live_race.h"
 #include "ui/canvas/canvas.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/commands/add_and_remove.h"
 #include "app/commands/history.h"
 #include "app/commands/move_objects.h"
-#include "app/commands/remove_objects.h"
 #include "app/commands/resize_objects.h"
 #include "app/commands/set_style.h"
 #include "app/document/document_builder.h"

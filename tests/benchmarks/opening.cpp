@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Measures what it takes to open a file, until its picture is on a canvas of 1280 x 800:
 // opening FILE
-#include "app/base/usual_algorithm.h"
+#include "app/base/variant.h"
 #include "app/view/raster.h"
 #include "ui/canvas/canvas.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Measures what the journal costs while drawing, and a recovery: recovery [LINES]
-#include "app/commands/add_objects.h"
+#include "app/commands/add_and_remove.h"
 #include "app/commands/move_objects.h"
 #include "app/commands/set_style.h"
 #include "app/recovery/journal.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the pages in resources/algorithms say was measured is what their commands print today.
-#include "app/base/latin.h"
+#include "app/base/text.h"
 #include "app/lessons/reading.h"
-#include "app/teaching/page.h"
+#include "app/teaching/manual.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every widget that takes keys gets the focus by Tab, in the order in which one reads, and shows
 // that it has it.
-#include "app/commands/add_objects.h"
+#include "app/commands/add_and_remove.h"
 
 #include <QAbstractButton>
 #include <QButtonGroup>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/settings/seal.h"
-#include "ui/look/saved_theme.h"
+#include "app/settings/remembered.h"
+#include "ui/look/look.h"
 
 #include <QDialog>
 #include <QDirIterator>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every model answers every question about every cell, also about cells that do not exist.
-#include "app/commands/remove_objects.h"
+#include "app/commands/add_and_remove.h"
 #include "ui/docks/algorithm_list.h"
 #include "ui/docks/compare_model.h"
 #include "ui/docks/difference_model.h"

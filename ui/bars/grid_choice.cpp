@@ -4,8 +4,8 @@
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
+#include "ui/widgets/elements.h"
 #include "ui/widgets/length_field.h"
-#include "ui/widgets/room_for_text.h"
 
 #include <QHBoxLayout>
 

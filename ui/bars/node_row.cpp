@@ -3,7 +3,7 @@
 
 #include "ui/look/look.h"
 #include "ui/look/text.h"
-#include "ui/widgets/rule.h"
+#include "ui/widgets/elements.h"
 
 #include <QAction>
 #include <QHelpEvent>

@@ -11,9 +11,9 @@
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
 #include "ui/style/style_popup.h"
-#include "ui/widgets/dash_icon.h"
+#include "ui/widgets/elements.h"
+#include "ui/widgets/icon_sign.h"
 #include "ui/widgets/length_field.h"
-#include "ui/widgets/room_for_text.h"
 #include "ui/widgets/segments.h"
 #include "ui/widgets/tool_list.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/bars/snap_choice.h"
 
-#include "app/base/latin.h"
+#include "app/base/text.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
-#include "ui/widgets/room_for_text.h"
+#include "ui/widgets/elements.h"
 #include "ui/widgets/ticking_menu.h"
 
 #include <QHBoxLayout>

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/bars/status_bar.h"
 
-#include "app/base/latin.h"
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/scene/window_needs.h"
-#include "app/view/place.h"
+#include "app/view/ruler.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
-#include "ui/widgets/elided_label.h"
+#include "ui/widgets/look_label.h"
 #include "ui/widgets/status_cell.h"
-#include "ui/widgets/warning_button.h"
-#include "ui/widgets/zoom_button.h"
 
 #include <QMenu>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/view/frame_statistics.h"
+#include "app/view/frame_times.h"
 #include "ui/canvas/canvas.h"
 
 #include <QElapsedTimer>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/overlays/overlay.h"
-#include "ui/canvas/overlay_ground.h"
+#include "ui/canvas/overlay_boxes.h"
 
 #include <QPainter>
 

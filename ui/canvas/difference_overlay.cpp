@@ -2,8 +2,8 @@
 #include "ui/canvas/difference_overlay.h"
 
 #include "app/base/numbers.h"
-#include "app/session/compared_text.h"
 #include "app/session/window_in_hand.h"
+#include "app/session/window_words.h"
 #include "ui/look/text.h"
 
 namespace ui {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/eyedropper.h"
 
-#include "app/session/typed_colour.h"
-#include "app/view/colour_at.h"
+#include "app/session/recent_colours.h"
+#include "app/view/picking.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
 #include "ui/widgets/swatch.h"

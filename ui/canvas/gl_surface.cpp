@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/live_picture.h"
 #include "ui/canvas/overlay.h"
+#include "ui/canvas/pane_widget.h"
 #include "ui/canvas/renderer.h"
-#include "ui/canvas/surface.h"
 
 #include <QOpenGLPaintDevice>
 #include <QOpenGLWidget>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/view/view_history.h"
-#include "app/view/wheel_zoom.h"
+#include "app/view/view.h"
 
 #include <QElapsedTimer>
 #include <QNativeGestureEvent>

@@ -14,4 +14,8 @@ void paintPaper(QPainter& painter, const Controller& controller);
 void paintOverlay(QPainter& painter, const Controller& controller, const Pane& pane,
                   const app::FrameKey* shown);
 
+/// Paints what the pane's algorithm sees: of one line (the line being drawn, else the inspected
+/// one, else the hovered one) and of the pointer's position.
+void paintWhatIsSeen(QPainter& painter, const Controller& controller, const Pane& pane);
+
 } // namespace ui

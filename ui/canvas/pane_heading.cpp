@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/pane_heading.h"
 
-#include "app/base/latin.h"
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/view/pane_grid.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/scene/window_needs.h"
-#include "app/view/frame_statistics.h"
+#include "app/view/frame_times.h"
 #include "ui/canvas/controller.h"
 
 #include <QTimer>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/pane_widget.h"
 
-#include "app/base/usual_algorithm.h"
+#include "app/base/variant.h"
 #include "ui/look/text.h"
 
 namespace ui {

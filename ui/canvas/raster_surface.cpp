@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/live_picture.h"
 #include "ui/canvas/overlay.h"
-#include "ui/canvas/surface.h"
+#include "ui/canvas/pane_widget.h"
 
 #include <QPainter>
 #include <QWidget>

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/ruler.h"
 
-#include "app/base/latin.h"
 #include "app/base/numbers.h"
-#include "app/view/place.h"
+#include "app/base/text.h"
 #include "app/view/ruler.h"
 #include "ui/look/text.h"
-#include "ui/widgets/unit_button.h"
+#include "ui/widgets/unit_box.h"
 
 #include <QMenu>
 #include <QMouseEvent>

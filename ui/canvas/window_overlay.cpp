@@ -4,7 +4,7 @@
 #include "app/base/numbers.h"
 #include "app/document/window_outline.h"
 #include "app/view/frame_handles.h"
-#include "app/view/place.h"
+#include "app/view/ruler.h"
 #include "app/view/window_borders.h"
 #include "ui/canvas/window_offer.h"
 #include "ui/canvas/window_tags.h"

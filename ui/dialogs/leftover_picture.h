@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/base/background.h"
-#include "app/recovery/recover.h"
+#include "app/recovery/replay.h"
 
 #include <QFrame>
 #include <QImage>

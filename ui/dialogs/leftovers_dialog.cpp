@@ -5,7 +5,7 @@
 #include "ui/dialogs/leftover_picture.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
-#include "ui/widgets/keep_choice.h"
+#include "ui/widgets/panel_list.h"
 
 #include <QDialog>
 #include <QDialogButtonBox>

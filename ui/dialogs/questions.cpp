@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/questions.h"
 
-#include "app/base/latin.h"
+#include "app/base/text.h"
 #include "app/formats/loss_text.h"
 #include "ui/dialogs/leftovers_dialog.h"
 #include "ui/look/text.h"

@@ -4,7 +4,7 @@
 #include "app/base/numbers.h"
 #include "app/drawing/typed_entry.h"
 #include "app/session/arrange_selection.h"
-#include "app/view/place.h"
+#include "app/view/ruler.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
 #include "ui/widgets/length_field.h"

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/algorithm_list.h"
 
-#include "app/base/latin.h"
+#include "app/base/text.h"
 #include "app/session/window_in_hand.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
-#include "ui/widgets/algorithm_digit.h"
 #include "ui/widgets/algorithm_marker.h"
-#include "ui/widgets/keep_choice.h"
+#include "ui/widgets/panel_list.h"
 
 #include <QContextMenuEvent>
 #include <QMouseEvent>

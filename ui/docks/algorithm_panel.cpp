@@ -5,9 +5,9 @@
 #include "ui/docks/algorithm_list.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
+#include "ui/widgets/heading.h"
 #include "ui/widgets/icon_sign.h"
 #include "ui/widgets/look_label.h"
-#include "ui/widgets/page_caption.h"
 
 #include <QHBoxLayout>
 #include <QVBoxLayout>

@@ -5,7 +5,6 @@
 #include "ui/look/look.h"
 #include "ui/widgets/algorithm_marker.h"
 #include "ui/widgets/tabular.h"
-#include "ui/widgets/variant_name.h"
 
 #include <QPainter>
 #include <QSortFilterProxyModel>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/compare_model.h"
 
-#include "app/base/latin.h"
 #include "app/base/numbers.h"
 #include "app/base/short_names.h"
+#include "app/base/text.h"
 #include "app/race/race_text.h"
-#include "app/view/frame_statistics.h"
+#include "app/view/frame_times.h"
 #include "ui/look/text.h"
 
 #include <QCoreApplication>

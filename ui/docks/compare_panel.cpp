@@ -4,11 +4,11 @@
 #include "app/experiment/one_by_one.h"
 #include "app/race/race_text.h"
 #include "app/settings/remembered.h"
-#include "app/view/frame_statistics.h"
+#include "app/view/frame_times.h"
 #include "ui/docks/compare_table.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
-#include "ui/widgets/page_caption.h"
+#include "ui/widgets/heading.h"
 #include "ui/widgets/segments.h"
 
 #include <QSettings>

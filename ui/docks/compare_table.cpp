@@ -4,7 +4,7 @@
 #include "ui/docks/compare_cells.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
-#include "ui/widgets/keep_choice.h"
+#include "ui/widgets/panel_list.h"
 #include "ui/widgets/tabular.h"
 
 #include <QEvent>

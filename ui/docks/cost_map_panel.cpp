@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/cost_map_panel.h"
 
-#include "app/base/latin.h"
+#include "app/base/text.h"
 #include "app/cost_map/files.h"
 #include "app/cost_map/words.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
 #include "ui/widgets/algorithm_marker.h"
-#include "ui/widgets/page_caption.h"
-#include "ui/widgets/quiet_label.h"
+#include "ui/widgets/heading.h"
+#include "ui/widgets/look_label.h"
 #include "ui/widgets/segments.h"
 #include "ui/widgets/tool_list.h"
 #include "ui/widgets/variant_box.h"

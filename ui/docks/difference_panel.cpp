@@ -5,11 +5,10 @@
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
+#include "ui/widgets/heading.h"
 #include "ui/widgets/icon_sign.h"
-#include "ui/widgets/keep_choice.h"
 #include "ui/widgets/look_label.h"
-#include "ui/widgets/page_caption.h"
-#include "ui/widgets/quiet_label.h"
+#include "ui/widgets/panel_list.h"
 #include "ui/widgets/variant_box.h"
 
 #include <QGridLayout>

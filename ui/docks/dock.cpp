@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/dock.h"
 
-#include "app/base/latin.h"
+#include "app/base/text.h"
 #include "ui/docks/dock_title.h"
 #include "ui/look/look.h"
 

@@ -4,7 +4,7 @@
 #include "app/view/thumbnail.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
-#include "ui/widgets/sample_button.h"
+#include "ui/widgets/buttons.h"
 
 #include <QEvent>
 #include <QPromise>

@@ -3,9 +3,7 @@
 
 #include "app/commands/set_containers.h"
 #include "app/session/layer_colour.h"
-#include "app/session/layer_report.h"
 #include "app/session/layer_steps.h"
-#include "app/session/limited_steps.h"
 #include "ui/look/text.h"
 
 #include <QColor>

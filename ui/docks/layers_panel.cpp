@@ -8,10 +8,9 @@
 #include "app/view/colour_chart.h"
 #include "ui/docks/algorithm_list.h"
 #include "ui/look/text.h"
+#include "ui/widgets/buttons.h"
 #include "ui/widgets/colour_popup.h"
-#include "ui/widgets/icon_button.h"
-#include "ui/widgets/keep_choice.h"
-#include "ui/widgets/row_painter.h"
+#include "ui/widgets/panel_list.h"
 #include "ui/widgets/tabular.h"
 
 #include <QMouseEvent>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/line_panel.h"
 
-#include "app/base/latin.h"
 #include "app/base/numbers.h"
-#include "app/comparison/outcode_text.h"
-#include "app/view/place.h"
+#include "app/base/text.h"
+#include "app/comparison/line_class.h"
+#include "app/view/ruler.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"

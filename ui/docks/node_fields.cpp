@@ -4,9 +4,9 @@
 #include "ui/look/look.h"
 #include "ui/look/text.h"
 #include "ui/widgets/length_field.h"
-#include "ui/widgets/quiet_label.h"
+#include "ui/widgets/look_label.h"
 #include "ui/widgets/segments.h"
-#include "ui/widgets/unit_button.h"
+#include "ui/widgets/unit_box.h"
 
 #include <QGridLayout>
 

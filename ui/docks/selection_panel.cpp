@@ -8,11 +8,11 @@
 #include "ui/docks/node_fields.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
-#include "ui/widgets/icon_button.h"
+#include "ui/widgets/buttons.h"
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/reference_point.h"
 #include "ui/widgets/tool_list.h"
-#include "ui/widgets/unit_button.h"
+#include "ui/widgets/unit_box.h"
 
 #include <QGridLayout>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/start_panel.h"
 
-#include "app/base/latin.h"
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "ui/docks/algorithm_list.h"
 #include "ui/docks/gallery.h"
 #include "ui/look/text.h"
-#include "ui/widgets/row_painter.h"
-#include "ui/widgets/start_button.h"
+#include "ui/widgets/buttons.h"
+#include "ui/widgets/panel_list.h"
 
 #include <QFileInfo>
 #include <QHBoxLayout>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/window_add_menu.h"
 
-#include "app/base/latin.h"
+#include "app/base/text.h"
 #include "app/session/window_kinds.h"
 #include "app/session/window_places.h"
 #include "app/session/window_steps.h"

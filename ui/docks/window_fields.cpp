@@ -3,10 +3,10 @@
 
 #include "app/document/window_shape.h"
 #include "app/session/window_steps.h"
-#include "app/view/place.h"
+#include "app/view/ruler.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
-#include "ui/widgets/icon_button.h"
+#include "ui/widgets/buttons.h"
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/unit_box.h"
 

@@ -5,8 +5,7 @@
 #include "app/session/window_words.h"
 #include "ui/docks/algorithm_list.h"
 #include "ui/look/text.h"
-#include "ui/widgets/keep_choice.h"
-#include "ui/widgets/row_painter.h"
+#include "ui/widgets/panel_list.h"
 
 #include <QApplication>
 #include <QKeyEvent>

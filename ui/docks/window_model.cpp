@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/window_model.h"
 
-#include "app/base/latin.h"
+#include "app/base/text.h"
 #include "app/session/window_steps.h"
 #include "app/session/window_words.h"
 #include "ui/look/text.h"

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/editing/editing.h"
 
-#include "app/commands/remove_objects.h"
+#include "app/commands/add_and_remove.h"
+#include "app/commands/history.h"
 #include "app/session/clipboard.h"
+#include "app/session/selection_style.h"
 #include "app/session/units.h"
+#include "app/settings/remembered.h"
 #include "ui/look/text.h"
 
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QMimeData>
+#include <QSettings>
 
 namespace ui {
 
@@ -51,5 +55,39 @@ void deleteSelection(app::Session& session)
 }
 
 void selectAll(app::Session& session) { session.select(app::selectableObjects(session)); }
+
+namespace {
+
+std::optional<app::CopiedStyle>& copied()
+{
+    static std::optional<app::CopiedStyle> copied;
+    return copied;
+}
+
+} // namespace
+
+void copyStyle(const app::Session& session) { copied() = app::copiedStyle(session); }
+
+bool hasCopiedStyle() { return copied().has_value(); }
+
+void pasteStyle(app::Session& session)
+{
+    if (copied())
+        app::pasteStyle(session, *copied());
+}
+
+namespace {
+
+QString key() { return QStringLiteral("undoMegabytes"); }
+
+} // namespace
+
+int undoMegabytes()
+{
+    constexpr int least = 1, most = 1'000'000;
+    return app::rememberedNumber(key(), least, most, int(app::History::usualLimit / bytesOf(1)));
+}
+
+void setUndoMegabytes(int megabytes) { QSettings().setValue(key(), megabytes); }
 
 } // namespace ui

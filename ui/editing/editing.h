@@ -2,6 +2,9 @@
 #pragma once
 
 #include "app/session/copy_selection.h"
+#include "app/session/session.h"
+
+#include <cstddef>
 
 namespace ui {
 
@@ -15,5 +18,19 @@ QString nothingToPaste();
 void deleteSelection(app::Session& session);
 /// Selects every object that is visible and not locked, in the entered group if there is one.
 void selectAll(app::Session& session);
+
+// A copied style is kept apart from the system's clipboard, so that copied objects stay there. Like
+// the clipboard it belongs to the program: it may be pasted into another drawing.
+
+void copyStyle(const app::Session& session);
+bool hasCopiedStyle();
+/// Does nothing without a copied style.
+void pasteStyle(app::Session& session);
+
+/// The memory in MB (10^6 bytes) that the steps to undo may use: a setting, 1,000 unless changed.
+int undoMegabytes();
+void setUndoMegabytes(int megabytes);
+
+constexpr std::size_t bytesOf(int megabytes) { return std::size_t(megabytes) * 1'000'000; }
 
 } // namespace ui

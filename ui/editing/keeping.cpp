@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/editing/keeping.h"
 
-#include "app/commands/set_windows.h"
+#include "app/commands/set_page_parts.h"
 #include "app/session/window_places.h"
 #include "ui/look/text.h"
 

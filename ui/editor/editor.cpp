@@ -9,7 +9,7 @@
 #include "ui/editor/editor_application.h"
 #include "ui/editor/recovery.h"
 #include "ui/files/files.h"
-#include "ui/look/saved_theme.h"
+#include "ui/look/look.h"
 #include "ui/look/text.h"
 #include "ui/look/window_place.h"
 #include "ui/menus/actions.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/experiment/choice_panel.h"
 
-#include "app/base/latin.h"
+#include "app/base/text.h"
 #include "app/experiment/ranking.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/experiment/experiment_window.h"
 
-#include "app/base/duration.h"
+#include "app/base/numbers.h"
 #include "app/settings/remembered.h"
 #include "ui/experiment/choice_panel.h"
 #include "ui/experiment/exports.h"
@@ -10,9 +10,9 @@
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
 #include "ui/look/window_place.h"
-#include "ui/widgets/plain_button.h"
+#include "ui/widgets/buttons.h"
+#include "ui/widgets/elements.h"
 #include "ui/widgets/progress_row.h"
-#include "ui/widgets/rule.h"
 
 #include <QHBoxLayout>
 #include <QKeyEvent>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/experiment/exports.h"
 
-#include "app/base/latin.h"
+#include "app/base/text.h"
 #include "app/charts/study_charts.h"
 #include "app/settings/remembered.h"
 #include "ui/look/text.h"

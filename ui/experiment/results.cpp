@@ -8,7 +8,7 @@
 #include "ui/look/look.h"
 #include "ui/look/text.h"
 #include "ui/widgets/chart_view.h"
-#include "ui/widgets/follow_language.h"
+#include "ui/widgets/elements.h"
 #include "ui/widgets/segments.h"
 
 #include <QHBoxLayout>

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/explanation/explanation_window.h"
 
-#include "app/base/latin.h"
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/hard_cases/hard_case.h"
 #include "app/session/first_traced_line.h"
+#include "app/teaching/line_text.h"
 #include "app/teaching/manual.h"
-#include "app/teaching/trace_link.h"
 #include "ui/docks/algorithm_list.h"
+#include "ui/explanation/page_style.h"
 #include "ui/explanation/page_view.h"
-#include "ui/explanation/title_painter.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
 #include "ui/look/window_place.h"
-#include "ui/widgets/elided_label.h"
-#include "ui/widgets/keep_choice.h"
+#include "ui/widgets/look_label.h"
+#include "ui/widgets/panel_list.h"
 
 #include <QDesktopServices>
 #include <QHBoxLayout>

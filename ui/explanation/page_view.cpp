@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/explanation/page_view.h"
 
-#include "app/base/latin.h"
 #include "app/base/replace_file.h"
+#include "app/base/text.h"
 #include "app/lessons/reading.h"
 #include "app/teaching/manual.h"
 #include "app/teaching/page_figure.h"

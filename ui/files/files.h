@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/cut/cut_choices.h"
 #include "app/cut/permanent_cuts.h"
-#include "app/recovery/recover.h"
+#include "app/recovery/replay.h"
 #include "app/session/file_watch.h"
 #include "app/session/recent_files.h"
 #include "app/session/samples.h"

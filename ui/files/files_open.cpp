@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/memory.h"
-#include "app/document/new_drawing.h"
+#include "app/document/document.h"
 #include "app/formats/loss_text.h"
 #include "ui/files/files.h"
 #include "ui/look/text.h"

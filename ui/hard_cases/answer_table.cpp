@@ -5,8 +5,8 @@
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
-#include "ui/widgets/keep_choice.h"
-#include "ui/widgets/variant_name.h"
+#include "ui/widgets/algorithm_marker.h"
+#include "ui/widgets/panel_list.h"
 
 #include <QPainter>
 

@@ -4,7 +4,7 @@
 #include "ui/hard_cases/case_picture_view.h"
 #include "ui/look/focus_ring.h"
 #include "ui/look/text.h"
-#include "ui/widgets/keep_choice.h"
+#include "ui/widgets/panel_list.h"
 
 #include <QPainter>
 #include <QSignalBlocker>

@@ -7,7 +7,7 @@
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
-#include "ui/widgets/follow_language.h"
+#include "ui/widgets/elements.h"
 #include "ui/widgets/look_label.h"
 
 #include <QHBoxLayout>

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/judge/judge_window.h"
 
-#include "app/base/duration.h"
+#include "app/base/numbers.h"
 #include "app/judge/example_files.h"
 #include "ui/judge/verdict_view.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
 #include "ui/look/window_place.h"
-#include "ui/widgets/plain_button.h"
+#include "ui/widgets/buttons.h"
+#include "ui/widgets/elements.h"
 #include "ui/widgets/progress_row.h"
-#include "ui/widgets/rule.h"
 
 #include <QDir>
 #include <QFileInfo>

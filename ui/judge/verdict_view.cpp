@@ -4,7 +4,7 @@
 #include "ui/experiment/tables_page.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
-#include "ui/widgets/follow_language.h"
+#include "ui/widgets/elements.h"
 #include "ui/widgets/look_label.h"
 
 #include <QAction>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/look/look.h"
 
-#include "ui/look/error_colour.h"
-
 #include <QApplication>
 #include <QEvent>
 

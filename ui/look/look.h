@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/settings/remembered.h"
+
 #include <QApplication>
 #include <QColor>
 #include <QFont>
@@ -57,5 +59,15 @@ QFont captionFont(const QFont& body);
 /// set is lost when a widget without a parent gets one, or the style sheet changes (Qt 6.4).
 void wearCaption(QWidget& widget);
 QFont semiBold(QFont font);
+
+/// The border and the sentence of a field whose value was refused.
+QColor errorColour(const Look& look);
+
+/// The theme stored in the settings; by default the desktop's.
+inline Theme savedTheme()
+{
+    return Theme(app::rememberedNumber(QStringLiteral("theme"), int(Theme::System),
+                                       int(Theme::Dark), int(Theme::System)));
+}
 
 } // namespace ui

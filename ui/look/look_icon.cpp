@@ -2,7 +2,7 @@
 #include "ui/look/look_icon.h"
 
 #include "app/formats/format.h"
-#include "app/view/painter_path.h"
+#include "app/view/outline.h"
 
 #include <QFile>
 #include <QIconEngine>

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/menus/actions.h"
 
-#include "app/base/latin.h"
+#include "app/base/text.h"
 #include "ui/look/look_icon.h"
 #include "ui/menus/context_menus.h"
-#include "ui/menus/menu_keys.h"
 #include "ui/menus/other_windows.h"
 #include "ui/window/main_window.h"
 
 #include <QAction>
 #include <QActionGroup>
 #include <QApplication>
+#include <QEvent>
 #include <QMenu>
 #include <QMenuBar>
 
@@ -135,6 +135,15 @@ QList<QKeySequence> keys(QKeySequence::StandardKey standard, const QList<QKeySeq
         if (!all.contains(key))
             all << key;
     return all;
+}
+
+bool MenuKeys::eventFilter(QObject* receiver, QEvent* event)
+{
+    if (event->type() != QEvent::ShortcutOverride
+        || !qobject_cast<QMenu*>(QApplication::activePopupWidget()))
+        return QObject::eventFilter(receiver, event);
+    event->accept();
+    return true;
 }
 
 } // namespace ui

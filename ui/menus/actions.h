@@ -3,6 +3,7 @@
 
 #include <QKeySequence>
 #include <QMainWindow>
+#include <QObject>
 #include <QString>
 
 #include <functional>
@@ -64,5 +65,14 @@ void addMenus(MainWindow& window);
 /// A standard key, with fallbacks for desktops that do not define it, and further keys.
 QList<QKeySequence> keys(QKeySequence::StandardKey standard,
                          const QList<QKeySequence>& further = {});
+
+/// Gives an open menu all keys. Without it a letter would be the shortcut of a tool, because the
+/// canvas behind the menu keeps the focus, and the entry with this letter could not be chosen.
+class MenuKeys : public QObject {
+public:
+    using QObject::QObject;
+
+    bool eventFilter(QObject* receiver, QEvent* event) override;
+};
 
 } // namespace ui

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/menus/algorithm_menu.h"
 
-#include "app/base/latin.h"
+#include "app/base/text.h"
 #include "ui/docks/difference_panel.h"
 #include "ui/look/text.h"
 #include "ui/window/main_window.h"

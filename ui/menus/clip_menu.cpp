@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/latin.h"
+#include "app/base/text.h"
 #include "app/session/window_in_hand.h"
 #include "app/session/window_places.h"
 #include "app/session/window_steps.h"
@@ -11,8 +11,8 @@
 #include "ui/files/files.h"
 #include "ui/look/text.h"
 #include "ui/menus/actions.h"
-#include "ui/menus/needs.h"
-#include "ui/widgets/algorithm_digit.h"
+#include "ui/menus/object_rows.h"
+#include "ui/widgets/algorithm_marker.h"
 #include "ui/window/main_window.h"
 #include "ui/window/workspaces.h"
 

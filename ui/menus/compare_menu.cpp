@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/agreement.h"
-#include "app/document/editable.h"
-#include "app/view/looking.h"
+#include "app/document/hidden_objects.h"
+#include "app/view/view.h"
 #include "ui/docks/algorithm_panel.h"
 #include "ui/docks/difference_panel.h"
 #include "ui/look/text.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/menus/context_menus.h"
 
-#include "app/base/latin.h"
+#include "app/base/text.h"
 #include "ui/canvas/ruler.h"
 #include "ui/docks/algorithm_panel.h"
 #include "ui/menus/algorithm_menu.h"

@@ -3,8 +3,7 @@
 #include "ui/editing/editing.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
-#include "ui/menus/edit_rows.h"
-#include "ui/menus/needs.h"
+#include "ui/menus/object_rows.h"
 #include "ui/window/main_window.h"
 
 #include <QMenu>

@@ -3,7 +3,6 @@
 #include "app/session/arrange_selection.h"
 #include "ui/dialogs/repeat_dialog.h"
 #include "ui/look/text.h"
-#include "ui/menus/needs.h"
 #include "ui/menus/object_rows.h"
 #include "ui/window/main_window.h"
 

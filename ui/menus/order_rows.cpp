@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/rearrange_selection.h"
 #include "ui/look/text.h"
-#include "ui/menus/needs.h"
 #include "ui/menus/object_rows.h"
 #include "ui/window/main_window.h"
 

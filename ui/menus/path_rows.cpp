@@ -3,6 +3,7 @@
 #include "app/session/convert_selection.h"
 #include "ui/bars/option_bar.h"
 #include "ui/dialogs/join_dialog.h"
+#include "ui/files/files.h"
 #include "ui/look/text.h"
 #include "ui/menus/object_rows.h"
 #include "ui/window/main_window.h"

@@ -2,8 +2,7 @@
 #include "app/session/select_alike.h"
 #include "ui/dialogs/find_dialog.h"
 #include "ui/look/text.h"
-#include "ui/menus/edit_rows.h"
-#include "ui/menus/needs.h"
+#include "ui/menus/object_rows.h"
 #include "ui/window/main_window.h"
 
 namespace ui {

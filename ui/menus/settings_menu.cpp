@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/latin.h"
-#include "ui/editing/undo_memory.h"
+#include "app/base/text.h"
+#include "ui/editing/editing.h"
 #include "ui/look/text.h"
 #include "ui/menus/actions.h"
 #include "ui/widgets/unit_box.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/bars/option_bar.h"
-#include "ui/editing/style_clipboard.h"
+#include "ui/editing/editing.h"
 #include "ui/look/text.h"
 #include "ui/menus/object_rows.h"
 #include "ui/style/style_panel.h"

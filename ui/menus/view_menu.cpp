@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/set_guides.h"
+#include "app/commands/set_page_parts.h"
 #include "ui/dialogs/grid_dialog.h"
 #include "ui/look/text.h"
 #include "ui/menus/actions.h"

@@ -7,6 +7,11 @@
 #include "ui/dialogs/questions.h"
 #include "ui/widgets/message_strip.h"
 
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialog>
+#include <QLabel>
+
 #include <memory>
 
 namespace ui {
@@ -40,6 +45,29 @@ private:
     const app::Microscope& microscope_;
     std::unique_ptr<Questions> questions_;
     InBackground background_;
+};
+
+/// Options for exporting steps: file type, which steps, and look; with a preview.
+class ExportStepsDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    /// `step` is the current step. By default the exported pictures have the window's look.
+    ExportStepsDialog(app::TraceExport trace, std::size_t step, QWidget* parent);
+
+    const app::TraceFormat& format() const;
+    app::TraceExport trace() const;
+
+private:
+    void addFields();
+    void addButtons();
+    void refresh();
+
+    app::TraceExport trace_;
+    std::size_t step_;
+    QLabel* preview_;
+    QComboBox *format_, *ground_;
+    QCheckBox *oneStep_, *pictureOnly_;
 };
 
 } // namespace ui

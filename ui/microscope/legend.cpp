@@ -3,7 +3,7 @@
 
 #include "ui/look/look.h"
 #include "ui/look/text.h"
-#include "ui/microscope/timeline_mark.h"
+#include "ui/microscope/timeline.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/microscope/microscope_bar.h"
 
-#include "app/base/latin.h"
+#include "app/base/text.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
 #include "ui/microscope/line_field.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/microscope/microscope_page.h"
 
-#include "app/comparison/at_text.h"
+#include "app/comparison/differences_at.h"
 #include "app/session/digits.h"
-#include "app/teaching/traced_edges.h"
+#include "app/teaching/step_scene.h"
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
@@ -14,7 +14,7 @@
 #include "ui/microscope/operations_view.h"
 #include "ui/microscope/overview.h"
 #include "ui/microscope/variable_table.h"
-#include "ui/widgets/algorithm_digit.h"
+#include "ui/widgets/algorithm_marker.h"
 #include "ui/widgets/heading.h"
 
 #include <QApplication>

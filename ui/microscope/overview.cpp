@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/microscope/overview.h"
 
-#include "app/session/traced_window.h"
-#include "app/teaching/traced_edges.h"
+#include "app/session/window_in_hand.h"
+#include "app/teaching/step_scene.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
 

@@ -7,7 +7,7 @@
 #include "ui/look/text.h"
 #include "ui/microscope/legend.h"
 #include "ui/microscope/timeline.h"
-#include "ui/widgets/follow_language.h"
+#include "ui/widgets/elements.h"
 #include "ui/widgets/heading.h"
 
 #include <QAccessible>

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "app/teaching/microscope.h"
+#include "app/teaching/narration.h"
 
+#include <QPainter>
 #include <QWidget>
 
 namespace ui {
@@ -42,5 +44,13 @@ private:
     app::Microscope& microscope_;
     int wheel_ = 0; ///< wheel rotation not used yet, in eighths of a degree
 };
+
+/// Paints a step's mark on the timeline or in its legend, centred on `middle` and at most 14 pixels
+/// high: a dot, a vertical line, a divided circle, a diamond, or a circle with a tick, a cross or
+/// an exclamation mark. `ground` is the background colour.
+void paintMark(QPainter& painter, const QPointF& middle, app::Mark mark, const QColor& colour,
+               const QColor& ground);
+/// The word for a mark: "compare", "cut".
+QString markWord(app::Mark mark);
 
 } // namespace ui

@@ -3,7 +3,6 @@
 
 #include "app/document/styles_in_use.h"
 #include "app/session/recent_colours.h"
-#include "app/session/typed_colour.h"
 #include "app/view/colour_chart.h"
 #include "ui/canvas/eyedropper.h"
 #include "ui/look/text.h"

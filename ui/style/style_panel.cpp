@@ -9,7 +9,7 @@
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
-#include "ui/widgets/dash_icon.h"
+#include "ui/widgets/icon_sign.h"
 #include "ui/widgets/segments.h"
 #include "ui/widgets/swatches.h"
 #include "ui/widgets/tool_list.h"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tiles/files_section.h"
 
-#include "app/base/latin.h"
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/tiles/empty_sheets.h"
-#include "ui/look/error_colour.h"
+#include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
-#include "ui/widgets/elided_label.h"
+#include "ui/widgets/look_label.h"
 #include "ui/widgets/refusal_frame.h"
 #include "ui/widgets/segments.h"
 

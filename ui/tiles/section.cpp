@@ -2,7 +2,7 @@
 #include "ui/tiles/section.h"
 
 #include "ui/look/look.h"
-#include "ui/widgets/quiet_label.h"
+#include "ui/widgets/look_label.h"
 
 namespace ui {
 

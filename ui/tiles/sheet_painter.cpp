@@ -2,7 +2,7 @@
 #include "ui/tiles/sheet_painter.h"
 
 #include "app/tiles/marks.h"
-#include "app/view/painter_path.h"
+#include "app/view/outline.h"
 #include "ui/look/text.h"
 
 #include <QPainter>

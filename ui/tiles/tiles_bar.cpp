@@ -5,7 +5,7 @@
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
 #include "ui/widgets/icon_sign.h"
-#include "ui/widgets/quiet_label.h"
+#include "ui/widgets/look_label.h"
 #include "ui/widgets/segments.h"
 
 #include <QHBoxLayout>

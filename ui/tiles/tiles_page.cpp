@@ -7,7 +7,7 @@
 #include "ui/tiles/marks_section.h"
 #include "ui/tiles/sheets_section.h"
 #include "ui/tiles/tiles_bar.h"
-#include "ui/widgets/rule.h"
+#include "ui/widgets/elements.h"
 
 #include <QKeyEvent>
 #include <QPushButton>

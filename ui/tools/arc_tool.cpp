@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/direction.h"
-#include "app/drawing/arc_measures.h"
 #include "app/drawing/circle_arc.h"
 #include "ui/look/text.h"
 #include "ui/tools/last_step.h"

@@ -2,7 +2,7 @@
 #include "ui/tools/box_resize.h"
 
 #include "app/commands/resize_objects.h"
-#include "app/drawing/transformation_measures.h"
+#include "app/drawing/transformation.h"
 #include "app/view/snapping/handle_snap.h"
 #include "ui/look/text.h"
 #include "ui/tools/shape_drawing.h"

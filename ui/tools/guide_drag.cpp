@@ -2,8 +2,8 @@
 #include "ui/tools/guide_drag.h"
 
 #include "app/base/numbers.h"
-#include "app/commands/set_guides.h"
-#include "app/drawing/transformation_measures.h"
+#include "app/commands/set_page_parts.h"
+#include "app/drawing/transformation.h"
 #include "ui/look/text.h"
 #include "ui/tools/shape_drawing.h"
 

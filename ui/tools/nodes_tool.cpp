@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/numbers.h"
-#include "app/commands/remove_objects.h"
+#include "app/commands/add_and_remove.h"
 #include "app/document/direction.h"
 #include "app/nodes/fixed_parts.h"
 #include "ui/look/text.h"

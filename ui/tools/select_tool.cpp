@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/numbers.h"
-#include "app/commands/remove_objects.h"
+#include "app/commands/add_and_remove.h"
 #include "app/session/inspection.h"
 #include "ui/look/text.h"
 #include "ui/tools/box_resize.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tools/shape_drawing.h"
 
-#include "app/commands/add_objects.h"
+#include "app/commands/add_and_remove.h"
 #include "app/session/selection_style.h"
 #include "app/session/units.h"
-#include "app/view/place.h"
+#include "app/view/ruler.h"
 #include "app/view/visible_colour.h"
 
 #include <QPainterPath>

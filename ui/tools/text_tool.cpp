@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/change_paths.h"
-#include "app/document/path_points.h"
+#include "app/document/path.h"
 #include "app/lettering/lettering.h"
 #include "app/lettering/outline_fonts.h"
 #include "app/lettering/stroke_fonts.h"
 #include "app/session/selection_style.h"
-#include "app/view/painter_path.h"
+#include "app/view/outline.h"
 #include "ui/look/text.h"
 #include "ui/tools/picking_marks.h"
 #include "ui/tools/shape_drawing.h"

@@ -3,7 +3,7 @@
 
 #include "app/commands/move_objects.h"
 #include "app/commands/transform_objects.h"
-#include "app/document/editable.h"
+#include "app/document/hidden_objects.h"
 #include "ui/look/text.h"
 #include "ui/tools/pivot_marks.h"
 #include "ui/tools/shape_drawing.h"

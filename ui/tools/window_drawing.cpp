@@ -3,7 +3,6 @@
 
 #include "ui/look/text.h"
 #include "ui/tools/centre_tool.h"
-#include "ui/tools/drawn_window.h"
 #include "ui/tools/node_chain.h"
 
 namespace ui {

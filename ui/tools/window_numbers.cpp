@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/drawing/frame_measures.h"
-#include "app/drawing/transformation_measures.h"
+#include "app/drawing/transformation.h"
 #include "ui/tools/shape_drawing.h"
 #include "ui/tools/window_gesture.h"
 

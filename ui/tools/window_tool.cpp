@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/window_steps.h"
-#include "app/view/window_at.h"
+#include "app/view/area_at.h"
 #include "ui/look/text.h"
 #include "ui/tools/window_drawing.h"
 #include "ui/tools/window_gesture.h"

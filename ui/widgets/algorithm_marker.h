@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/variant.h"
+#include "app/comparison/variants.h"
 #include "app/view/algorithm_mark.h"
 #include "ui/look/look_icon.h"
+
+#include <QString>
+#include <QStyleOption>
+
+class QPainter;
 
 namespace ui {
 
@@ -20,5 +27,22 @@ inline QIcon markerIcon(const app::Variant& variant)
         app::paintMarker(painter, QRectF(1, 1, 12, 12), variant, groundOf(look));
     });
 }
+
+/// The key that chooses an algorithm while the canvas has the focus: 0 the default one, 1 to 9 the
+/// first nine of the catalogue; empty for the others.
+inline QString digitOf(const clipping::Algorithm& algorithm)
+{
+    constexpr int digits = 9;
+    const auto row = &algorithm - clipping::algorithms().data();
+    return &algorithm == &app::usualAlgorithm() ? QStringLiteral("0")
+           : row < digits                       ? QString::number(row + 1)
+                                                : QString();
+}
+
+/// Paints a variant's name at the left of a table cell: the marker, filled or hollow, the
+/// abbreviation, and a muted "as published", shortened if it does not fit. A known misprint is
+/// shown by its name.
+void paintVariantName(QPainter& painter, const QRect& cell, const QStyleOptionViewItem& option,
+                      const app::Variant& variant);
 
 } // namespace ui

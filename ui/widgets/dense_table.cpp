@@ -3,7 +3,6 @@
 
 #include "ui/look/focus_ring.h"
 #include "ui/look/look.h"
-#include "ui/widgets/copy_cells.h"
 #include "ui/widgets/tabular.h"
 
 #include <QKeyEvent>

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/heading.h"
 
+#include "app/comparison/differences_at.h"
+#include "app/session/window_words.h"
 #include "ui/look/look.h"
-#include "ui/widgets/quiet_label.h"
+#include "ui/widgets/look_label.h"
 
 #include <QHBoxLayout>
 #include <QPainter>
@@ -35,6 +37,24 @@ void Heading::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     painter.fillRect(rect(), palette().window());
+}
+
+PageCaption::PageCaption(const app::Session& session, Elsewhere elsewhere, QWidget* parent)
+    : QLabel(parent), session_(session), elsewhere_(elsewhere)
+{
+    setFont(captionFont(font()));
+    setForegroundRole(QPalette::PlaceholderText);
+    setContentsMargins(space::dockMargin, 0, space::dockMargin, 0);
+    setWordWrap(true);
+    connect(&session, &app::Session::previewChanged, this, &PageCaption::follow);
+    follow();
+}
+
+void PageCaption::follow()
+{
+    setText(elsewhere_ == Elsewhere::AtThePage ? app::atText(session_.compared())
+                                               : app::comparedText(session_));
+    setHidden(text().isEmpty());
 }
 
 } // namespace ui

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/drawing/dash_patterns.h"
 #include "ui/look/look_icon.h"
 
+#include <QIcon>
 #include <QWidget>
 
 namespace ui {
@@ -34,5 +36,7 @@ private:
     QIcon icon_;
     QColor Look::*colour_ = nullptr; ///< null: its own colours
 };
+
+QIcon dashIcon(const app::DashPattern& pattern); ///< of 36 × 12 logical pixels
 
 } // namespace ui

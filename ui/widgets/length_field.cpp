@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/length_field.h"
 
+#include "app/base/number.h"
 #include "app/base/numbers.h"
-#include "app/base/typed_number.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
 

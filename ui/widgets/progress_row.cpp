@@ -3,7 +3,7 @@
 
 #include "ui/look/look.h"
 #include "ui/look/text.h"
-#include "ui/widgets/plain_button.h"
+#include "ui/widgets/buttons.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

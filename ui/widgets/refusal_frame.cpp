@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/refusal_frame.h"
 
-#include "ui/look/error_colour.h"
+#include "ui/look/look.h"
 
 #include <QEvent>
 #include <QPainter>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QToolButton>
 #include <QWidget>
 
 namespace ui {
@@ -21,6 +22,35 @@ protected:
 
 private:
     QString name_, text_;
+};
+
+/// The status bar's zoom cell: a button with a menu, painted like the other cells.
+class ZoomButton : public QToolButton {
+    Q_OBJECT
+
+public:
+    explicit ZoomButton(QWidget* parent = nullptr);
+
+    void setWidest(const QString& text);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+};
+
+/// A cell of the status bar that warns as long as something is wrong, and is hidden otherwise. Its
+/// tooltip is the whole warning.
+class WarningButton : public QToolButton {
+    Q_OBJECT
+
+public:
+    explicit WarningButton(QWidget* parent = nullptr);
+
+    void warn(const QString& words, const QString& sentence); ///< empty: nothing is wrong
+    QString sentence() const { return isHidden() ? QString() : toolTip(); }
+    QSize sizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
 };
 
 } // namespace ui

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/swatches.h"
 
-#include "app/session/typed_colour.h"
+#include "app/session/recent_colours.h"
 #include "ui/widgets/swatch.h"
 
 #include <QHelpEvent>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/table_model.h"
 
-#include "app/base/latin.h"
 #include "app/base/numbers.h"
+#include "app/base/text.h"
 #include "app/experiment/heading.h"
 #include "app/experiment/one_by_one.h"
 #include "app/experiment/record.h"

@@ -4,7 +4,6 @@
 #include "app/experiment/one_by_one.h"
 #include "ui/look/focus_ring.h"
 #include "ui/widgets/algorithm_marker.h"
-#include "ui/widgets/copy_cells.h"
 #include "ui/widgets/tabular.h"
 
 #include <QHeaderView>

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/tabular.h"
 
+#include <QAbstractItemModel>
+#include <QClipboard>
+#include <QGuiApplication>
+
 #include <algorithm>
 
 namespace ui {
@@ -48,6 +52,20 @@ void drawTabular(QPainter& painter, const QRect& rect, Qt::Alignment alignment, 
         painter.drawText(x + (advance(metrics, c) - metrics.horizontalAdvance(c)) / 2, y, c);
         x += advance(metrics, c);
     }
+}
+
+void copyCells(const QAbstractItemModel& model, const QRect& area)
+{
+    QStringList lines;
+    for (int row = area.top() - 1; row <= area.bottom(); ++row) {
+        QStringList cells;
+        for (int column = area.left(); column <= area.right(); ++column)
+            cells << (row < area.top()
+                          ? model.headerData(column, Qt::Horizontal).toString().replace(u'\n', u' ')
+                          : model.index(row, column).data().toString());
+        lines << cells.join(u'\t');
+    }
+    QGuiApplication::clipboard()->setText(lines.join(u'\n') + u'\n');
 }
 
 } // namespace ui

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <QPainter>
+#include <QRect>
+
+class QAbstractItemModel;
 
 namespace ui {
 
@@ -10,5 +13,9 @@ namespace ui {
 void drawTabular(QPainter& painter, const QRect& rect, Qt::Alignment alignment,
                  const QString& text);
 int tabularWidth(const QFontMetrics& metrics, const QString& text);
+
+/// Copies cells as tab-separated text below the headings of their columns. `area`: columns are x,
+/// rows are y.
+void copyCells(const QAbstractItemModel& model, const QRect& area);
 
 } // namespace ui

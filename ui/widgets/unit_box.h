@@ -4,6 +4,8 @@
 #include "app/session/session.h"
 #include "ui/widgets/tool_list.h"
 
+#include <QToolButton>
+
 namespace ui {
 
 /// The unit in which the window shows lengths.
@@ -16,5 +18,17 @@ public:
 
 /// The selectable units, in menu order.
 std::vector<app::Unit> shownUnits();
+
+/// The unit of the lengths beside it, where there is no room for a list; a click opens the list of
+/// units.
+class UnitButton : public QToolButton {
+    Q_OBJECT
+
+public:
+    explicit UnitButton(app::Session& session, QWidget* parent = nullptr);
+};
+
+/// Opens the list of units at a place of the screen.
+void openUnits(app::Session& session, QWidget& parent, const QPoint& place);
 
 } // namespace ui

@@ -2,11 +2,11 @@
 #include "ui/window/arrangement.h"
 
 #include "ui/look/look.h"
-#include "ui/window/stacking.h"
 
 #include <QMainWindow>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -148,6 +148,23 @@ void Arrangement::shareHeightWithWide(Dock& front)
     const int all = window_.centralWidget()->height();
     const int above = std::min(wantedHeight(&front), all - leastBelow);
     window_.resizeDocks({&front, column_[1]}, {above, all - above}, Qt::Vertical);
+}
+
+int lowerTabs(std::span<const int> needed, int room)
+{
+    const int all = std::accumulate(needed.begin(), needed.end(), 0);
+    if (needed.empty() || all <= room)
+        return 0;
+    int below = needed.back();
+    int above = all - below;
+    for (std::size_t tabs = 2; tabs < needed.size(); ++tabs) {
+        const int next = needed[needed.size() - tabs];
+        above -= next;
+        below = std::max(below, next);
+        if (above + below <= room || tabs + 1 == needed.size())
+            return int(tabs);
+    }
+    return 0;
 }
 
 } // namespace ui

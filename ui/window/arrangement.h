@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/window/panel_docks.h"
+#include "ui/window/panels.h"
 #include "ui/window/workspaces.h"
+
+#include <span>
 
 class QMainWindow;
 
@@ -49,5 +51,11 @@ private:
     QList<Dock*> column_; ///< the workspace's panels, from top to bottom
     int tabs_ = 0;        ///< how many of the stacked panels share the lowest place
 };
+
+/// How many panels of a stack, counted from below, must share the lowest place as tabs so that none
+/// is smaller than it needs. `needed` are the heights of the panels from top to bottom, `room` is
+/// the height of the column, in logical pixels. 0: all fit one below the other. Otherwise at least
+/// 2, and the first panel always keeps a place of its own, even if the room is too small for that.
+int lowerTabs(std::span<const int> needed, int room);
 
 } // namespace ui

@@ -5,7 +5,6 @@
 #include "ui/microscope/microscope_page.h"
 #include "ui/tiles/tiles_page.h"
 #include "ui/widgets/message_strip.h"
-#include "ui/widgets/window_note.h"
 
 #include <QEvent>
 #include <QStackedWidget>

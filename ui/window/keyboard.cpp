@@ -2,6 +2,8 @@
 #include "ui/window/keyboard.h"
 
 #include <QKeyEvent>
+#include <QMenu>
+#include <QMenuBar>
 
 #include <array>
 #include <string_view>
@@ -45,6 +47,26 @@ std::optional<QKeyCombination> keyAtItsPlace(const QKeyEvent& event)
             return QKeyCombination(event.modifiers() & ~Qt::KeypadModifier, Qt::Key(key));
         }
     return std::nullopt;
+}
+
+namespace {
+
+void add(const QWidget& menu, QList<QAction*>& all)
+{
+    for (QAction* action : menu.actions())
+        if (action->menu())
+            add(*action->menu(), all);
+        else if (!action->isSeparator())
+            all << action;
+}
+
+} // namespace
+
+QList<QAction*> commands(const QMenuBar& menus)
+{
+    QList<QAction*> all;
+    add(menus, all);
+    return all;
 }
 
 } // namespace ui

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <QKeyCombination>
+#include <QList>
 
 #include <optional>
 
+class QAction;
 class QKeyEvent;
+class QMenuBar;
 
 namespace ui {
 
@@ -14,5 +17,8 @@ namespace ui {
 /// with letters or digits could not be typed there. Empty: the key types a Latin letter or digit,
 /// or its place is unknown (only Linux's scan codes are known).
 std::optional<QKeyCombination> keyAtItsPlace(const QKeyEvent& event);
+
+/// Every command in the menus, submenus included, in menu order.
+QList<QAction*> commands(const QMenuBar& menus);
 
 } // namespace ui

@@ -2,7 +2,7 @@
 #include "app/base/numbers.h"
 #include "app/session/window_in_hand.h"
 #include "ui/bars/status_bar.h"
-#include "ui/editing/undo_memory.h"
+#include "ui/editing/editing.h"
 #include "ui/files/files.h"
 #include "ui/look/text.h"
 #include "ui/microscope/microscope_page.h"

@@ -3,7 +3,6 @@
 #include "ui/look/window_place.h"
 #include "ui/widgets/panel_list.h"
 #include "ui/window/centre.h"
-#include "ui/window/commands.h"
 #include "ui/window/keyboard.h"
 #include "ui/window/main_window.h"
 #include "ui/window/panel_layout.h"

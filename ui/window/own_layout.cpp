@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/own_layout.h"
 
-#include "app/settings/seal.h"
+#include "app/settings/remembered.h"
 
 #include <QDataStream>
 #include <QDockWidget>

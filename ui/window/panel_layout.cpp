@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/panel_layout.h"
 
-#include "app/base/latin.h"
+#include "app/base/text.h"
 #include "ui/window/dock_tabs.h"
 
 #include <QAction>

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/style_table.h"
+
+#include <QString>
+
 #include <array>
 #include <optional>
 #include <span>
@@ -30,5 +34,18 @@ public:
 private:
     const std::array<std::string_view, coordinateColumns>* coordinates_;
 };
+
+} // namespace app::csv
+
+namespace app::csv {
+
+/// The first line of a table, with its line break; with the column `source`, or without it.
+std::string headerText(bool withSource);
+
+/// The columns of a row between its coordinates and its source: ",layer,colour,width".
+std::string lookColumns(const QString& layer, const Colour& strokeColour, double width);
+
+/// The name of the layer of rows without one.
+QString usualLayer();
 
 } // namespace app::csv

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/csv/lines_by_layer.h"
 
+#include "app/document/contents.h"
 #include "app/document/document_builder.h"
-#include "app/document/page_around.h"
-#include "app/formats/csv/look_columns.h"
+#include "app/formats/csv/columns.h"
 
 namespace app::csv {
 

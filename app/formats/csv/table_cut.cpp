@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/csv/table_cut.h"
 
-#include "app/formats/csv/look_columns.h"
+#include "app/formats/csv/columns.h"
 
 namespace app::csv {
 namespace {

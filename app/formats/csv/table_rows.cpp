@@ -2,7 +2,7 @@
 #include "app/formats/csv/table_rows.h"
 
 #include "app/base/csv_text.h"
-#include "app/formats/csv/look_columns.h"
+#include "app/formats/csv/columns.h"
 
 namespace app::csv {
 

@@ -3,10 +3,10 @@
 
 #include "app/base/write_all.h"
 #include "app/document/flatten.h"
-#include "app/document/line_colour.h"
+#include "app/document/object_view.h"
 #include "app/formats/coordinates.h"
-#include "app/formats/csv/look_columns.h"
-#include "app/view/dashes.h"
+#include "app/formats/csv/columns.h"
+#include "app/view/caps.h"
 
 #include <glm/common.hpp>
 

@@ -4,7 +4,7 @@
 #include "app/base/number.h"
 #include "app/base/text.h"
 #include "app/base/write_all.h"
-#include "app/formats/paper.h"
+#include "app/formats/painted.h"
 #include "app/formats/pdf/content.h"
 #include "app/formats/rounded.h"
 #include "app/formats/seen_part.h"

@@ -2,7 +2,7 @@
 #include "app/formats/svg/clip_object.h"
 
 #include "app/cut/cut_ends.h"
-#include "app/document/path_points.h"
+#include "app/document/path.h"
 #include "app/formats/svg/limits.h"
 
 #include <glm/common.hpp>

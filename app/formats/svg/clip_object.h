@@ -1,8 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/document/object.h"
 #include "app/formats/svg/convex_region.h"
-#include "app/formats/svg/drawn.h"
+
+#include <vector>
+
+namespace app::svg {
+
+/// An object while its outline is still being processed, before it is packed.
+struct Drawn {
+    std::vector<Subpath> paths;
+    Style style;
+    Particulars particulars{};
+    bool hidden = false;
+};
+
+} // namespace app::svg
 
 namespace app::svg {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/style.h"
+#include "app/document/style_table.h"
 
 #include <optional>
 #include <string_view>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/convex_region.h"
 
-#include "app/document/path_points.h"
+#include "app/document/path.h"
 #include "app/formats/svg/limits.h"
 
 #include <glm/common.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/guide.h"
+#include "app/document/page.h"
 #include "app/formats/svg/report.h"
 #include "app/formats/svg/tree.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/page.h"
 
-#include "app/document/page_around.h"
+#include "app/document/contents.h"
 #include "app/formats/svg/length.h"
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/scanner.h"

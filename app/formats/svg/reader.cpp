@@ -2,8 +2,8 @@
 #include "app/formats/svg/reader.h"
 
 #include "app/base/text.h"
-#include "app/document/page_around.h"
-#include "app/formats/paper.h"
+#include "app/document/contents.h"
+#include "app/formats/painted.h"
 #include "app/formats/svg/guide_text.h"
 #include "app/formats/svg/limits.h"
 #include "app/formats/svg/page.h"

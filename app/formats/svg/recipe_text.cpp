@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/recipe_text.h"
 
-#include "app/base/checksum.h"
 #include "app/base/number.h"
-#include "app/document/path_points.h"
+#include "app/base/random.h"
+#include "app/document/path.h"
 #include "app/document/recipe_outline.h"
 #include "app/formats/svg/attribute_text.h"
 #include "app/formats/svg/refused.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/svg/transform.h"
 
-#include "app/document/path_points.h"
+#include "app/document/path.h"
 #include "app/formats/svg/scanner.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/formats/svg/clip_object.h"
 #include "app/formats/svg/container_stack.h"
 #include "app/formats/svg/convex_region.h"
-#include "app/formats/svg/drawn.h"
 #include "app/formats/svg/outline.h"
 #include "app/formats/svg/paint.h"
 #include "app/formats/svg/transform.h"

@@ -3,8 +3,8 @@
 
 #include "app/base/number.h"
 #include "app/base/write_all.h"
-#include "app/document/line_colour.h"
-#include "app/formats/paper.h"
+#include "app/document/object_view.h"
+#include "app/formats/painted.h"
 #include "app/formats/rounded.h"
 #include "app/formats/svg/attribute_text.h"
 #include "app/formats/svg/guide_text.h"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/latin.h"
 #include "app/base/numbers.h"
 #include "app/base/text.h"
 #include "app/comparison/difference.h"

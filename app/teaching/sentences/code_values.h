@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/teaching/sentence.h"
+#include "app/teaching/teaching.h"
 
 // The values of the names in a line of pseudo-code at a step.
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/text.h"
-#include "app/overlays/family.h"
 #include "app/overlays/half_plane.h"
+#include "app/overlays/parts.h"
 #include "app/teaching/sentences/words.h"
 #include "app/teaching/teaching.h"
 

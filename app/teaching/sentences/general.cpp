@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/latin.h"
 #include "app/base/text.h"
 #include "app/teaching/code_line.h"
-#include "app/teaching/page.h"
+#include "app/teaching/manual.h"
 #include "app/teaching/sentences/code_values.h"
 #include "app/teaching/sentences/ends.h"
 #include "app/teaching/sentences/words.h"

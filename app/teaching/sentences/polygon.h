@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/teaching/sentence.h"
+#include "app/teaching/teaching.h"
 
 #include <string_view>
 

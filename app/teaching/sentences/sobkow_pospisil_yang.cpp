@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/text.h"
-#include "app/overlays/family.h"
+#include "app/overlays/parts.h"
 #include "app/teaching/sentences/ends.h"
 #include "app/teaching/teaching.h"
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "app/view/snapping/snap_offers.h"
-#include "app/view/snapping/snap_surroundings.h"
 
 // The rows of the catalogue, each in the file of its name. For these files and the catalogue only.
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/snapping/snap_to.h"
 
-#include "app/base/latin.h"
+#include "app/base/text.h"
 
 #include <QStringList>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/view/snapping/snap_kind.h"
+#include "app/view/snapping/snap_offers.h"
 
 namespace app {
 

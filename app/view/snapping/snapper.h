@@ -5,7 +5,6 @@
 #include "app/view/snapping/centre_index.h"
 #include "app/view/snapping/own_points.h"
 #include "app/view/snapping/snap_offers.h"
-#include "app/view/snapping/snap_surroundings.h"
 #include "app/view/snapping/snap_to.h"
 
 namespace app {

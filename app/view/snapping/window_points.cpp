@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/snapping/window_points.h"
 
+#include "app/base/text.h"
 #include "app/document/window_outline.h"
+#include "app/view/snapping/kinds.h"
+#include "app/view/snapping/places.h"
 
 namespace app {
 namespace {
@@ -43,6 +46,28 @@ OwnPoints ownPointsOf(const WindowShape& shape)
     if (const auto* ellipse = std::get_if<EllipseRecipe>(&path.recipe))
         return ofEllipse(*ellipse, bounds);
     return path.path.straight() ? ofCorners(path, bounds) : ownPointsOf(bounds);
+}
+
+SnapKind windowEdges()
+{
+    static constexpr clipping::Segment window[]{{{-1, -1}, {1, -1}},
+                                                {{1, -1}, {1, 1}},
+                                                {{1, 1}, {-1, 1}},
+                                                {{-1, 1}, {-1, -1}},
+                                                {{-1, 0.2}, {1, -0.4}}};
+    return {.key = "window",
+            .name = Text::tr("Window edges and corners"),
+            .word = Text::tr("window edge"),
+            .cornerWord = Text::tr("window corner"),
+            .rank = SnapRank::Along,
+            .glyph = window,
+            .find = [](const SnapSurroundings& near, SnapOffers& offers) {
+                for (const auto& edge : near.windowEdges) {
+                    if (edge.a != edge.b) // otherwise an outermost point of an ellipse
+                        offers.addCorner(edge.a);
+                    offers.add(nearestOn(edge, near.pointer));
+                }
+            }};
 }
 
 } // namespace app

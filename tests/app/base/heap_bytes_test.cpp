@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/heap_bytes.h"
+#include "app/base/memory.h"
 
 #include <QTest>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/number.h"
-#include "app/formats/rectangle_text.h"
+#include "app/formats/coordinates.h"
 
 #include <QTest>
 

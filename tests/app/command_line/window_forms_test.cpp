@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/command_line/refusal.h"
+#include "app/command_line/command.h"
 #include "app/command_line/window_forms.h"
 #include "app/command_line/window_options.h"
 #include "app/formats/format.h"

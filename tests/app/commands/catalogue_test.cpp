@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/latin.h"
+#include "app/base/text.h"
 #include "app/commands/catalogue.h"
 
 #include <QDir>

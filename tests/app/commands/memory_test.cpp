@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/add_and_remove.h"
 #include "app/commands/history.h"
 #include "app/commands/move_objects.h"
-#include "app/commands/remove_objects.h"
 #include "app/commands/set_style.h"
 #include "app/document/document_builder.h"
 

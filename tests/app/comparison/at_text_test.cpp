@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/comparison/at_text.h"
+#include "app/comparison/differences_at.h"
 #include "app/session/session.h"
 
 #include <QTest>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/latin.h"
+#include "app/base/text.h"
 #include "app/cost_map/files.h"
 #include "app/cost_map/regions.h"
 #include "app/cost_map/words.h"
-#include "app/view/sequential_scale.h"
+#include "app/view/visible_colour.h"
 
 #include <QBuffer>
 #include <QGuiApplication>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cut/area_cut.h"
+#include "app/cut/cut_object.h"
 #include "app/document/bezier.h"
 #include "app/document/recipe_outline.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/usual_algorithm.h"
+#include "app/base/variant.h"
 #include "app/cut/permanent_cuts.h"
 
 #include <QTest>

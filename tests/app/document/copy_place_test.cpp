@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/document/copy_place.h"
+#include "app/document/copies.h"
 #include "app/document/document_builder.h"
 
 #include <QTest>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/document/editable.h"
+#include "app/document/hidden_objects.h"
 
 #include <QTest>
 

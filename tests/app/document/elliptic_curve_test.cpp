@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/document/elliptic_curve.h"
+#include "app/document/arc_curves.h"
 
 #include <QTest>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/document/followed_ranges.h"
+#include "app/document/object_ranges.h"
 
 #include <QTest>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/containers_builder.h"
-#include "app/document/new_groups.h"
 
 #include <QTest>
 

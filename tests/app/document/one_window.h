@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/commands/set_windows.h"
+#include "app/commands/set_page_parts.h"
 #include "app/scene/compared_window.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/document/placement.h"
+#include "app/document/affine_map.h"
 
 #include <QTest>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/add_and_remove.h"
 #include "app/commands/move_objects.h"
-#include "app/commands/remove_objects.h"
 #include "app/commands/set_containers.h"
-#include "app/commands/set_windows.h"
+#include "app/commands/set_page_parts.h"
 #include "app/scene/bounds.h"
 #include "app/session/session.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/commands/add_objects.h"
+#include "app/commands/add_and_remove.h"
 #include "app/commands/set_containers.h"
 #include "app/scene/scene_lines.h"
 

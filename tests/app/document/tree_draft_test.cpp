@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/copies.h"
-#include "app/document/editable.h"
+#include "app/document/hidden_objects.h"
 #include "app/document/moved_runs.h"
 #include "app/document/regrouping.h"
 #include "app/document/stacking.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/bezier.h"
-#include "app/drawing/arc_measures.h"
 #include "app/drawing/circle_arc.h"
 #include "app/drawing/readout.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/phased_progress.h"
+#include "app/base/progress.h"
 #include "app/experiment/choice.h"
 #include "app/experiment/heading.h"
 #include "app/experiment/verdict.h"

@@ -3,7 +3,7 @@
 // one sentence, or gives a file of finite numbers.
 #include "app/document/document_builder.h"
 #include "app/formats/format.h"
-#include "app/formats/paper.h"
+#include "app/formats/painted.h"
 
 #include <QBuffer>
 #include <QRegularExpression>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/latin.h"
 #include "app/base/replace_file.h"
-#include "app/base/usual_algorithm.h"
+#include "app/base/text.h"
+#include "app/base/variant.h"
 #include "app/base/write_all.h"
 #include "app/charts/chart_file.h"
 #include "app/charts/record_chart.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/judge/children.h"
+#include "app/judge/child_process.h"
 
 #include <QTest>
 

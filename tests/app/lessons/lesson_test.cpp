@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/lessons/course.h"
-#include "app/lessons/scores.h"
 
 #include <QDir>
 #include <QRegularExpression>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/document/mapped_path.h"
+#include "app/document/recipe.h"
 #include "app/lettering/lettering.h"
 #include "app/lettering/outline_fonts.h"
 #include "app/lettering/stroke_fonts.h"
-#include "app/view/painter_path.h"
+#include "app/view/outline.h"
 
 #include <QRawFont>
 #include <QTest>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An algorithm without its own overlay gets one from its trace.
-#include "app/overlays/family.h"
+#include "app/overlays/parts.h"
 #include "app/teaching/teaching.h"
 
 #include "tests/app/overlays/overlay_cases.h"

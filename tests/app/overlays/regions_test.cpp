@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/overlays/family.h"
 #include "app/overlays/midpoints.h"
+#include "app/overlays/parts.h"
 
 #include "tests/app/overlays/overlay_cases.h"
 #include "tests/test_class.h"

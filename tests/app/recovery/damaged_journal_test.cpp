@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Journals one of whose files was cut off or changed: all is recovered, or all before the damage.
-#include "app/commands/add_objects.h"
+#include "app/commands/add_and_remove.h"
 #include "app/commands/move_objects.h"
 #include "app/recovery/journal.h"
-#include "app/recovery/recover.h"
+#include "app/recovery/replay.h"
 
 #include <QSysInfo>
 #include <QTest>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Journals as leftovers: which are offered, and what becomes of them.
-#include "app/commands/add_objects.h"
+#include "app/commands/add_and_remove.h"
 #include "app/commands/move_objects.h"
-#include "app/document/new_drawing.h"
+#include "app/document/document.h"
 #include "app/formats/format.h"
-#include "app/recovery/recover.h"
+#include "app/recovery/replay.h"
 
 #include <QDirIterator>
 #include <QTest>

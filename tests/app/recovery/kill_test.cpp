@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A process that draws is killed at random moments: no finished step is lost. That process is this
 // program (--draw FOLDER SEED). CLEARCUT_KILLS=1000 sets the number of kills.
-#include "app/recovery/recover.h"
+#include "app/recovery/replay.h"
 
 #include <QCoreApplication>
 #include <QProcess>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Edits of an open drawing for which the heap runs out at any of their allocations.
-#include "app/document/editable.h"
+#include "app/document/hidden_objects.h"
 #include "app/session/copy_selection.h"
 
 #include <QTest>

@@ -2,8 +2,8 @@
 // The lines that two rows cut differently, beside all pieces of every line.
 #include "app/document/document_builder.h"
 #include "app/scene/differing_lines.h"
-#include "app/scene/document_lines.h"
 #include "app/scene/scene_clipping.h"
+#include "app/scene/scene_lines.h"
 
 #include <QTest>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/recipe_outline.h"
-#include "app/scene/united_windows.h"
+#include "app/scene/area_windows.h"
 
 #include <QTest>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/scene/convex_outline.h"
+#include "app/scene/area_windows.h"
 #include "app/scene/window_needs.h"
 #include "clipping/region/catalogue.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/document/new_drawing.h"
+#include "app/document/document.h"
 #include "app/session/clipboard.h"
 #include "app/session/copy_selection.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/usual_algorithm.h"
+#include "app/base/variant.h"
+#include "app/commands/add_and_remove.h"
 #include "app/commands/move_objects.h"
-#include "app/commands/remove_objects.h"
 #include "app/formats/format.h"
 #include "app/session/drawn_line.h"
 

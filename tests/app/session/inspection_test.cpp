@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/comparison/outcode_text.h"
+#include "app/comparison/line_class.h"
 #include "app/session/inspection.h"
 #include "clipping/outcode.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/document_builder.h"
-#include "app/session/layer_report.h"
+#include "app/session/layer_colour.h"
 
 #include <QElapsedTimer>
 #include <QTest>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/selection_style.h"
-#include "app/view/colour_at.h"
+#include "app/view/picking.h"
 
 #include <QTest>
 

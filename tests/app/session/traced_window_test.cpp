@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/first_traced_line.h"
-#include "app/session/traced_window.h"
 #include "app/session/window_in_hand.h"
 #include "app/session/window_kinds.h"
 #include "app/teaching/narration.h"
@@ -77,8 +76,8 @@ private slots:
         const ClipWindow box{.shape = RectangleShape{{{1, 1}, {9, 9}}}};
         show(session, {{.name = "Star", .shape = starShape()}, box});
         QVERIFY(tracedLineOf(session, 0).window == (clipping::Window{{1, 1}, {9, 9}}));
-        QVERIFY(tracedLineOf(session, 0)
-                    .origin.endsWith(", at another window, as Star is not convex"));
+        QVERIFY(
+            tracedLineOf(session, 0).origin.endsWith(", at another window, as Star is not convex"));
         session.chooseWindow(1);
         QCOMPARE(tracedLineOf(session, 0).origin, "Line 1 of 3,000");
     }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/recent_colours.h"
-#include "app/session/typed_colour.h"
 #include "app/view/colour_chart.h"
 
 #include <QTemporaryDir>

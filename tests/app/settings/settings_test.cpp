@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/recent_files.h"
 #include "app/settings/remembered.h"
-#include "app/settings/seal.h"
 #include "app/settings/settings_format.h"
 #include "app/settings/window_place.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The labels by which sentences and steps name the lines of a pseudo-code.
-#include "app/base/latin.h"
+#include "app/base/text.h"
 #include "app/teaching/teaching.h"
 #include "clipping/pseudo_code.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/teaching/manual.h"
 #include "app/teaching/microscope.h"
-#include "app/teaching/page.h"
 
 #include <QTest>
 

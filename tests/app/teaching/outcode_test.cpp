@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/comparison/outcode_text.h"
+#include "app/comparison/line_class.h"
+#include "app/teaching/manual.h"
 #include "app/teaching/overlay_of.h"
-#include "app/teaching/page.h"
 
 #include <QMap>
 #include <QRegularExpression>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The sentences of the steps: every step has its own, next to the right line of pseudo-code.
-#include "app/teaching/page.h"
+#include "app/teaching/manual.h"
 #include "app/teaching/teaching.h"
 #include "clipping/pseudo_code.h"
 

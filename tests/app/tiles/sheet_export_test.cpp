@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/usual_algorithm.h"
+#include "app/base/variant.h"
 #include "app/document/document_builder.h"
 #include "app/tiles/sheet_export.h"
 

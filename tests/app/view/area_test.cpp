@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/view/area.h"
+#include "app/view/cut_fill.h"
 
 #include <QTest>
 

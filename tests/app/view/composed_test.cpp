@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Frames that are put together from the picture of all lines, beside those painted from the pieces.
-#include "app/base/usual_algorithm.h"
+#include "app/base/variant.h"
 #include "app/document/document_builder.h"
-#include "app/scene/document_lines.h"
+#include "app/scene/scene_lines.h"
 #include "app/view/frame_painting.h"
 #include "app/view/hairline_drawing.h"
 #include "app/view/region_mask.h"

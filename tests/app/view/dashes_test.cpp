@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/view/dashes.h"
+#include "app/view/caps.h"
 
 #include <QLineF>
 #include <QTest>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/window_outline.h"
+#include "app/view/area_at.h"
 #include "app/view/frame_handles.h"
-#include "app/view/window_at.h"
 
 #include <QTest>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/view/frame_statistics.h"
+#include "app/view/frame_times.h"
 
 #include <QTest>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/view/gaps.h"
+#include "app/view/painted_part.h"
 
 #include <QTest>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/usual_algorithm.h"
+#include "app/base/variant.h"
 #include "app/document/document_builder.h"
-#include "app/scene/document_lines.h"
+#include "app/scene/scene_lines.h"
 #include "app/view/live_picture.h"
 
 #include <QPainter>

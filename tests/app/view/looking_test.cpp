@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/view/looking.h"
+#include "app/view/view.h"
 
 #include <QTest>
 

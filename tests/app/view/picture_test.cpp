@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cut/cut.h"
 #include "app/document/document_builder.h"
-#include "app/scene/document_lines.h"
 #include "app/scene/scene_clipping.h"
+#include "app/scene/scene_lines.h"
 #include "app/view/picture.h"
 #include "app/view/raster.h"
 #include "app/view/visible_colour.h"

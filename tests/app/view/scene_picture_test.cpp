@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/format.h"
-#include "app/scene/document_lines.h"
 #include "app/scene/scene_clipping.h"
+#include "app/scene/scene_lines.h"
 #include "app/view/picture.h"
 
 #include <QDir>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/view/painter_path.h"
+#include "app/view/outline.h"
 #include "app/view/summed_object.h"
 
 #include <QPainter>

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/view.h"
-#include "app/view/view_history.h"
-#include "app/view/wheel_zoom.h"
 
 #include <QTest>
 

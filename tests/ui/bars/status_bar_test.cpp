@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/bars/option_bar.h"
 #include "ui/tools/tool.h"
-#include "ui/widgets/elided_label.h"
 #include "ui/widgets/length_field.h"
+#include "ui/widgets/look_label.h"
+#include "ui/widgets/status_cell.h"
 #include "ui/widgets/tabular.h"
-#include "ui/widgets/zoom_button.h"
 
 #include <QStatusBar>
 

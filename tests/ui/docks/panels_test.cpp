@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/usual_algorithm.h"
+#include "app/base/variant.h"
 #include "ui/bars/option_bar.h"
 #include "ui/bars/status_bar.h"
 #include "ui/canvas/ruler.h"
@@ -9,8 +9,8 @@
 #include "ui/docks/line_panel.h"
 #include "ui/docks/start_panel.h"
 #include "ui/docks/window_panel.h"
+#include "ui/widgets/heading.h"
 #include "ui/widgets/length_field.h"
-#include "ui/widgets/page_caption.h"
 #include "ui/widgets/tool_list.h"
 
 #include <QDockWidget>

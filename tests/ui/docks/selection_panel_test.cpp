@@ -2,7 +2,7 @@
 #include "ui/docks/selection_panel.h"
 #include "ui/widgets/length_field.h"
 #include "ui/widgets/reference_point.h"
-#include "ui/widgets/unit_button.h"
+#include "ui/widgets/unit_box.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -2,7 +2,7 @@
 // Whether unsaved work would survive a crash is seen as long as it would not.
 #include "app/commands/move_objects.h"
 #include "ui/editor/recovery.h"
-#include "ui/widgets/warning_button.h"
+#include "ui/widgets/status_cell.h"
 
 #include "tests/test_class.h"
 #include "tests/ui/test_window.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/unfinished.h"
-#include "app/recovery/recover.h"
+#include "app/recovery/replay.h"
 #include "ui/dialogs/leftover_picture.h"
 #include "ui/editor/editor.h"
 #include "ui/files/files.h"

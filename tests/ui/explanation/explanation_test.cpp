@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/latin.h"
+#include "app/base/text.h"
 #include "app/hard_cases/case_use.h"
 #include "app/lessons/reading.h"
-#include "app/teaching/page.h"
-#include "app/teaching/trace_link.h"
+#include "app/teaching/line_text.h"
+#include "app/teaching/manual.h"
 #include "ui/docks/algorithm_list.h"
 #include "ui/explanation/explanation_window.h"
 #include "ui/explanation/page_view.h"

@@ -3,11 +3,11 @@
 
 #include "app/commands/set_containers.h"
 #include "app/session/arrange_selection.h"
-#include "app/session/limited_steps.h"
+#include "app/session/layer_steps.h"
 #include "app/session/selection_style.h"
 #include "app/session/window_kinds.h"
 #include "app/session/window_steps.h"
-#include "app/view/frame_statistics.h"
+#include "app/view/frame_times.h"
 #include "ui/editing/keeping.h"
 #include "ui/tools/tool.h"
 #include "ui/widgets/unit_box.h"

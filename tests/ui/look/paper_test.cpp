@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/widgets/sample_button.h"
+#include "ui/widgets/buttons.h"
 
 #include <QSettings>
 #include <QToolButton>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/base/latin.h"
+#include "app/base/text.h"
 #include "ui/menus/actions.h"
 #include "ui/tools/tool.h"
 

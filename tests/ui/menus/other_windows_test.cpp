@@ -4,7 +4,7 @@
 #include "ui/docks/start_panel.h"
 #include "ui/experiment/experiment_window.h"
 #include "ui/explanation/explanation_window.h"
-#include "ui/microscope/export_steps_dialog.h"
+#include "ui/microscope/export_steps.h"
 #include "ui/microscope/microscope_page.h"
 
 #include <QSignalSpy>

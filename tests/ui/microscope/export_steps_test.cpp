@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/first_traced_line.h"
 #include "ui/microscope/export_steps.h"
-#include "ui/microscope/export_steps_dialog.h"
 
 #include <QDialogButtonBox>
 #include <QDir>

@@ -3,7 +3,7 @@
 
 #include "ui/dialogs/waiting_dialog.h"
 #include "ui/explanation/explanation_window.h"
-#include "ui/microscope/export_steps_dialog.h"
+#include "ui/microscope/export_steps.h"
 #include "ui/widgets/message_strip.h"
 #include "ui/window/workspaces.h"
 

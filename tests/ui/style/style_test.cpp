@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/session/typed_colour.h"
 #include "app/session/recent_colours.h"
 #include "ui/bars/option_bar.h"
 #include "ui/style/style_popup.h"

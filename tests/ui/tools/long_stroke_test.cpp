@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/recovery/journal.h"
 #include "app/recovery/leftover.h"
-#include "app/recovery/recover.h"
+#include "app/recovery/replay.h"
 
 #include <QTemporaryDir>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/add_objects.h"
+#include "app/commands/add_and_remove.h"
 #include "app/lettering/lettering.h"
 #include "app/lettering/outline_fonts.h"
 #include "app/lettering/stroke_fonts.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/remove_objects.h"
+#include "app/commands/add_and_remove.h"
 
 #include <QLineEdit>
 #include <QSignalSpy>

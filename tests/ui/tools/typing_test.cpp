@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/direction.h"
-#include "app/view/place.h"
+#include "app/view/ruler.h"
 
 #include <QLineEdit>
 

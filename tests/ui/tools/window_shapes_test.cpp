@@ -3,7 +3,7 @@
 #include "app/document/recipe_outline.h"
 #include "app/document/window_outline.h"
 #include "app/document/window_shape.h"
-#include "app/formats/rectangle_text.h"
+#include "app/formats/coordinates.h"
 #include "app/view/frame_handles.h"
 #include "ui/docks/window_panel.h"
 #include "ui/widgets/colour_popup.h"

@@ -5,7 +5,7 @@
 #include "ui/docks/difference_panel.h"
 #include "ui/docks/exactness_panel.h"
 #include "ui/look/look.h"
-#include "ui/widgets/page_caption.h"
+#include "ui/widgets/heading.h"
 
 #include <QTest>
 

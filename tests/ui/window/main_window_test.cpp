@@ -6,8 +6,8 @@
 #include "ui/docks/algorithm_panel.h"
 #include "ui/docks/line_panel.h"
 #include "ui/menus/actions.h"
+#include "ui/widgets/message_strip.h"
 #include "ui/widgets/segments.h"
-#include "ui/widgets/window_note.h"
 #include "ui/window/workspace_tabs.h"
 
 #include <QAccessible>
@@ -143,10 +143,10 @@ private slots:
                 QStringList texts;
                 for (const QAction* action : menu->actions())
                     texts << action->text();
-                QCOMPARE(texts.first(10),
-                         QStringList({"&1  11.svg", "&2  10.svg", "&3  9.svg", "&4  8.svg",
-                                      "&5  7.svg", "&6  6.svg", "&7  5.svg", "&8  4.svg",
-                                      "&9  3.svg", "&0  2.svg"}));
+                QCOMPARE(
+                    texts.first(10),
+                    QStringList({"&1  11.svg", "&2  10.svg", "&3  9.svg", "&4  8.svg", "&5  7.svg",
+                                 "&6  6.svg", "&7  5.svg", "&8  4.svg", "&9  3.svg", "&0  2.svg"}));
                 menu->actions()[9]->trigger();
                 t.window->files().wait();
                 QVERIFY(t.window->windowTitle().startsWith("2.svg"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/window/stacking.h"
+#include "ui/window/arrangement.h"
 
 #include <QTest>
 

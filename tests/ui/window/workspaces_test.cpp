@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/start_panel.h"
 #include "ui/look/look.h"
-#include "ui/window/panel_docks.h"
+#include "ui/window/panels.h"
 #include "ui/window/workspaces.h"
 
 #include <QDockWidget>

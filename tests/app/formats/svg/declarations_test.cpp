@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/formats/format.h"
-#include "app/formats/svg/declarations.h"
+#include "app/formats/svg/style_text.h"
 
 #include <QBuffer>
 #include <QTest>
