@@ -2,6 +2,7 @@
 #include "app/scene/area_windows.h"
 
 #include "app/base/finite.h"
+#include "app/document/window_outline.h"
 #include "clipping/algorithm.h"
 #include "clipping/area/clip_area.h"
 
@@ -71,7 +72,7 @@ PathShape united(std::span<const ClipWindow> windows, const Page& page)
     ClipWindows all;
     for (const ClipWindow& window : windows)
         all.list.push_back({.shape = window.shape});
-    const ClipRegion region = regionOf(all, page);
+    const ClipRegion region = regionOf(all, windowMillimetres / page.millimetresPerUnit());
     const auto area = clipping::clipArea(clipping::areaOf(around(region)), *areaWindows(region));
     std::vector<Subpath> rings;
     std::size_t first = 0;

@@ -77,14 +77,36 @@ clipping::Window boundsAround(const std::vector<std::vector<Point>>& rings)
     return box;
 }
 
-ClipRegion::Step stepOf(const ClipWindow& window, double tolerance)
+/// Where the polygon of a window's ellipse lies.
+enum class Corners : std::uint8_t { On, Beyond };
+
+/// The polygon's edges touch an ellipse that is larger by as much as the usual four Bézier curves
+/// of an ellipse are at most (2.73e-4 of the radius).
+void moveBeyond(const EllipseRecipe& ellipse, std::vector<Point>& ring)
+{
+    const double factor = (1 + 2.8e-4) / std::cos(std::numbers::pi / double(ring.size()));
+    for (Point& corner : ring)
+        corner = ellipse.centre + (corner - ellipse.centre) * factor;
+}
+
+WindowOutline outlineOf(const WindowShape& shape, double tolerance, Corners corners)
+{
+    WindowOutline outline = outlineOf(shape, tolerance);
+    const auto* path = std::get_if<PathShape>(&shape);
+    if (const auto* ellipse = path ? std::get_if<EllipseRecipe>(&path->recipe) : nullptr)
+        if (corners == Corners::Beyond)
+            moveBeyond(*ellipse, outline.rings.front());
+    return outline;
+}
+
+ClipRegion::Step stepOf(const ClipWindow& window, double tolerance, Corners corners)
 {
     const auto* rectangle = std::get_if<RectangleShape>(&window.shape);
     if (rectangle && !hasArea(rectangle->box))
         return {nothing, window.operation};
     if (const auto box = axisAlignedBox(window.shape))
         return {*box, window.operation};
-    WindowOutline outline = outlineOf(window.shape, tolerance);
+    WindowOutline outline = outlineOf(window.shape, tolerance, corners);
     ClipRegion::Step step{boundsAround(outline.rings), window.operation, std::move(outline.rings),
                           outline.rule};
     step.polygon = convexPolygonOf(step.rings);
@@ -103,6 +125,16 @@ void prepare(ClipRegion& region)
     region.opposite = laterRegion(region, opposite(region.keep));
 }
 
+ClipRegion regionOf(const ClipWindows& windows, double tolerance, Corners corners)
+{
+    ClipRegion region{{}, windows.keep};
+    for (const ClipWindow& window : windows.list)
+        if (window.visible)
+            region.steps.push_back(stepOf(window, tolerance, corners));
+    prepare(region);
+    return region;
+}
+
 } // namespace
 
 std::optional<clipping::Window> ClipRegion::single() const
@@ -115,17 +147,12 @@ std::optional<clipping::Window> ClipRegion::single() const
 
 ClipRegion regionOf(const ClipWindows& windows, double tolerance)
 {
-    ClipRegion region{{}, windows.keep};
-    for (const ClipWindow& window : windows.list)
-        if (window.visible)
-            region.steps.push_back(stepOf(window, tolerance));
-    prepare(region);
-    return region;
+    return regionOf(windows, tolerance, Corners::On);
 }
 
 ClipRegion regionOf(const ClipWindows& windows, const Page& page)
 {
-    return regionOf(windows, windowMillimetres / page.millimetresPerUnit());
+    return regionOf(windows, windowMillimetres / page.millimetresPerUnit(), Corners::Beyond);
 }
 
 ClipRegion withKeep(ClipRegion region, Keep keep)

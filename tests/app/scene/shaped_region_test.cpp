@@ -33,6 +33,20 @@ PathShape shapeOf(const Recipe& recipe, FillRule rule = FillRule::NonZero)
     return {Path({&*outline, 1}), rule, recipe};
 }
 
+std::vector<Segment> keptOf(const std::vector<Segment>& lines, const ClipWindows& windows,
+                            const Page& page)
+{
+    const ClipRegion region = regionOf(windows, page);
+    RegionClipping clipping;
+    clipping.start(region, clipping::exactAlgorithm().corrected.clipAll);
+    std::vector<Clipped> kept;
+    clipping.fold(lines, 0, kept);
+    std::vector<Segment> pieces;
+    for (const Clipped& piece : kept)
+        pieces.push_back(piece.segment);
+    return pieces;
+}
+
 /// A rotated rectangle and a pentagram, of which a circle is cut out.
 ClipWindows windows(Keep keep)
 {
@@ -216,6 +230,26 @@ private slots:
         for (const Subpath& piece : curve[0].path.subpaths())
             for (const PathSegment& segment : piece.segments)
                 QVERIFY(segment.curved); // curves stay curves
+    }
+    /// Its chords are those of Bézier curves, which are beyond the ellipse here and there.
+    void whatLiesOnAnEllipseIsInItsWindow()
+    {
+        const Page page;
+        for (const double radius : {0.1, 4.0, 50.0, 300.0})
+            for (const Point& radii : {Point(radius), Point(radius, radius / 3)}) {
+                const EllipseRecipe ellipse{{37.3, 41.9}, radii};
+                std::vector<Chord> chords;
+                flatten(*outlineOf(Recipe(ellipse)), usualTolerance(page), chords);
+                std::vector<Segment> lines;
+                for (const Chord& chord : chords)
+                    lines.push_back(chord.segment);
+                ClipWindows all{{{.shape = shapeOf(ellipse)}}};
+                QCOMPARE(keptOf(lines, all, page), lines);
+                all.keep = Keep::Outside;
+                QVERIFY(keptOf(lines, all, page).empty());
+                all = {{{.shape = shapeOf(ellipse), .operation = WindowOperation::CutOut}}};
+                QVERIFY(keptOf(lines, all, page).empty());
+            }
     }
     void windowsWithoutAreaKeepNothing()
     {
