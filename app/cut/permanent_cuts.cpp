@@ -16,7 +16,12 @@ Cut cutOut(const Document& document, const CutOptions& options, const Follower& 
 {
     CutOptions outside = options;
     outside.region = withKeep(options.region, Keep::Outside);
-    return cut(document, outside, follower);
+    Cut made = cut(document, outside, follower);
+    if (!made.edit.splices.empty() && document.windows().keep == Keep::Inside) {
+        made.edit.windows = document.windows();
+        made.edit.windows->keep = Keep::Outside; // or what is left would not be seen
+    }
+    return made;
 }
 
 constexpr std::array kinds{

@@ -17,11 +17,12 @@ struct Looks {
     std::string_view icon;
 };
 
-Looks looksOf(const WindowShape& shape)
+constexpr Looks rectangleLooks{QT_TRANSLATE_NOOP("Text", "Rectangle"), "rectangle"};
+
+Looks looksOf(const Recipe& recipe)
 {
-    if (std::holds_alternative<RectangleShape>(shape))
-        return {QT_TRANSLATE_NOOP("Text", "Rectangle"), "rectangle"};
-    const Recipe& recipe = std::get<PathShape>(shape).recipe;
+    if (std::holds_alternative<RectangleRecipe>(recipe))
+        return rectangleLooks;
     if (std::holds_alternative<EllipseRecipe>(recipe))
         return {QT_TRANSLATE_NOOP("Text", "Ellipse"), "ellipse"};
     if (std::holds_alternative<TextRecipe>(recipe))
@@ -33,9 +34,23 @@ Looks looksOf(const WindowShape& shape)
     return {QT_TRANSLATE_NOOP("Text", "Path"), "pen"};
 }
 
+Looks looksOf(const WindowShape& shape)
+{
+    const auto* path = std::get_if<PathShape>(&shape);
+    return path ? looksOf(path->recipe) : rectangleLooks;
+}
+
 } // namespace
 
 QString nameOf(const WindowShape& shape) { return Text::tr(looksOf(shape).name); }
+
+QString nameOf(const ObjectView& object)
+{
+    const Particulars& particulars = object.particulars();
+    const QString kind =
+        object.singleLine() ? Text::tr("Line") : Text::tr(looksOf(particulars.recipe).name);
+    return particulars.id.isEmpty() ? kind : Text::tr("%1 “%2”").arg(kind, particulars.id);
+}
 
 QString nameOf(const ClipWindow& window)
 {

@@ -12,6 +12,9 @@ namespace app {
 QString nameOf(const WindowShape& shape);
 /// The window's name, or that of its shape.
 QString nameOf(const ClipWindow& window);
+/// What an object is called where the pointer is on it: `Ellipse “sun”`, its kind and its id; "Line"
+/// if it is a single one.
+QString nameOf(const ObjectView& object);
 /// The key of the icon of a shape.
 std::string_view iconOf(const WindowShape& shape);
 

@@ -2,6 +2,7 @@
 #include "app/base/numbers.h"
 #include "app/commands/add_and_remove.h"
 #include "app/session/inspection.h"
+#include "app/session/window_words.h"
 #include "ui/look/text.h"
 #include "ui/tools/box_resize.h"
 #include "ui/tools/end_drag.h"
@@ -406,9 +407,10 @@ QString SelectTool::hint(const Workbench& bench) const
                             "Alt+click: one object.")
                 .arg(app::groupName(containers[group]),
                      app::countText(containers.rangeOf(group).size()), containers[layer].name);
-        return Text::tr("Line %1 in %2. Click: select, drag: move, "
+        return Text::tr("%1 in %2, line %3. Click: select, drag: move, "
                         "double click: show its nodes.")
-            .arg(app::countText(*hoveredSegment_ + 1), containers[layer].name);
+            .arg(app::nameOf(session.now().objects()[object]), containers[layer].name,
+                 app::countText(*hoveredSegment_ + 1));
     }
     if (!session.selection().empty())
         return Text::tr("%1 selected. Drag or arrow keys: move. G, O, K: move, "

@@ -106,6 +106,14 @@ private slots:
         QCOMPARE(rowsOf(made("cut-out", drawing(), outside).sheet), left);
     }
 
+    void whatIsLeftAfterCuttingOutIsSeen()
+    {
+        const Made cut = made("cut-out", drawing());
+        QCOMPARE(cut.document.windows().keep, app::Keep::Outside);
+        QCOMPARE(made("crop", drawing()).document.windows().keep, app::Keep::Inside);
+        QCOMPARE(made("cut-out", cut.sheet).document.windows().keep, app::Keep::Inside); // nothing
+    }
+
     void splittingKeepsBothPartsOnLayersOfTheirOwn()
     {
         const Made split = made("split", drawing());

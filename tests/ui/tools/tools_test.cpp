@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/recipe_outline.h"
 #include "app/scene/bounds.h"
 #include "ui/tools/tool.h"
 
@@ -319,9 +320,19 @@ private slots:
         Stage stage(raster);
         const QString usual = stage.canvas->toolHint();
         stage.move({100, 51});
-        QVERIFY(stage.canvas->toolHint().contains("Line 1 in Drawing"));
+        QVERIFY(stage.canvas->toolHint().startsWith("Line in Drawing, line 1."));
         stage.move({100, 90});
         QCOMPARE(stage.canvas->toolHint(), usual);
+    }
+
+    void theHintSaysWhatTheHoveredObjectIs()
+    {
+        app::Shape circle = line({}, {});
+        circle.paths = {*app::outlineOf(app::EllipseRecipe{{100, 51}, {20, 10}})};
+        circle.id = QStringLiteral("sun");
+        Stage stage(raster, {circle});
+        stage.move({120, 51});
+        QVERIFY(stage.canvas->toolHint().startsWith("Path “sun” in Drawing, line "));
     }
 
     void aLineDraggedAtOnceIsInspected()
