@@ -97,7 +97,11 @@ std::optional<std::size_t> areaAt(const Document& document, const SceneLines& li
     return AreaSearch(document, lines, point).uppermost();
 }
 
-bool isAt(const WindowShape& shape, const Point& point, double reach)
+namespace {
+
+enum class Hit : std::uint8_t { Beside, Border, Inside };
+
+Hit hitOf(const WindowShape& shape, const Point& point, double reach)
 {
     const WindowOutline outline = outlineOf(shape, std::max(reach / 4, 1e-12));
     Crossings crossings(point);
@@ -105,20 +109,42 @@ bool isAt(const WindowShape& shape, const Point& point, double reach)
         for (std::size_t i = 0; i < ring.size(); ++i) {
             const clipping::Segment edge{ring[i], ring[(i + 1) % ring.size()]};
             if (distance(point, edge) <= reach)
-                return true;
+                return Hit::Border;
             crossings.add(edge);
         }
         crossings.close();
     }
-    return crossings.inside(outline.rule);
+    return crossings.inside(outline.rule) ? Hit::Inside : Hit::Beside;
+}
+
+template <class IsHit>
+std::optional<std::size_t> lastVisible(const ClipWindows& windows, const IsHit& isHit)
+{
+    for (std::size_t i = windows.list.size(); i-- > 0;)
+        if (windows.list[i].visible && isHit(windows.list[i].shape))
+            return i;
+    return std::nullopt;
+}
+
+} // namespace
+
+bool isAt(const WindowShape& shape, const Point& point, double reach)
+{
+    return hitOf(shape, point, reach) != Hit::Beside;
+}
+
+std::optional<std::size_t> windowBorderAt(const ClipWindows& windows, const Point& point,
+                                          double reach)
+{
+    return lastVisible(windows, [&](const WindowShape& shape) {
+        return hitOf(shape, point, reach) == Hit::Border;
+    });
 }
 
 std::optional<std::size_t> windowAt(const ClipWindows& windows, const Point& point, double reach)
 {
-    for (std::size_t i = windows.list.size(); i-- > 0;)
-        if (windows.list[i].visible && isAt(windows.list[i].shape, point, reach))
-            return i;
-    return std::nullopt;
+    return lastVisible(windows,
+                       [&](const WindowShape& shape) { return isAt(shape, point, reach); });
 }
 
 } // namespace app

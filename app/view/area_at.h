@@ -19,6 +19,9 @@ std::optional<std::size_t> areaAt(const Document& document, const SceneLines& li
 /// Whether the shape contains the point or its border is no farther than `reach` (user units).
 bool isAt(const WindowShape& shape, const Point& point, double reach);
 
+/// The number of the last visible clip window whose border is no farther than `reach`.
+std::optional<std::size_t> windowBorderAt(const ClipWindows& windows, const Point& point,
+                                          double reach);
 /// The number of the last visible clip window there: it lies above those before it.
 std::optional<std::size_t> windowAt(const ClipWindows& windows, const Point& point, double reach);
 

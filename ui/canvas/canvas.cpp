@@ -85,15 +85,25 @@ void Canvas::switchSnapping(bool on)
     parts_->controller.switchSnapping(on);
     emit snappingChanged();
 }
-bool Canvas::selectAt(const QPoint& position)
+std::optional<QPoint> Canvas::onDrawing(const QPoint& position) const
 {
     for (const auto& pane : parts_->widgets) {
         const QWidget& drawing = pane->surface().widget();
         const QPoint at = drawing.mapFrom(this, position);
         if (drawing.isVisible() && drawing.rect().contains(at))
-            return parts_->controller.selectAt(at);
+            return at;
     }
-    return false;
+    return std::nullopt;
+}
+bool Canvas::selectAt(const QPoint& position)
+{
+    const auto at = onDrawing(position);
+    return at && parts_->controller.selectAt(*at);
+}
+bool Canvas::chooseWindowAt(const QPoint& position)
+{
+    const auto at = onDrawing(position);
+    return at && parts_->controller.chooseWindowAt(*at);
 }
 
 void Canvas::fitDrawing() { parts_->controller.fitDrawing(); }

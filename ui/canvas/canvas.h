@@ -46,7 +46,7 @@ public:
 
     void setTool(std::string_view key); ///< one of ui::tools()
     std::string_view tool() const;
-    QString toolHint() const; ///< the tool's current hint
+    QString toolHint() const;       ///< the tool's current hint
     app::DigitUse digitUse() const; ///< what a digit does now
     bool digitsChoose() const;      ///< whether digits choose the algorithm, outside gestures
 
@@ -73,6 +73,8 @@ public:
     /// Selects what is at a position of the canvas, unless it is selected already, for the menu of
     /// the right button. False: no object is there.
     bool selectAt(const QPoint& position);
+    /// Chooses the clip window whose outline or name is there; false: there is none.
+    bool chooseWindowAt(const QPoint& position);
 
     void fitDrawing();   ///< the page and everything that is drawn
     void fitSelection(); ///< the drawing if nothing is selected
@@ -119,6 +121,7 @@ private:
     void layOut();
     void followChoice();
     bool activates(const QEvent& event) const;
+    std::optional<QPoint> onDrawing(const QPoint& position) const; ///< of the pane's surface there
 
     struct Parts;
     std::unique_ptr<Parts> parts_;

@@ -92,6 +92,8 @@ public:
 
     /// Selects the object under a position, unless it is selected already; false: there is none.
     bool selectAt(const QPointF& screen);
+    /// Chooses the clip window whose outline or name is there; false: there is none.
+    bool chooseWindowAt(const QPointF& screen);
 
     /// A new guide follows the pointer: from a ruler, until it is dropped. `axis` as in app::Guide.
     void dragGuide(int axis);

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/view/area_at.h"
 #include "ui/canvas/controller.h"
 #include "ui/canvas/window_offer.h"
+#include "ui/canvas/window_tags.h"
 #include "ui/editing/keeping.h"
 #include "ui/tools/group_choice.h"
 #include "ui/tools/picking_marks.h"
+
+#include <QGuiApplication>
 
 #include <glm/geometric.hpp>
 
@@ -57,6 +61,20 @@ bool Controller::selectAt(const QPointF& screen)
     if (!session_.selection().contains(*object) && choose(object, {}, session_))
         session_.inspect(segment);
     return true;
+}
+
+bool Controller::chooseWindowAt(const QPointF& screen)
+{
+    endGesture();
+    constexpr double reach = 4; // pixels
+    const app::Point there = view().toDrawing({screen.x(), screen.y()});
+    auto number = app::windowBorderAt(session_.windows(), there, bench_.inDrawing(reach));
+    for (const WindowTag& tag : windowTags(*this, QGuiApplication::font()))
+        if (tag.place.contains(screen))
+            number = tag.number;
+    if (number)
+        session_.chooseWindow(*number);
+    return number.has_value();
 }
 
 QRectF Controller::offeredHandle() const

@@ -61,7 +61,7 @@ std::vector<WindowTag> windowTags(const Controller& controller, const QFont& fon
         const double width = metrics.horizontalAdvance(text) + 2 * besideText;
         const QRectF place = placeOf(list[i], controller.view(), width);
         if (place.intersects({0, 0, room.x, room.y}))
-            tags.push_back({place, text, colourOf(list[i], controller)});
+            tags.push_back({place, text, colourOf(list[i], controller), i});
     }
     return tags;
 }
@@ -72,7 +72,7 @@ void paintTags(QPainter& painter, const Controller& controller)
     painter.save();
     painter.setFont(captionFont(painter.font()));
     painter.setBrush(controller.pageColour());
-    for (const auto& [place, text, colour] : tags) {
+    for (const auto& [place, text, colour, number] : tags) {
         painter.setPen(QPen(colour, 1));
         painter.drawRoundedRect(place.adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
         painter.drawText(place, Qt::AlignCenter, text);

@@ -13,6 +13,7 @@ struct WindowTag {
     QRectF place;
     QString text;
     QColor colour;
+    std::size_t number; ///< of the window
 };
 
 /// The tags of all visible windows except the chosen one; none if there are too many to tell them

@@ -40,8 +40,15 @@ WindowPanel::WindowPanel(app::Session& session, QWidget* parent)
     connect(fields_, &WindowFields::refused, this, &WindowPanel::refused);
     connect(fields_, &WindowFields::taken, this, &WindowPanel::taken);
     connect(&session, &app::Session::previewChanged, this, &WindowPanel::follow);
+    list_->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(list_, &QWidget::customContextMenuRequested, this, [this](const QPoint& at) {
+        if (list_->indexAt(at).isValid())
+            emit menuWanted(list_->viewport()->mapToGlobal(at));
+    });
     follow();
 }
+
+void WindowPanel::rename() { list_->edit(list_->currentIndex()); }
 
 void WindowPanel::setTiles(QAction& tiles)
 {

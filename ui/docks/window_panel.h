@@ -28,11 +28,15 @@ public:
     /// A button with a command's name, for the foot of the panel (cut_options.h).
     void setTiles(QAction& tiles);
     QToolButton& tilesButton() { return *tiles_; }
+    void rename(); ///< opens the field for the name of the window that tools act on
+    /// Makes the window that tools act on do this with those above it.
+    void setOperation(int operation);
 
 signals:
     void entered(); ///< a number or a unit was entered: the focus returns to the canvas
     void refused(const QString& sentence); ///< the typed text is not a length
     void taken();                          ///< a field's value is valid again
+    void menuWanted(const QPoint& place);  ///< on the screen, for that window
 
 private:
     QWidget* makeList();
@@ -42,7 +46,6 @@ private:
     QToolButton* makeAdd();
     QMenu* makeAddMenu();
     void follow();
-    void setOperation(int operation);
     void openColours();
     void setColour(const std::optional<app::Colour>& colour);
 

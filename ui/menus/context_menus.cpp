@@ -4,7 +4,9 @@
 #include "app/base/text.h"
 #include "ui/canvas/ruler.h"
 #include "ui/docks/algorithm_panel.h"
+#include "ui/docks/window_panel.h"
 #include "ui/menus/algorithm_menu.h"
+#include "ui/menus/window_menu.h"
 #include "ui/widgets/unit_box.h"
 #include "ui/window/main_window.h"
 
@@ -130,6 +132,8 @@ void addContextMenus(MainWindow& window)
     canvas.setContextMenuPolicy(Qt::CustomContextMenu);
     QObject::connect(&canvas, &QWidget::customContextMenuRequested, &window,
                      [&window, &canvas](const QPoint& at) {
+                         if (!window.session().nodes.shown() && canvas.chooseWindowAt(at))
+                             return showAt(windowMenu(window), canvas.mapToGlobal(at));
                          const bool object = canvas.selectAt(at);
                          const bool nodes = object && window.session().nodes.shown();
                          const auto keys = nodes    ? std::span<const std::string_view>(onNodes)
@@ -137,6 +141,8 @@ void addContextMenus(MainWindow& window)
                                                     : std::span<const std::string_view>(onNothing);
                          showAt(contextMenu(window, keys), canvas.mapToGlobal(at));
                      });
+    QObject::connect(&window.windowPanel(), &WindowPanel::menuWanted, &window,
+                     [&window](const QPoint& place) { showAt(windowMenu(window), place); });
     QObject::connect(&window.algorithmPanel(), &AlgorithmPanel::menuWanted, &window,
                      [&window](const clipping::Algorithm& algorithm, const QPoint& place) {
                          showAt(algorithmMenu(window, algorithm), place);

@@ -12,8 +12,8 @@ namespace ui {
 
 class MainWindow;
 
-/// The menus of the right button on the canvas, its rulers and the list of algorithms
-/// (algorithm_menu.h). They hold actions of the menu bar: those that are enabled. After addMenus'
+/// The menus of the right button on the canvas, its rulers, clip windows (window_menu.h) and the
+/// list of algorithms (algorithm_menu.h). They hold actions of the menu bar: those that are enabled. After addMenus'
 /// actions exist.
 void addContextMenus(MainWindow& window);
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/window_steps.h"
 #include "ui/canvas/ruler.h"
 #include "ui/docks/algorithm_list.h"
 
 #include <QClipboard>
 #include <QContextMenuEvent>
+#include <QLineEdit>
+#include <QListView>
 #include <QMenu>
 
 #include "tests/test_class.h"
@@ -73,6 +76,47 @@ private slots:
         close(menuAt(hand.surface(), hand.at({135, 70}))); // another path
         QCOMPARE(hand.session.selection(), (app::ObjectRanges{1}));
         QCOMPARE(hand.session.history.count(), 0);
+    }
+    void aWindowHasItsCommands()
+    {
+        Hand hand({shape({corner()})});
+        QMenu* menu = menuAt(hand.surface(), hand.at({175, 85})); // its outline
+        const QStringList keys = keysOf(menu);
+        QVERIFY(keys.contains("crop") && keys.contains("remove-window") && !keys.contains("group"));
+        QCOMPARE(keys.first(), "window-adds");
+        choose(menu, "window-cuts-out");
+        const auto& list = hand.session.windows().list;
+        QCOMPARE(list[0].operation, app::WindowOperation::CutOut);
+        menu = menuAt(hand.surface(), hand.at({175, 90})); // inside
+        QVERIFY(!keysOf(menu).contains("remove-window"));
+        close(menu);
+        auto* rows = hand.t.window->findChild<QListView*>("clip-windows");
+        menu = menuAt(*rows->viewport(), rows->visualRect(rows->model()->index(0, 0)).center());
+        for (const QAction* action : menu->actions())
+            QCOMPARE(action->isChecked(), action->objectName() == "window-cuts-out"
+                                              || action->objectName() == "keep-inside");
+        choose(menu, "remove-window");
+        QVERIFY(list.empty());
+    }
+    void theNameOfAWindowHasItsMenu()
+    {
+        Hand hand({shape({corner()})});
+        app::addWindow(hand.session, {.shape = app::RectangleShape{{{20, 20}, {60, 60}}}});
+        QCOMPARE(hand.session.windowNumber(), std::size_t(1));
+        const QPoint below = hand.at({160, 95}) + QPoint(10, 14);
+        close(menuAt(hand.surface(), below));
+        QCOMPARE(hand.session.windowNumber(), std::size_t(0));
+    }
+    void aWindowIsRenamedInItsRow()
+    {
+        Hand hand({shape({corner()})});
+        choose(menuAt(hand.surface(), hand.at({175, 85})), "rename-window");
+        auto* rows = hand.t.window->findChild<QListView*>("clip-windows");
+        auto* field = rows->findChild<QLineEdit*>();
+        QVERIFY(field && field->isVisible());
+        QTest::keyClicks(field, "Market hall");
+        QTest::keyClick(field, Qt::Key_Return);
+        QTRY_COMPARE(hand.session.windows().list[0].name, "Market hall");
     }
     void objectsHaveTheirStyle()
     {

@@ -3,6 +3,7 @@
 
 #include "ui/dialogs/waiting_dialog.h"
 #include "ui/explanation/explanation_window.h"
+#include "ui/menus/window_menu.h"
 #include "ui/microscope/export_steps.h"
 #include "ui/widgets/message_strip.h"
 #include "ui/window/workspaces.h"
@@ -128,6 +129,13 @@ inline void addWindows(std::vector<Screen>& screens)
     screens.push_back(part("strip-warning", [] { return strip(Message::Kind::Warning); }));
     screens.push_back(dialog("dialog-repeat", "repeat"));
     screens.push_back(dialog("dialog-margin", "window-inside-margin"));
+    screens.push_back({"menu-of-window", [] {
+                           return withWindow([](TestWindow& test) -> QWidget* {
+                               QMenu* menu = windowMenu(*test.window);
+                               menu->adjustSize();
+                               return menu;
+                           });
+                       }});
     for (const qsizetype number : {0, 1, 2, 3, 4, 5, 6, 7, 8, 9})
         screens.push_back({QStringLiteral("menu-%1").arg(number), [number] {
                                return withWindow([number](TestWindow& test) -> QWidget* {
