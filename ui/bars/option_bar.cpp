@@ -33,7 +33,7 @@ constexpr int steps = 6;
 void showKeyInTip(QAction& action)
 {
     const auto refresh = [&action] {
-        const QString text = action.iconText().remove(u'…');
+        const QString text = action.text().remove(u'&').remove(u'…');
         action.setToolTip(
             Text::tr("%1 (%2)").arg(text, action.shortcut().toString(QKeySequence::NativeText)));
     };
@@ -75,9 +75,7 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas)
         connect(field, &LengthField::refused, this, &OptionBar::refused);
         connect(field, &LengthField::taken, this, &OptionBar::taken);
     }
-    addSeparator();
     addClipping();
-    addSeparator();
     addPanes(canvas);
     instead_ = actions().mid(1); // after the separator behind undo and redo
     nodesShown_ = addWidget(nodes_);
@@ -91,7 +89,7 @@ OptionBar::OptionBar(app::Session& session, Canvas& canvas)
     addExport();
     connect(&session, &app::Session::displayChanged, this, &OptionBar::followDisplay);
     connect(&session, &app::Session::selectionChanged, this, &OptionBar::followStyle);
-    connect(&session, &app::Session::loaded, this, &OptionBar::followStyle, Qt::QueuedConnection);
+    connect(&session, &app::Session::loaded, this, &OptionBar::followDisplay, Qt::QueuedConnection);
     connect(&session.document, &app::EditedDocument::changed, this, &OptionBar::followDisplay);
     connect(&canvas, &Canvas::toolChanged, this, [this, &canvas] { showOptionsOf(canvas.tool()); });
     showOptionsOf(canvas.tool());
@@ -111,6 +109,9 @@ bool OptionBar::isOffered(QAction* action) const
 {
     if (tool_ == "nodes")
         return !instead_.contains(action);
+    if ((ofWindows_.contains(action) && !hasWindows_)
+        || (ofPanes_.contains(action) && !panesOffered_ && !hasPanes_))
+        return false;
     return tool_ == "window" ? !ofOthers_.contains(action) : action != windowShown_;
 }
 
@@ -171,12 +172,14 @@ void OptionBar::takeColour(app::PaintPart part)
 void OptionBar::addClipping()
 {
     const qsizetype before = actions().size();
+    addSeparator();
     addCaption(Text::tr("Keep"));
     addWidget(keep_);
-    addSeparator();
     ofOthers_ += actions().mid(before);
+    addSeparator();
     addCaption(Text::tr("Removed part"));
     addWidget(removed_);
+    ofWindows_ = actions().mid(before);
     connect(keep_, &Segments::picked, this,
             [this](int index) { setKeep(session_, app::Keep(index)); });
     connect(removed_, &Segments::picked, this, [this](int index) {
@@ -189,9 +192,12 @@ void OptionBar::addPanes(Canvas& canvas)
 {
     // Pane counts; the last choice is all.
     static constexpr std::array<std::size_t, 3> counts{1, 2, 4};
+    const qsizetype before = actions().size();
+    addSeparator();
     addCaption(Text::tr("Panes"));
     panes_->setObjectName(QStringLiteral("panes"));
     addWidget(panes_);
+    ofPanes_ = actions().mid(before);
     panes_->setToolTip(
         Text::tr("Show the drawing in several panes, each with its own algorithm (Ctrl+1, "
                  "Ctrl+2, Ctrl+4, Ctrl+9)"));
@@ -211,8 +217,12 @@ void OptionBar::addPanes(Canvas& canvas)
             panes_->choose(int(count - counts.begin()));
         else
             panes_->chooseNone();
+        hasPanes_ = panes.size() > 1;
     };
-    connect(&canvas, &Canvas::panesChanged, this, follow);
+    connect(&canvas, &Canvas::panesChanged, this, [this, follow] {
+        follow();
+        showOptionsOf(tool_);
+    });
     follow();
 }
 
@@ -228,6 +238,7 @@ void OptionBar::addSteps(QAction& undo, QAction& redo)
 void OptionBar::setExport(QAction& exportCut)
 {
     showKeyInTip(exportCut);
+    exportCut.setIconText(Text::tr("Export…"));
     export_->setDefaultAction(&exportCut);
 }
 
@@ -242,6 +253,12 @@ void OptionBar::offerTiles(bool offered)
 {
     tilesOffered_ = offered;
     fitInto(width());
+}
+
+void OptionBar::offerPanes(bool offered)
+{
+    panesOffered_ = offered;
+    showOptionsOf(tool_);
 }
 
 void OptionBar::addExport()
@@ -281,13 +298,13 @@ void OptionBar::fitInto(int width)
 /// Step 0 shows everything; each further step takes less room.
 void OptionBar::arrange(int step)
 {
-    tilesPlace_->setVisible(step < 2 && tilesOffered_);
-    export_->setToolButtonStyle(step < 1 ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
+    tilesPlace_->setVisible(step < 1 && tilesOffered_);
+    export_->setToolButtonStyle(step < 5 ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
     for (QAction* action : actions())
         if (captions_.contains(qobject_cast<QLabel*>(widgetForAction(action))))
-            action->setVisible(step < 3 && isOffered(action));
-    grid_->showSpacing(step < 4);
-    snapping_->showKinds(step < 5);
+            action->setVisible(step < 2 && isOffered(action));
+    grid_->showSpacing(step < 3);
+    snapping_->showKinds(step < 4);
 }
 
 void OptionBar::changeEvent(QEvent* event)
@@ -302,6 +319,10 @@ void OptionBar::followDisplay()
 {
     keep_->choose(int(session_.now().windows().keep));
     removed_->choose(int(session_.display().removed));
+    if (const bool has = !session_.now().windows().list.empty(); has != hasWindows_) {
+        hasWindows_ = has;
+        showOptionsOf(tool_);
+    }
     followStyle();
 }
 

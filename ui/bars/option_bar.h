@@ -19,11 +19,11 @@ class ToolList;
 class WindowOptions;
 
 /// The bar across the top: undo, redo, the stroke of selected or new objects, or the options of the
-/// tool Clip window in their place, the side that is kept and how the removed part is shown, panes;
-/// at the right snapping, grid, tiles and export. With the tool Nodes, the commands for nodes take
-/// the place of stroke, clipping and panes. If it is narrow, it first drops the export button's
-/// text, then the button of the tiles, then captions, then the grid's spacing, then the list of
-/// kinds to snap to.
+/// tool Clip window in their place, while there is a window the side that is kept and how the
+/// removed part is shown, panes if they are offered or there are several; at the right snapping,
+/// grid, tiles and export. With the tool Nodes, the commands for nodes take the place of stroke,
+/// clipping and panes. If it is narrow, it first drops the button of the tiles, then captions, the
+/// grid's spacing, the list of kinds to snap to, and last the export button's text.
 class OptionBar : public QToolBar {
     Q_OBJECT
 
@@ -39,6 +39,7 @@ public:
     /// Gives this command a button left of it, shown while it is offered and there is room.
     void setTiles(QAction& tiles);
     void offerTiles(bool offered);
+    void offerPanes(bool offered);
     /// Names this command's key on the button that opens the panel Style.
     void setStyleCommand(QAction& style);
     void openStyle();
@@ -78,6 +79,7 @@ private:
     WindowOptions* window_;
     QAction* windowShown_ = nullptr; ///< the place of its options in the bar
     QList<QAction*> ofOthers_;       ///< not for it: the stroke, and Keep, which its panel has
+    QList<QAction*> ofWindows_, ofPanes_;
     std::string_view tool_{};
     QList<QLabel*> captions_;
     NodeRow* nodes_;
@@ -85,7 +87,7 @@ private:
     QList<QAction*> instead_; ///< what they take the place of
     QToolButton *tiles_, *export_;
     QAction* tilesPlace_ = nullptr; ///< of the button
-    bool tilesOffered_ = false;
+    bool tilesOffered_ = false, panesOffered_ = false, hasWindows_ = false, hasPanes_ = false;
 };
 
 } // namespace ui

@@ -98,6 +98,7 @@ void MainWindow::followWorkspace()
     session_.worksInDraw = workspace().folds;
     centre_->allowNote(!workspace().folds); // it is about cutting
     optionBar_->offerTiles(workspace().tiles);
+    optionBar_->offerPanes(workspace().panes);
     status_->showHint({});
     refreshActions();
 }

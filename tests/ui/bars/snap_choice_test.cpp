@@ -72,6 +72,10 @@ private slots:
     void aNarrowBarKeepsTheMagnetWhichHasTheList()
     {
         Bar bar;
+        bar.t.run("window-on-page"); // now there are all options
+        app::Panes panes = bar.t.window->canvas().panes();
+        panes.show(2);
+        bar.t.window->canvas().setPanes(panes);
         bar.t.window->resize(1024, 640);
         QVERIFY(bar.magnet()->isVisible());
         QVERIFY(!bar.kinds()->isVisible());

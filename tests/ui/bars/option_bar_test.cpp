@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/bars/option_bar.h"
+#include "ui/widgets/segments.h"
+
+#include "tests/test_class.h"
+#include "tests/ui/test_window.h"
+
+namespace ui::bars_option_bar_test {
+
+// The bar across the top offers what has an effect now.
+class OptionBarTest : public QObject {
+    Q_OBJECT
+
+    struct Bar {
+        Bar() { t.show(); }
+        bool shows(const char* choice)
+        {
+            for (const auto* segments : t.window->optionBar().findChildren<Segments*>())
+                if (segments->accessibleName() == choice)
+                    return segments->isVisible();
+            return false;
+        }
+        void setPanes(std::size_t count)
+        {
+            app::Panes panes = t.window->canvas().panes();
+            panes.show(count);
+            t.window->canvas().setPanes(panes);
+        }
+
+        TestWindow t;
+    };
+
+private slots:
+    void clippingIsOfferedWhileThereIsAWindow()
+    {
+        Bar bar;
+        QTRY_VERIFY(!bar.shows("Keep") && !bar.shows("Removed part"));
+        bar.t.run("window-on-page");
+        QTRY_VERIFY(bar.shows("Keep") && bar.shows("Removed part"));
+        bar.t.window->canvas().setTool("window"); // whose panel has Keep
+        QTRY_VERIFY(!bar.shows("Keep") && bar.shows("Removed part"));
+        bar.t.window->canvas().setTool("select");
+        bar.t.run("undo");
+        QTRY_VERIFY(!bar.shows("Keep") && !bar.shows("Removed part"));
+        bar.t.open(QStringLiteral(SOURCE_DIR "/resources/samples/nine-regions.svg"));
+        QTRY_VERIFY(bar.shows("Keep") && bar.shows("Removed part"));
+    }
+    void panesAreOfferedToCompareOrToCloseThem()
+    {
+        Bar bar;
+        bar.t.run("workspace-cut");
+        QTRY_VERIFY(!bar.shows("Panes"));
+        bar.setPanes(4);
+        QTRY_VERIFY(bar.shows("Panes"));
+        bar.setPanes(1);
+        QTRY_VERIFY(!bar.shows("Panes"));
+        bar.t.run("workspace-compare");
+        QTRY_VERIFY(bar.shows("Panes"));
+    }
+    void exportHasItsWordInEveryWorkspace()
+    {
+        Bar bar;
+        bar.t.run("window-on-page");
+        for (const char* workspace :
+             {"workspace-draw", "workspace-cut", "workspace-compare", "workspace-learn"}) {
+            bar.t.run(workspace);
+            int words = 0;
+            for (const auto* button : bar.t.window->optionBar().findChildren<QToolButton*>())
+                if (button->defaultAction() == bar.t.action("export"))
+                    words += button->toolButtonStyle() == Qt::ToolButtonTextBesideIcon;
+            QCOMPARE(words, 1);
+        }
+    }
+};
+
+} // namespace ui::bars_option_bar_test
+
+TEST_CLASS(ui::bars_option_bar_test::OptionBarTest, Widgets)
+#include "tests/ui/bars/option_bar_test.moc"
