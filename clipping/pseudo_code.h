@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "clipping/version.h"
+#include "clipping/abi.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -3,6 +3,9 @@
 #include <QRegularExpression>
 #include <QTest>
 
+#include <algorithm>
+#include <functional>
+
 #include "tests/content_of.h"
 #include "tests/test_class.h"
 
@@ -225,6 +228,22 @@ private slots:
             found += relative(path, contentOf(source_.filePath(path)));
         QVERIFY(paths.size() > files);
         QVERIFY2(found.isEmpty(), qPrintable(found.join(u'\n')));
+    }
+
+    /// Each header of the library can be included alone. (The deep tests of the installed library
+    /// compile them.)
+    void aHeaderWithTheMacroOfTheLibraryFindsIt()
+    {
+        std::function<bool(const QString&)> finds = [&](const QString& header) {
+            return header == u"clipping/abi.h"
+                   || std::ranges::any_of(includesOf(contentOf(source_.filePath(header))), finds);
+        };
+        int asked = 0;
+        for (const QString& path : filesOf(QStringLiteral("clipping")))
+            if (path.endsWith(QStringLiteral(".h")) && ++asked
+                && contentOf(source_.filePath(path)).contains("CLEARCUT_API"))
+                QVERIFY2(finds(path), qPrintable(path));
+        QVERIFY(asked > 30);
     }
 
     void aRelativeIncludeIsNamed()
