@@ -18,6 +18,7 @@
 #include "ui/widgets/tool_list.h"
 
 #include <QAction>
+#include <QLayout>
 #include <QResizeEvent>
 
 #include <algorithm>
@@ -305,6 +306,10 @@ void OptionBar::arrange(int step)
             action->setVisible(step < 2 && isOffered(action));
     grid_->showSpacing(step < 3);
     snapping_->showKinds(step < 4);
+    // Or the sizes are those of before, until events are handled.
+    grid_->layout()->invalidate();
+    snapping_->layout()->invalidate();
+    layout()->invalidate();
 }
 
 void OptionBar::changeEvent(QEvent* event)
