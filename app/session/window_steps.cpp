@@ -9,6 +9,7 @@
 #include "app/session/arrange_selection.h"
 #include "app/session/selection_style.h"
 #include "app/session/units.h"
+#include "app/session/window_words.h"
 
 #include <algorithm>
 
@@ -31,13 +32,20 @@ static std::optional<std::size_t> numberIn(const ClipWindows& windows, const Ses
     return number && *number < windows.list.size() ? number : std::nullopt;
 }
 
+static ClipWindow reshaped(ClipWindow window, const WindowShape& shape)
+{
+    window.name = nameAfter(window, shape);
+    window.shape = shape;
+    return window;
+}
+
 ClipWindows withShape(const Session& session, const WindowShape& shape)
 {
     ClipWindows windows = session.now().windows();
     if (const auto number = numberIn(windows, session))
-        windows.list[*number].shape = shape;
+        windows.list[*number] = reshaped(windows.list[*number], shape);
     else
-        windows.list.push_back({.shape = shape});
+        windows.list.push_back({.name = nameForNew(windows, shape), .shape = shape});
     return windows;
 }
 
@@ -78,9 +86,11 @@ DrawnWindow withDrawn(const Session& session, const WindowShape& shape)
     const auto replaced = replacedBy(session);
     const std::size_t number = replaced.value_or(windows.list.size());
     if (replaced)
-        windows.list[number].shape = shape;
+        windows.list[number] = reshaped(windows.list[number], shape);
     else
-        windows.list.push_back({.shape = shape, .operation = operationOf(session.windowPen.use)});
+        windows.list.push_back({.name = nameForNew(windows, shape),
+                                .shape = shape,
+                                .operation = operationOf(session.windowPen.use)});
     return {std::move(windows), number};
 }
 
@@ -121,8 +131,11 @@ bool addWindows(Session& session, std::vector<ClipWindow> added, const QString& 
                 .arg(countText(list.size()), countText(ClipWindows::most)));
         return false;
     }
-    for (ClipWindow& window : added)
+    for (ClipWindow& window : added) {
+        if (window.name.isEmpty())
+            window.name = nameForNew(windows, window.shape);
         list.push_back(std::move(window));
+    }
     const std::size_t last = list.size() - 1;
     pushWindows(session, std::move(windows), text);
     session.chooseWindow(last);

@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <array>
 
 namespace app {
@@ -43,6 +44,29 @@ Looks looksOf(const WindowShape& shape)
 } // namespace
 
 QString nameOf(const WindowShape& shape) { return Text::tr(looksOf(shape).name); }
+
+static QString numbered(const WindowShape& shape, int number)
+{
+    return Text::tr("%1 %2").arg(nameOf(shape)).arg(number);
+}
+
+/// The number at the end of a name; 0: there is none.
+static int numberOf(const QString& name) { return name.section(u' ', -1).toInt(); }
+
+QString nameForNew(const ClipWindows& others, const WindowShape& shape)
+{
+    int last = int(others.list.size());
+    for (const ClipWindow& window : others.list)
+        if (const int number = numberOf(window.name); window.name == numbered(window.shape, number))
+            last = std::max(last, number);
+    return numbered(shape, last + 1);
+}
+
+QString nameAfter(const ClipWindow& before, const WindowShape& shape)
+{
+    const int number = numberOf(before.name);
+    return before.name == numbered(before.shape, number) ? numbered(shape, number) : before.name;
+}
 
 QString nameOf(const ObjectView& object)
 {

@@ -12,8 +12,12 @@ namespace app {
 QString nameOf(const WindowShape& shape);
 /// The window's name, or that of its shape.
 QString nameOf(const ClipWindow& window);
-/// What an object is called where the pointer is on it: `Ellipse “sun”`, its kind and its id; "Line"
-/// if it is a single one.
+/// "Star 2": what a window that is added to others is called: its shape, and a number that is
+/// larger than theirs. A name that was made so follows the shape.
+QString nameForNew(const ClipWindows& others, const WindowShape& shape);
+QString nameAfter(const ClipWindow& before, const WindowShape& shape);
+/// What an object is called where the pointer is on it: `Ellipse “sun”`, its kind and its id;
+/// "Line" if it is a single one.
 QString nameOf(const ObjectView& object);
 /// The key of the icon of a shape.
 std::string_view iconOf(const WindowShape& shape);

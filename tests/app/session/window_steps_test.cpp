@@ -54,6 +54,25 @@ class WindowStepsTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void newWindowsAreNumbered()
+    {
+        Asked session({{.name = "Hall", .shape = box}});
+        const auto shape = [](const char* kind) { return windowKind(kind).make({{0, 0}, {9, 9}}); };
+        addWindow(session, {.shape = other});
+        drawWindow(session, shape("star"));
+        QCOMPARE(session.names(), (QStringList{"Hall", "Rectangle 2", "Star 3"}));
+        session.chooseWindow(1);
+        removeWindow(session);
+        drawWindow(session, shape("ellipse"));
+        QCOMPARE(session.names(), (QStringList{"Hall", "Star 3", "Ellipse 4"}));
+        setWindowPen(session, {.use = WindowPen::Use::Replace});
+        drawWindow(session, shape("polygon")); // its number stays
+        session.chooseWindow(0);
+        drawWindow(session, shape("star")); // and a person's name
+        QCOMPARE(session.names(), (QStringList{"Hall", "Star 3", "Polygon 4"}));
+        addWindow(session, {.name = "Own", .shape = box});
+        QCOMPARE(session.names().last(), "Own");
+    }
     void theFirstWindowIsAddedAndThenChanged()
     {
         Asked session;
