@@ -131,6 +131,8 @@ public:
     /// The handle that adds a clip window (window_offer.h), in logical pixels; empty if none is
     /// offered.
     QRectF offeredHandle() const;
+    /// The clip window whose name is there, for tools that do not draw.
+    std::optional<std::size_t> tagAt(const QPointF& screen) const;
     /// Boxes that labels should not cover, in logical pixels.
     const std::vector<QRectF>& textBoxes() const { return textBoxes_.in(view()); }
     QColor pageColour() const;

@@ -63,15 +63,24 @@ bool Controller::selectAt(const QPointF& screen)
     return true;
 }
 
+std::optional<std::size_t> Controller::tagAt(const QPointF& screen) const
+{
+    if (tool_->busy() || tool_->draws())
+        return std::nullopt;
+    for (const WindowTag& tag : windowTags(*this, QGuiApplication::font()))
+        if (tag.place.contains(screen))
+            return tag.number;
+    return std::nullopt;
+}
+
 bool Controller::chooseWindowAt(const QPointF& screen)
 {
     endGesture();
     constexpr double reach = 4; // pixels
     const app::Point there = view().toDrawing({screen.x(), screen.y()});
     auto number = app::windowBorderAt(session_.windows(), there, bench_.inDrawing(reach));
-    for (const WindowTag& tag : windowTags(*this, QGuiApplication::font()))
-        if (tag.place.contains(screen))
-            number = tag.number;
+    if (const auto tag = tagAt(screen))
+        number = tag;
     if (number)
         session_.chooseWindow(*number);
     return number.has_value();
@@ -122,14 +131,17 @@ void Controller::press(QMouseEvent& event)
     });
 }
 
-// Whether the offered handle takes the click. At the second press of a double click it no longer
-// exists.
+// Whether the offered handle or the name of a window takes the click. At the second press of a
+// double click it no longer exists.
 bool Controller::pressOffer(const QMouseEvent& event)
 {
     if (onOffer_ && event.type() == QEvent::MouseButtonDblClick)
         return true;
-    onOffer_ = offeredHandle().contains(event.position());
-    if (onOffer_)
+    const auto tag = tagAt(event.position());
+    onOffer_ = tag || offeredHandle().contains(event.position());
+    if (tag)
+        session_.chooseWindow(*tag);
+    else if (onOffer_)
         layWindowOnPage(session_);
     return onOffer_;
 }

@@ -43,6 +43,8 @@ QString Controller::hint() const
         return Text::tr("The layer %1 is locked or hidden. Select another layer, or unlock and "
                         "show this one.")
             .arg(app::nameForNew(session_));
+    if (pointer_ && tagAt({pointer_->screen.x, pointer_->screen.y}))
+        return Text::tr("Click: choose this clip window. Right click: its menu.");
     const QString now = tool_->hint(bench_);
     return now.isEmpty() ? toolInfo_->hint : now;
 }
@@ -53,7 +55,8 @@ QCursor Controller::cursor() const
         return Qt::ClosedHandCursor;
     if (space_)
         return Qt::OpenHandCursor;
-    if (pointer_ && offeredHandle().contains(pointer_->screen.x, pointer_->screen.y))
+    if (const QPointF at = pointer_ ? QPointF(pointer_->screen.x, pointer_->screen.y) : QPointF();
+        pointer_ && (offeredHandle().contains(at) || tagAt(at)))
         return Qt::PointingHandCursor;
     if (!mayDraw())
         return Qt::ForbiddenCursor;

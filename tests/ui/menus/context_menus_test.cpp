@@ -107,6 +107,21 @@ private slots:
         close(menuAt(hand.surface(), below));
         QCOMPARE(hand.session.windowNumber(), std::size_t(0));
     }
+    void aClickOnTheNameOfAWindowChoosesIt()
+    {
+        Hand hand({shape({corner()})});
+        app::addWindow(hand.session, {.shape = app::RectangleShape{{{20, 20}, {60, 60}}}});
+        const QPoint below = hand.at({160, 95}) + QPoint(10, 14);
+        QMouseEvent there(QEvent::MouseMove, below, hand.surface().mapToGlobal(below), Qt::NoButton,
+                          Qt::NoButton, Qt::NoModifier);
+        QApplication::sendEvent(&hand.surface(), &there);
+        QVERIFY(hand.canvas.toolHint().startsWith("Click: choose this clip window."));
+        QCOMPARE(hand.surface().cursor().shape(), Qt::PointingHandCursor);
+        QTest::mouseDClick(&hand.surface(), Qt::LeftButton, {}, below);
+        QCOMPARE(hand.session.windowNumber(), std::size_t(0));
+        QCOMPARE(hand.session.history.count(), 1);
+        QVERIFY(!hand.canvas.toolHint().startsWith("Click: choose"));
+    }
     void aWindowIsRenamedInItsRow()
     {
         Hand hand({shape({corner()})});
