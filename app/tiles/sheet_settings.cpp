@@ -6,6 +6,7 @@
 
 #include <QFileInfo>
 #include <QPageSize>
+#include <QSizeF>
 
 namespace app {
 namespace {

@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QEvent>
+#include <QWidget>
 
 namespace ui {
 
