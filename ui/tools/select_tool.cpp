@@ -395,6 +395,12 @@ QString SelectTool::hint(const Workbench& bench) const
             "steps, Alt: from the middle.");
     if (const QString hint = guide_.hint(bench); !hint.isEmpty())
         return hint;
+    if (hoveredHandle_ && !busy())
+        return Text::tr("Clip window %1. Drag: %2. Right click: its menu.")
+            .arg(app::nameOf(session.windows().list[*session.windowNumber()]),
+                 *hoveredHandle_ == app::Handle{}         ? Text::tr("move")
+                 : *hoveredHandle_ == app::rotationHandle ? Text::tr("rotate")
+                                                          : Text::tr("resize"));
     if (hoveredGuide_)
         return Text::tr("Drag the guide, or click it and press "
                         "Enter to type its position.");

@@ -325,6 +325,17 @@ private slots:
         QCOMPARE(stage.canvas->toolHint(), usual);
     }
 
+    void theHintSaysWhatCanBeDoneWithTheHoveredWindow()
+    {
+        Stage stage(raster);
+        stage.move({50, 20});
+        QCOMPARE(stage.canvas->toolHint(),
+                 "Clip window Rectangle. Drag: resize. Right click: its menu.");
+        stage.move({75, 20});
+        QCOMPARE(stage.canvas->toolHint(),
+                 "Clip window Rectangle. Drag: move. Right click: its menu.");
+    }
+
     void theHintSaysWhatTheHoveredObjectIs()
     {
         app::Shape circle = line({}, {});
