@@ -3,7 +3,7 @@
 # Have the tests of clipping/ teeth? Makes small faults in the algorithms, one at a time, and runs the
 # tests against each: tests/clipping/mutants.sh [KEY...]
 # Prints who killed what; ends with 1 if a mutant lives. The faults are in mutants.txt beside this.
-# They take some minutes, which is why tests/run.sh leaves them out: run this by hand after a change
+# Each takes half a minute, which is why tests/run.sh leaves them out: run this by hand after a change
 # to an algorithm or to its tests. Needs what tests/run.sh installs. `mutants.sh --check` only looks
 # whether each fault still has its place in the sources; a test calls it.
 set -euo pipefail
