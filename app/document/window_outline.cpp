@@ -54,6 +54,7 @@ Ring ringOf(const Subpath& path, double tolerance)
 
 struct OutlineOfWindow {
     double tolerance;
+    bool asDrawn;
 
     WindowOutline operator()(const RectangleShape& rectangle) const
     {
@@ -66,7 +67,7 @@ struct OutlineOfWindow {
     WindowOutline operator()(const PathShape& shape) const
     {
         WindowOutline outline{{}, shape.rule};
-        if (const auto* ellipse = std::get_if<EllipseRecipe>(&shape.recipe))
+        if (const auto* ellipse = std::get_if<EllipseRecipe>(&shape.recipe); ellipse && !asDrawn)
             outline.rings.push_back(inscribed(*ellipse, tolerance));
         else
             for (const Subpath& path : shape.path.subpaths())
@@ -79,7 +80,12 @@ struct OutlineOfWindow {
 
 WindowOutline outlineOf(const WindowShape& shape, double tolerance)
 {
-    return std::visit(OutlineOfWindow{tolerance}, shape);
+    return std::visit(OutlineOfWindow{tolerance, false}, shape);
+}
+
+WindowOutline drawnOutlineOf(const WindowShape& shape, double tolerance)
+{
+    return std::visit(OutlineOfWindow{tolerance, true}, shape);
 }
 
 } // namespace app

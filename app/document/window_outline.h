@@ -17,6 +17,10 @@ struct WindowOutline {
 /// inscribed polygons. Empty for a rectangle that contains nothing.
 WindowOutline outlineOf(const WindowShape& shape, double tolerance);
 
+/// The same, where ellipses are the four Bézier curves that objects have, up to 2.73e-4 of a radius
+/// beyond them.
+WindowOutline drawnOutlineOf(const WindowShape& shape, double tolerance);
+
 /// The tolerance of curved clip windows, on paper.
 constexpr double windowMillimetres = 0.01;
 

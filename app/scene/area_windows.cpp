@@ -2,7 +2,6 @@
 #include "app/scene/area_windows.h"
 
 #include "app/base/finite.h"
-#include "app/document/window_outline.h"
 #include "clipping/algorithm.h"
 #include "clipping/area/clip_area.h"
 
@@ -72,7 +71,7 @@ PathShape united(std::span<const ClipWindow> windows, const Page& page)
     ClipWindows all;
     for (const ClipWindow& window : windows)
         all.list.push_back({.shape = window.shape});
-    const ClipRegion region = regionOf(all, windowMillimetres / page.millimetresPerUnit());
+    const ClipRegion region = regionOf(all, page);
     const auto area = clipping::clipArea(clipping::areaOf(around(region)), *areaWindows(region));
     std::vector<Subpath> rings;
     std::size_t first = 0;

@@ -6,6 +6,7 @@
 #include "clipping/region/box_part.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -77,36 +78,50 @@ clipping::Window boundsAround(const std::vector<std::vector<Point>>& rings)
     return box;
 }
 
-/// Where the polygon of a window's ellipse lies.
-enum class Corners : std::uint8_t { On, Beyond };
+/// Whose ellipses the polygons of windows are: true ones, inside which they lie, or those that are
+/// drawn, around which they lie.
+enum class Ellipses : std::uint8_t { True, Drawn };
 
-/// The polygon's edges touch an ellipse that is larger by as much as the usual four Bézier curves
-/// of an ellipse are at most (2.73e-4 of the radius).
-void moveBeyond(const EllipseRecipe& ellipse, std::vector<Point>& ring)
+/// Moves the corners of a polygon away from the centre, until its edges are outside the curves of
+/// its ellipse.
+void moveAround(const EllipseRecipe& ellipse, std::vector<Point>& ring)
 {
-    const double factor = (1 + 2.8e-4) / std::cos(std::numbers::pi / double(ring.size()));
+    const auto radiusOf = [&](const Point& p) {
+        return glm::length((p - ellipse.centre) / glm::abs(ellipse.radii)); // 1 on the ellipse
+    };
+    double least = 1; // of an edge's middle, as a part of its ends'
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
+        least = std::min(least, 2 * radiusOf((a + b) * 0.5) / (radiusOf(a) + radiusOf(b)));
+    }
+    if (!(least > 0.5)) // of a point, or a line
+        return;
+    constexpr double between =
+        1e-6; // the curve's radius is not quite the mean of those at the ends
     for (Point& corner : ring)
-        corner = ellipse.centre + (corner - ellipse.centre) * factor;
+        corner = ellipse.centre + (corner - ellipse.centre) * ((1 + between) / least);
 }
 
-WindowOutline outlineOf(const WindowShape& shape, double tolerance, Corners corners)
+WindowOutline outlineOf(const WindowShape& shape, double tolerance, Ellipses ellipses)
 {
-    WindowOutline outline = outlineOf(shape, tolerance);
     const auto* path = std::get_if<PathShape>(&shape);
-    if (const auto* ellipse = path ? std::get_if<EllipseRecipe>(&path->recipe) : nullptr)
-        if (corners == Corners::Beyond)
-            moveBeyond(*ellipse, outline.rings.front());
+    const auto* ellipse = path ? std::get_if<EllipseRecipe>(&path->recipe) : nullptr;
+    if (!ellipse || ellipses == Ellipses::True)
+        return outlineOf(shape, tolerance);
+    WindowOutline outline = drawnOutlineOf(shape, tolerance);
+    for (auto& ring : outline.rings)
+        moveAround(*ellipse, ring);
     return outline;
 }
 
-ClipRegion::Step stepOf(const ClipWindow& window, double tolerance, Corners corners)
+ClipRegion::Step stepOf(const ClipWindow& window, double tolerance, Ellipses ellipses)
 {
     const auto* rectangle = std::get_if<RectangleShape>(&window.shape);
     if (rectangle && !hasArea(rectangle->box))
         return {nothing, window.operation};
     if (const auto box = axisAlignedBox(window.shape))
         return {*box, window.operation};
-    WindowOutline outline = outlineOf(window.shape, tolerance, corners);
+    WindowOutline outline = outlineOf(window.shape, tolerance, ellipses);
     ClipRegion::Step step{boundsAround(outline.rings), window.operation, std::move(outline.rings),
                           outline.rule};
     step.polygon = convexPolygonOf(step.rings);
@@ -125,12 +140,12 @@ void prepare(ClipRegion& region)
     region.opposite = laterRegion(region, opposite(region.keep));
 }
 
-ClipRegion regionOf(const ClipWindows& windows, double tolerance, Corners corners)
+ClipRegion regionOf(const ClipWindows& windows, double tolerance, Ellipses ellipses)
 {
     ClipRegion region{{}, windows.keep};
     for (const ClipWindow& window : windows.list)
         if (window.visible)
-            region.steps.push_back(stepOf(window, tolerance, corners));
+            region.steps.push_back(stepOf(window, tolerance, ellipses));
     prepare(region);
     return region;
 }
@@ -147,12 +162,17 @@ std::optional<clipping::Window> ClipRegion::single() const
 
 ClipRegion regionOf(const ClipWindows& windows, double tolerance)
 {
-    return regionOf(windows, tolerance, Corners::On);
+    return regionOf(windows, tolerance, Ellipses::True);
 }
 
 ClipRegion regionOf(const ClipWindows& windows, const Page& page)
 {
-    return regionOf(windows, windowMillimetres / page.millimetresPerUnit(), Corners::Beyond);
+    return regionOf(windows, windowMillimetres / page.millimetresPerUnit());
+}
+
+ClipRegion shownRegionOf(const ClipWindows& windows, const Page& page)
+{
+    return regionOf(windows, windowMillimetres / page.millimetresPerUnit(), Ellipses::Drawn);
 }
 
 ClipRegion withKeep(ClipRegion region, Keep keep)

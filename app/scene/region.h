@@ -103,11 +103,12 @@ inline constexpr clipping::Edge borderEdge = clipping::Edge::Near;
 /// The region of the visible windows. Curves become inscribed polygons, no farther than `tolerance`
 /// (user units, > 0) from them.
 ClipRegion regionOf(const ClipWindows& windows, double tolerance);
-/// The same of a drawing's windows with the usual tolerance, 0.01 mm on paper, but ellipses become
-/// polygons around them: so the chords of a circle that lies on a window's border are in the
-/// window, as they are when the drawing is cut. The corners are at most 0.01 mm and 3e-4 of a
-/// radius beyond the ellipse.
+/// The same of a drawing's windows with the usual tolerance, 0.01 mm on paper.
 ClipRegion regionOf(const ClipWindows& windows, const Page& page);
+/// For a screen: ellipses are polygons around the curves that objects of the same shape have. So the
+/// chords of a circle on the border of a round window are in the window, as they are when the
+/// drawing is cut.
+ClipRegion shownRegionOf(const ClipWindows& windows, const Page& page);
 
 /// What is kept of everything inside a box. Pieces: this depends on the lines themselves.
 enum class Remains : std::uint8_t { Gone, Whole, Pieces };

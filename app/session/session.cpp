@@ -42,7 +42,7 @@ Session::Session(QObject* parent) : QObject(parent)
 void Session::updateWindows()
 {
     windows_ = preview_.windows.value_or(now().windows());
-    region_ = regionOf(windows_, now().page());
+    region_ = shownRegionOf(windows_, now().page());
     updateChoice();
 }
 

@@ -45,7 +45,7 @@ ClipWindows withShape(const Session& session, const WindowShape& shape)
     if (const auto number = numberIn(windows, session))
         windows.list[*number] = reshaped(windows.list[*number], shape);
     else
-        windows.list.push_back({.name = nameForNew(windows, shape), .shape = shape});
+        windows.list.push_back({.name = numberedName(shape, numberForNew(windows)), .shape = shape});
     return windows;
 }
 
@@ -88,7 +88,7 @@ DrawnWindow withDrawn(const Session& session, const WindowShape& shape)
     if (replaced)
         windows.list[number] = reshaped(windows.list[number], shape);
     else
-        windows.list.push_back({.name = nameForNew(windows, shape),
+        windows.list.push_back({.name = numberedName(shape, numberForNew(windows)),
                                 .shape = shape,
                                 .operation = operationOf(session.windowPen.use)});
     return {std::move(windows), number};
@@ -131,9 +131,11 @@ bool addWindows(Session& session, std::vector<ClipWindow> added, const QString& 
                 .arg(countText(list.size()), countText(ClipWindows::most)));
         return false;
     }
+    int number = numberForNew(windows);
     for (ClipWindow& window : added) {
         if (window.name.isEmpty())
-            window.name = nameForNew(windows, window.shape);
+            window.name = numberedName(window.shape, number);
+        ++number;
         list.push_back(std::move(window));
     }
     const std::size_t last = list.size() - 1;

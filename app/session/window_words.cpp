@@ -45,27 +45,32 @@ Looks looksOf(const WindowShape& shape)
 
 QString nameOf(const WindowShape& shape) { return Text::tr(looksOf(shape).name); }
 
-static QString numbered(const WindowShape& shape, int number)
+QString numberedName(const WindowShape& shape, int number)
 {
     return Text::tr("%1 %2").arg(nameOf(shape)).arg(number);
 }
 
-/// The number at the end of a name; 0: there is none.
-static int numberOf(const QString& name) { return name.section(u' ', -1).toInt(); }
+/// The number of a name that was made of the window's shape; 0: a person gave it.
+static int numberOf(const ClipWindow& window)
+{
+    constexpr int most = 1'000'000; // a person's
+    const int number = window.name.section(u' ', -1).toInt();
+    return number > 0 && number < most && window.name == numberedName(window.shape, number) ? number
+                                                                                            : 0;
+}
 
-QString nameForNew(const ClipWindows& others, const WindowShape& shape)
+int numberForNew(const ClipWindows& others)
 {
     int last = int(others.list.size());
     for (const ClipWindow& window : others.list)
-        if (const int number = numberOf(window.name); window.name == numbered(window.shape, number))
-            last = std::max(last, number);
-    return numbered(shape, last + 1);
+        last = std::max(last, numberOf(window));
+    return last + 1;
 }
 
 QString nameAfter(const ClipWindow& before, const WindowShape& shape)
 {
-    const int number = numberOf(before.name);
-    return before.name == numbered(before.shape, number) ? numbered(shape, number) : before.name;
+    const int number = numberOf(before);
+    return number > 0 ? numberedName(shape, number) : before.name;
 }
 
 QString nameOf(const ObjectView& object)

@@ -12,9 +12,11 @@ namespace app {
 QString nameOf(const WindowShape& shape);
 /// The window's name, or that of its shape.
 QString nameOf(const ClipWindow& window);
-/// "Star 2": what a window that is added to others is called: its shape, and a number that is
-/// larger than theirs. A name that was made so follows the shape.
-QString nameForNew(const ClipWindows& others, const WindowShape& shape);
+/// "Star 2": what a window is called that is added to others: its shape, and a number that is larger
+/// than theirs.
+QString numberedName(const WindowShape& shape, int number);
+int numberForNew(const ClipWindows& others);
+/// The name of a window with another shape, which a name that was made so follows.
 QString nameAfter(const ClipWindow& before, const WindowShape& shape);
 /// What an object is called where the pointer is on it: `Ellipse “sun”`, its kind and its id;
 /// "Line" if it is a single one.

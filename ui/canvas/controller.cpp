@@ -153,9 +153,11 @@ bool Controller::handle(QEvent& event)
     case QEvent::KeyRelease:
         return keyRelease(static_cast<QKeyEvent&>(event));
     case QEvent::Leave:
-        pointer_.reset();
         snap_.reset();
-        withTool([&] { tool_->leave(bench_); });
+        withTool([&] {
+            pointer_.reset();
+            tool_->leave(bench_);
+        });
         emit pointerMoved(std::nullopt);
         emit changed();
         return false;

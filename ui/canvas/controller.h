@@ -92,7 +92,8 @@ public:
 
     /// Selects the object under a position, unless it is selected already; false: there is none.
     bool selectAt(const QPointF& screen);
-    /// Chooses the clip window whose outline or name is there; false: there is none.
+    /// Chooses the clip window whose outline, handle or name is there; false: there is none, or an
+    /// object comes first.
     bool chooseWindowAt(const QPointF& screen);
 
     /// A new guide follows the pointer: from a ruler, until it is dropped. `axis` as in app::Guide.
@@ -131,7 +132,8 @@ public:
     /// The handle that adds a clip window (window_offer.h), in logical pixels; empty if none is
     /// offered.
     QRectF offeredHandle() const;
-    /// The clip window whose name is there, for tools that do not draw.
+    std::optional<std::size_t> nameAt(const QPointF& screen) const;
+    /// The clip window whose name takes a click there.
     std::optional<std::size_t> tagAt(const QPointF& screen) const;
     /// Boxes that labels should not cover, in logical pixels.
     const std::vector<QRectF>& textBoxes() const { return textBoxes_.in(view()); }

@@ -6,6 +6,7 @@
 #include "ui/editing/keeping.h"
 #include "ui/tools/group_choice.h"
 #include "ui/tools/picking_marks.h"
+#include "ui/tools/window_gesture.h"
 
 #include <QGuiApplication>
 
@@ -63,24 +64,38 @@ bool Controller::selectAt(const QPointF& screen)
     return true;
 }
 
-std::optional<std::size_t> Controller::tagAt(const QPointF& screen) const
+/// The clip window whose name is there.
+std::optional<std::size_t> Controller::nameAt(const QPointF& screen) const
 {
-    if (tool_->busy() || tool_->draws())
+    if (tool_->busy() || !clipWindow())
         return std::nullopt;
+    std::optional<std::size_t> uppermost;
     for (const WindowTag& tag : windowTags(*this, QGuiApplication::font()))
         if (tag.place.contains(screen))
-            return tag.number;
-    return std::nullopt;
+            uppermost = tag.number;
+    return uppermost;
+}
+
+std::optional<std::size_t> Controller::tagAt(const QPointF& screen) const
+{
+    const bool selects = toolInfo_->key == "select"; // others begin something there
+    return selects && !windowHandleAt({screen.x(), screen.y()}, bench_) ? nameAt(screen)
+                                                                        : std::nullopt;
 }
 
 bool Controller::chooseWindowAt(const QPointF& screen)
 {
     endGesture();
+    const app::Point at{screen.x(), screen.y()}, there = view().toDrawing(at);
+    const auto object = pickedAt(there, bench_).object;
+    if (object && session_.selection().contains(*object))
+        return false;
+    if (tool_->showsHandles() && windowHandleAt(at, bench_))
+        return true;            // of the one that tools act on
     constexpr double reach = 4; // pixels
-    const app::Point there = view().toDrawing({screen.x(), screen.y()});
-    auto number = app::windowBorderAt(session_.windows(), there, bench_.inDrawing(reach));
-    if (const auto tag = tagAt(screen))
-        number = tag;
+    auto number = nameAt(screen);
+    if (!number && !object)
+        number = app::windowBorderAt(session_.windows(), there, bench_.inDrawing(reach));
     if (number)
         session_.chooseWindow(*number);
     return number.has_value();
@@ -154,8 +169,10 @@ void Controller::move(QMouseEvent& event)
         return;
     }
     const Pointer pointer = pointerAt(event.position(), event.buttons(), event.modifiers());
-    pointer_ = pointer;
-    withTool([&] { tool_->move(pointer, bench_); });
+    withTool([&] {
+        pointer_ = pointer; // the hint depends on it, too
+        tool_->move(pointer, bench_);
+    });
 }
 
 void Controller::release(QMouseEvent& event)

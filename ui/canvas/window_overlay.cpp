@@ -89,7 +89,7 @@ QPainterPath outlineOnScreen(const app::View& view, const app::WindowShape& shap
     if (const auto box = app::axisAlignedBox(shape))
         return boxOutline(view, *box);
     constexpr double tolerance = 0.2; // pixels
-    return ringOutline(view, app::outlineOf(shape, tolerance / view.zoom).rings);
+    return ringOutline(view, app::drawnOutlineOf(shape, tolerance / view.zoom).rings);
 }
 
 const app::ClipWindow& actedOn(const Controller& controller)

@@ -48,6 +48,7 @@ public:
     {
         editor->setGeometry(nameBox(option.rect));
     }
+    static bool isOnEye(const QRect& row, const QPoint& at) { return hits(eye(row), at); }
     bool editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
                      const QModelIndex& index) override
     {
@@ -154,7 +155,12 @@ void WindowList::keyPressEvent(QKeyEvent* event)
 void WindowList::mousePressEvent(QMouseEvent* event)
 {
     const QModelIndex row = indexAt(event->pos());
-    if (event->button() == Qt::LeftButton && row.isValid())
+    const bool isLeft = event->button() == Qt::LeftButton && row.isValid();
+    if (isLeft && WindowPainter::isOnEye(visualRect(row), event->pos())) {
+        eye_ = row.row(); // the base class would choose the window, which the eye does not
+        return;
+    }
+    if (isLeft)
         pressed_ = Press{row.row(), event->pos()};
     PanelList::mousePressEvent(event);
 }
@@ -162,6 +168,8 @@ void WindowList::mousePressEvent(QMouseEvent* event)
 // The base class would select the rows under the pointer.
 void WindowList::mouseMoveEvent(QMouseEvent* event)
 {
+    if (eye_)
+        return;
     if (!pressed_ || !(event->buttons() & Qt::LeftButton))
         return PanelList::mouseMoveEvent(event);
     const int way = (event->pos() - pressed_->at).manhattanLength();
@@ -173,6 +181,13 @@ void WindowList::mouseMoveEvent(QMouseEvent* event)
 
 void WindowList::mouseReleaseEvent(QMouseEvent* event)
 {
+    if (const auto eye = std::exchange(eye_, std::nullopt)) {
+        const QModelIndex row = model()->index(*eye, 0);
+        if (WindowPainter::isOnEye(visualRect(row), event->pos()))
+            model()->setData(row, !row.data(WindowModel::VisibleRole).toBool(),
+                             WindowModel::VisibleRole);
+        return;
+    }
     const bool drags = gap_.has_value();
     drop();
     pressed_.reset();

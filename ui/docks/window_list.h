@@ -33,7 +33,8 @@ private:
         QPoint at;
     };
     std::optional<Press> pressed_; ///< the row under the pressed button
-    std::optional<int> gap_;      ///< where the dragged row would go; empty: none is dragged
+    std::optional<int> eye_;       ///< the row on whose eye the button is pressed
+    std::optional<int> gap_;       ///< where the dragged row would go; empty: none is dragged
 };
 
 } // namespace ui

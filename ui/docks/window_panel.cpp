@@ -42,13 +42,19 @@ WindowPanel::WindowPanel(app::Session& session, QWidget* parent)
     connect(&session, &app::Session::previewChanged, this, &WindowPanel::follow);
     list_->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(list_, &QWidget::customContextMenuRequested, this, [this](const QPoint& at) {
-        if (list_->indexAt(at).isValid())
+        // A hidden window is not the one that tools act on.
+        const QModelIndex row = list_->indexAt(at);
+        if (row.isValid() && std::size_t(row.row()) == session_.windowNumber())
             emit menuWanted(list_->viewport()->mapToGlobal(at));
     });
     follow();
 }
 
-void WindowPanel::rename() { list_->edit(list_->currentIndex()); }
+void WindowPanel::rename()
+{
+    if (list_->currentIndex().isValid())
+        list_->edit(list_->currentIndex());
+}
 
 void WindowPanel::setTiles(QAction& tiles)
 {

@@ -77,6 +77,12 @@ std::vector<std::string> onRuler()
     return keys;
 }
 
+/// Whether there are nodes, which may lie on the outline of a window.
+bool showsNodes(const app::Session& session)
+{
+    return session.nodes.shown() && !session.selection().empty();
+}
+
 void showAt(QMenu* menu, const QPoint& place)
 {
     if (menu->isEmpty())
@@ -132,7 +138,7 @@ void addContextMenus(MainWindow& window)
     canvas.setContextMenuPolicy(Qt::CustomContextMenu);
     QObject::connect(&canvas, &QWidget::customContextMenuRequested, &window,
                      [&window, &canvas](const QPoint& at) {
-                         if (!window.session().nodes.shown() && canvas.chooseWindowAt(at))
+                         if (!showsNodes(window.session()) && canvas.chooseWindowAt(at))
                              return showAt(windowMenu(window), canvas.mapToGlobal(at));
                          const bool object = canvas.selectAt(at);
                          const bool nodes = object && window.session().nodes.shown();

@@ -13,8 +13,8 @@ namespace ui {
 class MainWindow;
 
 /// The menus of the right button on the canvas, its rulers, clip windows (window_menu.h) and the
-/// list of algorithms (algorithm_menu.h). They hold actions of the menu bar: those that are enabled. After addMenus'
-/// actions exist.
+/// list of algorithms (algorithm_menu.h). They hold actions of the menu bar: those that are
+/// enabled. After addMenus' actions exist.
 void addContextMenus(MainWindow& window);
 
 /// A menu of those actions that are enabled now; an empty key is a separator. Deletes itself when

@@ -24,9 +24,9 @@ struct OperationRow {
 };
 /// In the order of app::WindowOperation.
 constexpr std::array<OperationRow, 3> operations{
-    {{"window-adds", QT_TRANSLATE_NOOP("Text", "&Add")},
-     {"window-cuts-out", QT_TRANSLATE_NOOP("Text", "Cut out")},
-     {"window-intersects", QT_TRANSLATE_NOOP("Text", "Int&ersect")}}};
+    {{"window-adds", QT_TRANSLATE_NOOP("Text", "&Add to those above")},
+     {"window-cuts-out", QT_TRANSLATE_NOOP("Text", "Cut out of t&hose above")},
+     {"window-intersects", QT_TRANSLATE_NOOP("Text", "Int&ersect with those above")}}};
 
 void addOperations(MainWindow& window, QMenu& menu, QAction* before)
 {

@@ -21,6 +21,16 @@ namespace {
 
 constexpr double boxReach = 8; // pixels
 
+/// %1 is the name of the clip window.
+QString handleHint(app::Handle handle)
+{
+    if (handle == app::Handle{})
+        return Text::tr("Drag: move the clip window %1. Right click: its menu.");
+    if (handle == app::rotationHandle)
+        return Text::tr("Drag: rotate the clip window %1. Right click: its menu.");
+    return Text::tr("Drag: resize the clip window %1. Right click: its menu.");
+}
+
 /// Selects objects by clicks and boxes, and drags them; also drags the clip window by its handles
 /// and outline.
 class SelectTool final : public Tool {
@@ -395,28 +405,26 @@ QString SelectTool::hint(const Workbench& bench) const
             "steps, Alt: from the middle.");
     if (const QString hint = guide_.hint(bench); !hint.isEmpty())
         return hint;
-    if (hoveredHandle_ && !busy())
-        return Text::tr("Clip window %1. Drag: %2. Right click: its menu.")
-            .arg(app::nameOf(session.windows().list[*session.windowNumber()]),
-                 *hoveredHandle_ == app::Handle{}         ? Text::tr("move")
-                 : *hoveredHandle_ == app::rotationHandle ? Text::tr("rotate")
-                                                          : Text::tr("resize"));
+    if (const auto number = session.windowNumber(); number && hoveredHandle_ && !busy())
+        return handleHint(*hoveredHandle_).arg(app::nameOf(session.windows().list[*number]));
     if (hoveredGuide_)
         return Text::tr("Drag the guide, or click it and press "
                         "Enter to type its position.");
     if (hoveredSegment_ && *hoveredSegment_ < session.scene.lines().size() && drag_ == Drag::None) {
         const app::Containers& containers = session.now().containers();
-        const std::size_t object = session.scene.lines().objectOf(*hoveredSegment_);
-        const auto layer = containers.layerOf(object);
-        if (const app::ContainerId group = app::groupAt(session, object))
+        const std::size_t number = session.scene.lines().objectOf(*hoveredSegment_);
+        const auto layer = containers.layerOf(number);
+        if (const app::ContainerId group = app::groupAt(session, number))
             return Text::tr("%1 of %2 objects in %3. Click: select, double click: enter, "
                             "Alt+click: one object.")
                 .arg(app::groupName(containers[group]),
                      app::countText(containers.rangeOf(group).size()), containers[layer].name);
-        return Text::tr("%1 in %2, line %3. Click: select, drag: move, "
-                        "double click: show its nodes.")
-            .arg(app::nameOf(session.now().objects()[object]), containers[layer].name,
-                 app::countText(*hoveredSegment_ + 1));
+        const app::ObjectView object = session.now().objects()[number];
+        const QString name = object.singleLine() && object.particulars().id.isEmpty()
+                                 ? Text::tr("Line %1").arg(app::countText(*hoveredSegment_ + 1))
+                                 : app::nameOf(object);
+        return Text::tr("%1 in %2. Click: select, drag: move, double click: show its nodes.")
+            .arg(name, containers[layer].name);
     }
     if (!session.selection().empty())
         return Text::tr("%1 selected. Drag or arrow keys: move. G, O, K: move, "

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/session/session.h"
 
 #include <QLabel>
 #include <QWidget>
 
 class QHBoxLayout;
 class QLabel;
+
+namespace app {
+class Session;
+}
 
 namespace ui {
 

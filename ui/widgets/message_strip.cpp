@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/message_strip.h"
 
+#include "app/session/session.h"
+
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/session/session.h"
 
 #include <QFrame>
 #include <QLabel>
@@ -9,6 +8,10 @@
 
 #include <functional>
 #include <optional>
+
+namespace app {
+class Session;
+}
 
 namespace ui {
 

@@ -36,7 +36,7 @@ PathShape shapeOf(const Recipe& recipe, FillRule rule = FillRule::NonZero)
 std::vector<Segment> keptOf(const std::vector<Segment>& lines, const ClipWindows& windows,
                             const Page& page)
 {
-    const ClipRegion region = regionOf(windows, page);
+    const ClipRegion region = shownRegionOf(windows, page);
     RegionClipping clipping;
     clipping.start(region, clipping::exactAlgorithm().corrected.clipAll);
     std::vector<Clipped> kept;

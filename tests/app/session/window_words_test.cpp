@@ -38,6 +38,17 @@ private slots:
         QCOMPARE(resultOf({}), "");
         QCOMPARE(resultOf({{{.shape = box, .visible = false}}}), "");
     }
+    void onlyMadeNamesHaveNumbers()
+    {
+        const auto next = [](const char* name) {
+            return numberForNew({{{.name = name, .shape = box}}});
+        };
+        QCOMPARE(next("Rectangle 7"), 8);
+        for (const char* own : {"", "Hall 7", "Rectangle 2147483647", "Rectangle -5", "Rectangle 07"})
+            QCOMPARE(next(own), 2);
+        QCOMPARE(nameAfter({.name = "Rectangle 7", .shape = box}, PathShape{}), "Path 7");
+        QCOMPARE(nameAfter({.name = "Rectangle 0", .shape = box}, PathShape{}), "Rectangle 0");
+    }
     void aShapeIsNamedByWhatItWasMadeFrom()
     {
         QCOMPARE(nameOf(box), "Rectangle");

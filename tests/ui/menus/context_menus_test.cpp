@@ -2,12 +2,14 @@
 #include "app/session/window_steps.h"
 #include "ui/canvas/ruler.h"
 #include "ui/docks/algorithm_list.h"
+#include "ui/look/look.h"
 
 #include <QClipboard>
 #include <QContextMenuEvent>
 #include <QLineEdit>
 #include <QListView>
 #include <QMenu>
+#include <QSignalSpy>
 
 #include "tests/test_class.h"
 #include "tests/ui/tools/hand.h"
@@ -114,13 +116,29 @@ private slots:
         const QPoint below = hand.at({160, 95}) + QPoint(10, 14);
         QMouseEvent there(QEvent::MouseMove, below, hand.surface().mapToGlobal(below), Qt::NoButton,
                           Qt::NoButton, Qt::NoModifier);
+        QSignalSpy told(&hand.canvas, &Canvas::hint); // the status bar shows it
         QApplication::sendEvent(&hand.surface(), &there);
+        QCOMPARE(told.size(), 1);
         QVERIFY(hand.canvas.toolHint().startsWith("Click: choose this clip window."));
         QCOMPARE(hand.surface().cursor().shape(), Qt::PointingHandCursor);
         QTest::mouseDClick(&hand.surface(), Qt::LeftButton, {}, below);
         QCOMPARE(hand.session.windowNumber(), std::size_t(0));
         QCOMPARE(hand.session.history.count(), 1);
         QVERIFY(!hand.canvas.toolHint().startsWith("Click: choose"));
+    }
+    void anEyeHidesAWindowAndLeavesTheChosenOne()
+    {
+        Hand hand({shape({corner()})});
+        for (const double x : {20.0, 70.0})
+            app::addWindow(hand.session, {.shape = app::RectangleShape{{{x, 20}, {x + 40, 60}}}});
+        auto* rows = hand.t.window->findChild<QListView*>("clip-windows");
+        rows->setFixedHeight(200); // without scrolling
+        const QRect row = rows->visualRect(rows->model()->index(1, 0));
+        QTest::mouseClick(rows->viewport(), Qt::LeftButton, {},
+                          {row.left() + space::dockMargin + 8, row.center().y()});
+        QVERIFY(!hand.session.windows().list[1].visible);
+        QCOMPARE(hand.session.windowNumber(), std::size_t(2));
+        QTRY_COMPARE(rows->currentIndex().row(), 2);
     }
     void aWindowIsRenamedInItsRow()
     {

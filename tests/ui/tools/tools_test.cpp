@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/recipe_outline.h"
 #include "app/scene/bounds.h"
+#include "app/session/window_steps.h"
 #include "ui/tools/tool.h"
 
 #include <QDir>
@@ -320,7 +321,7 @@ private slots:
         Stage stage(raster);
         const QString usual = stage.canvas->toolHint();
         stage.move({100, 51});
-        QVERIFY(stage.canvas->toolHint().startsWith("Line in Drawing, line 1."));
+        QVERIFY(stage.canvas->toolHint().startsWith("Line 1 in Drawing."));
         stage.move({100, 90});
         QCOMPARE(stage.canvas->toolHint(), usual);
     }
@@ -330,10 +331,12 @@ private slots:
         Stage stage(raster);
         stage.move({50, 20});
         QCOMPARE(stage.canvas->toolHint(),
-                 "Clip window Rectangle. Drag: resize. Right click: its menu.");
+                 "Drag: resize the clip window Rectangle. Right click: its menu.");
         stage.move({75, 20});
         QCOMPARE(stage.canvas->toolHint(),
-                 "Clip window Rectangle. Drag: move. Right click: its menu.");
+                 "Drag: move the clip window Rectangle. Right click: its menu.");
+        app::removeWindow(stage.session); // below the pointer, which does not move
+        QVERIFY(!stage.canvas->toolHint().contains("clip window Rectangle"));
     }
 
     void theHintSaysWhatTheHoveredObjectIs()
@@ -343,7 +346,7 @@ private slots:
         circle.id = QStringLiteral("sun");
         Stage stage(raster, {circle});
         stage.move({120, 51});
-        QVERIFY(stage.canvas->toolHint().startsWith("Path “sun” in Drawing, line "));
+        QVERIFY(stage.canvas->toolHint().startsWith("Path “sun” in Drawing."));
     }
 
     void aLineDraggedAtOnceIsInspected()
