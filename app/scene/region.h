@@ -105,8 +105,8 @@ inline constexpr clipping::Edge borderEdge = clipping::Edge::Near;
 ClipRegion regionOf(const ClipWindows& windows, double tolerance);
 /// The same of a drawing's windows with the usual tolerance, 0.01 mm on paper.
 ClipRegion regionOf(const ClipWindows& windows, const Page& page);
-/// For a screen: ellipses are polygons around the curves that objects of the same shape have. So the
-/// chords of a circle on the border of a round window are in the window, as they are when the
+/// For a screen: ellipses are polygons around the curves that objects of the same shape have. So
+/// the chords of a circle on the border of a round window are in the window, as they are when the
 /// drawing is cut.
 ClipRegion shownRegionOf(const ClipWindows& windows, const Page& page);
 

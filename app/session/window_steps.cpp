@@ -45,7 +45,8 @@ ClipWindows withShape(const Session& session, const WindowShape& shape)
     if (const auto number = numberIn(windows, session))
         windows.list[*number] = reshaped(windows.list[*number], shape);
     else
-        windows.list.push_back({.name = numberedName(shape, numberForNew(windows)), .shape = shape});
+        windows.list.push_back(
+            {.name = numberedName(shape, numberForNew(windows)), .shape = shape});
     return windows;
 }
 

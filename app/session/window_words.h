@@ -12,8 +12,8 @@ namespace app {
 QString nameOf(const WindowShape& shape);
 /// The window's name, or that of its shape.
 QString nameOf(const ClipWindow& window);
-/// "Star 2": what a window is called that is added to others: its shape, and a number that is larger
-/// than theirs.
+/// "Star 2": what a window is called that is added to others: its shape, and a number that is
+/// larger than theirs.
 QString numberedName(const WindowShape& shape, int number);
 int numberForNew(const ClipWindows& others);
 /// The name of a window with another shape, which a name that was made so follows.

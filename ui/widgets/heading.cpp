@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/heading.h"
 
-#include "app/session/session.h"
-
 #include "app/comparison/differences_at.h"
+#include "app/session/session.h"
 #include "app/session/window_words.h"
 #include "ui/look/look.h"
 #include "ui/widgets/look_label.h"

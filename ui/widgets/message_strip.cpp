@@ -2,7 +2,6 @@
 #include "ui/widgets/message_strip.h"
 
 #include "app/session/session.h"
-
 #include "ui/look/look.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"

@@ -9,7 +9,8 @@ namespace app {
 
 std::span<const SnapKind> snapKinds()
 {
-    // THE CATALOGUE. To add a kind: write its function, declare it in kinds.h, and add its row here.
+    // THE CATALOGUE. To add a kind: write its function, declare it in kinds.h, and add its row
+    // here.
     static const std::array all{ends(),          middles(),   centres(),     intersections(),
                                 perpendicular(), onPath(),    windowEdges(), pageEdges(),
                                 axes(),          guideKind(), gridKind(),    alignmentKind(),

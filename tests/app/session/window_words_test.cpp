@@ -44,7 +44,8 @@ private slots:
             return numberForNew({{{.name = name, .shape = box}}});
         };
         QCOMPARE(next("Rectangle 7"), 8);
-        for (const char* own : {"", "Hall 7", "Rectangle 2147483647", "Rectangle -5", "Rectangle 07"})
+        for (const char* own :
+             {"", "Hall 7", "Rectangle 2147483647", "Rectangle -5", "Rectangle 07"})
             QCOMPARE(next(own), 2);
         QCOMPARE(nameAfter({.name = "Rectangle 7", .shape = box}, PathShape{}), "Path 7");
         QCOMPARE(nameAfter({.name = "Rectangle 0", .shape = box}, PathShape{}), "Rectangle 0");
