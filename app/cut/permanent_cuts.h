@@ -8,7 +8,7 @@
 namespace app {
 
 /// A way to cut a drawing permanently, at its clip windows or below its areas: a command of the
-/// menu and a step of the history. The texts are in the context "PermanentCuts".
+/// menu and a step of the history. The texts are to be translated.
 struct PermanentCut {
     std::string_view key;
     const char* name;    ///< of the command and the step: "Crop to windows"

@@ -17,10 +17,6 @@ std::uint64_t wordAt(const char* at)
     return word;
 }
 
-} // namespace
-
-namespace {
-
 /// The checksum of bytes that come in parts. Four independent sums keep the multiplier busy: some
 /// GB/s.
 class Checksum {

@@ -96,8 +96,8 @@ void moveAround(const EllipseRecipe& ellipse, std::vector<Point>& ring)
     }
     if (!(least > 0.5)) // of a point, or a line
         return;
-    constexpr double between =
-        1e-6; // the curve's radius is not quite the mean of those at the ends
+    // In the middle, the curve's radius is not quite the mean of those at the ends.
+    constexpr double between = 1e-6;
     for (Point& corner : ring)
         corner = ellipse.centre + (corner - ellipse.centre) * ((1 + between) / least);
 }

@@ -11,8 +11,7 @@
 
 namespace app {
 
-/// Something that a clip window can be laid on. Its texts are to be translated in the context
-/// "WindowPlaces".
+/// Something that a clip window can be laid on. Its texts are to be translated.
 struct LayingPlace {
     std::string_view key;   ///< of the command
     std::string_view text;  ///< of the command, with its mnemonic

@@ -18,8 +18,7 @@ QString numberedName(const WindowShape& shape, int number);
 int numberForNew(const ClipWindows& others);
 /// The name of a window with another shape, which a name that was made so follows.
 QString nameAfter(const ClipWindow& before, const WindowShape& shape);
-/// What an object is called where the pointer is on it: `Ellipse “sun”`, its kind and its id;
-/// "Line" if it is a single one.
+/// The kind of an object and its id, if it has one: `Ellipse “sun”`, "Line".
 QString nameOf(const ObjectView& object);
 /// The key of the icon of a shape.
 std::string_view iconOf(const WindowShape& shape);

@@ -46,7 +46,7 @@ class FrameStatistics {
 public:
     static constexpr std::size_t length = 60;
 
-    /// Frames may be noted again, with news of their pictures. Another subject begins anew.
+    /// Frames may be noted again, with news of their pictures. Another subject clears the figures.
     void note(const FrameTimes& times);
     void forget() { count_ = 0; }
     /// 0 without times; for an even number the mean of the two middle times.

@@ -56,7 +56,7 @@ private:
         View view;
         Point screen;
         double notches;
-        View last; ///< the view that this wheel set last: any other view starts anew
+        View last; ///< the view that this wheel set last: from any other view it starts again
     };
     std::optional<Start> start_;
 };

@@ -85,14 +85,14 @@ std::optional<std::size_t> Controller::tagAt(const QPointF& screen) const
 
 bool Controller::chooseWindowAt(const QPointF& screen)
 {
+    constexpr double reach = 4; // pixels
     endGesture();
     const app::Point at{screen.x(), screen.y()}, there = view().toDrawing(at);
     const auto object = pickedAt(there, bench_).object;
     if (object && session_.selection().contains(*object))
         return false;
     if (tool_->showsHandles() && windowHandleAt(at, bench_))
-        return true;            // of the one that tools act on
-    constexpr double reach = 4; // pixels
+        return true; // of the one that tools act on
     auto number = nameAt(screen);
     if (!number && !object)
         number = app::windowBorderAt(session_.windows(), there, bench_.inDrawing(reach));

@@ -49,17 +49,6 @@ public:
         editor->setGeometry(nameBox(option.rect));
     }
     static bool isOnEye(const QRect& row, const QPoint& at) { return hits(eye(row), at); }
-    bool editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
-                     const QModelIndex& index) override
-    {
-        if (event->type() != QEvent::MouseButtonRelease)
-            return false;
-        const auto& mouse = *static_cast<QMouseEvent*>(event);
-        if (mouse.button() != Qt::LeftButton || !hits(eye(option.rect), mouse.position().toPoint()))
-            return false;
-        return model->setData(index, !index.data(WindowModel::VisibleRole).toBool(),
-                              WindowModel::VisibleRole);
-    }
 
 private:
     static QRect operation(const QRect& row)
@@ -152,15 +141,28 @@ void WindowList::keyPressEvent(QKeyEvent* event)
     PanelList::keyPressEvent(event);
 }
 
+// The base class would choose the window, or open the field for its name.
+bool WindowList::pressesEye(const QMouseEvent& event)
+{
+    const QModelIndex row = indexAt(event.pos());
+    if (event.button() == Qt::LeftButton && row.isValid()
+        && WindowPainter::isOnEye(visualRect(row), event.pos()))
+        eye_ = row.row();
+    return eye_.has_value();
+}
+
+void WindowList::mouseDoubleClickEvent(QMouseEvent* event)
+{
+    if (!pressesEye(*event))
+        PanelList::mouseDoubleClickEvent(event);
+}
+
 void WindowList::mousePressEvent(QMouseEvent* event)
 {
-    const QModelIndex row = indexAt(event->pos());
-    const bool isLeft = event->button() == Qt::LeftButton && row.isValid();
-    if (isLeft && WindowPainter::isOnEye(visualRect(row), event->pos())) {
-        eye_ = row.row(); // the base class would choose the window, which the eye does not
+    if (pressesEye(*event))
         return;
-    }
-    if (isLeft)
+    const QModelIndex row = indexAt(event->pos());
+    if (event->button() == Qt::LeftButton && row.isValid())
         pressed_ = Press{row.row(), event->pos()};
     PanelList::mousePressEvent(event);
 }

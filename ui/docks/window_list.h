@@ -21,9 +21,11 @@ private:
     bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
+    bool pressesEye(const QMouseEvent& event);
     int gapAt(int y) const; ///< the gap between rows that is nearest: 0 is above the first row
     void drop();
 

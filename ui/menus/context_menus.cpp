@@ -6,7 +6,6 @@
 #include "ui/docks/algorithm_panel.h"
 #include "ui/docks/window_panel.h"
 #include "ui/menus/algorithm_menu.h"
-#include "ui/menus/window_menu.h"
 #include "ui/widgets/unit_box.h"
 #include "ui/window/main_window.h"
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/menus/window_menu.h"
-
 #include "app/base/text.h"
 #include "ui/docks/window_panel.h"
 #include "ui/menus/context_menus.h"

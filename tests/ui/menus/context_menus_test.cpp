@@ -139,6 +139,9 @@ private slots:
         QVERIFY(!hand.session.windows().list[1].visible);
         QCOMPARE(hand.session.windowNumber(), std::size_t(2));
         QTRY_COMPARE(rows->currentIndex().row(), 2);
+        QTest::mouseDClick(rows->viewport(), Qt::LeftButton, {},
+                           {row.left() + space::dockMargin + 8, row.center().y()});
+        QVERIFY(!rows->findChild<QLineEdit*>()); // two clicks, not a new name
     }
     void aWindowIsRenamedInItsRow()
     {

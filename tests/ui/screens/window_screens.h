@@ -3,7 +3,7 @@
 
 #include "ui/dialogs/waiting_dialog.h"
 #include "ui/explanation/explanation_window.h"
-#include "ui/menus/window_menu.h"
+#include "ui/menus/context_menus.h"
 #include "ui/microscope/export_steps.h"
 #include "ui/widgets/message_strip.h"
 #include "ui/window/workspaces.h"
