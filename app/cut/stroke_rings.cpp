@@ -201,19 +201,8 @@ private:
             before = at;
         }
         if (area > 0)
-            ring = reversed(ring);
+            ring = reversedPath(ring);
         rings_.push_back(std::move(ring));
-    }
-
-    static Subpath reversed(const Subpath& ring)
-    {
-        Subpath back{ring.segments.back().to, {}, true};
-        for (std::size_t i = ring.segments.size(); i-- > 0;) {
-            const auto& [to, control1, control2, curved] = ring.segments[i];
-            back.segments.push_back(
-                {i > 0 ? ring.segments[i - 1].to : ring.start, control2, control1, curved});
-        }
-        return back;
     }
 
     const Style& style_;

@@ -7,17 +7,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace app {
 namespace {
 
 constexpr int mostChords = 10'000; // for one curve of any size
 
+// Common borders of shapes are drawn in both directions: from the lesser end on, they have the same
+// chords bit for bit.
+bool isBackwards(const Point& begin, const Point& end)
+{
+    return std::pair(end.x, end.y) < std::pair(begin.x, begin.y);
+}
+
+Bezier fromLesserEnd(const Point& begin, const PathSegment& curve)
+{
+    return isBackwards(begin, curve.to) ? Bezier{curve.to, curve.control2, curve.control1, begin}
+                                        : Bezier{begin, curve.control1, curve.control2, curve.to};
+}
+
 // Wang's bound: the error of n chords of equal parameter length is at most |second difference| * 6
 // / (8 n^2).
-int chordCount(const Point& a, const PathSegment& c, double tolerance)
+int chordCount(const Bezier& c, double tolerance)
 {
-    const double bend = std::max(glm::length(a - 2.0 * c.control1 + c.control2),
+    const double bend = std::max(glm::length(c.from - 2.0 * c.control1 + c.control2),
                                  glm::length(c.control1 - 2.0 * c.control2 + c.to));
     const double n = std::ceil(std::sqrt(0.75 * bend / tolerance));
     return n > 1 ? int(std::min<double>(n, mostChords)) : 1; // 1 also for NaN
@@ -28,14 +42,17 @@ int chordCount(const Point& a, const PathSegment& c, double tolerance)
 void flatten(const Point& begin, const PathSegment& segment, std::size_t index, double tolerance,
              std::vector<Chord>& chords)
 {
+    if (!segment.curved) {
+        chords.push_back({{begin, segment.to}, index, 0, 1});
+        return;
+    }
+    const Bezier curve = fromLesserEnd(begin, segment);
+    const bool backwards = isBackwards(begin, segment.to);
+    const int n = chordCount(curve, tolerance);
     Point last = begin;
-    const int n = segment.curved ? chordCount(begin, segment, tolerance) : 1;
     for (int k = 1; k <= n; ++k) {
-        const double t = double(k) / n;
-        const Point next =
-            k == n ? segment.to
-                   : Bezier{begin, segment.control1, segment.control2, segment.to}.at(t);
-        chords.push_back({{last, next}, index, double(k - 1) / n, t});
+        const Point next = k == n ? segment.to : curve.at(double(backwards ? n - k : k) / n);
+        chords.push_back({{last, next}, index, double(k - 1) / n, double(k) / n});
         last = next;
     }
 }
@@ -56,7 +73,8 @@ std::size_t chordCount(const Subpath& path, double tolerance)
     std::size_t count = path.segments.empty() || path.closed; // the closing line, or the point
     Point last = path.start;
     for (const PathSegment& segment : path.segments) {
-        count += segment.curved ? std::size_t(chordCount(last, segment, tolerance)) : 1;
+        count +=
+            segment.curved ? std::size_t(chordCount(fromLesserEnd(last, segment), tolerance)) : 1;
         last = segment.to;
     }
     return count - (path.closed && !path.segments.empty() && last == path.start);

@@ -181,4 +181,17 @@ bool operator==(const Path& a, const Path& b)
     });
 }
 
+Subpath reversedPath(const Subpath& path)
+{
+    if (path.segments.empty())
+        return path;
+    Subpath back{path.segments.back().to, {}, path.closed};
+    for (std::size_t i = path.segments.size(); i-- > 0;) {
+        const auto& [to, control1, control2, curved] = path.segments[i];
+        back.segments.push_back(
+            {i > 0 ? path.segments[i - 1].to : path.start, control2, control1, curved});
+    }
+    return back;
+}
+
 } // namespace app

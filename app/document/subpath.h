@@ -32,4 +32,7 @@ struct Subpath {
     friend bool operator==(const Subpath&, const Subpath&) = default;
 };
 
+/// The same path from its end to its start.
+Subpath reversedPath(const Subpath& path);
+
 } // namespace app

@@ -88,4 +88,10 @@ WindowOutline drawnOutlineOf(const WindowShape& shape, double tolerance)
     return std::visit(OutlineOfWindow{tolerance, true}, shape);
 }
 
+const EllipseRecipe* ellipseOf(const WindowShape& shape)
+{
+    const auto* path = std::get_if<PathShape>(&shape);
+    return path ? std::get_if<EllipseRecipe>(&path->recipe) : nullptr;
+}
+
 } // namespace app

@@ -21,6 +21,9 @@ WindowOutline outlineOf(const WindowShape& shape, double tolerance);
 /// beyond them.
 WindowOutline drawnOutlineOf(const WindowShape& shape, double tolerance);
 
+/// The ellipse that the shape is; null for any other.
+const EllipseRecipe* ellipseOf(const WindowShape& shape);
+
 /// The tolerance of curved clip windows, on paper.
 constexpr double windowMillimetres = 0.01;
 

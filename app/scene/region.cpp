@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scene/region.h"
 
+#include "app/document/flatten.h"
 #include "app/document/window_outline.h"
 #include "app/scene/area_windows.h"
 #include "clipping/region/box_part.h"
@@ -78,10 +79,6 @@ clipping::Window boundsAround(const std::vector<std::vector<Point>>& rings)
     return box;
 }
 
-/// Whose ellipses the polygons of windows are: true ones, inside which they lie, or those that are
-/// drawn, around which they lie.
-enum class Ellipses : std::uint8_t { True, Drawn };
-
 /// Moves the corners of a polygon away from the centre, until its edges are outside the curves of
 /// its ellipse.
 void moveAround(const EllipseRecipe& ellipse, std::vector<Point>& ring)
@@ -102,26 +99,35 @@ void moveAround(const EllipseRecipe& ellipse, std::vector<Point>& ring)
         corner = ellipse.centre + (corner - ellipse.centre) * ((1 + between) / least);
 }
 
-WindowOutline outlineOf(const WindowShape& shape, double tolerance, Ellipses ellipses)
-{
-    const auto* path = std::get_if<PathShape>(&shape);
-    const auto* ellipse = path ? std::get_if<EllipseRecipe>(&path->recipe) : nullptr;
-    if (!ellipse || ellipses == Ellipses::True)
-        return outlineOf(shape, tolerance);
-    WindowOutline outline = drawnOutlineOf(shape, tolerance);
-    for (auto& ring : outline.rings)
-        moveAround(*ellipse, ring);
-    return outline;
-}
+/// The outline of a shape for a cut, and for the screen.
+struct Outlines {
+    double tolerance;
+    /// Objects' curves have chords on the screen, no farther than this from them; 0 for a cut.
+    double drawn = 0;
 
-ClipRegion::Step stepOf(const ClipWindow& window, double tolerance, Ellipses ellipses)
+    /// An object on the border of a window of its shape has the same chords; only the smooth
+    /// polygon of an ellipse, whose object may begin elsewhere, lies around them.
+    WindowOutline of(const WindowShape& shape) const
+    {
+        if (drawn == 0)
+            return outlineOf(shape, tolerance);
+        const EllipseRecipe* ellipse = ellipseOf(shape);
+        WindowOutline outline = drawnOutlineOf(shape, ellipse ? tolerance : drawn);
+        if (ellipse)
+            for (auto& ring : outline.rings)
+                moveAround(*ellipse, ring);
+        return outline;
+    }
+};
+
+ClipRegion::Step stepOf(const ClipWindow& window, const Outlines& outlines)
 {
     const auto* rectangle = std::get_if<RectangleShape>(&window.shape);
     if (rectangle && !hasArea(rectangle->box))
         return {nothing, window.operation};
     if (const auto box = axisAlignedBox(window.shape))
         return {*box, window.operation};
-    WindowOutline outline = outlineOf(window.shape, tolerance, ellipses);
+    WindowOutline outline = outlines.of(window.shape);
     ClipRegion::Step step{boundsAround(outline.rings), window.operation, std::move(outline.rings),
                           outline.rule};
     step.polygon = convexPolygonOf(step.rings);
@@ -140,12 +146,12 @@ void prepare(ClipRegion& region)
     region.opposite = laterRegion(region, opposite(region.keep));
 }
 
-ClipRegion regionOf(const ClipWindows& windows, double tolerance, Ellipses ellipses)
+ClipRegion regionOf(const ClipWindows& windows, const Outlines& outlines)
 {
     ClipRegion region{{}, windows.keep};
     for (const ClipWindow& window : windows.list)
         if (window.visible)
-            region.steps.push_back(stepOf(window, tolerance, ellipses));
+            region.steps.push_back(stepOf(window, outlines));
     prepare(region);
     return region;
 }
@@ -162,7 +168,7 @@ std::optional<clipping::Window> ClipRegion::single() const
 
 ClipRegion regionOf(const ClipWindows& windows, double tolerance)
 {
-    return regionOf(windows, tolerance, Ellipses::True);
+    return regionOf(windows, Outlines{tolerance});
 }
 
 ClipRegion regionOf(const ClipWindows& windows, const Page& page)
@@ -172,7 +178,8 @@ ClipRegion regionOf(const ClipWindows& windows, const Page& page)
 
 ClipRegion shownRegionOf(const ClipWindows& windows, const Page& page)
 {
-    return regionOf(windows, windowMillimetres / page.millimetresPerUnit(), Ellipses::Drawn);
+    return regionOf(windows,
+                    Outlines{windowMillimetres / page.millimetresPerUnit(), usualTolerance(page)});
 }
 
 ClipRegion withKeep(ClipRegion region, Keep keep)

@@ -105,9 +105,9 @@ inline constexpr clipping::Edge borderEdge = clipping::Edge::Near;
 ClipRegion regionOf(const ClipWindows& windows, double tolerance);
 /// The same of a drawing's windows with the usual tolerance, 0.01 mm on paper.
 ClipRegion regionOf(const ClipWindows& windows, const Page& page);
-/// For a screen: ellipses are polygons around the curves that objects of the same shape have. So
-/// the chords of a circle on the border of a round window are in the window, as they are when the
-/// drawing is cut.
+/// For a screen: what lies on the border of a window of its own shape is in the window, as it is
+/// when the drawing is cut. Curves have the chords that objects have, ellipses are polygons around
+/// these.
 ClipRegion shownRegionOf(const ClipWindows& windows, const Page& page);
 
 /// What is kept of everything inside a box. Pieces: this depends on the lines themselves.

@@ -139,12 +139,15 @@ QPainterPath outlineInFrame(const Controller& controller, std::size_t window, st
 {
     const app::Session& session = controller.session();
     const auto& now = session.region().steps;
-    if (!shown || shown->region.steps.size() != now.size()
-        || shown->region.steps[step] == now[step])
-        return outlineOnScreen(controller.view(), session.windows().list[window].shape);
-    const app::ClipRegion::Step& then = shown->region.steps[step];
-    return then.rings.empty() ? boxOutline(controller.view(), then.box)
-                              : ringOutline(controller.view(), then.rings);
+    const bool moved = shown && shown->region.steps.size() == now.size()
+                       && !(shown->region.steps[step] == now[step]);
+    const app::ClipRegion::Step& in = moved ? shown->region.steps[step] : now[step];
+    // Objects have chords, where the cut ends; only ellipses are cut more finely.
+    const app::WindowShape& shape = session.windows().list[window].shape;
+    if (!moved && (in.rings.empty() || app::ellipseOf(shape)))
+        return outlineOnScreen(controller.view(), shape);
+    return in.rings.empty() ? boxOutline(controller.view(), in.box)
+                            : ringOutline(controller.view(), in.rings);
 }
 
 void paintBorder(QPainter& painter, const Controller& controller, const QPainterPath& border)

@@ -57,17 +57,6 @@ Subpath polyline(const EllipseArc& border, double angle, double sweep, int lines
     return path;
 }
 
-Subpath reversed(const Subpath& path)
-{
-    Subpath back{path.segments.back().to, {}, path.closed};
-    for (std::size_t i = path.segments.size(); i-- > 0;) {
-        const PathSegment& s = path.segments[i];
-        const Point to = i > 0 ? path.segments[i - 1].to : path.start;
-        back.segments.push_back({to, s.control2, s.control1, s.curved});
-    }
-    return back;
-}
-
 Subpath halved(const Subpath& path)
 {
     Subpath halves{path.start, {}, path.closed};
@@ -241,7 +230,7 @@ private slots:
             {windowOf(tilted), tilted}};
         for (const auto& [window, own] : windows) {
             const bool isCircle = own == quarters;
-            std::vector<Subpath> others{own, reversed(own)};
+            std::vector<Subpath> others{own, reversedPath(own)};
             if (window.shape == windowOf(own).shape)
                 others.push_back(halved(own));
             if (isCircle) {
@@ -268,7 +257,7 @@ private slots:
         for (const double radius : {0.1, 40.0, 1000.0}) {
             const Subpath own = circle(radius, 4, 0);
             const std::vector all{
-                own,         circle(radius, 4, 0.8), circle(radius, 5, 1), reversed(own),
+                own,         circle(radius, 4, 0.8), circle(radius, 5, 1), reversedPath(own),
                 halved(own), circle(radius, 6, 0.2)};
             for (const Subpath& below : all)
                 for (const Subpath& above : all) {
@@ -427,7 +416,7 @@ private slots:
             Point from = own.start;
             for (const PathSegment& s : own.segments)
                 separate.push_back({std::exchange(from, s.to), {{s.to}}, false});
-            for (const Subpath& path : {own, reversed(own)})
+            for (const Subpath& path : {own, reversedPath(own)})
                 for (const bool filled : {false, true}) {
                     const Sheet inside = cutAt(window, {path}, Keep::Inside, filled);
                     QVERIFY(inside.shapes.size() == 1 && pathsOf(inside) == std::vector{path});
@@ -681,7 +670,7 @@ private slots:
                                               EllipseRecipe{centre, {radius, radius}}),
                              six = windowOf(circle(radius, 6, 0.3)),
                              beside = windowOf(circle(radius, 5, 0.0002)),
-                             back = windowOf(reversed(circle(radius, 4, 0.7))),
+                             back = windowOf(reversedPath(circle(radius, 4, 0.7))),
                              divided = windowOf(halved(circle(radius, 4, 1.1)));
             for (const auto& [first, second] :
                  {std::pair(exact, six), std::pair(six, exact), std::pair(six, back),

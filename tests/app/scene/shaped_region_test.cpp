@@ -231,6 +231,33 @@ private slots:
             for (const PathSegment& segment : piece.segments)
                 QVERIFY(segment.curved); // curves stay curves
     }
+    /// A window made of an object, or of its neighbour, which has the common border backwards.
+    void whatLiesOnACurveIsInItsWindow()
+    {
+        const Page page;
+        std::mt19937_64 random(5);
+        std::uniform_real_distribution<double> place(10, 90);
+        const auto at = [&] { return Point(place(random), place(random)); };
+        for (int i = 0; i < 100; ++i) {
+            Subpath blob{at(), {}, true};
+            for (int k = 0; k < 3; ++k)
+                blob.segments.push_back({at(), at(), at(), true});
+            blob.segments.push_back({blob.start, at(), at(), true});
+            const Subpath back = reversedPath(blob);
+            for (const Subpath& drawn : {blob, back}) {
+                std::vector<Chord> chords;
+                flatten(drawn, usualTolerance(page), chords);
+                std::vector<Segment> lines;
+                for (const Chord& chord : chords)
+                    lines.push_back(chord.segment);
+                // Parts of a curve that crosses itself lie inside: of a cut-out nothing remains.
+                ClipWindows all{{{.shape = PathShape{Path({&blob, 1}), FillRule::NonZero}}}};
+                QCOMPARE(keptOf(lines, all, page), lines);
+                all.keep = Keep::Outside;
+                QVERIFY(keptOf(lines, all, page).empty());
+            }
+        }
+    }
     /// Its chords are those of Bézier curves, which are beyond the ellipse here and there.
     void whatLiesOnAnEllipseIsInItsWindow()
     {
