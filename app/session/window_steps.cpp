@@ -12,6 +12,7 @@
 #include "app/session/window_words.h"
 
 #include <algorithm>
+#include <map>
 
 namespace app {
 namespace {
@@ -184,6 +185,18 @@ void changeWindow(Session& session, std::size_t number, const QString& text,
         return;
     change(windows.list[number]);
     pushWindows(session, std::move(windows), text);
+}
+
+void setWindowOperation(Session& session, std::size_t number, WindowOperation operation)
+{
+    static const std::map<WindowOperation, const char*> steps{
+        {WindowOperation::Add, QT_TRANSLATE_NOOP("Text", "Add %1")},
+        {WindowOperation::CutOut, QT_TRANSLATE_NOOP("Text", "Cut out %1")},
+        {WindowOperation::Intersect, QT_TRANSLATE_NOOP("Text", "Intersect with %1")}};
+    const auto& list = session.now().windows().list;
+    if (number < list.size() && list[number].operation != operation)
+        changeWindow(session, number, Text::tr(steps.at(operation)).arg(nameOf(list[number])),
+                     [operation](ClipWindow& window) { window.operation = operation; });
 }
 
 std::vector<ClipWindow> windowsOfSelection(const Session& session)

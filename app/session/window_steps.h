@@ -43,6 +43,9 @@ void reorderWindow(Session& session, std::size_t from, std::size_t to);
 void changeWindow(Session& session, std::size_t number, const QString& text,
                   const std::function<void(ClipWindow&)>& change);
 
+/// What it does with those above it; the step names it: "Cut out Star 2".
+void setWindowOperation(Session& session, std::size_t number, WindowOperation operation);
+
 /// One clip window for each selected object that encloses an area. Open paths are closed.
 std::vector<ClipWindow> windowsOfSelection(const Session& session);
 /// Adds them in one step. `Session::refused` says how many objects were left out, and why.

@@ -45,6 +45,8 @@ class HostileSettingsTest : public QObject {
                 "plugInsTrusted",
                 "undoMegabytes",
                 "darkPaper",
+                "capsule",
+                "palette/recent",
                 "lessons/done"};
     }
 

@@ -13,7 +13,7 @@ Canvas::Parts::Parts(app::Session& session, Backend wish, Canvas& canvas)
       choice(chooseBackend(wish, wish == Backend::Raster ? GlProbe{} : probeGl())),
       corner(controller, &canvas), top(controller, Qt::Horizontal, &canvas),
       left(controller, Qt::Vertical, &canvas), panes(session.variant()),
-      readout(controller, &canvas), text(controller, &canvas)
+      readout(controller, &canvas), text(controller, &canvas), capsule(controller, &canvas)
 {
 }
 
@@ -40,6 +40,10 @@ Canvas::Canvas(app::Session& session, Backend backend, QWidget* parent)
     connect(&controller, &Controller::stepsChanged, this, &Canvas::stepsChanged);
     connect(&controller, &Controller::hintChanged, this,
             [this] { emit hint(parts_->controller.hint()); });
+    const Capsule& capsule = parts_->capsule;
+    connect(&capsule, &Capsule::menuWanted, this, &Canvas::windowMenuWanted);
+    connect(&capsule, &Capsule::refused, this, &Canvas::refused);
+    connect(&capsule, &Capsule::taken, this, &Canvas::taken);
     connect(&session, &app::Session::displayChanged, this, &Canvas::followChoice);
     connect(&session, &app::Session::loaded, this, &Canvas::layOut);
     layOut();
@@ -84,6 +88,12 @@ void Canvas::switchSnapping(bool on)
 {
     parts_->controller.switchSnapping(on);
     emit snappingChanged();
+}
+bool Canvas::showsCapsule() const { return parts_->capsule.isOn(); }
+void Canvas::switchCapsule(bool on)
+{
+    parts_->capsule.switchOn(on);
+    emit capsuleSwitched();
 }
 std::optional<QPoint> Canvas::onDrawing(const QPoint& position) const
 {

@@ -67,6 +67,8 @@ public:
     void setSnapping(app::SnapTo to);
     bool snaps() const; ///< whether snapping is on
     void switchSnapping(bool on);
+    bool showsCapsule() const; ///< whether the chosen clip window has its controls beside it
+    void switchCapsule(bool on);
     /// Moves, rotates, scales or skews the selection by the pointer and by typed numbers.
     void transform(const app::Transformation& kind);
 
@@ -108,7 +110,13 @@ signals:
     void stepsChanged();
     void viewChanged();
     void snappingChanged(); ///< the kinds, or whether it is on
-    void panesChanged();    ///< the panes' number, variants or active pane have changed
+    void capsuleSwitched();
+    /// The menu of the chosen clip window is wanted, its upper right corner at a point of the
+    /// screen.
+    void windowMenuWanted(const QPoint& corner);
+    void refused(const QString& sentence); ///< a length typed there is not one
+    void taken();                          ///< it is valid again
+    void panesChanged(); ///< the panes' number, variants or active pane have changed
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -142,6 +142,9 @@ void Canvas::layOut()
     setFocusProxy(&drawing);
     parts.readout.setSurface(&drawing);
     parts.text.setSurface(&drawing);
+    constexpr int narrow = 640;
+    parts.capsule.setSurface(&drawing, alone && drawing.width() >= narrow ? Capsule::Form::Whole
+                                                                          : Capsule::Form::Compact);
     if (focused)
         drawing.setFocus();
     for (std::size_t i = parts.shown.size(); i < parts.widgets.size(); ++i)
@@ -159,6 +162,7 @@ void Canvas::layOut()
 
 void Canvas::settle()
 {
+    parts_->capsule.settle();
     for (const auto& widget : parts_->widgets)
         if (!widget->isHidden())
             widget->settle();

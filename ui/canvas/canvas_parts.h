@@ -3,6 +3,7 @@
 
 #include "ui/canvas/backend.h"
 #include "ui/canvas/canvas.h"
+#include "ui/canvas/capsule.h"
 #include "ui/canvas/controller.h"
 #include "ui/canvas/pane_widget.h"
 #include "ui/canvas/readout_box.h"
@@ -30,6 +31,7 @@ struct Canvas::Parts {
     std::vector<std::unique_ptr<PaneWidget>> widgets;
     ReadoutBox readout;
     TextBox text;
+    Capsule capsule;
     bool layingOut = false;
 };
 

@@ -132,6 +132,12 @@ void Controller::setLook(const Look& look)
     outdate();
 }
 
+void Controller::setCapsulePlace(const QRectF& place)
+{
+    if (std::exchange(capsulePlace_, place) != place)
+        emit changed(); // the label with the size is where the capsule is not
+}
+
 bool Controller::handle(QEvent& event)
 {
     switch (event.type()) {

@@ -75,6 +75,10 @@ public:
     /// The box that shows the numbers, in logical pixels; empty: hidden.
     const QRectF& readoutPlace() const { return readoutPlace_; }
     void setReadoutPlace(const QRectF& place) { readoutPlace_ = place; }
+    /// The chosen window's controls (capsule.h), in logical pixels; empty: hidden.
+    const QRectF& capsulePlace() const { return capsulePlace_; }
+    void setCapsulePlace(const QRectF& place);
+    bool gestureGoes() const { return tool_->busy() || guide_.going() || panningFrom_; }
     /// Where the pointer would end the gesture, if nothing were typed.
     app::Point aim() const;
     void typeNumber(const QString& text); ///< replaces the text of the active field
@@ -154,6 +158,7 @@ signals:
     void pointerMoved(std::optional<app::Point> position);
     void readoutChanged();
     void typingBegan();
+    void capsuleWanted(); ///< the keyboard should go to it
     void toolChanged();
     void hintChanged();
     /// The effect of undo() and redo(), or the object being drawn, has changed; for a freehand line
@@ -177,10 +182,10 @@ private:
     void release(QMouseEvent& event);
     bool keyPress(QKeyEvent& event);
     bool keyRelease(QKeyEvent& event);
+    bool enter(const QKeyEvent& event);
     bool navigationKey(const QKeyEvent& event);
     bool toolKey(const QKeyEvent& event);
     bool transformKey(const QKeyEvent& event);
-    bool gestureGoes() const { return tool_->busy() || guide_.going() || panningFrom_; }
     bool takesNumbers() const;
     app::DigitPlace digitPlace() const;
     bool beginsTyping(const QKeyEvent& event) const;
@@ -231,7 +236,7 @@ private:
     GuideDrag guide_; ///< from a ruler
     std::optional<app::Readout> readout_;
     bool typing_ = false;
-    QRectF readoutPlace_;
+    QRectF readoutPlace_, capsulePlace_;
     std::optional<app::Snap> snap_;
     std::optional<QPointF> panningFrom_;
     bool space_ = false;

@@ -60,7 +60,7 @@ bool Controller::keyPress(QKeyEvent& event)
     if (used)
         steer(); // the key may have changed what is measured
     return used || (event.key() == Qt::Key_Escape && escape()) || arrow(event)
-           || navigationKey(event) || toolKey(event) || transformKey(event);
+           || navigationKey(event) || toolKey(event) || transformKey(event) || enter(event);
 }
 
 bool Controller::keyRelease(QKeyEvent& event)
@@ -111,6 +111,15 @@ bool Controller::arrow(const QKeyEvent& event)
         navigation_.pan(QPointF(-direction->x, -direction->y)
                         * (event.modifiers() & Qt::ShiftModifier ? larger : 1) * panStep);
     }
+    return true;
+}
+
+bool Controller::enter(const QKeyEvent& event)
+{
+    if (capsulePlace_.isEmpty() || !has(event, Qt::NoModifier)
+        || !isOneOf(event.key(), {Qt::Key_Return, Qt::Key_Enter}))
+        return false;
+    emit capsuleWanted();
     return true;
 }
 

@@ -238,6 +238,30 @@ void paintHandles(QPainter& painter, const Controller& controller)
     }
 }
 
+/// The places of the handles on screen.
+std::vector<QRectF> handleBoxes(const Controller& controller)
+{
+    std::vector<QRectF> boxes;
+    const app::WindowFrame& frame = *controller.session().windowFrame();
+    for (const auto& [handle, at] : app::placedHandles(frame, controller.view()))
+        boxes.push_back(
+            QRectF(at.x - handleSize / 2, at.y - handleSize / 2, handleSize, handleSize));
+    return boxes;
+}
+
+// Other windows of which a capsule could hide all.
+void addSmallNeighbours(const Controller& controller, std::vector<QRectF>& boxes)
+{
+    constexpr double small = 48; // pixels
+    const app::Session& session = controller.session();
+    const auto& steps = session.region().steps;
+    forEachVisible(session, [&](std::size_t number, std::size_t step) {
+        const QRectF box = boxOnScreen(controller.view(), steps[step].box);
+        if (number != session.windowNumber() && box.width() < small && box.height() < small)
+            boxes.push_back(box);
+    });
+}
+
 QString labelText(const Controller& controller)
 {
     const app::Page& page = controller.session().now().page();
@@ -333,7 +357,25 @@ void paintWindow(QPainter& painter, const Controller& controller, const Pane& pa
     if (!isFurnished(controller, pane, window))
         return;
     paintHandles(painter, controller);
-    paintWindowLabel(painter, controller, window);
+    if (controller.capsulePlace().isEmpty())
+        paintWindowLabel(painter, controller, window);
+}
+
+QRectF windowBox(const Controller& controller)
+{
+    QRectF box = boxOnScreen(controller);
+    for (const QRectF& handle : handleBoxes(controller))
+        box |= handle;
+    return box;
+}
+
+std::vector<QRectF> windowMarks(const Controller& controller, const QFont& font)
+{
+    std::vector<QRectF> marks = handleBoxes(controller);
+    for (const WindowTag& tag : windowTags(controller, font))
+        marks.push_back(tag.place);
+    addSmallNeighbours(controller, marks);
+    return marks;
 }
 
 std::vector<QRectF> windowFurniture(const Controller& controller, const Pane& pane,
@@ -353,11 +395,10 @@ std::vector<QRectF> windowFurniture(const Controller& controller, const Pane& pa
             places.push_back(tag.place);
     if (!isFurnished(controller, pane, window))
         return places;
-    const app::WindowFrame& frame = *controller.session().windowFrame();
-    for (const auto& [handle, at] : app::placedHandles(frame, controller.view()))
-        places.push_back(
-            QRectF(at.x - handleSize / 2, at.y - handleSize / 2, handleSize, handleSize));
-    places.push_back(labelPlace(controller, window, labelFont(font)));
+    std::ranges::copy(handleBoxes(controller), std::back_inserter(places));
+    places.push_back(controller.capsulePlace().isEmpty()
+                         ? labelPlace(controller, window, labelFont(font))
+                         : controller.capsulePlace());
     return places;
 }
 

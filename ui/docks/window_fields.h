@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/session/session.h"
+#include "app/session/window_values.h"
 
 #include <QToolButton>
 #include <QWidget>
@@ -34,11 +34,10 @@ signals:
 
 private:
     void follow();
-    void edit(std::size_t field, double number, app::Merging merging);
-    void rotate(double degrees, app::Merging merging);
+    LengthField& field(app::WindowValue which) { return *fields_[std::size_t(which)]; }
 
     app::Session& session_;
-    std::array<LengthField*, 5> fields_; ///< X Y W H, angle
+    std::array<LengthField*, 5> fields_; ///< in the order of app::WindowValue
     QToolButton* chain_;                 ///< checked: W and H keep their ratio
     UnitBox* unit_;
 };

@@ -117,7 +117,10 @@ QWidget* WindowPanel::makeTools()
     operation_->setAccessibleName(Text::tr("Operation"));
     operation_->setToolTip(Text::tr("What the window does with those above it"));
     connect(operation_, &ToolList::done, this, &WindowPanel::entered);
-    connect(operation_, &QComboBox::activated, this, &WindowPanel::setOperation);
+    connect(operation_, &QComboBox::activated, this, [this](int operation) {
+        if (const auto number = session_.windowNumber())
+            app::setWindowOperation(session_, *number, app::WindowOperation(operation));
+    });
     auto* row = new QHBoxLayout;
     row->setContentsMargins(space::dockMargin - 4, 2, space::dockMargin, 2);
     for (QToolButton* button : {add, remove, colour_})
@@ -186,13 +189,6 @@ void WindowPanel::follow()
     colour_->setIcon(windowSwatchIcon(shown.colour));
     result_->setWhole(app::resultOf(session_.windows()));
     result_->setToolTip(Text::tr("What the windows make together: %1").arg(result_->whole()));
-}
-
-void WindowPanel::setOperation(int operation)
-{
-    if (const auto number = session_.windowNumber())
-        list_->model()->setData(list_->model()->index(int(*number), 0), operation,
-                                WindowModel::OperationRole);
 }
 
 void WindowPanel::openColours()

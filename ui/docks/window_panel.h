@@ -29,8 +29,6 @@ public:
     void setTiles(QAction& tiles);
     QToolButton& tilesButton() { return *tiles_; }
     void rename(); ///< opens the field for the name of the window that tools act on
-    /// Makes the window that tools act on do this with those above it.
-    void setOperation(int operation);
 
 signals:
     void entered(); ///< a number or a unit was entered: the focus returns to the canvas

@@ -287,7 +287,11 @@ void LookStyle::drawComplexControl(ComplexControl control, const QStyleOptionCom
     const Look& look = lookOf(option->palette);
     const QColor mark = has(*option, State_Enabled) ? look.muted : look.border;
     if (control == CC_SpinBox) {
-        drawField(*painter, *option, option->rect);
+        const auto* field = qstyleoption_cast<const QStyleOptionSpinBox*>(option);
+        if (!field || field->frame || has(*option, State_HasFocus) || has(*option, State_MouseOver))
+            drawField(*painter, *option, option->rect);
+        if (field && field->buttonSymbols == QAbstractSpinBox::NoButtons)
+            return;
         const QRect up = subControlRect(CC_SpinBox, option, SC_SpinBoxUp, widget);
         const QRect down = subControlRect(CC_SpinBox, option, SC_SpinBoxDown, widget);
         painter->fillRect(up.left(), option->rect.top() + 5, 1, option->rect.height() - 10,

@@ -146,6 +146,10 @@ void addContextMenus(MainWindow& window)
                                                     : std::span<const std::string_view>(onNothing);
                          showAt(contextMenu(window, keys), canvas.mapToGlobal(at));
                      });
+    QObject::connect(&canvas, &Canvas::windowMenuWanted, &window, [&window](QPoint corner) {
+        QMenu* menu = windowMenu(window);
+        showAt(menu, corner - QPoint(menu->sizeHint().width(), 0));
+    });
     QObject::connect(&window.windowPanel(), &WindowPanel::menuWanted, &window,
                      [&window](const QPoint& place) { showAt(windowMenu(window), place); });
     QObject::connect(&window.algorithmPanel(), &AlgorithmPanel::menuWanted, &window,

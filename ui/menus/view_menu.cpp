@@ -124,7 +124,18 @@ std::vector<ActionInfo> workspaceRows()
     return rows;
 }
 
-void addPanels(MainWindow& window, QMenu& menu) { menu.addActions(window.panelToggles()); }
+void addPanels(MainWindow& window, QMenu& menu)
+{
+    menu.addActions(window.panelToggles());
+    menu.addSeparator();
+    QAction* capsule = menu.addAction(Text::tr("Cap&sule at the clip window"));
+    capsule->setObjectName(QStringLiteral("capsule-shown"));
+    capsule->setCheckable(true);
+    capsule->setChecked(window.canvas().showsCapsule());
+    QObject::connect(capsule, &QAction::triggered, &window.canvas(), &Canvas::switchCapsule);
+    QObject::connect(&window.canvas(), &Canvas::capsuleSwitched, capsule,
+                     [&window, capsule] { capsule->setChecked(window.canvas().showsCapsule()); });
+}
 
 } // namespace
 

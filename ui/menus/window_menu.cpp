@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/text.h"
+#include "app/session/window_steps.h"
 #include "ui/docks/window_panel.h"
 #include "ui/menus/context_menus.h"
 #include "ui/window/main_window.h"
@@ -38,8 +39,9 @@ void addOperations(MainWindow& window, QMenu& menu, QAction* before)
         action->setObjectName(operations[std::size_t(i)].key);
         action->setCheckable(true);
         action->setChecked(i == now);
-        QObject::connect(action, &QAction::triggered, &window.windowPanel(),
-                         [&window, i] { window.windowPanel().setOperation(i); });
+        QObject::connect(action, &QAction::triggered, &window, [&window, number, i] {
+            app::setWindowOperation(window.session(), *number, app::WindowOperation(i));
+        });
         menu.insertAction(before, action);
     }
     menu.insertSeparator(before);

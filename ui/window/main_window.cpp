@@ -45,6 +45,7 @@ MainWindow::MainWindow(Backend backend, QWidget* parent)
     connectSession();
     rememberPanes();
     rememberSnapping();
+    rememberCapsule();
     rememberGrid();
     rememberPaper();
     limitHistory();

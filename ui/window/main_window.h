@@ -126,6 +126,7 @@ private:
     void showTitle();
     void rememberPanes();
     void rememberSnapping();
+    void rememberCapsule();
     void rememberGrid();
     void rememberPaper();
     void limitHistory();

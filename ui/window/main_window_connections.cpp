@@ -86,6 +86,15 @@ void MainWindow::rememberSnapping()
     });
 }
 
+void MainWindow::rememberCapsule()
+{
+    canvas_->switchCapsule(QSettings().value("capsule", true).toBool());
+    connect(canvas_, &Canvas::capsuleSwitched, this, [this] {
+        QSettings().setValue("capsule", canvas_->showsCapsule());
+        refreshActions();
+    });
+}
+
 void MainWindow::rememberGrid()
 {
     session_.changeDisplay([](app::Display& display) {

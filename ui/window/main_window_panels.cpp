@@ -34,6 +34,8 @@ void MainWindow::connectPanels()
     connect(panels_.exactness, &ExactnessPanel::entered, canvas_, focusCanvas);
     connect(panels_.window, &WindowPanel::refused, strip_, &MessageStrip::refuse);
     connect(panels_.window, &WindowPanel::taken, strip_, &MessageStrip::withdrawRefusal);
+    connect(canvas_, &Canvas::refused, strip_, &MessageStrip::refuse);
+    connect(canvas_, &Canvas::taken, strip_, &MessageStrip::withdrawRefusal);
     connect(panels_.selection, &SelectionPanel::entered, canvas_, focusCanvas);
     connect(panels_.selection, &SelectionPanel::refused, strip_, &MessageStrip::refuse);
     connect(panels_.selection, &SelectionPanel::taken, strip_, &MessageStrip::withdrawRefusal);

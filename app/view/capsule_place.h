@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPointF>
+#include <QRectF>
+
+#include <optional>
+#include <vector>
+
+namespace app {
+
+/// What decides where a bar of controls lies on the canvas, in logical pixels.
+struct CapsuleRoom {
+    QSizeF canvas;
+    QRectF box;                        ///< of the thing that it belongs to, with its handles
+    std::vector<QRectF> covered{};     ///< what must be seen: handles, names, small neighbours
+    std::optional<QPointF> released{}; ///< where the pointer was let go
+};
+
+/// The top left corner of a bar of this size: below the box or above it, whichever is nearer to the
+/// pointer, or else inside, at its lower edge. Empty: the box is not seen, or there is no place at
+/// which everything else is.
+std::optional<QPointF> capsulePlace(const QSizeF& size, const CapsuleRoom& room);
+
+} // namespace app

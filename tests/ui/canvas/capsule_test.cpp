@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The controls beside the chosen clip window.
+#include "app/commands/set_page_parts.h"
+#include "ui/canvas/capsule.h"
+#include "ui/widgets/length_field.h"
+
+#include <QMenu>
+#include <QSignalSpy>
+
+#include "tests/test_class.h"
+#include "tests/ui/canvas/stage.h"
+
+namespace canvas_capsule_test {
+
+namespace {
+
+constexpr int untilItListens = 300; // milliseconds
+
+struct CapsuleStage : Stage {
+    CapsuleStage() : Stage(ui::Backend::Raster)
+    {
+        canvas->setTool("window");
+        canvas->settle();
+    }
+    ui::Capsule& capsule() { return *canvas->findChild<ui::Capsule*>(); }
+    template <class Part>
+    Part& part(const char* name)
+    {
+        return *canvas->findChild<Part*>(QLatin1StringView(name));
+    }
+    void clickPart(const char* group, int index)
+    {
+        QTest::qWait(untilItListens);
+        const auto buttons = part<QWidget>(group).findChildren<QToolButton*>();
+        QTest::mouseClick(buttons[index], Qt::LeftButton);
+    }
+    const app::ClipWindow& window() { return session.windows().list[0]; }
+    clipping::Window box() { return *session.clipWindow(); }
+    QRect place() { return {surface().mapFrom(canvas.get(), capsule().pos()), capsule().size()}; }
+};
+
+} // namespace
+
+class CapsuleTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void itIsBesideTheChosenWindow()
+    {
+        CapsuleStage stage;
+        QVERIFY(stage.capsule().isVisible());
+        QCOMPARE(stage.capsule().accessibleName(), QStringLiteral("Rectangle, clip window"));
+        const QPoint bottom = stage.at({100, 80});
+        QVERIFY(stage.place().top() > bottom.y() && stage.place().top() < bottom.y() + 30);
+        QVERIFY(std::abs(stage.place().center().x() - bottom.x()) <= 1);
+        stage.canvas->setTool("line");
+        QVERIFY(!stage.capsule().isVisible());
+        stage.canvas->setTool("window");
+        QVERIFY(stage.capsule().isVisible());
+        stage.session.history.push(
+            new app::SetWindows(stage.session.document, app::ClipWindows{}, {}));
+        QVERIFY(!stage.capsule().isVisible());
+    }
+    void itIsGoneInEveryGesture()
+    {
+        CapsuleStage stage;
+        stage.move({100, 50});
+        stage.press({100, 50});
+        stage.move({110, 50}, Qt::LeftButton);
+        QVERIFY(!stage.capsule().isVisible());
+        stage.move({120, 45}, Qt::LeftButton);
+        stage.release({120, 45});
+        QVERIFY(stage.capsule().isVisible());
+        const QPoint bottom = stage.at({120, 75});
+        QVERIFY(std::abs(stage.place().center().x() - bottom.x()) <= 1);
+        // The view, too.
+        stage.wheel(QPointF(300, 200), {0, 120});
+        QVERIFY(!stage.capsule().isVisible());
+        QTRY_VERIFY(stage.capsule().isVisible());
+    }
+    void typedSizesAreUndoSteps()
+    {
+        CapsuleStage stage;
+        stage.session.changeDisplay([](app::Display& d) { d.unit = app::Unit::Px; });
+        auto& width = stage.part<ui::LengthField>("capsule-width");
+        QCOMPARE(width.text(), QStringLiteral("100.0"));
+        stage.key(Qt::Key_Return); // goes into the first field, whose text is selected
+        QVERIFY(width.hasFocus());
+        const QRect before = stage.place();
+        QTest::keyClicks(&width, "120/2");
+        QTest::keyClick(&width, Qt::Key_Tab);
+        QCOMPARE(stage.box(), (clipping::Window{{50, 20}, {110, 80}}));
+        QCOMPARE(stage.place(), before); // it stays while a field is open
+        auto& height = stage.part<ui::LengthField>("capsule-height");
+        QVERIFY(height.hasFocus());
+        QTest::keyClicks(&height, "20");
+        QTest::keyClick(&height, Qt::Key_Return);
+        QVERIFY(stage.surface().hasFocus());
+        QCOMPARE(stage.box(), (clipping::Window{{50, 20}, {110, 40}}));
+        stage.session.history.undo();
+        stage.session.history.undo();
+        QCOMPARE(stage.box(), (clipping::Window{{50, 20}, {150, 80}}));
+        QCOMPARE(width.text(), QStringLiteral("100.0"));
+    }
+    void whatIsNoLengthIsRefused()
+    {
+        CapsuleStage stage;
+        QSignalSpy refused(stage.canvas.get(), &ui::Canvas::refused);
+        auto& width = stage.part<ui::LengthField>("capsule-width");
+        stage.key(Qt::Key_Return);
+        QTest::keyClicks(&width, "-5");
+        QTest::keyClick(&width, Qt::Key_Return);
+        QCOMPARE(refused.size(), 1);
+        QCOMPARE(stage.box(), (clipping::Window{{50, 20}, {150, 80}}));
+        QTest::keyClick(&width, Qt::Key_Escape);
+        QVERIFY(stage.surface().hasFocus());
+    }
+    void itSaysWhatTheWindowDoes()
+    {
+        CapsuleStage stage;
+        stage.clickPart("capsule-operation", 1);
+        QCOMPARE(stage.window().operation, app::WindowOperation::CutOut);
+        QCOMPARE(stage.session.history.undoText(), QStringLiteral("Cut out Rectangle"));
+        QVERIFY(stage.surface().hasFocus());
+        stage.session.history.undo();
+        QCOMPARE(stage.window().operation, app::WindowOperation::Add);
+        stage.clickPart("capsule-keep", 1);
+        QCOMPARE(stage.session.windows().keep, app::Keep::Outside);
+    }
+    // A second click of a double click may come where it has just appeared.
+    void aClickThatCameTooSoonDoesNothing()
+    {
+        CapsuleStage stage;
+        stage.drag({100, 50}, {110, 50});
+        const auto buttons = stage.part<QWidget>("capsule-operation").findChildren<QToolButton*>();
+        QTest::mouseClick(buttons[1], Qt::LeftButton);
+        QCOMPARE(stage.window().operation, app::WindowOperation::Add);
+    }
+    void itsMenuIsAskedFor()
+    {
+        CapsuleStage stage;
+        QSignalSpy wanted(stage.canvas.get(), &ui::Canvas::windowMenuWanted);
+        QTest::qWait(untilItListens);
+        QTest::mouseClick(&stage.part<QToolButton>("capsule-more"), Qt::LeftButton);
+        QCOMPARE(wanted.size(), 1);
+    }
+    void itIsShorterOnANarrowCanvas()
+    {
+        CapsuleStage stage;
+        const int whole = stage.capsule().width();
+        stage.canvas->resize(500, 400);
+        stage.canvas->settle();
+        QVERIFY(stage.capsule().isVisible() && stage.capsule().width() < whole);
+        QVERIFY(!stage.part<QWidget>("capsule-operation").isVisible());
+        auto& operations = stage.part<QToolButton>("capsule-operations");
+        operations.menu()->actions()[2]->trigger();
+        QCOMPARE(stage.window().operation, app::WindowOperation::Intersect);
+    }
+    void itIsSwitchedOff()
+    {
+        CapsuleStage stage;
+        stage.canvas->switchCapsule(false);
+        QVERIFY(!stage.capsule().isVisible());
+        stage.key(Qt::Key_Return); // nothing to go into
+        QVERIFY(stage.surface().hasFocus());
+        stage.canvas->switchCapsule(true);
+        QVERIFY(stage.capsule().isVisible());
+    }
+    void aWindowOffTheScreenHasNone()
+    {
+        CapsuleStage stage;
+        app::View away = stage.canvas->view();
+        away.centre += app::Point(10'000, 0);
+        stage.canvas->go(away);
+        stage.canvas->settle();
+        QVERIFY(!stage.capsule().isVisible());
+    }
+};
+
+} // namespace canvas_capsule_test
+
+TEST_CLASS(canvas_capsule_test::CapsuleTest, Widgets)
+#include "tests/ui/canvas/capsule_test.moc"
