@@ -189,6 +189,12 @@ void ExplanationWindow::show(const clipping::Algorithm& algorithm)
     QDialog::show();
 }
 
+void ExplanationWindow::showManual(const QString& topic)
+{
+    page_->showManual(topic);
+    QDialog::show();
+}
+
 void ExplanationWindow::showManual()
 {
     if (page_->topic().isEmpty())

@@ -33,6 +33,7 @@ public:
     /// Replaces the dialogs; used by tests.
     void setQuestions(std::unique_ptr<Questions> questions);
     void show(const clipping::Algorithm& algorithm);
+    void showManual(const QString& topic);
     void showManual(); ///< the page of the manual that was read last, or its index
     PageView& page() { return *page_; }
 

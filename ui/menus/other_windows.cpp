@@ -6,8 +6,11 @@
 #include "ui/files/files.h"
 #include "ui/hard_cases/hard_cases_window.h"
 #include "ui/judge/judge_window.h"
+#include "ui/menus/palette.h"
 #include "ui/microscope/export_steps.h"
 #include "ui/window/main_window.h"
+
+#include <QStatusBar>
 
 namespace ui {
 
@@ -79,6 +82,23 @@ void OtherWindows::showManual()
 {
     reader().showManual();
     bringToFront(*explanation_);
+}
+
+void OtherWindows::showManual(const QString& topic)
+{
+    reader().showManual(topic);
+    bringToFront(*explanation_);
+}
+
+void OtherWindows::showPalette()
+{
+    if (!palette_) {
+        palette_ = new Palette(window_, *this);
+        connect(palette_, &Palette::refused, &window_, [this](const QString& reason) {
+            window_.statusBar()->showMessage(reason, MainWindow::messageMilliseconds);
+        });
+    }
+    palette_->open();
 }
 
 void OtherWindows::explainCurrent()

@@ -12,6 +12,7 @@ class ExplanationWindow;
 class HardCasesWindow;
 class JudgeWindow;
 class MainWindow;
+class Palette;
 class StepExports;
 
 /// The windows beside the main window, which asks for some of them by its signals. Each is made
@@ -27,6 +28,8 @@ public:
     void showJudge();
     void explain(const clipping::Algorithm& algorithm);
     void showManual();
+    void showManual(const QString& topic); ///< its page
+    void showPalette();
     /// Explains the algorithm of the open microscope, else the one that clips.
     void explainCurrent();
     /// Opens the export dialog for the microscope's trace.
@@ -41,6 +44,7 @@ private:
     JudgeWindow* judge_ = nullptr;
     ExplanationWindow* explanation_ = nullptr;
     StepExports* stepExports_ = nullptr;
+    Palette* palette_ = nullptr;
 };
 
 } // namespace ui

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/menus/palette_rows.h"
+
+#include "app/session/named_things.h"
+#include "app/session/window_values.h"
+#include "app/session/window_words.h"
+#include "app/teaching/manual.h"
+#include "ui/look/look_icon.h"
+#include "ui/look/text.h"
+#include "ui/menus/other_windows.h"
+#include "ui/window/main_window.h"
+
+#include <QAction>
+#include <QMenu>
+#include <QMenuBar>
+#include <QPointer>
+#include <QSettings>
+
+#include <algorithm>
+
+namespace ui {
+namespace {
+
+constexpr qsizetype mostRemembered = 10;
+constexpr std::size_t mostOfDrawing = 50;
+constexpr std::chrono::milliseconds searchTime{4};
+
+QString plain(QString text)
+{
+    const QString both = QStringLiteral("&&"), kept(QChar::Null);
+    return text.replace(both, kept).remove(u'&').replace(kept, QStringLiteral("&"));
+}
+
+PaletteRow rowOf(QAction* action, const QString& menu)
+{
+    PaletteRow row{.key = action->objectName().isEmpty() ? action->text() : action->objectName(),
+                   .icon = action->icon(),
+                   .name = plain(action->text()),
+                   .what = menu,
+                   .enabled = action->isEnabled()};
+    row.note =
+        row.enabled ? action->shortcut().toString(QKeySequence::NativeText) : action->statusTip();
+    row.run = [action = QPointer(action)] {
+        if (action)
+            action->trigger();
+    };
+    return row;
+}
+
+void addCommands(const QWidget& menu, const QString& path, std::vector<PaletteRow>& rows)
+{
+    for (QAction* action : menu.actions()) {
+        if (QMenu* submenu = action->menu())
+            addCommands(*submenu,
+                        path.isEmpty() ? plain(action->text())
+                                       : path + QStringLiteral(" › ") + plain(action->text()),
+                        rows);
+        else if (!action->isSeparator() && !action->text().isEmpty())
+            rows.push_back(rowOf(action, path));
+    }
+}
+
+PaletteRow pageRow(OtherWindows& others, const QString& topic)
+{
+    const auto page = app::manualPage(topic);
+    return {.part = PaletteRow::Part::Help,
+            .key = QStringLiteral("page ") + topic,
+            .icon = icon("book"),
+            .name = page ? page->title : topic,
+            .what = Text::tr("page of the manual"),
+            .run = [&others, topic] { others.showManual(topic); }};
+}
+
+/// The rows that fit, the best first, those that cannot be run last. A row is also found by its
+/// menu ("clip crop").
+std::vector<PaletteRow> fitting(const std::vector<PaletteRow>& rows, const QString& typed)
+{
+    std::vector<PaletteRow> found;
+    for (const PaletteRow& row : rows) {
+        auto match = app::matchName(typed, row.name);
+        const auto whole = match ? std::nullopt : app::matchName(typed, row.what + u' ' + row.name);
+        if (whole && whole->score > 1)
+            match.emplace(); // below all others
+        if (!match)
+            continue;
+        found.push_back(row);
+        found.back().match = std::move(*match);
+    }
+    std::ranges::stable_sort(found, [](const PaletteRow& a, const PaletteRow& b) {
+        return std::pair(a.enabled, a.match.score) > std::pair(b.enabled, b.match.score);
+    });
+    return found;
+}
+
+/// A chosen window or selection is brought into view if nothing of it is seen.
+void bringIntoView(Canvas& canvas, const app::Session& session, const app::NamedThing& thing)
+{
+    const bool isWindow = thing.kind == app::NamedThing::Kind::Window;
+    const auto& box = isWindow ? session.clipWindow() : session.selectionBounds();
+    if (!box)
+        return;
+    const app::Point min = canvas.view().toScreen(box->min), max = canvas.view().toScreen(box->max);
+    const app::Point size = canvas.view().size;
+    if (max.x >= 0 && max.y >= 0 && min.x <= size.x && min.y <= size.y)
+        return;
+    isWindow ? canvas.fitWindow() : canvas.fitSelection();
+}
+
+QIcon iconOfThing(const app::Session& session, const app::NamedThing& thing)
+{
+    if (thing.kind == app::NamedThing::Kind::Window)
+        return icon(app::iconOf(session.windows().list[thing.number].shape));
+    return icon(thing.kind == app::NamedThing::Kind::Object ? "select" : "list");
+}
+
+PaletteRow rowOf(MainWindow& window, const app::NamedThing& thing)
+{
+    return {.part = PaletteRow::Part::Drawing,
+            .icon = iconOfThing(window.session(), thing),
+            .name = thing.name,
+            .what = thing.what,
+            .note = thing.remark,
+            .enabled = thing.remark.isEmpty(),
+            .match = thing.match,
+            .run = [&window, thing] {
+                if (app::chooseThing(window.session(), thing))
+                    bringIntoView(window.canvas(), window.session(), thing);
+            }};
+}
+
+/// "120 mm": the width of the chosen clip window.
+std::vector<PaletteRow> widthRow(MainWindow& window, const QString& typed)
+{
+    app::Session& session = window.session();
+    const double size = session.now().page().millimetresPerUnit();
+    const auto length = app::typedLength(typed, {session.display().unit, size});
+    if (!length || !(*length.value >= 0) || !session.windowNumber())
+        return {};
+    const app::ClipWindow& chosen = session.windows().list[*session.windowNumber()];
+    return {{.part = PaletteRow::Part::Commands,
+             .icon = icon("window"),
+             .name = Text::tr("Set width of %1").arg(app::nameOf(chosen)),
+             .what = app::lengthText(app::fromUnit(*length.value, session.display().unit, size),
+                                     session.display().unit, size),
+             .run = [&session, width = app::fromUnit(*length.value, session.display().unit, size)] {
+                 app::setWindowValue(session, app::WindowValue::Width, width, false,
+                                     app::Merging::Never);
+             }}};
+}
+
+} // namespace
+
+PaletteRows::PaletteRows(MainWindow& window, OtherWindows& others) : window_(window)
+{
+    addCommands(*window.menuBar(), {}, commands_);
+    for (const QString& topic : app::manualTopics())
+        pages_.push_back(pageRow(others, topic));
+}
+
+std::vector<PaletteRow> PaletteRows::recent(const QString& typed) const
+{
+    std::vector<PaletteRow> found;
+    for (const QString& key : QSettings().value("palette/recent").toStringList())
+        for (const auto* rows : {&commands_, &pages_}) {
+            const auto row = std::ranges::find(*rows, key, &PaletteRow::key);
+            auto match = row == rows->end() ? std::nullopt : app::matchName(typed, row->name);
+            if (!match || qsizetype(found.size()) == mostRemembered)
+                continue;
+            found.push_back(*row);
+            found.back().part = PaletteRow::Part::Recent;
+            found.back().match = std::move(*match);
+        }
+    return found;
+}
+
+std::vector<PaletteRow> PaletteRows::ofDrawing(const QString& typed) const
+{
+    std::vector<PaletteRow> rows;
+    const auto things = app::thingsNamed(window_.session(), typed, mostOfDrawing, searchTime);
+    for (const app::NamedThing& thing : things.list)
+        rows.push_back(rowOf(window_, thing));
+    std::ranges::stable_sort(rows, std::greater(), &PaletteRow::enabled);
+    if (!things.isAll)
+        rows.push_back({.part = PaletteRow::Part::Drawing,
+                        .name = Text::tr("Not all objects were looked at"),
+                        .note = Text::tr("Edit › Find… finds all"),
+                        .enabled = false});
+    return rows;
+}
+
+std::vector<PaletteRow> PaletteRows::matching(const QString& typed) const
+{
+    std::vector<PaletteRow> all = recent(typed);
+    if (typed.trimmed().isEmpty() && !all.empty())
+        return all;
+    const std::size_t remembered = all.size();
+    const auto append = [&](std::vector<PaletteRow> rows) {
+        for (PaletteRow& row : rows) {
+            const auto end = all.begin() + std::ptrdiff_t(remembered);
+            if (row.key.isEmpty()
+                || std::ranges::find(all.begin(), end, row.key, &PaletteRow::key) == end)
+                all.push_back(std::move(row));
+        }
+    };
+    append(widthRow(window_, typed));
+    append(fitting(commands_, typed));
+    append(ofDrawing(typed));
+    append(fitting(pages_, typed));
+    return all;
+}
+
+void PaletteRows::remember(const PaletteRow& row) const
+{
+    if (row.key.isEmpty())
+        return;
+    QStringList keys = QSettings().value("palette/recent").toStringList();
+    keys.removeAll(row.key);
+    keys.prepend(row.key);
+    QSettings().setValue("palette/recent", QStringList(keys.mid(0, mostRemembered)));
+}
+
+} // namespace ui

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/base/name_match.h"
+
+#include <QIcon>
+
+#include <functional>
+#include <vector>
+
+namespace ui {
+
+class MainWindow;
+class OtherWindows;
+
+/// A line of the palette: what Enter does, with the name by which it is found.
+struct PaletteRow {
+    enum class Part : std::uint8_t { Recent, Commands, Drawing, Help };
+    Part part = Part::Commands;
+    QString key{}; ///< by which it is remembered; empty: it is not
+    QIcon icon{};
+    QString name{};
+    QString what{}; ///< the menu; "layer, 64 objects"
+    QString note{}; ///< its keys, or why it cannot be run
+    bool enabled = true;
+    app::NameMatch match{};
+    std::function<void()> run{};
+};
+
+/// What the palette finds: every command of the menus, windows, layers, groups and objects of the
+/// drawing, and the pages of the manual. Whether a command can be run is judged when this is made,
+/// before the palette has the keyboard.
+class PaletteRows {
+public:
+    PaletteRows(MainWindow& window, OtherWindows& others);
+
+    std::size_t size() const { return commands_.size() + pages_.size(); } ///< without the drawing
+
+    /// Those that fit, in the order in which they are listed, part by part; disabled ones last.
+    /// Nothing typed: the last ten that were run, or all commands if none was.
+    std::vector<PaletteRow> matching(const QString& typed) const;
+    void remember(const PaletteRow& row) const; ///< it was run
+
+private:
+    std::vector<PaletteRow> recent(const QString& typed) const;
+    std::vector<PaletteRow> ofDrawing(const QString& typed) const;
+
+    MainWindow& window_;
+    std::vector<PaletteRow> commands_, pages_;
+};
+
+} // namespace ui
