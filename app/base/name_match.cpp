@@ -4,11 +4,12 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <vector>
 
 namespace app {
 namespace {
 
-enum Score : int { Letters = 1, Words, Part, WordStarts, WordStart, Start };
+enum Score : int { Letters = 1, Words, Part, WordStarts, WordStart, Start, Whole };
 
 bool startsWord(const QString& name, qsizetype at)
 {
@@ -36,7 +37,10 @@ std::optional<NameMatch> asOne(const QString& typed, const QString& name)
     const qsizetype at = placeOf(typed, name);
     if (at < 0)
         return std::nullopt;
-    NameMatch match{at == 0 ? Start : startsWord(name, at) ? WordStart : Part};
+    NameMatch match{typed.size() == name.size() ? Whole
+                    : at == 0                   ? Start
+                    : startsWord(name, at)      ? WordStart
+                                                : Part};
     append(match.letters, at, typed.size());
     return match;
 }
@@ -57,23 +61,44 @@ std::optional<NameMatch> asWords(const QStringList& typed, const QString& name)
     return match;
 }
 
-/// From one letter to the next: the letter behind it, else the beginning of a word.
-std::optional<NameMatch> asLetters(const QString& typed, const QString& name)
-{
-    NameMatch match{Letters};
-    qsizetype at = 0;
-    for (const QChar letter : typed) {
-        const bool goesOn =
-            !match.letters.isEmpty() && at < name.size() && name[at].toLower() == letter.toLower();
-        while (!goesOn && at < name.size()
-               && !(startsWord(name, at) && name[at].toLower() == letter.toLower()))
-            ++at;
-        if (at >= name.size())
-            return std::nullopt;
-        match.letters << at++;
+/// The typed letters in a name, each behind the one before or at the beginning of a word.
+class LetterSearch {
+public:
+    LetterSearch(const QString& typed, const QString& name)
+        : typed_(typed), name_(name), failed_(std::size_t(typed.size() * name.size()))
+    {
     }
-    return match;
-}
+    std::optional<NameMatch> match()
+    {
+        NameMatch found{Letters};
+        for (qsizetype at = 0; at < name_.size(); ++at)
+            if (startsWord(name_, at) && goesOn(0, at, found.letters))
+                return found;
+        return std::nullopt;
+    }
+
+private:
+    /// Whether the letters from this one on are found, this one at this place.
+    bool goesOn(qsizetype letter, qsizetype at, QList<qsizetype>& letters)
+    {
+        auto&& failed = failed_[std::size_t(letter * name_.size() + at)];
+        if (failed || name_[at].toLower() != typed_[letter].toLower())
+            return false;
+        letters << at;
+        if (letter + 1 == typed_.size())
+            return true;
+        for (qsizetype next = at + 1; next < name_.size(); ++next)
+            if ((next == at + 1 || startsWord(name_, next)) && goesOn(letter + 1, next, letters))
+                return true;
+        letters.removeLast();
+        failed = true;
+        return false;
+    }
+
+    const QString& typed_;
+    const QString& name_;
+    std::vector<bool> failed_; ///< for each letter and place
+};
 
 } // namespace
 
@@ -87,7 +112,10 @@ std::optional<NameMatch> matchName(const QString& typed, const QString& name)
     const QStringList words = text.split(u' ');
     if (words.size() > 1)
         return asWords(words, name);
-    return asLetters(text, name);
+    constexpr qsizetype most = 30, longest = 200; // of such names there are few
+    if (text.size() > most || name.size() > longest)
+        return std::nullopt;
+    return LetterSearch(text, name).match();
 }
 
 } // namespace app

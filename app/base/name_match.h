@@ -14,10 +14,10 @@ struct NameMatch {
     QList<qsizetype> letters{}; ///< the places of the typed letters in the name, ascending
 };
 
-/// In upper or lower case, from the best to the worst: the name begins with the text; a word of it
-/// does; each typed word begins a word; it contains the text, or each typed word; it has the letters
-/// in this order, each at the beginning of a word or behind the one before ("sela" for "Select
-/// all"). Empty: it does not fit. Nothing typed fits every name.
+/// In upper or lower case, from the best to the worst: it is the text; it begins with it; a word of
+/// it does; each typed word begins a word; it contains the text, or each typed word; it has the
+/// letters in this order, each at the beginning of a word or behind the one before ("sela" for
+/// "Select all"). Empty: it does not fit. Nothing typed fits every name.
 std::optional<NameMatch> matchName(const QString& typed, const QString& name);
 
 } // namespace app

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <tuple>
 
 namespace app {
 namespace {
@@ -15,16 +15,19 @@ namespace {
 constexpr int mostChords = 10'000; // for one curve of any size
 
 // Common borders of shapes are drawn in both directions: from the lesser end on, they have the same
-// chords bit for bit.
-bool isBackwards(const Point& begin, const Point& end)
+// chords bit for bit. In a loop the control points decide.
+bool isBackwards(const Point& begin, const PathSegment& curve)
 {
-    return std::pair(end.x, end.y) < std::pair(begin.x, begin.y);
+    const auto key = [](const Point& end, const Point& control) {
+        return std::tuple(end.x, end.y, control.x, control.y);
+    };
+    return key(curve.to, curve.control2) < key(begin, curve.control1);
 }
 
 Bezier fromLesserEnd(const Point& begin, const PathSegment& curve)
 {
-    return isBackwards(begin, curve.to) ? Bezier{curve.to, curve.control2, curve.control1, begin}
-                                        : Bezier{begin, curve.control1, curve.control2, curve.to};
+    return isBackwards(begin, curve) ? Bezier{curve.to, curve.control2, curve.control1, begin}
+                                     : Bezier{begin, curve.control1, curve.control2, curve.to};
 }
 
 // Wang's bound: the error of n chords of equal parameter length is at most |second difference| * 6
@@ -47,7 +50,7 @@ void flatten(const Point& begin, const PathSegment& segment, std::size_t index, 
         return;
     }
     const Bezier curve = fromLesserEnd(begin, segment);
-    const bool backwards = isBackwards(begin, segment.to);
+    const bool backwards = isBackwards(begin, segment);
     const int n = chordCount(curve, tolerance);
     Point last = begin;
     for (int k = 1; k <= n; ++k) {

@@ -29,22 +29,38 @@ void addWindows(const Session& session, const QString& typed, std::vector<NamedT
                               std::move(*match)});
 }
 
-void addContainers(const Session& session, const QString& typed, std::vector<NamedThing>& things)
+QString nameOf(const Container& container)
 {
+    return container.kind == Container::Kind::Layer ? container.name : groupName(container);
+}
+
+/// The best of them; whether all were looked at.
+bool addContainers(const Session& session, const QString& typed, std::size_t most,
+                   steady_clock::time_point end, std::vector<NamedThing>& things)
+{
+    constexpr std::size_t atOnce = 512;
     const Containers& tree = session.now().containers();
-    for (const ContainerId id : tree.inOrder()) {
-        const Container& container = tree[id];
-        const bool isLayer = container.kind == Container::Kind::Layer;
-        const QString name = isLayer ? container.name : groupName(container);
-        auto match = matchName(typed, name);
-        if (!match)
-            continue;
-        const QString count = countText(tree.rangeOf(id).size());
-        things.push_back(
-            {isLayer ? ThingKind::Layer : ThingKind::Group, id, name,
-             (isLayer ? Text::tr("layer, %1 objects") : Text::tr("group, %1 objects")).arg(count),
-             remarkOn(tree, id), std::move(*match)});
+    std::vector<std::pair<ContainerId, NameMatch>> found;
+    std::size_t looked = 0;
+    const auto all = tree.inOrder();
+    for (; looked < all.size(); ++looked) {
+        if (looked % atOnce == 0 && steady_clock::now() > end)
+            break;
+        if (auto match = matchName(typed, nameOf(tree[all[looked]])))
+            found.emplace_back(all[looked], std::move(*match));
     }
+    std::ranges::stable_sort(found, std::greater(),
+                             [](const auto& one) { return one.second.score; });
+    found.resize(std::min(found.size(), most));
+    for (auto& [id, match] : found) {
+        const bool isLayer = tree[id].kind == Container::Kind::Layer;
+        const QString what =
+            isLayer ? Text::tr("layer, %1 objects") : Text::tr("group, %1 objects");
+        things.push_back({isLayer ? ThingKind::Layer : ThingKind::Group, id, nameOf(tree[id]),
+                          what.arg(countText(tree.rangeOf(id).size())), remarkOn(tree, id),
+                          std::move(match)});
+    }
+    return looked == all.size();
 }
 
 const QString& nameIn(const Particulars& particulars)
@@ -79,21 +95,25 @@ bool addObjects(const Session& session, const QString& typed, std::size_t most,
     return true;
 }
 
+/// Empty: it is gone, or has another name now.
 ObjectRanges objectsOf(const Session& session, const NamedThing& thing)
 {
-    if (thing.kind != ThingKind::Object) {
-        const Containers& tree = session.now().containers();
-        const auto id = ContainerId(thing.number);
-        return tree.contains(id) ? ObjectRanges(tree.rangeOf(id)) : ObjectRanges();
-    }
-    const bool exists = thing.number < session.now().objects().size();
-    return exists ? ObjectRanges(ObjectRange{thing.number, thing.number + 1}) : ObjectRanges();
+    const Containers& tree = session.now().containers();
+    const Objects& objects = session.now().objects();
+    const auto id = ContainerId(thing.number);
+    if (thing.kind != ThingKind::Object)
+        return tree.contains(id) && nameOf(tree[id]) == thing.name ? ObjectRanges(tree.rangeOf(id))
+                                                                   : ObjectRanges();
+    return thing.number < objects.size()
+                   && nameIn(objects[thing.number].particulars()) == thing.name
+               ? ObjectRanges(ObjectRange{thing.number, thing.number + 1})
+               : ObjectRanges();
 }
 
 bool chooseWindowNamed(Session& session, const NamedThing& thing)
 {
     const auto& list = session.windows().list;
-    if (thing.number >= list.size())
+    if (thing.number >= list.size() || nameOf(list[thing.number]) != thing.name)
         return false;
     if (!list[thing.number].visible) {
         emit session.refused(
@@ -109,17 +129,20 @@ bool chooseWindowNamed(Session& session, const NamedThing& thing)
 NamedThings thingsNamed(const Session& session, const QString& typed, std::size_t most,
                         std::chrono::microseconds time)
 {
-    const auto end = steady_clock::now() + time;
+    const auto begin = steady_clock::now();
+    const QString text = typed.simplified();
     NamedThings found;
-    if (typed.trimmed().isEmpty())
-        return found;
-    addWindows(session, typed, found.list);
-    addContainers(session, typed, found.list);
+    addWindows(session, text, found.list);
     std::ranges::stable_sort(found.list, std::greater(),
                              [](const NamedThing& thing) { return thing.match.score; });
-    if (found.list.size() > most)
-        found.list.erase(found.list.begin() + std::ptrdiff_t(most), found.list.end());
-    found.isAll = addObjects(session, typed, most, end, found.list);
+    // Each kind has its share of places and time: many layers hide no object.
+    const std::size_t share = most / 3;
+    found.list.resize(std::min(found.list.size(), share));
+    const bool containers = addContainers(session, text, share, begin + time / 2, found.list);
+    // Nothing typed: no list of all objects.
+    const bool objects =
+        text.isEmpty() || addObjects(session, text, most, begin + time, found.list);
+    found.isAll = containers && objects;
     return found;
 }
 
@@ -127,9 +150,11 @@ bool chooseThing(Session& session, const NamedThing& thing)
 {
     if (thing.kind == ThingKind::Window)
         return chooseWindowNamed(session, thing);
+    const ContainerId before = session.entered.id();
     session.entered.enter(0);
     ObjectRanges objects = common(objectsOf(session, thing), selectableObjects(session));
     if (objects.empty()) {
+        session.entered.enter(before);
         emit session.refused(
             Text::tr("%1 is empty, locked or hidden. Unlock and show it first.").arg(thing.name));
         return false;

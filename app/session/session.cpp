@@ -60,8 +60,9 @@ void Session::updateChoice()
 
 void Session::chooseWindow(std::size_t number)
 {
-    chosenLast_ = true;
-    if (std::exchange(chosenWindow_, number) == number)
+    const bool wasLast = std::exchange(chosenLast_, true);
+    const bool isSame = std::exchange(chosenWindow_, number) == number;
+    if (isSame && wasLast)
         return;
     updateChoice();
     emit previewChanged();

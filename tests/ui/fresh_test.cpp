@@ -179,6 +179,7 @@ private slots:
         const QSet<QString> elsewhere{
             "Chip",              // beside the pointer while a colour is taken
             "GlSurface",         // needs a graphics card
+            "Palette",           // a popup, filled anew when it is opened
             "RepeatDialog",      // modal, as the next ones: nothing changes elsewhere
             "MarginDialog",      //
             "JoinDialog",        //

@@ -10,6 +10,7 @@
 #include "ui/docks/window_model.h"
 #include "ui/hard_cases/answer_table.h"
 #include "ui/hard_cases/case_list.h"
+#include "ui/menus/palette_list.h"
 #include "ui/microscope/variable_model.h"
 #include "ui/widgets/table_model.h"
 
@@ -126,6 +127,13 @@ const std::vector<Row>& rows()
          },
          nullptr},
         {"LayerModel", ofSession<LayerModel>, nullptr},
+        {"PaletteModel",
+         [](app::Session&) -> Model {
+             auto model = std::make_unique<PaletteModel>();
+             model->show({{.name = QStringLiteral("Undo"), .match = {.letters = {0, 1}}}}, {});
+             return model;
+         },
+         alone<PaletteModel>},
         {"TableModel",
          [](app::Session&) -> Model {
              auto model = std::make_unique<TableModel>();

@@ -142,9 +142,6 @@ void Canvas::layOut()
     setFocusProxy(&drawing);
     parts.readout.setSurface(&drawing);
     parts.text.setSurface(&drawing);
-    constexpr int narrow = 640;
-    parts.capsule.setSurface(&drawing, alone && drawing.width() >= narrow ? Capsule::Form::Whole
-                                                                          : Capsule::Form::Compact);
     if (focused)
         drawing.setFocus();
     for (std::size_t i = parts.shown.size(); i < parts.widgets.size(); ++i)
@@ -157,6 +154,9 @@ void Canvas::layOut()
     parts.left.setGeometry(0, rulerWidth, rulerWidth, area.height());
     parts.controller.navigation().resize(
         {std::max(1, drawing.width()), std::max(1, drawing.height())});
+    constexpr int narrow = 640;
+    parts.capsule.setSurface(&drawing, alone && drawing.width() >= narrow ? Capsule::Form::Whole
+                                                                          : Capsule::Form::Compact);
     update();
 }
 

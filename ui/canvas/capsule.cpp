@@ -39,11 +39,11 @@ struct OperationPart {
 /// In the order of app::WindowOperation.
 std::array<OperationPart, 3> operationParts()
 {
-    return {
-        {{"window-add", Text::tr("Add"), Text::tr("Add the window to those above it")},
-         {"window-cut-out", Text::tr("Cut out"), Text::tr("Cut the window out of those above it")},
-         {"window-intersect", Text::tr("Intersect"),
-          Text::tr("Keep what the window has in common with those above it")}}};
+    return {{{"window-add", Text::tr("Add"), Text::tr("Add the window to those above it (+)")},
+             {"window-cut-out", Text::tr("Cut out"),
+              Text::tr("Cut the window out of those above it (−)")},
+             {"window-intersect", Text::tr("Intersect"),
+              Text::tr("Keep what the window has in common with those above it (*)")}}};
 }
 
 Segments* operationSegments()
@@ -74,8 +74,8 @@ Capsule::Capsule(Controller& controller, QWidget* parent)
 {
     setObjectName(QStringLiteral("capsule"));
     keep_->setObjectName(QStringLiteral("capsule-keep"));
-    keep_->setTips({Text::tr("Keep what lies inside all windows together"),
-                    Text::tr("Keep what lies outside all windows together")});
+    keep_->setTips({Text::tr("Keep what lies inside all windows together (X: the other side)"),
+                    Text::tr("Keep what lies outside all windows together (X: the other side)")});
     more_->setObjectName(QStringLiteral("capsule-more"));
     auto* row = new QHBoxLayout(this);
     row->setSizeConstraint(QLayout::SetFixedSize);
@@ -89,19 +89,23 @@ Capsule::Capsule(Controller& controller, QWidget* parent)
                           static_cast<QWidget*>(height_), static_cast<QWidget*>(unit_),
                           static_cast<QWidget*>(keep_), static_cast<QWidget*>(more_)})
         row->addWidget(part);
-    for (QWidget* part : findChildren<QWidget*>())
-        part->installEventFilter(this);
     hide();
     still_.setSingleShot(true);
     still_.setInterval(stillMilliseconds);
+    deaf_.setSingleShot(true);
+    deaf_.setInterval(deafMilliseconds);
+    connect(&deaf_, &QTimer::timeout, this,
+            [this] { setAttribute(Qt::WA_TransparentForMouseEvents, false); });
     const app::Session& session = controller.session();
     connect(operation_, &Segments::picked, this, &Capsule::setOperation);
     connect(keep_, &Segments::picked, this, [this](int side) {
-        setKeep(controller_.session(), app::Keep(side));
         leave();
+        setKeep(controller_.session(), app::Keep(side));
     });
-    connect(more_, &QToolButton::clicked, this,
-            [this] { emit menuWanted(mapToGlobal(rect().bottomRight())); });
+    connect(more_, &QToolButton::clicked, this, [this] {
+        leave();
+        emit menuWanted(mapToGlobal(rect().bottomRight()));
+    });
     connect(&still_, &QTimer::timeout, this, &Capsule::follow);
     connect(&controller, &Controller::viewChanged, this, &Capsule::hideWhileMoving);
     connect(&controller, &Controller::changed, this, [this] {
@@ -109,6 +113,12 @@ Capsule::Capsule(Controller& controller, QWidget* parent)
             follow();
     });
     connect(&controller, &Controller::capsuleWanted, this, &Capsule::enter);
+    connect(&session, &app::Session::loaded, this, [this] {
+        if (hasKeyboard())
+            forget(); // it was for a window of the drawing before
+        shown_ = {};
+        follow();
+    });
     for (const auto signal : {&app::Session::previewChanged, &app::Session::displayChanged,
                               &app::Session::selectionChanged})
         connect(&session, signal, this, &Capsule::follow);
@@ -146,9 +156,10 @@ LengthField* Capsule::makeField(app::WindowValue which)
     field->setFixedWidth(numberWidth);
     field->setToolTip(isWidth ? Text::tr("Width of the clip window (Enter)")
                               : Text::tr("Height of the clip window"));
-    connect(field, &LengthField::edited, this, [this, which](double length, app::Merging merging) {
-        app::setWindowValue(controller_.session(), which, length, false, merging);
-    });
+    field->setFocusPolicy(Qt::StrongFocus);
+    field->installEventFilter(this); // the wheel is for the canvas
+    connect(field, &LengthField::edited, this,
+            [this, which](double length, app::Merging merging) { set(which, length, merging); });
     connect(field, &LengthField::entered, this, &Capsule::leave);
     connect(field, &LengthField::refused, this, &Capsule::refused);
     connect(field, &LengthField::taken, this, &Capsule::taken);
@@ -157,12 +168,15 @@ LengthField* Capsule::makeField(app::WindowValue which)
 
 void Capsule::setSurface(QWidget* surface, Form form)
 {
+    if (hasKeyboard())
+        leave();
     surface_ = surface;
     form_ = form;
     operation_->setVisible(form == Form::Whole);
     keep_->setVisible(form == Form::Whole);
     unit_->setVisible(form == Form::Whole);
     operations_->setVisible(form == Form::Compact);
+    shown_ = {}; // it has another place
     follow();
 }
 
@@ -180,10 +194,17 @@ void Capsule::settle()
 
 void Capsule::setOperation(int operation)
 {
+    leave();
     app::Session& session = controller_.session();
     if (const auto number = session.windowNumber())
         app::setWindowOperation(session, *number, app::WindowOperation(operation));
-    leave();
+}
+
+/// Of the window that was shown when it was typed.
+void Capsule::set(app::WindowValue which, double length, app::Merging merging)
+{
+    if (controller_.session().windowNumber() == shown_.number)
+        app::setWindowValue(controller_.session(), which, length, false, merging);
 }
 
 void Capsule::enter()
@@ -198,6 +219,14 @@ void Capsule::leave()
 {
     if (surface_)
         surface_->setFocus();
+    follow(); // to where the window is now
+}
+
+void Capsule::forget()
+{
+    width_->discardTyped();
+    height_->discardTyped();
+    leave();
 }
 
 bool Capsule::isWanted() const
@@ -218,20 +247,24 @@ bool Capsule::holds() const { return isVisible() && (underMouse() || hasKeyboard
 
 void Capsule::follow()
 {
+    const app::Session& session = controller_.session();
+    const auto number = session.windowNumber();
+    const Shown now{number, number ? app::nameOf(session.windows().list[*number]) : QString()};
+    const bool isOther = std::exchange(shown_, now) != now;
+    if (hasKeyboard() && (isOther || !isWanted()))
+        forget();
     if (!isWanted()) {
-        if (hasKeyboard())
-            leave();
         hide();
         return controller_.setCapsulePlace({});
     }
     showValues();
-    if (!holds())
+    if (isOther || !holds())
         place();
 }
 
 void Capsule::hideWhileMoving()
 {
-    if (holds())
+    if (hasKeyboard())
         return;
     still_.start();
     follow();
@@ -247,25 +280,24 @@ void Capsule::showValues()
     chosen->setChecked(true);
     operations_->setIcon(chosen->icon());
     keep_->choose(int(session.windows().keep));
-    const double size = session.now().page().millimetresPerUnit();
-    width_->show(app::windowValue(session, app::WindowValue::Width), session.display().unit, size);
-    height_->show(app::windowValue(session, app::WindowValue::Height), session.display().unit,
-                  size);
+    for (const auto& [field, which] :
+         {std::pair(width_, app::WindowValue::Width), std::pair(height_, app::WindowValue::Height)})
+        if (!field->isBeingTyped())
+            field->show(app::windowValue(session, which), session.display().unit,
+                        session.now().page().millimetresPerUnit());
 }
 
 void Capsule::place()
 {
     adjustSize();
-    const auto& pointer = controller_.pointer();
-    app::CapsuleRoom room{.canvas = surface_->size(),
-                          .box = windowBox(controller_),
-                          .covered = windowMarks(controller_, surface_->font())};
-    if (pointer)
-        room.released = QPointF(pointer->screen.x, pointer->screen.y);
-    const auto at = app::capsulePlace(size(), room);
+    const auto at =
+        app::capsulePlace(size(), {.canvas = surface_->size(),
+                                   .box = windowBox(controller_),
+                                   .covered = windowMarks(controller_, surface_->font()),
+                                   .released = released_});
     const QPoint corner = at ? surface_->mapTo(parentWidget(), at->toPoint()) : pos();
     if (isHidden() || corner != pos())
-        shownFor_.start();
+        beDeaf();
     move(corner);
     setVisible(at.has_value());
     raise();
@@ -273,12 +305,39 @@ void Capsule::place()
     controller_.setCapsulePlace(at ? QRectF(*at, size()) : QRectF());
 }
 
+/// A click that was meant for what it has just covered still reaches that.
+void Capsule::beDeaf()
+{
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    deaf_.start();
+}
+
+/// The wheel over a field is for the canvas; a click on a field selects all of it.
 bool Capsule::eventFilter(QObject* watched, QEvent* event)
 {
-    const bool presses =
-        event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
-    return (presses && shownFor_.elapsed() < deafMilliseconds)
-           || QFrame::eventFilter(watched, event);
+    auto* field = qobject_cast<LengthField*>(watched);
+    if (event->type() == QEvent::FocusIn && field
+        && static_cast<QFocusEvent*>(event)->reason() == Qt::MouseFocusReason)
+        QMetaObject::invokeMethod(field, &LengthField::selectAll, Qt::QueuedConnection);
+    if (event->type() != QEvent::Wheel)
+        return QFrame::eventFilter(watched, event);
+    wheelEvent(static_cast<QWheelEvent*>(event));
+    return true;
+}
+
+void Capsule::wheelEvent(QWheelEvent* event)
+{
+    QWheelEvent there(surface_->mapFromGlobal(event->globalPosition()), event->globalPosition(),
+                      event->pixelDelta(), event->angleDelta(), event->buttons(),
+                      event->modifiers(), event->phase(), event->inverted());
+    QCoreApplication::sendEvent(surface_, &there);
+    event->accept();
+}
+
+void Capsule::leaveEvent(QEvent*)
+{
+    if (!hasKeyboard())
+        follow();
 }
 
 void Capsule::contextMenuEvent(QContextMenuEvent* event)

@@ -4,7 +4,6 @@
 #include "app/session/window_values.h"
 #include "ui/canvas/controller.h"
 
-#include <QElapsedTimer>
 #include <QFrame>
 #include <QLabel>
 #include <QToolButton>
@@ -41,6 +40,8 @@ signals:
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void leaveEvent(QEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
@@ -49,8 +50,10 @@ private:
     QToolButton* makeOperations();
     LengthField* makeField(app::WindowValue which);
     void setOperation(int operation);
-    void enter(); ///< its first field gets the keyboard
-    void leave(); ///< gives the keyboard back
+    void enter();  ///< its first field gets the keyboard
+    void leave();  ///< takes what is typed, and gives the keyboard back
+    void forget(); ///< discards what is typed, and gives the keyboard back
+    void set(app::WindowValue which, double length, app::Merging merging);
     bool isWanted() const;
     bool hasKeyboard() const;
     bool holds() const; ///< it has the keyboard or the pointer
@@ -58,6 +61,7 @@ private:
     void hideWhileMoving();
     void showValues();
     void place();
+    void beDeaf();
 
     Controller& controller_;
     QWidget* surface_ = nullptr;
@@ -69,7 +73,15 @@ private:
     LengthField *width_, *height_;
     UnitButton* unit_;
     QTimer still_; ///< runs while the view changes
-    QElapsedTimer shownFor_;
+    QTimer deaf_;  ///< runs while clicks go through it
+    struct Shown {
+        std::optional<std::size_t> number{};
+        QString name{};
+        friend bool operator==(const Shown&, const Shown&) = default;
+    };
+    Shown shown_;                       ///< the window whose values it shows
+    std::optional<QPointF> released_{}; ///< where the pointer was when the window was let go
+    std::optional<app::WindowFrame> placedAt_{};
 };
 
 } // namespace ui

@@ -182,7 +182,7 @@ private:
     void release(QMouseEvent& event);
     bool keyPress(QKeyEvent& event);
     bool keyRelease(QKeyEvent& event);
-    bool enter(const QKeyEvent& event);
+    bool windowKey(const QKeyEvent& event);
     bool navigationKey(const QKeyEvent& event);
     bool toolKey(const QKeyEvent& event);
     bool transformKey(const QKeyEvent& event);

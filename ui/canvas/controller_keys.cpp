@@ -2,9 +2,11 @@
 #include "app/commands/move_objects.h"
 #include "app/session/window_steps.h"
 #include "ui/canvas/controller.h"
+#include "ui/editing/keeping.h"
 #include "ui/tools/group_choice.h"
 
 #include <array>
+#include <map>
 
 // The keys that work while the canvas has the focus.
 
@@ -60,7 +62,7 @@ bool Controller::keyPress(QKeyEvent& event)
     if (used)
         steer(); // the key may have changed what is measured
     return used || (event.key() == Qt::Key_Escape && escape()) || arrow(event)
-           || navigationKey(event) || toolKey(event) || transformKey(event) || enter(event);
+           || navigationKey(event) || toolKey(event) || transformKey(event) || windowKey(event);
 }
 
 bool Controller::keyRelease(QKeyEvent& event)
@@ -114,10 +116,26 @@ bool Controller::arrow(const QKeyEvent& event)
     return true;
 }
 
-bool Controller::enter(const QKeyEvent& event)
+/// Of the chosen clip window, as in its capsule.
+bool Controller::windowKey(const QKeyEvent& event)
 {
-    if (capsulePlace_.isEmpty() || !has(event, Qt::NoModifier)
-        || !isOneOf(event.key(), {Qt::Key_Return, Qt::Key_Enter}))
+    static const std::map<QString, app::WindowOperation> operations{
+        {QStringLiteral("+"), app::WindowOperation::Add},
+        {QStringLiteral("-"), app::WindowOperation::CutOut},
+        {QStringLiteral("*"), app::WindowOperation::Intersect}};
+    const bool commands = event.modifiers() & (Qt::ControlModifier | Qt::AltModifier);
+    if (commands || gestureGoes() || !tool_->showsHandles() || !session_.windowChosen())
+        return false;
+    if (const auto found = operations.find(event.text()); found != operations.end()) {
+        app::setWindowOperation(session_, *session_.windowNumber(), found->second);
+        return true;
+    }
+    if (event.key() == Qt::Key_X) {
+        const bool inside = session_.windows().keep == app::Keep::Inside;
+        setKeep(session_, inside ? app::Keep::Outside : app::Keep::Inside);
+        return true;
+    }
+    if (capsulePlace_.isEmpty() || !isOneOf(event.key(), {Qt::Key_Return, Qt::Key_Enter}))
         return false;
     emit capsuleWanted();
     return true;

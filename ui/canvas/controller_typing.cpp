@@ -55,7 +55,11 @@ bool Controller::beginsTyping(const QKeyEvent& event) const
     const auto points = readout_->gauge().measure->points;
     const bool point = tool_->busy() || points == app::GestureMeasure::Points::Absolute;
     const QString first = firstTyped(event, point);
-    return !first.isEmpty() && (!first.front().isDigit() || digitUse() == app::DigitUse::Number);
+    // A sign says what the chosen clip window does, where digits choose its algorithm.
+    const bool sign = first == QLatin1String("+") || first == QLatin1String("-");
+    const bool forWindow = sign && digitPlace().windowChosen && !gestureGoes();
+    return !first.isEmpty() && !forWindow
+           && (!first.front().isDigit() || digitUse() == app::DigitUse::Number);
 }
 
 /// A number typed during a gesture that takes none does nothing: it must not choose the algorithm.

@@ -3,6 +3,7 @@
 
 #include "app/base/numbers.h"
 #include "app/document/window_outline.h"
+#include "app/scene/area_windows.h"
 #include "app/view/frame_handles.h"
 #include "app/view/ruler.h"
 #include "app/view/window_borders.h"
@@ -256,6 +257,8 @@ void addSmallNeighbours(const Controller& controller, std::vector<QRectF>& boxes
     const app::Session& session = controller.session();
     const auto& steps = session.region().steps;
     forEachVisible(session, [&](std::size_t number, std::size_t step) {
+        if (!app::isProper(steps[step].box)) // it contains nothing
+            return;
         const QRectF box = boxOnScreen(controller.view(), steps[step].box);
         if (number != session.windowNumber() && box.width() < small && box.height() < small)
             boxes.push_back(box);

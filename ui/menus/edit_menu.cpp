@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/window_steps.h"
 #include "ui/bars/option_bar.h"
 #include "ui/editing/editing.h"
 #include "ui/look/look_icon.h"
@@ -27,11 +28,19 @@ void pasteOrWarn(MainWindow& window, app::PastePlace place)
         window.tell({Message::Kind::Warning, nothingToPaste()});
 }
 
+/// With the tool Clip window, the chosen one is meant, as for the arrow keys.
+bool deletesWindow(const MainWindow& window)
+{
+    return window.canvas().tool() == "window" && window.session().windowChosen();
+}
+
 /// With the tool Nodes, the selected nodes are meant.
-void deleteNodesOrObjects(MainWindow& window)
+void deleteChosen(MainWindow& window)
 {
     app::NodeEditing& nodes = window.session().nodes;
-    if (nodes.someSelected())
+    if (deletesWindow(window))
+        app::removeWindow(window.session());
+    else if (nodes.someSelected())
         nodes.run(app::nodeStep("delete-nodes"));
     else
         deleteSelection(window.session());
@@ -145,8 +154,9 @@ MenuInfo editMenu()
                     .keys = {K(Qt::Key_Delete), K(Qt::Key_Backspace)},
                     .scope = ShortcutScope::Canvas,
                     .icon = "bin",
-                    .run = deleteNodesOrObjects,
-                    .enabled = someSelected,
+                    .run = deleteChosen,
+                    .enabled =
+                        [](const MainWindow& w) { return someSelected(w) || deletesWindow(w); },
                     .needs = nothingSelected(),
                 },
                 {},

@@ -76,7 +76,12 @@ Palette::Palette(MainWindow& window, OtherWindows& others)
     column->addWidget(list_);
     column->addSpacing(1);
     column->addLayout(foot);
-    setFixedWidth(paletteWidth);
+    const app::Session& session = window.session();
+    connect(&session, &app::Session::loaded, this, &QWidget::close);
+    connect(&session.document, &app::EditedDocument::changed, this, [this] {
+        if (isVisible())
+            search();
+    });
     connect(typed_, &QLineEdit::textChanged, this, &Palette::search);
     connect(list_, &QListView::clicked, this, [this](const QModelIndex& row) {
         if (!model_->isRow(row.row()))
@@ -104,29 +109,25 @@ void Palette::search()
 {
     if (!rows_)
         return;
-    std::vector<PaletteRow> found = rows_->matching(typed_->text());
-    if (only_)
-        std::erase_if(found, [this](const PaletteRow& row) {
-            return row.part != *only_ && row.part != PaletteRow::Part::Recent;
-        });
-    count_->setText(
-        Text::tr("%1 of %2").arg(app::countText(found.size()), app::countText(rows_->size())));
+    std::vector<PaletteRow> found = rows_->matching(typed_->text(), only_);
+    count_->setText(app::countText(found.size()));
     keys_->setText(only_ ? Text::tr("Tab: %1 only").arg(partName(*only_))
                          : Text::tr("Enter: run    Tab: only this kind    Esc: close"));
     model_->show(std::move(found), typed_->text());
-    choose(-1);
-    step(+1);
+    choose(model_->bestLine());
     fit();
 }
 
 void Palette::fit()
 {
+    const int top = window_.canvas().mapTo(&window_, QPoint(0, fromTop)).y();
+    const int room = window_.height() - top - typedHeight - footHeight - 2 * space::rowHeight;
     int height = 0;
     for (int row = 0, shown = 0; row < model_->rowCount() && shown <= mostRows; ++row) {
         height += model_->heightOf(row);
         shown += model_->isRow(row);
     }
-    list_->setFixedHeight(height);
+    list_->setFixedHeight(std::min(height, std::max(room, 3 * space::rowHeight)));
     adjustSize();
 }
 
@@ -148,11 +149,13 @@ void Palette::step(int by)
             return choose(row);
 }
 
-void Palette::showNextPart()
+/// All, then each part alone, in a circle.
+void Palette::showNextPart(int by)
 {
-    const auto now = only_ ? std::ranges::find(parts, *only_) : parts.end();
-    const auto next = only_ ? now + 1 : parts.begin();
-    only_ = next == parts.end() ? std::nullopt : std::optional(*next);
+    constexpr int all = int(parts.size());
+    const int now = only_ ? int(std::ranges::find(parts, *only_) - parts.begin()) : all;
+    const int next = (now + by + all + 1) % (all + 1);
+    only_ = next == all ? std::nullopt : std::optional(parts[std::size_t(next)]);
     search();
 }
 
@@ -160,9 +163,10 @@ void Palette::showNextPart()
 void Palette::run()
 {
     const PaletteRow* row = model_->row(list_->currentIndex().row());
-    if (!row)
+    if (!row || !row->run)
         return;
-    if (!row->enabled)
+    // A thing of the drawing says in a sentence why it is not chosen.
+    if (!row->enabled && row->part != PaletteRow::Part::Drawing)
         return emit refused(row->note.isEmpty() ? Text::tr("%1 is not possible now.").arg(row->name)
                                                 : row->note);
     rows_->remember(*row);
@@ -185,7 +189,8 @@ bool Palette::key(const QKeyEvent& event)
             step(event.key() == Qt::Key_PageDown ? +1 : -1);
         return true;
     case Qt::Key_Tab:
-        showNextPart();
+    case Qt::Key_Backtab:
+        showNextPart(event.key() == Qt::Key_Tab ? +1 : -1);
         return true;
     case Qt::Key_Return:
     case Qt::Key_Enter:

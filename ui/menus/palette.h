@@ -38,7 +38,7 @@ private:
     void search();
     void choose(int row);
     void step(int by); ///< to the next row that is no heading
-    void showNextPart();
+    void showNextPart(int by);
     void run();
     void fit();
 

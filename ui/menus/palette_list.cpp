@@ -47,7 +47,6 @@ void drawMatched(QPainter& painter, const QRect& box, const QString& name,
 QString partName(PaletteRow::Part part)
 {
     static const std::map<PaletteRow::Part, const char*> names{
-        {PaletteRow::Part::Recent, QT_TRANSLATE_NOOP("Text", "Recent")},
         {PaletteRow::Part::Commands, QT_TRANSLATE_NOOP("Text", "Commands")},
         {PaletteRow::Part::Drawing, QT_TRANSLATE_NOOP("Text", "In this drawing")},
         {PaletteRow::Part::Help, QT_TRANSLATE_NOOP("Text", "Help")}};
@@ -60,12 +59,16 @@ void PaletteModel::show(std::vector<PaletteRow> rows, const QString& typed)
     found_ = std::move(rows);
     lines_.clear();
     for (std::size_t i = 0; i < found_.size(); ++i) {
-        if (i == 0 || found_[i].part != found_[i - 1].part)
+        if (i == 0 && found_[i].isRecent)
+            lines_.push_back({Text::tr("Recent")});
+        else if (!found_[i].isRecent && (i == 0 || found_[i].part != found_[i - 1].part))
             lines_.push_back({partName(found_[i].part)});
         lines_.push_back({{}, i});
     }
     if (found_.empty())
-        lines_.push_back({Text::tr("Nothing is called “%1”.").arg(typed)});
+        lines_.push_back({typed.trimmed().isEmpty()
+                              ? Text::tr("There is nothing.")
+                              : Text::tr("Nothing is called “%1”.").arg(typed)});
     endResetModel();
 }
 
@@ -77,6 +80,21 @@ const PaletteRow* PaletteModel::row(int line) const
 }
 
 int PaletteModel::heightOf(int line) const { return isRow(line) ? lineHeight : headingHeight; }
+
+int PaletteModel::bestLine() const
+{
+    int first = -1;
+    for (int line = 0; line < rows(); ++line) {
+        const PaletteRow* here = row(line);
+        if (!here)
+            continue;
+        if (first < 0)
+            first = line;
+        if (here->enabled && here->match.score >= row(first)->match.score)
+            return line;
+    }
+    return first;
+}
 
 QVariant PaletteModel::cell(int line, int, int role) const
 {

@@ -23,6 +23,8 @@ public:
     bool isRow(int line) const { return row(line) != nullptr; } ///< not a heading
     const PaletteRow* row(int line) const;                      ///< null: there is none
     int heightOf(int line) const;
+    /// The first row that can be run, if it fits no worse than the very first; else that; -1: none.
+    int bestLine() const;
 
 protected:
     int rows() const override { return int(lines_.size()); }

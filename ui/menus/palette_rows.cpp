@@ -11,12 +11,14 @@
 #include "ui/window/main_window.h"
 
 #include <QAction>
+#include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QPointer>
 #include <QSettings>
 
 #include <algorithm>
+#include <tuple>
 
 namespace ui {
 namespace {
@@ -31,9 +33,9 @@ QString plain(QString text)
     return text.replace(both, kept).remove(u'&').replace(kept, QStringLiteral("&"));
 }
 
-PaletteRow rowOf(QAction* action, const QString& menu)
+PaletteRow rowOf(MainWindow& window, QAction* action, const QString& menu)
 {
-    PaletteRow row{.key = action->objectName().isEmpty() ? action->text() : action->objectName(),
+    PaletteRow row{.key = action->objectName(),
                    .icon = action->icon(),
                    .name = plain(action->text()),
                    .what = menu,
@@ -44,21 +46,29 @@ PaletteRow rowOf(QAction* action, const QString& menu)
         if (action)
             action->trigger();
     };
+    // The name of a panel brings it to the front; its entry in the menu would close it.
+    if (const auto* panel = qobject_cast<QDockWidget*>(action->parent()))
+        row.run = [&window, key = panel->objectName()] { window.raisePanel(key); };
     return row;
 }
 
-void addCommands(const QWidget& menu, const QString& path, std::vector<PaletteRow>& rows)
+void addCommands(MainWindow& window, const QWidget& menu, const QString& path,
+                 std::vector<PaletteRow>& rows)
 {
     for (QAction* action : menu.actions()) {
-        if (QMenu* submenu = action->menu())
-            addCommands(*submenu,
+        if (QMenu* submenu = action->menu()) {
+            emit submenu->aboutToShow(); // some are filled then: recent files, layers
+            addCommands(window, *submenu,
                         path.isEmpty() ? plain(action->text())
                                        : path + QStringLiteral(" › ") + plain(action->text()),
                         rows);
-        else if (!action->isSeparator() && !action->text().isEmpty())
-            rows.push_back(rowOf(action, path));
+        } else if (!action->isSeparator() && !action->text().isEmpty()) {
+            rows.push_back(rowOf(window, action, path));
+        }
     }
 }
+
+QStringList rememberedKeys() { return QSettings().value("palette/recent").toStringList(); }
 
 PaletteRow pageRow(OtherWindows& others, const QString& topic)
 {
@@ -71,8 +81,8 @@ PaletteRow pageRow(OtherWindows& others, const QString& topic)
             .run = [&others, topic] { others.showManual(topic); }};
 }
 
-/// The rows that fit, the best first, those that cannot be run last. A row is also found by its
-/// menu ("clip crop").
+/// The rows that fit: what can be run first, of this the best, of these what was run lately. Last
+/// come those that are found only with their menu ("clip crop").
 std::vector<PaletteRow> fitting(const std::vector<PaletteRow>& rows, const QString& typed)
 {
     std::vector<PaletteRow> found;
@@ -86,9 +96,12 @@ std::vector<PaletteRow> fitting(const std::vector<PaletteRow>& rows, const QStri
         found.push_back(row);
         found.back().match = std::move(*match);
     }
-    std::ranges::stable_sort(found, [](const PaletteRow& a, const PaletteRow& b) {
-        return std::pair(a.enabled, a.match.score) > std::pair(b.enabled, b.match.score);
-    });
+    const QStringList keys = rememberedKeys();
+    const auto rank = [&keys](const PaletteRow& row) {
+        return std::tuple(row.match.score > 0, row.enabled, row.match.score,
+                          !row.key.isEmpty() && keys.contains(row.key));
+    };
+    std::ranges::stable_sort(found, std::greater(), rank);
     return found;
 }
 
@@ -131,20 +144,22 @@ PaletteRow rowOf(MainWindow& window, const app::NamedThing& thing)
 /// "120 mm": the width of the chosen clip window.
 std::vector<PaletteRow> widthRow(MainWindow& window, const QString& typed)
 {
+    constexpr double most = 1e9; // as in fields
     app::Session& session = window.session();
     const double size = session.now().page().millimetresPerUnit();
-    const auto length = app::typedLength(typed, {session.display().unit, size});
-    if (!length || !(*length.value >= 0) || !session.windowNumber())
+    const app::Unit unit = session.display().unit;
+    const auto length = app::typedLength(typed, {unit, size});
+    const auto number = session.windowNumber();
+    if (!length || !(*length.value >= 0 && *length.value <= most) || !number)
         return {};
-    const app::ClipWindow& chosen = session.windows().list[*session.windowNumber()];
-    return {{.part = PaletteRow::Part::Commands,
-             .icon = icon("window"),
-             .name = Text::tr("Set width of %1").arg(app::nameOf(chosen)),
-             .what = app::lengthText(app::fromUnit(*length.value, session.display().unit, size),
-                                     session.display().unit, size),
-             .run = [&session, width = app::fromUnit(*length.value, session.display().unit, size)] {
-                 app::setWindowValue(session, app::WindowValue::Width, width, false,
-                                     app::Merging::Never);
+    const double width = app::fromUnit(*length.value, unit, size);
+    return {{.icon = icon("window"),
+             .name = Text::tr("Set width of %1").arg(app::nameOf(session.windows().list[*number])),
+             .what = app::lengthText(width, unit, size),
+             .run = [&session, number, width] {
+                 if (session.windowNumber() == number)
+                     app::setWindowValue(session, app::WindowValue::Width, width, false,
+                                         app::Merging::Never);
              }}};
 }
 
@@ -152,24 +167,23 @@ std::vector<PaletteRow> widthRow(MainWindow& window, const QString& typed)
 
 PaletteRows::PaletteRows(MainWindow& window, OtherWindows& others) : window_(window)
 {
-    addCommands(*window.menuBar(), {}, commands_);
+    addCommands(window, *window.menuBar(), {}, commands_);
     for (const QString& topic : app::manualTopics())
         pages_.push_back(pageRow(others, topic));
 }
 
-std::vector<PaletteRow> PaletteRows::recent(const QString& typed) const
+std::vector<PaletteRow> PaletteRows::recent() const
 {
     std::vector<PaletteRow> found;
-    for (const QString& key : QSettings().value("palette/recent").toStringList())
+    for (const QString& key : rememberedKeys())
         for (const auto* rows : {&commands_, &pages_}) {
             const auto row = std::ranges::find(*rows, key, &PaletteRow::key);
-            auto match = row == rows->end() ? std::nullopt : app::matchName(typed, row->name);
-            if (!match || qsizetype(found.size()) == mostRemembered)
+            if (row == rows->end() || key.isEmpty() || qsizetype(found.size()) == mostRemembered)
                 continue;
             found.push_back(*row);
-            found.back().part = PaletteRow::Part::Recent;
-            found.back().match = std::move(*match);
+            found.back().isRecent = true;
         }
+    std::ranges::stable_sort(found, std::greater(), &PaletteRow::enabled);
     return found;
 }
 
@@ -188,24 +202,22 @@ std::vector<PaletteRow> PaletteRows::ofDrawing(const QString& typed) const
     return rows;
 }
 
-std::vector<PaletteRow> PaletteRows::matching(const QString& typed) const
+std::vector<PaletteRow> PaletteRows::matching(const QString& typed,
+                                              std::optional<PaletteRow::Part> only) const
 {
-    std::vector<PaletteRow> all = recent(typed);
-    if (typed.trimmed().isEmpty() && !all.empty())
-        return all;
-    const std::size_t remembered = all.size();
-    const auto append = [&](std::vector<PaletteRow> rows) {
-        for (PaletteRow& row : rows) {
-            const auto end = all.begin() + std::ptrdiff_t(remembered);
-            if (row.key.isEmpty()
-                || std::ranges::find(all.begin(), end, row.key, &PaletteRow::key) == end)
-                all.push_back(std::move(row));
-        }
+    if (typed.trimmed().isEmpty() && !only)
+        if (std::vector<PaletteRow> last = recent(); !last.empty())
+            return last;
+    std::vector<PaletteRow> all;
+    const auto append = [&](PaletteRow::Part part, auto rows) {
+        if (only.value_or(part) == part)
+            all.insert(all.end(), std::make_move_iterator(rows.begin()),
+                       std::make_move_iterator(rows.end()));
     };
-    append(widthRow(window_, typed));
-    append(fitting(commands_, typed));
-    append(ofDrawing(typed));
-    append(fitting(pages_, typed));
+    append(PaletteRow::Part::Commands, widthRow(window_, typed));
+    append(PaletteRow::Part::Commands, fitting(commands_, typed));
+    append(PaletteRow::Part::Drawing, ofDrawing(typed));
+    append(PaletteRow::Part::Help, fitting(pages_, typed));
     return all;
 }
 
@@ -213,7 +225,7 @@ void PaletteRows::remember(const PaletteRow& row) const
 {
     if (row.key.isEmpty())
         return;
-    QStringList keys = QSettings().value("palette/recent").toStringList();
+    QStringList keys = rememberedKeys();
     keys.removeAll(row.key);
     keys.prepend(row.key);
     QSettings().setValue("palette/recent", QStringList(keys.mid(0, mostRemembered)));

@@ -6,6 +6,7 @@
 #include <QIcon>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace ui {
@@ -15,9 +16,10 @@ class OtherWindows;
 
 /// A line of the palette: what Enter does, with the name by which it is found.
 struct PaletteRow {
-    enum class Part : std::uint8_t { Recent, Commands, Drawing, Help };
+    enum class Part : std::uint8_t { Commands, Drawing, Help };
     Part part = Part::Commands;
-    QString key{}; ///< by which it is remembered; empty: it is not
+    bool isRecent = false; ///< listed because it was run not long ago
+    QString key{};         ///< by which it is remembered; empty: it is not
     QIcon icon{};
     QString name{};
     QString what{}; ///< the menu; "layer, 64 objects"
@@ -34,15 +36,14 @@ class PaletteRows {
 public:
     PaletteRows(MainWindow& window, OtherWindows& others);
 
-    std::size_t size() const { return commands_.size() + pages_.size(); } ///< without the drawing
-
-    /// Those that fit, in the order in which they are listed, part by part; disabled ones last.
-    /// Nothing typed: the last ten that were run, or all commands if none was.
-    std::vector<PaletteRow> matching(const QString& typed) const;
+    /// Those that fit, part by part, the best first; what cannot be run is last in its part.
+    /// Nothing typed: the last ten that were run, or all if none was. `only`: of this part.
+    std::vector<PaletteRow> matching(const QString& typed,
+                                     std::optional<PaletteRow::Part> only) const;
     void remember(const PaletteRow& row) const; ///< it was run
 
 private:
-    std::vector<PaletteRow> recent(const QString& typed) const;
+    std::vector<PaletteRow> recent() const;
     std::vector<PaletteRow> ofDrawing(const QString& typed) const;
 
     MainWindow& window_;

@@ -26,12 +26,12 @@ public:
     void release(const Pointer& pointer, Workbench& bench) override
     {
         drawing_ ? drawing_->release(pointer, bench) : gesture_.finish(pointer, bench);
-        forgetDrawn();
+        forgetDrawn(bench);
     }
     void doubleClick(const Pointer& pointer, Workbench& bench) override
     {
         drawing_ ? drawing_->doubleClick(pointer, bench) : press(pointer, bench);
-        forgetDrawn();
+        forgetDrawn(bench);
     }
     void leave(Workbench& bench) override
     {
@@ -52,7 +52,7 @@ public:
             drawing_->cancel(bench);
         if (corrected)
             app::setWindowPen(bench.session, app::penAfter(drawnWith_));
-        forgetDrawn();
+        forgetDrawn(bench);
         drawing_.reset();
         gesture_.cancel(bench);
     }
@@ -61,7 +61,7 @@ public:
         if (!drawing_)
             return cancel(bench);
         drawing_->end(bench);
-        forgetDrawn();
+        forgetDrawn(bench);
     }
     bool busy() const override { return drawing_ || gesture_.going(); }
 
@@ -69,7 +69,7 @@ public:
     void takeBack(Workbench& bench) override
     {
         drawing_->takeBack(bench);
-        forgetDrawn();
+        forgetDrawn(bench);
     }
     QString stepText() const override { return drawing_ ? drawing_->stepText() : QString(); }
 
@@ -91,7 +91,7 @@ public:
     void accept(const app::GestureEnd& end, Workbench& bench) override
     {
         drawing_ ? drawing_->accept(end, bench) : gesture_.accept(end, bench);
-        forgetDrawn();
+        forgetDrawn(bench);
     }
 
     QCursor cursor(const Workbench& bench) const override;
@@ -139,23 +139,26 @@ private:
         return inside ? std::optional(app::Handle{}) : std::nullopt;
     }
     /// The next gesture may draw another shape; until then numbers change the one that was drawn.
-    void forgetDrawn()
+    void forgetDrawn(const Workbench& bench)
     {
-        if (drawing_ && !drawing_->busy())
-            drawn_ = std::move(drawing_);
+        if (!drawing_ || drawing_->busy())
+            return;
+        drawn_ = std::move(drawing_);
+        drawnNumber_ = bench.session.windowNumber();
     }
-    /// Whether numbers typed now change the window drawn last. The pen must be the same, as the
-    /// window is drawn again with it.
+    /// Whether numbers typed now change the window drawn last, which must be the chosen one. The
+    /// pen must be the same, as the window is drawn again with it.
     bool corrigible(const Workbench& bench) const
     {
         const app::WindowPen& pen = bench.session.windowPen;
-        return drawn_ && pen.kind == drawnWith_.kind && pen.use == app::penAfter(drawnWith_).use
-               && canCorrect(*drawn_, bench);
+        return drawn_ && bench.session.windowNumber() == drawnNumber_ && pen.kind == drawnWith_.kind
+               && pen.use == app::penAfter(drawnWith_).use && canCorrect(*drawn_, bench);
     }
 
     WindowGesture gesture_;
-    std::unique_ptr<Tool> drawing_; ///< null: no window is being drawn
-    std::unique_ptr<Tool> drawn_;   ///< what has drawn the last window
+    std::unique_ptr<Tool> drawing_;          ///< null: no window is being drawn
+    std::unique_ptr<Tool> drawn_;            ///< what has drawn the last window
+    std::optional<std::size_t> drawnNumber_; ///< of the window that it has drawn
     app::WindowPen drawnWith_;
     std::optional<app::Handle> hoveredHandle_;
 };
@@ -165,7 +168,7 @@ void WindowTool::press(const Pointer& pointer, Workbench& bench)
     if (corrects()) { // a press ends the correction
         drawing_->cancel(bench);
         app::setWindowPen(bench.session, app::penAfter(drawnWith_));
-        forgetDrawn();
+        forgetDrawn(bench);
     }
     if (!drawing_) {
         hoveredHandle_ = handleUnder(pointer, bench);
@@ -179,7 +182,7 @@ void WindowTool::press(const Pointer& pointer, Workbench& bench)
         drawnWith_ = bench.session.windowPen;
     }
     drawing_->press(pointer, bench);
-    forgetDrawn();
+    forgetDrawn(bench);
 }
 
 // With this tool the arrow keys move the window, even if objects are selected.
@@ -187,7 +190,7 @@ bool WindowTool::key(QKeyEvent& event, Workbench& bench)
 {
     if (drawing_) {
         const bool used = drawing_->key(event, bench);
-        forgetDrawn();
+        forgetDrawn(bench);
         return used;
     }
     const int key = event.key();

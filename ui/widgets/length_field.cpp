@@ -143,6 +143,10 @@ void LengthField::showMixed(double length, app::Unit unit, double millimetresPer
     lineEdit()->setPlaceholderText(Text::tr("mixed"));
 }
 
+bool LengthField::isBeingTyped() const { return hasFocus() && lineEdit()->isModified(); }
+
+void LengthField::discardTyped() { restore(); }
+
 QString LengthField::seenText() const { return static_cast<NumberEdit*>(lineEdit())->seen(); }
 
 /// The tooltip shows the whole text if it is elided.

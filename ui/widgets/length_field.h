@@ -29,6 +29,8 @@ public:
     /// An empty field that says "mixed": a typed length is for all. Steps begin at `length`.
     void showMixed(double length, app::Unit unit, double millimetresPerUnit);
     void stepBy(int steps) override;
+    bool isBeingTyped() const; ///< it has the keyboard, and its text is not taken yet
+    void discardTyped();
     /// The visible text; ends with an ellipsis if the number does not fit completely.
     QString seenText() const;
 

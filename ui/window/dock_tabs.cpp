@@ -45,6 +45,9 @@ void refreshTitles(QMainWindow& window, const QList<Dock*>& docks)
         bar->setExpanding(false);
         bar->setDrawBase(false);
         bar->setElideMode(Qt::ElideNone);
+        // Qt keeps bars of places that are gone, without tabs, above others, whose clicks they get.
+        if (bar->count() == 0)
+            bar->lower();
     }
 }
 

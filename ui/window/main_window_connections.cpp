@@ -23,6 +23,7 @@ void MainWindow::connectSession()
                               &app::Session::fileChanged})
         connect(&session_, signal, this, &MainWindow::refreshActions);
     connect(&session_.document, &app::EditedDocument::changed, this, &MainWindow::refreshActions);
+    connect(canvas_, &Canvas::toolChanged, this, &MainWindow::refreshActions); // Delete
     connect(&session_, &app::Session::previewChanged, this,
             [this, before = app::needsInHand(session_)]() mutable {
                 if (const app::WindowNeeds now = app::needsInHand(session_);

@@ -50,6 +50,7 @@ private slots:
         QVERIFY(matchName("gp", "Go to the page"));
         QVERIFY(!matchName("ht", "Go to the page")); // no word begins with h
         QVERIFY(!matchName("rot", "Reset layout"));
+        QVERIFY(matchName("cob", "Copy object")); // the o is not that of Copy
         QVERIFY(!matchName("gpx", "Go to the page"));
     }
     void nothingTypedFitsAll()

@@ -240,7 +240,7 @@ private slots:
         const auto at = [&] { return Point(place(random), place(random)); };
         for (int i = 0; i < 100; ++i) {
             Subpath blob{at(), {}, true};
-            for (int k = 0; k < 3; ++k)
+            for (int k = 0; k < i % 4; ++k) // none: a loop of one curve
                 blob.segments.push_back({at(), at(), at(), true});
             blob.segments.push_back({blob.start, at(), at(), true});
             const Subpath back = reversedPath(blob);

@@ -4,6 +4,7 @@
 #include "ui/canvas/capsule.h"
 #include "ui/widgets/length_field.h"
 
+#include <QLineEdit>
 #include <QMenu>
 #include <QSignalSpy>
 
@@ -102,6 +103,101 @@ private slots:
         QCOMPARE(stage.box(), (clipping::Window{{50, 20}, {150, 80}}));
         QCOMPARE(width.text(), QStringLiteral("100.0"));
     }
+    void whatIsTypedIsForTheWindowThatWasShown()
+    {
+        CapsuleStage stage;
+        stage.session.changeDisplay([](app::Display& d) { d.unit = app::Unit::Px; });
+        stage.drag({160, 20}, {190, 60}); // another window, which is chosen
+        auto& width = stage.part<ui::LengthField>("capsule-width");
+        const QRect before = stage.place();
+        width.setFocus();
+        QTest::keyClicks(&width, "7");
+        stage.session.chooseWindow(0); // by a command, while the field is open
+        QVERIFY(stage.surface().hasFocus());
+        QCOMPARE(width.text(), QStringLiteral("100.0"));
+        QVERIFY(stage.place() != before);
+        QCOMPARE(stage.session.history.undoText(), QStringLiteral("Draw clip window"));
+        // The same number in another drawing.
+        width.setFocus();
+        QTest::keyClicks(&width, "7");
+        app::Sheet sheet;
+        sheet.window = {{10, 10}, {90, 80}};
+        stage.session.load({app::documentOf(sheet), {}});
+        QVERIFY(!width.hasFocus());
+        QCOMPARE(stage.box(), (clipping::Window{{10, 10}, {90, 80}}));
+    }
+    void whatIsTypedIsTakenByTheOtherParts()
+    {
+        CapsuleStage stage;
+        stage.session.changeDisplay([](app::Display& d) { d.unit = app::Unit::Px; });
+        auto& width = stage.part<ui::LengthField>("capsule-width");
+        stage.key(Qt::Key_Return);
+        QTest::keyClicks(&width, "60");
+        stage.clickPart("capsule-keep", 1);
+        QCOMPARE(stage.session.windows().keep, app::Keep::Outside);
+        QCOMPARE(stage.box(), (clipping::Window{{50, 20}, {110, 80}}));
+        // What changes elsewhere leaves it.
+        stage.key(Qt::Key_Return);
+        QTest::keyClicks(&width, "30");
+        stage.session.changeDisplay([](app::Display& d) { d.guides = !d.guides; });
+        QCOMPARE(width.text(), QStringLiteral("30"));
+        QTest::keyClick(&width, Qt::Key_Return);
+        QCOMPARE(stage.box(), (clipping::Window{{50, 20}, {80, 80}}));
+    }
+    void theWheelIsForTheCanvas()
+    {
+        CapsuleStage stage;
+        auto& width = stage.part<ui::LengthField>("capsule-width");
+        const double zoom = stage.canvas->view().zoom;
+        const QPoint middle = width.rect().center();
+        QWheelEvent wheel(middle, width.mapToGlobal(middle), {}, {0, 120}, Qt::NoButton,
+                          Qt::NoModifier, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&width, &wheel);
+        QVERIFY(stage.canvas->view().zoom > zoom);
+        QCOMPARE(stage.box(), (clipping::Window{{50, 20}, {150, 80}}));
+        QVERIFY(stage.surface().hasFocus());
+    }
+    void aWindowWithoutAreaIsNoNeighbour()
+    {
+        CapsuleStage stage;
+        app::ClipWindows windows = stage.session.windows();
+        windows.list.push_back({.shape = app::RectangleShape{{{20, 20}, {20, 60}}}});
+        stage.session.history.push(new app::SetWindows(stage.session.document, windows, {}));
+        QVERIFY(stage.capsule().isVisible());
+    }
+    // Its gesture could be corrected by typed numbers; the chosen window is another one.
+    void enterIsForTheChosenWindow()
+    {
+        CapsuleStage stage;
+        stage.drag({160, 20}, {190, 60});
+        stage.click({100, 50}); // the first one
+        QCOMPARE(stage.session.windowNumber(), std::size_t(0));
+        stage.key(Qt::Key_Return);
+        QVERIFY(stage.part<ui::LengthField>("capsule-width").hasFocus());
+        QTest::keyClicks(QApplication::focusWidget(), "60");
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+        QCOMPARE(stage.session.windows().list.size(), std::size_t(2));
+        QVERIFY(stage.session.windowNumber() == std::size_t(0));
+    }
+    void aClickOnAFieldSelectsAllOfIt()
+    {
+        CapsuleStage stage;
+        QTest::qWait(untilItListens);
+        auto& width = stage.part<ui::LengthField>("capsule-width");
+        auto* line = width.findChild<QLineEdit*>();
+        QTest::mouseClick(line, Qt::LeftButton, {}, {line->width() - 4, line->height() / 2});
+        QCoreApplication::processEvents();
+        QCOMPARE(line->selectedText(), line->text());
+    }
+    void aClickDoesNotMoveIt()
+    {
+        CapsuleStage stage;
+        stage.drag({100, 50}, {101, 50});
+        const QRect before = stage.place();
+        for (const app::Point& at : {app::Point(60, 25), app::Point(60, 75), app::Point(140, 25)})
+            stage.click(at);
+        QCOMPARE(stage.place(), before);
+    }
     void whatIsNoLengthIsRefused()
     {
         CapsuleStage stage;
@@ -127,14 +223,38 @@ private slots:
         stage.clickPart("capsule-keep", 1);
         QCOMPARE(stage.session.windows().keep, app::Keep::Outside);
     }
-    // A second click of a double click may come where it has just appeared.
-    void aClickThatCameTooSoonDoesNothing()
+    void itsKeysWorkOnTheCanvas()
     {
         CapsuleStage stage;
+        QTest::keyClick(&stage.surface(), '-');
+        QCOMPARE(stage.window().operation, app::WindowOperation::CutOut);
+        QTest::keyClick(&stage.surface(), '*');
+        QCOMPARE(stage.window().operation, app::WindowOperation::Intersect);
+        stage.key(Qt::Key_X);
+        QCOMPARE(stage.session.windows().keep, app::Keep::Outside);
+        // Just after a window was drawn, too; in a gesture a sign is typed.
+        stage.drag({160, 20}, {190, 80});
+        QCOMPARE(stage.session.windows().list.size(), std::size_t(2));
+        QTest::keyClick(&stage.surface(), '-');
+        QCOMPARE(stage.session.windows().list[1].operation, app::WindowOperation::CutOut);
+        stage.canvas->setTool("line");
+        QTest::keyClick(&stage.surface(), '+');
+        QCOMPARE(stage.session.windows().list[1].operation, app::WindowOperation::CutOut);
+    }
+    // The second click of a double click may come where it has just appeared.
+    void aClickThatCameTooSoonGoesThrough()
+    {
+        CapsuleStage stage;
+        QTest::qWait(untilItListens);
+        QVERIFY(!stage.capsule().testAttribute(Qt::WA_TransparentForMouseEvents));
         stage.drag({100, 50}, {110, 50});
-        const auto buttons = stage.part<QWidget>("capsule-operation").findChildren<QToolButton*>();
-        QTest::mouseClick(buttons[1], Qt::LeftButton);
-        QCOMPARE(stage.window().operation, app::WindowOperation::Add);
+        auto& width = stage.part<ui::LengthField>("capsule-width");
+        const auto what = [&] {
+            return stage.canvas->childAt(width.mapTo(stage.canvas.get(), width.rect().center()));
+        };
+        QVERIFY(!stage.capsule().isAncestorOf(what()));
+        QTest::qWait(untilItListens);
+        QVERIFY(stage.capsule().isAncestorOf(what()));
     }
     void itsMenuIsAskedFor()
     {

@@ -78,6 +78,8 @@ private slots:
                 continue;
             finder.type(name);
             QVERIFY2(finder.lines().contains(name), qPrintable(name));
+            if (action->isEnabled()) // else those that are possible come before
+                QVERIFY2(finder.lines().value(1) == name, qPrintable(name));
             ++looked;
         }
         QVERIFY(looked > 120);
@@ -110,13 +112,23 @@ private slots:
         finder.press(Qt::Key_Return);
         finder.open();
         QCOMPARE(finder.lines(), (QStringList{"Recent", "Select", "Ellipse"}));
-        QSettings().setValue("palette/recent", QStringList{"gone", "undo", "ellipse"});
-        finder.type("e");
+        const QString ellipse = QSettings().value("palette/recent").toStringList().last();
+        QSettings().setValue("palette/recent", QStringList{"gone", "undo", ellipse});
+        finder.type("e"); // of those that begin with it, what was run
         QCOMPARE(finder.chosen(), QStringLiteral("Ellipse"));
+        QSettings().setValue("palette/recent", QStringList{"start"});
+        finder.type("star"); // the best comes first, whatever was run
+        QCOMPARE(finder.chosen(), QStringLiteral("Star"));
+        QSettings().setValue("palette/recent", QStringList{"undo", ellipse});
+        finder.type("");
+        QCOMPARE(finder.lines(), (QStringList{"Recent", "Ellipse", "Undo"}));
+        QCOMPARE(finder.chosen(), QStringLiteral("Ellipse")); // nothing can be undone
     }
     void whatCannotBeRunSaysWhy()
     {
         Finder finder;
+        finder.type("undo"); // not the memory for it
+        QCOMPARE(finder.chosen(), QStringLiteral("Undo"));
         finder.type("rotate 90");
         const QModelIndex row = finder.list().currentIndex();
         QVERIFY(row.isValid());
@@ -141,14 +153,16 @@ private slots:
                       {}});
         finder.open();
         finder.type("quay");
-        QCOMPARE(finder.lines(), (QStringList{"In this drawing", "Quay window", "Quay walls"}));
+        QCOMPARE(finder.lines(), (QStringList{"Commands", "Quay walls", // to move to
+                                              "In this drawing", "Quay window", "Quay walls"}));
+        QCOMPARE(finder.chosen(), QStringLiteral("Quay window"));
         finder.press(Qt::Key_Return);
         QCOMPARE(session.windowNumber(), std::size_t(1));
         const app::View& view = finder.window->canvas().view(); // it was brought into view
         const app::Point at = view.toScreen({1100, 1100});
         QVERIFY(at.x > 0 && at.y > 0 && at.x < view.size.x && at.y < view.size.y);
         finder.open();
-        finder.type("quay walls");
+        finder.type("quay walls"); // nothing is selected that could be moved to it
         finder.press(Qt::Key_Return);
         QCOMPARE(session.selection().size(), std::size_t(1));
         finder.open();
@@ -156,6 +170,24 @@ private slots:
         QCOMPARE(finder.chosen(), QStringLiteral("Set width of Quay window"));
         finder.press(Qt::Key_Return);
         QCOMPARE(session.history.undoText(), QStringLiteral("Resize clip window"));
+    }
+    void whatIsHiddenSaysSo()
+    {
+        Finder finder;
+        app::Session& session = finder.window->session();
+        app::ClipWindows windows{{{.name = QStringLiteral("Quay"),
+                                   .shape = app::RectangleShape{{{0, 0}, {9, 9}}},
+                                   .visible = false}}};
+        session.document.apply({.windows = windows}); // the open list follows
+        finder.type("quay");
+        finder.press(Qt::Key_Return);
+        QVERIFY(finder.window->message().contains("Quay is hidden"));
+    }
+    void anotherDrawingClosesIt()
+    {
+        Finder finder;
+        finder.window->session().load({}, {});
+        QVERIFY(!finder.palette()->isVisible());
     }
     void pagesOfTheManualAreOpened()
     {
@@ -177,8 +209,11 @@ private slots:
         QVERIFY(finder.lines().contains("Commands") && finder.lines().contains("Help"));
         finder.press(Qt::Key_Tab);
         QVERIFY(finder.lines().contains("Commands") && !finder.lines().contains("Help"));
-        for (int i = 0; i < 3; ++i)
-            finder.press(Qt::Key_Tab);
+        finder.press(Qt::Key_Backtab);
+        QVERIFY(finder.lines().contains("Commands") && finder.lines().contains("Help"));
+        finder.press(Qt::Key_Backtab);
+        QVERIFY(!finder.lines().contains("Commands") && finder.lines().contains("Help"));
+        finder.press(Qt::Key_Tab);
         QVERIFY(finder.lines().contains("Commands") && finder.lines().contains("Help"));
     }
     void whatDoesNotExistIsSaid()
@@ -190,7 +225,29 @@ private slots:
         finder.press(Qt::Key_Return);
         QVERIFY(finder.palette()->isVisible());
         finder.type(QString(10'000, u'x'));
-        QVERIFY(finder.palette()->width() == 640);
+        QCOMPARE(finder.lines().size(), 1);
+    }
+    void aPanelIsBroughtToTheFront()
+    {
+        Finder finder;
+        finder.type("layers");
+        QCOMPARE(finder.chosen(), QStringLiteral("Layers"));
+        finder.press(Qt::Key_Return);
+        QVERIFY(finder.window->showsPanel("layers"));
+        finder.open();
+        finder.press(Qt::Key_Return); // once more
+        QVERIFY(finder.window->showsPanel("layers"));
+    }
+    void aSmallWindowHasAll()
+    {
+        Finder finder;
+        finder.palette()->close();
+        finder.window->resize(640, 400);
+        finder.open();
+        finder.type("e");
+        const QRect window(finder.window->mapToGlobal(QPoint()), finder.window->size());
+        QVERIFY(window.contains(
+            QRect(finder.palette()->mapToGlobal(QPoint()), finder.palette()->size())));
     }
     void aClickRuns()
     {

@@ -4,10 +4,12 @@
 #include "ui/dialogs/waiting_dialog.h"
 #include "ui/explanation/explanation_window.h"
 #include "ui/menus/context_menus.h"
+#include "ui/menus/palette.h"
 #include "ui/microscope/export_steps.h"
 #include "ui/widgets/message_strip.h"
 #include "ui/window/workspaces.h"
 
+#include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 
@@ -89,6 +91,19 @@ inline Seen finding()
     });
 }
 
+inline Screen palette(const char* name, Theme theme, const char* typed)
+{
+    return {name, [theme, typed] {
+                return withWindow([theme, typed](TestWindow& test) -> QWidget* {
+                    test.window->setTheme(theme);
+                    test.action("find-command")->trigger();
+                    auto* shown = test.window->findChild<Palette*>();
+                    shown->findChild<QLineEdit*>("palette-typed")->insert(typed);
+                    return shown;
+                });
+            }};
+}
+
 inline Screen dialog(const char* name, const char* command)
 {
     return {name, [command] {
@@ -129,6 +144,8 @@ inline void addWindows(std::vector<Screen>& screens)
     screens.push_back(part("strip-warning", [] { return strip(Message::Kind::Warning); }));
     screens.push_back(dialog("dialog-repeat", "repeat"));
     screens.push_back(dialog("dialog-margin", "window-inside-margin"));
+    screens.push_back(palette("palette", Theme::Light, "window"));
+    screens.push_back(palette("palette-dark", Theme::Dark, "rotate"));
     screens.push_back({"menu-of-window", [] {
                            return withWindow([](TestWindow& test) -> QWidget* {
                                QMenu* menu = windowMenu(*test.window);

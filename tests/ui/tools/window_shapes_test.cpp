@@ -76,6 +76,20 @@ class WindowShapesTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void deleteRemovesTheChosenWindow()
+    {
+        Windows windows;
+        windows.clickRow(1);
+        windows.canvas.setFocus();
+        windows.key(Qt::Key_Delete);
+        QCOMPARE(windows.session.now().windows().list.size(), std::size_t(1));
+        QCOMPARE(windows.window(0).name, QStringLiteral("Hall"));
+        // With Select, the objects are meant; none is selected.
+        windows.key(Qt::Key_V);
+        QVERIFY(!windows.t.action("delete")->isEnabled());
+        windows.key(Qt::Key_Delete);
+        QCOMPARE(windows.session.now().windows().list.size(), std::size_t(1));
+    }
     void aClickChoosesAWindowAndADragMovesIt()
     {
         Windows w;
