@@ -95,12 +95,13 @@ void Palette::open()
 {
     rows_ = std::make_unique<PaletteRows>(window_, others_);
     only_.reset();
+    setFixedWidth(std::min(paletteWidth, window_.width()));
     typed_->clear();
     search();
     const Canvas& canvas = window_.canvas();
-    const QPoint middle =
-        canvas.mapToGlobal(QPoint(canvas.width() / 2 - paletteWidth / 2, fromTop));
-    move(std::max(middle.x(), window_.mapToGlobal(QPoint()).x()), middle.y());
+    const QPoint middle = canvas.mapTo(&window_, QPoint(canvas.width() / 2, fromTop));
+    const int left = std::clamp(middle.x() - width() / 2, 0, window_.width() - width());
+    move(window_.mapToGlobal(QPoint(left, middle.y())));
     show();
     typed_->setFocus();
 }

@@ -241,8 +241,9 @@ private slots:
     void aSmallWindowHasAll()
     {
         Finder finder;
+        QCOMPARE(finder.palette()->width(), 640);
         finder.palette()->close();
-        finder.window->resize(640, 400);
+        finder.window->resize(600, 400);
         finder.open();
         finder.type("e");
         const QRect window(finder.window->mapToGlobal(QPoint()), finder.window->size());
