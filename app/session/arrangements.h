@@ -13,7 +13,6 @@ struct Arrangement {
     std::string_view key;  ///< also of its icon, if it has a button
     QString text;          ///< in its menu, with the mnemonic
     QString name;          ///< by itself: "Align left sides"
-    QString submenu = {};  ///< empty: directly in the menu Object
     QString shortcut = {}; ///< empty: none
     std::size_t least = 1; ///< how many objects must be selected
     bool button = true;    ///< also in the panel Selection

@@ -3,7 +3,7 @@
  * Your own line-clipping algorithm, judged and raced by Clearcut. Plain C99, and C++.
  *
  * Write clearcut_clip, compile it to a shared library, and give that to
- *     clearcut judge ./mine.so          or to the menu Learn > Judge your own algorithm.
+ *     clearcut judge ./mine.so          or to the menu Compare > Judge your own algorithm.
  * skeleton.c is a file to fill in, example.c a finished algorithm.
  *
  * The contract:
@@ -38,8 +38,8 @@ CLEARCUT_EXPORT int clearcut_clip(const double segment[4], const double window[4
  *   CLEARCUT_ALGORITHM("My Liang-Barsky") */
 #define CLEARCUT_ALGORITHM(name)                                                                   \
     CLEARCUT_EXPORT int clearcut_abi_version(void);                                                \
-    CLEARCUT_EXPORT const char *clearcut_name(void);                                               \
+    CLEARCUT_EXPORT const char* clearcut_name(void);                                               \
     int clearcut_abi_version(void) { return CLEARCUT_ABI_VERSION; }                                \
-    const char *clearcut_name(void) { return name; }
+    const char* clearcut_name(void) { return name; }
 
 #endif

@@ -23,20 +23,17 @@ namespace ui {
 MenuInfo fileMenu();
 MenuInfo editMenu();
 MenuInfo viewMenu();
-MenuInfo drawMenu();
 MenuInfo objectMenu();
 MenuInfo clipMenu();
 MenuInfo compareMenu();
 MenuInfo learnMenu();
-MenuInfo settingsMenu();
 MenuInfo helpMenu();
 
 // THE CATALOGUE. To add a command: add its row in the file of its menu.
 std::span<const MenuInfo> menus()
 {
-    static const std::array all{fileMenu(),     editMenu(), viewMenu(),    drawMenu(),
-                                objectMenu(),   clipMenu(), compareMenu(), learnMenu(),
-                                settingsMenu(), helpMenu()};
+    static const std::array all{fileMenu(), editMenu(),    viewMenu(),  objectMenu(),
+                                clipMenu(), compareMenu(), learnMenu(), helpMenu()};
     return all;
 }
 
@@ -83,8 +80,10 @@ void addRow(MainWindow& window, OtherWindows& others, const ActionInfo& row, QMe
 {
     if (row.text.isEmpty()) {
         menu.addSeparator();
+    } else if (!row.tool.empty()) {
+        menu.addAction(window.toolAction(row.tool));
     } else if (row.fill) {
-        row.fill(window, *menu.addMenu(row.text));
+        row.fill(window, row.submenu.isEmpty() ? *menu.addMenu(row.text) : menu);
     } else {
         QAction* action = makeAction(window, others, row);
         menu.addAction(action);

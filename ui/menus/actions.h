@@ -42,8 +42,10 @@ struct ActionInfo {
     QString submenu = {}; ///< the title of the submenu that holds the command; empty: none
     /// Instead of `enabled` and `needs`: why it is disabled now, in one sentence; empty: it is not.
     std::function<QString(const MainWindow& window)> refusal = nullptr;
-    /// Fills the submenu that this row is, from another catalogue (algorithms, panels …).
+    /// Fills the submenu that this row is, or its part of `submenu`, from another catalogue
+    /// (algorithms, panels …).
     void (*fill)(MainWindow& window, QMenu& menu) = nullptr;
+    std::string_view tool = {}; ///< instead of all others: the entry of this tool
     /// Puts the new action in a bar, too.
     void (*made)(MainWindow& window, QAction& action) = nullptr;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/arrange_selection.h"
 #include "app/session/arrangements.h"
-#include "ui/menus/object_rows.h"
+#include "ui/menus/menu_rows.h"
 #include "ui/window/main_window.h"
 
 namespace ui {
@@ -16,7 +16,6 @@ ActionInfo arrange(const app::Arrangement& how)
         .key = how.key,
         .text = how.text,
         .run = [&how](MainWindow& w) { how.run(w.session()); },
-        .submenu = how.submenu,
         .refusal = [&how](const MainWindow& w) { return app::refusal(how, w.session()); },
     };
     if (!how.shortcut.isEmpty()) {
@@ -26,7 +25,7 @@ ActionInfo arrange(const app::Arrangement& how)
     return row;
 }
 
-ActionInfo alignTo(const app::AlignmentTarget& target, const QString& submenu)
+ActionInfo alignTo(const app::AlignmentTarget& target)
 {
     return {
         .key = target.key,
@@ -35,7 +34,6 @@ ActionInfo alignTo(const app::AlignmentTarget& target, const QString& submenu)
         .checked =
             [&target](const MainWindow& w) { return w.session().arrange.alignTo == target.key; },
         .group = "align-to",
-        .submenu = submenu,
     };
 }
 
@@ -54,14 +52,12 @@ std::vector<ActionInfo> turnRows() { return rowsOf(Kind::Turn); }
 
 std::vector<ActionInfo> arrangementRows()
 {
-    std::vector<ActionInfo> rows = rowsOf(Kind::Align);
-    const QString align = rows.front().submenu;
+    std::vector<ActionInfo> targets;
     for (const app::AlignmentTarget& target : app::alignmentTargets())
-        rows.push_back(alignTo(target, align));
-    for (const Kind kind : {Kind::Spread, Kind::SameSize})
-        for (ActionInfo& row : rowsOf(kind))
-            rows.push_back(std::move(row));
-    return rows;
+        targets.push_back(alignTo(target));
+    const std::vector<ActionInfo> separator(1);
+    return joined({rowsOf(Kind::Align), separator, targets, separator, rowsOf(Kind::Spread),
+                   separator, rowsOf(Kind::SameSize)});
 }
 
 } // namespace ui

@@ -11,7 +11,7 @@
 #include "ui/files/files.h"
 #include "ui/look/text.h"
 #include "ui/menus/actions.h"
-#include "ui/menus/object_rows.h"
+#include "ui/menus/menu_rows.h"
 #include "ui/widgets/algorithm_marker.h"
 #include "ui/window/main_window.h"
 #include "ui/window/workspaces.h"
@@ -82,30 +82,6 @@ void addAlgorithms(MainWindow& window, QMenu& menu)
     explainDigits(window);
 }
 
-template <app::Keep keep>
-bool keeps(const MainWindow& window)
-{
-    return window.session().now().windows().keep == keep;
-}
-
-template <app::RemovedPart removed>
-bool shows(const MainWindow& window)
-{
-    return window.session().display().removed == removed;
-}
-
-template <app::Keep keep>
-void chooseSide(MainWindow& window)
-{
-    ui::setKeep(window.session(), keep);
-}
-
-template <app::RemovedPart removed>
-void setRemoved(MainWindow& window)
-{
-    window.session().changeDisplay([](app::Display& display) { display.removed = removed; });
-}
-
 // A command for each place that a window can be laid on.
 std::vector<ActionInfo> placeRows()
 {
@@ -122,6 +98,14 @@ std::vector<ActionInfo> placeRows()
         .key = "window-inside-margin",
         .text = Text::tr("Lay window inside the page's &margins…"),
         .run = [](MainWindow& w) { MarginDialog::show(w.session(), w); },
+    });
+    rows.emplace_back();
+    rows.push_back({
+        .key = "windows-of-selection",
+        .text = Text::tr("Make clip &windows of selection"),
+        .run = [](MainWindow& w) { app::addWindowsOfSelection(w.session()); },
+        .enabled = [](const MainWindow& w) { return !w.session().selection().empty(); },
+        .needs = nothingSelected(),
     });
     return rows;
 }
@@ -158,129 +142,164 @@ ActionInfo occludeRow()
 
 QString noWindow() { return Text::tr("No clip window is visible. Draw one first (W)."); }
 
-} // namespace
-
-// NOLINTNEXTLINE(readability-function-size): a table, a row for each entry
-MenuInfo clipMenu()
+template <app::WindowOperation operation>
+ActionInfo operationRow(std::string_view key, const QString& text)
 {
-    using app::Keep;
-    using app::RemovedPart;
+    return {
+        .key = key,
+        .text = text,
+        .run =
+            [](MainWindow& w) {
+                app::setWindowOperation(w.session(), *w.session().windowNumber(), operation);
+            },
+        .enabled = hasWindow,
+        .checked =
+            [](const MainWindow& w) {
+                const auto number = w.session().windowNumber();
+                return number && w.session().windows().list[*number].operation == operation;
+            },
+        .group = "operation",
+        .needs = noWindow(),
+    };
+}
+
+std::vector<ActionInfo> windowRows()
+{
+    using enum app::WindowOperation;
+    return {
+        operationRow<Add>("window-adds", Text::tr("&Add to those above")),
+        operationRow<CutOut>("window-cuts-out", Text::tr("Cut out of t&hose above")),
+        operationRow<Intersect>("window-intersects", Text::tr("Int&ersect with those above")),
+        {},
+        {
+            .key = "rename-window",
+            .text = Text::tr("Re&name…"),
+            .run =
+                [](MainWindow& w) {
+                    w.raisePanel(QStringLiteral("window"));
+                    w.windowPanel().rename();
+                },
+            .enabled = hasWindow,
+            .needs = noWindow(),
+        },
+        {
+            .key = "window-to-path",
+            .text = Text::tr("Draw window's outline as &path"),
+            .run = [](MainWindow& w) { app::windowToPath(w.session()); },
+            .enabled = hasWindow,
+            .needs = noWindow(),
+        },
+        {
+            .key = "remove-window",
+            .text = Text::tr("&Remove clip window"),
+            .run = removeWindow,
+            .enabled = hasWindow,
+            .needs = noWindow(),
+        },
+    };
+}
+
+std::vector<ActionInfo> cutRows()
+{
     const auto some = [](const MainWindow& w) {
         return w.session().scene.lines().size() > 0 && hasWindow(w);
     };
-    MenuInfo menu{
-        .title = Text::tr("&Clip"),
-        .rows =
-            {
-                {
-                    .key = "crop",
-                    .text = Text::tr("&Crop to windows"),
-                    .keys = {QKeySequence("Ctrl+Shift+X")},
-                    .run =
-                        [](MainWindow& w) { w.files().cutPermanently(app::permanentCut("crop")); },
-                    .enabled = some,
+    return {
+        {
+            .key = "crop",
+            .text = Text::tr("&Crop to windows"),
+            .keys = {QKeySequence("Ctrl+Shift+X")},
+            .run = [](MainWindow& w) { w.files().cutPermanently(app::permanentCut("crop")); },
+            .enabled = some,
+        },
+        {
+            .key = "cut-out",
+            .text = Text::tr("Cut o&ut windows"),
+            .run = [](MainWindow& w) { w.files().cutPermanently(app::permanentCut("cut-out")); },
+            .enabled = some,
+        },
+        {
+            .key = "split",
+            .text = Text::tr("Spli&t at windows"),
+            .run = [](MainWindow& w) { w.files().cutPermanently(app::permanentCut("split")); },
+            .enabled = some,
+        },
+        occludeRow(),
+        {
+            .key = "tiles",
+            .text = Text::tr("Til&es…"),
+            .keys = {QKeySequence("Ctrl+T")},
+            .icon = "tiles",
+            .run = toggleTiles,
+            .refusal = whyNoTiles,
+            .made =
+                [](MainWindow& w, QAction& action) {
+                    w.optionBar().setTiles(action);
+                    w.windowPanel().setTiles(action);
                 },
-                {
-                    .key = "cut-out",
-                    .text = Text::tr("Cut o&ut windows"),
-                    .run =
-                        [](MainWindow& w) {
-                            w.files().cutPermanently(app::permanentCut("cut-out"));
-                        },
-                    .enabled = some,
-                },
-                {
-                    .key = "split",
-                    .text = Text::tr("Spli&t at windows"),
-                    .run =
-                        [](MainWindow& w) { w.files().cutPermanently(app::permanentCut("split")); },
-                    .enabled = some,
-                },
-                occludeRow(),
-                {
-                    .key = "tiles",
-                    .text = Text::tr("Til&es…"),
-                    .keys = {QKeySequence("Ctrl+T")},
-                    .icon = "tiles",
-                    .run = toggleTiles,
-                    .refusal = whyNoTiles,
-                    .made =
-                        [](MainWindow& w, QAction& action) {
-                            w.optionBar().setTiles(action);
-                            w.windowPanel().setTiles(action);
-                        },
-                },
-                {
-                    .key = "windows-of-selection",
-                    .text = Text::tr("Make clip &windows of selection"),
-                    .run = [](MainWindow& w) { app::addWindowsOfSelection(w.session()); },
-                    .enabled = [](const MainWindow& w) { return !w.session().selection().empty(); },
-                    .needs = nothingSelected(),
-                },
-                {
-                    .key = "window-to-path",
-                    .text = Text::tr("Draw window's outline as &path"),
-                    .run = [](MainWindow& w) { app::windowToPath(w.session()); },
-                    .enabled = hasWindow,
-                    .needs = noWindow(),
-                },
-                {
-                    .key = "remove-window",
-                    .text = Text::tr("&Remove clip window"),
-                    .run = removeWindow,
-                    .enabled = hasWindow,
-                    .needs = noWindow(),
-                },
-                {},
-                {
-                    .key = "keep-inside",
-                    .text = Text::tr("Keep &inside"),
-                    .run = chooseSide<Keep::Inside>,
-                    .checked = keeps<Keep::Inside>,
-                    .group = "keep",
-                },
-                {
-                    .key = "keep-outside",
-                    .text = Text::tr("Keep &outside"),
-                    .run = chooseSide<Keep::Outside>,
-                    .checked = keeps<Keep::Outside>,
-                    .group = "keep",
-                },
-                {},
-                {
-                    .key = "removed-ghosted",
-                    .text = Text::tr("Removed part &ghosted"),
-                    .run = setRemoved<RemovedPart::Ghosted>,
-                    .checked = shows<RemovedPart::Ghosted>,
-                    .group = "removed",
-                },
-                {
-                    .key = "removed-hidden",
-                    .text = Text::tr("Removed part &hidden"),
-                    .run = setRemoved<RemovedPart::Hidden>,
-                    .checked = shows<RemovedPart::Hidden>,
-                    .group = "removed",
-                },
-                {
-                    .key = "removed-shown",
-                    .text = Text::tr("Removed part &shown"),
-                    .run = setRemoved<RemovedPart::Shown>,
-                    .checked = shows<RemovedPart::Shown>,
-                    .group = "removed",
-                },
-                {},
-                {
-                    .text = Text::tr("&Algorithm"),
-                    .fill = addAlgorithms,
-                },
+        },
+    };
+}
+
+ActionInfo keepOutsideRow()
+{
+    return {
+        .key = "keep-outside",
+        .text = Text::tr("&Keep outside"),
+        .run =
+            [](MainWindow& w) {
+                const bool outside = w.session().now().windows().keep == app::Keep::Outside;
+                ui::setKeep(w.session(), outside ? app::Keep::Inside : app::Keep::Outside);
+            },
+        .checked =
+            [](const MainWindow& w) {
+                return w.session().now().windows().keep == app::Keep::Outside;
             },
     };
-    // The ways to lay a window come before the one to make it of the selection.
-    const auto at =
-        std::ranges::find(menu.rows, std::string_view("windows-of-selection"), &ActionInfo::key);
-    const auto places = placeRows();
-    menu.rows.insert(at, places.begin(), places.end());
-    return menu;
+}
+
+/// The usual form of an algorithm is the corrected one.
+ActionInfo publishedRow()
+{
+    using clipping::Form;
+    return {
+        .key = "form-published",
+        .text = Text::tr("As pu&blished"),
+        .run =
+            [](MainWindow& w) {
+                w.session().changeDisplay([](app::Display& display) {
+                    const bool published = display.variant.form == Form::Published;
+                    display.variant.form = published ? Form::Corrected : Form::Published;
+                });
+            },
+        .enabled =
+            [](const MainWindow& w) {
+                return w.session().display().variant.algorithm->published != nullptr;
+            },
+        .checked =
+            [](const MainWindow& w) { return w.session().variant().form == Form::Published; },
+        .needs = Text::tr("This algorithm has no published form of its own."),
+    };
+}
+
+} // namespace
+
+MenuInfo clipMenu()
+{
+    const std::vector<ActionInfo> separator(1);
+    return {
+        .title = Text::tr("&Clip"),
+        .rows = joined({
+            toolRows({"window"}),
+            inSubmenu(Text::tr("&Lay a window"), {placeRows()}),
+            inSubmenu(Text::tr("This &window"), {windowRows()}),
+            {keepOutsideRow()},
+            separator,
+            cutRows(),
+            separator,
+            {{.text = Text::tr("&Algorithm"), .fill = addAlgorithms}, publishedRow()},
+        }),
+    };
 }
 
 } // namespace ui

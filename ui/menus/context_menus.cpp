@@ -66,6 +66,21 @@ constexpr std::array<std::string_view, 14> onNothing{
     "deselect", "find",           "", "fit-drawing", "snap",       "grid",
     "",         "window-on-page"};
 
+/// On the outline, the name or the row of a clip window, and in its capsule.
+constexpr std::array<std::string_view, 13> onWindow{"window-adds",
+                                                    "window-cuts-out",
+                                                    "window-intersects",
+                                                    "",
+                                                    "rename-window",
+                                                    "",
+                                                    "crop",
+                                                    "cut-out",
+                                                    "split",
+                                                    "",
+                                                    "keep-outside",
+                                                    "window-to-path",
+                                                    "remove-window"};
+
 std::vector<std::string> onRuler()
 {
     std::vector<std::string> keys;
@@ -130,6 +145,8 @@ QMenu* contextMenu(MainWindow& window, std::span<const std::string_view> keys)
         menu->removeAction(menu->actions().last());
     return menu;
 }
+
+QMenu* windowMenu(MainWindow& window) { return contextMenu(window, onWindow); }
 
 void addContextMenus(MainWindow& window)
 {

@@ -4,7 +4,8 @@
 #include "ui/editing/editing.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
-#include "ui/menus/object_rows.h"
+#include "ui/menus/menu_rows.h"
+#include "ui/menus/other_windows.h"
 #include "ui/window/main_window.h"
 
 #include <QMenu>
@@ -94,6 +95,17 @@ void addSteps(MainWindow& window, QMenu& menu)
     window.optionBar().addSteps(*undo, *redo);
 }
 
+ActionInfo findCommandRow()
+{
+    return {
+        .key = "find-command",
+        .text = Text::tr("Find a co&mmand…"),
+        .keys = {QKeySequence("Ctrl+K")},
+        .icon = "zoom",
+        .show = &OtherWindows::showPalette,
+    };
+}
+
 } // namespace
 
 // NOLINTNEXTLINE(readability-function-size): a table, a row for each entry
@@ -168,18 +180,13 @@ MenuInfo editMenu()
                     .enabled =
                         [](const MainWindow& w) { return !w.session().now().objects().empty(); },
                 },
-                {
-                    .key = "deselect",
-                    .text = Text::tr("D&eselect"),
-                    .keys = keys(K::Deselect, {K("Ctrl+Shift+A")}),
-                    .run = [](MainWindow& w) { w.session().select({}); },
-                    .enabled = someSelected,
-                },
             },
         .begin = addSteps,
     };
-    for (const ActionInfo& row : selectRows())
-        menu.rows.push_back(row);
+    menu.rows = joined({menu.rows,
+                        inSubmenu(Text::tr("S&elect"), {toolRows({"select", "nodes"}),
+                                                        std::vector<ActionInfo>(1), selectRows()}),
+                        {findRow(), findCommandRow()}});
     return menu;
 }
 

@@ -3,7 +3,7 @@
 #include "ui/files/files.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
-#include "ui/menus/actions.h"
+#include "ui/menus/menu_rows.h"
 #include "ui/window/main_window.h"
 
 #include <QFileInfo>
@@ -88,6 +88,7 @@ MenuInfo fileMenu()
                         [](const MainWindow& w) { return w.session().scene.lines().size() > 0; },
                     .made = [](MainWindow& w, QAction& action) { w.optionBar().setExport(action); },
                 },
+                settingsRow(),
                 {},
                 {
                     .key = "close",

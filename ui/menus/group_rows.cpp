@@ -2,7 +2,7 @@
 #include "app/session/rearrange_selection.h"
 #include "app/session/units.h"
 #include "ui/look/text.h"
-#include "ui/menus/object_rows.h"
+#include "ui/menus/menu_rows.h"
 #include "ui/tools/group_choice.h"
 #include "ui/window/main_window.h"
 

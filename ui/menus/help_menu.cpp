@@ -23,13 +23,6 @@ MenuInfo helpMenu()
                     .show = &OtherWindows::showManual,
                 },
                 {
-                    .key = "find-command",
-                    .text = Text::tr("&Find a command…"),
-                    .keys = {K("Ctrl+K")},
-                    .icon = "zoom",
-                    .show = &OtherWindows::showPalette,
-                },
-                {
                     .key = "start",
                     .text = Text::tr("Show &start panel"),
                     .run = [](MainWindow& w) { w.raisePanel("start"); },

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/view/view.h"
 #include "ui/look/text.h"
 #include "ui/menus/actions.h"
 #include "ui/menus/other_windows.h"
@@ -17,6 +18,24 @@ void toggleMicroscope(MainWindow& window)
         window.drawnLine().look();
 }
 
+/// Inspects the next or previous line; begins with the first or last one.
+void inspectNext(MainWindow& window, std::ptrdiff_t by)
+{
+    app::Session& session = window.session();
+    if (session.microscope.isOpen())
+        return window.drawnLine().go(by);
+    const auto count = std::ptrdiff_t(session.scene.lines().size());
+    const auto now = session.inspected() ? std::ptrdiff_t(*session.inspected())
+                     : by > 0            ? -1
+                                         : count;
+    const auto line = std::size_t((now + by + count) % count);
+    session.inspect(line);
+    window.canvas().go(app::bringing(window.canvas().view(), session.scene.lines()[line]));
+    window.raisePanel("line");
+}
+
+bool canInspect(const MainWindow& window) { return window.session().scene.lines().size() > 0; }
+
 void toggleOverlay(MainWindow& window)
 {
     window.session().changeDisplay(
@@ -33,6 +52,14 @@ MenuInfo learnMenu()
         .rows =
             {
                 {
+                    .key = "lessons",
+                    .text = Text::tr("&Lessons"),
+                    .keys = {QKeySequence("Ctrl+F1")},
+                    .icon = "book",
+                    .run = [](MainWindow& w) { w.showLessons(); },
+                    .checked = [](const MainWindow& w) { return w.showsLessons(); },
+                },
+                {
                     .key = "microscope",
                     .text = Text::tr("Clip &microscope"),
                     .keys = {QKeySequence("F2")},
@@ -41,12 +68,20 @@ MenuInfo learnMenu()
                     .checked = [](const MainWindow& w) { return w.session().microscope.isOpen(); },
                 },
                 {
-                    .key = "export-steps",
-                    .text = Text::tr("Export s&teps…"),
-                    .icon = "export",
-                    .show = &OtherWindows::exportSteps,
-                    .enabled = [](const MainWindow& w) { return w.session().microscope.isOpen(); },
+                    .key = "next-line",
+                    .text = Text::tr("Inspect &next line"),
+                    .keys = {QKeySequence("F8")},
+                    .run = [](MainWindow& w) { inspectNext(w, 1); },
+                    .enabled = canInspect,
                 },
+                {
+                    .key = "previous-line",
+                    .text = Text::tr("Inspect p&revious line"),
+                    .keys = {QKeySequence("Shift+F8")},
+                    .run = [](MainWindow& w) { inspectNext(w, -1); },
+                    .enabled = canInspect,
+                },
+                {},
                 {
                     .key = "overlay",
                     .text = Text::tr("What the algorithm &sees"),
@@ -54,14 +89,6 @@ MenuInfo learnMenu()
                     .icon = "regions",
                     .run = toggleOverlay,
                     .checked = [](const MainWindow& w) { return w.session().display().overlay; },
-                },
-                {
-                    .key = "lessons",
-                    .text = Text::tr("&Lessons"),
-                    .keys = {QKeySequence("Ctrl+F1")},
-                    .icon = "book",
-                    .run = [](MainWindow& w) { w.showLessons(); },
-                    .checked = [](const MainWindow& w) { return w.showsLessons(); },
                 },
                 {
                     .key = "cost-map",
@@ -77,6 +104,7 @@ MenuInfo learnMenu()
                     .run = [](MainWindow& w) { w.togglePanel("exactness"); },
                     .checked = [](const MainWindow& w) { return w.showsPanel("exactness"); },
                 },
+                {},
                 {
                     .key = "about-algorithm",
                     .text = Text::tr("About this &algorithm"),
@@ -85,16 +113,11 @@ MenuInfo learnMenu()
                     .show = &OtherWindows::explainCurrent,
                 },
                 {
-                    .key = "hard-cases",
-                    .text = Text::tr("&Hard cases…"),
-                    .keys = {QKeySequence("Ctrl+F2")},
-                    .show = &OtherWindows::showHardCases,
-                },
-                {
-                    .key = "judge",
-                    .text = Text::tr("&Judge your own algorithm…"),
-                    .keys = {QKeySequence("Ctrl+F3")},
-                    .show = &OtherWindows::showJudge,
+                    .key = "export-steps",
+                    .text = Text::tr("Export s&teps…"),
+                    .icon = "export",
+                    .show = &OtherWindows::exportSteps,
+                    .enabled = [](const MainWindow& w) { return w.session().microscope.isOpen(); },
                 },
             },
     };

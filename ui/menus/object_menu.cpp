@@ -3,7 +3,7 @@
 #include "app/session/arrange_selection.h"
 #include "ui/dialogs/repeat_dialog.h"
 #include "ui/look/text.h"
-#include "ui/menus/object_rows.h"
+#include "ui/menus/menu_rows.h"
 #include "ui/window/main_window.h"
 
 namespace ui {
@@ -62,21 +62,30 @@ ActionInfo scaleStrokes()
 
 MenuInfo objectMenu()
 {
-    MenuInfo menu{.title = Text::tr("&Object"), .rows = groupRows()};
-    const auto add = [&menu](const std::vector<ActionInfo>& rows) {
-        menu.rows.insert(menu.rows.end(), rows.begin(), rows.end());
-    };
-    menu.rows.emplace_back();
+    const std::vector<ActionInfo> separator(1);
+    std::vector<ActionInfo> begins;
     for (const app::Transformation& kind : app::transformations())
-        menu.rows.push_back(begin(kind));
-    menu.rows.emplace_back();
-    add(turnRows());
-    add({scaleStrokes(), {}, repeat(), {}});
-    add(orderRows());
-    add(arrangementRows());
-    add(styleRows());
-    add(pathRows());
-    return menu;
+        begins.push_back(begin(kind));
+    return {
+        .title = Text::tr("&Object"),
+        .rows = joined(
+            {inSubmenu(Text::tr("&Draw"),
+                       {toolRows({"line", "polyline", "pen", "arc", "pencil"}), separator,
+                        toolRows({"rectangle", "ellipse", "polygon", "star"}), separator,
+                        toolRows({"text"})}),
+             separator,
+             groupRows(),
+             separator,
+             inSubmenu(Text::tr("Tra&nsform"),
+                       {begins, separator, turnRows(), separator, {scaleStrokes(), repeat()}}),
+             inSubmenu(Text::tr("&Order"), {orderRows()}),
+             {moveToLayerRow()},
+             inSubmenu(Text::tr("&Align and spread"), {arrangementRows()}),
+             inSubmenu(Text::tr("S&tyle"), {styleRows()}),
+             separator,
+             inSubmenu(Text::tr("&Path"), {pathRows()}),
+             {convertRow()}}),
+    };
 }
 
 } // namespace ui

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/rearrange_selection.h"
 #include "ui/look/text.h"
-#include "ui/menus/object_rows.h"
+#include "ui/menus/menu_rows.h"
 #include "ui/window/main_window.h"
 
 #include <QMenu>
@@ -21,7 +21,6 @@ ActionInfo stack(std::string_view key, const QString& text, const QKeySequence& 
         .run = [how](MainWindow& w) { app::stackSelection(w.session(), how); },
         .enabled = someSelected,
         .needs = nothingSelected(),
-        .submenu = Text::tr("&Order"),
     };
 }
 
@@ -36,7 +35,6 @@ ActionInfo moveBy(std::string_view key, const QString& text, const QKeySequence&
         .run = [layers](MainWindow& w) { app::moveSelectionBy(w.session(), layers); },
         .enabled = someSelected,
         .needs = nothingSelected(),
-        .submenu = Text::tr("&Order"),
     };
 }
 
@@ -72,11 +70,12 @@ std::vector<ActionInfo> orderRows()
         stack("raise", Text::tr("&Raise"), K("PgUp"), Stacking::Raise),
         stack("lower", Text::tr("&Lower"), K("PgDown"), Stacking::Lower),
         stack("to-back", Text::tr("Send to &back"), K("End"), Stacking::ToBack),
-        {.submenu = Text::tr("&Order")},
+        {},
         moveBy("to-layer-above", Text::tr("To the layer &above"), K("Shift+PgUp"), 1),
         moveBy("to-layer-below", Text::tr("To the layer b&elow"), K("Shift+PgDown"), -1),
-        {.text = Text::tr("Move to la&yer"), .fill = fillLayers},
     };
 }
+
+ActionInfo moveToLayerRow() { return {.text = Text::tr("Move to la&yer"), .fill = fillLayers}; }
 
 } // namespace ui

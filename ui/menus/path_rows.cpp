@@ -5,7 +5,7 @@
 #include "ui/dialogs/join_dialog.h"
 #include "ui/files/files.h"
 #include "ui/look/text.h"
-#include "ui/menus/object_rows.h"
+#include "ui/menus/menu_rows.h"
 #include "ui/window/main_window.h"
 
 namespace ui {
@@ -47,7 +47,6 @@ ActionInfo nodeStep(std::size_t number, const QKeySequence& shortcut)
         .scope = ShortcutScope::Canvas,
         .icon = step.key,
         .run = [&step](MainWindow& w) { take(step, w); },
-        .submenu = Text::tr("&Path"),
         .refusal = [&step](const MainWindow& w) { return w.session().nodes.refusal(step); },
         .made = [](MainWindow& w, QAction& action) { w.optionBar().addNodeStep(action); },
     };
@@ -75,11 +74,23 @@ std::vector<ActionInfo> pathRows()
     for (std::size_t i = 0; i < app::nodeSteps().size(); ++i) {
         const Row row = i < shortcuts.size() ? shortcuts[i] : Row{""};
         if (row.beginsGroup)
-            rows.push_back({.submenu = Text::tr("&Path")}); // a separator
+            rows.emplace_back(); // a separator
         rows.push_back(nodeStep(i, QKeySequence(row.shortcut)));
     }
-    rows.push_back({.submenu = Text::tr("&Path")}); // a separator
+    rows.emplace_back(); // a separator
     rows.push_back({
+        .key = "stroke-outline",
+        .text = Text::tr("Outline of stro&ke"),
+        .keys = {QKeySequence("Ctrl+Alt+C")},
+        .run = [](MainWindow& w) { w.files().outlineStrokes(); },
+        .refusal = [](const MainWindow& w) { return app::outlineRefusal(w.session()); },
+    });
+    return rows;
+}
+
+ActionInfo convertRow()
+{
+    return {
         .key = "convert-to-path",
         .text = Text::tr("Con&vert to path"),
         .keys = {QKeySequence("Ctrl+Shift+P")},
@@ -88,18 +99,8 @@ std::vector<ActionInfo> pathRows()
                 w.canvas().endGesture();
                 app::convertToPaths(w.session());
             },
-        .submenu = Text::tr("&Path"),
         .refusal = [](const MainWindow& w) { return app::convertRefusal(w.session()); },
-    });
-    rows.push_back({
-        .key = "stroke-outline",
-        .text = Text::tr("Outline of stro&ke"),
-        .keys = {QKeySequence("Ctrl+Alt+C")},
-        .run = [](MainWindow& w) { w.files().outlineStrokes(); },
-        .submenu = Text::tr("&Path"),
-        .refusal = [](const MainWindow& w) { return app::outlineRefusal(w.session()); },
-    });
-    return rows;
+    };
 }
 
 } // namespace ui

@@ -2,7 +2,7 @@
 #include "app/session/select_alike.h"
 #include "ui/dialogs/find_dialog.h"
 #include "ui/look/text.h"
-#include "ui/menus/object_rows.h"
+#include "ui/menus/menu_rows.h"
 #include "ui/window/main_window.h"
 
 namespace ui {
@@ -19,7 +19,6 @@ ActionInfo alike(const app::Likeness& likeness)
         .run = [&likeness](MainWindow& w) { app::selectAlike(w.session(), likeness); },
         .enabled = someSelected,
         .needs = Text::tr("Nothing is selected. Select an object first."),
-        .submenu = Text::tr("Select sa&me"),
     };
 }
 
@@ -50,6 +49,13 @@ std::vector<ActionInfo> selectRows()
     using K = QKeySequence;
     std::vector<ActionInfo> rows{
         {
+            .key = "deselect",
+            .text = Text::tr("D&eselect"),
+            .keys = keys(K::Deselect, {K("Ctrl+Shift+A")}),
+            .run = [](MainWindow& w) { w.session().select({}); },
+            .enabled = someSelected,
+        },
+        {
             .key = "select-layer",
             .text = Text::tr("Select all in the la&yer"),
             .keys = {K("Ctrl+Alt+A")},
@@ -66,14 +72,19 @@ std::vector<ActionInfo> selectRows()
     };
     for (const app::Likeness& likeness : app::likenesses())
         rows.push_back(alike(likeness));
-    rows.push_back({
+    return rows;
+}
+
+ActionInfo findRow()
+{
+    using K = QKeySequence;
+    return {
         .key = "find",
         .text = Text::tr("&Find…"),
         .keys = keys(K::Find, {K("Ctrl+F")}),
         .run = showFind,
         .enabled = someObjects,
-    });
-    return rows;
+    };
 }
 
 } // namespace ui

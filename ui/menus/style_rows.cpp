@@ -2,7 +2,7 @@
 #include "ui/bars/option_bar.h"
 #include "ui/editing/editing.h"
 #include "ui/look/text.h"
-#include "ui/menus/object_rows.h"
+#include "ui/menus/menu_rows.h"
 #include "ui/style/style_panel.h"
 #include "ui/window/main_window.h"
 
@@ -33,7 +33,6 @@ ActionInfo takeColour(std::string_view key, const QString& text, const char* sho
         .keys = {QKeySequence(shortcut)},
         .scope = ShortcutScope::Canvas,
         .run = [part](MainWindow& w) { w.optionBar().takeColour(part); },
-        .submenu = Text::tr("S&tyle"),
     };
 }
 
@@ -42,7 +41,6 @@ ActionInfo takeColour(std::string_view key, const QString& text, const char* sho
 std::vector<ActionInfo> styleRows()
 {
     using K = QKeySequence;
-    const QString submenu = Text::tr("S&tyle");
     return {
         {
             .key = "style",
@@ -50,14 +48,13 @@ std::vector<ActionInfo> styleRows()
             .keys = {K("Ctrl+Shift+F")},
             .icon = "style",
             .run = openStyle,
-            .submenu = submenu,
             .made = [](MainWindow& w, QAction& action) { w.optionBar().setStyleCommand(action); },
         },
         takeColour("take-stroke", Text::tr("&Take stroke colour from the drawing"), "I",
                    &app::Style::stroke),
         takeColour("take-fill", Text::tr("Take &fill colour from the drawing"), "Shift+I",
                    &app::Style::fill),
-        {.submenu = submenu}, // a separator
+        {},
         {
             .key = "copy-style",
             .text = Text::tr("&Copy style"),
@@ -71,7 +68,6 @@ std::vector<ActionInfo> styleRows()
                                  "paste it (Ctrl+Shift+V)."),
                         MainWindow::messageMilliseconds);
                 },
-            .submenu = submenu,
         },
         {
             .key = "paste-style",
@@ -80,7 +76,6 @@ std::vector<ActionInfo> styleRows()
             .run = [](MainWindow& w) { pasteStyle(w.session()); },
             .enabled = [](const MainWindow&) { return hasCopiedStyle(); },
             .needs = Text::tr("No style was copied. Select an object and copy its style first."),
-            .submenu = submenu,
         },
     };
 }

@@ -2,7 +2,7 @@
 #include "app/commands/set_page_parts.h"
 #include "ui/dialogs/grid_dialog.h"
 #include "ui/look/text.h"
-#include "ui/menus/actions.h"
+#include "ui/menus/menu_rows.h"
 #include "ui/microscope/microscope_page.h"
 #include "ui/microscope/microscope_view.h"
 #include "ui/tiles/tiles_page.h"
@@ -73,8 +73,7 @@ ActionInfo marksRow(std::string_view key, const QString& text)
         .text = text,
         .run = [](MainWindow& w) { changeGrid(w, [](app::Grid& grid) { grid.marks = marks; }); },
         .checked = [](const MainWindow& w) { return w.session().display().grid.marks == marks; },
-        .group = "grid-marks",
-        .submenu = Text::tr("Gri&d looks")};
+        .group = "grid-marks"};
 }
 
 template <app::Grid::Pattern pattern>
@@ -87,8 +86,7 @@ ActionInfo patternRow(std::string_view key, const QString& text)
             [](MainWindow& w) { changeGrid(w, [](app::Grid& grid) { grid.pattern = pattern; }); },
         .checked =
             [](const MainWindow& w) { return w.session().display().grid.pattern == pattern; },
-        .group = "grid-pattern",
-        .submenu = Text::tr("Gri&d looks")};
+        .group = "grid-pattern"};
 }
 
 ActionInfo ownGridRow()
@@ -118,7 +116,6 @@ std::vector<ActionInfo> workspaceRows()
             .run = [&workspace](MainWindow& w) { w.choose(workspace); },
             .checked = [&workspace](const MainWindow& w) { return &w.workspace() == &workspace; },
             .group = "workspace",
-            .submenu = Text::tr("Wor&kspace"),
         });
     }
     return rows;
@@ -137,73 +134,171 @@ void addPanels(MainWindow& window, QMenu& menu)
                      [&window, capsule] { capsule->setChecked(window.canvas().showsCapsule()); });
 }
 
-} // namespace
+template <app::RemovedPart removed>
+ActionInfo removedRow(std::string_view key, const QString& text)
+{
+    return {
+        .key = key,
+        .text = text,
+        .run =
+            [](MainWindow& w) {
+                w.session().changeDisplay([](app::Display& display) { display.removed = removed; });
+            },
+        .checked = [](const MainWindow& w) { return w.session().display().removed == removed; },
+        .group = "removed",
+    };
+}
 
 // NOLINTNEXTLINE(readability-function-size): a table, a row for each entry
+std::vector<ActionInfo> zoomRows()
+{
+    using K = QKeySequence;
+    return {
+        {
+            .key = "zoom-in",
+            .text = Text::tr("Zoom &in"),
+            .keys = keys(K::ZoomIn, {K("Ctrl+=")}),
+            .run = zoom<5, 4>,
+        },
+        {
+            .key = "zoom-out",
+            .text = Text::tr("Zoom &out"),
+            .keys = keys(K::ZoomOut),
+            .run = zoom<4, 5>,
+        },
+        {
+            .key = "zoom-100",
+            .text = Text::tr("Ac&tual size"),
+            .keys = {K("Ctrl+0")},
+            .run = [](MainWindow& w) { w.canvas().setZoom(1); },
+        },
+        {},
+        {
+            .key = "fit-drawing",
+            .text = Text::tr("&Fit drawing"),
+            .keys = {K("Shift+1")},
+            .scope = ShortcutScope::Canvas,
+            .run = fitDrawing,
+        },
+        {
+            .key = "fit-selection",
+            .text = Text::tr("Fit &selection"),
+            .keys = {K("Shift+2")},
+            .scope = ShortcutScope::Canvas,
+            .run = [](MainWindow& w) { w.canvas().fitSelection(); },
+            .enabled = [](const MainWindow& w) { return !w.session().selection().empty(); },
+        },
+        {
+            .key = "fit-window",
+            .text = Text::tr("Fit clip &window"),
+            .keys = {K("Shift+3")},
+            .scope = ShortcutScope::Canvas,
+            .run = [](MainWindow& w) { w.canvas().fitWindow(); },
+            .enabled = [](const MainWindow& w) { return w.session().clipWindow().has_value(); },
+            .needs = Text::tr("There is no clip window. Draw one first (W)."),
+        },
+        {},
+        {
+            .key = "previous-view",
+            .text = Text::tr("&Previous view"),
+            .keys = {K("`")},
+            .scope = ShortcutScope::Canvas,
+            .run = [](MainWindow& w) { w.canvas().previousView(); },
+        },
+        {
+            .key = "next-view",
+            .text = Text::tr("&Next view"),
+            .keys = {K("~")},
+            .scope = ShortcutScope::Canvas,
+            .run = [](MainWindow& w) { w.canvas().nextView(); },
+        },
+        {},
+    };
+}
+
+std::vector<ActionInfo> gridRows()
+{
+    using K = QKeySequence;
+    return {
+        {
+            .key = "grid",
+            .text = Text::tr("Show g&rid"),
+            .keys = {K("Shift+F5")},
+            .icon = "grid",
+            .run = [](MainWindow& w) { changeGrid(w, [](app::Grid& g) { g.shown = !g.shown; }); },
+            .checked = [](const MainWindow& w) { return w.session().display().grid.shown; },
+        },
+        {},
+        marksRow<app::Grid::Marks::Lines>("grid-lines", Text::tr("&Lines")),
+        marksRow<app::Grid::Marks::Dots>("grid-dots", Text::tr("&Dots")),
+        {},
+        patternRow<app::Grid::Pattern::Square>("grid-square", Text::tr("&Square")),
+        patternRow<app::Grid::Pattern::Diagonal>("grid-diagonal", Text::tr("Di&agonal, 45°")),
+        patternRow<app::Grid::Pattern::Isometric>("grid-isometric", Text::tr("&Isometric, 30°")),
+        ownGridRow(),
+    };
+}
+
+std::vector<ActionInfo> guideRows()
+{
+    using K = QKeySequence;
+    return {
+        {
+            .key = "guides",
+            .text = Text::tr("&Show guides"),
+            .keys = {K("Ctrl+F5")},
+            .run = [](MainWindow& w) { toggle(w, &app::Display::guides); },
+            .checked = [](const MainWindow& w) { return w.session().display().guides; },
+        },
+        {
+            .key = "remove-guides",
+            .text = Text::tr("&Remove all guides"),
+            .run =
+                [](MainWindow& w) {
+                    w.session().history.push(
+                        new app::SetGuides(w.session().document, {}, Text::tr("Remove guides")));
+                },
+            .enabled =
+                [](const MainWindow& w) { return !w.session().now().page().guides.list.empty(); },
+            .needs = Text::tr("The page has no guides. Drag one from a ruler."),
+        },
+    };
+}
+
+std::vector<ActionInfo> removedRows()
+{
+    using app::RemovedPart;
+    return {
+        removedRow<RemovedPart::Ghosted>("removed-ghosted", Text::tr("&Ghosted")),
+        removedRow<RemovedPart::Hidden>("removed-hidden", Text::tr("&Hidden")),
+        removedRow<RemovedPart::Shown>("removed-shown", Text::tr("&Shown")),
+    };
+}
+
+std::vector<ActionInfo> panelRows()
+{
+    return {
+        {.text = Text::tr("Panels"), .fill = addPanels},
+        {
+            .key = "reset-layout",
+            .text = Text::tr("Reset la&yout"),
+            .run = [](MainWindow& w) { w.resetLayout(); },
+        },
+    };
+}
+
+} // namespace
+
 MenuInfo viewMenu()
 {
     using K = QKeySequence;
-    MenuInfo menu{
+    const std::vector<ActionInfo> separator(1);
+    return {
         .title = Text::tr("&View"),
-        .rows =
+        .rows = joined({
+            inSubmenu(Text::tr("&Zoom"), {zoomRows(), toolRows({"hand", "zoom"})}),
+            inSubmenu(Text::tr("&Panes"), {panesRows()}),
             {
-                {
-                    .key = "zoom-in",
-                    .text = Text::tr("Zoom &in"),
-                    .keys = keys(K::ZoomIn, {K("Ctrl+=")}),
-                    .run = zoom<5, 4>,
-                },
-                {
-                    .key = "zoom-out",
-                    .text = Text::tr("Zoom &out"),
-                    .keys = keys(K::ZoomOut),
-                    .run = zoom<4, 5>,
-                },
-                {
-                    .key = "zoom-100",
-                    .text = Text::tr("Ac&tual size"),
-                    .keys = {K("Ctrl+0")},
-                    .run = [](MainWindow& w) { w.canvas().setZoom(1); },
-                },
-                {
-                    .key = "fit-drawing",
-                    .text = Text::tr("&Fit drawing"),
-                    .keys = {K("Shift+1")},
-                    .scope = ShortcutScope::Canvas,
-                    .run = fitDrawing,
-                },
-                {
-                    .key = "fit-selection",
-                    .text = Text::tr("Fit &selection"),
-                    .keys = {K("Shift+2")},
-                    .scope = ShortcutScope::Canvas,
-                    .run = [](MainWindow& w) { w.canvas().fitSelection(); },
-                    .enabled = [](const MainWindow& w) { return !w.session().selection().empty(); },
-                },
-                {
-                    .key = "fit-window",
-                    .text = Text::tr("Fit clip &window"),
-                    .keys = {K("Shift+3")},
-                    .scope = ShortcutScope::Canvas,
-                    .run = [](MainWindow& w) { w.canvas().fitWindow(); },
-                    .enabled =
-                        [](const MainWindow& w) { return w.session().clipWindow().has_value(); },
-                    .needs = Text::tr("There is no clip window. Draw one first (W)."),
-                },
-                {
-                    .key = "previous-view",
-                    .text = Text::tr("&Previous view"),
-                    .keys = {K("`")},
-                    .scope = ShortcutScope::Canvas,
-                    .run = [](MainWindow& w) { w.canvas().previousView(); },
-                },
-                {
-                    .key = "next-view",
-                    .text = Text::tr("&Next view"),
-                    .keys = {K("~")},
-                    .scope = ShortcutScope::Canvas,
-                    .run = [](MainWindow& w) { w.canvas().nextView(); },
-                },
                 {},
                 {
                     .key = "snap",
@@ -212,62 +307,27 @@ MenuInfo viewMenu()
                     .run = [](MainWindow& w) { w.canvas().switchSnapping(!w.canvas().snaps()); },
                     .checked = [](const MainWindow& w) { return w.canvas().snaps(); },
                 },
-                {
-                    .key = "grid",
-                    .text = Text::tr("Show g&rid"),
-                    .keys = {K("Shift+F5")},
-                    .icon = "grid",
-                    .run =
-                        [](MainWindow& w) {
-                            changeGrid(w, [](app::Grid& g) { g.shown = !g.shown; });
-                        },
-                    .checked = [](const MainWindow& w) { return w.session().display().grid.shown; },
-                },
-                {
-                    .key = "guides",
-                    .text = Text::tr("Show guides"),
-                    .keys = {K("Ctrl+F5")},
-                    .run = [](MainWindow& w) { toggle(w, &app::Display::guides); },
-                    .checked = [](const MainWindow& w) { return w.session().display().guides; },
-                },
-                {
-                    .key = "remove-guides",
-                    .text = Text::tr("Remove all guides"),
-                    .run =
-                        [](MainWindow& w) {
-                            w.session().history.push(new app::SetGuides(w.session().document, {},
-                                                                        Text::tr("Remove guides")));
-                        },
-                    .enabled =
-                        [](const MainWindow& w) {
-                            return !w.session().now().page().guides.list.empty();
-                        },
-                    .needs = Text::tr("The page has no guides. Drag one from a ruler."),
-                },
-                marksRow<app::Grid::Marks::Lines>("grid-lines", Text::tr("&Lines")),
-                marksRow<app::Grid::Marks::Dots>("grid-dots", Text::tr("&Dots")),
-                patternRow<app::Grid::Pattern::Square>("grid-square", Text::tr("&Square")),
-                patternRow<app::Grid::Pattern::Diagonal>("grid-diagonal",
-                                                         Text::tr("Di&agonal, 45°")),
-                patternRow<app::Grid::Pattern::Isometric>("grid-isometric",
-                                                          Text::tr("&Isometric, 30°")),
-                ownGridRow(),
-                {},
+            },
+            inSubmenu(Text::tr("Gri&d"), {gridRows()}),
+            inSubmenu(Text::tr("Gu&ides"), {guideRows()}),
+            separator,
+            inSubmenu(Text::tr("&Removed part"), {removedRows()}),
+            {
                 {
                     .key = "dark-paper",
                     .text = Text::tr("Dark p&aper"),
                     .run = [](MainWindow& w) { toggle(w, &app::Display::darkPaper); },
                     .checked = [](const MainWindow& w) { return w.session().display().darkPaper; },
                 },
-                {},
                 {
                     .text = Text::tr("T&heme"),
                     .fill = addThemes,
                 },
-                {
-                    .text = Text::tr("Pane&ls"),
-                    .fill = addPanels,
-                },
+                {},
+            },
+            inSubmenu(Text::tr("Pane&ls"), {panelRows()}),
+            inSubmenu(Text::tr("Wor&kspace"), {workspaceRows()}),
+            {
                 {
                     .key = "presentation",
                     .text = Text::tr("Pres&entation"),
@@ -285,16 +345,9 @@ MenuInfo viewMenu()
                         },
                     .checked = [](const MainWindow& w) { return w.isFullScreen(); },
                 },
-                {
-                    .key = "reset-layout",
-                    .text = Text::tr("Reset la&yout"),
-                    .run = [](MainWindow& w) { w.resetLayout(); },
-                },
             },
+        }),
     };
-    for (ActionInfo& row : workspaceRows())
-        menu.rows.push_back(std::move(row));
-    return menu;
 }
 
 } // namespace ui

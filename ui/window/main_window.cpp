@@ -11,6 +11,7 @@
 #include "ui/look/window_place.h"
 #include "ui/microscope/microscope_page.h"
 #include "ui/tiles/tiles_page.h"
+#include "ui/tools/tool.h"
 #include "ui/widgets/message_strip.h"
 #include "ui/window/centre.h"
 #include "ui/window/modes.h"
@@ -20,6 +21,8 @@
 #include <QApplication>
 #include <QMenuBar>
 #include <QSettings>
+
+#include <algorithm>
 
 namespace ui {
 
@@ -147,6 +150,12 @@ TilesPage* MainWindow::tilesPage() const { return centre_->tiles(); }
 MicroscopePage* MainWindow::microscopePage() const { return centre_->microscope(); }
 
 QList<QAction*> MainWindow::toolActions() const { return toolBar_->tools(); }
+
+QAction* MainWindow::toolAction(std::string_view key) const
+{
+    const auto row = std::ranges::find(tools(), key, &ToolInfo::key);
+    return toolActions().at(row - tools().begin());
+}
 
 QList<QAction*> MainWindow::panelToggles() const { return panelLayout_->toggles(); }
 

@@ -70,6 +70,7 @@ public:
     QString message() const { return strip_->sentence(); }
 
     QList<QAction*> toolActions() const;
+    QAction* toolAction(std::string_view key) const; ///< of one of ui::tools()
     QList<QAction*> panelToggles() const;
     void raisePanel(const QString& key);
     void togglePanel(const QString& key);

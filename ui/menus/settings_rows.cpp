@@ -2,7 +2,7 @@
 #include "app/base/text.h"
 #include "ui/editing/editing.h"
 #include "ui/look/text.h"
-#include "ui/menus/actions.h"
+#include "ui/menus/menu_rows.h"
 #include "ui/widgets/unit_box.h"
 #include "ui/window/main_window.h"
 
@@ -73,24 +73,14 @@ void addUndoMemories(MainWindow& window, QMenu& menu)
     }
 }
 
+void addSettings(MainWindow& window, QMenu& menu)
+{
+    addUnits(window, *menu.addMenu(Text::tr("&Units")));
+    addUndoMemories(window, *menu.addMenu(Text::tr("&Memory for undo")));
+}
+
 } // namespace
 
-MenuInfo settingsMenu()
-{
-    return {
-        .title = Text::tr("&Settings"),
-        .rows =
-            {
-                {
-                    .text = Text::tr("&Units"),
-                    .fill = addUnits,
-                },
-                {
-                    .text = Text::tr("&Memory for undo"),
-                    .fill = addUndoMemories,
-                },
-            },
-    };
-}
+ActionInfo settingsRow() { return {.text = Text::tr("Se&ttings"), .fill = addSettings}; }
 
 } // namespace ui

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/menus/panes_menu.h"
-
 #include "ui/look/text.h"
+#include "ui/menus/menu_rows.h"
 #include "ui/window/main_window.h"
 
 namespace ui {
@@ -50,7 +49,6 @@ void closePane(MainWindow& window)
 // NOLINTNEXTLINE(readability-function-size): a table, a row for each entry
 std::vector<ActionInfo> panesRows()
 {
-    const QString panes = Text::tr("Pan&es");
     return {
         {
             .key = "panes-1",
@@ -59,7 +57,6 @@ std::vector<ActionInfo> panesRows()
             .run = showPanes<1>,
             .checked = showsPanes<1>,
             .group = "panes",
-            .submenu = panes,
         },
         {
             .key = "panes-2",
@@ -68,7 +65,6 @@ std::vector<ActionInfo> panesRows()
             .run = showPanes<2>,
             .checked = showsPanes<2>,
             .group = "panes",
-            .submenu = panes,
         },
         {
             .key = "panes-4",
@@ -78,7 +74,6 @@ std::vector<ActionInfo> panesRows()
             .run = showPanes<4>,
             .checked = showsPanes<4>,
             .group = "panes",
-            .submenu = panes,
         },
         {
             .key = "panes-all",
@@ -87,7 +82,6 @@ std::vector<ActionInfo> panesRows()
             .run = showAllPanes,
             .checked = [](const MainWindow& w) { return w.canvas().panes().showsAll(); },
             .group = "panes",
-            .submenu = panes,
         },
         {
             .key = "next-pane",
@@ -95,7 +89,6 @@ std::vector<ActionInfo> panesRows()
             .keys = {QKeySequence("F6")},
             .run = [](MainWindow& w) { activatePane(w, 1); },
             .enabled = severalPanes,
-            .submenu = panes,
         },
         {
             .key = "previous-pane",
@@ -103,7 +96,6 @@ std::vector<ActionInfo> panesRows()
             .keys = {QKeySequence("Shift+F6")},
             .run = [](MainWindow& w) { activatePane(w, w.canvas().panes().size() - 1); },
             .enabled = severalPanes,
-            .submenu = panes,
         },
         {
             .key = "close-pane",
@@ -111,7 +103,6 @@ std::vector<ActionInfo> panesRows()
             .keys = {QKeySequence("Ctrl+Shift+W")},
             .run = closePane,
             .enabled = severalPanes,
-            .submenu = panes,
         },
     };
 }
