@@ -89,7 +89,7 @@ private slots:
         add(steps, {press("Stroke colour"), type("black"), enter(), clickRow("Layers", "Drawing")});
         add(steps, line("20,60"));
         add(steps,
-            {key("V"), click({35, 20}), key("Alt+E"), type("m"), type("c"), press("Stroke colour"),
+            {key("V"), click({35, 20}), key("Alt+E"), type("e"), type("c"), press("Stroke colour"),
              type("blue"), enter(), key("Ctrl+Shift+F"), type("0.5"), tab(), key("Down")});
         const app::Style black{.stroke = app::Colour{}};
         const app::Style blue{.stroke = app::Colour{.blue = 255}, .width = 0.5, .dashes = {3, 1.5}};

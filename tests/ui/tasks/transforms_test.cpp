@@ -155,7 +155,7 @@ private slots:
         rectangle(steps, "80,50", "40", "18");
         add(steps, {key("V"), click({25, 20}), click({90, 20}, Qt::ShiftModifier),
                     click({100, 50}, Qt::ShiftModifier), click({40, 50}, Qt::ShiftModifier),
-                    key("Alt+O"), type("z"), type("w")});
+                    key("Alt+O"), type("a"), type("w")});
         check(steps, boxes({{{20, 20}, {55, 35}},
                             {{20, 50}, {55, 66}},
                             {{80, 20}, {115, 37}},

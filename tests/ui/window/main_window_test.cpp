@@ -371,9 +371,10 @@ private slots:
         QCoreApplication::processEvents();
         QVERIFY(t.window->message().isEmpty());
         restyle();
-        QTRY_COMPARE(t.window->message(), "The oldest steps can no longer be undone: undo may use "
-                                          "at most 2 MB of memory (menu Settings). Save a copy "
-                                          "if you may need this state again.");
+        QTRY_COMPARE(t.window->message(),
+                     "The oldest steps can no longer be undone: undo may use "
+                     "at most 2 MB of memory (menu File, Settings). Save a copy "
+                     "if you may need this state again.");
         QCOMPARE(session.history.count(), 1);
         t.window->tell({});
         restyle();
