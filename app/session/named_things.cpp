@@ -54,11 +54,12 @@ bool addContainers(const Session& session, const QString& typed, std::size_t mos
     found.resize(std::min(found.size(), most));
     for (auto& [id, match] : found) {
         const bool isLayer = tree[id].kind == Container::Kind::Layer;
-        const QString what =
-            isLayer ? Text::tr("layer, %1 objects") : Text::tr("group, %1 objects");
+        const std::size_t count = tree.rangeOf(id).size();
+        const QString what = isLayer ? Text::tr("layer, %1") : Text::tr("group, %1");
+        const QString objects = count == 1 ? Text::tr("1 object") : Text::tr("%1 objects");
         things.push_back({isLayer ? ThingKind::Layer : ThingKind::Group, id, nameOf(tree[id]),
-                          what.arg(countText(tree.rangeOf(id).size())), remarkOn(tree, id),
-                          std::move(match)});
+                          what.arg(count == 1 ? objects : objects.arg(countText(count))),
+                          remarkOn(tree, id), std::move(match)});
     }
     return looked == all.size();
 }

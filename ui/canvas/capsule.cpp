@@ -290,6 +290,11 @@ void Capsule::showValues()
 void Capsule::place()
 {
     adjustSize();
+    // A click that changes nothing does not move it.
+    const auto& frame = controller_.session().windowFrame();
+    const auto& pointer = controller_.pointer();
+    if (std::exchange(placedAt_, frame) != frame && pointer)
+        released_ = QPointF(pointer->screen.x, pointer->screen.y);
     const auto at =
         app::capsulePlace(size(), {.canvas = surface_->size(),
                                    .box = windowBox(controller_),

@@ -72,6 +72,7 @@ private slots:
     {
         const Garden garden;
         QCOMPARE(garden.thing("trees").what, QStringLiteral("layer, 3 objects"));
+        QCOMPARE(garden.thing("hidden trees").what, QStringLiteral("layer, 1 object"));
         QCOMPARE(garden.thing("tree-2").what, QStringLiteral("object in Trees"));
         QCOMPARE(garden.thing("tree top").remark, QStringLiteral("hidden"));
         QCOMPARE(garden.thing("old tree").remark, QStringLiteral("hidden"));

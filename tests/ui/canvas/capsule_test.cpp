@@ -189,14 +189,18 @@ private slots:
         QCoreApplication::processEvents();
         QCOMPARE(line->selectedText(), line->text());
     }
-    void aClickDoesNotMoveIt()
+    // On the side where the pointer was let go; a click that changes nothing does not move it.
+    void itIsWhereThePointerWasLetGo()
     {
         CapsuleStage stage;
-        stage.drag({100, 50}, {101, 50});
+        stage.drag({100, 30}, {110, 30});
+        QVERIFY(stage.place().bottom() < stage.at({100, 20}).y());
         const QRect before = stage.place();
-        for (const app::Point& at : {app::Point(60, 25), app::Point(60, 75), app::Point(140, 25)})
+        for (const app::Point& at : {app::Point(60, 75), app::Point(140, 75)})
             stage.click(at);
         QCOMPARE(stage.place(), before);
+        stage.drag({100, 70}, {110, 70});
+        QVERIFY(stage.place().top() > stage.at({100, 80}).y());
     }
     void whatIsNoLengthIsRefused()
     {
