@@ -84,9 +84,12 @@ const clipping::Functions<clipping::Segment, clipping::Window>& Session::uses() 
 
 void Session::select(ObjectRanges objects)
 {
-    chosenLast_ = false;
-    if (objects == selection_)
+    const bool windowWasLast = std::exchange(chosenLast_, false);
+    if (objects == selection_) {
+        if (windowWasLast)
+            emit selectionChanged(); // keys are for the objects now, or for none
         return;
+    }
     selection_ = std::move(objects);
     selectionBounds_.reset();
     guide.reset(); // keys are for the objects now

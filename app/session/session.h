@@ -113,6 +113,8 @@ public:
     {
         return windowNumber_ && !guide && (chosenLast_ || selection_.empty());
     }
+    /// Whether it was chosen after the selected objects, by a click or a command.
+    bool windowChosenLast() const { return windowNumber_ && !guide && chosenLast_; }
     /// The bounding box of that window, and the frame that its handles stand on.
     const std::optional<clipping::Window>& clipWindow() const { return clipWindow_; }
     const std::optional<WindowFrame>& windowFrame() const { return windowFrame_; }

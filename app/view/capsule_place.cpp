@@ -9,6 +9,7 @@ namespace app {
 namespace {
 
 constexpr double fromBox = 13, fromEdge = 8, insideEdge = 12; // pixels
+constexpr double leastSeen = 16;                              // more than a handle
 
 double distanceFrom(const QRectF& place, const QPointF& point)
 {
@@ -41,7 +42,9 @@ std::optional<QPointF> capsulePlace(const QSizeF& size, const CapsuleRoom& room)
 {
     const QRectF canvas(QPointF(), room.canvas);
     const QRectF seen = room.box & canvas;
-    if (seen.isEmpty())
+    const double enough = std::min(leastSeen, room.box.width());
+    if (seen.width() < enough || seen.height() < std::min(leastSeen, room.box.height())
+        || seen.isEmpty())
         return std::nullopt;
     const auto below = placeInRow(room.box.bottom() + fromBox, size, room);
     const auto above = placeInRow(room.box.top() - fromBox - size.height(), size, room);

@@ -18,8 +18,8 @@ struct CapsuleRoom {
 };
 
 /// The top left corner of a bar of this size: below the box or above it, whichever is nearer to the
-/// pointer, or else inside, at its lower edge. Empty: the box is not seen, or there is no place at
-/// which everything else is.
+/// pointer, or else inside, at its lower edge. Empty: of the box no more than a handle is seen, or
+/// there is no place at which everything else is.
 std::optional<QPointF> capsulePlace(const QSizeF& size, const CapsuleRoom& room);
 
 } // namespace app

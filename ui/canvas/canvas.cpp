@@ -89,6 +89,7 @@ void Canvas::switchSnapping(bool on)
     parts_->controller.switchSnapping(on);
     emit snappingChanged();
 }
+bool Canvas::actsOnWindow() const { return parts_->controller.actsOnWindow(); }
 bool Canvas::showsCapsule() const { return parts_->capsule.isOn(); }
 void Canvas::switchCapsule(bool on)
 {

@@ -67,6 +67,7 @@ public:
     void setSnapping(app::SnapTo to);
     bool snaps() const; ///< whether snapping is on
     void switchSnapping(bool on);
+    bool actsOnWindow() const; ///< whether keys are for the chosen clip window
     bool showsCapsule() const; ///< whether the chosen clip window has its controls beside it
     void switchCapsule(bool on);
     /// Moves, rotates, scales or skews the selection by the pointer and by typed numbers.

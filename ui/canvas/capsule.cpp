@@ -232,8 +232,8 @@ void Capsule::forget()
 bool Capsule::isWanted() const
 {
     const app::Session& session = controller_.session();
-    return on_ && surface_ && !still_.isActive() && session.windowFrame() && session.windowChosen()
-           && controller_.tool().showsHandles() && !session.display().presenting
+    return on_ && surface_ && !still_.isActive() && session.windowFrame()
+           && controller_.actsOnWindow() && !session.display().presenting
            && !controller_.gestureGoes() && !controller_.typing();
 }
 

@@ -17,8 +17,9 @@ class Segments;
 class UnitButton;
 
 /// The chosen clip window's own controls, beside it on the canvas: what it does with those above
-/// it, its size, the side that is kept, and its menu. It is shown while the window's handles are,
-/// and hidden during gestures. It stays where it is while it has the keyboard or the pointer.
+/// it, its size, the side that is kept, and its menu. It is shown while keys are for the window
+/// (Controller::actsOnWindow), and hidden during gestures. It stays where it is while it has the
+/// keyboard or the pointer.
 class Capsule : public QFrame {
     Q_OBJECT
 

@@ -78,6 +78,9 @@ public:
     /// The chosen window's controls (capsule.h), in logical pixels; empty: hidden.
     const QRectF& capsulePlace() const { return capsulePlace_; }
     void setCapsulePlace(const QRectF& place);
+    /// Whether keys and the capsule are for the chosen clip window: with the tool Clip window, or
+    /// if it was chosen after the selected objects.
+    bool actsOnWindow() const;
     bool gestureGoes() const { return tool_->busy() || guide_.going() || panningFrom_; }
     /// Where the pointer would end the gesture, if nothing were typed.
     app::Point aim() const;

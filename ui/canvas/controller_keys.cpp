@@ -116,6 +116,12 @@ bool Controller::arrow(const QKeyEvent& event)
     return true;
 }
 
+bool Controller::actsOnWindow() const
+{
+    return tool_->showsHandles()
+           && (toolInfo_->key == "window" ? session_.windowChosen() : session_.windowChosenLast());
+}
+
 /// Of the chosen clip window, as in its capsule.
 bool Controller::windowKey(const QKeyEvent& event)
 {
@@ -124,7 +130,7 @@ bool Controller::windowKey(const QKeyEvent& event)
         {QStringLiteral("-"), app::WindowOperation::CutOut},
         {QStringLiteral("*"), app::WindowOperation::Intersect}};
     const bool commands = event.modifiers() & (Qt::ControlModifier | Qt::AltModifier);
-    if (commands || gestureGoes() || !tool_->showsHandles() || !session_.windowChosen())
+    if (commands || gestureGoes() || !actsOnWindow())
         return false;
     if (const auto found = operations.find(event.text()); found != operations.end()) {
         app::setWindowOperation(session_, *session_.windowNumber(), found->second);

@@ -57,7 +57,7 @@ bool Controller::beginsTyping(const QKeyEvent& event) const
     const QString first = firstTyped(event, point);
     // A sign says what the chosen clip window does, where digits choose its algorithm.
     const bool sign = first == QLatin1String("+") || first == QLatin1String("-");
-    const bool forWindow = sign && digitPlace().windowChosen && !gestureGoes();
+    const bool forWindow = sign && actsOnWindow() && !gestureGoes();
     return !first.isEmpty() && !forWindow
            && (!first.front().isDigit() || digitUse() == app::DigitUse::Number);
 }

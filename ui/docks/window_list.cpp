@@ -90,9 +90,12 @@ WindowList::WindowList(app::Session& session) : session_(session)
     setFixedHeight(rows * space::rowHeight);
     connect(selectionModel(), &QItemSelectionModel::currentChanged, this,
             [this](const QModelIndex& current) {
-                if (current.isValid())
+                // Not when it follows: nobody has chosen anything then.
+                if (current.isValid() && std::size_t(current.row()) != session_.windowNumber())
                     session_.chooseWindow(std::size_t(current.row()));
             });
+    connect(this, &QListView::clicked, this,
+            [this](const QModelIndex& row) { session_.chooseWindow(std::size_t(row.row())); });
     // Queued: a press on the row of a hidden window makes it the current row before this.
     connect(&session, &app::Session::previewChanged, this, &WindowList::follow,
             Qt::QueuedConnection);

@@ -29,17 +29,11 @@ void pasteOrWarn(MainWindow& window, app::PastePlace place)
         window.tell({Message::Kind::Warning, nothingToPaste()});
 }
 
-/// With the tool Clip window, the chosen one is meant, as for the arrow keys.
-bool deletesWindow(const MainWindow& window)
-{
-    return window.canvas().tool() == "window" && window.session().windowChosen();
-}
-
 /// With the tool Nodes, the selected nodes are meant.
 void deleteChosen(MainWindow& window)
 {
     app::NodeEditing& nodes = window.session().nodes;
-    if (deletesWindow(window))
+    if (window.canvas().actsOnWindow())
         app::removeWindow(window.session());
     else if (nodes.someSelected())
         nodes.run(app::nodeStep("delete-nodes"));
@@ -168,7 +162,9 @@ MenuInfo editMenu()
                     .icon = "bin",
                     .run = deleteChosen,
                     .enabled =
-                        [](const MainWindow& w) { return someSelected(w) || deletesWindow(w); },
+                        [](const MainWindow& w) {
+                            return someSelected(w) || w.canvas().actsOnWindow();
+                        },
                     .needs = nothingSelected(),
                 },
                 {},

@@ -49,6 +49,7 @@ void fillLayers(MainWindow& window, QMenu& menu)
             QString name = tree[layer].name;
             QAction* action = menu.addAction(name.replace('&', "&&"));
             action->setEnabled(someSelected(window));
+            action->setStatusTip(action->isEnabled() ? QString() : nothingSelected());
             QObject::connect(action, &QAction::triggered, &window, [&window, layer] {
                 if (window.session().now().containers().contains(layer))
                     app::moveSelectionTo(window.session(), layer);

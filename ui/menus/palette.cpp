@@ -84,8 +84,8 @@ Palette::Palette(MainWindow& window, OtherWindows& others)
     });
     connect(typed_, &QLineEdit::textChanged, this, &Palette::search);
     connect(list_, &QListView::clicked, this, [this](const QModelIndex& row) {
-        if (!model_->isRow(row.row()))
-            return;
+        if (!model_->isRow(row.row())) // a heading
+            return choose(model_->bestLine());
         choose(row.row());
         run();
     });
@@ -199,6 +199,11 @@ bool Palette::key(const QKeyEvent& event)
         return true;
     case Qt::Key_Escape:
         close();
+        return true;
+    case Qt::Key_K:
+        if (!(event.modifiers() & Qt::ControlModifier))
+            return false;
+        typed_->selectAll();
         return true;
     default:
         return false;

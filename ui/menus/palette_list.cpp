@@ -5,6 +5,7 @@
 #include "ui/look/text.h"
 
 #include <QPainter>
+#include <QRegularExpression>
 #include <QTextLayout>
 
 #include <map>
@@ -109,11 +110,15 @@ QVariant PaletteModel::cell(int line, int, int role) const
     case Qt::DecorationRole:
         return found->icon;
     case Qt::AccessibleTextRole:
-        return QStringList{found->name, found->what, found->note}.join(QStringLiteral(", "));
+        return QStringList{found->before, found->name, found->what, found->note}
+            .filter(QRegularExpression(QStringLiteral(".")))
+            .join(QStringLiteral(", "));
     case Qt::ToolTipRole:
         return found->note;
     case IsRowRole:
         return true;
+    case BeforeRole:
+        return found->before;
     case WhatRole:
         return found->what;
     case NoteRole:
@@ -160,14 +165,23 @@ void PalettePainter::paint(QPainter* painter, const QStyleOptionViewItem& option
     index.data(Qt::DecorationRole)
         .value<QIcon>()
         .paint(painter, sign, Qt::AlignCenter, enabled ? QIcon::Normal : QIcon::Disabled);
-    if (enabled)
+    const bool explained = !index.data(PaletteModel::NoteRole).toString().isEmpty();
+    if (enabled || !explained)
         drawNote(*painter, between(whatLeft, noteLeft - 8),
                  index.data(PaletteModel::WhatRole).toString(), Qt::AlignLeft);
     painter->setPen(enabled ? look.text : look.muted);
     // A reason needs the room of both.
-    drawNote(*painter, between(enabled ? noteLeft : whatLeft, box.width() - beside),
+    drawNote(*painter, between(enabled || !explained ? noteLeft : whatLeft, box.width() - beside),
              index.data(PaletteModel::NoteRole).toString(), Qt::AlignRight);
-    drawMatched(*painter, between(nameLeft, whatLeft - 8), index.data().toString(),
+    int left = nameLeft;
+    if (QString before = index.data(PaletteModel::BeforeRole).toString(); !before.isEmpty()) {
+        before += QStringLiteral(": ");
+        painter->setPen(look.muted);
+        drawNote(*painter, between(left, whatLeft - 8), before, Qt::AlignLeft);
+        left += painter->fontMetrics().horizontalAdvance(before);
+        painter->setPen(enabled ? look.text : look.muted);
+    }
+    drawMatched(*painter, between(left, whatLeft - 8), index.data().toString(),
                 index.data(PaletteModel::LettersRole).toList(), look.selection);
     painter->restore();
 }

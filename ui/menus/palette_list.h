@@ -15,7 +15,14 @@ class PaletteModel : public CheckedModel {
     Q_OBJECT
 
 public:
-    enum Role { IsRowRole = Qt::UserRole, WhatRole, NoteRole, EnabledRole, LettersRole };
+    enum Role {
+        IsRowRole = Qt::UserRole,
+        BeforeRole,
+        WhatRole,
+        NoteRole,
+        EnabledRole,
+        LettersRole
+    };
 
     using CheckedModel::CheckedModel;
 

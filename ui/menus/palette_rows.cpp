@@ -46,9 +46,15 @@ PaletteRow rowOf(MainWindow& window, QAction* action, const QString& menu)
         if (action)
             action->trigger();
     };
+    // "Dark" of the submenu "Theme", a layer of "Move to layer".
+    const QStringList path = menu.split(QStringLiteral(" › "));
+    if (path.size() > 1 && row.icon.isNull() && (action->isCheckable() || row.key.isEmpty()))
+        row.before = path.last();
     // The name of a panel brings it to the front; its entry in the menu would close it.
-    if (const auto* panel = qobject_cast<QDockWidget*>(action->parent()))
+    if (const auto* panel = qobject_cast<QDockWidget*>(action->parent())) {
+        row.key = QStringLiteral("panel ") + panel->objectName();
         row.run = [&window, key = panel->objectName()] { window.raisePanel(key); };
+    }
     return row;
 }
 

@@ -21,6 +21,7 @@ struct PaletteRow {
     bool isRecent = false; ///< listed because it was run not long ago
     QString key{};         ///< by which it is remembered; empty: it is not
     QIcon icon{};
+    QString before{}; ///< the name, where that alone says little: "Theme"
     QString name{};
     QString what{}; ///< the menu; "layer, 64 objects"
     QString note{}; ///< its keys, or why it cannot be run

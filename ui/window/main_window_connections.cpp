@@ -11,6 +11,7 @@
 
 #include <QSettings>
 
+#include <tuple>
 #include <utility>
 
 // Connects the signals of session, files, canvas and microscope to the window.
@@ -18,10 +19,10 @@
 namespace ui {
 
 /// What entries of menus say of it.
-static std::pair<app::WindowNeeds, std::optional<std::size_t>>
-windowInHand(const app::Session& session)
+static auto windowInHand(const app::Session& session)
 {
-    return {app::needsInHand(session), session.windowNumber()};
+    return std::tuple(app::needsInHand(session), session.windowNumber(),
+                      session.windowChosenLast());
 }
 
 void MainWindow::connectSession()

@@ -65,6 +65,8 @@ private slots:
     void aWindowOffTheScreenHasNone()
     {
         QVERIFY(!capsulePlace(capsule, around({1200, 200, 100, 100})));
+        QVERIFY(!capsulePlace(capsule, around({-90, 200, 100, 100}))); // but for a handle
+        QVERIFY(capsulePlace(capsule, around({-80, 200, 100, 100})));
         QVERIFY(!capsulePlace({1100, 32}, around({300, 200, 100, 100}))); // the canvas is narrow
         QVERIFY(!capsulePlace(capsule, around({})));
     }

@@ -62,6 +62,21 @@ private slots:
             new app::SetWindows(stage.session.document, app::ClipWindows{}, {}));
         QVERIFY(!stage.capsule().isVisible());
     }
+    // With Select only if it was chosen: keys are for what was chosen last.
+    void withOtherToolsAWindowIsChosenFirst()
+    {
+        CapsuleStage stage;
+        stage.canvas->setTool("select");
+        QVERIFY(!stage.capsule().isVisible());
+        QTest::keyClick(&stage.surface(), '-');
+        QCOMPARE(stage.window().operation, app::WindowOperation::Add);
+        stage.session.chooseWindow(0);
+        QVERIFY(stage.capsule().isVisible());
+        QTest::keyClick(&stage.surface(), '-');
+        QCOMPARE(stage.window().operation, app::WindowOperation::CutOut);
+        stage.click({10, 90}); // on nothing
+        QVERIFY(!stage.capsule().isVisible());
+    }
     void itIsGoneInEveryGesture()
     {
         CapsuleStage stage;
