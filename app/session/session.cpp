@@ -61,9 +61,11 @@ void Session::updateChoice()
 void Session::chooseWindow(std::size_t number)
 {
     const bool wasLast = std::exchange(chosenLast_, true);
-    const bool isSame = std::exchange(chosenWindow_, number) == number;
-    if (isSame && wasLast)
+    if (std::exchange(chosenWindow_, number) == number) {
+        if (!wasLast)
+            emit selectionChanged(); // keys are for the window now
         return;
+    }
     updateChoice();
     emit previewChanged();
 }

@@ -164,6 +164,7 @@ public:
 
 signals:
     void displayChanged();
+    /// Or whether keys are for it or for the chosen clip window.
     void selectionChanged();
     void inspectedChanged();
     void previewChanged(); ///< preview(), windows() or windowNumber(), by whatever changes them

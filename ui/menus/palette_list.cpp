@@ -26,8 +26,14 @@ void drawNote(QPainter& painter, const QRect& box, const QString& text, Qt::Alig
 void drawMatched(QPainter& painter, const QRect& box, const QString& name,
                  const QVariantList& letters, const QColor& lit)
 {
-    QTextLayout layout(painter.fontMetrics().elidedText(name, Qt::ElideRight, box.width()),
-                       painter.font());
+    // As wide as if all letters were bold, so that no word is lost at the end.
+    QFont bolder = painter.font();
+    bolder.setBold(true);
+    const QFontMetrics metrics = letters.isEmpty() ? painter.fontMetrics() : QFontMetrics(bolder);
+    QTextLayout layout(metrics.elidedText(name, Qt::ElideRight, box.width()), painter.font());
+    QTextOption option;
+    option.setWrapMode(QTextOption::NoWrap);
+    layout.setTextOption(option);
     QList<QTextLayout::FormatRange> formats;
     QTextCharFormat bold;
     bold.setFontWeight(QFont::Bold);

@@ -86,6 +86,7 @@ private slots:
         QCOMPARE(windows.window(0).name, QStringLiteral("Hall"));
         // With Select, the objects are meant; none is selected.
         windows.key(Qt::Key_V);
+        windows.session.select({});
         QVERIFY(!windows.t.action("delete")->isEnabled());
         windows.key(Qt::Key_Delete);
         QCOMPARE(windows.session.now().windows().list.size(), std::size_t(1));
