@@ -150,7 +150,8 @@ ActionInfo operationRow(std::string_view key, const QString& text)
         .text = text,
         .run =
             [](MainWindow& w) {
-                app::setWindowOperation(w.session(), *w.session().windowNumber(), operation);
+                if (const auto number = w.session().windowNumber())
+                    app::setWindowOperation(w.session(), *number, operation);
             },
         .enabled = hasWindow,
         .checked =

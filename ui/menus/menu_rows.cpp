@@ -32,6 +32,15 @@ std::vector<ActionInfo> inSubmenu(const QString& title,
     return all;
 }
 
+void showIfUnseen(Canvas& canvas, const std::optional<clipping::Window>& box, void (Canvas::*fit)())
+{
+    const clipping::Window seen = canvas.view().visible();
+    if (box
+        && (box->max.x < seen.min.x || box->min.x > seen.max.x || box->max.y < seen.min.y
+            || box->min.y > seen.max.y))
+        (canvas.*fit)();
+}
+
 bool someSelected(const MainWindow& window) { return !window.session().selection().empty(); }
 
 QString nothingSelected() { return Text::tr("Nothing is selected. Select an object first."); }

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "clipping/geometry.h"
 #include "ui/menus/actions.h"
 
 #include <QString>
+
+#include <optional>
 
 // Parts of menus.
 
 namespace ui {
 
+class Canvas;
 class MainWindow;
 
 std::vector<ActionInfo> groupRows();       ///< group, ungroup, enter, leave
@@ -31,6 +35,10 @@ std::vector<ActionInfo> inSubmenu(const QString& title,
                                   const std::vector<std::vector<ActionInfo>>& parts);
 /// Joins the rows of a menu.
 std::vector<ActionInfo> joined(const std::vector<std::vector<ActionInfo>>& parts);
+
+/// What was found should be seen: fits the view if nothing of the box is.
+void showIfUnseen(Canvas& canvas, const std::optional<clipping::Window>& box,
+                  void (Canvas::*fit)());
 
 /// Whether a command on the selection is enabled.
 bool someSelected(const MainWindow& window);

@@ -7,6 +7,7 @@
 #include "app/teaching/manual.h"
 #include "ui/look/look_icon.h"
 #include "ui/look/text.h"
+#include "ui/menus/menu_rows.h"
 #include "ui/menus/other_windows.h"
 #include "ui/window/main_window.h"
 
@@ -111,20 +112,6 @@ std::vector<PaletteRow> fitting(const std::vector<PaletteRow>& rows, const QStri
     return found;
 }
 
-/// A chosen window or selection is brought into view if nothing of it is seen.
-void bringIntoView(Canvas& canvas, const app::Session& session, const app::NamedThing& thing)
-{
-    const bool isWindow = thing.kind == app::NamedThing::Kind::Window;
-    const auto& box = isWindow ? session.clipWindow() : session.selectionBounds();
-    if (!box)
-        return;
-    const app::Point min = canvas.view().toScreen(box->min), max = canvas.view().toScreen(box->max);
-    const app::Point size = canvas.view().size;
-    if (max.x >= 0 && max.y >= 0 && min.x <= size.x && min.y <= size.y)
-        return;
-    isWindow ? canvas.fitWindow() : canvas.fitSelection();
-}
-
 QIcon iconOfThing(const app::Session& session, const app::NamedThing& thing)
 {
     if (thing.kind == app::NamedThing::Kind::Window)
@@ -142,8 +129,13 @@ PaletteRow rowOf(MainWindow& window, const app::NamedThing& thing)
             .enabled = thing.remark.isEmpty(),
             .match = thing.match,
             .run = [&window, thing] {
-                if (app::chooseThing(window.session(), thing))
-                    bringIntoView(window.canvas(), window.session(), thing);
+                const app::Session& session = window.session();
+                if (!app::chooseThing(window.session(), thing))
+                    return;
+                if (thing.kind == app::NamedThing::Kind::Window)
+                    showIfUnseen(window.canvas(), session.clipWindow(), &Canvas::fitWindow);
+                else
+                    showIfUnseen(window.canvas(), session.selectionBounds(), &Canvas::fitSelection);
             }};
 }
 

@@ -22,23 +22,14 @@ ActionInfo alike(const app::Likeness& likeness)
     };
 }
 
-/// What is found should be seen.
-void showSelection(MainWindow& window)
-{
-    const clipping::Window seen = window.canvas().view().visible();
-    const auto& box = window.session().selectionBounds();
-    if (box
-        && (box->max.x < seen.min.x || box->min.x > seen.max.x || box->max.y < seen.min.y
-            || box->min.y > seen.max.y))
-        window.canvas().fitSelection();
-}
-
 void showFind(MainWindow& window)
 {
     auto* dialog = new FindDialog(window.session(), &window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setModal(true);
-    QObject::connect(dialog, &FindDialog::found, &window, [&window] { showSelection(window); });
+    QObject::connect(dialog, &FindDialog::found, &window, [&window] {
+        showIfUnseen(window.canvas(), window.session().selectionBounds(), &Canvas::fitSelection);
+    });
     dialog->show();
 }
 

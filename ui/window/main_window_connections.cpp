@@ -11,7 +11,6 @@
 
 #include <QSettings>
 
-#include <tuple>
 #include <utility>
 
 // Connects the signals of session, files, canvas and microscope to the window.
@@ -21,8 +20,7 @@ namespace ui {
 /// What entries of menus say of it.
 static auto windowInHand(const app::Session& session)
 {
-    return std::tuple(app::needsInHand(session), session.windowNumber(),
-                      session.windowChosenLast());
+    return std::pair(app::needsInHand(session), session.windowNumber());
 }
 
 void MainWindow::connectSession()
