@@ -24,10 +24,10 @@ bool isBackwards(const Point& begin, const PathSegment& curve)
     return key(curve.to, curve.control2) < key(begin, curve.control1);
 }
 
-Bezier fromLesserEnd(const Point& begin, const PathSegment& curve)
+Bezier fromLesserEnd(const Point& begin, const PathSegment& curve, bool backwards)
 {
-    return isBackwards(begin, curve) ? Bezier{curve.to, curve.control2, curve.control1, begin}
-                                     : Bezier{begin, curve.control1, curve.control2, curve.to};
+    return backwards ? Bezier{curve.to, curve.control2, curve.control1, begin}
+                     : Bezier{begin, curve.control1, curve.control2, curve.to};
 }
 
 // Wang's bound: the error of n chords of equal parameter length is at most |second difference| * 6
@@ -49,8 +49,8 @@ void flatten(const Point& begin, const PathSegment& segment, std::size_t index, 
         chords.push_back({{begin, segment.to}, index, 0, 1});
         return;
     }
-    const Bezier curve = fromLesserEnd(begin, segment);
     const bool backwards = isBackwards(begin, segment);
+    const Bezier curve = fromLesserEnd(begin, segment, backwards);
     const int n = chordCount(curve, tolerance);
     Point last = begin;
     for (int k = 1; k <= n; ++k) {
@@ -76,8 +76,10 @@ std::size_t chordCount(const Subpath& path, double tolerance)
     std::size_t count = path.segments.empty() || path.closed; // the closing line, or the point
     Point last = path.start;
     for (const PathSegment& segment : path.segments) {
-        count +=
-            segment.curved ? std::size_t(chordCount(fromLesserEnd(last, segment), tolerance)) : 1;
+        const bool backwards = isBackwards(last, segment);
+        count += segment.curved
+                     ? std::size_t(chordCount(fromLesserEnd(last, segment, backwards), tolerance))
+                     : 1;
         last = segment.to;
     }
     return count - (path.closed && !path.segments.empty() && last == path.start);

@@ -74,7 +74,6 @@ bool addObjects(const Session& session, const QString& typed, std::size_t most,
                 steady_clock::time_point end, std::vector<NamedThing>& things)
 {
     constexpr std::size_t atOnce = 4096;
-    const QString text = typed.simplified();
     const Objects& objects = session.now().objects();
     const Containers& tree = session.now().containers();
     for (std::size_t first = 0; first < objects.size(); first += atOnce) {
@@ -83,14 +82,14 @@ bool addObjects(const Session& session, const QString& typed, std::size_t most,
         const std::size_t count = std::min(atOnce, objects.size() - first);
         objects.forEach(first, count, [&](std::size_t i, const ObjectView& object) {
             const QString& name = nameIn(object.particulars());
-            if (name.isEmpty() || !name.contains(text, Qt::CaseInsensitive)
+            if (name.isEmpty() || !name.contains(typed, Qt::CaseInsensitive)
                 || things.size() >= most)
                 return;
             const ContainerId layer = tree.layerOf(i);
             things.push_back(
                 {ThingKind::Object, i, name, Text::tr("object in %1").arg(tree[layer].name),
                  object.hidden() ? Text::tr("hidden") : remarkOn(tree, tree.containerOf(i)),
-                 matchName(text, name).value_or(NameMatch{})});
+                 matchName(typed, name).value_or(NameMatch{})});
         });
     }
     return true;

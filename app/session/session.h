@@ -164,7 +164,7 @@ public:
 
 signals:
     void displayChanged();
-    /// Or whether keys are for it or for the chosen clip window.
+    /// Also if keys are now for the selection instead of the chosen clip window, or the reverse.
     void selectionChanged();
     void inspectedChanged();
     void previewChanged(); ///< preview(), windows() or windowNumber(), by whatever changes them

@@ -43,7 +43,7 @@ void reorderWindow(Session& session, std::size_t from, std::size_t to);
 void changeWindow(Session& session, std::size_t number, const QString& text,
                   const std::function<void(ClipWindow&)>& change);
 
-/// What it does with those above it; the step names it: "Cut out Star 2".
+/// Sets the operation of a window. The step is called "Cut out Star 2".
 void setWindowOperation(Session& session, std::size_t number, WindowOperation operation);
 
 /// One clip window for each selected object that encloses an area. Open paths are closed.

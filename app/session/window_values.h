@@ -6,7 +6,7 @@
 
 namespace app {
 
-/// What fields show and set of the clip window that tools act on.
+/// A number of the clip window that tools act on; fields show and set it.
 enum class WindowValue : std::uint8_t { X, Y, Width, Height, Angle };
 
 /// Lengths in user units, those of the place from the origin of the display's unit; the angle in

@@ -9,7 +9,7 @@
 
 namespace app {
 
-/// What decides where a bar of controls lies on the canvas, in logical pixels.
+/// What a bar of controls has around it on the canvas, in logical pixels.
 struct CapsuleRoom {
     QSizeF canvas;
     QRectF box;                        ///< of the thing that it belongs to, with its handles

@@ -171,7 +171,6 @@ void Capsule::setSurface(QWidget* surface, Form form)
     if (hasKeyboard())
         leave();
     surface_ = surface;
-    form_ = form;
     operation_->setVisible(form == Form::Whole);
     keep_->setVisible(form == Form::Whole);
     unit_->setVisible(form == Form::Whole);

@@ -66,7 +66,6 @@ private:
 
     Controller& controller_;
     QWidget* surface_ = nullptr;
-    Form form_ = Form::Whole;
     bool on_ = true;
     Segments *operation_, *keep_;
     QActionGroup* operationChoice_; ///< of the menu of operations_

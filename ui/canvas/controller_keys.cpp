@@ -137,8 +137,7 @@ bool Controller::windowKey(const QKeyEvent& event)
         return true;
     }
     if (event.key() == Qt::Key_X) {
-        const bool inside = session_.windows().keep == app::Keep::Inside;
-        setKeep(session_, inside ? app::Keep::Outside : app::Keep::Inside);
+        keepOtherSide(session_);
         return true;
     }
     if (capsulePlace_.isEmpty() || !isOneOf(event.key(), {Qt::Key_Return, Qt::Key_Enter}))

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/canvas/window_overlay.h"
 
-#include "app/base/numbers.h"
 #include "app/document/window_outline.h"
 #include "app/scene/area_windows.h"
 #include "app/view/frame_handles.h"
-#include "app/view/ruler.h"
 #include "app/view/window_borders.h"
+#include "ui/canvas/window_label.h"
 #include "ui/canvas/window_offer.h"
 #include "ui/canvas/window_tags.h"
 #include "ui/widgets/swatch.h"
@@ -14,7 +13,6 @@
 #include <QPainterPath>
 
 #include <glm/common.hpp>
-#include <glm/trigonometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +22,7 @@ namespace ui {
 namespace {
 
 constexpr double usualOutline = 1.5, outlineHovered = 2.5, casing = 1; // pixels
-constexpr double handleSize = 9, labelGap = 13;
+constexpr double handleSize = 9;
 
 // The window in screen coordinates, limited to the visible range, because painters fail with
 // coordinates like 1e9.
@@ -265,54 +263,6 @@ void addSmallNeighbours(const Controller& controller, std::vector<QRectF>& boxes
     });
 }
 
-QString labelText(const Controller& controller)
-{
-    const app::Page& page = controller.session().now().page();
-    const app::Unit unit = controller.session().display().unit;
-    const app::WindowFrame& frame = *controller.session().windowFrame();
-    const app::Preview::Drag drag = controller.session().preview().drag;
-    if (drag == app::Preview::Drag::Rotating) // by how much, counterclockwise
-        return QStringLiteral("%1°").arg(
-            app::numberText(-glm::degrees(controller.session().preview().angle), 1));
-    if (drag != app::Preview::Drag::Moving)
-        return app::sizeText(frame.box.max - frame.box.min, unit, page.millimetresPerUnit());
-    const app::Point place = frame.box.min - app::originOf(page, unit);
-    return QStringLiteral("%1, %2").arg(app::lengthNumber(place.x, unit, page.millimetresPerUnit()),
-                                        app::lengthText(place.y, unit, page.millimetresPerUnit()));
-}
-
-QFont labelFont(QFont font)
-{
-    font.setWeight(QFont::DemiBold);
-    font.setPointSizeF(font.pointSizeF() * 0.92);
-    return font;
-}
-
-QRectF labelPlace(const Controller& controller, const QRectF& window, const QFont& font)
-{
-    const QRectF size = QFontMetricsF(font).boundingRect(labelText(controller));
-    QRectF label(0, 0, size.width() + 16, size.height() + 4);
-    label.moveCenter({window.center().x(), 0});
-    label.moveTop(window.bottom() + labelGap);
-    const app::Point room = controller.view().size;
-    if (label.bottom() > room.y - 4)
-        label.moveBottom(std::min(window.bottom() - labelGap, room.y - 4));
-    label.moveLeft(std::clamp(label.left(), 4.0, std::max(4.0, room.x - 4 - label.width())));
-    return label;
-}
-
-void paintWindowLabel(QPainter& painter, const Controller& controller, const QRectF& window)
-{
-    const Look& look = controller.paperLook();
-    painter.setFont(labelFont(painter.font()));
-    const QRectF label = labelPlace(controller, window, painter.font());
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(look.accent);
-    painter.drawRoundedRect(label, 3, 3);
-    painter.setPen(look.onAccent);
-    painter.drawText(label, Qt::AlignCenter, labelText(controller));
-}
-
 // Whether the window has handles and a label: only in the active pane, if its outline is visible.
 bool isFurnished(const Controller& controller, const Pane& pane, const QRectF& window)
 {
@@ -400,7 +350,7 @@ std::vector<QRectF> windowFurniture(const Controller& controller, const Pane& pa
         return places;
     std::ranges::copy(handleBoxes(controller), std::back_inserter(places));
     places.push_back(controller.capsulePlace().isEmpty()
-                         ? labelPlace(controller, window, labelFont(font))
+                         ? windowLabelPlace(controller, window, font)
                          : controller.capsulePlace());
     return places;
 }

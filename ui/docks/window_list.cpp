@@ -90,7 +90,7 @@ WindowList::WindowList(app::Session& session) : session_(session)
     setFixedHeight(rows * space::rowHeight);
     connect(selectionModel(), &QItemSelectionModel::currentChanged, this,
             [this](const QModelIndex& current) {
-                // Not when it follows: nobody has chosen anything then.
+                // Only a person's choice counts, not the row that follows the session.
                 if (current.isValid() && std::size_t(current.row()) != session_.windowNumber())
                     session_.chooseWindow(std::size_t(current.row()));
             });

@@ -92,10 +92,6 @@ bool WindowModel::change(int row, const QVariant& value, int role)
     if (role == VisibleRole)
         return change(value.toBool() ? Text::tr("Show clip window") : Text::tr("Hide clip window"),
                       [&](app::ClipWindow& window) { window.visible = value.toBool(); });
-    if (role == OperationRole) {
-        app::setWindowOperation(session_, std::size_t(row), app::WindowOperation(value.toInt()));
-        return true;
-    }
     if (role == Qt::EditRole)
         return change(Text::tr("Rename clip window"),
                       [&](app::ClipWindow& window) { window.name = value.toString().trimmed(); });

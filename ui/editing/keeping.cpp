@@ -20,6 +20,12 @@ void setKeep(app::Session& session, app::Keep keep)
     session.history.push(new app::SetWindows(session.document, std::move(windows), Text::tr(text)));
 }
 
+void keepOtherSide(app::Session& session)
+{
+    const bool inside = session.now().windows().keep == app::Keep::Inside;
+    setKeep(session, inside ? app::Keep::Outside : app::Keep::Inside);
+}
+
 void layWindowOnPage(app::Session& session)
 {
     app::layWindow(session, app::windowPlaces().front());

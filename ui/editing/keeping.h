@@ -11,6 +11,8 @@ namespace ui {
 /// Chooses the side of the clip windows that is kept.
 void setKeep(app::Session& session, app::Keep keep);
 
+void keepOtherSide(app::Session& session);
+
 /// Lays a clip window on the page (app/session/window_places.h).
 void layWindowOnPage(app::Session& session);
 

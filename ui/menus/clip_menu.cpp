@@ -136,7 +136,7 @@ ActionInfo occludeRow()
         .key = "occlude",
         .text = Text::tr("Remo&ve covered lines"),
         .run = [](MainWindow& w) { w.files().cutPermanently(app::permanentCut("occlude")); },
-        .enabled = [](const MainWindow& w) { return w.session().scene.lines().size() > 0; },
+        .enabled = someLines,
     };
 }
 
@@ -202,9 +202,7 @@ std::vector<ActionInfo> windowRows()
 
 std::vector<ActionInfo> cutRows()
 {
-    const auto some = [](const MainWindow& w) {
-        return w.session().scene.lines().size() > 0 && hasWindow(w);
-    };
+    const auto some = [](const MainWindow& w) { return someLines(w) && hasWindow(w); };
     return {
         {
             .key = "crop",
@@ -247,11 +245,7 @@ ActionInfo keepOutsideRow()
     return {
         .key = "keep-outside",
         .text = Text::tr("&Keep outside"),
-        .run =
-            [](MainWindow& w) {
-                const bool outside = w.session().now().windows().keep == app::Keep::Outside;
-                ui::setKeep(w.session(), outside ? app::Keep::Inside : app::Keep::Outside);
-            },
+        .run = [](MainWindow& w) { keepOtherSide(w.session()); },
         .checked =
             [](const MainWindow& w) {
                 return w.session().now().windows().keep == app::Keep::Outside;

@@ -4,7 +4,7 @@
 #include "ui/docks/algorithm_panel.h"
 #include "ui/docks/difference_panel.h"
 #include "ui/look/text.h"
-#include "ui/menus/actions.h"
+#include "ui/menus/menu_rows.h"
 #include "ui/menus/other_windows.h"
 #include "ui/window/main_window.h"
 
@@ -48,8 +48,6 @@ void showMisprint(MainWindow& window)
     window.differencePanel().compare({misprint.meant, clipping::Form::Published, &misprint},
                                      app::exactVariant());
 }
-
-bool someLines(const MainWindow& window) { return window.session().scene.lines().size() > 0; }
 
 } // namespace
 

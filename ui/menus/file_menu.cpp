@@ -84,8 +84,7 @@ MenuInfo fileMenu()
                     .keys = {K("Ctrl+E")},
                     .icon = "export",
                     .run = [](MainWindow& w) { w.files().exportCut(); },
-                    .enabled =
-                        [](const MainWindow& w) { return w.session().scene.lines().size() > 0; },
+                    .enabled = someLines,
                     .made = [](MainWindow& w, QAction& action) { w.optionBar().setExport(action); },
                 },
                 settingsRow(),

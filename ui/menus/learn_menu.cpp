@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/view.h"
 #include "ui/look/text.h"
-#include "ui/menus/actions.h"
+#include "ui/menus/menu_rows.h"
 #include "ui/menus/other_windows.h"
 #include "ui/window/main_window.h"
 
@@ -33,8 +33,6 @@ void inspectNext(MainWindow& window, std::ptrdiff_t by)
     window.canvas().go(app::bringing(window.canvas().view(), session.scene.lines()[line]));
     window.raisePanel("line");
 }
-
-bool canInspect(const MainWindow& window) { return window.session().scene.lines().size() > 0; }
 
 void toggleOverlay(MainWindow& window)
 {
@@ -72,14 +70,14 @@ MenuInfo learnMenu()
                     .text = Text::tr("Inspect &next line"),
                     .keys = {QKeySequence("F8")},
                     .run = [](MainWindow& w) { inspectNext(w, 1); },
-                    .enabled = canInspect,
+                    .enabled = someLines,
                 },
                 {
                     .key = "previous-line",
                     .text = Text::tr("Inspect p&revious line"),
                     .keys = {QKeySequence("Shift+F8")},
                     .run = [](MainWindow& w) { inspectNext(w, -1); },
-                    .enabled = canInspect,
+                    .enabled = someLines,
                 },
                 {},
                 {

@@ -41,6 +41,8 @@ void showIfUnseen(Canvas& canvas, const std::optional<clipping::Window>& box, vo
         (canvas.*fit)();
 }
 
+bool someLines(const MainWindow& window) { return window.session().scene.lines().size() > 0; }
+
 bool someSelected(const MainWindow& window) { return !window.session().selection().empty(); }
 
 QString nothingSelected() { return Text::tr("Nothing is selected. Select an object first."); }

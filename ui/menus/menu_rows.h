@@ -36,9 +36,11 @@ std::vector<ActionInfo> inSubmenu(const QString& title,
 /// Joins the rows of a menu.
 std::vector<ActionInfo> joined(const std::vector<std::vector<ActionInfo>>& parts);
 
-/// What was found should be seen: fits the view if nothing of the box is.
+/// Fits the view with `fit` if the box is wholly outside it.
 void showIfUnseen(Canvas& canvas, const std::optional<clipping::Window>& box,
                   void (Canvas::*fit)());
+
+bool someLines(const MainWindow& window); ///< whether the drawing has any
 
 /// Whether a command on the selection is enabled.
 bool someSelected(const MainWindow& window);

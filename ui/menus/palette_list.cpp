@@ -5,7 +5,6 @@
 #include "ui/look/text.h"
 
 #include <QPainter>
-#include <QRegularExpression>
 #include <QTextLayout>
 
 #include <map>
@@ -47,6 +46,13 @@ void drawMatched(QPainter& painter, const QRect& box, const QString& name,
     line.setLineWidth(box.width());
     layout.endLayout();
     layout.draw(&painter, QPointF(box.left(), box.center().y() - line.height() / 2 + 1));
+}
+
+QString spoken(const PaletteRow& row)
+{
+    QStringList parts{row.before, row.name, row.what, row.note};
+    parts.removeAll(QString());
+    return parts.join(QStringLiteral(", "));
 }
 
 } // namespace
@@ -116,9 +122,7 @@ QVariant PaletteModel::cell(int line, int, int role) const
     case Qt::DecorationRole:
         return found->icon;
     case Qt::AccessibleTextRole:
-        return QStringList{found->before, found->name, found->what, found->note}
-            .filter(QRegularExpression(QStringLiteral(".")))
-            .join(QStringLiteral(", "));
+        return spoken(*found);
     case Qt::ToolTipRole:
         return found->note;
     case IsRowRole:

@@ -30,9 +30,9 @@ struct PaletteRow {
     std::function<void()> run{};
 };
 
-/// What the palette finds: every command of the menus, windows, layers, groups and objects of the
-/// drawing, and the pages of the manual. Whether a command can be run is judged when this is made,
-/// before the palette has the keyboard.
+/// Everything that the palette can find: every command of the menus, windows, layers, groups and
+/// objects of the drawing, and the pages of the manual. Whether a command can be run is judged when
+/// this is made, before the palette has the keyboard.
 class PaletteRows {
 public:
     PaletteRows(MainWindow& window, OtherWindows& others);

@@ -17,7 +17,7 @@
 
 namespace ui {
 
-/// What entries of menus say of it.
+/// The chosen clip window, as far as texts and check marks of menu entries depend on it.
 static auto windowInHand(const app::Session& session)
 {
     return std::pair(app::needsInHand(session), session.windowNumber());

@@ -104,9 +104,8 @@ static void addEllipse(const EllipseRecipe& ellipse, const SnapQuery& query, Sna
 
 static void addWindow(const WindowShape& shape, const SnapQuery& query, SnapSurroundings& near)
 {
-    if (const auto* path = std::get_if<PathShape>(&shape))
-        if (const auto* ellipse = std::get_if<EllipseRecipe>(&path->recipe))
-            addEllipse(*ellipse, query, near);
+    if (const EllipseRecipe* ellipse = ellipseOf(shape))
+        addEllipse(*ellipse, query, near);
     std::ranges::copy(edgesNear(near, shape), std::back_inserter(near.windowEdges));
 }
 

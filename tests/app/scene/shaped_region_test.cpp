@@ -250,7 +250,6 @@ private slots:
                 std::vector<Segment> lines;
                 for (const Chord& chord : chords)
                     lines.push_back(chord.segment);
-                // Parts of a curve that crosses itself lie inside: of a cut-out nothing remains.
                 ClipWindows all{{{.shape = PathShape{Path({&blob, 1}), FillRule::NonZero}}}};
                 QCOMPARE(keptOf(lines, all, page), lines);
                 all.keep = Keep::Outside;

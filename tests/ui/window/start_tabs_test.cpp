@@ -46,8 +46,7 @@ private slots:
         app::moveWindow(test.window->session(), {5, 5}); // the first edit
         QTest::qWait(100);
         QTabBar* bar = tabBar(*test.window);
-        if (!bar)
-            return; // all panels are seen
+        QVERIFY(bar);
         for (int tab = 0; tab < bar->count(); ++tab) {
             const QPoint middle = bar->mapTo(test.window.get(), bar->tabRect(tab).center());
             QWidget* under = test.window->childAt(middle);
