@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measures the canvas at 1280 x 800 on a drawing, on many scattered lines of 3 to 17 pixels, or on
-// the paper's lines, which are as long as the page:
-// frames [LINES|longLINES|FILE] [raster|gl] [PICTURE.png]
-// and what it takes while all algorithms race on each frame; the frames of a dragged window for
-// each row; and the memory.
+// Measures the canvas on a drawing (drawings.h), 1280 x 800 unless told:
+// frames [DRAWING] [raster|gl] [WIDTHxHEIGHT] [PICTURE.png]
+// Also what it takes while all algorithms race on each frame, the frames of a dragged window for
+// each row, and the memory. frames_table.py runs it on the drawings of the table in figures.md.
 #include "app/experiment/block.h"
 #include "app/race/live_race.h"
 #include "ui/canvas/canvas.h"
@@ -17,23 +16,10 @@
 #include <functional>
 
 #include "tests/app/document/one_window.h"
-#include "tests/benchmarks/long_lines.h"
-#include "tests/benchmarks/short_lines.h"
+#include "tests/benchmarks/drawings.h"
 #include "tests/benchmarks/used_memory.h"
 
 namespace {
-
-app::Imported drawingOf(const QString& argument)
-{
-    if (const int lines = argument.toInt(); lines > 0)
-        return {shortLines(lines), {}};
-    if (const int lines = argument.startsWith(u"long") ? argument.mid(4).toInt() : 0; lines > 0)
-        return {longLines(std::size_t(lines)), {}};
-    auto read = app::readFile(argument);
-    if (!read)
-        qFatal("%s", qPrintable(read.error));
-    return std::move(*read.value);
-}
 
 double milliseconds(const QElapsedTimer& clock) { return double(clock.nsecsElapsed()) * 1e-6; }
 
@@ -103,30 +89,45 @@ Figures moved(app::Session& session, ui::Canvas& canvas, const std::function<voi
     return figures;
 }
 
-std::vector<std::pair<QString, Figures>> movedInPanes(app::Session& session, ui::Canvas& canvas)
+// Until the cut is seen in the canvas, or in all of its panes, at first perhaps a rough picture of
+// it (FrameWish::rough).
+class UntilSeen {
+public:
+    explicit UntilSeen(ui::Canvas& canvas)
+    {
+        connection_ = QObject::connect(&canvas, &ui::Canvas::frameShown,
+                                       [this](const app::FrameTimes& times) { shown = times; });
+    }
+    ~UntilSeen() { QObject::disconnect(connection_); }
+    Q_DISABLE_COPY_MOVE(UntilSeen)
+    void operator()() const
+    {
+        while (shown.painting)
+            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    }
+    app::FrameTimes shown;
+
+private:
+    QMetaObject::Connection connection_;
+};
+
+void printPanes(QTextStream& out, app::Session& session, ui::Canvas& canvas)
 {
-    std::vector<std::pair<QString, Figures>> panes;
     for (const int count : {2, 4, 12, 1}) {
         app::Panes many = canvas.panes();
         count > 4 ? many.showAll() : many.show(std::size_t(count));
         canvas.setPanes(many);
-        panes.emplace_back(QStringLiteral("window moves, panes: %1").arg(count),
-                           moved(session, canvas, [&] { canvas.settle(); }));
+        canvas.settle();
+        moved(session, canvas, [&] {
+            canvas.settle();
+        }).print(out, qPrintable(QStringLiteral("window moves, panes: %1").arg(count)));
     }
-    return panes;
 }
 
-/// For each row, from a moved window until the picture of its cut is seen, at first perhaps a rough
-/// one (FrameWish::rough).
+// For each row, from a moved window until the picture of its cut is seen.
 void printRows(QTextStream& out, app::Session& session, ui::Canvas& canvas)
 {
-    app::FrameTimes shown;
-    const auto listening = QObject::connect(&canvas, &ui::Canvas::frameShown,
-                                            [&](const app::FrameTimes& times) { shown = times; });
-    const auto untilSeen = [&] {
-        while (shown.painting)
-            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
-    };
+    const UntilSeen untilSeen(canvas);
     const app::Variant before = session.variant();
     out << "the window moves, by rows:        clipping, the cut is seen after, worst; ms\n";
     std::vector<const clipping::Algorithm*> all;
@@ -137,7 +138,7 @@ void printRows(QTextStream& out, app::Session& session, ui::Canvas& canvas)
         canvas.settle();
         Figures clip, seen = moved(session, canvas, [&] {
                           untilSeen();
-                          clip.times.push_back(shown.clipMs);
+                          clip.times.push_back(untilSeen.shown.clipMs);
                       });
         std::ranges::sort(clip.times);
         std::ranges::sort(seen.times);
@@ -147,7 +148,6 @@ void printRows(QTextStream& out, app::Session& session, ui::Canvas& canvas)
         out.flush();
     }
     session.changeDisplay([&](app::Display& display) { display.variant = before; });
-    QObject::disconnect(listening);
 }
 
 void compare(QTextStream& out, app::Session& session, ui::Canvas& canvas)
@@ -184,16 +184,19 @@ int main(int argc, char** argv)
 {
     QApplication application(argc, argv);
     const bool gl = argc > 2 && QByteArray(argv[2]) == "gl";
+    const QList<QByteArray> size = argc > 3 ? QByteArray(argv[3]).split('x') : QList<QByteArray>();
+    const QString picture = argc > 4 ? QString::fromLocal8Bit(argv[4]) : QString();
     QTextStream out(stdout);
     app::Session session;
-    session.load(drawingOf(argc > 1 ? argv[1] : "100000"));
+    session.load(drawingOf(QString::fromLocal8Bit(argc > 1 ? argv[1] : "100000")));
     QElapsedTimer clock;
     clock.start();
     ui::Canvas canvas(session, gl ? ui::Backend::OpenGL : ui::Backend::Raster);
     std::vector<double> clip;
     QObject::connect(&canvas, &ui::Canvas::frameShown,
                      [&](const app::FrameTimes& t) { clip.push_back(t.clipMs); });
-    canvas.resize(1280 + 20, 800 + 20);
+    const bool sized = size.size() == 2;
+    canvas.resize(20 + (sized ? size[0].toInt() : 1280), 20 + (sized ? size[1].toInt() : 800));
     canvas.show();
     QCoreApplication::processEvents();
     out << session.scene.lines().size() << " lines, " << canvas.backendReason()
@@ -202,10 +205,12 @@ int main(int argc, char** argv)
     out << ", in full quality after " << milliseconds(clock) << " ms\n";
 
     QWidget& surface = *canvas.focusProxy();
-    Figures panned, zoomed, rest, drag;
+    const UntilSeen untilSeen(canvas);
+    Figures panned, zoomed, rest, drag, seen;
     canvas.setTool("hand");
-    for (int i = 0; i < 60; ++i)
-        panned.times.push_back(frame(canvas, [&] { pan(surface); }));
+    for (int i = 0; i < 30; ++i)
+        panned.times.push_back(frame(
+            canvas, [&] { pan(surface); }, std::ref(untilSeen)));
     for (int i = 0; i < 60; ++i)
         zoomed.times.push_back(frame(canvas, [&] { wheel(surface, i < 30 ? 1 : -1); }));
     for (int i = 0; i < 10; ++i) {
@@ -215,26 +220,26 @@ int main(int argc, char** argv)
         rest.times.push_back(milliseconds(clock));
     }
     drag = moved(session, canvas, [] {});
+    seen = moved(session, canvas, std::ref(untilSeen));
     Figures hovered;
     canvas.setTool("select");
     for (int i = 0; i < 60; ++i)
         hovered.times.push_back(
             frame(canvas, [&] { hover(surface, QPointF(200 + 7 * i, 300 + 3 * i)); }));
     canvas.fitDrawing();
-    auto panes = movedInPanes(session, canvas);
     Figures{clip}.print(out, "clipping of all lines, a frame");
-    panned.print(out, "frame while panning");
+    panned.print(out, "panning, until it is seen");
     zoomed.print(out, "frame while zooming");
     drag.print(out, "frame while the window moves");
-    for (auto& [what, figures] : panes)
-        figures.print(out, qPrintable(what));
+    seen.print(out, "the window moves, its cut is seen");
     hovered.print(out, "frame while hovering");
     rest.print(out, "full quality after rest");
+    printPanes(out, session, canvas);
     printRows(out, session, canvas);
     compare(out, session, canvas);
     out << "memory at most " << peakMegabytes() << " MB\n";
     canvas.settle();
-    if (argc > 3)
-        canvas.grab().save(argv[3]);
+    if (!picture.isEmpty())
+        canvas.grab().save(picture);
     return 0;
 }

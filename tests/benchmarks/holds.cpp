@@ -16,7 +16,7 @@
 #include <random>
 #include <ranges>
 
-#include "tests/benchmarks/long_lines.h"
+#include "tests/benchmarks/drawings.h"
 #include "tests/ui/test_window.h"
 
 namespace {
@@ -214,7 +214,8 @@ int main(int argc, char** argv)
 {
     WatchedApplication watched(argc, argv);
     QTextStream out(stdout);
-    const QString drawing = argc > 1 ? QString::fromLocal8Bit(argv[1]) : QStringLiteral("1000000");
+    const QString drawing =
+        argc > 1 ? QString::fromLocal8Bit(argv[1]) : QStringLiteral("long1000000");
     const int events = argc > 2 ? QByteArray(argv[2]).toInt() : 200;
     ui::TestWindow test;
     test.show();
@@ -222,10 +223,10 @@ int main(int argc, char** argv)
     clock.start();
     Person person(test, argc > 3 ? QByteArray(argv[3]).toUInt() : 1);
     watched.doing = QStringLiteral("opening");
-    if (const std::size_t lines = drawing.toULongLong(); lines > 0) {
-        app::Document document = longLines(lines);
+    if (!QFile::exists(drawing)) {
+        app::Imported made = drawingOf(drawing);
         watched.watched(QStringLiteral("loading"), [&] {
-            test.window->session().load({std::move(document), {}});
+            test.window->session().load(std::move(made));
             return true;
         });
     } else {

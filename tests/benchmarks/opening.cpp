@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Measures what it takes to open a file, until its picture is on a canvas of 1280 x 800:
 // opening FILE
+// or writes the file to be opened with a drawing (drawings.h) in it:
+// opening FILE DRAWING
 #include "app/base/variant.h"
 #include "app/view/raster.h"
 #include "ui/canvas/canvas.h"
@@ -8,17 +10,16 @@
 #include <QApplication>
 
 #include "tests/app/scene/block_scene.h"
+#include "tests/benchmarks/drawings.h"
 #include "tests/benchmarks/figures.h"
 #include "tests/benchmarks/used_memory.h"
 
 namespace {
 
-app::Imported drawingIn(const QString& path)
+void write(const QString& path, const QString& drawing)
 {
-    auto read = app::readFile(path);
-    if (!read)
-        qFatal("%s", qPrintable(read.error));
-    return std::move(*read.value);
+    if (const auto fault = app::writeFile(drawingOf(drawing).document, path, {}))
+        qFatal("%s", qPrintable(*fault));
 }
 
 app::SceneFrame clip(const app::Session& session)
@@ -67,13 +68,16 @@ void printParts(FigureTable& table, app::Session& session)
 int main(int argc, char** argv)
 {
     const QApplication application(argc, argv);
-    if (argc != 2)
-        qFatal("Usage: opening FILE");
+    if (argc != 2 && argc != 3)
+        qFatal("Usage: opening FILE [DRAWING]");
+    const QString path = QString::fromLocal8Bit(argv[1]);
+    if (argc == 3)
+        return write(path, QString::fromLocal8Bit(argv[2])), 0;
     FigureTable table;
     table.print("before opening, most memory", peakMegabytes(), "MB");
     std::optional<app::Imported> read;
     app::Session session;
-    double sum = stage(table, "read", [&] { read = drawingIn(QString::fromLocal8Bit(argv[1])); });
+    double sum = stage(table, "read", [&] { read = drawingOf(path); });
     sum += stage(table, "load", [&] { session.load(*std::exchange(read, {})); });
     ui::Canvas canvas(session, ui::Backend::Raster);
     canvas.resize(1280 + 20, 800 + 20); // with the rulers
