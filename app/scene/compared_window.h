@@ -9,7 +9,7 @@ namespace app {
 /// The rectangle at which algorithms are compared, raced and explained.
 struct ComparedWindow {
     clipping::Window window;
-    bool isPage = false; ///< true: no such clip window exists, `window` is the page
+    bool isPage = false;                 ///< true: no such clip window exists, `window` is the page
     std::optional<std::size_t> number{}; ///< of that clip window
     /// Whether results there are those of the drawing: not at the page of a drawing that is cut at
     /// other clip windows.

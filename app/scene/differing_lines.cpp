@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scene/differing_lines.h"
 
+#include "app/base/in_parallel.h"
+
+#include <QThreadPool>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace app {
@@ -89,28 +94,43 @@ void compareChunks(Kept& a, Kept& b, double tolerance, const Differs& differs)
     }
 }
 
+/// The lines of a block that differ; `found` counts those of all blocks.
+std::vector<FrameLine> differingIn(const SceneFrame& a, const SceneFrame& b, std::size_t at,
+                                   double tolerance, std::size_t most,
+                                   std::atomic<std::size_t>& found)
+{
+    std::vector<FrameLine> lines;
+    const SceneFrame::Block &inA = a.blocks[at], &inB = b.blocks[at];
+    std::span<const Clipped> ofA = inA.pieces, ofB = inB.pieces;
+    for (std::size_t chunk = 0; chunk < inA.remains.size() && found <= most; ++chunk) {
+        const Remains remains = inA.remains[chunk];
+        if (remains == inB.remains[chunk] && remains != Remains::Pieces)
+            continue;
+        Kept keptA(*inA.block, chunk, remains, ofA, tolerance);
+        Kept keptB(*inB.block, chunk, inB.remains[chunk], ofB, tolerance);
+        compareChunks(keptA, keptB, tolerance, [&](std::size_t line) {
+            lines.push_back({at, line});
+            ++found;
+        });
+        ofA = keptA.rest(), ofB = keptB.rest();
+    }
+    return lines;
+}
+
 } // namespace
 
 std::vector<FrameLine> differingLines(const SceneFrame& a, const SceneFrame& b, double tolerance,
                                       std::size_t most)
 {
+    std::vector<std::vector<FrameLine>> inBlocks(a.blocks.size());
+    std::atomic<std::size_t> found = 0;
+    inParallel(*QThreadPool::globalInstance(), inBlocks.size(), [&](std::size_t at, std::size_t) {
+        inBlocks[at] = differingIn(a, b, at, tolerance, most, found);
+    });
     std::vector<FrameLine> lines;
-    for (std::size_t at = 0; at < a.blocks.size(); ++at) {
-        const SceneFrame::Block &inA = a.blocks[at], &inB = b.blocks[at];
-        std::span<const Clipped> ofA = inA.pieces, ofB = inB.pieces;
-        for (std::size_t chunk = 0; chunk < inA.remains.size() && lines.size() <= most; ++chunk) {
-            const Remains remains = inA.remains[chunk];
-            if (remains == inB.remains[chunk] && remains != Remains::Pieces)
-                continue;
-            Kept keptA(*inA.block, chunk, remains, ofA, tolerance);
-            Kept keptB(*inB.block, chunk, inB.remains[chunk], ofB, tolerance);
-            compareChunks(keptA, keptB, tolerance, [&](std::size_t line) {
-                if (lines.size() <= most)
-                    lines.push_back({at, line});
-            });
-            ofA = keptA.rest(), ofB = keptB.rest();
-        }
-    }
+    for (const auto& inBlock : inBlocks)
+        lines.insert(lines.end(), inBlock.begin(), inBlock.end());
+    lines.resize(std::min(lines.size(), most + 1));
     return lines;
 }
 

@@ -36,22 +36,28 @@ static bool isOneWindow(const ClipRegion& region, const RowForms& forms)
 
 void RegionClipping::start(const ClipRegion& region, ClipAll clipAll, const std::stop_token& stop)
 {
-    region_ = &region;
-    stop_ = stop;
-    forms_ = formsAt(region, clipAll);
-    prepared_ = forms_.atRegion && !region.everything() ? areaWindows(region) : nullptr;
-    oneWindow_ = isOneWindow(region, forms_);
-    keepsInside_ = (region.keep == Keep::Inside)
-                   != (oneWindow_ && region.steps.front().operation == WindowOperation::CutOut);
+    Started& now = started_ = {.region = &region, .stop = stop, .forms = formsAt(region, clipAll)};
+    if (now.forms.atRegion && !region.everything())
+        now.prepared = areaWindows(region);
+    now.oneWindow = isOneWindow(region, now.forms);
+    now.keepsInside =
+        (region.keep == Keep::Inside)
+        != (now.oneWindow && region.steps.front().operation == WindowOperation::CutOut);
+    stopwatch_.reset();
+}
+
+void RegionClipping::startAs(const RegionClipping& other)
+{
+    started_ = other.started_;
     stopwatch_.reset();
 }
 
 std::size_t RegionClipping::clip(std::span<const Segment> lines, std::size_t first,
                                  std::span<Clipped> out)
 {
-    const ClipRegion::Step& step = region_->steps.front();
+    const ClipRegion::Step& step = started_.region->steps.front();
     std::size_t count = 0;
-    if (keepsInside_) {
+    if (started_.keepsInside) {
         count = clipAt(step, lines, out);
     } else {
         const Pieces inside = roomIn(buffer_, lines.size());
@@ -67,17 +73,17 @@ std::size_t RegionClipping::clipAt(const ClipRegion::Step& step, std::span<const
                                    const Pieces& out)
 {
     std::size_t count = 0;
-    stopwatch_.time([&] { count = clipAtStep(forms_, step, lines, out); });
+    stopwatch_.time([&] { count = clipAtStep(started_.forms, step, lines, out); });
     return count;
 }
 
 void RegionClipping::fold(std::span<const Segment> lines, std::size_t first,
                           std::vector<Clipped>& kept)
 {
-    if (prepared_)
+    if (started_.prepared)
         return clipRegion(lines, first, kept);
     for (; lines.size() > foldedAtOnce; first += foldedAtOnce) {
-        if (stop_.stop_requested())
+        if (started_.stop.stop_requested())
             return;
         fold(lines.first(foldedAtOnce), first, kept);
         lines = lines.subspan(foldedAtOnce);
@@ -92,7 +98,7 @@ void RegionClipping::fold(std::span<const Segment> lines, std::size_t first,
                 left_[i] = left_[i].subspan(1);
             }
         }
-        app::fold(*region_, lines[line], std::uint32_t(first + line), atStep_, kept);
+        app::fold(*started_.region, lines[line], std::uint32_t(first + line), atStep_, kept);
     }
 }
 
@@ -106,8 +112,9 @@ void RegionClipping::clipRegion(std::span<const Segment> lines, std::size_t firs
 {
     shaped_.resize(std::clamp<std::size_t>(2 * lines.size(), 64, mostPiecesAtOnce));
     clipping::RegionProgress done;
-    while (done.segment < lines.size() && !stop_.stop_requested()) {
-        stopwatch_.time([&] { done = forms_.atRegion(lines, *prepared_, shaped_, done); });
+    while (done.segment < lines.size() && !started_.stop.stop_requested()) {
+        stopwatch_.time(
+            [&] { done = started_.forms.atRegion(lines, *started_.prepared, shaped_, done); });
         for (const clipping::RegionPiece& piece : std::span(shaped_).first(done.written))
             kept.push_back({piece.segment, std::uint32_t(first + piece.source),
                             clipping::cutAt(edgeOf(piece.edgeOfA), edgeOf(piece.edgeOfB))});
@@ -116,7 +123,7 @@ void RegionClipping::clipRegion(std::span<const Segment> lines, std::size_t firs
 
 void RegionClipping::clipAtAll(std::span<const Segment> lines)
 {
-    const auto& steps = region_->steps;
+    const auto& steps = started_.region->steps;
     const Pieces room = roomIn(buffer_, steps.size() * lines.size());
     left_.resize(steps.size());
     for (std::size_t i = 0; i < steps.size(); ++i) {

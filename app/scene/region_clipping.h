@@ -16,10 +16,12 @@ public:
     /// `region` must live until the next start. `clipAll` is that of the chosen form. When a stop
     /// is requested, pieces are missing from then on.
     void start(const ClipRegion& region, ClipAll clipAll, const std::stop_token& stop = {});
+    /// Starts with what another one was started with, without preparing the region again.
+    void startAs(const RegionClipping& other);
     /// Whether `clip` may be called: a single window is clipped at, without its neighbours.
-    bool atOneWindow() const { return oneWindow_; }
+    bool atOneWindow() const { return started_.oneWindow; }
     /// Whether the row `exact` clips, whatever was chosen.
-    bool isExact() const { return forms_.exact; }
+    bool isExact() const { return started_.forms.exact; }
     /// Writes the kept pieces of the lines, in order, to the beginning of `out` and returns their
     /// number. `first` is added to each source. The pieces are the results of the algorithm, or of
     /// `outsideAll` for them; a published form may return anything. Requires `out.size() >= 2 *
@@ -42,12 +44,17 @@ private:
     void clipRegion(std::span<const clipping::Segment> lines, std::size_t first,
                     std::vector<clipping::Clipped>& kept);
 
-    const ClipRegion* region_ = nullptr;
-    std::stop_token stop_;
-    RowForms forms_;
-    std::shared_ptr<const clipping::PreparedRegion> prepared_; ///< if the form for regions is used
-    bool oneWindow_ = false;
-    bool keepsInside_ = true; ///< of the one window
+    struct Started {
+        const ClipRegion* region = nullptr;
+        std::stop_token stop{};
+        RowForms forms{};
+        /// If the form for regions is used.
+        std::shared_ptr<const clipping::PreparedRegion> prepared{};
+        bool oneWindow = false;
+        bool keepsInside = true; ///< of the one window
+    };
+
+    Started started_;
     Stopwatch stopwatch_;
     std::vector<clipping::Clipped> buffer_;
     std::vector<Pieces> left_; ///< for each step, the pieces of lines that are not folded yet

@@ -1,96 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scene/scene_clipping.h"
 
+#include "app/base/in_parallel.h"
 #include "app/base/vector_registers.h"
-#include "app/scene/box_remains.h"
 
-#include <algorithm>
-#include <cstring>
+#include <QThreadPool>
 
 namespace app {
-namespace {
-
-using clipping::Clipped;
-
-// Calls visit(first, end) for the lines of each run of chunks with Remains::Pieces. Returns the
-// number of lines in chunks with Remains::Whole.
-template <class Visit>
-std::size_t forEachCut(const SceneBlock& block, std::span<const Remains> remains,
-                       const Visit& visit)
-{
-    std::size_t whole = 0;
-    for (std::size_t chunk = 0; chunk < remains.size();) {
-        const Remains here = remains[chunk];
-        const std::size_t first = block.chunks[chunk].first;
-        while (chunk + 1 < remains.size() && remains[chunk + 1] == here)
-            ++chunk;
-        const std::size_t end = block.endOfChunk(chunk++);
-        if (here == Remains::Whole)
-            whole += end - first;
-        else if (here == Remains::Pieces)
-            visit(first, end);
-    }
-    return whole;
-}
-
-// Whether a piece is the line itself. Compares the ends, as published forms may report no cut and
-// still change the line.
-bool isWhole(const Clipped& piece, const clipping::Segment& line)
-{
-    return piece.cut == 0 && std::memcmp(&piece.segment, &line, sizeof line) == 0;
-}
-
-/// The pieces of one chunk.
-struct InChunk {
-    std::size_t pieces = 0; // the number of leading pieces that belong to this chunk
-    std::size_t visible = 0;
-    bool whole = true; // each of its lines is kept unchanged
-};
-
-InChunk inChunk(std::span<const Clipped> pieces, std::span<const clipping::Segment> lines,
-                std::size_t first)
-{
-    InChunk all;
-    for (const Clipped& piece : pieces) {
-        const std::size_t line = piece.source - first;
-        if (line >= lines.size())
-            break;
-        all.whole = all.whole && line == all.pieces && isWhole(piece, lines[line]);
-        all.visible += all.pieces == 0 || piece.source != (&piece)[-1].source;
-        ++all.pieces;
-    }
-    all.whole = all.whole && all.pieces == lines.size();
-    return all;
-}
-
-} // namespace
 
 SceneFrame SceneClipping::clip(const SceneLines& lines, const ClipRegion& region, ClipAll clipAll,
                                const std::stop_token& stop)
 {
-    region_ = &region;
-    regionClipping_.start(region, clipAll, stop);
-    stopwatch_.reset();
-    pieces_.clear();
-    visible_ = 0;
+    QThreadPool& pool = *QThreadPool::globalInstance();
     makeBlocks(lines);
-    emptyUpperHalves(); // Qt may have painted a picture before
-
-    const auto window =
-        regionClipping_.isExact() && region.keep == Keep::Inside ? region.single() : std::nullopt;
-    std::span<Remains> left = remains_;
-    for (Block& block : blocks_) {
+    workers_.resize(workersOf(pool));
+    workers_.front().start(region, clipAll, stop);
+    for (auto other = workers_.begin() + 1; other != workers_.end(); ++other)
+        other->startAs(workers_.front());
+    inParallel(pool, blocks_.size(), [&](std::size_t block, std::size_t worker) {
         if (stop.stop_requested())
-            break;
-        const auto remains = left.first(block.remains.size());
-        left = left.subspan(remains.size());
-        if (window)
-            clipNearEdges(block, remains, *window);
-        else
-            clipInRegion(block, remains);
+            return;
+        emptyUpperHalves(); // Qt may have painted a picture before
+        workers_[worker].clip(blocks_[block], remainsOf(block));
+    });
+    SceneFrame frame{blocks_, lines.size()};
+    for (const BlockClipping& worker : workers_) {
+        frame.visible += worker.visible();
+        frame.nanoseconds += worker.nanoseconds();
     }
-    return {blocks_, lines.size(), visible_,
-            stopwatch_.nanoseconds() + regionClipping_.nanoseconds()};
+    return frame;
 }
 
 void SceneClipping::makeBlocks(const SceneLines& lines)
@@ -109,104 +47,11 @@ void SceneClipping::makeBlocks(const SceneLines& lines)
     }
 }
 
-// For the algorithm `exact` and the inside of one window.
-void SceneClipping::clipNearEdges(Block& frame, std::span<Remains> remains,
-                                  const clipping::Window& window)
+std::span<Remains> SceneClipping::remainsOf(std::size_t block)
 {
-    const std::span lines(frame.block->segments);
-    const std::span room = pieces_.room(lines.size());
-    const auto& exact = clipping::exactAlgorithm().corrected;
-    std::size_t count = 0, whole = 0;
-    stopwatch_.time([&] {
-        findRemains(*frame.block, *region_, remains);
-        whole = forEachCut(*frame.block, remains, [&](std::size_t first, std::size_t end) {
-            const auto out = room.subspan(count, end - first);
-            const std::size_t pieces =
-                exact.clipAll(lines.subspan(first, end - first), window, out);
-            for (Clipped& piece : out.first(first == 0 ? 0 : pieces))
-                piece.source += std::uint32_t(first);
-            count += pieces;
-        });
-    });
-    frame.pieces = pieces_.keep(count);
-    visible_ += whole + count;
-}
-
-void SceneClipping::clipInRegion(Block& frame, std::span<Remains> remains)
-{
-    std::ranges::fill(remains, region_->everything() ? Remains::Whole : Remains::Pieces);
-    if (regionClipping_.isExact() && !region_->everything())
-        stopwatch_.time([&] { findRemains(*frame.block, *region_, remains); });
-    if (regionClipping_.atOneWindow()) {
-        settle(frame, remains, clipAtOneWindow(*frame.block, remains));
-        return;
-    }
-    folded_.clear();
-    forEachCut(*frame.block, remains, [&](std::size_t first, std::size_t end) {
-        regionClipping_.fold(std::span(frame.block->segments).subspan(first, end - first), first,
-                             folded_);
-    });
-    const std::span room = pieces_.room(folded_.size());
-    std::ranges::copy(folded_, room.begin());
-    settle(frame, remains, room);
-}
-
-// Clips all lines near the window's border with one call, because each call prepares the polygon.
-std::span<Clipped> SceneClipping::clipAtOneWindow(const SceneBlock& block,
-                                                  std::span<const Remains> remains)
-{
-    const std::span lines(block.segments);
-    const std::span room = pieces_.room(2 * lines.size());
-    std::size_t runs = 0, count = 0;
-    near_.clear();
-    sources_.clear();
-    forEachCut(block, remains, [&](std::size_t, std::size_t) { ++runs; });
-    if (runs == 1) {
-        forEachCut(block, remains, [&](std::size_t first, std::size_t end) {
-            count = regionClipping_.clip(lines.subspan(first, end - first), first, room);
-        });
-        return room.first(count);
-    }
-    forEachCut(block, remains, [&](std::size_t first, std::size_t end) {
-        near_.insert(near_.end(), lines.begin() + std::ptrdiff_t(first),
-                     lines.begin() + std::ptrdiff_t(end));
-        for (; first < end; ++first)
-            sources_.push_back(std::uint32_t(first));
-    });
-    if (!near_.empty())
-        count = regionClipping_.clip(near_, 0, room);
-    for (Clipped& piece : room.first(count))
-        piece.source = sources_[piece.source];
-    return room.first(count);
-}
-
-// Classifies each chunk by its pieces, and keeps the pieces of chunks that are neither gone nor
-// whole.
-void SceneClipping::settle(Block& frame, std::span<Remains> remains, std::span<Clipped> room)
-{
-    const std::span lines(frame.block->segments);
-    std::span pieces = room;
-    auto kept = room.begin();
-    for (std::size_t chunk = 0; chunk < remains.size(); ++chunk) {
-        const std::size_t first = frame.block->chunks[chunk].first;
-        const auto linesHere = lines.subspan(first, frame.block->endOfChunk(chunk) - first);
-        if (remains[chunk] == Remains::Whole)
-            visible_ += linesHere.size();
-        if (remains[chunk] != Remains::Pieces)
-            continue;
-        const InChunk here = inChunk(pieces, linesHere, first);
-        visible_ += here.visible;
-        if (here.pieces == 0)
-            remains[chunk] = Remains::Gone;
-        else if (here.whole)
-            remains[chunk] = Remains::Whole;
-        else if (kept == pieces.begin())
-            kept += std::ptrdiff_t(here.pieces);
-        else
-            kept = std::copy_n(pieces.begin(), here.pieces, kept);
-        pieces = pieces.subspan(here.pieces);
-    }
-    frame.pieces = pieces_.keep(std::size_t(kept - room.begin()));
+    const auto& remains = blocks_[block].remains;
+    return std::span(remains_).subspan(std::size_t(remains.data() - remains_.data()),
+                                       remains.size());
 }
 
 } // namespace app

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/band_painting.h"
 
-#include <QThreadPool>
-
-#include <atomic>
-#include <latch>
+#include "app/base/in_parallel.h"
 
 namespace app {
 
@@ -32,60 +29,20 @@ std::vector<FinishedBand> FrameParts::bands() const
     return bands_;
 }
 
-namespace {
-
-/// The bands of an image, painted by any number of threads, which share its ownership.
-class BandPainting {
-public:
-    BandPainting(PaintBand paint, int height, const std::stop_token& stop, int bands)
-        : paint_(std::move(paint)), stop_(stop), bands_(bandsOf(height, bands)),
-          images_(bands_.size()), left_(std::ptrdiff_t(bands_.size()))
-    {
-    }
-
-    /// Paints the bands that no other thread has begun, and calls `finished` after each.
-    template <class Finished>
-    void work(const Finished& finished)
-    {
-        for (std::size_t i = next_++; i < bands_.size(); i = next_++) {
-            images_[i] = paint_(bands_[i]);
-            if (!stop_.stop_requested())
-                finished(FinishedBand{bands_[i], images_[i]});
-            left_.count_down();
-        }
-    }
-    /// All of it, after the other threads have finished their bands.
-    QImage image() const
-    {
-        left_.wait();
-        return joined(images_);
-    }
-
-private:
-    const PaintBand paint_;
-    const std::stop_token stop_;
-    const std::vector<Band> bands_;
-    std::vector<QImage> images_;
-    std::atomic<std::size_t> next_ = 0;
-    std::latch left_;
-};
-
-} // namespace
-
-QImage paintedInBands(PaintBand paint, int height, int each, const Follower& follower,
-                      const std::shared_ptr<FrameParts>& parts, QThreadPool& helpers)
+QImage paintedInBands(const PaintBand& paint, int height, int each, const Follower& follower,
+                      FrameParts& parts, QThreadPool& helpers)
 {
-    const int threads = helpers.maxThreadCount();
-    const auto bands =
-        std::make_shared<BandPainting>(std::move(paint), height, follower.stop, threads * each);
-    for (int i = 1; i < threads; ++i)
-        helpers.start(
-            [bands, parts] { bands->work([&](const FinishedBand& band) { parts->put(band); }); });
-    bands->work([&](const FinishedBand& band) {
-        parts->put(band);
-        follower.progress({});
+    const auto bands = bandsOf(height, int(workersOf(helpers)) * each);
+    std::vector<QImage> images(bands.size());
+    inParallel(helpers, bands.size(), [&](std::size_t i, std::size_t worker) {
+        images[i] = paint(bands[i]);
+        if (follower.stop.stop_requested())
+            return;
+        parts.put(FinishedBand{bands[i], images[i]});
+        if (worker == 0)
+            follower.progress({});
     });
-    return bands->image();
+    return joined(images);
 }
 
 } // namespace app

@@ -5,7 +5,6 @@
 #include "app/view/raster.h"
 
 #include <functional>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -50,7 +49,7 @@ constexpr int seenEarly = 8; ///< bands of each thread for what takes long
 /// Each band is put into `parts` as soon as it is finished. `each` is the number of bands for each
 /// thread: of several the first are seen early, but what every band goes through takes longer. If a
 /// stop is requested, the result is of no use.
-QImage paintedInBands(PaintBand paint, int height, int each, const Follower& follower,
-                      const std::shared_ptr<FrameParts>& parts, QThreadPool& helpers);
+QImage paintedInBands(const PaintBand& paint, int height, int each, const Follower& follower,
+                      FrameParts& parts, QThreadPool& helpers);
 
 } // namespace app

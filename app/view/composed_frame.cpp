@@ -114,21 +114,23 @@ QImage ComposedFrame::paint(const FrameWish& wish, const SceneFrame& frame, cons
     uchar* const pixels = isKnown ? nullptr : drawing.bits(); // detaches it before it is shared
     QImage mask = regionMask(wish.key.region, wish.key.view, wish.key.pixels, ratio);
     openAlong(mask, linesAlongEdges(styles, wish.lines, frame, options, ratio), ratio);
-    ComposedBands bands{.wish = wish,
-                        .raster = wish.rasterOptions(follower.stop),
-                        .drawing = drawing,
-                        .pixels = pixels,
-                        .missing = missingParts(wish, frame, missing, hairlines, follower.stop),
-                        .around = pictureAround(styles, wish.lines, options),
-                        .mask = std::move(mask),
-                        .differing = differingLayer(styles, wish.lines, frame, plan.exact,
-                                                    plan.differing, options)};
-    bands.raster.ghost = opacityOf(options.removed, wish.ghost);
+    RasterOptions raster = wish.rasterOptions(follower.stop);
+    raster.ghost = opacityOf(options.removed, wish.ghost);
+    const ComposedBands bands{
+        .wish = wish,
+        .raster = raster,
+        .drawing = drawing,
+        .pixels = pixels,
+        .missing = missingParts(wish, frame, missing, hairlines, follower.stop),
+        .around = pictureAround(styles, wish.lines, options),
+        .mask = std::move(mask),
+        .differing =
+            differingLayer(styles, wish.lines, frame, plan.exact, plan.differing, options)};
     constexpr int few = 2; // of hairlines, of which each band goes through all
     const int slow = hairlines ? few : seenEarly;
     const bool isSlow = isNew && wish.lines.size() > slowLines;
-    const QImage image = paintedInBands(std::move(bands), wish.key.pixels.height(),
-                                        isSlow ? slow : 1, follower, parts, helpers);
+    const QImage image = paintedInBands(bands, wish.key.pixels.height(), isSlow ? slow : 1,
+                                        follower, *parts, helpers);
     if (!isKnown && !follower.stop.stop_requested())
         kept.keep(key, drawing);
     return image;

@@ -37,11 +37,10 @@ static PaintedFrame framePainted(const FrameWish& wish, const SceneFrame& frame,
     if (wish.key.pixels.isEmpty() || follower.stop.stop_requested())
         return made;
     const bool slow = shown.kept.points.size() + shown.ghost.points.size() > manyPoints;
-    auto paint = [shown = std::move(shown), raster = wish.rasterOptions(follower.stop)](Band band) {
-        return rasterised(shown, band, raster);
-    };
-    made.image = paintedInBands(std::move(paint), wish.key.pixels.height(), slow ? seenEarly : 1,
-                                follower, parts, helpers);
+    const RasterOptions raster = wish.rasterOptions(follower.stop);
+    const auto paint = [&](Band band) { return rasterised(shown, band, raster); };
+    made.image = paintedInBands(paint, wish.key.pixels.height(), slow ? seenEarly : 1, follower,
+                                *parts, helpers);
     return made;
 }
 
