@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/base/background.h"
+
 #include <QSemaphore>
 #include <QThreadPool>
 
-/// While it lives, no thread of the global pool is free.
+/// While it lives, no painting thread is free.
 class BusyThreads {
 public:
     BusyThreads()
     {
-        const int threads = QThreadPool::globalInstance()->maxThreadCount();
+        const int threads = app::paintingThreads().maxThreadCount();
         for (int i = 0; i < threads; ++i)
-            QThreadPool::globalInstance()->start([this] {
+            app::paintingThreads().start([this] {
                 begun_.release();
                 go_.acquire();
             });
@@ -19,8 +21,8 @@ public:
     }
     ~BusyThreads()
     {
-        go_.release(QThreadPool::globalInstance()->maxThreadCount());
-        QThreadPool::globalInstance()->waitForDone();
+        go_.release(app::paintingThreads().maxThreadCount());
+        app::paintingThreads().waitForDone();
     }
 
 private:

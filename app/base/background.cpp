@@ -28,6 +28,17 @@ QThreadPool& backgroundThreads()
     return threads;
 }
 
+QThreadPool& paintingThreads()
+{
+    static QThreadPool threads;
+    static const bool once = [] {
+        qAddPostRoutine([] { threads.waitForDone(); });
+        return true;
+    }();
+    static_cast<void>(once);
+    return threads;
+}
+
 bool ProgressRelay::put(const Progress& progress)
 {
     if (sinceLast_.isValid() && sinceLast_.elapsed() < intervalMilliseconds)

@@ -19,9 +19,13 @@ class QThreadPool;
 
 namespace app {
 
-/// The threads of all background work. They are not those of the global pool, on which the canvas
-/// paints: minutes of measuring must not keep it from painting. ~QCoreApplication waits for them.
+/// The threads of all background work but painting: minutes of measuring must not keep the canvas
+/// from painting. ~QCoreApplication waits for them.
 QThreadPool& backgroundThreads();
+/// The threads that clip and paint, as many as the processor has. They are not those of the global
+/// pool: QPainter divides the scaling of an image among these, and waits for them, so that zooming
+/// held the canvas until a picture was painted. ~QCoreApplication waits for them.
+QThreadPool& paintingThreads();
 
 /// Passes progress from the working thread to another, at most 20 times a second.
 class ProgressRelay {
@@ -100,9 +104,9 @@ void Background<Result>::start(Work work, Done done, Progressed progressed)
     job_ = std::make_shared<Job>();
     done_ = std::move(done);
     progressed_ = std::move(progressed);
-    watcher_.setFuture(QtConcurrent::run(
-        &threads_,
-        [job = job_, alone = alone_, work = std::move(work)](QPromise<Result>& promise) mutable {
+    watcher_.setFuture(
+        QtConcurrent::run(&threads_, [job = job_, alone = alone_,
+                                      work = std::move(work)](QPromise<Result>& promise) mutable {
             const std::scoped_lock lock(*alone);
             if (promise.isCanceled())
                 return;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scene/differing_lines.h"
 
+#include "app/base/background.h"
 #include "app/base/in_parallel.h"
-
-#include <QThreadPool>
 
 #include <algorithm>
 #include <atomic>
@@ -124,7 +123,7 @@ std::vector<FrameLine> differingLines(const SceneFrame& a, const SceneFrame& b, 
 {
     std::vector<std::vector<FrameLine>> inBlocks(a.blocks.size());
     std::atomic<std::size_t> found = 0;
-    inParallel(*QThreadPool::globalInstance(), inBlocks.size(), [&](std::size_t at, std::size_t) {
+    inParallel(paintingThreads(), inBlocks.size(), [&](std::size_t at, std::size_t) {
         inBlocks[at] = differingIn(a, b, at, tolerance, most, found);
     });
     std::vector<FrameLine> lines;

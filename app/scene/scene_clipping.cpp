@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scene/scene_clipping.h"
 
+#include "app/base/background.h"
 #include "app/base/in_parallel.h"
 #include "app/base/vector_registers.h"
-
-#include <QThreadPool>
 
 namespace app {
 
 SceneFrame SceneClipping::clip(const SceneLines& lines, const ClipRegion& region, ClipAll clipAll,
                                const std::stop_token& stop)
 {
-    QThreadPool& pool = *QThreadPool::globalInstance();
+    QThreadPool& pool = paintingThreads();
     makeBlocks(lines);
     workers_.resize(workersOf(pool));
     workers_.front().start(region, clipAll, stop);

@@ -13,8 +13,8 @@ public:
     /// an edge; any other algorithm clips every line. The pieces have the same bits as those of a
     /// single call for all lines. An algorithm that cannot clip at one of the windows is replaced
     /// (`usedAt`). Without a window nothing is clipped. Blocks are clipped on all threads of the
-    /// global pool that are free. The frame is valid until the next call and as long as `lines`; it
-    /// is of no use if a stop was requested.
+    /// painting threads that are free. The frame is valid until the next call and as long as
+    /// `lines`; it is of no use if a stop was requested.
     SceneFrame clip(const SceneLines& lines, const ClipRegion& region, ClipAll clipAll,
                     const std::stop_token& stop = {});
 

@@ -3,7 +3,6 @@
 
 #include <QPainter>
 #include <QSignalBlocker>
-#include <QThreadPool>
 
 namespace app {
 namespace {
@@ -16,10 +15,7 @@ constexpr double tooLong = 40; // milliseconds; after such a picture waiting for
 
 } // namespace
 
-// The global pool has as many threads as the processor, and QCoreApplication waits for them at
-// exit.
-LivePicture::LivePicture(QObject* parent)
-    : QObject(parent), painting_(*QThreadPool::globalInstance())
+LivePicture::LivePicture(QObject* parent) : QObject(parent), painting_(paintingThreads())
 {
     rest_.setSingleShot(true);
     rest_.setInterval(rest);
@@ -63,7 +59,7 @@ void LivePicture::start()
         !schedule_.paintsFinely() && shown && wholePixelsBetween(*shown, wish_.key).has_value();
     painting_.start(
         [wish = wish_, painter = painter_, parts = parts_](const Follower& follower) {
-            return painter->paint(wish, follower, parts, *QThreadPool::globalInstance());
+            return painter->paint(wish, follower, parts, paintingThreads());
         },
         [this](PaintedFrame frame) { deliver(std::move(frame)); },
         [this](const Progress&) {

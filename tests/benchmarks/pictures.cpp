@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Saves how the editor's window shows a drawing, light and dark, with one pane and with four. What
 // differs between two runs, the times of frames, is covered: pictures FILE FOLDER
+#include "app/base/background.h"
 #include "app/settings/settings_format.h"
 #include "ui/files/files.h"
 #include "ui/menus/actions.h"
@@ -26,7 +27,7 @@ QPixmap pictureOf(ui::MainWindow& window)
         QEventLoop loop;
         QTimer::singleShot(forVerdict, &loop, &QEventLoop::quit);
         loop.exec();
-        QThreadPool::globalInstance()->waitForDone();
+        app::paintingThreads().waitForDone();
     }
     window.canvas().settle();
     QCoreApplication::processEvents();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/gallery.h"
 
+#include "app/base/background.h"
 #include "app/view/thumbnail.h"
 #include "ui/look/look.h"
 #include "ui/look/text.h"
@@ -91,7 +92,7 @@ void Gallery::paintPictures()
     watcher_.cancel();
     watcher_.setFuture(sitting->promise.future());
     for (std::size_t i = 0; i < samples_.size(); ++i)
-        QThreadPool::globalInstance()->start(
+        app::paintingThreads().start(
             [=, sample = samples_[i], ratio = devicePixelRatioF()] {
                 if (!sitting->promise.isCanceled())
                     sitting->promise.addResult(pictureOf(sample, points, ratio, colours), int(i));

@@ -2,7 +2,6 @@
 #include "ui/tiles/sheet_art.h"
 
 #include <QDeadlineTimer>
-#include <QThreadPool>
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +24,7 @@ bool same(const SheetWish& a, const SheetWish& b)
 } // namespace
 
 SheetArt::SheetArt(app::Session& session, app::LiveSheets& sheets)
-    : session_(session), sheets_(sheets), painting_(*QThreadPool::globalInstance())
+    : session_(session), sheets_(sheets), painting_(app::paintingThreads())
 {
 }
 
@@ -87,7 +86,7 @@ void SheetArt::paintNext()
     painted_ = left_.front();
     painting_.start(
         [wish = frameOf(painted_), painter = painter_, parts](const app::Follower& follower) {
-            return painter->paint(wish, follower, parts, *QThreadPool::globalInstance());
+            return painter->paint(wish, follower, parts, app::paintingThreads());
         },
         [this, parts](app::PaintedFrame frame) {
             accept(parts->clipped().value(), std::move(frame));

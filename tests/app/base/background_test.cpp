@@ -272,7 +272,7 @@ private slots:
             many.back()->start(gate.work(i), storedIn(results));
         }
         QVERIFY(gate.begun->tryAcquire(int(many.size()), 10'000)); // all at the same time
-        QCOMPARE(QThreadPool::globalInstance()->activeThreadCount(), 0);
+        QCOMPARE(app::paintingThreads().activeThreadCount(), 0);
         gate.open->release(int(many.size()));
         QTRY_COMPARE(results.size(), many.size());
     }

@@ -10,8 +10,11 @@
 #include <QThreadPool>
 
 #include <algorithm>
+#include <atomic>
+#include <memory>
 #include <random>
 #include <set>
+#include <thread>
 
 #include "tests/busy_threads.h"
 #include "tests/test_class.h"
@@ -63,7 +66,7 @@ QImage paintedAtOnce(const app::FrameWish& wish)
 {
     app::FramePainter painter;
     QThreadPool none; // as many threads, so the same bands: edges are rounded from where they begin
-    none.setMaxThreadCount(QThreadPool::globalInstance()->maxThreadCount());
+    none.setMaxThreadCount(app::paintingThreads().maxThreadCount());
     const auto frame = painter.paint(wish, {{}, [](const app::Progress&) {}},
                                      std::make_shared<app::FrameParts>(), none);
     QImage image(400, 300, QImage::Format_ARGB32_Premultiplied);
@@ -109,6 +112,31 @@ private slots:
         picture.settle();
         QVERIFY(!picture.times().painting);
         QCOMPARE(paintedBy(picture), paintedAtOnce(wish));
+    }
+    // QPainter divides the scaling of a large image among the threads of the global pool.
+    void theLastPictureIsScaledMeanwhile()
+    {
+        app::FrameWish wish = wishFor(longLines(40));
+        wish.key.view.size = {1600, 1200};
+        wish.key.pixels = {1600, 1200};
+        app::LivePicture picture;
+        picture.want(wish, 0us);
+        picture.settle();
+        std::atomic<bool> freed = false;
+        auto busy = std::make_unique<BusyThreads>();
+        const std::jthread waiting([&](const std::stop_token& painted) {
+            for (int i = 0; i < 200 && !painted.stop_requested(); ++i)
+                std::this_thread::sleep_for(50ms);
+            freed = !painted.stop_requested();
+            busy.reset();
+        });
+        wish.key.view.zoomAt({30, 40}, 1.3);
+        picture.want(wish, 0us);
+        QImage image(1600, 1200, QImage::Format_ARGB32_Premultiplied);
+        QPainter painter(&image);
+        picture.paint(painter);
+        painter.end();
+        QVERIFY(!freed);
     }
     void theLastPictureIsMovedMeanwhile()
     {
@@ -266,7 +294,7 @@ private slots:
             if (i == 1)
                 picture.forget();
         }
-        QThreadPool::globalInstance()->waitForDone();
+        app::paintingThreads().waitForDone();
     }
 };
 

@@ -136,7 +136,7 @@ private slots:
         stage.surface().repaint();
         QVERIFY(painting);
         stage.canvas.reset(); // waits for nothing
-        QVERIFY(QThreadPool::globalInstance()->waitForDone(60'000));
+        QVERIFY(app::paintingThreads().waitForDone(60'000));
     }
     // Painted in one piece it would take minutes, longer than a test may take; so would waiting
     // for it when the canvas is destroyed.
@@ -164,7 +164,7 @@ private slots:
                 stage.session.load({stage.session.now(), {}});
         }
         stage.canvas.reset();
-        QVERIFY(QThreadPool::globalInstance()->waitForDone(120'000));
+        QVERIFY(app::paintingThreads().waitForDone(120'000));
     }
 
 private:

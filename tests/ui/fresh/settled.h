@@ -104,7 +104,7 @@ inline bool settle()
         QCoreApplication::processEvents();
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         bool works = false; // what ends may begin the next
-        for (QThreadPool* threads : {&app::backgroundThreads(), QThreadPool::globalInstance()}) {
+        for (QThreadPool* threads : {&app::backgroundThreads(), &app::paintingThreads()}) {
             works = works || threads->activeThreadCount() > 0;
             threads->waitForDone();
         }
