@@ -3,6 +3,8 @@
 
 #include "app/base/in_parallel.h"
 
+#include <cstring>
+
 namespace app {
 
 void FrameParts::put(const ClipResult& clipped)
@@ -29,20 +31,42 @@ std::vector<FinishedBand> FrameParts::bands() const
     return bands_;
 }
 
-QImage paintedInBands(const PaintBand& paint, int height, int each, const Follower& follower,
-                      FrameParts& parts, QThreadPool& helpers)
+static QImage rowsOf(const QImage& image, Band band, uchar* pixels)
 {
-    const auto bands = bandsOf(height, int(workersOf(helpers)) * each);
-    std::vector<QImage> images(bands.size());
+    return {pixels + band.top * image.bytesPerLine(),
+            image.width(),
+            band.height,
+            image.bytesPerLine(),
+            image.format(),
+            [](void* whole) { delete static_cast<QImage*>(whole); },
+            new QImage(image)};
+}
+
+QImage rowsOf(const QImage& image, Band band)
+{
+    return rowsOf(image, band, const_cast<uchar*>(image.constBits()));
+}
+
+QImage paintedInBands(const PaintBand& paint, const QSize& pixels, int each,
+                      const Follower& follower, FrameParts& parts, QThreadPool& helpers)
+{
+    QImage image(pixels, QImage::Format_ARGB32_Premultiplied);
+    uchar* const bits = image.bits();
+    const auto bands = bandsOf(pixels.height(), int(workersOf(helpers)) * each);
     inParallel(helpers, bands.size(), [&](std::size_t i, std::size_t worker) {
-        images[i] = paint(bands[i]);
+        QImage room = rowsOf(image, bands[i], bits);
+        const uchar* const there = room.constBits();
+        const QImage painted = paint(bands[i], std::move(room));
         if (follower.stop.stop_requested())
             return;
-        parts.put(FinishedBand{bands[i], images[i]});
+        if (painted.constBits() != there)
+            std::memcpy(const_cast<uchar*>(there), painted.constBits(),
+                        std::size_t(painted.sizeInBytes()));
+        parts.put(FinishedBand{bands[i], painted});
         if (worker == 0)
             follower.progress({});
     });
-    return joined(images);
+    return image;
 }
 
 } // namespace app

@@ -40,8 +40,13 @@ private:
     std::vector<FinishedBand> bands_;
 };
 
-/// Paints a band; several threads call it at the same time.
-using PaintBand = std::function<QImage(Band)>;
+/// Some rows of an image, without a copy of them; they keep it alive. Who paints on them paints on
+/// it, if no other image shares its pixels.
+QImage rowsOf(const QImage& image, Band band);
+
+/// Paints a band; several threads call it at the same time. `room` has the band's place in the
+/// image and no content: a band that is painted there need not be copied.
+using PaintBand = std::function<QImage(Band band, QImage room)>;
 
 constexpr int seenEarly = 8; ///< bands of each thread for what takes long
 
@@ -49,7 +54,7 @@ constexpr int seenEarly = 8; ///< bands of each thread for what takes long
 /// Each band is put into `parts` as soon as it is finished. `each` is the number of bands for each
 /// thread: of several the first are seen early, but what every band goes through takes longer. If a
 /// stop is requested, the result is of no use.
-QImage paintedInBands(const PaintBand& paint, int height, int each, const Follower& follower,
-                      FrameParts& parts, QThreadPool& helpers);
+QImage paintedInBands(const PaintBand& paint, const QSize& pixels, int each,
+                      const Follower& follower, FrameParts& parts, QThreadPool& helpers);
 
 } // namespace app

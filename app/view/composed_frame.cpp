@@ -46,19 +46,22 @@ struct ComposedBands {
     uchar* pixels;                    ///< of `drawing`
     std::vector<MissingPart> missing; ///< of `drawing`, to be painted first
     Picture around{};                 ///< what lies below and above the lines
-    QImage mask;
+    DrawList alongEdges;
     DifferingLayer differing;
 
-    QImage operator()(Band band) const
+    QImage operator()(Band band, QImage shown) const
     {
         for (const MissingPart& part : missing)
             paintPart(part, band, wish, raster, pixels);
-        QImage shown = composed(drawing, mask, band, raster.ghost);
+        QImage mask =
+            regionMask(wish.key.region, wish.key.view, raster.width, band, raster.pixelRatio);
+        openAlong(mask, band, alongEdges, raster.pixelRatio);
+        compose(rowsOf(drawing, band), mask, raster.ghost, shown);
         if (!differing.isEmpty())
             paintAnew(shown, differing, band, raster);
         const bool isAlone = around.selected.commands.empty() && around.differing.commands.empty()
                              && around.borders.commands.empty();
-        return isAlone ? shown : rasterised(around, band, raster, shown);
+        return isAlone ? shown : rasterised(around, band, raster, std::move(shown));
     }
 };
 
@@ -112,8 +115,6 @@ QImage ComposedFrame::paint(const FrameWish& wish, const SceneFrame& frame, cons
     const bool isKnown = missing.empty(), isNew = missing == std::vector{drawing.rect()};
     const bool hairlines = !isKnown && hasOnlyHairlines(wish.lines, styles, options, ratio);
     uchar* const pixels = isKnown ? nullptr : drawing.bits(); // detaches it before it is shared
-    QImage mask = regionMask(wish.key.region, wish.key.view, wish.key.pixels, ratio);
-    openAlong(mask, linesAlongEdges(styles, wish.lines, frame, options, ratio), ratio);
     RasterOptions raster = wish.rasterOptions(follower.stop);
     raster.ghost = opacityOf(options.removed, wish.ghost);
     const ComposedBands bands{
@@ -123,14 +124,14 @@ QImage ComposedFrame::paint(const FrameWish& wish, const SceneFrame& frame, cons
         .pixels = pixels,
         .missing = missingParts(wish, frame, missing, hairlines, follower.stop),
         .around = pictureAround(styles, wish.lines, options),
-        .mask = std::move(mask),
+        .alongEdges = linesAlongEdges(styles, wish.lines, frame, options, ratio),
         .differing =
             differingLayer(styles, wish.lines, frame, plan.exact, plan.differing, options)};
     constexpr int few = 2; // of hairlines, of which each band goes through all
     const int slow = hairlines ? few : seenEarly;
     const bool isSlow = isNew && wish.lines.size() > slowLines;
-    const QImage image = paintedInBands(bands, wish.key.pixels.height(), isSlow ? slow : 1,
-                                        follower, *parts, helpers);
+    const QImage image =
+        paintedInBands(bands, wish.key.pixels, isSlow ? slow : 1, follower, *parts, helpers);
     if (!isKnown && !follower.stop.stop_requested())
         kept.keep(key, drawing);
     return image;

@@ -38,9 +38,9 @@ static PaintedFrame framePainted(const FrameWish& wish, const SceneFrame& frame,
         return made;
     const bool slow = shown.kept.points.size() + shown.ghost.points.size() > manyPoints;
     const RasterOptions raster = wish.rasterOptions(follower.stop);
-    const auto paint = [&](Band band) { return rasterised(shown, band, raster); };
-    made.image = paintedInBands(paint, wish.key.pixels.height(), slow ? seenEarly : 1, follower,
-                                *parts, helpers);
+    const auto paint = [&](Band band, const QImage&) { return rasterised(shown, band, raster); };
+    made.image =
+        paintedInBands(paint, wish.key.pixels, slow ? seenEarly : 1, follower, *parts, helpers);
     return made;
 }
 

@@ -323,20 +323,4 @@ std::vector<Band> bandsOf(int height, int threads)
     return bands;
 }
 
-QImage joined(std::span<const QImage> bands)
-{
-    int height = 0;
-    for (const QImage& band : bands)
-        height += band.height();
-    if (bands.empty())
-        return {};
-    QImage all(bands[0].width(), height, bands[0].format());
-    int row = 0;
-    for (const QImage& band : bands) {
-        std::memcpy(all.scanLine(row), band.constBits(), std::size_t(band.sizeInBytes()));
-        row += band.height();
-    }
-    return all;
-}
-
 } // namespace app

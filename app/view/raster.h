@@ -35,7 +35,4 @@ QImage rasterised(const Picture& picture, Band band, const RasterOptions& option
 /// The bands of an image for up to `threads` threads; each is large enough to be worth a thread.
 std::vector<Band> bandsOf(int height, int threads);
 
-/// The image composed of the bands.
-QImage joined(std::span<const QImage> bands);
-
 } // namespace app

@@ -15,9 +15,9 @@ namespace {
 // QPainter's time for one path grows with the square of the edges in a row of pixels.
 constexpr std::size_t mostCorners = 1000;
 
-/// The inside of a window, in device pixels, cut off near the view: at a deep zoom there would be
-/// huge numbers.
-QPainterPath pathOf(const ClipRegion::Step& step, const View& view, double pixelRatio)
+/// The inside of a window, in device pixels below `top`, cut off near the view: at a deep zoom
+/// there would be huge numbers.
+QPainterPath pathOf(const ClipRegion::Step& step, const View& view, int top, double pixelRatio)
 {
     const auto& [min, max] = step.box;
     const std::vector<std::vector<Point>> box{{min, {max.x, min.y}, max, {min.x, max.y}}};
@@ -29,7 +29,7 @@ QPainterPath pathOf(const ClipRegion::Step& step, const View& view, double pixel
         QPolygonF polygon;
         for (const Point& p : areaInside(ring, {seen.min - room, seen.max + room})) {
             const Point at = view.toScreen(p) * pixelRatio;
-            polygon << QPointF(at.x, at.y);
+            polygon << QPointF(at.x, at.y - top);
         }
         path.addPolygon(polygon);
         path.closeSubpath();
@@ -86,14 +86,15 @@ bool isMaskable(const ClipRegion& region)
     return corners <= mostCorners;
 }
 
-QImage regionMask(const ClipRegion& region, const View& view, const QSize& pixels,
+QImage regionMask(const ClipRegion& region, const View& view, int width, Band band,
                   double pixelRatio)
 {
+    const QSize pixels(width, band.height);
     QImage mask(pixels, QImage::Format_Alpha8);
     mask.fill(region.startsFull() ? 255 : 0);
     for (const ClipRegion::Step& step : region.steps) {
-        const QImage window =
-            filled(isEmpty(step) ? QPainterPath() : pathOf(step, view, pixelRatio), pixels);
+        const QImage window = filled(
+            isEmpty(step) ? QPainterPath() : pathOf(step, view, band.top, pixelRatio), pixels);
         if (step.operation == WindowOperation::Add)
             combine(mask, window, [](int all, int one) { return std::min(255, all + one); });
         else if (step.operation == WindowOperation::CutOut)
@@ -106,12 +107,13 @@ QImage regionMask(const ClipRegion& region, const View& view, const QSize& pixel
     return mask;
 }
 
-void openAlong(QImage& mask, const DrawList& strokes, double pixelRatio)
+void openAlong(QImage& mask, Band band, const DrawList& strokes, double pixelRatio)
 {
     constexpr double room = 1; // device pixels: beside the stroke its edge is blurred
     if (strokes.commands.empty())
         return;
     QPainter painter(&mask);
+    painter.translate(0, -band.top);
     for (const DrawCommand& command : strokes.commands) {
         painter.setPen(
             QPen(Qt::black, command.stroke->width * pixelRatio + room, Qt::SolidLine, Qt::FlatCap));
@@ -123,19 +125,42 @@ void openAlong(QImage& mask, const DrawList& strokes, double pixelRatio)
     }
 }
 
-QImage composed(const QImage& drawing, const QImage& mask, Band band, double ghost)
+namespace {
+
+/// One row of `compose`. Nearly all pixels are in runs that no edge crosses.
+void composeRow(std::span<const QRgb> from, const uchar* mask, unsigned least, QRgb* to)
 {
-    QImage image(drawing.width(), band.height, QImage::Format_ARGB32_Premultiplied);
-    const auto least = unsigned(std::lround(255 * ghost));
-    for (int row = 0; row < band.height; ++row) {
-        const int y = band.top + row;
-        const auto* const from = reinterpret_cast<const QRgb*>(drawing.constScanLine(y));
-        const uchar* const covered = mask.constScanLine(y);
-        auto* const to = reinterpret_cast<QRgb*>(image.scanLine(row));
-        for (int x = 0; x < image.width(); ++x)
-            to[x] = reduced(from[x], least + ((255 - least) * covered[x] + 127) / 255);
+    for (std::size_t x = 0; x < from.size();) {
+        const uchar covered = mask[x];
+        const std::size_t begin = x;
+        if (covered == 0 || covered == 255)
+            x = std::size_t(std::find_if(mask + x, mask + from.size(),
+                                         [&](uchar other) { return other != covered; })
+                            - mask);
+        if (covered == 255) {
+            std::copy(from.begin() + std::ptrdiff_t(begin), from.begin() + std::ptrdiff_t(x),
+                      to + begin);
+        } else if (covered == 0) {
+            for (std::size_t i = begin; i < x; ++i)
+                to[i] = reduced(from[i], least);
+        } else {
+            to[x] = reduced(from[x], least + ((255 - least) * covered + 127) / 255);
+            ++x;
+        }
     }
-    return image;
+}
+
+} // namespace
+
+void compose(const QImage& drawing, const QImage& mask, double ghost, QImage& frame)
+{
+    const auto least = unsigned(std::lround(255 * ghost));
+    const auto width = std::size_t(frame.width());
+    for (int y = 0; y < frame.height(); ++y) {
+        const auto* const from = reinterpret_cast<const QRgb*>(drawing.constScanLine(y));
+        composeRow({from, width}, mask.constScanLine(y), least,
+                   reinterpret_cast<QRgb*>(frame.scanLine(y)));
+    }
 }
 
 } // namespace app

@@ -10,17 +10,17 @@ namespace app {
 /// Whether the mask of a region is painted in some milliseconds.
 bool isMaskable(const ClipRegion& region);
 
-/// How much of each device pixel the kept side of a region covers, 0 to 255, in an image of the
-/// format Alpha8. Windows with a common edge leave no seam.
-QImage regionMask(const ClipRegion& region, const View& view, const QSize& pixels,
+/// How much of each device pixel of a band, `width` pixels wide, the kept side of a region covers,
+/// 0 to 255, in an image of the format Alpha8. Windows with a common edge leave no seam.
+QImage regionMask(const ClipRegion& region, const View& view, int width, Band band,
                   double pixelRatio);
 
-/// Opens a mask along strokes, which are painted on its edge, over their whole width.
-void openAlong(QImage& mask, const DrawList& strokes, double pixelRatio);
+/// Opens the mask of a band along strokes, which are painted on its edge, over their whole width.
+void openAlong(QImage& mask, Band band, const DrawList& strokes, double pixelRatio);
 
-/// The rows of `band` of a frame that is put together from the picture of all lines, which does not
-/// depend on the clip windows: as it is where `mask` is 255, with the opacity
-/// `ghost`, 0 to 1, where it is 0, and in between where an edge crosses a pixel.
-QImage composed(const QImage& drawing, const QImage& mask, Band band, double ghost);
+/// Puts rows of a frame together from the same rows of the picture of all lines, which does not
+/// depend on the clip windows: as they are where `mask` is 255, with the opacity `ghost`, 0 to 1,
+/// where it is 0, and in between where an edge crosses a pixel. The images have the same size.
+void compose(const QImage& drawing, const QImage& mask, double ghost, QImage& frame);
 
 } // namespace app

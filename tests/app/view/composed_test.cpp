@@ -13,6 +13,7 @@
 #include <random>
 
 #include "tests/app/scene/mixed_windows.h"
+#include "tests/app/view/joined.h"
 #include "tests/test_class.h"
 #include "tests/verify.h"
 
@@ -94,7 +95,7 @@ QImage paintedFromPieces(const app::FrameWish& wish, int scale = 1)
     std::vector<QImage> bands; // as many: edges are rounded from where a band begins
     for (const app::Band& band : app::bandsOf(side * scale, scale > 1 ? 1 : threads()))
         bands.push_back(rasterised(shown, band, {side * scale, double(scale), wish.ghost}));
-    return app::joined(bands);
+    return joined(bands);
 }
 
 /// The truth: the pieces on 8 by 8 times as many pixels.
@@ -187,7 +188,8 @@ private slots:
             app::FramePainter painter;
             const QImage image = paintedWith(painter, wish), old = paintedFromPieces(wish),
                          truth = supersampled(wish),
-                         mask = regionMask(wish.key.region, wish.key.view, wish.key.pixels, 1);
+                         mask = regionMask(wish.key.region, wish.key.view, wish.key.pixels.width(),
+                                           {0, wish.key.pixels.height()}, 1);
             compare(image, old, mask, beside);
             compare(image, truth, mask, composed);
             compare(old, truth, mask, pieces);
@@ -371,7 +373,8 @@ private slots:
         QVERIFY(!fine.rough);
         QCOMPARE(fine.differing, std::size_t(1));
         const QImage pieces = paintedFromPieces(wish),
-                     mask = regionMask(wish.key.region, wish.key.view, wish.key.pixels, 1);
+                     mask = regionMask(wish.key.region, wish.key.view, wish.key.pixels.width(),
+                                       {0, wish.key.pixels.height()}, 1);
         for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x) {
                 VERIFY_OR_SAY(differenceOf(fine.image, pieces, x, y) <= 6,
@@ -410,7 +413,8 @@ private slots:
         QVERIFY(frame.rough);
         QVERIFY(frame.differing >= 20);
         const QImage pieces = paintedFromPieces(wish),
-                     mask = regionMask(wish.key.region, wish.key.view, wish.key.pixels, 1);
+                     mask = regionMask(wish.key.region, wish.key.view, wish.key.pixels.width(),
+                                       {0, wish.key.pixels.height()}, 1);
         double sum = 0, pixels = 0;
         int many = 0;
         for (int y = 0; y < side; ++y)
@@ -474,7 +478,7 @@ private slots:
         std::vector<QImage> bands;
         for (const app::Band& band : app::bandsOf(side, 7))
             bands.push_back(paintedHairlines(wish.lines, styles, options, band, raster));
-        QCOMPARE(app::joined(bands), whole);
+        QCOMPARE(joined(bands), whole);
         double sum = 0;
         for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x) {
@@ -514,7 +518,8 @@ private slots:
                 drawing.setPixel(x, y, qRgba(x, x / 2, 0, x));
                 mask.scanLine(y)[x] = uchar(y * 255);
             }
-        const QImage image = app::composed(drawing, mask, {0, 2}, 0.5);
+        QImage image(drawing.size(), drawing.format());
+        app::compose(drawing, mask, 0.5, image);
         for (int x = 0; x < 256; ++x) {
             QCOMPARE(reinterpret_cast<const QRgb*>(image.constScanLine(1))[x],
                      reinterpret_cast<const QRgb*>(drawing.constScanLine(1))[x]);

@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "tests/app/view/compare_images.h"
+#include "tests/app/view/joined.h"
 #include "tests/test_class.h"
 
 namespace view_picture_test {
@@ -273,11 +274,11 @@ private slots:
         std::vector<QImage> parts;
         for (const app::Band band : app::bandsOf(100, 7))
             parts.push_back(app::rasterised(picture, band, {100, 1, 0.32}));
-        QCOMPARE(app::joined(parts).size(), whole.size());
-        const QImage joined = app::joined(parts);
+        const QImage all = joined(parts);
+        QCOMPARE(all.size(), whole.size());
         for (int y = 0; y < 100; ++y)
             for (int x = 0; x < 100; ++x)
-                QVERIFY(std::abs(qAlpha(joined.pixel(x, y)) - qAlpha(whole.pixel(x, y))) <= 3);
+                QVERIFY(std::abs(qAlpha(all.pixel(x, y)) - qAlpha(whole.pixel(x, y))) <= 3);
     }
 
     void whatDiffersIsThickerAndTicked()
