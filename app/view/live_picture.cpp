@@ -185,7 +185,7 @@ void LivePicture::paint(QPainter& painter) const
             painter.drawImage(at, image);
             rest -= at.toAlignedRect();
         }
-        painter.setClipRegion(rest);
+        painter.setClipRegion(rest, Qt::IntersectClip);
     }
     if (const FrameKey* shown = key(); shown && !frame_.image.isNull())
         painter.drawImage(placeOf(*shown), frame_.image);
