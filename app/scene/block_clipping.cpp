@@ -87,9 +87,17 @@ void BlockClipping::start(const ClipRegion& region)
     visible_ = 0;
 }
 
+/// Whether chunks are so small, because styles change all the time, that looking at their boxes
+/// takes longer than clipping.
+static bool hasTinyChunks(const SceneBlock& block)
+{
+    constexpr std::size_t fewLines = 4;
+    return block.segments.size() < fewLines * block.chunks.size();
+}
+
 void BlockClipping::clip(SceneFrame::Block& frame, std::span<Remains> remains)
 {
-    if (window_)
+    if (window_ && !hasTinyChunks(*frame.block))
         clipNearEdges(frame, remains, *window_);
     else
         clipInRegion(frame, remains);
@@ -121,7 +129,7 @@ void BlockClipping::clipNearEdges(SceneFrame::Block& frame, std::span<Remains> r
 void BlockClipping::clipInRegion(SceneFrame::Block& frame, std::span<Remains> remains)
 {
     std::ranges::fill(remains, region_->everything() ? Remains::Whole : Remains::Pieces);
-    if (regionClipping_.isExact() && !region_->everything())
+    if (regionClipping_.isExact() && !region_->everything() && !hasTinyChunks(*frame.block))
         stopwatch_.time([&] { findRemains(*frame.block, *region_, remains); });
     if (regionClipping_.atOneWindow()) {
         settle(frame, remains, clipAtOneWindow(*frame.block, remains));

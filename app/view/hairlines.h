@@ -9,18 +9,61 @@
 
 namespace app {
 
-/// Many lines of one opaque colour that are at most a pixel wide. QPainter takes some 10 µs for one
-/// as long as the page, whatever lies there already. Here their coverage adds up in tiles, as if
-/// they were painted one over the other, in any order; a tile that is full lets further lines pass.
-class Hairlines {
+/// What shows of what lies below a pixel, 65,535: all. Lines of one colour need no more, in
+/// whatever order they come.
+struct ShownPixel {
+    std::uint16_t shown;
+
+    void cover(unsigned share, const Colour&) { hide(share); }
+    QRgb above(QRgb below, const Colour& colour) const
+    {
+        const unsigned covered = 255 - (shown * 255U + 32'767) / 65'535;
+        return covered ? mixed(qRgb(colour.red, colour.green, colour.blue), below, covered) : below;
+    }
+
+protected:
+    /// `share` of 256 of what shows is covered. Rounded down: lines above each other cover a pixel
+    /// in the end.
+    void hide(unsigned share) { shown = std::uint16_t(shown * (256 - share) >> 8); }
+};
+
+/// The same, with the light of the lines above, which come from the front to the back.
+struct InkedPixel : ShownPixel {
+    std::uint16_t red, green, blue;
+
+    void cover(unsigned share, const Colour& colour)
+    {
+        const unsigned seen = shown * share >> 8;
+        red = std::uint16_t(red + seen * colour.red / 255);
+        green = std::uint16_t(green + seen * colour.green / 255);
+        blue = std::uint16_t(blue + seen * colour.blue / 255);
+        hide(share);
+    }
+    QRgb above(QRgb below, const Colour&) const
+    {
+        if (shown == 65'535)
+            return below;
+        const auto channel = [&](int ink, int under) {
+            return (ink * 255 + under * shown + 32'767) / 65'535;
+        };
+        return qRgba(channel(red, qRed(below)), channel(green, qGreen(below)),
+                     channel(blue, qBlue(below)), channel(65'535 - shown, qAlpha(below)));
+    }
+};
+
+/// Many opaque lines that are at most a pixel wide. QPainter takes some 10 µs for one as long as
+/// the page, whatever lies there already. Here their coverage adds up in tiles, as if they were
+/// painted one over the other; a tile that is full lets further lines pass.
+template <class Pixel>
+class HairlineTiles {
 public:
     /// The band of an image that is `width` device pixels wide.
-    Hairlines(int width, Band band);
+    HairlineTiles(int width, Band band);
 
-    void add(const Hairline& line);
+    void add(const Hairline& line, const Colour& colour);
 
     /// Paints what was added on the band, and begins again.
-    void paintOn(QImage& band, const Colour& colour);
+    void paintOn(QImage& band);
 
 private:
     struct Tile {
@@ -32,14 +75,21 @@ private:
     void walk(const Hairline& line);
     template <bool steep>
     void walkTile(const Hairline& line, int along, int across);
-    std::uint16_t* shownIn(int tile);
+    Pixel* pixelsIn(int tile);
     void visited(int tile);
 
     int width_, columns_;
     Band band_;
+    Colour colour_{}; ///< of the last line
     std::vector<Tile> tiles_;
-    std::unique_ptr<std::uint16_t[]> shown_; ///< of what is below, for each pixel of the tiles
-    std::vector<int> begun_;                 ///< tiles with ink
+    std::unique_ptr<Pixel[]> pixels_; ///< of the tiles
+    std::vector<int> begun_;          ///< tiles with ink
 };
+
+using Hairlines = HairlineTiles<ShownPixel>;         ///< of one colour until paintOn()
+using ColouredHairlines = HairlineTiles<InkedPixel>; ///< from the front to the back
+
+extern template class HairlineTiles<ShownPixel>;
+extern template class HairlineTiles<InkedPixel>;
 
 } // namespace app

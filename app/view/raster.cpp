@@ -156,7 +156,7 @@ private:
         }
         flush(pen);
         if (many)
-            hairlines_->paintOn(image_, strokeStyle.colour);
+            hairlines_->paintOn(image_);
     }
 
     /// False if it must be painted otherwise.
@@ -167,7 +167,7 @@ private:
         const auto line =
             Hairline::of(a * ratio_, b * ratio_, strokeStyle.width * ratio_, strokeStyle.cap);
         if (line)
-            many ? hairlines_->add(*line)
+            many ? hairlines_->add(*line, strokeStyle.colour)
                  : paintHairline(image_, band_.top, *line, strokeStyle.colour);
         return line.has_value();
     }

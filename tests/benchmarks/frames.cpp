@@ -203,6 +203,7 @@ int main(int argc, char** argv)
         << "\nfirst frame after " << milliseconds(clock) << " ms";
     canvas.settle();
     out << ", in full quality after " << milliseconds(clock) << " ms\n";
+    out.flush();
 
     QWidget& surface = *canvas.focusProxy();
     const UntilSeen untilSeen(canvas);

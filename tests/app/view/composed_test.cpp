@@ -487,7 +487,10 @@ private slots:
                 VERIFY_OR_SAY(difference <= 12,
                               qPrintable(QString("%1, %2: %3").arg(x).arg(y).arg(difference)));
             }
-        QVERIFY2(sum / (side * side) < 0.5, qPrintable(QString::number(sum / (side * side))));
+        // A draw list rounds to 255 steps at each change of colour; from the front nothing is
+        // rounded before the end (hairlines_test compares it with the truth).
+        const double mean = sum / (side * side), most = colours == 1 ? 0.5 : 0.75;
+        QVERIFY2(mean < most, qPrintable(QString::number(mean)));
     }
     void aLineAlongAnEdgeIsKeptWhole()
     {

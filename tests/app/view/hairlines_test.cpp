@@ -4,9 +4,11 @@
 #include <QPainter>
 #include <QTest>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
+#include <ranges>
 
 #include "tests/test_class.h"
 
@@ -51,8 +53,8 @@ QImage painted(const Lines& lines, app::Band band = {0, height})
     QImage image = background(band.height);
     Hairlines hairlines(width, band);
     for (const QLineF& line : lines.list)
-        hairlines.add(*Hairline::of(line.p1(), line.p2(), lines.width, lines.cap));
-    hairlines.paintOn(image, ink);
+        hairlines.add(*Hairline::of(line.p1(), line.p2(), lines.width, lines.cap), ink);
+    hairlines.paintOn(image);
     return image;
 }
 
@@ -177,6 +179,55 @@ private slots:
         QVERIFY2(worst <= 1, qPrintable(QString::number(worst)));
     }
 
+    // The truth: one over the other from the back, with numbers that are not rounded.
+    void coloursFromTheFrontLookAsFromTheBack_data()
+    {
+        QTest::addColumn<int>("count");
+        QTest::addColumn<double>("longest");
+        for (const auto& [count, longest] : {std::pair{30, 300.0}, {3000, 300.0}, {30'000, 20.0}})
+            QTest::addRow("%d of %g", count, longest) << count << longest;
+    }
+    void coloursFromTheFrontLookAsFromTheBack()
+    {
+        QFETCH(int, count);
+        QFETCH(double, longest);
+        const Lines some = lines(count, longest, 11);
+        std::mt19937 random(12);
+        const auto channel = [&] { return std::uint8_t(random()); };
+        std::vector<std::pair<Hairline, app::Colour>> all;
+        for (const QLineF& line : some.list)
+            all.emplace_back(*Hairline::of(line.p1(), line.p2(), 1, app::Cap::Butt),
+                             app::Colour{channel(), channel(), channel()});
+        app::ColouredHairlines front(width, {0, height});
+        for (const auto& [line, colour] : all | std::views::reverse)
+            front.add(line, colour);
+        QImage image = background(height);
+        image.fill(qRgb(250, 240, 230));
+        front.paintOn(image);
+        std::vector<std::array<double, 3>> truth(width * height, {250, 240, 230});
+        for (const auto& [line, colour] : all)
+            line.visitPixels(int(std::floor(line.from)), int(std::floor(line.to)),
+                             [&](int along, int across, unsigned share) {
+                                 const int x = line.steep ? across : along,
+                                           y = line.steep ? along : across;
+                                 if (x < 0 || x >= width || y < 0 || y >= height)
+                                     return;
+                                 auto& [red, green, blue] = truth[std::size_t(y * width + x)];
+                                 red += (colour.red - red) * share / 256;
+                                 green += (colour.green - green) * share / 256;
+                                 blue += (colour.blue - blue) * share / 256;
+                             });
+        double worst = 0;
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                const QRgb is = image.pixel(x, y);
+                const auto& [red, green, blue] = truth[std::size_t(y * width + x)];
+                worst = std::max({worst, std::abs(qRed(is) - red), std::abs(qGreen(is) - green),
+                                  std::abs(qBlue(is) - blue)});
+            }
+        QVERIFY2(worst <= 1, qPrintable(QString::number(worst)));
+    }
+
     void whatIsCoveredIsOpaque()
     {
         const QImage image = painted(lines(60'000, 400, 1));
@@ -207,13 +258,13 @@ private slots:
         QImage image = background(height);
         image.fill(Qt::white);
         Hairlines hairlines(width, {0, height});
-        hairlines.add(*Hairline::of({10, 20.5}, {50, 20.5}, 0.5, app::Cap::Butt));
-        hairlines.paintOn(image, {0, 0, 0, 255});
+        hairlines.add(*Hairline::of({10, 20.5}, {50, 20.5}, 0.5, app::Cap::Butt), app::Colour{});
+        hairlines.paintOn(image);
         const QRgb grey = image.pixel(30, 20);
         QVERIFY2(std::abs(qRed(grey) - 128) <= 1 && qAlpha(grey) == 255,
                  qPrintable(QString::number(grey, 16)));
         QCOMPARE(image.pixel(30, 22), qRgb(255, 255, 255));
-        hairlines.paintOn(image, {0, 0, 0, 255}); // nothing is left to paint
+        hairlines.paintOn(image); // nothing is left to paint
         QCOMPARE(image.pixel(30, 20), grey);
     }
 
@@ -232,9 +283,9 @@ private slots:
             QVERIFY(!Hairline::of({0, 0}, {1, -x}, 1, app::Cap::Butt));
         }
         Hairlines hairlines(width, {0, height});
-        hairlines.add(*Hairline::of({-1e6, -1e6}, {1e6, 1e6}, 1, app::Cap::Butt));
+        hairlines.add(*Hairline::of({-1e6, -1e6}, {1e6, 1e6}, 1, app::Cap::Butt), ink);
         QImage image = background(height);
-        hairlines.paintOn(image, ink);
+        hairlines.paintOn(image);
         QCOMPARE(image.pixel(50, 50), qRgb(ink.red, ink.green, ink.blue));
     }
 };
