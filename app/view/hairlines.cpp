@@ -2,7 +2,6 @@
 #include "app/view/hairlines.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace app {
 namespace {
@@ -11,6 +10,14 @@ constexpr int tileWidth = 64, tileHeight = 32, tileSize = tileWidth * tileHeight
 constexpr int visitsBetweenSearches = 24;
 constexpr std::uint16_t bare = 65'535;
 constexpr std::uint16_t shows = 128; // less is half a step of 255: nothing is seen of it
+constexpr int columnsWithBits = 64;
+
+/// std::floor is a call where the processor need not have SSE 4.1.
+int floorOf(double x)
+{
+    const int whole = int(x);
+    return whole - (whole > x);
+}
 
 } // namespace
 
@@ -18,6 +25,7 @@ template <class Pixel>
 HairlineTiles<Pixel>::HairlineTiles(int width, Band band)
     : width_(width), columns_((width + tileWidth - 1) / tileWidth), band_(band),
       tiles_(std::size_t(columns_) * std::size_t((band.height + tileHeight - 1) / tileHeight)),
+      full_(tiles_.size() / std::size_t(std::max(columns_, 1))),
       pixels_(std::make_unique_for_overwrite<Pixel[]>(tiles_.size() * tileSize))
 {
 }
@@ -26,7 +34,42 @@ template <class Pixel>
 void HairlineTiles<Pixel>::add(const Hairline& line, const Colour& colour)
 {
     colour_ = colour;
-    line.steep ? walk<true>(line) : walk<false>(line);
+    if (!areFull(line.steep ? tilesOf<true>(line) : tilesOf<false>(line)))
+        line.steep ? walk<true>(line) : walk<false>(line);
+}
+
+template <class Pixel>
+template <bool steep>
+HairlineTiles<Pixel>::Tiles HairlineTiles<Pixel>::tilesOf(const Hairline& line) const
+{
+    const int begin = steep ? band_.top : 0, end = steep ? band_.top + band_.height : width_;
+    const int beside = steep ? 0 : band_.top, endBeside = steep ? width_ : band_.top + band_.height;
+    const int first = std::max(floorOf(line.from), begin);
+    const int last = std::min(floorOf(line.to), end - 1);
+    const auto [low, high] = std::minmax({line.at(first), line.at(last)});
+    const int nearest = std::max(Hairline::pixelOf(low), beside);
+    const int farthest = std::min(Hairline::pixelOf(high) + 1, endBeside - 1);
+    if (first > last || nearest > farthest)
+        return {0, -1, 0, -1};
+    const int left = steep ? nearest : first, right = steep ? farthest : last;
+    const int top = (steep ? first : nearest) - band_.top;
+    const int bottom = (steep ? last : farthest) - band_.top;
+    return {left / tileWidth, right / tileWidth, top / tileHeight, bottom / tileHeight};
+}
+
+template <class Pixel>
+bool HairlineTiles<Pixel>::areFull(const Tiles& tiles) const
+{
+    if (tiles.right < tiles.left)
+        return true;
+    if (tiles.right >= columnsWithBits)
+        return false;
+    const std::uint64_t columns = (~std::uint64_t(0) >> (columnsWithBits - 1 - tiles.right))
+                                  & (~std::uint64_t(0) << tiles.left);
+    for (int row = tiles.top; row <= tiles.bottom; ++row)
+        if ((full_[std::size_t(row)] & columns) != columns)
+            return false;
+    return true;
 }
 
 template <class Pixel>
@@ -36,8 +79,8 @@ void HairlineTiles<Pixel>::walk(const Hairline& line)
     const int begin = steep ? band_.top : 0, end = steep ? band_.top + band_.height : width_;
     const int beside = steep ? 0 : band_.top, endBeside = steep ? width_ : band_.top + band_.height;
     constexpr int length = steep ? tileHeight : tileWidth, depth = steep ? tileWidth : tileHeight;
-    const int first = std::max(int(std::floor(line.from)), begin);
-    const int last = std::min(int(std::floor(line.to)), end - 1);
+    const int first = std::max(floorOf(line.from), begin);
+    const int last = std::min(floorOf(line.to), end - 1);
     for (int along = (first - begin) / length; first <= last && along <= (last - begin) / length;
          ++along) {
         const auto [low, high] =
@@ -64,8 +107,8 @@ void HairlineTiles<Pixel>::walkTile(const Hairline& line, int along, int across)
     const Colour colour = colour_;
     const int start = (steep ? band_.top : 0) + along * length;
     const int level = (steep ? 0 : band_.top) + across * depth;
-    const int first = std::max(int(std::floor(line.from)), start);
-    const int last = std::min(int(std::floor(line.to)), start + length - 1);
+    const int first = std::max(floorOf(line.from), start);
+    const int last = std::min(floorOf(line.to), start + length - 1);
     line.visitPixels(first, last, [&](int pixel, int row, unsigned share) {
         if (row >= level && row < level + depth)
             pixels[(pixel - start) * next + (row - level) * beside].cover(share, colour);
@@ -101,6 +144,8 @@ void HairlineTiles<Pixel>::visited(int tile)
     const Pixel* const pixels = pixelsIn(tile);
     it.full = std::all_of(pixels, pixels + tileSize,
                           [](const Pixel& here) { return here.shown < shows; });
+    if (it.full && tile % columns_ < columnsWithBits)
+        full_[std::size_t(tile / columns_)] |= std::uint64_t(1) << (tile % columns_);
 }
 
 template <class Pixel>
@@ -117,6 +162,7 @@ void HairlineTiles<Pixel>::paintOn(QImage& band)
         tiles_[std::size_t(tile)] = {};
     }
     begun_.clear();
+    std::ranges::fill(full_, 0);
 }
 
 template class HairlineTiles<ShownPixel>;

@@ -71,6 +71,13 @@ private:
         bool begun = false, full = false;
     };
 
+    /// The part of a line's box that is in the band, in tiles.
+    struct Tiles {
+        int left, right, top, bottom; ///< first and last ones; none: right < left
+    };
+    template <bool steep>
+    Tiles tilesOf(const Hairline& line) const;
+    bool areFull(const Tiles& tiles) const;
     template <bool steep>
     void walk(const Hairline& line);
     template <bool steep>
@@ -82,6 +89,7 @@ private:
     Band band_;
     Colour colour_{}; ///< of the last line
     std::vector<Tile> tiles_;
+    std::vector<std::uint64_t> full_; ///< a row of tiles, of which the first 64 have bits
     std::unique_ptr<Pixel[]> pixels_; ///< of the tiles
     std::vector<int> begun_;          ///< tiles with ink
 };

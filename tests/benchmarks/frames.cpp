@@ -6,6 +6,7 @@
 #include "app/experiment/block.h"
 #include "app/race/live_race.h"
 #include "ui/canvas/canvas.h"
+#include "ui/canvas/pane_widget.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 
 #include "tests/app/document/one_window.h"
 #include "tests/benchmarks/drawings.h"
@@ -89,26 +91,29 @@ Figures moved(app::Session& session, ui::Canvas& canvas, const std::function<voi
     return figures;
 }
 
-// Until the cut is seen in the canvas, or in all of its panes, at first perhaps a rough picture of
-// it (FrameWish::rough).
-class UntilSeen {
+// Until the cut is seen in all panes of the canvas, at first perhaps a rough picture of it
+// (FrameWish::rough).
+class UntilSeen : public QObject {
 public:
     explicit UntilSeen(ui::Canvas& canvas)
     {
-        connection_ = QObject::connect(&canvas, &ui::Canvas::frameShown,
-                                       [this](const app::FrameTimes& times) { shown = times; });
+        connect(&canvas, &ui::Canvas::frameShown, this,
+                [this](const app::FrameTimes& times) { shown = times; });
+        for (ui::PaneWidget* pane : canvas.findChildren<ui::PaneWidget*>())
+            connect(pane, &ui::PaneWidget::frameShown, this,
+                    [this, pane](const app::FrameTimes& times) {
+                        painting_[pane] = times.painting && pane->isVisible();
+                    });
     }
-    ~UntilSeen() { QObject::disconnect(connection_); }
-    Q_DISABLE_COPY_MOVE(UntilSeen)
     void operator()() const
     {
-        while (shown.painting)
+        while (std::ranges::any_of(painting_, [](const auto& pane) { return pane.second; }))
             QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
     }
-    app::FrameTimes shown;
+    app::FrameTimes shown; ///< of the active pane
 
 private:
-    QMetaObject::Connection connection_;
+    std::map<ui::PaneWidget*, bool> painting_;
 };
 
 void printPanes(QTextStream& out, app::Session& session, ui::Canvas& canvas)
@@ -118,9 +123,14 @@ void printPanes(QTextStream& out, app::Session& session, ui::Canvas& canvas)
         count > 4 ? many.showAll() : many.show(std::size_t(count));
         canvas.setPanes(many);
         canvas.settle();
+        UntilSeen untilSeen(canvas);
+        moved(session, canvas, std::ref(untilSeen))
+            .print(out, qPrintable(QStringLiteral("the cut is seen in panes: %1").arg(count)));
+        canvas.settle();
         moved(session, canvas, [&] {
             canvas.settle();
-        }).print(out, qPrintable(QStringLiteral("window moves, panes: %1").arg(count)));
+        }).print(out, qPrintable(QStringLiteral("in full quality, panes: %1").arg(count)));
+        out.flush();
     }
 }
 
