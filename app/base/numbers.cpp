@@ -90,6 +90,11 @@ QString millisecondsText(double milliseconds)
     return Text::tr("%1 ms").arg(numberText(milliseconds, decimals));
 }
 
+QString lateText(double milliseconds)
+{
+    return Text::tr("%1 s late").arg(numberText(milliseconds / 1000, 1));
+}
+
 QString percentText(double share) { return Text::tr("%1 %").arg(numberText(share * 100, 1)); }
 
 namespace {

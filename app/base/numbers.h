@@ -39,6 +39,7 @@ QString sizeText(const glm::dvec2& size, Unit unit, double millimetresPerUnit);
 
 /// "0.42 ms": 2 decimals under 10, 1 under 100, none above; "< 0.01 ms" for less.
 QString millisecondsText(double milliseconds);
+QString lateText(double milliseconds); ///< "1.2 s late"
 /// "71.7 %".
 QString percentText(double share);
 

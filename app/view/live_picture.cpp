@@ -33,6 +33,10 @@ void LivePicture::want(FrameWish wish, std::chrono::microseconds patience)
         clip();
     else if (frame_.drawMs < tooLong)
         painting_.waitFor(patience);
+    if (schedule_.isCurrent())
+        late_.invalidate();
+    else if (!late_.isValid())
+        late_.start();
     if (isNew && (schedule_.isLate() || schedule_.isRough()))
         rest_.start();
 }
@@ -53,6 +57,7 @@ void LivePicture::start()
     clipsAgain_ = false;
     parts_ = std::make_shared<FrameParts>();
     partsNoted_ = false;
+    started_.start();
     // In a view that was not panned only, a rough frame would not be finished sooner.
     const auto& shown = schedule_.shown();
     wish_.rough =
@@ -76,6 +81,7 @@ void LivePicture::deliver(PaintedFrame frame)
     frame_ = std::move(frame);
     times_.drawMs = frame_.drawMs;
     times_.differing = frame_.differing;
+    late_ = started_; // if other windows were wanted since
     follow(schedule_.finished(frame_.rough));
     if (schedule_.isRough())
         rest_.start();
@@ -124,6 +130,7 @@ FrameTimes LivePicture::times() const
 {
     FrameTimes times = times_;
     times.painting = !schedule_.isCurrent();
+    times.lateMs = times.painting && late_.isValid() ? double(late_.elapsed()) : 0;
     return times;
 }
 

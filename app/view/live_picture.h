@@ -6,6 +6,7 @@
 #include "app/view/frame_schedule.h"
 #include "app/view/frame_times.h"
 
+#include <QElapsedTimer>
 #include <QTimer>
 
 class QPainter;
@@ -56,8 +57,9 @@ private:
 
     FrameWish wish_; ///< the newest one
     FrameSchedule schedule_;
-    PaintedFrame frame_; ///< that is shown
-    QTimer rest_;        ///< runs out when no other frame has been wanted for a while
+    PaintedFrame frame_;           ///< that is shown
+    QTimer rest_;                  ///< runs out when no other frame has been wanted for a while
+    QElapsedTimer late_, started_; ///< since frame_ was out of date; since the start of the next
 
     Background<PaintedFrame> painting_;
     std::shared_ptr<FramePainter> painter_ = std::make_shared<FramePainter>();

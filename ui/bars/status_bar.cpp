@@ -161,12 +161,14 @@ void StatusBar::showTimes()
                : QString());
     const QString clip = app::millisecondsText(clip_.median());
     const bool timed = last_.total >= app::leastLinesToTime;
+    const bool late = last_.lateMs > app::longLate;
     times_->setText(
         !last_.painting
             ? timed ? Text::tr("clip %1  draw %2").arg(clip, app::millisecondsText(last_.drawMs))
                     : Text::tr("too few lines to time")
-        : timed ? Text::tr("clip %1  painting…").arg(clip)
-                : Text::tr("painting…"));
+        : timed && late ? Text::tr("clip %1  %2").arg(clip, app::lateText(last_.lateMs))
+        : timed         ? Text::tr("clip %1  painting…").arg(clip)
+                        : Text::tr("painting…"));
     explainTimes();
 }
 
@@ -182,7 +184,10 @@ void StatusBar::explainTimes()
                               "this drawing at these windows.")
                          .arg(app::numberText(clip_.median() * 1e6 / double(last_.total), 1))
                          .arg(app::FrameStatistics::length);
-    if (last_.painting)
+    if (last_.lateMs > app::longLate)
+        sentences << Text::tr("The canvas still shows an earlier cut: clipping and painting take "
+                              "longer than the next move of a window.");
+    else if (last_.painting)
         sentences << Text::tr("The picture takes a while. Until it is ready, the canvas shows the "
                               "previous one.");
     else if (last_.total >= app::leastLinesToTime)

@@ -101,9 +101,12 @@ void PaneHeading::note(const app::FrameTimes& times)
 
 void PaneHeading::showTime()
 {
-    time_ = last_.total < app::leastLinesToTime ? QString() : app::millisecondsText(clip_.median());
+    time_ = last_.total < app::leastLinesToTime ? QString()
+            : last_.lateMs > app::longLate      ? app::lateText(last_.lateMs)
+                                                : app::millisecondsText(clip_.median());
     setAccessibleDescription(time_);
-    update(places().time);
+    place();
+    update();
 }
 
 QString PaneHeading::formText() const
@@ -117,7 +120,8 @@ PaneHeading::Places PaneHeading::places() const
     auto left = [&, x = headingMargin](int width) mutable {
         return QRect(std::exchange(x, x + width), 1, width, height() - 1);
     };
-    const int timeWidth = tabularWidth(fontMetrics(), app::millisecondsText(88.8));
+    const int timeWidth = std::max(tabularWidth(fontMetrics(), app::millisecondsText(88.8)),
+                                   tabularWidth(fontMetrics(), time_));
     if (width() >= widthForClose)
         p.close = QRect(width() - button - 4, 5, button, button);
     const int right = p.close.isValid() ? p.close.left() - 4 : width() - headingMargin;

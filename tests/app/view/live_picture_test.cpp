@@ -200,6 +200,36 @@ private slots:
         });
         QCOMPARE(hasParts, takesLong);
     }
+    void aPictureSaysHowLateItIs()
+    {
+        app::FrameWish wish = wishFor(longLines(40));
+        app::LivePicture picture;
+        picture.want(wish, 0us);
+        picture.settle();
+        std::this_thread::sleep_for(5ms);
+        QCOMPARE(picture.times().lateMs, 0.0);
+        const auto move = [&](double by) {
+            const app::ClipWindows moved{
+                {{.shape = app::RectangleShape{{{120 + by, 70}, {320 + by, 210}}}}}};
+            wish.key.region = regionOf(moved, wish.document.page());
+            picture.want(wish, 0us);
+        };
+        {
+            const BusyThreads busy;
+            move(1);
+            std::this_thread::sleep_for(20ms);
+            move(2);
+            std::this_thread::sleep_for(20ms);
+            QVERIFY(picture.times().lateMs >= 40);
+        }
+        QVERIFY(picture.times().lateMs >= 40); // the first one is finished, but not delivered
+        QSignalSpy advanced(&picture, &app::LivePicture::advanced);
+        QVERIFY(advanced.wait(60'000));
+        picture.settle();
+        QCOMPARE(picture.times().lateMs, 0.0);
+        move(3);
+        QVERIFY(picture.times().lateMs < 40 || !picture.times().painting);
+    }
     /// Lines that the row loses are shown at once, though roughly.
     void aRoughFrameIsPaintedFinelyAtRest()
     {

@@ -428,12 +428,14 @@ private slots:
     void theStatusBarSaysThatItPaintsAndHowLongItClipped()
     {
         TestWindow t;
-        const auto frame = [&](bool painting) {
+        const auto frame = [&](bool painting, double lateMs = 0) {
             emit t.window->canvas().frameShown(
-                {.clipMs = 2, .drawMs = 1, .total = 5000, .painting = painting});
+                {.clipMs = 2, .drawMs = 1, .total = 5000, .painting = painting, .lateMs = lateMs});
         };
         frame(true);
         QTRY_COMPARE(t.window->status().times(), "clip 2.00 ms  painting…");
+        frame(true, 1240);
+        QTRY_COMPARE(t.window->status().times(), "clip 2.00 ms  1.2 s late");
         frame(false);
         QTRY_COMPARE(t.window->status().times(), "clip 2.00 ms  draw 1.00 ms");
     }
