@@ -277,6 +277,57 @@ private slots:
                      qPrintable(QString("%1: %2, %3").arg(i).arg(sum).arg(many)));
         }
     }
+    void keptPicturesAreAsThoseMadeAnew()
+    {
+        std::mt19937 random(21);
+        const auto whole = [&](int below) { return double(random() % unsigned(below)); };
+        app::FrameWish wish = wishFor(thinLines(60, 1), {});
+        wish.drawings = std::make_shared<app::DrawingPictures>();
+        wish.rough = true;
+        app::FramePainter painter;
+        const std::array<std::function<void()>, 6> acts{
+            [&] {
+                wish.document = thinLines(60, random());
+                wish.lines = app::linesOf(wish.document);
+                wish.key.lines = wish.lines.revision();
+            },
+            [&] {
+                const app::Point from(whole(90), whole(90)), size(whole(60), whole(60));
+                const app::ClipWindows windows{
+                    {{.shape = app::RectangleShape{{from, from + size}}}}};
+                wish.key.region = regionOf(windows, page);
+            },
+            [&] {
+                wish.key.view.zoomAt({whole(side), whole(side)}, 0.7 + whole(7) / 10);
+            },
+            [&] {
+                wish.key.view.pan({whole(81) - 40, whole(81) - 40});
+            },
+            [&] {
+                wish.key.view.pan({whole(81) - 40, 0});
+            },
+            [&] { wish.options.removed = app::RemovedPart(random() % 3); }};
+        const int steps = qEnvironmentVariableIsSet("CLEARCUT_DEEP") ? 1000 : 200;
+        for (int i = 0; i < steps; ++i) {
+            acts[random() % acts.size()]();
+            if (i % 40 == 0)
+                wish.key.view = wishFor(wish.document, {}).key.view; // or all would be gone
+            const QImage kept = paintedWith(painter, wish);
+            app::FrameWish anew = wish;
+            anew.drawings.reset();
+            app::FramePainter another;
+            const QImage expected = paintedWith(another, anew);
+            int sum = 0, many = 0; // QPainter rounds an edge from where its image begins
+            for (int y = 0; y < side; ++y)
+                for (int x = 0; x < side; ++x) {
+                    const int difference = differenceOf(kept, expected, x, y);
+                    sum += difference;
+                    many += difference > 12;
+                }
+            QVERIFY2(sum <= side * side * 0.2 && many <= 3,
+                     qPrintable(QString("%1: %2, %3").arg(i).arg(sum).arg(many)));
+        }
+    }
     void aPanKeepsWhatItDoesNotUncover()
     {
         app::FrameWish wish = wishFor(thinLines(200, 1), {});
