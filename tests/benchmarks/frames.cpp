@@ -142,7 +142,8 @@ void printRows(QTextStream& out, app::Session& session, ui::Canvas& canvas)
 {
     const UntilSeen untilSeen(canvas);
     const app::Variant before = session.variant();
-    out << "the window moves, by rows:        clipping, the cut is seen after, worst; ms\n";
+    out << "the window moves, by rows:        clipping, the cut is seen after, worst, ms; lines "
+           "that differ\n";
     std::vector<const clipping::Algorithm*> all;
     for (const clipping::Algorithm& algorithm : clipping::algorithms())
         all.push_back(&algorithm);
@@ -157,7 +158,7 @@ void printRows(QTextStream& out, app::Session& session, ui::Canvas& canvas)
         std::ranges::sort(seen.times);
         out << qSetFieldWidth(34) << Qt::left << keyOf(variant) << qSetFieldWidth(0)
             << clip.times[clip.times.size() / 2] << ", " << seen.times[seen.times.size() / 2]
-            << ", " << seen.times.back() << '\n';
+            << ", " << seen.times.back() << ", " << untilSeen.shown.differing << '\n';
         out.flush();
     }
     session.changeDisplay([&](app::Display& display) { display.variant = before; });

@@ -46,7 +46,7 @@ def short(number):
 
 def figure(line):
     """The figure of a printed line as (name, text)."""
-    if row := re.match(r"(.+?)(?: {2,}|(?<=published))([\d.e+-]+), ([\d.e+-]+), [\d.e+-]+$", line):
+    if row := re.match(r"(.+?)(?: {2,}|(?<=published))([\d.e+-]+), ([\d.e+-]+), [\d.e+-]+, \d+$", line):
         return row[1].strip(), f"{short(row[3])} ({short(row[2])})"
     if row := re.match(r"(.+?) +median ([\d.e+-]+) ms, worst ([\d.e+-]+)", line):
         worst = row[1] == "full quality after rest"
