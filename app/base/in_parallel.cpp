@@ -9,6 +9,7 @@
 #include <latch>
 #include <memory>
 #include <mutex>
+#include <new>
 
 namespace app {
 namespace {
@@ -52,7 +53,7 @@ private:
     std::latch left_;
     std::atomic<bool> failed_ = false;
     std::mutex lock_;
-    std::exception_ptr error_; ///< guarded by lock_
+    std::exception_ptr error_; ///< guarded by lock_ until all items are done
 };
 
 } // namespace
@@ -62,12 +63,15 @@ std::size_t workersOf(const QThreadPool& pool)
     return std::size_t(std::max(1, pool.maxThreadCount()));
 }
 
-void inParallel(QThreadPool& pool, std::size_t items,
+void inParallel(QThreadPool& pool, std::size_t workers, std::size_t items,
                 const std::function<void(std::size_t item, std::size_t worker)>& work)
 {
     const auto shared = std::make_shared<Items>(work, items);
-    for (std::size_t worker = 1; worker < std::min(workersOf(pool), items); ++worker)
-        pool.start([shared, worker] { shared->follow(worker); });
+    try {
+        for (std::size_t worker = 1; worker < std::min(workers, items); ++worker)
+            pool.start([shared, worker] { shared->follow(worker); });
+    } catch (const std::bad_alloc&) { // those that were started use what is here
+    }
     shared->follow(0);
     shared->wait();
 }

@@ -88,7 +88,7 @@ void BlockClipping::start(const ClipRegion& region)
 }
 
 /// Whether chunks are so small, because styles change all the time, that looking at their boxes
-/// takes longer than clipping.
+/// takes longer than clipping at a rectangle.
 static bool hasTinyChunks(const SceneBlock& block)
 {
     constexpr std::size_t fewLines = 4;
@@ -129,7 +129,8 @@ void BlockClipping::clipNearEdges(SceneFrame::Block& frame, std::span<Remains> r
 void BlockClipping::clipInRegion(SceneFrame::Block& frame, std::span<Remains> remains)
 {
     std::ranges::fill(remains, region_->everything() ? Remains::Whole : Remains::Pieces);
-    if (regionClipping_.isExact() && !region_->everything() && !hasTinyChunks(*frame.block))
+    if (regionClipping_.isExact() && !region_->everything()
+        && !(window_ && hasTinyChunks(*frame.block)))
         stopwatch_.time([&] { findRemains(*frame.block, *region_, remains); });
     if (regionClipping_.atOneWindow()) {
         settle(frame, remains, clipAtOneWindow(*frame.block, remains));

@@ -123,13 +123,15 @@ std::vector<FrameLine> differingLines(const SceneFrame& a, const SceneFrame& b, 
 {
     std::vector<std::vector<FrameLine>> inBlocks(a.blocks.size());
     std::atomic<std::size_t> found = 0;
-    inParallel(paintingThreads(), inBlocks.size(), [&](std::size_t at, std::size_t) {
+    const auto compare = [&](std::size_t at, std::size_t) {
         inBlocks[at] = differingIn(a, b, at, tolerance, most, found);
-    });
+    };
+    inParallel(paintingThreads(), workersOf(paintingThreads()), inBlocks.size(), compare);
     std::vector<FrameLine> lines;
     for (const auto& inBlock : inBlocks)
         lines.insert(lines.end(), inBlock.begin(), inBlock.end());
-    lines.resize(std::min(lines.size(), most + 1));
+    if (lines.size() > most)
+        lines.resize(most + 1);
     return lines;
 }
 

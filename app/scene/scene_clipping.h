@@ -10,10 +10,11 @@ namespace app {
 class SceneClipping {
 public:
     /// Clips all lines. The algorithm `exact` first tests boxes and then clips only the lines near
-    /// an edge; any other algorithm clips every line. The pieces have the same bits as those of a
-    /// single call for all lines. An algorithm that cannot clip at one of the windows is replaced
-    /// (`usedAt`). Without a window nothing is clipped. Blocks are clipped on all threads of the
-    /// painting threads that are free. The frame is valid until the next call and as long as
+    /// an edge, unless nearly every line has a box of its own; any other one clips every line. The
+    /// pieces have the same bits as those of a single call for all lines. An algorithm that cannot
+    /// clip at one of the windows is replaced
+    /// (`usedAt`). Without a window nothing is clipped. Blocks are clipped on all painting
+    /// threads that are free. The frame is valid until the next call and as long as
     /// `lines`; it is of no use if a stop was requested.
     SceneFrame clip(const SceneLines& lines, const ClipRegion& region, ClipAll clipAll,
                     const std::stop_token& stop = {});
@@ -24,7 +25,8 @@ private:
 
     std::vector<SceneFrame::Block> blocks_;
     std::vector<Remains> remains_;
-    std::vector<BlockClipping> workers_; ///< one for each thread
+    std::vector<std::size_t> firstChunks_; ///< of each block, in remains_
+    std::vector<BlockClipping> workers_;   ///< one for each thread
 };
 
 } // namespace app

@@ -7,8 +7,15 @@ namespace app {
 
 void PieceStore::clear()
 {
-    // Frees pages that are not needed: a frame with all lines may have been an exception.
-    pages_.resize(std::min(pages_.size(), 2 * (page_ + 1)));
+    // Frees pages that no frame has needed for a while: one with all lines may have been an
+    // exception, as one may in which another thread clipped them.
+    constexpr int frames = 32;
+    mostPages_ = std::max(mostPages_, page_ + 1);
+    if (++clears_ == frames) {
+        pages_.resize(std::min(pages_.size(), 2 * mostPages_));
+        mostPages_ = 0;
+        clears_ = 0;
+    }
     page_ = used_ = 0;
 }
 

@@ -43,8 +43,10 @@ private:
     static constexpr std::size_t mostInPage = 65'536; ///< a larger group gets a larger page
 
     std::vector<std::vector<clipping::Clipped>> pages_;
-    std::size_t page_ = 0; ///< the current page, which has space left
-    std::size_t used_ = 0; ///< pieces used in it
+    std::size_t page_ = 0;      ///< the current page, which has space left
+    std::size_t used_ = 0;      ///< pieces used in it
+    std::size_t mostPages_ = 0; ///< that were used since pages were freed
+    int clears_ = 0;            ///< since then
 };
 
 } // namespace app

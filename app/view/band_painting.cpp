@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/band_painting.h"
 
+#include "app/base/background.h"
 #include "app/base/in_parallel.h"
 
 #include <cstring>
+#include <new>
 
 namespace app {
 
@@ -48,12 +50,15 @@ QImage rowsOf(const QImage& image, Band band)
 }
 
 QImage paintedInBands(const PaintBand& paint, const QSize& pixels, int each,
-                      const Follower& follower, FrameParts& parts, QThreadPool& helpers)
+                      const Follower& follower, FrameParts& parts)
 {
     QImage image(pixels, QImage::Format_ARGB32_Premultiplied);
+    if (image.isNull() && !pixels.isEmpty())
+        throw std::bad_alloc();
     uchar* const bits = image.bits();
-    const auto bands = bandsOf(pixels.height(), int(workersOf(helpers)) * each);
-    inParallel(helpers, bands.size(), [&](std::size_t i, std::size_t worker) {
+    const auto bands = bandsOf(pixels.height(), int(workersOf(paintingThreads())) * each);
+    const std::size_t workers = workersOf(paintingThreads());
+    inParallel(paintingThreads(), workers, bands.size(), [&](std::size_t i, std::size_t worker) {
         QImage room = rowsOf(image, bands[i], bits);
         const uchar* const there = room.constBits();
         const QImage painted = paint(bands[i], std::move(room));

@@ -9,8 +9,6 @@
 #include <optional>
 #include <vector>
 
-class QThreadPool;
-
 namespace app {
 
 /// The result of clipping all lines.
@@ -50,11 +48,11 @@ using PaintBand = std::function<QImage(Band band, QImage room)>;
 
 constexpr int seenEarly = 8; ///< bands of each thread for what takes long
 
-/// An image, painted in bands by the calling thread and by those of `helpers` that are free.
+/// An image, painted in bands by the calling thread and by painting threads that are free.
 /// Each band is put into `parts` as soon as it is finished. `each` is the number of bands for each
 /// thread: of several the first are seen early, but what every band goes through takes longer. If a
 /// stop is requested, the result is of no use.
 QImage paintedInBands(const PaintBand& paint, const QSize& pixels, int each,
-                      const Follower& follower, FrameParts& parts, QThreadPool& helpers);
+                      const Follower& follower, FrameParts& parts);
 
 } // namespace app

@@ -46,17 +46,14 @@ struct ComposedBands {
     uchar* pixels;                    ///< of `drawing`
     std::vector<MissingPart> missing; ///< of `drawing`, to be painted first
     Picture around{};                 ///< what lies below and above the lines
-    DrawList alongEdges;
+    QImage mask;
     DifferingLayer differing;
 
     QImage operator()(Band band, QImage shown) const
     {
         for (const MissingPart& part : missing)
             paintPart(part, band, wish, raster, pixels);
-        QImage mask =
-            regionMask(wish.key.region, wish.key.view, raster.width, band, raster.pixelRatio);
-        openAlong(mask, band, alongEdges, raster.pixelRatio);
-        compose(rowsOf(drawing, band), mask, raster.ghost, shown);
+        compose(rowsOf(drawing, band), rowsOf(mask, band), raster.ghost, shown);
         if (!differing.isEmpty())
             paintAnew(shown, differing, band, raster);
         const bool isAlone = around.selected.commands.empty() && around.differing.commands.empty()
@@ -77,6 +74,8 @@ ComposedFrame::Plan ComposedFrame::compared(const FrameWish& wish, const SceneFr
     constexpr double visible = 1.0 / 16; // device pixels
     const auto clipAll = clipping::exactAlgorithm().corrected.clipAll;
     Plan plan{.exact = exact_.clip(wish.lines, wish.key.region, clipAll, stop)};
+    if (stop.stop_requested())
+        return plan;
     plan.differing = differingLines(
         frame, plan.exact, visible / (wish.key.view.zoom * wish.key.pixelRatio), mostDiffering);
     return plan;
@@ -102,8 +101,7 @@ ComposedFrame::Plan ComposedFrame::plan(const FrameWish& wish, const SceneFrame&
 }
 
 QImage ComposedFrame::paint(const FrameWish& wish, const SceneFrame& frame, const Plan& plan,
-                            const Follower& follower, const std::shared_ptr<FrameParts>& parts,
-                            QThreadPool& helpers)
+                            const Follower& follower, const std::shared_ptr<FrameParts>& parts)
 {
     PictureOptions options = wish.pictureOptions();
     options.stop = follower.stop;
@@ -115,6 +113,8 @@ QImage ComposedFrame::paint(const FrameWish& wish, const SceneFrame& frame, cons
     const bool isKnown = missing.empty(), isNew = missing == std::vector{drawing.rect()};
     const bool hairlines = !isKnown && hasOnlyHairlines(wish.lines, styles, options, ratio);
     uchar* const pixels = isKnown ? nullptr : drawing.bits(); // detaches it before it is shared
+    QImage mask = regionMask(wish.key.region, wish.key.view, wish.key.pixels, ratio);
+    openAlong(mask, linesAlongEdges(styles, wish.lines, frame, options, ratio), ratio);
     RasterOptions raster = wish.rasterOptions(follower.stop);
     raster.ghost = opacityOf(options.removed, wish.ghost);
     const ComposedBands bands{
@@ -124,14 +124,14 @@ QImage ComposedFrame::paint(const FrameWish& wish, const SceneFrame& frame, cons
         .pixels = pixels,
         .missing = missingParts(wish, frame, missing, hairlines, follower.stop),
         .around = pictureAround(styles, wish.lines, options),
-        .alongEdges = linesAlongEdges(styles, wish.lines, frame, options, ratio),
+        .mask = std::move(mask),
         .differing =
             differingLayer(styles, wish.lines, frame, plan.exact, plan.differing, options)};
     constexpr int few = 2; // of hairlines, of which each band goes through all
     const int slow = hairlines ? few : seenEarly;
     const bool isSlow = isNew && wish.lines.size() > slowLines;
     const QImage image =
-        paintedInBands(bands, wish.key.pixels, isSlow ? slow : 1, follower, *parts, helpers);
+        paintedInBands(std::cref(bands), wish.key.pixels, isSlow ? slow : 1, follower, *parts);
     if (!isKnown && !follower.stop.stop_requested())
         kept.keep(key, drawing);
     return image;

@@ -26,8 +26,7 @@ public:
     /// Such a frame. The picture of all lines is painted first if another drawing or view is wanted
     /// than before.
     QImage paint(const FrameWish& wish, const SceneFrame& frame, const Plan& plan,
-                 const Follower& follower, const std::shared_ptr<FrameParts>& parts,
-                 QThreadPool& helpers);
+                 const Follower& follower, const std::shared_ptr<FrameParts>& parts);
 
 private:
     Plan compared(const FrameWish& wish, const SceneFrame& frame, const std::stop_token& stop);

@@ -78,8 +78,7 @@ DrawList linesAlongEdges(const StyleTable& styles, const SceneLines& lines, cons
                 for (std::size_t line = chunk.first; line < block.endOfChunk(i); ++line)
                     if (edges.runsAlong(block.segments[line]))
                         along.push_back({block.segments[line], std::uint32_t(line), 0});
-            if (!along.empty())
-                builder.add(at, i, along);
+            builder.add(at, i, along);
         }
     }
     return builder.take();

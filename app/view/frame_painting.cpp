@@ -25,8 +25,7 @@ constexpr std::size_t manyPoints = 50'000; // painted in more bands than there a
 
 /// Paints a frame from the pieces that are left of its lines.
 static PaintedFrame framePainted(const FrameWish& wish, const SceneFrame& frame,
-                                 const Follower& follower, const std::shared_ptr<FrameParts>& parts,
-                                 QThreadPool& helpers)
+                                 const Follower& follower, const std::shared_ptr<FrameParts>& parts)
 {
     PictureOptions options = wish.pictureOptions();
     options.stop = follower.stop;
@@ -39,13 +38,12 @@ static PaintedFrame framePainted(const FrameWish& wish, const SceneFrame& frame,
     const bool slow = shown.kept.points.size() + shown.ghost.points.size() > manyPoints;
     const RasterOptions raster = wish.rasterOptions(follower.stop);
     const auto paint = [&](Band band, const QImage&) { return rasterised(shown, band, raster); };
-    made.image =
-        paintedInBands(paint, wish.key.pixels, slow ? seenEarly : 1, follower, *parts, helpers);
+    made.image = paintedInBands(paint, wish.key.pixels, slow ? seenEarly : 1, follower, *parts);
     return made;
 }
 
 PaintedFrame FramePainter::paint(const FrameWish& wish, const Follower& follower,
-                                 const std::shared_ptr<FrameParts>& parts, QThreadPool& helpers)
+                                 const std::shared_ptr<FrameParts>& parts)
 {
     const SceneFrame frame = clipped(wish, follower.stop);
     if (follower.stop.stop_requested())
@@ -57,9 +55,9 @@ PaintedFrame FramePainter::paint(const FrameWish& wish, const Follower& follower
     PaintedFrame made;
     const auto plan = composed_.plan(wish, frame, follower.stop);
     if (plan.kind != ComposedFrame::Plan::Kind::No)
-        made.image = composed_.paint(wish, frame, plan, follower, parts, helpers);
+        made.image = composed_.paint(wish, frame, plan, follower, parts);
     else
-        made = framePainted(wish, frame, follower, parts, helpers);
+        made = framePainted(wish, frame, follower, parts);
     made.rough = plan.kind == ComposedFrame::Plan::Kind::Roughly;
     made.differing = plan.differing.size();
     made.drawMs = double(clock.nsecsElapsed()) * 1e-6;

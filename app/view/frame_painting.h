@@ -19,11 +19,11 @@ class FramePainter {
 public:
     /// If a stop is requested, the result is of no use.
     ClipResult clip(const FrameWish& wish, const std::stop_token& stop);
-    /// The bands of the image are painted by the calling thread, and by those of `helpers` that are
+    /// The bands of the image are painted by the calling thread, and by painting threads that are
     /// free. Reports progress with each finished part. If a stop is requested, it returns within
     /// some milliseconds, and the result is of no use.
     PaintedFrame paint(const FrameWish& wish, const Follower& follower,
-                       const std::shared_ptr<FrameParts>& parts, QThreadPool& helpers);
+                       const std::shared_ptr<FrameParts>& parts);
 
 private:
     SceneFrame clipped(const FrameWish& wish, const std::stop_token& stop);

@@ -33,8 +33,8 @@ struct FrameTimes {
     std::optional<Variant> choice{}; ///< the variant that clipped
     /// The new picture is not ready: what is finished of it is shown above the last one.
     bool painting = false;
-    /// For how long the picture shown has no longer been that of the view, its lines and windows;
-    /// 0: it is.
+    /// For how long other windows have been wanted than those at which the shown picture is cut; 0:
+    /// it is up to date, or of another view.
     double lateMs = 0;
     std::uint64_t clipping = 0; ///< number of the clipping; another one has another time
     std::uint64_t subject = 0;  ///< number of what was clipped: the lines, windows and variant

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <optional>
 #include <ranges>
+#include <utility>
 
 namespace app {
 namespace {
@@ -50,13 +51,13 @@ bool hasOneColour(const SceneLines& lines, const StyleTable& styles, const Pictu
 }
 
 /// Paints the lines of a band from the front to the back.
-template <class Tiles>
+template <class Layer>
 class HairlinePainting {
 public:
     HairlinePainting(const PictureOptions& options, Band band, const RasterOptions& raster)
         : options_(options), raster_(raster),
           image_(raster.width, band.height, QImage::Format_ARGB32_Premultiplied),
-          tiles_(raster.width, band)
+          layer_(raster.width, band)
     {
         image_.fill(Qt::transparent);
         const double room = 2; // device pixels
@@ -69,17 +70,16 @@ public:
 
     void turnTo(const Style& style)
     {
-        look_ = lookOf(style, options_, raster_.pixelRatio);
-        before_ = nullptr; // the same line in another colour lies above the one behind it
+        const HairlineLook look = lookOf(style, options_, raster_.pixelRatio);
+        if (std::exchange(look_, look) != look)
+            before_ = nullptr; // the same line in another colour lies above the one behind it
     }
+    bool isNear(const SceneChunk& chunk) const { return !isOutside(chunk.box, near_); }
+    void pass() { before_ = nullptr; } ///< over lines that are not near
     /// Adds the lines of a chunk. One that repeats the line before it is left out: a file may hold
     /// the same one a hundred thousand times, whose coverage must not add up.
-    void add(const SceneChunk& chunk, std::span<const Segment> lines)
+    void add(std::span<const Segment> lines)
     {
-        if (isOutside(chunk.box, near_)) {
-            before_ = &lines.front();
-            return;
-        }
         for (const Segment& line : lines | std::views::reverse) {
             if (!before_ || before_->a != line.a || before_->b != line.b)
                 paint(line);
@@ -88,7 +88,7 @@ public:
     }
     QImage take()
     {
-        tiles_.paintOn(image_);
+        layer_.paintOn(image_);
         return std::move(image_);
     }
 
@@ -103,7 +103,7 @@ private:
             if (const auto seen = clipping::exactAlgorithm().corrected.clip(s, near_))
                 line = hairlineOf(*seen);
         if (line)
-            tiles_.add(*line, look_.colour);
+            layer_.add(*line, look_.colour);
     }
     std::optional<Hairline> hairlineOf(const Segment& s) const
     {
@@ -115,25 +115,29 @@ private:
     const PictureOptions& options_;
     const RasterOptions& raster_;
     QImage image_;
-    Tiles tiles_;
+    Layer layer_;
     clipping::Window near_{}; ///< the band, slightly enlarged, in user units
     HairlineLook look_;
     const Segment* before_ = nullptr; ///< the line above
 };
 
-template <class Tiles>
+template <class Layer>
 QImage painted(const SceneLines& lines, const StyleTable& styles, const PictureOptions& options,
                Band band, const RasterOptions& raster)
 {
-    HairlinePainting<Tiles> painting(options, band, raster);
+    HairlinePainting<Layer> painting(options, band, raster);
     std::optional<StyleIndex> last;
     for (const auto& block : lines.blocks() | std::views::reverse)
         for (std::size_t i = block->chunks.size(); i-- > 0 && !raster.cancelled();) {
             const SceneChunk& chunk = block->chunks[i];
+            if (!painting.isNear(chunk)) {
+                painting.pass();
+                continue;
+            }
             if (last != chunk.style)
                 painting.turnTo(styles[*(last = chunk.style)]);
-            painting.add(chunk, std::span(block->segments)
-                                    .subspan(chunk.first, block->endOfChunk(i) - chunk.first));
+            painting.add(std::span(block->segments)
+                             .subspan(chunk.first, block->endOfChunk(i) - chunk.first));
         }
     return painting.take();
 }

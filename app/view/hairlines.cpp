@@ -34,34 +34,12 @@ template <class Pixel>
 void HairlineTiles<Pixel>::add(const Hairline& line, const Colour& colour)
 {
     colour_ = colour;
-    if (!areFull(line.steep ? tilesOf<true>(line) : tilesOf<false>(line)))
-        line.steep ? walk<true>(line) : walk<false>(line);
+    line.steep ? walk<true>(line) : walk<false>(line);
 }
 
 template <class Pixel>
-template <bool steep>
-HairlineTiles<Pixel>::Tiles HairlineTiles<Pixel>::tilesOf(const Hairline& line) const
+bool HairlineTiles<Pixel>::areFull(const TileRange& tiles) const
 {
-    const int begin = steep ? band_.top : 0, end = steep ? band_.top + band_.height : width_;
-    const int beside = steep ? 0 : band_.top, endBeside = steep ? width_ : band_.top + band_.height;
-    const int first = std::max(floorOf(line.from), begin);
-    const int last = std::min(floorOf(line.to), end - 1);
-    const auto [low, high] = std::minmax({line.at(first), line.at(last)});
-    const int nearest = std::max(Hairline::pixelOf(low), beside);
-    const int farthest = std::min(Hairline::pixelOf(high) + 1, endBeside - 1);
-    if (first > last || nearest > farthest)
-        return {0, -1, 0, -1};
-    const int left = steep ? nearest : first, right = steep ? farthest : last;
-    const int top = (steep ? first : nearest) - band_.top;
-    const int bottom = (steep ? last : farthest) - band_.top;
-    return {left / tileWidth, right / tileWidth, top / tileHeight, bottom / tileHeight};
-}
-
-template <class Pixel>
-bool HairlineTiles<Pixel>::areFull(const Tiles& tiles) const
-{
-    if (tiles.right < tiles.left)
-        return true;
     if (tiles.right >= columnsWithBits)
         return false;
     const std::uint64_t columns = (~std::uint64_t(0) >> (columnsWithBits - 1 - tiles.right))
@@ -81,8 +59,18 @@ void HairlineTiles<Pixel>::walk(const Hairline& line)
     constexpr int length = steep ? tileHeight : tileWidth, depth = steep ? tileWidth : tileHeight;
     const int first = std::max(floorOf(line.from), begin);
     const int last = std::min(floorOf(line.to), end - 1);
-    for (int along = (first - begin) / length; first <= last && along <= (last - begin) / length;
-         ++along) {
+    if (first > last)
+        return;
+    const auto [least, most] = std::minmax({line.at(first), line.at(last)});
+    const int top = std::max(Hairline::pixelOf(least), beside) - beside;
+    const int bottom = std::min(Hairline::pixelOf(most) + 1, endBeside - 1) - beside;
+    if (top > bottom)
+        return;
+    const TileRange box{(first - begin) / length, (last - begin) / length, top / depth,
+                        bottom / depth};
+    if (areFull(steep ? TileRange{box.top, box.bottom, box.left, box.right} : box))
+        return;
+    for (int along = box.left; along <= box.right; ++along) {
         const auto [low, high] =
             std::minmax({line.at(std::max(first, begin + along * length)),
                          line.at(std::min(last, begin + (along + 1) * length - 1))});

@@ -33,11 +33,14 @@ struct InkedPixel : ShownPixel {
 
     void cover(unsigned share, const Colour& colour)
     {
-        const unsigned seen = shown * share >> 8;
-        red = std::uint16_t(red + seen * colour.red / 255);
-        green = std::uint16_t(green + seen * colour.green / 255);
-        blue = std::uint16_t(blue + seen * colour.blue / 255);
+        const unsigned before = shown;
         hide(share);
+        const auto lit = [seen = before - shown](std::uint16_t ink, unsigned channel) {
+            return std::uint16_t(std::min(ink + (seen * channel + 127) / 255, 65'535U));
+        };
+        red = lit(red, colour.red);
+        green = lit(green, colour.green);
+        blue = lit(blue, colour.blue);
     }
     QRgb above(QRgb below, const Colour&) const
     {
@@ -71,13 +74,10 @@ private:
         bool begun = false, full = false;
     };
 
-    /// The part of a line's box that is in the band, in tiles.
-    struct Tiles {
-        int left, right, top, bottom; ///< first and last ones; none: right < left
+    struct TileRange {
+        int left, right, top, bottom; ///< the first and the last ones
     };
-    template <bool steep>
-    Tiles tilesOf(const Hairline& line) const;
-    bool areFull(const Tiles& tiles) const;
+    bool areFull(const TileRange& tiles) const;
     template <bool steep>
     void walk(const Hairline& line);
     template <bool steep>

@@ -10,7 +10,7 @@ namespace {
 using namespace std::chrono_literals;
 using Step = FrameSchedule::Step;
 
-constexpr auto rest = 500ms;
+constexpr auto rest = 500ms, told = 250ms;
 constexpr double tooLong = 40; // milliseconds; after such a picture waiting for the next is in vain
 
 } // namespace
@@ -19,6 +19,8 @@ LivePicture::LivePicture(QObject* parent) : QObject(parent), painting_(paintingT
 {
     rest_.setSingleShot(true);
     rest_.setInterval(rest);
+    telling_.setInterval(told);
+    connect(&telling_, &QTimer::timeout, this, &LivePicture::timed);
     connect(&rest_, &QTimer::timeout, this, [this] { follow(schedule_.rested()); });
 }
 
@@ -33,10 +35,7 @@ void LivePicture::want(FrameWish wish, std::chrono::microseconds patience)
         clip();
     else if (frame_.drawMs < tooLong)
         painting_.waitFor(patience);
-    if (schedule_.isCurrent())
-        late_.invalidate();
-    else if (!late_.isValid())
-        late_.start();
+    noteLateness();
     if (isNew && (schedule_.isLate() || schedule_.isRough()))
         rest_.start();
 }
@@ -57,21 +56,18 @@ void LivePicture::start()
     clipsAgain_ = false;
     parts_ = std::make_shared<FrameParts>();
     partsNoted_ = false;
-    started_.start();
     // In a view that was not panned only, a rough frame would not be finished sooner.
     const auto& shown = schedule_.shown();
     wish_.rough =
         !schedule_.paintsFinely() && shown && wholePixelsBetween(*shown, wish_.key).has_value();
-    painting_.start(
-        [wish = wish_, painter = painter_, parts = parts_](const Follower& follower) {
-            return painter->paint(wish, follower, parts, paintingThreads());
-        },
-        [this](PaintedFrame frame) { deliver(std::move(frame)); },
-        [this](const Progress&) {
-            noteParts();
-            if (!parts_->bands().empty())
-                emit advanced();
-        });
+    painting_.start([wish = wish_, painter = painter_, parts = parts_](
+                        const Follower& follower) { return painter->paint(wish, follower, parts); },
+                    [this](PaintedFrame frame) { deliver(std::move(frame)); },
+                    [this](const Progress&) {
+                        noteParts();
+                        if (!parts_->bands().empty())
+                            emit advanced();
+                    });
 }
 
 void LivePicture::deliver(PaintedFrame frame)
@@ -81,8 +77,9 @@ void LivePicture::deliver(PaintedFrame frame)
     frame_ = std::move(frame);
     times_.drawMs = frame_.drawMs;
     times_.differing = frame_.differing;
-    late_ = started_; // if other windows were wanted since
+    late_ = left_;
     follow(schedule_.finished(frame_.rough));
+    noteLateness();
     if (schedule_.isRough())
         rest_.start();
     emit advanced();
@@ -130,8 +127,27 @@ FrameTimes LivePicture::times() const
 {
     FrameTimes times = times_;
     times.painting = !schedule_.isCurrent();
-    times.lateMs = times.painting && late_.isValid() ? double(late_.elapsed()) : 0;
+    const auto& shown = schedule_.shown();
+    const bool isOnlyCut = shown && isSameView(*shown, wish_.key);
+    times.lateMs = times.painting && isOnlyCut && late_.isValid() ? double(late_.elapsed()) : 0;
     return times;
+}
+
+/// To be called after each change of what is wanted, painted or shown.
+void LivePicture::noteLateness()
+{
+    const auto run = [](QElapsedTimer& clock, bool runs) {
+        if (!runs)
+            clock.invalidate();
+        else if (!clock.isValid())
+            clock.start();
+    };
+    run(late_, !schedule_.isCurrent());
+    run(left_, schedule_.isLate());
+    if (schedule_.isCurrent())
+        telling_.stop();
+    else if (!telling_.isActive())
+        telling_.start();
 }
 
 void LivePicture::settle()
@@ -150,6 +166,9 @@ void LivePicture::forget()
     rest_.stop();
     parts_.reset();
     schedule_.forget();
+    late_.invalidate();
+    left_.invalidate();
+    telling_.stop();
     wish_ = {};
     frame_ = {};
     clipped_ = {};

@@ -52,14 +52,17 @@ private:
     void noteParts();
     void clip();
     void note(const FrameKey& key, const ClipResult& result);
+    void noteLateness();
     QRectF placeOf(const FrameKey& key) const;
     bool showsParts() const;
 
     FrameWish wish_; ///< the newest one
     FrameSchedule schedule_;
-    PaintedFrame frame_;           ///< that is shown
-    QTimer rest_;                  ///< runs out when no other frame has been wanted for a while
-    QElapsedTimer late_, started_; ///< since frame_ was out of date; since the start of the next
+    PaintedFrame frame_; ///< that is shown
+    QTimer rest_;        ///< runs out when no other frame has been wanted for a while
+    /// Since another frame than frame_ was wanted, and than that which is being painted.
+    QElapsedTimer late_, left_;
+    QTimer telling_; ///< of times() while frame_ is late
 
     Background<PaintedFrame> painting_;
     std::shared_ptr<FramePainter> painter_ = std::make_shared<FramePainter>();

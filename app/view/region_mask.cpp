@@ -15,9 +15,9 @@ namespace {
 // QPainter's time for one path grows with the square of the edges in a row of pixels.
 constexpr std::size_t mostCorners = 1000;
 
-/// The inside of a window, in device pixels below `top`, cut off near the view: at a deep zoom
-/// there would be huge numbers.
-QPainterPath pathOf(const ClipRegion::Step& step, const View& view, int top, double pixelRatio)
+/// The inside of a window, in device pixels, cut off near the view: at a deep zoom there would be
+/// huge numbers.
+QPainterPath pathOf(const ClipRegion::Step& step, const View& view, double pixelRatio)
 {
     const auto& [min, max] = step.box;
     const std::vector<std::vector<Point>> box{{min, {max.x, min.y}, max, {min.x, max.y}}};
@@ -29,7 +29,7 @@ QPainterPath pathOf(const ClipRegion::Step& step, const View& view, int top, dou
         QPolygonF polygon;
         for (const Point& p : areaInside(ring, {seen.min - room, seen.max + room})) {
             const Point at = view.toScreen(p) * pixelRatio;
-            polygon << QPointF(at.x, at.y - top);
+            polygon << QPointF(at.x, at.y);
         }
         path.addPolygon(polygon);
         path.closeSubpath();
@@ -86,15 +86,14 @@ bool isMaskable(const ClipRegion& region)
     return corners <= mostCorners;
 }
 
-QImage regionMask(const ClipRegion& region, const View& view, int width, Band band,
+QImage regionMask(const ClipRegion& region, const View& view, const QSize& pixels,
                   double pixelRatio)
 {
-    const QSize pixels(width, band.height);
     QImage mask(pixels, QImage::Format_Alpha8);
     mask.fill(region.startsFull() ? 255 : 0);
     for (const ClipRegion::Step& step : region.steps) {
-        const QImage window = filled(
-            isEmpty(step) ? QPainterPath() : pathOf(step, view, band.top, pixelRatio), pixels);
+        const QImage window =
+            filled(isEmpty(step) ? QPainterPath() : pathOf(step, view, pixelRatio), pixels);
         if (step.operation == WindowOperation::Add)
             combine(mask, window, [](int all, int one) { return std::min(255, all + one); });
         else if (step.operation == WindowOperation::CutOut)
@@ -107,13 +106,12 @@ QImage regionMask(const ClipRegion& region, const View& view, int width, Band ba
     return mask;
 }
 
-void openAlong(QImage& mask, Band band, const DrawList& strokes, double pixelRatio)
+void openAlong(QImage& mask, const DrawList& strokes, double pixelRatio)
 {
     constexpr double room = 1; // device pixels: beside the stroke its edge is blurred
     if (strokes.commands.empty())
         return;
     QPainter painter(&mask);
-    painter.translate(0, -band.top);
     for (const DrawCommand& command : strokes.commands) {
         painter.setPen(
             QPen(Qt::black, command.stroke->width * pixelRatio + room, Qt::SolidLine, Qt::FlatCap));

@@ -209,7 +209,9 @@ int main(int argc, char** argv)
     std::vector<double> clip;
     QObject::connect(&canvas, &ui::Canvas::frameShown,
                      [&](const app::FrameTimes& t) { clip.push_back(t.clipMs); });
-    const bool sized = size.size() == 2;
+    const bool sized = size.size() == 2 && size[0].toInt() > 0 && size[1].toInt() > 0;
+    if (argc > 3 && !sized)
+        qFatal("Usage: frames [DRAWING] [raster|gl] [WIDTHxHEIGHT] [PICTURE.png]");
     canvas.resize(20 + (sized ? size[0].toInt() : 1280), 20 + (sized ? size[1].toInt() : 800));
     canvas.show();
     QCoreApplication::processEvents();

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Prints the table of frames in figures.md: frames_table.py BUILD [DRAWING...]
+"""Prints the table of frames in figures.md as Markdown: frames_table.py BUILD [DRAWING...]
 
 BUILD is a build folder with the benchmarks; drawings as of drawings.h. Each column is a run of
 benchmarks.frames at 1920 x 1080, then of benchmarks.opening with a CSV and an SVG file, and of KLayout, if it
@@ -37,7 +37,9 @@ ROWS = {  # in the table: what the programs print
 
 def lines_of(command):
     ended = subprocess.run(command, text=True, env=ENVIRONMENT, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
-    return ended.stdout.splitlines() if ended.returncode == 0 else ["failed"]
+    if ended.returncode != 0:
+        print("failed:", *command, file=sys.stderr)
+    return ended.stdout.splitlines()
 
 
 def short(number):

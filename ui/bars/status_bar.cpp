@@ -179,14 +179,15 @@ void StatusBar::explainTimes()
         sentences << Text::tr("With fewer than %1 lines the times are too short to measure.")
                          .arg(app::countText(app::leastLinesToTime));
     else
-        sentences << Text::tr("Clipping: %1 ns per line. This is processor time, which other "
-                              "programs do not make longer. It is the median of up to %2 frames of "
-                              "this drawing at these windows.")
+        sentences << Text::tr("Clipping: %1 ns per line. This is the processor time of all cores, "
+                              "which other programs do not make longer. It is the median of up to "
+                              "%2 frames of this drawing at these windows.")
                          .arg(app::numberText(clip_.median() * 1e6 / double(last_.total), 1))
                          .arg(app::FrameStatistics::length);
-    if (last_.lateMs > app::longLate)
-        sentences << Text::tr("The canvas still shows an earlier cut: clipping and painting take "
-                              "longer than the next move of a window.");
+    if (last_.total >= app::leastLinesToTime && last_.lateMs > app::longLate)
+        sentences << Text::tr(
+            "The canvas still shows an earlier cut, until this one is clipped and "
+            "painted.");
     else if (last_.painting)
         sentences << Text::tr("The picture takes a while. Until it is ready, the canvas shows the "
                               "previous one.");

@@ -86,7 +86,7 @@ void SheetArt::paintNext()
     painted_ = left_.front();
     painting_.start(
         [wish = frameOf(painted_), painter = painter_, parts](const app::Follower& follower) {
-            return painter->paint(wish, follower, parts, app::paintingThreads());
+            return painter->paint(wish, follower, parts);
         },
         [this, parts](app::PaintedFrame frame) {
             accept(parts->clipped().value(), std::move(frame));

@@ -261,7 +261,7 @@ private slots:
         QVERIFY(!background.active());
     }
 
-    /// The canvas paints on the threads of the global pool.
+    /// The canvas paints on threads of its own.
     void longWorkTakesNoThreadFromTheCanvas()
     {
         std::vector<std::unique_ptr<Background<int>>> many;

@@ -25,13 +25,14 @@ private slots:
             for (const std::size_t items : {0, 1, 2, 300}) {
                 std::vector<std::atomic<int>> calls(items), busy(app::workersOf(pool));
                 std::atomic<int> clashes = 0;
-                app::inParallel(pool, items, [&](std::size_t item, std::size_t worker) {
-                    clashes += busy[worker]++ != 0;
-                    ++calls[item];
-                    if (item % 3 == 0)
-                        std::this_thread::sleep_for(std::chrono::microseconds(50));
-                    --busy[worker];
-                });
+                app::inParallel(pool, app::workersOf(pool), items,
+                                [&](std::size_t item, std::size_t worker) {
+                                    clashes += busy[worker]++ != 0;
+                                    ++calls[item];
+                                    if (item % 3 == 0)
+                                        std::this_thread::sleep_for(std::chrono::microseconds(50));
+                                    --busy[worker];
+                                });
                 QCOMPARE(clashes.load(), 0);
                 for (const auto& count : calls)
                     QCOMPARE(count.load(), 1);
@@ -45,7 +46,7 @@ private slots:
         pool.setMaxThreadCount(2);
         std::counting_semaphore<2> met(0);
         // Each of the two items waits for the other.
-        app::inParallel(pool, 2, [&](std::size_t item, std::size_t) {
+        app::inParallel(pool, 2, 2, [&](std::size_t item, std::size_t) {
             static std::binary_semaphore here[2]{std::binary_semaphore(0),
                                                  std::binary_semaphore(0)};
             here[item].release();
@@ -65,7 +66,7 @@ private slots:
         int calls = 0;
         pool.setMaxThreadCount(2);
         pool.start([&] {
-            app::inParallel(pool, 100, [&](std::size_t, std::size_t) { ++calls; });
+            app::inParallel(pool, 2, 100, [&](std::size_t, std::size_t) { ++calls; });
             done.release();
         });
         QVERIFY(pool.waitForDone(60'000));
@@ -76,15 +77,22 @@ private slots:
     {
         QThreadPool pool;
         pool.setMaxThreadCount(3);
+        constexpr int items = 2000; // with the waits below: seconds
         std::atomic<int> calls = 0;
-        QVERIFY_EXCEPTION_THROWN(app::inParallel(pool, 100'000,
-                                                 [&](std::size_t item, std::size_t) {
-                                                     ++calls;
-                                                     if (item == 7)
-                                                         throw std::bad_alloc();
-                                                 }),
-                                 std::bad_alloc);
-        QVERIFY(calls < 100'000);
+        std::atomic<bool> thrown = false;
+        const auto work = [&](std::size_t item, std::size_t) {
+            ++calls;
+            if (item == 7) {
+                thrown = true;
+                throw std::bad_alloc();
+            }
+            while (item > 7 && !thrown)
+                std::this_thread::yield();
+            if (item > 7)
+                std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        };
+        QVERIFY_EXCEPTION_THROWN(app::inParallel(pool, 3, items, work), std::bad_alloc);
+        QVERIFY(calls < items);
         QVERIFY(pool.waitForDone(60'000));
     }
 };

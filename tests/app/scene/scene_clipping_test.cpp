@@ -9,11 +9,13 @@
 #include <glm/common.hpp>
 
 #include <limits>
+#include <memory>
 #include <set>
 
 #include "tests/app/document/kept_in.h"
 #include "tests/app/document/twin_document.h"
 #include "tests/app/scene/block_scene.h"
+#include "tests/busy_threads.h"
 #include "tests/test_class.h"
 
 namespace scene_scene_clipping_test {
@@ -239,6 +241,45 @@ private slots:
                          keyText(variant));
             }
             scenes.document.splice(0, scenes.document.size(), {});
+        }
+    }
+
+    // Blocks are clipped by several threads, or by one while the others are busy.
+    void manyBlocksAreClippedAsInOneCall_data()
+    {
+        QTest::addColumn<bool>("busy");
+        QTest::newRow("free threads") << false;
+        QTest::newRow("busy threads") << true;
+    }
+    void manyBlocksAreClippedAsInOneCall()
+    {
+        QFETCH(bool, busy);
+        const auto others = busy ? std::make_unique<BusyThreads>() : nullptr;
+        Scenes scenes(7);
+        std::vector<app::Shape> shapes(20'000);
+        for (app::Shape& shape : shapes) {
+            const app::Point from = scenes.document.randomPoint();
+            shape.style.width = double(1 + scenes.document.random() % 3);
+            shape.paths.push_back({from, {{from + scenes.document.randomPoint() * 0.2}}, false});
+        }
+        scenes.document.splice(0, 0, std::move(shapes));
+        scenes.follow();
+        QVERIFY(scenes.blocks.lines().blocks().size() > 3);
+        for (const std::size_t windows : {1, 1, 3}) {
+            const ClipRegion region = scenes.randomRegion(windows);
+            for (const app::Variant& variant : variants()) {
+                const app::SceneFrame frame = scenes.blocks.clip(region, variant);
+                const Pieces all = keptIn(frame);
+                if (!region.single())
+                    QVERIFY2(same(all, keptOf(scenes.scene.segments(), region, variant)),
+                             keyText(variant));
+                QCOMPARE(frame.visible, linesOf(all));
+                QVERIFY(frame.nanoseconds > 0);
+                QVERIFY(settled(frame));
+            }
+            const app::Point corner = scenes.document.randomPoint();
+            for (const app::Variant& variant : variants())
+                QVERIFY2(scenes.agree({corner, corner + 30.0}, variant), keyText(variant));
         }
     }
 

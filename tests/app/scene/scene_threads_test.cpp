@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scene/scene.h"
+#include "app/scene/scene_clipping.h"
 
 #include <QTest>
 
+#include <atomic>
 #include <thread>
 
 #include "tests/app/document/sheet_edits.h"
+#include "tests/app/scene/mixed_windows.h"
 #include "tests/test_class.h"
 
 namespace scene_scene_threads_test {
@@ -40,6 +43,44 @@ private slots:
             ::splice(document, std::size_t(i), 2, {sheet.shapes[std::size_t(i)]});
             QCOMPARE(scene.lines().size(), all.size() - std::size_t(i) - 1);
         }
+    }
+    // As SceneClipping does, but with threads that ThreadSanitizer knows.
+    void blocksAreClippedAtTheSamePreparedRegion()
+    {
+        MixedWindows mixed(3);
+        Sheet sheet;
+        for (int i = 0; i < 20'000; ++i) {
+            const auto [a, b] = mixed.line();
+            Shape line;
+            line.paths = {{{a, {{b}}}}};
+            sheet.shapes.push_back(std::move(line));
+        }
+        EditedDocument document;
+        const Scene scene(document);
+        ::load(document, sheet);
+        const auto& blocks = scene.lines().blocks();
+        QVERIFY(blocks.size() > 3);
+        const ClipRegion region = regionOf(mixed.windows(3, Mixed::Any), 0.001);
+        BlockClipping first;
+        first.start(region, clipping::exactAlgorithm().corrected.clipAll, {});
+        std::atomic<std::size_t> visible = 0;
+        std::vector<std::jthread> threads;
+        for (int i = 0; i < 4; ++i)
+            threads.emplace_back([&] {
+                BlockClipping clipping;
+                clipping.startAs(first);
+                for (const auto& block : blocks) {
+                    std::vector<Remains> remains(block->chunks.size());
+                    SceneFrame::Block frame{&*block, 0, 0, remains, {}};
+                    clipping.clip(frame, remains);
+                }
+                visible += clipping.visible();
+            });
+        threads.clear();
+        SceneClipping all;
+        const auto frame =
+            all.clip(scene.lines(), region, clipping::exactAlgorithm().corrected.clipAll);
+        QCOMPARE(visible.load(), 4 * frame.visible);
     }
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Frames that are put together from the picture of all lines, beside those painted from the pieces.
+#include "app/base/background.h"
 #include "app/base/variant.h"
 #include "app/document/document_builder.h"
 #include "app/scene/scene_lines.h"
@@ -25,15 +26,19 @@ constexpr int side = 300; // pixels
 const app::Page page{{0, 0}, {100, 100}, {100, app::Unit::Mm}, {100, app::Unit::Mm}};
 
 /// Lines with both ends anywhere, of some colours, thinner than a pixel and a half.
-app::Document thinLines(int count, unsigned seed)
+enum class Colours : std::uint8_t { One, Opaque, Mixed };
+app::Document thinLines(int count, unsigned seed, Colours colours = Colours::Mixed)
 {
     std::mt19937 random(seed);
     const auto point = [&] { return app::Point(random() % 1100, random() % 1100) / 10.0 - 5.0; };
-    const std::array colours{app::Colour{}, app::Colour{200, 30, 40}, app::Colour{0, 90, 200, 120}};
+    const std::array all{app::Colour{}, app::Colour{200, 30, 40}, app::Colour{0, 90, 200, 120}};
+    const std::size_t used = colours == Colours::One ? 1 : colours == Colours::Opaque ? 2 : 3;
+    const unsigned widths = colours == Colours::Mixed ? 5 : 4; // at most a pixel
     app::DocumentBuilder builder;
     builder.open({.name = "Lines"});
     for (int i = 0; i < count; ++i) {
-        const app::Style style{.stroke = colours[random() % 3], .width = double(random() % 5) / 10};
+        const app::Style style{.stroke = all[random() % used],
+                               .width = double(random() % widths) / 10};
         builder.addLine({point(), point()}, builder.style(style));
     }
     builder.close();
@@ -65,9 +70,8 @@ app::FrameWish wishFor(const std::vector<clipping::Segment>& lines, double width
 
 app::PaintedFrame framePaintedWith(app::FramePainter& painter, const app::FrameWish& wish)
 {
-    QThreadPool helpers;
     return painter.paint(wish, {{}, [](const app::Progress&) {}},
-                         std::make_shared<app::FrameParts>(), helpers);
+                         std::make_shared<app::FrameParts>());
 }
 
 QImage paintedWith(app::FramePainter& painter, const app::FrameWish& wish)
@@ -84,7 +88,7 @@ app::PaintedFrame roughFrameOfPublishedKwc(app::FramePainter& painter, app::Fram
 }
 
 /// The same from the pieces of its lines.
-int threads() { return QThreadPool().maxThreadCount(); }
+int threads() { return app::paintingThreads().maxThreadCount(); }
 QImage paintedFromPieces(const app::FrameWish& wish, int scale = 1)
 {
     app::SceneClipping clipping;
@@ -188,8 +192,7 @@ private slots:
             app::FramePainter painter;
             const QImage image = paintedWith(painter, wish), old = paintedFromPieces(wish),
                          truth = supersampled(wish),
-                         mask = regionMask(wish.key.region, wish.key.view, wish.key.pixels.width(),
-                                           {0, wish.key.pixels.height()}, 1);
+                         mask = regionMask(wish.key.region, wish.key.view, wish.key.pixels, 1);
             compare(image, old, mask, beside);
             compare(image, truth, mask, composed);
             compare(old, truth, mask, pieces);
@@ -277,17 +280,24 @@ private slots:
                      qPrintable(QString("%1: %2, %3").arg(i).arg(sum).arg(many)));
         }
     }
+    void keptPicturesAreAsThoseMadeAnew_data()
+    {
+        QTest::addColumn<Colours>("colours");
+        QTest::newRow("one colour") << Colours::One;
+        QTest::newRow("some") << Colours::Opaque;
+        QTest::newRow("also translucent") << Colours::Mixed;
+    }
     void keptPicturesAreAsThoseMadeAnew()
     {
+        QFETCH(Colours, colours);
         std::mt19937 random(21);
         const auto whole = [&](int below) { return double(random() % unsigned(below)); };
-        app::FrameWish wish = wishFor(thinLines(60, 1), {});
+        app::FrameWish wish = wishFor(thinLines(60, 1, colours), {});
         wish.drawings = std::make_shared<app::DrawingPictures>();
-        wish.rough = true;
         app::FramePainter painter;
         const std::array<std::function<void()>, 6> acts{
             [&] {
-                wish.document = thinLines(60, random());
+                wish.document = thinLines(60, random(), colours);
                 wish.lines = app::linesOf(wish.document);
                 wish.key.lines = wish.lines.revision();
             },
@@ -307,7 +317,7 @@ private slots:
                 wish.key.view.pan({whole(81) - 40, 0});
             },
             [&] { wish.options.removed = app::RemovedPart(random() % 3); }};
-        const int steps = qEnvironmentVariableIsSet("CLEARCUT_DEEP") ? 1000 : 200;
+        const int steps = qEnvironmentVariableIsSet("CLEARCUT_DEEP") ? 1000 : 100;
         for (int i = 0; i < steps; ++i) {
             acts[random() % acts.size()]();
             if (i % 40 == 0)
@@ -424,8 +434,7 @@ private slots:
         QVERIFY(!fine.rough);
         QCOMPARE(fine.differing, std::size_t(1));
         const QImage pieces = paintedFromPieces(wish),
-                     mask = regionMask(wish.key.region, wish.key.view, wish.key.pixels.width(),
-                                       {0, wish.key.pixels.height()}, 1);
+                     mask = regionMask(wish.key.region, wish.key.view, wish.key.pixels, 1);
         for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x) {
                 VERIFY_OR_SAY(differenceOf(fine.image, pieces, x, y) <= 6,
@@ -464,8 +473,7 @@ private slots:
         QVERIFY(frame.rough);
         QVERIFY(frame.differing >= 20);
         const QImage pieces = paintedFromPieces(wish),
-                     mask = regionMask(wish.key.region, wish.key.view, wish.key.pixels.width(),
-                                       {0, wish.key.pixels.height()}, 1);
+                     mask = regionMask(wish.key.region, wish.key.view, wish.key.pixels, 1);
         double sum = 0, pixels = 0;
         int many = 0;
         for (int y = 0; y < side; ++y)

@@ -228,6 +228,47 @@ private slots:
         QVERIFY2(worst <= 1, qPrintable(QString::number(worst)));
     }
 
+    // As of lines that are nearly parallel to an axis, whose second pixels get little each.
+    void manyThinCoversKeepTheirColour()
+    {
+        for (const unsigned share : {1U, 2U, 4U, 200U})
+            for (const int covers : {10, 1000, 4000}) {
+                app::InkedPixel pixel{};
+                pixel.shown = 65'535;
+                for (int i = 0; i < covers; ++i)
+                    pixel.cover(share, {200, 255, 3});
+                const QRgb is = pixel.above(qRgb(200, 255, 3), {});
+                const int worst = std::max({std::abs(qRed(is) - 200), std::abs(qGreen(is) - 255),
+                                            std::abs(qBlue(is) - 3), std::abs(qAlpha(is) - 255)});
+                QVERIFY2(worst <= 1, qPrintable(QString("%1 × %2: %3")
+                                                    .arg(covers)
+                                                    .arg(share)
+                                                    .arg(QString::number(is, 16))));
+            }
+    }
+
+    // Tiles beyond the first 64 of a row.
+    void aWideImageIsPaintedToItsEnd()
+    {
+        constexpr int wide = 4200;
+        std::mt19937 random(13);
+        QImage image(wide, 40, QImage::Format_ARGB32_Premultiplied), oneByOne(image);
+        image.fill(Qt::transparent);
+        oneByOne.fill(Qt::transparent);
+        Hairlines hairlines(wide, {0, 40});
+        for (int i = 0; i < 1500; ++i) {
+            const QPointF a(random() % 4400 - 100.0, random() % 60 - 10.0);
+            const auto line = *Hairline::of(
+                a, QPointF(random() % 4400 - 100.0, random() % 60 - 10.0), 1, app::Cap::Butt);
+            hairlines.add(line, ink);
+            app::paintHairline(oneByOne, 0, line, ink);
+        }
+        hairlines.paintOn(image);
+        for (int y = 0; y < 40; ++y)
+            for (int x = 0; x < wide; ++x)
+                QVERIFY(std::abs(qAlpha(image.pixel(x, y)) - qAlpha(oneByOne.pixel(x, y))) <= 3);
+    }
+
     void whatIsCoveredIsOpaque()
     {
         const QImage image = painted(lines(60'000, 400, 1));
