@@ -9,7 +9,8 @@
 
 namespace app {
 
-/// What a bar of controls has around it on the canvas, in logical pixels.
+/// The surroundings of a thing on the canvas, beside which its bar of controls is to be placed. All
+/// in logical pixels.
 struct CapsuleRoom {
     QSizeF canvas;
     QRectF box;                        ///< of the thing that it belongs to, with its handles

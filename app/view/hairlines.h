@@ -9,8 +9,8 @@
 
 namespace app {
 
-/// What shows of what lies below a pixel, 65,535: all. Lines of one colour need no more, in
-/// whatever order they come.
+/// A pixel below lines of one colour, which may come in any order: how much of what lies there is
+/// still seen, 65,535 for all of it.
 struct ShownPixel {
     std::uint16_t shown;
 
@@ -27,7 +27,8 @@ protected:
     void hide(unsigned share) { shown = std::uint16_t(shown * (256 - share) >> 8); }
 };
 
-/// The same, with the light of the lines above, which come from the front to the back.
+/// A pixel below lines of many colours, which come from the front to the back: also the colour that
+/// is seen of them, 65,535 for the lightest.
 struct InkedPixel : ShownPixel {
     std::uint16_t red, green, blue;
 

@@ -133,6 +133,24 @@ int differenceOf(const QImage& a, const QImage& b, int x, int y) // of premultip
                      std::abs(qBlue(p) - qBlue(q)), std::abs(qAlpha(p) - qAlpha(q))});
 }
 
+/// Empty if the frame looks as one for which no picture was kept. QPainter rounds an edge from
+/// where its image begins.
+QString differenceFromAnew(const QImage& frame, app::FrameWish wish)
+{
+    wish.drawings.reset();
+    app::FramePainter painter;
+    const QImage expected = paintedWith(painter, wish);
+    int sum = 0, many = 0;
+    for (int y = 0; y < frame.height(); ++y)
+        for (int x = 0; x < frame.width(); ++x) {
+            const int difference = differenceOf(frame, expected, x, y);
+            sum += difference;
+            many += difference > 12;
+        }
+    const bool isSame = sum <= frame.width() * frame.height() * 0.2 && many <= 3;
+    return isSame ? QString() : QString("%1, %2").arg(sum).arg(many);
+}
+
 /// Whether no edge is within some pixels of a pixel.
 bool isFarFromEdges(const QImage& mask, int x, int y, int far = 2)
 {
@@ -265,19 +283,8 @@ private slots:
             if (i % 6 == 5)
                 wish.key.view.centre = {50, 50}; // or all lines would be gone in the end
             const QImage moved = paintedWith(painter, wish);
-            app::FrameWish anew = wish;
-            anew.drawings.reset();
-            app::FramePainter another;
-            const QImage expected = paintedWith(another, anew);
-            int sum = 0, many = 0; // QPainter rounds an edge from where its image begins
-            for (int y = 0; y < moved.height(); ++y)
-                for (int x = 0; x < moved.width(); ++x) {
-                    const int difference = differenceOf(moved, expected, x, y);
-                    sum += difference;
-                    many += difference > 12;
-                }
-            QVERIFY2(sum <= moved.width() * moved.height() * 0.2 && many <= 3,
-                     qPrintable(QString("%1: %2, %3").arg(i).arg(sum).arg(many)));
+            const QString fault = differenceFromAnew(moved, wish);
+            QVERIFY2(fault.isEmpty(), qPrintable(QString("%1: %2").arg(i).arg(fault)));
         }
     }
     void keptPicturesAreAsThoseMadeAnew_data()
@@ -323,19 +330,8 @@ private slots:
             if (i % 40 == 0)
                 wish.key.view = wishFor(wish.document, {}).key.view; // or all would be gone
             const QImage kept = paintedWith(painter, wish);
-            app::FrameWish anew = wish;
-            anew.drawings.reset();
-            app::FramePainter another;
-            const QImage expected = paintedWith(another, anew);
-            int sum = 0, many = 0; // QPainter rounds an edge from where its image begins
-            for (int y = 0; y < side; ++y)
-                for (int x = 0; x < side; ++x) {
-                    const int difference = differenceOf(kept, expected, x, y);
-                    sum += difference;
-                    many += difference > 12;
-                }
-            QVERIFY2(sum <= side * side * 0.2 && many <= 3,
-                     qPrintable(QString("%1: %2, %3").arg(i).arg(sum).arg(many)));
+            const QString fault = differenceFromAnew(kept, wish);
+            QVERIFY2(fault.isEmpty(), qPrintable(QString("%1: %2").arg(i).arg(fault)));
         }
     }
     void aPanKeepsWhatItDoesNotUncover()

@@ -297,6 +297,10 @@ private slots:
         stage.canvas->settle();
         QTRY_VERIFY(stage.heading(0).time().endsWith("ms"));
         QTRY_VERIFY(stage.heading(3).time().endsWith("ms"));
+        stage.heading(3).note({.clipMs = 2, .total = 5000, .painting = true, .lateMs = 1240});
+        QTRY_COMPARE(stage.heading(3).time(), QString("1.2 s late"));
+        stage.heading(3).note({.clipMs = 2, .total = 5000});
+        QTRY_VERIFY(stage.heading(3).time().endsWith("ms"));
         ::splice(stage.session.document, 0, 5000, {});
         stage.canvas->settle();
         QTRY_COMPARE(stage.heading(3).time(), QString()); // too few lines to time
