@@ -47,6 +47,7 @@ QImage rowsOf(const QImage& image, Band band);
 using PaintBand = std::function<QImage(Band band, QImage room)>;
 
 constexpr int seenEarly = 8; ///< bands of each thread for what takes long
+constexpr int fewEarly = 2;  ///< the same if each band goes through all lines
 
 /// An image, painted in bands by the calling thread and by painting threads that are free.
 /// Each band is put into `parts` as soon as it is finished. `each` is the number of bands for each

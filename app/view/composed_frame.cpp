@@ -10,8 +10,6 @@
 namespace app {
 namespace {
 
-constexpr std::size_t slowLines = 25'000; // painted in more bands than there are threads
-
 /// Whether the strokes are so thin, in device pixels, that a straight cut looks like that of a
 /// mask.
 bool areThin(const SceneLines& lines, const StyleTable& styles, const PictureOptions& options,
@@ -56,9 +54,7 @@ struct ComposedBands {
         compose(rowsOf(drawing, band), rowsOf(mask, band), raster.ghost, shown);
         if (!differing.isEmpty())
             paintAnew(shown, differing, band, raster);
-        const bool isAlone = around.selected.commands.empty() && around.differing.commands.empty()
-                             && around.borders.commands.empty();
-        return isAlone ? shown : rasterised(around, band, raster, std::move(shown));
+        return around.isEmpty() ? shown : rasterised(around, band, raster, std::move(shown));
     }
 };
 
@@ -86,10 +82,10 @@ ComposedFrame::Plan ComposedFrame::plan(const FrameWish& wish, const SceneFrame&
 {
     Plan plan = compared(wish, frame, stop);
     const PictureOptions options = wish.pictureOptions();
-    if (wish.make || wish.key.pixels.isEmpty() || options.ghosting || options.leastLength > 0
+    if (!wish.mayBeImage() || options.ghosting || options.leastLength > 0
         || !isMaskable(wish.key.region))
         return plan;
-    const bool isRoughAllowed = wish.rough && wish.lines.size() > slowLines;
+    const bool isRoughAllowed = wish.rough && wish.isLarge();
     const bool isTrue =
         plan.differing.empty()
         && areThin(wish.lines, wish.document.styles(), options, wish.key.pixelRatio);
@@ -127,9 +123,8 @@ QImage ComposedFrame::paint(const FrameWish& wish, const SceneFrame& frame, cons
         .mask = std::move(mask),
         .differing =
             differingLayer(styles, wish.lines, frame, plan.exact, plan.differing, options)};
-    constexpr int few = 2; // of hairlines, of which each band goes through all
-    const int slow = hairlines ? few : seenEarly;
-    const bool isSlow = isNew && wish.lines.size() > slowLines;
+    const int slow = hairlines ? fewEarly : seenEarly;
+    const bool isSlow = isNew && wish.isLarge();
     const QImage image =
         paintedInBands(std::cref(bands), wish.key.pixels, isSlow ? slow : 1, follower, *parts);
     if (!isKnown && !follower.stop.stop_requested())

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view/frame_painting.h"
 
+#include "app/view/hairline_drawing.h"
+
 #include <QElapsedTimer>
+#include <QPainter>
 
 namespace app {
 
@@ -23,20 +26,50 @@ ClipResult FramePainter::clip(const FrameWish& wish, const std::stop_token& stop
 
 constexpr std::size_t manyPoints = 50'000; // painted in more bands than there are threads
 
+/// Paints what is left of the lines of a drawing of separate hairlines.
+static PaintBand hairlinesPainted(const FrameWish& wish, const SceneFrame& frame,
+                                  const PictureOptions& options, const RasterOptions& raster)
+{
+    const auto around =
+        std::make_shared<Picture>(pictureAround(wish.document.styles(), wish.lines, options));
+    return [&, around](Band band, QImage image) {
+        const auto paint = [&](Painted which) {
+            paintHairlines(image, wish.lines, {frame, which}, wish.document.styles(), options, band,
+                           raster);
+        };
+        image.fill(Qt::transparent);
+        if (options.removed == RemovedPart::Ghosted) {
+            paint(Painted::Removed);
+            QPainter painter(&image);
+            painter.setCompositionMode(QPainter::CompositionMode_DestinationIn);
+            painter.fillRect(image.rect(), QColor::fromRgbF(0, 0, 0, float(raster.ghost)));
+        }
+        paint(options.removed == RemovedPart::Shown ? Painted::All : Painted::Kept);
+        return around->isEmpty() ? image : rasterised(*around, band, raster, image);
+    };
+}
+
 /// Paints a frame from the pieces that are left of its lines.
 static PaintedFrame framePainted(const FrameWish& wish, const SceneFrame& frame,
                                  const Follower& follower, const std::shared_ptr<FrameParts>& parts)
 {
     PictureOptions options = wish.pictureOptions();
     options.stop = follower.stop;
-    Picture shown = picture(wish.document.styles(), wish.lines, frame, options);
+    const RasterOptions raster = wish.rasterOptions(follower.stop);
     PaintedFrame made;
+    if (wish.mayBeImage() && options.leastLength == 0 && !options.ghosting
+        && hasOnlyHairlines(wish.lines, wish.document.styles(), options, wish.key.pixelRatio)) {
+        const PaintBand paint = hairlinesPainted(wish, frame, options, raster);
+        const int bands = wish.isLarge() ? fewEarly : 1;
+        made.image = paintedInBands(paint, wish.key.pixels, bands, follower, *parts);
+        return made;
+    }
+    const Picture shown = picture(wish.document.styles(), wish.lines, frame, options);
     if (wish.make && !follower.stop.stop_requested())
         made.made = wish.make(shown);
-    if (wish.key.pixels.isEmpty() || follower.stop.stop_requested())
+    if (wish.make || wish.key.pixels.isEmpty() || follower.stop.stop_requested())
         return made;
     const bool slow = shown.kept.points.size() + shown.ghost.points.size() > manyPoints;
-    const RasterOptions raster = wish.rasterOptions(follower.stop);
     const auto paint = [&](Band band, const QImage&) { return rasterised(shown, band, raster); };
     made.image = paintedInBands(paint, wish.key.pixels, slow ? seenEarly : 1, follower, *parts);
     return made;

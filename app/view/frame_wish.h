@@ -62,8 +62,13 @@ struct FrameWish {
     double ghost = 1;   ///< opacity of the removed part
     bool rough = false; ///< for a moment a frame will do that is painted sooner, if only roughly
     std::shared_ptr<DrawingPictures> drawings{}; ///< that panes share; null: none
-    /// Makes what is wanted instead of an image, on the thread that paints; null: nothing.
+    /// Makes what is wanted instead of an image, on the thread that paints; null: nothing. An image
+    /// is made nevertheless of a large drawing if that takes less time (mayBeImage).
     std::function<std::shared_ptr<const void>(const Picture&)> make{};
+
+    static constexpr std::size_t large = 25'000; ///< lines
+    bool isLarge() const { return lines.size() > large; }
+    bool mayBeImage() const { return !key.pixels.isEmpty() && (!make || isLarge()); }
 
     /// The options with everything, as long as the wish lives.
     PictureOptions pictureOptions() const;

@@ -55,11 +55,8 @@ template <class Layer>
 class HairlinePainting {
 public:
     HairlinePainting(const PictureOptions& options, Band band, const RasterOptions& raster)
-        : options_(options), raster_(raster),
-          image_(raster.width, band.height, QImage::Format_ARGB32_Premultiplied),
-          layer_(raster.width, band)
+        : options_(options), raster_(raster), layer_(raster.width, band)
     {
-        image_.fill(Qt::transparent);
         const double room = 2; // device pixels
         const auto toDrawing = [&](double x, double y) {
             return options.view.toDrawing(Point(x, y) / raster.pixelRatio);
@@ -76,23 +73,31 @@ public:
     }
     bool isNear(const SceneChunk& chunk) const { return !isOutside(chunk.box, near_); }
     void pass() { before_ = nullptr; } ///< over lines that are not near
-    /// Adds the lines of a chunk. One that repeats the line before it is left out: a file may hold
-    /// the same one a hundred thousand times, whose coverage must not add up.
+    /// Adds the lines of a chunk.
     void add(std::span<const Segment> lines)
     {
-        for (const Segment& line : lines | std::views::reverse) {
-            if (!before_ || before_->a != line.a || before_->b != line.b)
+        for (const Segment& line : lines | std::views::reverse)
+            if (turnTo(line))
                 paint(line);
-            before_ = &line;
-        }
     }
-    QImage take()
+    /// Adds pieces of a chunk of the block.
+    void add(const SceneBlock& block, PaintedPart::Pieces pieces)
     {
-        layer_.paintOn(image_);
-        return std::move(image_);
+        for (const clipping::Clipped& piece : pieces | std::views::reverse)
+            if (turnTo(block.segments[piece.source]))
+                paint(piece.segment);
     }
+    void paintOn(QImage& image) { layer_.paintOn(image); }
 
 private:
+    /// Whether the line, or a piece of it, is to be painted. One that repeats the line before it is
+    /// not: a file may hold the same one a hundred thousand times, whose coverage must not add up.
+    bool turnTo(const Segment& line)
+    {
+        if (const Segment* const before = std::exchange(before_, &line); before != &line)
+            repeats_ = before && before->a == line.a && before->b == line.b;
+        return !repeats_;
+    }
     void paint(const Segment& s)
     {
         if (std::max(s.a.x, s.b.x) < near_.min.x || std::min(s.a.x, s.b.x) > near_.max.x
@@ -114,32 +119,38 @@ private:
 
     const PictureOptions& options_;
     const RasterOptions& raster_;
-    QImage image_;
     Layer layer_;
     clipping::Window near_{}; ///< the band, slightly enlarged, in user units
     HairlineLook look_;
     const Segment* before_ = nullptr; ///< the line above
+    bool repeats_ = false;            ///< it repeats the one above it
 };
 
 template <class Layer>
-QImage painted(const SceneLines& lines, const StyleTable& styles, const PictureOptions& options,
-               Band band, const RasterOptions& raster)
+void paint(QImage& image, const SceneLines& lines, PaintedPart part, const StyleTable& styles,
+           const PictureOptions& options, Band band, const RasterOptions& raster)
 {
     HairlinePainting<Layer> painting(options, band, raster);
     std::optional<StyleIndex> last;
-    for (const auto& block : lines.blocks() | std::views::reverse)
-        for (std::size_t i = block->chunks.size(); i-- > 0 && !raster.cancelled();) {
-            const SceneChunk& chunk = block->chunks[i];
-            if (!painting.isNear(chunk)) {
+    for (std::size_t at = lines.blocks().size(); at-- > 0;) {
+        const SceneBlock& block = *lines.blocks()[at];
+        for (std::size_t i = block.chunks.size(); i-- > 0 && !raster.cancelled();) {
+            const SceneChunk& chunk = block.chunks[i];
+            const Remains remains = part.remains(at, i);
+            if (remains == Remains::Gone || !painting.isNear(chunk)) {
                 painting.pass();
                 continue;
             }
             if (last != chunk.style)
                 painting.turnTo(styles[*(last = chunk.style)]);
-            painting.add(std::span(block->segments)
-                             .subspan(chunk.first, block->endOfChunk(i) - chunk.first));
+            if (remains == Remains::Pieces)
+                painting.add(block, part.pieces(at, i));
+            else
+                painting.add(std::span(block.segments)
+                                 .subspan(chunk.first, block.endOfChunk(i) - chunk.first));
         }
-    return painting.take();
+    }
+    painting.paintOn(image);
 }
 
 } // namespace
@@ -155,12 +166,14 @@ bool hasOnlyHairlines(const SceneLines& lines, const StyleTable& styles,
               });
 }
 
-QImage paintedHairlines(const SceneLines& lines, const StyleTable& styles,
-                        const PictureOptions& options, Band band, const RasterOptions& raster)
+void paintHairlines(QImage& image, const SceneLines& lines, PaintedPart part,
+                    const StyleTable& styles, const PictureOptions& options, Band band,
+                    const RasterOptions& raster)
 {
-    return hasOneColour(lines, styles, options)
-               ? painted<Hairlines>(lines, styles, options, band, raster)
-               : painted<ColouredHairlines>(lines, styles, options, band, raster);
+    if (hasOneColour(lines, styles, options))
+        paint<Hairlines>(image, lines, std::move(part), styles, options, band, raster);
+    else
+        paint<ColouredHairlines>(image, lines, std::move(part), styles, options, band, raster);
 }
 
 } // namespace app

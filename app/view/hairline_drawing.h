@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/scene/scene_lines.h"
+#include "app/view/painted_part.h"
 #include "app/view/picture_options.h"
 #include "app/view/raster.h"
 
@@ -12,9 +13,10 @@ namespace app {
 bool hasOnlyHairlines(const SceneLines& lines, const StyleTable& styles,
                       const PictureOptions& options, double pixelRatio);
 
-/// Paints all lines of such a drawing on a band, whatever the windows remove, straight from the
-/// scene: a draw list (wholeDrawing) of millions of lines takes longer to build than to paint.
-QImage paintedHairlines(const SceneLines& lines, const StyleTable& styles,
-                        const PictureOptions& options, Band band, const RasterOptions& raster);
+/// Paints a part of the lines of such a drawing above what is on a band, straight from the scene: a
+/// draw list of millions of lines takes longer to build than to paint.
+void paintHairlines(QImage& image, const SceneLines& lines, PaintedPart part,
+                    const StyleTable& styles, const PictureOptions& options, Band band,
+                    const RasterOptions& raster);
 
 } // namespace app

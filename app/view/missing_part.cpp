@@ -45,9 +45,10 @@ void paintPart(const MissingPart& part, Band band, const FrameWish& wish,
     look.view = part.view;
     RasterOptions columns = options;
     columns.width = place.width();
-    const QImage drawn =
-        part.hairlines ? paintedHairlines(wish.lines, wish.document.styles(), look, rows, columns)
-                       : rasterised(part.lines, rows, columns);
+    QImage drawn = rasterised(part.lines, rows, columns);
+    if (part.hairlines)
+        paintHairlines(drawn, wish.lines, {{}, Painted::All}, wish.document.styles(), look, rows,
+                       columns);
     constexpr auto bytes = std::ptrdiff_t(sizeof(QRgb)); // of a pixel; rows have no gap
     for (int y = 0; y < rows.height; ++y)
         std::memcpy(pixels

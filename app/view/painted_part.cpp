@@ -23,17 +23,18 @@ Remains PaintedPart::remains(std::size_t block, std::size_t chunk) const
 PaintedPart::Pieces PaintedPart::pieces(std::size_t block, std::size_t chunk)
 {
     const auto& [of, firstObject, firstLine, remains, pieces] = frame_.blocks[block];
-    if (block_ != block)
-        next_ = pieces.begin();
-    block_ = block;
     const std::size_t first = of->chunks[chunk].first, end = of->endOfChunk(chunk);
-    while (next_ != pieces.end() && next_->source < first)
-        ++next_;
-    const auto begin = next_;
-    while (next_ != pieces.end() && next_->source < end)
-        ++next_;
+    if (std::exchange(block_, block) != block)
+        near_ = std::ranges::lower_bound(pieces, first, {}, &Clipped::source);
+    while (near_ != pieces.begin() && std::prev(near_)->source >= first)
+        --near_;
+    while (near_ != pieces.end() && near_->source < first)
+        ++near_;
+    auto last = near_;
+    while (last != pieces.end() && last->source < end)
+        ++last;
     gaps_.clear();
-    return painted(*of, first, end, Pieces(begin, next_), gaps_);
+    return painted(*of, first, end, Pieces(near_, last), gaps_);
 }
 
 PaintedPart::Pieces PaintedPart::painted(const SceneBlock& block, std::size_t first,

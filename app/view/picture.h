@@ -6,6 +6,8 @@
 #include "app/view/draw_list.h"
 #include "app/view/picture_options.h"
 
+#include <array>
+
 namespace app {
 
 /// One frame as draw lists, painted in this order: bands below the selected objects, which keep
@@ -13,6 +15,11 @@ namespace app {
 /// ghosts do not add up); the kept part; the differing pieces; borders of clip windows.
 struct Picture {
     DrawList selected, ghost, kept, differing, borders;
+    bool isEmpty() const
+    {
+        return std::ranges::all_of(std::array{&selected, &ghost, &kept, &differing, &borders},
+                                   [](const DrawList* list) { return list->commands.empty(); });
+    }
 };
 
 /// Whether selected objects are shown one by one: up to 500 of them, or 20,000 lines.

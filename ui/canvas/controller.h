@@ -147,7 +147,7 @@ public:
     QColor pageColour() const;
     double ghostOpacity() const; ///< of the removed lines' layer, 0 to 1
     /// What a pane shows now: an image of so many pixels, or the draw lists alone.
-    app::FrameWish wish(const Pane& pane, double pixelRatio, const QSize& pixels = {}) const;
+    app::FrameWish wish(const Pane& pane, double pixelRatio, const QSize& pixels) const;
     /// How long this turn of the event loop may still wait for pictures, which are painted on other
     /// threads. All panes share it.
     std::chrono::microseconds patience();

@@ -55,6 +55,7 @@ protected:
         painter.setFont(font());
         paintPaper(painter, controller_);
         const auto art = std::static_pointer_cast<const GlPicture>(picture_.frame().made);
+        picture_.paint(painter);
         if (renderer_ && art) {
             painter.beginNativePainting();
             renderer_->paint(*art, placed(picture_.key()->view), {width(), height()}, ratio,
@@ -69,7 +70,8 @@ protected:
 private:
     void want(std::chrono::microseconds patience)
     {
-        app::FrameWish wish = controller_.wish(pane_, devicePixelRatioF());
+        const double ratio = devicePixelRatioF();
+        app::FrameWish wish = controller_.wish(pane_, ratio, (QSizeF(size()) * ratio).toSize());
         wish.make = [size = wish.key.view.size](const app::Picture& picture) {
             return std::make_shared<const GlPicture>(glPicture(picture, size));
         };

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <random>
+
 #include "tests/test_class.h"
 #include "tests/ui/canvas/canvas_cases.h"
 
@@ -90,6 +92,35 @@ private slots:
         const double mean = sum / (3.0 * pictures[0].width() * pictures[0].height());
         qInfo("%s: mean difference %.2f of 255", QTest::currentDataTag(), mean);
         QVERIFY(mean < most);
+    }
+    // The same image, painted by the processor: of a million lines that takes less time than to
+    // make and send what a card would paint.
+    void aLargeDrawingIsTheSameImage()
+    {
+        std::mt19937 random(3);
+        const auto point = [&] { return app::Point(random() % 200, random() % 100); };
+        std::vector<app::Shape> lines;
+        for (int i = 0; i < 30'000; ++i) {
+            const bool isInCrowd = i % 100 != 0;
+            lines.push_back(isInCrowd ? line({199, 99}, {200, 98}) : line(point(), point()));
+            lines.back().style.width = 0.3;
+        }
+        const app::ClipWindows windows{{{.shape = app::RectangleShape{{{60, 20}, {150, 80}}}}}};
+        QImage pictures[2];
+        QRect kept, removed; // without outline and handles, which OpenGL draws
+        for (const ui::Backend which : {ui::Backend::Raster, ui::Backend::OpenGL}) {
+            Stage stage(which, lines);
+            stage.session.document.apply({.windows = windows});
+            stage.canvas->settle();
+            stage.drag({-25, -25}, {-15, -30}, Qt::MiddleButton);
+            pictures[which == ui::Backend::OpenGL] =
+                stage.picture().convertToFormat(QImage::Format_RGB32);
+            kept = {stage.at({65, 25}), stage.at({145, 75})};
+            removed = {stage.at({2, 2}), stage.at({50, 98})};
+        }
+        for (const QRect& part : {kept, removed})
+            QCOMPARE(pictures[1].copy(part), pictures[0].copy(part));
+        QVERIFY(pictures[0].copy(kept) != pictures[0].copy(kept.translated(1, 0)));
     }
 
 private:
