@@ -16,8 +16,8 @@ struct LineRange {
     std::size_t first, end;
 };
 
-// Calls visit(box, segments) for each part of the lines that has a box. If `looksInto(box)` is true
-// for the box around several chunks, these chunks are visited one by one.
+// Calls visit(box, segments) for each part of the lines; a part of a chunk has no box. If
+// `looksInto(box)` is true for the box around several chunks, these chunks are visited one by one.
 template <class LooksInto, class Visit>
 void forEachBox(const SceneBlock& block, std::size_t first, std::size_t end,
                 const LooksInto& looksInto, const Visit& visit)
@@ -31,14 +31,13 @@ void forEachBox(const SceneBlock& block, std::size_t first, std::size_t end,
         const bool begins = first == block.chunks[chunk].first;
         if (begins && chunk % many == 0 && block.endOfChunk(next - 1) <= end
             && !looksInto(block.boxes[chunk / many])) {
-            visit(block.boxes[chunk / many], segments.first(0));
+            visit(&block.boxes[chunk / many], segments.first(0));
             first = block.endOfChunk(next - 1);
             chunk = next;
             continue;
         }
         const auto lines = segments.subspan(first, std::min(last, end) - first);
-        const bool all = begins && last <= end;
-        visit(all ? block.chunks[chunk].box : boxAround(lines), lines);
+        visit(begins && last <= end ? &block.chunks[chunk].box : nullptr, lines);
         first = last;
         ++chunk;
     }
@@ -69,20 +68,25 @@ std::optional<Window> boundsOf(const SceneLines& lines, std::span<const LineRang
                 forEachBox(*lines.blocks()[run], first, end, looksInto, visit);
             });
     };
-    std::optional<FloatBox> around; // rounded like the boxes
-    forEach(
-        [](const FloatBox&) { return false; },
-        [&](const FloatBox& box, const auto&) { around = around ? united(*around, box) : box; });
+    std::optional<FloatBox> around; // the boxes
     std::optional<Window> all;
+    forEach([](const FloatBox&) { return false; },
+            [&](const FloatBox* box, const auto& some) {
+                if (box)
+                    around = around ? united(*around, *box) : *box;
+                else
+                    extendOver(all, some);
+            });
     if (around && !isNumber(*around)) {
+        all.reset();
         for (const LineRange& range : ranges)
             lines.forEachPart(range.first, range.end, [&](auto run, auto first, auto end) {
                 extendOver(all, lines.runs()[run].segments.subspan(first, end - first));
             });
     } else if (around) {
         forEach([&](const FloatBox& box) { return reaches(box, *around); },
-                [&](const FloatBox& box, const auto& some) {
-                    if (reaches(box, *around))
+                [&](const FloatBox* box, const auto& some) {
+                    if (box && reaches(*box, *around))
                         extendOver(all, some);
                 });
     }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scene/scene_block_cache.h"
 
+#include "app/base/background.h"
+#include "app/base/in_parallel.h"
+
 #include <algorithm>
 #include <iterator>
 #include <unordered_map>
@@ -75,6 +78,7 @@ bool SceneBlockCache::update(const Objects& objects, const ObjectRanges& hidden,
         take(objects.blocks());
         changed = true;
     }
+    std::vector<Source*> outdated;
     HiddenInBlocks hiddenInBlocks(hidden);
     for (std::size_t i = 0; i < sources_.size(); ++i) {
         Source& source = sources_[i];
@@ -83,9 +87,15 @@ bool SceneBlockCache::update(const Objects& objects, const ObjectRanges& hidden,
         if (!source.blocks.empty() && source.hidden == hiddenHere && tolerance == tolerance_)
             continue;
         source.hidden = std::move(hiddenHere);
-        source.blocks = sceneBlocksOf(*source.objects, source.hidden, tolerance);
-        changed = true;
+        source.blocks.clear(); // or it would not be made again if memory ends meanwhile
+        outdated.push_back(&source);
     }
+    inParallel(paintingThreads(), workersOf(paintingThreads()), outdated.size(),
+               [&](std::size_t i, std::size_t) {
+                   Source& source = *outdated[i];
+                   source.blocks = sceneBlocksOf(*source.objects, source.hidden, tolerance);
+               });
+    changed = changed || !outdated.empty();
     tolerance_ = tolerance;
     return changed;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/selection_numbers.h"
 
+#include "app/base/numbers.h"
 #include "app/base/text.h"
 #include "app/commands/move_objects.h"
 #include "app/document/direction.h"
@@ -18,6 +19,9 @@ namespace {
 using SelectionValue = std::optional<double>;
 using Map = std::optional<AffineMap>;
 using Frame = SelectionFrame;
+
+constexpr std::size_t mostMeasured = 500'000; // lines: some 3 ms
+constexpr std::size_t linesForRange = 30;     // that are measured while a range is found
 
 /// The only selected object, if it is a line.
 std::optional<clipping::Segment> onlyLine(const Session& session)
@@ -103,16 +107,26 @@ Map skewBy(const Session& session, const Frame& frame, double value)
     return horizontalSkew(value, *reference(session, frame));
 }
 
-/// Of all lines and chords together.
+/// Of all lines and chords together. Empty for so many that the program would wait for them.
 SelectionValue lineLength(const Session& session, const Frame&)
 {
-    if (session.selection().empty())
+    const auto ranges = session.selection().ranges();
+    if (ranges.empty() || ranges.size() > mostMeasured / linesForRange)
         return std::nullopt;
     const SceneLines& lines = session.scene.lines();
+    std::size_t left = mostMeasured;
     double sum = 0;
-    for (const std::size_t object : session.selection())
-        for (auto i = lines.firstLineOf(object); i < lines.firstLineOf(object + 1); ++i)
-            sum += glm::distance(lines[i].a, lines[i].b);
+    for (const auto& [begin, past] : ranges) {
+        const std::size_t from = lines.firstLineOf(begin), to = lines.firstLineOf(past);
+        if (to - from > left)
+            return std::nullopt;
+        left -= to - from;
+        lines.forEachPart(from, to, [&](std::size_t run, std::size_t first, std::size_t end) {
+            for (const clipping::Segment& s :
+                 lines.runs()[run].segments.subspan(first, end - first))
+                sum += glm::distance(s.a, s.b);
+        });
+    }
     return sum;
 }
 
@@ -149,7 +163,9 @@ std::span<const SelectionNumber> selectionNumbers()
                 .arg(mostSkew)},
         SelectionNumber{"length", Text::tr("L"), Text::tr("Length"), Quantity::Length, lineLength,
                         lengthenTo,
-                        Text::tr("The length must be more than 0, and a point has none.")},
+                        Text::tr("The length must be more than 0. A point has none, and more than "
+                                 "%1 lines are not measured.")
+                            .arg(countText(mostMeasured))},
     };
     return all;
 }

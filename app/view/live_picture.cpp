@@ -4,6 +4,8 @@
 #include <QPainter>
 #include <QSignalBlocker>
 
+#include <cmath>
+
 namespace app {
 namespace {
 
@@ -183,7 +185,11 @@ QRectF LivePicture::placeOf(const FrameKey& key) const
         return {0, 0, now.size.x, now.size.y};
     const clipping::Window seen = then.visible();
     const Point from = now.toScreen(seen.min), to = now.toScreen(seen.max);
-    return {from.x, from.y, to.x - from.x, to.y - from.y};
+    if (then.zoom != now.zoom)
+        return {from.x, from.y, to.x - from.x, to.y - from.y};
+    const double ratio = key.pixelRatio; // whole device pixels are copied, parts of them blended
+    return {std::round(from.x * ratio) / ratio, std::round(from.y * ratio) / ratio, then.size.x,
+            then.size.y};
 }
 
 /// Whether the finished bands of the frame that is being painted are shown above the last frame. If
@@ -199,23 +205,28 @@ bool LivePicture::showsParts() const
 
 void LivePicture::paint(QPainter& painter) const
 {
-    painter.save();
+    QRegion rest(painter.viewport());
     if (showsParts()) {
         const FrameKey& key = *schedule_.painting();
         const QRectF place = placeOf(key);
         const double scale = place.height() / key.pixels.height();
-        QRegion rest(painter.viewport());
         for (const auto& [band, image] : parts_->bands()) {
             const QRectF at(place.left(), place.top() + band.top * scale, place.width(),
                             band.height * scale);
             painter.drawImage(at, image);
             rest -= at.toAlignedRect();
         }
-        painter.setClipRegion(rest, Qt::IntersectClip);
     }
-    if (const FrameKey* shown = key(); shown && !frame_.image.isNull())
+    const FrameKey* const shown = key();
+    if (!shown || frame_.image.isNull())
+        return;
+    for (const QRect& part :
+         rest) { // at a clip of many rectangles QPainter scales ten times slower
+        painter.save();
+        painter.setClipRect(part, Qt::IntersectClip);
         painter.drawImage(placeOf(*shown), frame_.image);
-    painter.restore();
+        painter.restore();
+    }
 }
 
 } // namespace app

@@ -7,11 +7,13 @@
 
 #include <algorithm>
 #include <limits>
+#include <ranges>
 #include <unordered_map>
 
 namespace app {
 
 constexpr int mostHalvings = 10;           // of the radius, in a crowd
+constexpr double underPoint = 1.0 / 32;    // of the radius: a quarter of a pixel for the pointer
 constexpr std::size_t mostAtOnce = 10'000; // lines of a drawing whose grids are laid at once
 
 std::vector<std::size_t> Picking::near(const Point& point, double radius) const
@@ -41,19 +43,23 @@ bool Picking::find(const Point& point, double radius, NearLimits& limits,
 {
     follow();
     found.clear();
-    const double reach = radius * (1 + 1e-6);
-    const clipping::Window around{point - reach, point + reach};
-    for (std::size_t i = 0; i < blocks_.size(); ++i) {
-        Block& block = blocks_[i];
-        if (block.block->segments.empty() || isOutside(block.around, around))
-            continue;
-        if (!block.grid)
-            grid(block);
-        if (!block.grid->findNear(block.block->segments, point, radius,
-                                  scene_.lines().runs()[i].firstLine, found, limits))
+    for (std::size_t i = 0; i < blocks_.size(); ++i)
+        if (!findIn(i, point, radius, limits, found))
             return false;
-    }
     return true;
+}
+
+bool Picking::findIn(std::size_t at, const Point& point, double radius, NearLimits& limits,
+                     std::vector<std::size_t>& found) const
+{
+    Block& block = blocks_[at];
+    const double reach = radius * (1 + 1e-6);
+    if (block.block->segments.empty() || isOutside(block.around, {point - reach, point + reach}))
+        return true;
+    if (!block.grid)
+        grid(block);
+    return block.grid->findNear(block.block->segments, point, radius,
+                                scene_.lines().runs()[at].firstLine, found, limits);
 }
 
 void Picking::grid(Block& block) const
@@ -85,13 +91,21 @@ void Picking::layNext() const
 
 std::optional<std::size_t> Picking::nearest(const Point& point, double radius) const
 {
+    follow();
+    const SceneLines& lines = scene_.lines();
     std::optional<std::size_t> best;
     double least = radius;
-    for (const std::size_t line : near(point, radius)) {
-        const double d = distance(point, scene_.lines()[line]);
-        if (d <= least && pickable(scene_.lines().objectOf(line))) {
-            least = d;
-            best = line;
+    std::vector<std::size_t> found;
+    for (std::size_t i = blocks_.size(); i-- > 0 && !(best && least <= radius * underPoint);) {
+        found.clear();
+        NearLimits none;
+        findIn(i, point, least, none, found);
+        for (const std::size_t line : found | std::views::reverse) {
+            const double d = distance(point, lines[line]);
+            if ((d < least || !best) && pickable(lines.objectOf(line))) {
+                least = d;
+                best = line;
+            }
         }
     }
     return best;

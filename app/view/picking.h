@@ -25,7 +25,9 @@ public:
     /// tiny radius has too many, or too many lines must be looked at, some are found.
     std::vector<std::size_t> near(const Point& point, double radius, NearLimits limits) const;
 
-    /// The nearest such line whose object is pickable; of equally near lines the topmost.
+    /// The nearest such line whose object is pickable; of equally near lines the topmost. In a
+    /// drawing of many blocks a line that is as good as under the point hides those of the blocks
+    /// below: where lines lie above each other by the hundred thousand, all are as near.
     std::optional<std::size_t> nearest(const Point& point, double radius) const;
 
     /// The topmost pickable filled object whose area contains the point.
@@ -50,6 +52,8 @@ private:
     void layNext() const;
     bool find(const Point& point, double radius, NearLimits& limits,
               std::vector<std::size_t>& found) const;
+    bool findIn(std::size_t block, const Point& point, double radius, NearLimits& limits,
+                std::vector<std::size_t>& found) const;
 
     const EditedDocument& document_;
     const Scene& scene_;

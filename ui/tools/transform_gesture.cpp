@@ -270,18 +270,24 @@ void TransformGesture::paint(QPainter& painter, const Workbench& bench) const
     PivotMarks::paintPivot(painter, pivot, bench.look);
 }
 
+constexpr double mostPixels = 500'000; // that lines are long together: some 4 ms
+
 void paintMapped(QPainter& painter, const Workbench& bench, const app::AffineMap& map,
                  std::size_t most)
 {
     const app::SceneLines& all = bench.session.scene.lines();
     const auto at = [&](const app::Point& p) { return bench.onScreen(map(p)); };
     std::vector<QLineF> lines;
+    double left = mostPixels * double(most) / mostPreviewed;
+    const auto isFull = [&] { return lines.size() >= most || left < 0; };
     for (const std::size_t shape : bench.session.selection()) {
-        if (lines.size() >= most)
+        if (isFull())
             break;
         const auto end = all.firstLineOf(shape + 1);
-        for (auto i = all.firstLineOf(shape); i < end && lines.size() < most; ++i)
+        for (auto i = all.firstLineOf(shape); i < end && !isFull(); ++i) {
             lines.emplace_back(at(all[i].a), at(all[i].b));
+            left -= (lines.back().p2() - lines.back().p1()).manhattanLength();
+        }
     }
     painter.setPen(QPen(bench.look.selection, 1.5));
     painter.drawLines(lines.data(), int(lines.size()));

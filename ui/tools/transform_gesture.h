@@ -73,7 +73,8 @@ private:
 
 constexpr std::size_t mostPreviewed = 4000; // lines
 
-/// Paints lines of the selection as the map would make them, at most so many.
+/// Paints lines of the selection as the map would make them, at most so many, and of long ones
+/// fewer.
 void paintMapped(QPainter& painter, const Workbench& bench, const app::AffineMap& map,
                  std::size_t most = mostPreviewed);
 /// The same for several maps, which share the lines; a copy has at least one.

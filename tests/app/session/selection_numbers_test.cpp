@@ -65,6 +65,30 @@ private slots:
         for (const SelectionNumber& number : selectionNumbers())
             QVERIFY(!number.value(drawing, {}));
     }
+    void soManyLinesAreNotMeasured()
+    {
+        constexpr std::size_t count = 500'001;
+        DocumentBuilder builder;
+        builder.open({.name = "Drawing"});
+        for (std::size_t i = 0; i < count; ++i)
+            builder.add(ObjectRow{.path = Path(clipping::Segment{{0, 0}, {0, 2}}),
+                                  .style = builder.style({.stroke = Colour{}})});
+        builder.close();
+        Session session;
+        session.load({builder.take({}), {}});
+        session.changeDisplay([](app::Display& display) { display.unit = Unit::User; });
+        const SelectionNumber& length = Drawing::number("length");
+        session.select(ObjectRanges(ObjectRange{1, count}));
+        QCOMPARE(length.value(session, {}), std::optional(1'000'000.0));
+        session.select(ObjectRanges(ObjectRange{0, count}));
+        QVERIFY(!length.value(session, {}));
+        QCOMPARE(setSelectionNumber(session, length, {}, 5), std::optional(length.refusal));
+        ObjectRanges scattered; // so many ranges that finding their lines takes as long
+        for (std::size_t i = 0; i < 50'000; i += 2)
+            scattered.insert(i);
+        session.select(scattered);
+        QVERIFY(!length.value(session, {}));
+    }
     void everyNumberCanBeSet()
     {
         for (const SelectionNumber& number : selectionNumbers()) {

@@ -185,6 +185,35 @@ private slots:
         setLayer(stage.document, 0, false, false);
         QCOMPARE(stage.picking.nearest({5, 1}, 2), std::nullopt);
     }
+    // In a crowd of many blocks it may stop at one that is as good as under the point.
+    void theNearestOfManyBlocksIsPicked()
+    {
+        std::mt19937_64 random(8);
+        std::uniform_real_distribution<double> place(-100, 100);
+        for (const std::size_t count : {20'000, 200'000}) {
+            const Stage stage(scattered(random, count));
+            int underThePoint = 0;
+            for (int round = 0; round < 60; ++round) {
+                const Point p(place(random), place(random));
+                const double radius = 0.002 * (1 << round % 12);
+                Found expected;
+                double least = radius;
+                for (std::size_t i = 0; i < count; ++i)
+                    if (const double d = app::distance(p, stage.lines()[i]); d <= least) {
+                        least = d;
+                        expected = i;
+                    }
+                const Found found = stage.picking.nearest(p, radius);
+                QCOMPARE(found.has_value(), expected.has_value());
+                if (found == expected)
+                    continue;
+                QVERIFY(app::distance(p, stage.lines()[*found]) <= radius / 32);
+                QVERIFY(*found > *expected); // it lies above it
+                ++underThePoint;
+            }
+            QVERIFY(underThePoint < 40);
+        }
+    }
     void areasArePickedByTheirRule()
     {
         std::vector<app::Subpath> rings; // two squares, turning the same way
