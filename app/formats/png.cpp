@@ -5,6 +5,7 @@
 #include "app/formats/format.h"
 #include "app/formats/painted.h"
 #include "app/formats/seen_part.h"
+#include "app/view/hairline_run.h"
 #include "app/view/outline.h"
 #include "app/view/summed_object.h"
 
@@ -55,6 +56,24 @@ QPen penOf(const Style& style, double pixelsPerUnit)
     pen.setDashPattern(pattern);
     pen.setDashOffset(style.dashOffset / style.width);
     return pen;
+}
+
+/// The object in pixels, if it is an opaque line that is at most one pixel wide.
+std::optional<Hairline> hairlineOf(const Object& object, const QTransform& toPixels,
+                                   double pixelsPerUnit)
+{
+    const Style& style = object.style;
+    const double width = style.width * pixelsPerUnit;
+    const auto line = object.path.singleLine();
+    if (!line || line->a == line->b || style.fill || !style.stroke || style.stroke->alpha != 255
+        || !style.dashes.empty() || !(width > 0 && width < 1.001))
+        return std::nullopt;
+    QLineF seen = toPixels.map(QLineF(line->a.x, line->a.y, line->b.x, line->b.y));
+    if (style.cap != Cap::Butt) {
+        const QPointF cap = (seen.p2() - seen.p1()) / seen.length() * width / 2;
+        seen = {seen.p1() - cap, seen.p2() + cap};
+    }
+    return Hairline::of(seen.p1(), seen.p2(), width, Cap::Butt);
 }
 
 void paint(QPainter& painter, const Object& object, double pixelsPerUnit)
@@ -115,7 +134,14 @@ std::optional<QString> write(const Document& document, QIODevice& out, const Wri
     const double scale = options.dpi / millimetresPerInch * paper.millimetresPerUnit;
     painter.scale(scale, scale);
     painter.translate(-paper.corner.x, -paper.corner.y);
-    visitSeen(document, [&](const Object& object) { paint(painter, object, scale); });
+    HairlineRun hairlines(image);
+    visitSeen(document, [&](const Object& object) {
+        if (const auto line = hairlineOf(object, painter.transform(), scale))
+            return hairlines.add(*line, *object.style.stroke);
+        hairlines.flush();
+        paint(painter, object, scale);
+    });
+    hairlines.flush();
     painter.end();
 
     QByteArray bytes;

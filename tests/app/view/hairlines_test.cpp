@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/view/hairlines.h"
+#include "app/view/hairline_run.h"
 
 #include <QPainter>
 #include <QTest>
@@ -179,6 +179,29 @@ private slots:
         QVERIFY2(worst <= 1, qPrintable(QString::number(worst)));
     }
 
+    /// Runs of one colour, shorter and longer than it is worth tiles, look as painted one by one.
+    void aRunLooksAsOneByOne()
+    {
+        std::mt19937 random(4);
+        QImage run = background(height), oneByOne = background(height);
+        app::HairlineRun hairlines(run);
+        for (int i = 0; i < 12; ++i) {
+            const app::Colour colour{std::uint8_t(random()), std::uint8_t(random()), 90};
+            const int count = i % 3 == 0 ? 400 : i % 3 == 1 ? 64 : 5;
+            for (const QLineF& each : lines(count, 60, unsigned(i)).list) {
+                const auto line = *Hairline::of(each.p1(), each.p2(), 0.8, app::Cap::Butt);
+                hairlines.add(line, colour);
+                app::paintHairline(oneByOne, 0, line, colour);
+            }
+        }
+        hairlines.flush();
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                const QRgb a = run.pixel(x, y), b = oneByOne.pixel(x, y);
+                QVERIFY(std::abs(qRed(a) - qRed(b)) <= 4 && std::abs(qGreen(a) - qGreen(b)) <= 4
+                        && std::abs(qAlpha(a) - qAlpha(b)) <= 2);
+            }
+    }
     // The truth: one over the other from the back, with numbers that are not rounded.
     void coloursFromTheFrontLookAsFromTheBack_data()
     {
