@@ -3,6 +3,7 @@
 
 #include <glm/common.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace app {
@@ -44,6 +45,10 @@ void forEachBox(const SceneBlock& block, std::size_t first, std::size_t end,
 }
 
 bool isNumber(const FloatBox& box) { return !std::isnan(box.minX); }
+bool hasNumbers(const Segment& s)
+{
+    return !std::isnan(s.a.x) && !std::isnan(s.a.y) && !std::isnan(s.b.x) && !std::isnan(s.b.y);
+}
 
 // Whether lines in `box` may reach as far as `all`, the box around everything.
 bool reaches(const FloatBox& box, const FloatBox& all)
@@ -68,25 +73,25 @@ std::optional<Window> boundsOf(const SceneLines& lines, std::span<const LineRang
                 forEachBox(*lines.blocks()[run], first, end, looksInto, visit);
             });
     };
-    std::optional<FloatBox> around; // the boxes
-    std::optional<Window> all;
+    std::optional<FloatBox> around; // of all boxes
+    bool areNumbers = true;         // the lines without one
     forEach([](const FloatBox&) { return false; },
             [&](const FloatBox* box, const auto& some) {
                 if (box)
                     around = around ? united(*around, *box) : *box;
                 else
-                    extendOver(all, some);
+                    areNumbers = areNumbers && std::ranges::all_of(some, hasNumbers);
             });
-    if (around && !isNumber(*around)) {
-        all.reset();
+    std::optional<Window> all;
+    if (!areNumbers || (around && !isNumber(*around))) { // what is the least depends on the order
         for (const LineRange& range : ranges)
             lines.forEachPart(range.first, range.end, [&](auto run, auto first, auto end) {
                 extendOver(all, lines.runs()[run].segments.subspan(first, end - first));
             });
-    } else if (around) {
+    } else {
         forEach([&](const FloatBox& box) { return reaches(box, *around); },
                 [&](const FloatBox* box, const auto& some) {
-                    if (box && reaches(*box, *around))
+                    if (!box || reaches(*box, *around))
                         extendOver(all, some);
                 });
     }

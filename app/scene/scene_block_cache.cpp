@@ -87,7 +87,7 @@ bool SceneBlockCache::update(const Objects& objects, const ObjectRanges& hidden,
         if (!source.blocks.empty() && source.hidden == hiddenHere && tolerance == tolerance_)
             continue;
         source.hidden = std::move(hiddenHere);
-        source.blocks.clear(); // or it would not be made again if memory ends meanwhile
+        source.blocks.clear(); // the old ones are not theirs, also if memory ends meanwhile
         outdated.push_back(&source);
     }
     inParallel(paintingThreads(), workersOf(paintingThreads()), outdated.size(),

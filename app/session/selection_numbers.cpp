@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/selection_numbers.h"
 
-#include "app/base/numbers.h"
 #include "app/base/text.h"
 #include "app/commands/move_objects.h"
 #include "app/document/direction.h"
@@ -20,7 +19,7 @@ using SelectionValue = std::optional<double>;
 using Map = std::optional<AffineMap>;
 using Frame = SelectionFrame;
 
-constexpr std::size_t mostMeasured = 500'000; // lines: some 3 ms
+constexpr std::size_t mostMeasured = 600'000; // lines: some 3 ms
 constexpr std::size_t linesForRange = 30;     // that are measured while a range is found
 
 /// The only selected object, if it is a line.
@@ -111,16 +110,17 @@ Map skewBy(const Session& session, const Frame& frame, double value)
 SelectionValue lineLength(const Session& session, const Frame&)
 {
     const auto ranges = session.selection().ranges();
-    if (ranges.empty() || ranges.size() > mostMeasured / linesForRange)
+    if (ranges.empty())
         return std::nullopt;
     const SceneLines& lines = session.scene.lines();
     std::size_t left = mostMeasured;
     double sum = 0;
     for (const auto& [begin, past] : ranges) {
         const std::size_t from = lines.firstLineOf(begin), to = lines.firstLineOf(past);
-        if (to - from > left)
+        const std::size_t work = to - from + linesForRange;
+        if (work > left)
             return std::nullopt;
-        left -= to - from;
+        left -= work;
         lines.forEachPart(from, to, [&](std::size_t run, std::size_t first, std::size_t end) {
             for (const clipping::Segment& s :
                  lines.runs()[run].segments.subspan(first, end - first))
@@ -163,9 +163,8 @@ std::span<const SelectionNumber> selectionNumbers()
                 .arg(mostSkew)},
         SelectionNumber{"length", Text::tr("L"), Text::tr("Length"), Quantity::Length, lineLength,
                         lengthenTo,
-                        Text::tr("The length must be more than 0. A point has none, and more than "
-                                 "%1 lines are not measured.")
-                            .arg(countText(mostMeasured))},
+                        Text::tr("The length must be more than 0. A point has none, and that of "
+                                 "hundreds of thousands of lines is not measured.")},
     };
     return all;
 }

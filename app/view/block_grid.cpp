@@ -96,7 +96,7 @@ bool BlockGrid::findNear(std::span<const clipping::Segment> segments, const Poin
                 if (i + ahead < segments_.size())
                     __builtin_prefetch(&segments[segments_[i + ahead]]);
                 const auto& segment = segments[segments_[i]];
-                if (isBeside(segment, point, reach) || distance(point, segment) > radius)
+                if (isBeside(segment, point, reach) || !(distance(point, segment) <= radius))
                     continue;
                 found.push_back(first + segments_[i]);
                 if (found.size() <= full)

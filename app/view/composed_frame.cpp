@@ -54,7 +54,7 @@ struct ComposedBands {
         compose(rowsOf(drawing, band), rowsOf(mask, band), raster.ghost, shown);
         if (!differing.isEmpty())
             paintAnew(shown, differing, band, raster);
-        return around.isEmpty() ? shown : rasterised(around, band, raster, std::move(shown));
+        return rasterised(around, band, raster, shown);
     }
 };
 
@@ -82,7 +82,7 @@ ComposedFrame::Plan ComposedFrame::plan(const FrameWish& wish, const SceneFrame&
 {
     Plan plan = compared(wish, frame, stop);
     const PictureOptions options = wish.pictureOptions();
-    if (!wish.mayBeImage() || options.ghosting || options.leastLength > 0
+    if (!wish.isImage() || options.ghosting || options.leastLength > 0
         || !isMaskable(wish.key.region))
         return plan;
     const bool isRoughAllowed = wish.rough && wish.isLarge();

@@ -6,6 +6,8 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace app {
 
@@ -52,14 +54,43 @@ DifferingLayer differingLayer(const StyleTable& styles, const SceneLines& lines,
     return layer;
 }
 
+namespace {
+
+/// An image as it was, and how much of each pixel is removed from it.
+class Removing {
+public:
+    Removing(QImage& image, const QImage& removed) : image_(image), removed_(removed) {}
+
+    void remove()
+    {
+        for (int y = 0; y < image_.height(); ++y) {
+            auto* const to = reinterpret_cast<QRgb*>(image_.scanLine(y));
+            for (int x = 0; x < image_.width(); ++x)
+                if (const int covered = coveredAt(x, y); covered > 0)
+                    to[x] = covered >= 255 - rounding ? around(x, y) : without(to[x], covered);
+        }
+    }
+
+private:
+    static constexpr int rounding = 3;
+
+    int coveredAt(int x, int y) const
+    {
+        return qAlpha(reinterpret_cast<const QRgb*>(removed_.constScanLine(y))[x]);
+    }
+    static QRgb without(QRgb pixel, int covered);
+    QRgb around(int x, int y) const;
+    std::optional<QRgb> beside(int x, int y, int right, int down) const;
+
+    QImage& image_;
+    const QImage& removed_;
+};
+
 /// A pixel without a line that covers `covered` of 255 of it. What shows through lines is the
 /// product of what shows through each, in whatever order they lie above each other.
-static QRgb without(QRgb pixel, int covered)
+QRgb Removing::without(QRgb pixel, int covered)
 {
-    constexpr int rounding = 3;
     const int alpha = qAlpha(pixel);
-    if (covered == 0)
-        return pixel;
     if (alpha <= covered + rounding)
         return 0; // it was there alone
     const int left = std::clamp(255 - (255 - alpha) * 255 / (255 - covered), 0, alpha);
@@ -67,16 +98,41 @@ static QRgb without(QRgb pixel, int covered)
     return qRgba(scaled(qRed(pixel)), scaled(qGreen(pixel)), scaled(qBlue(pixel)), left);
 }
 
+/// The nearest pixel in this direction of which nothing is removed; empty: there is none.
+std::optional<QRgb> Removing::beside(int x, int y, int right, int down) const
+{
+    constexpr int far = 6; // pixels
+    for (int i = 1; i <= far; ++i) {
+        const int u = x + i * right, v = y + i * down;
+        if (!image_.valid(u, v))
+            return {};
+        if (coveredAt(u, v) == 0)
+            return reinterpret_cast<const QRgb*>(image_.constScanLine(v))[u];
+    }
+    return {};
+}
+
+/// What lies in a pixel that shows nothing but what is removed: what others leave of it is seen on
+/// both sides of it, on at least one pair of sides.
+QRgb Removing::around(int x, int y) const
+{
+    QRgb most = 0;
+    for (const auto& [right, down] : {std::pair{1, 0}, {0, 1}}) {
+        const auto one = beside(x, y, right, down), other = beside(x, y, -right, -down);
+        if (!one || !other)
+            continue;
+        const QRgb less = qAlpha(*one) < qAlpha(*other) ? *one : *other;
+        if (qAlpha(less) > qAlpha(most))
+            most = less;
+    }
+    return most;
+}
+
+} // namespace
+
 void paintAnew(QImage& image, const DifferingLayer& layer, Band band, const RasterOptions& options)
 {
-    const QImage removed = rasterised(layer.removed, band, options);
-    for (int y = 0; y < image.height(); ++y) {
-        auto* const to = reinterpret_cast<QRgb*>(image.scanLine(y));
-        const auto* const by = reinterpret_cast<const QRgb*>(removed.constScanLine(y));
-        for (int x = 0; x < image.width(); ++x)
-            if (by[x] != 0)
-                to[x] = without(to[x], qAlpha(by[x]));
-    }
+    Removing(image, rasterised(layer.removed, band, options)).remove();
     QPainter(&image).drawImage(0, 0, rasterised(layer.shown, band, options));
 }
 

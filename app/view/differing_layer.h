@@ -21,9 +21,9 @@ DifferingLayer differingLayer(const StyleTable& styles, const SceneLines& lines,
                               const SceneFrame& row, const SceneFrame& exact,
                               std::span<const FrameLine> differing, const PictureOptions& options);
 
-/// Replaces the parts in a band of the image. Other lines in the same pixels stay. Only where such
-/// a part covers a pixel completely does the image not tell whether others lie there, too: the
-/// pixel is cleared.
+/// Replaces the parts in a band of the image. Other lines in the same pixels stay. Where such a
+/// part covers a pixel completely the image does not tell whether others lie there, too: that is
+/// guessed by the pixels on both sides.
 void paintAnew(QImage& image, const DifferingLayer& layer, Band band, const RasterOptions& options);
 
 } // namespace app

@@ -45,7 +45,7 @@ static PaintBand hairlinesPainted(const FrameWish& wish, const SceneFrame& frame
             painter.fillRect(image.rect(), QColor::fromRgbF(0, 0, 0, float(raster.ghost)));
         }
         paint(options.removed == RemovedPart::Shown ? Painted::All : Painted::Kept);
-        return around->isEmpty() ? image : rasterised(*around, band, raster, image);
+        return rasterised(*around, band, raster, image);
     };
 }
 
@@ -57,7 +57,7 @@ static PaintedFrame framePainted(const FrameWish& wish, const SceneFrame& frame,
     options.stop = follower.stop;
     const RasterOptions raster = wish.rasterOptions(follower.stop);
     PaintedFrame made;
-    if (wish.mayBeImage() && options.leastLength == 0 && !options.ghosting
+    if (wish.isImage() && options.leastLength == 0 && !options.ghosting
         && hasOnlyHairlines(wish.lines, wish.document.styles(), options, wish.key.pixelRatio)) {
         const PaintBand paint = hairlinesPainted(wish, frame, options, raster);
         const int bands = wish.isLarge() ? fewEarly : 1;
@@ -65,9 +65,9 @@ static PaintedFrame framePainted(const FrameWish& wish, const SceneFrame& frame,
         return made;
     }
     const Picture shown = picture(wish.document.styles(), wish.lines, frame, options);
-    if (wish.make && !follower.stop.stop_requested())
+    if (wish.isMade() && !follower.stop.stop_requested())
         made.made = wish.make(shown);
-    if (wish.make || wish.key.pixels.isEmpty() || follower.stop.stop_requested())
+    if (!wish.isImage() || follower.stop.stop_requested())
         return made;
     const bool slow = shown.kept.points.size() + shown.ghost.points.size() > manyPoints;
     const auto paint = [&](Band band, const QImage&) { return rasterised(shown, band, raster); };

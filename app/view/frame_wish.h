@@ -62,13 +62,15 @@ struct FrameWish {
     double ghost = 1;   ///< opacity of the removed part
     bool rough = false; ///< for a moment a frame will do that is painted sooner, if only roughly
     std::shared_ptr<DrawingPictures> drawings{}; ///< that panes share; null: none
-    /// Makes what is wanted instead of an image, on the thread that paints; null: nothing. An image
-    /// is made nevertheless of a large drawing if that takes less time (mayBeImage).
+    /// Makes what is wanted of a drawing that is not large instead of an image, on the thread that
+    /// paints; null: an image is wanted. Of a large one this would take as long for every cut, and
+    /// what is made as long to be shown.
     std::function<std::shared_ptr<const void>(const Picture&)> make{};
 
     static constexpr std::size_t large = 25'000; ///< lines
     bool isLarge() const { return lines.size() > large; }
-    bool mayBeImage() const { return !key.pixels.isEmpty() && (!make || isLarge()); }
+    bool isMade() const { return make && !isLarge(); }
+    bool isImage() const { return !isMade() && !key.pixels.isEmpty(); }
 
     /// The options with everything, as long as the wish lives.
     PictureOptions pictureOptions() const;

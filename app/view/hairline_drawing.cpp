@@ -77,22 +77,22 @@ public:
     void add(std::span<const Segment> lines)
     {
         for (const Segment& line : lines | std::views::reverse)
-            if (turnTo(line))
+            if (isNew(line))
                 paint(line);
     }
     /// Adds pieces of a chunk of the block.
     void add(const SceneBlock& block, PaintedPart::Pieces pieces)
     {
         for (const clipping::Clipped& piece : pieces | std::views::reverse)
-            if (turnTo(block.segments[piece.source]))
+            if (isNew(block.segments[piece.source]))
                 paint(piece.segment);
     }
     void paintOn(QImage& image) { layer_.paintOn(image); }
 
 private:
-    /// Whether the line, or a piece of it, is to be painted. One that repeats the line before it is
-    /// not: a file may hold the same one a hundred thousand times, whose coverage must not add up.
-    bool turnTo(const Segment& line)
+    /// Whether the line that comes next, or a piece of it, repeats no line. A file may hold the
+    /// same one a hundred thousand times, whose coverage must not add up.
+    bool isNew(const Segment& line)
     {
         if (const Segment* const before = std::exchange(before_, &line); before != &line)
             repeats_ = before && before->a == line.a && before->b == line.b;

@@ -194,36 +194,44 @@ QRectF LivePicture::placeOf(const FrameKey& key) const
 
 /// Whether the finished bands of the frame that is being painted are shown above the last frame. If
 /// only the windows differ, the picture would show two cuts and the outline of one; it does so only
-/// where frames take long.
+/// where frames take long. What was made of the last frame cannot be shown in part.
 bool LivePicture::showsParts() const
 {
     const auto &last = schedule_.shown(), &next = schedule_.painting();
     const bool isOnlyCut =
         last && next && isSameView(*last, *next) && !(last->region == next->region);
-    return parts_ && next && (!isOnlyCut || frame_.drawMs > longWait);
+    return parts_ && next && !frame_.made && (!isOnlyCut || frame_.drawMs > longWait);
 }
 
 void LivePicture::paint(QPainter& painter) const
 {
-    QRegion rest(painter.viewport());
+    const double ratio = wish_.key.pixelRatio;
+    const auto inPixels = [ratio](const QRectF& r) { // so that bands join without a gap
+        const QPoint from(qRound(r.left() * ratio), qRound(r.top() * ratio));
+        return QRect(from, QPoint(qRound(r.right() * ratio) - 1, qRound(r.bottom() * ratio) - 1));
+    };
+    const auto inPoints = [ratio](const QRect& r) {
+        return QRectF(r.x() / ratio, r.y() / ratio, r.width() / ratio, r.height() / ratio);
+    };
+    QRegion rest(inPixels(painter.viewport()));
     if (showsParts()) {
         const FrameKey& key = *schedule_.painting();
         const QRectF place = placeOf(key);
         const double scale = place.height() / key.pixels.height();
         for (const auto& [band, image] : parts_->bands()) {
-            const QRectF at(place.left(), place.top() + band.top * scale, place.width(),
-                            band.height * scale);
-            painter.drawImage(at, image);
-            rest -= at.toAlignedRect();
+            const QRect at = inPixels(
+                {place.left(), place.top() + band.top * scale, place.width(), band.height * scale});
+            painter.drawImage(inPoints(at), image);
+            rest -= at;
         }
     }
     const FrameKey* const shown = key();
     if (!shown || frame_.image.isNull())
         return;
     for (const QRect& part :
-         rest) { // at a clip of many rectangles QPainter scales ten times slower
+         rest) { // scaled at a clip of many rectangles it takes ten times as long
         painter.save();
-        painter.setClipRect(part, Qt::IntersectClip);
+        painter.setClipRect(inPoints(part), Qt::IntersectClip);
         painter.drawImage(placeOf(*shown), frame_.image);
         painter.restore();
     }

@@ -24,17 +24,12 @@ PaintedPart::Pieces PaintedPart::pieces(std::size_t block, std::size_t chunk)
 {
     const auto& [of, firstObject, firstLine, remains, pieces] = frame_.blocks[block];
     const std::size_t first = of->chunks[chunk].first, end = of->endOfChunk(chunk);
-    if (std::exchange(block_, block) != block)
-        near_ = std::ranges::lower_bound(pieces, first, {}, &Clipped::source);
-    while (near_ != pieces.begin() && std::prev(near_)->source >= first)
-        --near_;
-    while (near_ != pieces.end() && near_->source < first)
-        ++near_;
-    auto last = near_;
+    const auto begin = std::ranges::lower_bound(pieces, first, {}, &Clipped::source);
+    auto last = begin;
     while (last != pieces.end() && last->source < end)
         ++last;
     gaps_.clear();
-    return painted(*of, first, end, Pieces(near_, last), gaps_);
+    return painted(*of, first, end, Pieces(begin, last), gaps_);
 }
 
 PaintedPart::Pieces PaintedPart::painted(const SceneBlock& block, std::size_t first,

@@ -23,8 +23,7 @@ public:
     Remains remains(std::size_t block, std::size_t chunk) const;
 
     /// The pieces of a chunk with Remains::Pieces, in the order of the lines; `source` is numbered
-    /// within the block. Valid until the next call. Quick if the chunks ascend or descend from call
-    /// to call.
+    /// within the block. Valid until the next call.
     Pieces pieces(std::size_t block, std::size_t chunk);
 
     /// Whether all lines [first, end) of a block are painted uncut.
@@ -41,8 +40,6 @@ private:
 
     SceneFrame frame_;
     Painted which_;
-    std::size_t block_ = std::size_t(-1); // the block that near_ belongs to
-    Pieces::iterator near_{};             // where the last chunk's pieces begin
     std::vector<clipping::Clipped> gaps_;
 };
 

@@ -13,7 +13,7 @@
 namespace app {
 
 constexpr int mostHalvings = 10;           // of the radius, in a crowd
-constexpr double underPoint = 1.0 / 32;    // of the radius: a quarter of a pixel for the pointer
+constexpr double underPoint = 1.0 / 32;    // of the radius: a fifth of a pixel for the pointer
 constexpr std::size_t mostAtOnce = 10'000; // lines of a drawing whose grids are laid at once
 
 std::vector<std::size_t> Picking::near(const Point& point, double radius) const
@@ -93,19 +93,22 @@ std::optional<std::size_t> Picking::nearest(const Point& point, double radius) c
 {
     follow();
     const SceneLines& lines = scene_.lines();
+    const double under = radius * underPoint;
     std::optional<std::size_t> best;
     double least = radius;
     std::vector<std::size_t> found;
-    for (std::size_t i = blocks_.size(); i-- > 0 && !(best && least <= radius * underPoint);) {
+    for (std::size_t i = blocks_.size(); i-- > 0;) {
         found.clear();
         NearLimits none;
         findIn(i, point, least, none, found);
         for (const std::size_t line : found | std::views::reverse) {
             const double d = distance(point, lines[line]);
-            if ((d < least || !best) && pickable(lines.objectOf(line))) {
-                least = d;
-                best = line;
-            }
+            if (!(best ? d < least : d <= least) || !pickable(lines.objectOf(line)))
+                continue;
+            if (d <= under)
+                return line;
+            least = d;
+            best = line;
         }
     }
     return best;

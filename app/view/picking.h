@@ -25,9 +25,9 @@ public:
     /// tiny radius has too many, or too many lines must be looked at, some are found.
     std::vector<std::size_t> near(const Point& point, double radius, NearLimits limits) const;
 
-    /// The nearest such line whose object is pickable; of equally near lines the topmost. In a
-    /// drawing of many blocks a line that is as good as under the point hides those of the blocks
-    /// below: where lines lie above each other by the hundred thousand, all are as near.
+    /// Of the lines whose objects are pickable the topmost that is as good as under the point (1/32
+    /// of the radius); else the nearest within it, of equally near ones the topmost. So the lines
+    /// below need not be looked at where they lie above each other by the hundred thousand.
     std::optional<std::size_t> nearest(const Point& point, double radius) const;
 
     /// The topmost pickable filled object whose area contains the point.

@@ -6,6 +6,7 @@
 #include "app/view/draw_list.h"
 #include "app/view/picture_options.h"
 
+#include <algorithm>
 #include <array>
 
 namespace app {

@@ -292,6 +292,8 @@ QImage transparent(int width, int height)
 QImage rasterised(const Picture& picture, Band band, const RasterOptions& options,
                   const QImage& base)
 {
+    if (picture.isEmpty() && !base.isNull())
+        return base;
     QImage image = transparent(options.width, band.height);
     if (!picture.selected.commands.empty())
         Painting(image, band.top, options).paint(picture.selected);

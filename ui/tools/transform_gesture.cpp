@@ -270,7 +270,8 @@ void TransformGesture::paint(QPainter& painter, const Workbench& bench) const
     PivotMarks::paintPivot(painter, pivot, bench.look);
 }
 
-constexpr double mostPixels = 500'000; // that lines are long together: some 4 ms
+constexpr double mostPixels = 500'000;    // that lines are long together: some 4 ms
+constexpr std::size_t fewPreviewed = 100; // however long they are
 
 void paintMapped(QPainter& painter, const Workbench& bench, const app::AffineMap& map,
                  std::size_t most)
@@ -278,15 +279,23 @@ void paintMapped(QPainter& painter, const Workbench& bench, const app::AffineMap
     const app::SceneLines& all = bench.session.scene.lines();
     const auto at = [&](const app::Point& p) { return bench.onScreen(map(p)); };
     std::vector<QLineF> lines;
+    const QRectF seen(0, 0, bench.view.size.x, bench.view.size.y);
     double left = mostPixels * double(most) / mostPreviewed;
-    const auto isFull = [&] { return lines.size() >= most || left < 0; };
+    const auto isFull = [&] {
+        return lines.size() >= most || (left < 0 && lines.size() >= fewPreviewed);
+    };
     for (const std::size_t shape : bench.session.selection()) {
         if (isFull())
             break;
         const auto end = all.firstLineOf(shape + 1);
         for (auto i = all.firstLineOf(shape); i < end && !isFull(); ++i) {
-            lines.emplace_back(at(all[i].a), at(all[i].b));
-            left -= (lines.back().p2() - lines.back().p1()).manhattanLength();
+            const QLineF& line = lines.emplace_back(at(all[i].a), at(all[i].b));
+            const QPointF low(std::min(line.x1(), line.x2()), std::min(line.y1(), line.y2()));
+            const QPointF high(std::max(line.x1(), line.x2()), std::max(line.y1(), line.y2()));
+            const double across = std::min(high.x(), seen.right()) - std::max(low.x(), 0.0);
+            const double down = std::min(high.y(), seen.bottom()) - std::max(low.y(), 0.0);
+            if (across >= 0 && down >= 0) // what is not seen takes no time
+                left -= across + down;
         }
     }
     painter.setPen(QPen(bench.look.selection, 1.5));

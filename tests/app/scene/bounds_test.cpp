@@ -65,6 +65,28 @@ private slots:
             QVERIFY(sameBits(boundsOf(lines), plainBounds(lines, all)));
         }
     }
+    /// What is the least of zeros of both signs, or beside what is no number, depends on the order.
+    void orderDecidesBeforeBoxes()
+    {
+        const double nan = std::nan("");
+        for (const auto& [place, special] :
+             {std::pair<std::size_t, double>{64, nan}, {0, 0.0}, {66, -0.0}, {3, nan}}) {
+            app::Objects objects;
+            for (std::size_t i = 0; i < 72; ++i) {
+                const double x = i == place ? special : place == 0 ? -0.0 : 0.0;
+                objects.append(
+                    app::Object{app::Path(clipping::Segment{{x, 0}, {1, 1}}), {}, {}, false});
+            }
+            const app::SceneLines lines = app::linesOf(objects, {}, 0.1);
+            for (const std::size_t end : {64, 65, 66, 67, 70, 72})
+                for (const std::size_t first : {0, 1, 63, 64}) {
+                    if (first >= end)
+                        continue;
+                    const app::ObjectRanges some(app::ObjectRange{first, end});
+                    QVERIFY(sameBits(boundsOf(lines, some), plainBounds(lines, some)));
+                }
+        }
+    }
     void nothingHasNoBounds()
     {
         QVERIFY(!app::boundsOf(app::SceneLines()));

@@ -67,7 +67,7 @@ private slots:
     }
     void soManyLinesAreNotMeasured()
     {
-        constexpr std::size_t count = 500'001;
+        constexpr std::size_t count = 600'001;
         DocumentBuilder builder;
         builder.open({.name = "Drawing"});
         for (std::size_t i = 0; i < count; ++i)
@@ -78,8 +78,8 @@ private slots:
         session.load({builder.take({}), {}});
         session.changeDisplay([](app::Display& display) { display.unit = Unit::User; });
         const SelectionNumber& length = Drawing::number("length");
-        session.select(ObjectRanges(ObjectRange{1, count}));
-        QCOMPARE(length.value(session, {}), std::optional(1'000'000.0));
+        session.select(ObjectRanges(ObjectRange{0, count / 2}));
+        QCOMPARE(length.value(session, {}), std::optional(600'000.0));
         session.select(ObjectRanges(ObjectRange{0, count}));
         QVERIFY(!length.value(session, {}));
         QCOMPARE(setSelectionNumber(session, length, {}, 5), std::optional(length.refusal));

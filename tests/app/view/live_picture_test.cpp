@@ -168,6 +168,46 @@ private slots:
         picture.want(wish, 0us);
         QVERIFY(paintedBy(picture) != blank);
     }
+    /// Nor is there paper between them and the last picture.
+    void bandsJoinAtAnyPixelRatio_data()
+    {
+        QTest::addColumn<double>("ratio");
+        for (const double ratio : {1.0, 1.25, 1.5, 2.0})
+            QTest::addRow("%g", ratio) << ratio;
+    }
+    void bandsJoinAtAnyPixelRatio()
+    {
+        QFETCH(double, ratio);
+        const app::Style red{.fill = app::Colour{200, 0, 0}};
+        const app::Subpath area{{-9, -9}, {{{409, -9}}, {{409, 309}}, {{-9, 309}}}, true};
+        app::DocumentBuilder builder;
+        builder.open({.name = "Area"});
+        for (int i = 0; i < 12'000; ++i)
+            builder.add(app::Object{app::Path(std::span(&area, 1)), red});
+        builder.close();
+        app::FrameWish wish = wishFor(builder.take({{0, 0}, {400, 300}, {}, {}}));
+        wish.key.pixelRatio = ratio;
+        wish.key.pixels = (QSizeF(400, 300) * ratio).toSize();
+        app::LivePicture picture;
+        picture.want(wish, 0us);
+        picture.settle();
+        int images = 0;
+        connect(&picture, &app::LivePicture::advanced, this, [&] {
+            QImage image(wish.key.pixels, QImage::Format_ARGB32_Premultiplied);
+            image.setDevicePixelRatio(ratio);
+            image.fill(Qt::white);
+            QPainter painter(&image);
+            picture.paint(painter);
+            painter.end();
+            ++images;
+            for (int y = 0; y < image.height(); ++y)
+                QCOMPARE(image.pixel(image.width() / 2, y), qRgb(200, 0, 0));
+        });
+        wish.key.look = 1;
+        picture.want(wish, 0us);
+        QTRY_VERIFY_WITH_TIMEOUT(!picture.times().painting, 60'000);
+        QVERIFY(images > 0);
+    }
     /// The finished bands of another cut would have two cuts in one picture, and only one outline:
     /// they are shown only where frames take long.
     void aPictureHasPartsOfTwoCutsOnlyIfItTakesLong_data()

@@ -167,7 +167,21 @@ private slots:
                                  line({1e300, 0}, {-1e300, 0})}}));
         QCOMPARE(stage.picking.near({3, 3}, 1), std::vector<std::size_t>{3});
         QVERIFY(stage.picking.near({30, 3}, 1).empty());
+        QCOMPARE(stage.picking.nearest({3, 3}, 1), Found(3));
+        QCOMPARE(stage.picking.nearest({30, 3}, 1), Found());
         QVERIFY(!stage.picking.areaAt({3, 3}));
+    }
+    // Above a line, in a large drawing as long as its grids are not laid, too.
+    void linesWhoseDistanceIsNoNumberAreNotPicked()
+    {
+        for (const std::size_t more : {0, 20'000}) {
+            std::vector<app::Object> objects(more, line({50, 50}, {51, 50}));
+            objects.push_back(line({0, 0}, {10, 0}));
+            for (const double far : {1e160, 1e200, 1e300, std::nan("")})
+                objects.push_back(line({-far, -far}, {far, far}));
+            Stage stage(documentOf({objects}));
+            QCOMPARE(stage.picking.nearest({5, 0.01}, 8), Found(more));
+        }
     }
     void distanceIsToTheSegmentNotItsLine()
     {
@@ -185,34 +199,42 @@ private slots:
         setLayer(stage.document, 0, false, false);
         QCOMPARE(stage.picking.nearest({5, 1}, 2), std::nullopt);
     }
-    // In a crowd of many blocks it may stop at one that is as good as under the point.
-    void theNearestOfManyBlocksIsPicked()
+    void theTopmostUnderThePointOrTheNearestIsPicked()
     {
         std::mt19937_64 random(8);
         std::uniform_real_distribution<double> place(-100, 100);
-        for (const std::size_t count : {20'000, 200'000}) {
+        for (const std::size_t count : {3'000, 20'000, 200'000}) {
             const Stage stage(scattered(random, count));
-            int underThePoint = 0;
+            int under = 0, near = 0;
             for (int round = 0; round < 60; ++round) {
                 const Point p(place(random), place(random));
                 const double radius = 0.002 * (1 << round % 12);
-                Found expected;
+                Found nearest, topmost;
                 double least = radius;
-                for (std::size_t i = 0; i < count; ++i)
-                    if (const double d = app::distance(p, stage.lines()[i]); d <= least) {
-                        least = d;
-                        expected = i;
-                    }
-                const Found found = stage.picking.nearest(p, radius);
-                QCOMPARE(found.has_value(), expected.has_value());
-                if (found == expected)
-                    continue;
-                QVERIFY(app::distance(p, stage.lines()[*found]) <= radius / 32);
-                QVERIFY(*found > *expected); // it lies above it
-                ++underThePoint;
+                for (std::size_t i = 0; i < count; ++i) {
+                    const double d = app::distance(p, stage.lines()[i]);
+                    if (d <= least)
+                        least = d, nearest = i;
+                    if (d <= radius / 32)
+                        topmost = i;
+                }
+                QCOMPARE(stage.picking.nearest(p, radius), topmost ? topmost : nearest);
+                under += topmost.has_value();
+                near += nearest && !topmost;
             }
-            QVERIFY(underThePoint < 40);
+            QVERIFY(under > 0 && near > 0);
         }
+    }
+    void lockedLinesOfOtherBlocksAreNotPicked()
+    {
+        std::mt19937_64 random(9);
+        std::vector<app::Object> crowd(70'000, line({0, 0}, {10, 0}));
+        Stage stage(documentOf({{line({0, 0.01}, {10, 0.01})}, crowd}));
+        QVERIFY(stage.lines().blocks().size() > 1);
+        QCOMPARE(stage.picking.nearest({5, 0.01}, 2), Found(70'000)); // as good as under the point
+        setLayer(stage.document, 1, true, true);
+        QCOMPARE(stage.picking.nearest({5, 0.01}, 2), Found(0));
+        QCOMPARE(stage.picking.nearest({5, 1}, 0.5), std::nullopt);
     }
     void areasArePickedByTheirRule()
     {
