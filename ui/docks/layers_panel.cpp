@@ -43,7 +43,7 @@ public:
         if (const auto colour = index.data(Qt::DecorationRole).value<QColor>(); colour.isValid()) {
             painter->fillRect(square, colour);
         }
-        painter->setPen(look.border); // a colour may be that of the row
+        painter->setPen(look.control); // a colour may be that of the row
         painter->drawRect(square.adjusted(0, 0, -1, -1));
         drawName(*painter, option, nameBox(option.rect), index.data().toString(), !visible);
         painter->setPen(look.muted);

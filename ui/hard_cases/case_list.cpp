@@ -45,7 +45,7 @@ public:
                          {casePictureColours(option.palette)});
         const bool chosen = option.state & QStyle::State_Selected;
         const bool near = option.state & QStyle::State_MouseOver;
-        painter->setPen(QPen(chosen || near ? look.selection : look.border, chosen ? 2 : 1));
+        painter->setPen(QPen(chosen || near ? look.selection : look.control, chosen ? 2 : 1));
         painter->drawRect(box.adjusted(0, 0, -1, -1));
         const QFont font = chosen ? semiBold(caption) : caption;
         painter->setFont(font);

@@ -71,7 +71,7 @@ protected:
         const Look& look = lookOf(palette());
         QPainter painter(this);
         painter.setRenderHint(QPainter::Antialiasing);
-        painter.setPen(hasFocus() ? QPen(look.selection, 2) : QPen(look.border));
+        painter.setPen(hasFocus() ? QPen(look.selection, 2) : QPen(look.control));
         painter.setBrush(underMouse() || isDown() ? look.hover : look.base);
         painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), space::radius,
                                 space::radius);

@@ -18,7 +18,8 @@ struct Look {
     bool dark;
     QColor window, panel, base, paper;
     QColor canvas; ///< around the page
-    /// Dividers; field borders; outlines of check boxes and radio buttons.
+    /// Dividers; outlines of what only shows, and of what is disabled; borders of fields, buttons
+    /// and all that can be clicked, which everyone must see (3:1).
     QColor rule, border, control;
     QColor text, muted;
     QColor accent, onAccent;

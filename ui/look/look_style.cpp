@@ -38,8 +38,12 @@ void drawField(QPainter& painter, const QStyleOption& option, const QRect& rect)
 {
     const Look& look = lookOf(option.palette);
     const bool focus = has(option, QStyle::State_HasFocus) && has(option, QStyle::State_Enabled);
-    const QColor ground = has(option, QStyle::State_Enabled) ? look.base : look.window;
-    drawBox(painter, rect, ground, focus ? look.selection : look.border, focus ? 2 : 1);
+    const bool enabled = has(option, QStyle::State_Enabled);
+    drawBox(painter, rect, enabled ? look.base : look.window,
+            focus     ? look.selection
+            : enabled ? look.control
+                      : look.border,
+            focus ? 2 : 1);
 }
 
 void drawChevron(QPainter& painter, const QRect& rect, const QColor& colour, double towards)
@@ -90,7 +94,10 @@ void drawButton(QPainter& painter, const QStyleOption& option)
             down      ? look.tint
             : hovered ? look.hover
                       : look.base,
-            focus ? look.selection : look.border, focus ? 2 : 1);
+            focus     ? look.selection
+            : enabled ? look.control
+                      : look.border,
+            focus ? 2 : 1);
 }
 
 /// Flat unless hovered; a checked button has the tint and a border in the selection colour.

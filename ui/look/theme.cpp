@@ -48,15 +48,15 @@ QString styleSheet(const Look& look)
         QToolTip { background: %4; color: %3; border: 1px solid %5; padding: 3px; }
         QScrollBar:vertical { background: transparent; width: 10px; margin: 0; }
         QScrollBar:horizontal { background: transparent; height: 10px; margin: 0; }
-        QScrollBar::handle { background: %5; border-radius: 3px; margin: 2px; }
+        QScrollBar::handle { background: %6; border-radius: 3px; margin: 2px; }
         QScrollBar::handle:vertical { min-height: 24px; }
         QScrollBar::handle:horizontal { min-width: 24px; }
-        QScrollBar::handle:hover { background: %6; }
+        QScrollBar::handle:hover { background: %7; }
         QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
         QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
     )")
         .arg(look.window.name(), look.tint.name(), look.text.name(), look.base.name(),
-             look.border.name(), look.control.name());
+             look.border.name(), look.control.name(), look.muted.name());
 }
 
 } // namespace

@@ -184,7 +184,7 @@ void SheetPainter::paintTag(std::size_t sheet, const QFont& font, bool large)
     if (!large && tag.width() > paper.width())
         return;
     painter_.setPen(Qt::NoPen);
-    painter_.setBrush(tile.leftOut ? look_.border : look_.accent);
+    painter_.setBrush(tile.leftOut ? look_.muted : look_.accent);
     painter_.drawRoundedRect(tag, space::radius - 1, space::radius - 1);
     painter_.setPen(tile.leftOut ? look_.panel : look_.onAccent);
     painter_.drawText(tag, Qt::AlignCenter, name);

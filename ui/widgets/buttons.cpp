@@ -26,7 +26,7 @@ void StartButton::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const double pen = hasFocus() ? 2 : 1;
-    painter.setPen(QPen(hasFocus() ? look.selection : look.border, pen));
+    painter.setPen(QPen(hasFocus() ? look.selection : look.control, pen));
     painter.setBrush(isDown() ? look.tint : underMouse() ? look.hover : look.base);
     painter.drawRoundedRect(QRectF(rect()).adjusted(pen / 2, pen / 2, -pen / 2, -pen / 2),
                             space::radius, space::radius);
@@ -82,7 +82,7 @@ void SampleButton::paintEvent(QPaintEvent*)
     if (!picture_.isNull())
         painter.drawImage(box, picture_);
     const bool strong = marked_ || hasFocus();
-    painter.setPen(QPen(strong || underMouse() ? look.selection : look.border, strong ? 2 : 1));
+    painter.setPen(QPen(strong || underMouse() ? look.selection : look.control, strong ? 2 : 1));
     painter.drawRect(box.adjusted(0, 0, -1, -1));
     painter.setPen(look.text);
     painter.setFont(marked_ ? semiBold(captionFont(font())) : captionFont(font()));

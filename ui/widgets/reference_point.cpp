@@ -63,7 +63,7 @@ void ReferencePoint::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     const Look& look = lookOf(palette());
-    const QColor line = isEnabled() ? look.border : look.rule;
+    const QColor line = isEnabled() ? look.control : look.border;
     painter.setPen(QPen(line, 1));
     painter.drawRect(QRectF(inset, inset, side - 2 * inset, side - 2 * inset));
     for (int y = -1; y <= 1; ++y)

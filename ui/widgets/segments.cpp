@@ -44,9 +44,9 @@ protected:
         QPainterPath outline;
         outline.addRoundedRect(box, space::radius, space::radius);
         painter.fillPath(outline, isChecked() ? look.tint : underMouse() ? look.hover : look.base);
-        painter.strokePath(outline, QPen(look.border, 1));
+        painter.strokePath(outline, QPen(isEnabled() ? look.control : look.border, 1));
         if (place_ != Place::First)
-            painter.fillRect(0, 0, 1, height(), look.border);
+            painter.fillRect(0, 0, 1, height(), isEnabled() ? look.control : look.border);
         if (isChecked())
             painter.fillRect(0, height() - 2, width(), 2, look.selection);
         if (hasFocus()) {

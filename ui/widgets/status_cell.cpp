@@ -115,7 +115,7 @@ void WarningButton::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.fillRect(rect(), look.warningGround);
     if (hasFocus() || underMouse()) {
-        painter.setPen(QPen(hasFocus() ? look.selection : look.border, hasFocus() ? 2 : 1));
+        painter.setPen(QPen(hasFocus() ? look.selection : look.control, hasFocus() ? 2 : 1));
         painter.drawRect(rect().adjusted(1, 1, -1, -1));
     }
     ui::icon("warning").paint(&painter, beside, (height() - pictureSize) / 2, pictureSize,

@@ -5,7 +5,14 @@
 #include "ui/tools/tool.h"
 #include "ui/widgets/algorithm_marker.h"
 
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLineEdit>
 #include <QProgressBar>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSpinBox>
+#include <QVBoxLayout>
 
 #include <set>
 
@@ -68,6 +75,52 @@ private slots:
                               look.panel)
                          >= 3,
                      algorithm.abbreviation.data());
+    }
+    void bordersAndMarksHaveEnoughContrast_data() { textHasEnoughContrast_data(); }
+    void bordersAndMarksHaveEnoughContrast()
+    {
+        QFETCH(int, theme);
+        const Look& look = lookOf(Theme(theme));
+        for (const QColor& ground :
+             {look.window, look.panel, look.base, look.tint, look.hover, look.canvas})
+            QVERIFY2(contrast(look.control, ground) >= 3, qPrintable(ground.name()));
+        for (const QColor& mark :
+             {look.accent, look.selection, look.differs, look.guide, look.good})
+            for (const QColor& ground : {look.paper, look.canvas})
+                QVERIFY2(contrast(mark, ground) >= 3, qPrintable(mark.name() + ground.name()));
+        QVERIFY(contrast(look.accent, look.paper) >= 4.5); // the names of windows
+        QVERIFY(contrast(look.guide, look.guideGround) >= 4.5);
+        QVERIFY(contrast(look.panel, look.muted) >= 4.5); // a sheet that is left out
+        for (const QColor& ground : {look.window, look.panel, look.base})
+            QVERIFY(contrast(errorColour(look), ground) >= 4.5);
+    }
+    /// As painted: the border of each, beside it and within.
+    void whatCanBeClickedHasABorderThatIsSeen_data() { textHasEnoughContrast_data(); }
+    void whatCanBeClickedHasABorderThatIsSeen()
+    {
+        QFETCH(int, theme);
+        applyTheme(*qApp, Theme(theme));
+        QWidget ground;
+        QVBoxLayout rows(&ground);
+        const QList<QWidget*> all{new QLineEdit("text"),    new QSpinBox,
+                                  new QDoubleSpinBox,       new QComboBox,
+                                  new QPushButton("Push"),  new QCheckBox("Check"),
+                                  new QRadioButton("Radio")};
+        for (QWidget* each : all) {
+            each->setFocusPolicy(Qt::NoFocus);
+            rows.addWidget(each, 0, Qt::AlignLeft);
+        }
+        ground.show();
+        const QImage picture = ground.grab().toImage().scaled(ground.size());
+        for (const QWidget* each : all) {
+            const int y = each->geometry().center().y();
+            const QColor beside = picture.pixelColor(each->x() - 4, y);
+            double most = 0;
+            for (int x = each->x(); x < each->x() + 6; ++x)
+                most = std::max(most, contrast(picture.pixelColor(x, y), beside));
+            QVERIFY2(most >= 3,
+                     qPrintable(QString("%1: %2").arg(each->metaObject()->className()).arg(most)));
+        }
     }
     void everyToolAndCommandHasItsIcon()
     {
